@@ -1,0 +1,161 @@
+#pragma once
+/// Contact laws (paper, Tables 1 and 2): pure functions over Real = double or Pack, state in, state out.
+///
+/// Tension and opening are positive. Normal stress is a function of the total opening u_n and of the damage, shear
+/// stress is advanced by increments. Decisions where the paper is silent or misprinted:
+///   - u_el = f_T / k_n (Table 2 prints f_T / u_n).
+///   - Unloading in tension is secant to the origin: an open crack that closes is in contact again at u_n = 0. Plain
+///     increments of Table 1 would leave it propped open.
+///   - u_ul = 2 G / f_T <= u_el, that is f_T > sqrt(2 G k_n): the contact breaks at u_el and releases f_T^2/(2 k_n) > G.
+///   - The shear limit is checked with the damage known so far; a contact that reaches it gets its residual strength
+///     in the same step.
+///   - Between initial and residual friction, tan(theta) is interpolated, not theta. The same where they are equal
+///     (all of the paper).
+
+#include "dem/pack.hpp"
+#include "dem/solver_options.hpp"
+
+namespace dem {
+
+/// Energy lost by a contact in one update, per area [J/m2].
+template <class Real> struct ContactLoss {
+    Real friction;
+    Real fracture;
+};
+
+template <class Real> struct DryLaw {
+    Real kn;      ///< [Pa/m]
+    Real ks;      ///< [Pa/m]
+    Real inv_ks;  ///< [m/Pa]
+    Real tan_phi; ///< [-]
+};
+
+template <class Real> struct DryState {
+    Real u_n; ///< [m]
+    Real tau; ///< [Pa]
+};
+
+/// Normal stress of a dry joint.   sigma = min(0, k_n u_n)
+template <class Real> [[nodiscard]] Real dry_stress(const DryLaw<Real>& law, Real u_n)
+{
+    return min(Real(0.0), law.kn * u_n);
+}
+
+template <class Real> struct DryUpdate {
+    DryState<Real> state;
+    Real sigma;
+    Real friction; ///< [J/m2]
+};
+
+/// Dry joint: no tension, Coulomb friction.
+///   sigma = min(0, k_n u_n),   tau* = tau + k_s du_s,   |tau| <= -sigma tan_phi
+template <class Real>
+[[nodiscard]] DryUpdate<Real> advance(const DryLaw<Real>& law, const DryState<Real>& s, Real du_n,
+                                      Real du_s)
+{
+    const Real u_n = s.u_n + du_n;
+    const Real sigma = dry_stress(law, u_n);
+    const Real limit = -(sigma * law.tan_phi);
+    const Real tau = max(-limit, min(limit, multiply_add(law.ks, du_s, s.tau)));
+    const Real slip = du_s - (tau - s.tau) * law.inv_ks; // plastic part
+    return {{u_n, tau}, sigma, Real(0.5) * (s.tau + tau) * slip};
+}
+
+/// 1/(u_ul - u_el) of a contact that snaps back: any opening beyond u_el is full damage.
+constexpr double kBreaksAtOnce = 1e300; // [1/m]
+
+template <class Real> struct CrackLaw {
+    Real kn;              ///< [Pa/m]
+    Real ks;              ///< [Pa/m]
+    Real inv_ks;          ///< [m/Pa]
+    Real ft;              ///< tensile strength [Pa]
+    Real u_el;            ///< ft / kn [m]
+    Real inv_softening;   ///< 1/(u_ul - u_el) [1/m], or kBreaksAtOnce
+    Real cohesion_res;    ///< [Pa]
+    Real cohesion_drop;   ///< initial - residual cohesion [Pa]
+    Real tan_phi_res;     ///< [-]
+    Real tan_phi_drop;    ///< initial - residual [-]
+};
+
+template <class Real> struct CrackState {
+    Real u_n;   ///< [m]
+    Real tau;   ///< [Pa]
+    Real sigma; ///< [Pa]
+    Real u_max; ///< largest opening so far, at least u_el [m]
+    Real bond;  ///< 1 - d_s: 1 intact, 0 once the shear limit was reached
+};
+
+/// 1 - d_t (Table 2, step 3), from the largest opening so far.
+template <class Real> [[nodiscard]] Real tension_left(const CrackLaw<Real>& law, Real u_max)
+{
+    return Real(1.0) - min(Real(1.0), (u_max - law.u_el) * law.inv_softening);
+}
+
+/// Integrity left against opening and against slip. Coupled: both 1 - D = (1 - d_t)(1 - d_s) (Table 2, step 4).
+template <ContactLaw kLaw, class Real> struct Integrity {
+    Real normal;
+    Real shear;
+    Integrity(Real left, Real bond)
+        : normal(kLaw == ContactLaw::coupled ? left * bond : left),
+          shear(kLaw == ContactLaw::coupled ? left * bond : bond)
+    {
+    }
+};
+
+/// Normal stress: elastic in compression, secant below the largest opening.
+///   u_n <= 0: k_n u_n        u_n > 0: (1 - D) f_T u_n / u_max
+template <class Real>
+[[nodiscard]] Real crack_stress(const CrackLaw<Real>& law, Real integrity, Real u_n, Real u_max)
+{
+    return select(u_n > Real(0.0), integrity * law.ft * (u_n / u_max), law.kn * u_n);
+}
+
+/// tau_max = c(D) - sigma tan(theta(D)), not below zero (Table 2, step 5).
+template <class Real>
+[[nodiscard]] Real shear_strength(const CrackLaw<Real>& law, Real integrity, Real sigma)
+{
+    const Real c = multiply_add(law.cohesion_drop, integrity, law.cohesion_res);
+    const Real tan_phi = multiply_add(law.tan_phi_drop, integrity, law.tan_phi_res);
+    return max(Real(0.0), c - sigma * tan_phi);
+}
+
+template <class Real> struct CrackUpdate {
+    CrackState<Real> state;
+    ContactLoss<Real> loss;
+};
+
+/// Potential crack in a unit (Table 2): linear softening in tension, brittle in shear.
+template <ContactLaw kLaw, class Real>
+[[nodiscard]] CrackUpdate<Real> advance(const CrackLaw<Real>& law, const CrackState<Real>& s,
+                                        Real du_n, Real du_s)
+{
+    const Real u_n = s.u_n + du_n;
+    const Real u_max = max(s.u_max, u_n);
+    const Real left = tension_left(law, u_max);
+    const Integrity<kLaw, Real> before(left, s.bond);
+    const Real sigma_trial = crack_stress(law, before.normal, u_n, u_max);
+    const Real tau_trial = multiply_add(law.ks, du_s, s.tau);
+
+    const auto fails = abs(tau_trial) > shear_strength(law, before.shear, sigma_trial);
+    const Real bond = select(fails, Real(0.0), s.bond);
+    const Integrity<kLaw, Real> after(left, bond);
+    const Real sigma = crack_stress(law, after.normal, u_n, u_max);
+    const Real limit = shear_strength(law, after.shear, sigma);
+    const Real tau = max(-limit, min(limit, tau_trial));
+
+    const Real slip = du_s - (tau - s.tau) * law.inv_ks;
+    const Real shear_loss = Real(0.5) * (s.tau + tau) * slip;
+    // In the step that breaks the bond, what the residual strength would have taken is friction, the rest fracture.
+    const Real friction = select(bond < s.bond, min(shear_loss, abs(tau * slip)), shear_loss);
+    // Work of sigma less the change of sigma u_n / 2: zero as long as sigma is proportional to u_n.
+    const Real opening_loss = Real(0.5) * (s.sigma * u_n - sigma * s.u_n);
+    return {{u_n, tau, sigma, u_max, bond}, {friction, opening_loss + (shear_loss - friction)}};
+}
+
+/// D of Table 2.
+template <class Real> [[nodiscard]] Real damage(const CrackLaw<Real>& law, const CrackState<Real>& s)
+{
+    return Real(1.0) - tension_left(law, s.u_max) * s.bond;
+}
+
+} // namespace dem

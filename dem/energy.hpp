@@ -1,0 +1,18 @@
+#pragma once
+/// Energy ledger: work in = kinetic + elastic + friction + fracture + damping.
+
+namespace dem {
+
+/// All in joules, from the unloaded state.
+struct Energy {
+    double work = 0.0;     ///< by the drive, the vertical load and self-weight
+    double kinetic = 0.0;  ///< of the fictitious masses
+    double elastic = 0.0;  ///< blocks and contacts
+    double friction = 0.0; ///< slip under friction
+    double fracture = 0.0; ///< tension softening, and cohesion lost in shear
+    double damping = 0.0;
+    /// What is missing, as a share of the work that passed through the wall [-].
+    [[nodiscard]] double residual() const;
+};
+
+} // namespace dem
