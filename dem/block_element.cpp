@@ -10,7 +10,8 @@ namespace dem {
 
 namespace {
 
-Eigen::VectorXd modal_load(const Condensed& c, const Eigen::MatrixXd& phi, const Eigen::VectorXd& nodal)
+Eigen::VectorXd modal_load(const Condensed& c, const Eigen::MatrixXd& phi,
+                           const Eigen::VectorXd& nodal)
 {
     return phi.transpose() * condense_load(c, nodal);
 }

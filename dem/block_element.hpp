@@ -27,10 +27,10 @@ struct BlockEdge {
 
 enum class Motion {
     free,
-    clamped_bottom,          ///< bottom face fixed
+    clamped_bottom,            ///< bottom face fixed
     clamped_bottom_held_right, ///< and no horizontal displacement of the right side
-    held_right_corner,       ///< no horizontal displacement of the lower right corner
-    driven                   ///< the beam: horizontal displacement of its load line is prescribed
+    held_right_corner,         ///< no horizontal displacement of the lower right corner
+    driven ///< the beam: horizontal displacement of its load line is prescribed
 };
 
 struct BlockSpec {
@@ -49,13 +49,13 @@ struct BlockSpec {
 /// What the solver and the pictures need of a block; shared by all blocks of the same spec.
 /// Rows of phi: x and z of each contact point in turn; columns: modes.
 struct BlockElement {
-    std::vector<Point> points;  ///< contact points [m]
-    Eigen::MatrixXd phi;        ///< 2 points x modes [m per sqrt(J)]
-    Eigen::VectorXd lambda;     ///< elastic stiffness of each mode, >= 0 [-]
-    Eigen::VectorXd weight;     ///< modal load of a unit body force acting downwards [N/m3]
-    Eigen::VectorXd sway;       ///< modal load of a unit body force acting to the right
-    Eigen::VectorXd top_load;   ///< modal load of a unit pressure on the top [Pa]
-    std::vector<Point> outline; ///< boundary [m], counter-clockwise from the lower left
+    std::vector<Point> points;   ///< contact points [m]
+    Eigen::MatrixXd phi;         ///< 2 points x modes [m per sqrt(J)]
+    Eigen::VectorXd lambda;      ///< elastic stiffness of each mode, >= 0 [-]
+    Eigen::VectorXd weight;      ///< modal load of a unit body force acting downwards [N/m3]
+    Eigen::VectorXd sway;        ///< modal load of a unit body force acting to the right
+    Eigen::VectorXd top_load;    ///< modal load of a unit pressure on the top [Pa]
+    std::vector<Point> outline;  ///< boundary [m], counter-clockwise from the lower left
     Eigen::MatrixXd outline_phi; ///< 2 outline points x modes
 };
 

@@ -57,8 +57,8 @@ MatrixXd eigenvectors(const MatrixXd& k, const MatrixXd& c)
 BlockModes ritz(const MatrixXd& k, const MatrixXd& c, const MatrixXd& basis)
 {
     if (basis.cols() == 0) return {basis, VectorXd(0)};
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(basis.transpose() * k * basis,
-                                                                    basis.transpose() * c * basis);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
+        basis.transpose() * k * basis, basis.transpose() * c * basis);
     return {basis * solver.eigenvectors(), solver.eigenvalues()};
 }
 
@@ -75,7 +75,8 @@ BlockModes joined(const BlockModes& a, const BlockModes& b)
 MatrixXd rigid_motions(const BlockSpec& spec, const std::vector<Point>& points)
 {
     const Point centre{0.5 * spec.width, 0.5 * spec.height};
-    return columns({linear_field(points, centre, {1, 0}, {}, {}), linear_field(points, centre, {0, 1}, {}, {}),
+    return columns({linear_field(points, centre, {1, 0}, {}, {}),
+                    linear_field(points, centre, {0, 1}, {}, {}),
                     linear_field(points, centre, {}, {0, -1}, {1, 0})});
 }
 
@@ -91,7 +92,8 @@ MatrixXd driven_motions(const BlockSpec& spec, const std::vector<Point>& points)
 MatrixXd strains(const BlockSpec& spec, const std::vector<Point>& points)
 {
     const Point centre{0.5 * spec.width, 0.5 * spec.height};
-    return columns({linear_field(points, centre, {}, {1, 0}, {}), linear_field(points, centre, {}, {}, {0, 1}),
+    return columns({linear_field(points, centre, {}, {1, 0}, {}),
+                    linear_field(points, centre, {}, {}, {0, 1}),
                     linear_field(points, centre, {}, {0, 1}, {1, 0})});
 }
 
@@ -124,7 +126,8 @@ BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const Ma
     const MatrixXd k_open = con.stiffness(open, open), c_open = c(open, open);
     const Index all = static_cast<Index>(open.size());
     const bool hinged = spec.motion == Motion::held_right_corner; // still turns and lifts
-    const Index wanted = spec.modes > 0 ? std::min<Index>(spec.modes - (hinged ? 1 : 3), all) : all;
+    const Index wanted =
+        spec.modes > 0 ? std::min<Index>(spec.modes - (hinged ? 1 : 3), all) : all;
     const BlockModes m = ritz(k_open, c_open, eigenvectors(k_open, c_open).leftCols(wanted));
     BlockModes full{MatrixXd::Zero(con.stiffness.rows(), m.phi.cols()), m.lambda.cwiseMax(0.0)};
     for (Index i = 0; i < all; ++i) full.phi.row(open[i]) = m.phi.row(i);
@@ -137,7 +140,8 @@ MatrixXd contact_metric(const BlockSpec& spec, const Condensed& con)
 {
     MatrixXd c = MatrixXd::Zero(con.stiffness.rows(), con.stiffness.cols());
     for (const BlockEdge& e : spec.edges) {
-        const double dx = e.to.x - e.from.x, dz = e.to.z - e.from.z, length = std::hypot(dx, dz);
+        const double dx = e.to.x - e.from.x, dz = e.to.z - e.from.z,
+                     length = std::hypot(dx, dz);
         const Eigen::Vector2d t(dx / length, dz / length), n(t.y(), -t.x());
         const Eigen::Matrix2d stiffness = e.kn * n * n.transpose() + e.ks * t * t.transpose();
         for (std::size_t i = 0; i < e.points.position.size(); ++i) {
@@ -146,7 +150,8 @@ MatrixXd contact_metric(const BlockSpec& spec, const Condensed& con)
             const auto p = std::find_if(con.points.begin(), con.points.end(),
                                         [at](Point q) { return same_place(at, q); }) -
                            con.points.begin();
-            c.block<2, 2>(2 * p, 2 * p) += e.points.weight[i] * length * spec.thickness * stiffness;
+            c.block<2, 2>(2 * p, 2 * p) +=
+                e.points.weight[i] * length * spec.thickness * stiffness;
         }
     }
     return c;

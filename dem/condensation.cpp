@@ -45,7 +45,8 @@ std::vector<Point> contact_points(const BlockSpec& spec)
     for (const BlockEdge& e : spec.edges)
         for (const double s : e.points.position) {
             const Point p = along(e, s);
-            if (std::none_of(points.begin(), points.end(), [p](Point q) { return same_place(p, q); }))
+            if (std::none_of(points.begin(), points.end(),
+                             [p](Point q) { return same_place(p, q); }))
                 points.push_back(p);
         }
     return points;
@@ -81,15 +82,16 @@ struct Trace {
     Eigen::MatrixXd n;          ///< displacement of edge nodes from that of the points
 };
 
-void trace_edge(const BlockSpec& spec, const BlockEdge& e, const std::vector<Point>& points, int node,
-                double s, Trace& t)
+void trace_edge(const BlockSpec& spec, const BlockEdge& e, const std::vector<Point>& points,
+                int node, double s, Trace& t)
 {
     const std::vector<double> shape = edge_shapes(spec.face_rule, e.points, s);
     for (int d = 0; d < 2; ++d) {
         t.source[2 * node + d] = Source::edge;
         t.n.row(2 * node + d).setZero(); // a corner lies on two edges; both say the same
         for (std::size_t k = 0; k < shape.size(); ++k)
-            t.n(2 * node + d, 2 * index_of(points, along(e, e.points.position[k])) + d) = shape[k];
+            t.n(2 * node + d, 2 * index_of(points, along(e, e.points.position[k])) + d) =
+                shape[k];
     }
 }
 
@@ -157,7 +159,8 @@ std::vector<int> outline_nodes(const ZoneGrid& grid, const std::vector<Point>& p
         const int i = n % nx, j = n / nx;
         const bool corner = (i == 0 || i == nx - 1) && (j == 0 || j == nz - 1);
         const Point p{grid.x[i], grid.z[j]};
-        if (corner || std::any_of(points.begin(), points.end(), [p](Point q) { return same_place(p, q); }))
+        if (corner || std::any_of(points.begin(), points.end(),
+                                  [p](Point q) { return same_place(p, q); }))
             kept.push_back(n);
     }
     return kept;
@@ -188,7 +191,8 @@ Condensed condense(const BlockSpec& spec)
     for (std::size_t o = 0; o < outline.size(); ++o) {
         c.outline.push_back({c.grid.x[outline[o] % nx], c.grid.z[outline[o] / nx]});
         for (int d = 0; d < 2; ++d)
-            c.outline_from_points.row(2 * static_cast<Eigen::Index>(o) + d) = trace.n.row(2 * outline[o] + d);
+            c.outline_from_points.row(2 * static_cast<Eigen::Index>(o) + d) =
+                trace.n.row(2 * outline[o] + d);
     }
     return c;
 }

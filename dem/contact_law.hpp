@@ -9,6 +9,8 @@
 ///   - u_ul = 2 G / f_T <= u_el, that is f_T > sqrt(2 G k_n): the contact breaks at u_el and releases f_T^2/(2 k_n) > G.
 ///   - The shear limit is checked with the damage known so far; a contact that reaches it gets its residual strength
 ///     in the same step.
+///   - Tension lowers the shear strength as Table 2 (step 5) says. The other reading, a shear strength c under any
+///     tension, is an option: it decides whether units crack at all at moderate stress (docs/model.md).
 ///   - Between initial and residual friction, tan(theta) is interpolated, not theta. The same where they are equal
 ///     (all of the paper).
 
@@ -50,8 +52,8 @@ template <class Real> struct DryUpdate {
 /// Dry joint: no tension, Coulomb friction.
 ///   sigma = min(0, k_n u_n),   tau* = tau + k_s du_s,   |tau| <= -sigma tan_phi
 template <class Real>
-[[nodiscard]] DryUpdate<Real> advance(const DryLaw<Real>& law, const DryState<Real>& s, Real du_n,
-                                      Real du_s)
+[[nodiscard]] DryUpdate<Real> advance(const DryLaw<Real>& law, const DryState<Real>& s,
+                                      Real du_n, Real du_s)
 {
     const Real u_n = s.u_n + du_n;
     const Real sigma = dry_stress(law, u_n);
@@ -65,16 +67,18 @@ template <class Real>
 constexpr double kBreaksAtOnce = 1e300; // [1/m]
 
 template <class Real> struct CrackLaw {
-    Real kn;              ///< [Pa/m]
-    Real ks;              ///< [Pa/m]
-    Real inv_ks;          ///< [m/Pa]
-    Real ft;              ///< tensile strength [Pa]
-    Real u_el;            ///< ft / kn [m]
-    Real inv_softening;   ///< 1/(u_ul - u_el) [1/m], or kBreaksAtOnce
-    Real cohesion_res;    ///< [Pa]
-    Real cohesion_drop;   ///< initial - residual cohesion [Pa]
-    Real tan_phi_res;     ///< [-]
-    Real tan_phi_drop;    ///< initial - residual [-]
+    Real kn;            ///< [Pa/m]
+    Real ks;            ///< [Pa/m]
+    Real inv_ks;        ///< [m/Pa]
+    Real ft;            ///< tensile strength [Pa]
+    Real u_el;          ///< ft / kn [m]
+    Real inv_softening; ///< 1/(u_ul - u_el) [1/m], or kBreaksAtOnce
+    Real cohesion_res;  ///< [Pa]
+    Real cohesion_drop; ///< initial - residual cohesion [Pa]
+    Real tan_phi_res;   ///< [-]
+    Real tan_phi_drop;  ///< initial - residual [-]
+    Real
+        tension_weight; ///< share of a tension that enters the shear strength: 1, or 0 in the other reading [-]
 };
 
 template <class Real> struct CrackState {
@@ -116,7 +120,8 @@ template <class Real>
 {
     const Real c = multiply_add(law.cohesion_drop, integrity, law.cohesion_res);
     const Real tan_phi = multiply_add(law.tan_phi_drop, integrity, law.tan_phi_res);
-    return max(Real(0.0), c - sigma * tan_phi);
+    const Real acting = min(Real(0.0), sigma) + law.tension_weight * max(Real(0.0), sigma);
+    return max(Real(0.0), c - acting * tan_phi);
 }
 
 template <class Real> struct CrackUpdate {
@@ -153,7 +158,8 @@ template <ContactLaw kLaw, class Real>
 }
 
 /// D of Table 2.
-template <class Real> [[nodiscard]] Real damage(const CrackLaw<Real>& law, const CrackState<Real>& s)
+template <class Real>
+[[nodiscard]] Real damage(const CrackLaw<Real>& law, const CrackState<Real>& s)
 {
     return Real(1.0) - tension_left(law, s.u_max) * s.bond;
 }

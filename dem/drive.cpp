@@ -7,7 +7,8 @@ namespace dem {
 
 namespace {
 
-constexpr double kStartSteps = 500;    // to reach full speed: a jerk at the start would ring through the wall
+constexpr double kStartSteps =
+    500; // to reach full speed: a jerk at the start would ring through the wall
 constexpr double kSmoothingSteps = 50; // of the unbalance that slows the drive
 
 } // namespace
@@ -27,7 +28,8 @@ Drive::Drive(std::vector<double> targets, const SolverOptions& options)
 double Drive::load_factor() const
 {
     if (!settling_) return 1.0;
-    const double s = std::min(1.0, static_cast<double>(step_ + 1) / static_cast<double>(std::max(1LL, ramp_steps())));
+    const double s = std::min(1.0, static_cast<double>(step_ + 1) /
+                                       static_cast<double>(std::max(1LL, ramp_steps())));
     return s * s * (3.0 - 2.0 * s);
 }
 
@@ -36,7 +38,9 @@ double Drive::advance()
     ++step_;
     if (settling_ || finished()) return 0.0;
     const double limit = options_.unbalance_limit;
-    const double calm = limit > 0.0 && unbalance_ > limit ? std::max(options_.min_speed, limit / unbalance_) : 1.0;
+    const double calm = limit > 0.0 && unbalance_ > limit
+                            ? std::max(options_.min_speed, limit / unbalance_)
+                            : 1.0;
     speed_ = std::min(full_speed_ * calm, speed_ + full_speed_ / kStartSteps);
     const double left = targets_[target_] - position_;
     const double way = std::min(speed_, std::abs(left));

@@ -23,6 +23,7 @@ struct FacePoints {
 [[nodiscard]] std::vector<double> edge_nodes(const FacePoints& points, int zones_per_interval);
 
 /// Shape functions of the points at s in [0, 1]: piecewise linear (even), Lagrange polynomials (lobatto).
-[[nodiscard]] std::vector<double> edge_shapes(FaceRule rule, const FacePoints& points, double s);
+[[nodiscard]] std::vector<double> edge_shapes(FaceRule rule, const FacePoints& points,
+                                              double s);
 
 } // namespace dem

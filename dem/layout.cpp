@@ -50,8 +50,12 @@ void add_vertical_faces(int first, int last, Layout& layout)
         const Block& right = layout.blocks[b];
         const bool same_unit = layout.blocks[b - 1].unit == right.unit;
         const int id = same_unit ? ++layout.n_cracks : ++layout.n_joints;
-        layout.faces.push_back({same_unit ? FaceKind::unit_crack : FaceKind::head_joint, id, b - 1,
-                                b, {right.x0, right.z0}, {right.x0, right.z1}});
+        layout.faces.push_back({same_unit ? FaceKind::unit_crack : FaceKind::head_joint,
+                                id,
+                                b - 1,
+                                b,
+                                {right.x0, right.z0},
+                                {right.x0, right.z1}});
     }
 }
 
@@ -74,7 +78,8 @@ void add_base_faces(int last, Layout& layout)
 {
     for (int b = 0; b < last; ++b) {
         const Block& block = layout.blocks[b];
-        layout.faces.push_back({FaceKind::base_joint, 0, kGround, b, {block.x0, 0.0}, {block.x1, 0.0}});
+        layout.faces.push_back(
+            {FaceKind::base_joint, 0, kGround, b, {block.x0, 0.0}, {block.x1, 0.0}});
     }
 }
 
@@ -97,7 +102,8 @@ Layout lay_out(const WallGeometry& wall, double beam_height)
     for (int c = 0; c < wall.courses; ++c) {
         add_vertical_faces(first[c], first[c + 1], layout);
         const bool last = c + 1 == wall.courses;
-        add_bed_faces(first[c], first[c + 1], first[c + 1], last ? layout.beam + 1 : first[c + 2],
+        add_bed_faces(first[c], first[c + 1], first[c + 1],
+                      last ? layout.beam + 1 : first[c + 2],
                       last ? FaceKind::beam_joint : FaceKind::bed_joint, layout);
     }
     return layout;

@@ -30,7 +30,8 @@ struct Face {
 /// Joint IDs run course by course from the bottom: the head joints of a course from left to right, then the bed-joint
 /// pieces above it from left to right. Crack IDs likewise. Base and beam faces have no ID.
 struct Layout {
-    std::vector<Block> blocks; ///< course by course from the bottom, left to right; the beam last
+    std::vector<Block>
+        blocks; ///< course by course from the bottom, left to right; the beam last
     std::vector<Face> faces;
     int n_joints = 0;
     int n_cracks = 0;

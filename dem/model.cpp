@@ -34,7 +34,8 @@ Motion motion_of(const WallGeometry& wall, const Layout& layout, int block)
     if (block == layout.beam) return Motion::driven;
     if (b.course != 1) return Motion::free;
     const bool toe = wall.toe == Toe::held && b.x1 == wall.length;
-    if (wall.base == Base::fixed) return toe ? Motion::clamped_bottom_held_right : Motion::clamped_bottom;
+    if (wall.base == Base::fixed)
+        return toe ? Motion::clamped_bottom_held_right : Motion::clamped_bottom;
     return toe ? Motion::held_right_corner : Motion::free;
 }
 
@@ -44,13 +45,15 @@ std::vector<double> key_of(const BlockSpec& s)
     const auto micron = [](double x) { return std::round(x * 1e6); };
     std::vector<double> key{micron(s.width), micron(s.height), static_cast<double>(s.motion)};
     for (const BlockEdge& e : s.edges)
-        for (const double x : {micron(e.from.x), micron(e.from.z), micron(e.to.x), micron(e.to.z), e.kn, e.ks,
-                               static_cast<double>(e.points.position.size())})
+        for (const double x :
+             {micron(e.from.x), micron(e.from.z), micron(e.to.x), micron(e.to.z), e.kn, e.ks,
+              static_cast<double>(e.points.position.size())})
             key.push_back(x);
     return key;
 }
 
-BlockSpec spec_of(int block, const Model& m, const ReferenceStiffness& reference, const Discretisation& d)
+BlockSpec spec_of(int block, const Model& m, const ReferenceStiffness& reference,
+                  const Discretisation& d)
 {
     const Block& b = m.layout.blocks[block];
     const bool is_beam = block == m.layout.beam;
@@ -71,7 +74,9 @@ BlockSpec spec_of(int block, const Model& m, const ReferenceStiffness& reference
             const auto [kn, ks] = reference_of(f, reference);
             s.edges.push_back({{f.from.x - b.x0, f.from.z - b.z0},
                                {f.to.x - b.x0, f.to.z - b.z0},
-                               points_of(f, m.wall, d), kn, ks});
+                               points_of(f, m.wall, d),
+                               kn,
+                               ks});
         }
     return s;
 }
@@ -100,7 +105,8 @@ int point_of(const Model& m, int block, Point at)
     if (block == kGround) return m.ground_point;
     const Block& b = m.layout.blocks[block];
     const BlockPlace& place = m.places[block];
-    return place.first_point + find_point(m.elements[place.element], {at.x - b.x0, at.z - b.z0});
+    return place.first_point +
+           find_point(m.elements[place.element], {at.x - b.x0, at.z - b.z0});
 }
 
 std::vector<Contact>& list_of(const Face& f, Model& m)
@@ -122,38 +128,45 @@ void connect(const Discretisation& d, Model& m)
     for (std::size_t i = 0; i < m.layout.faces.size(); ++i) {
         const Face& f = m.layout.faces[i];
         const FacePoints points = points_of(f, m.wall, d);
-        const double dx = f.to.x - f.from.x, dz = f.to.z - f.from.z, length = std::hypot(dx, dz);
+        const double dx = f.to.x - f.from.x, dz = f.to.z - f.from.z,
+                     length = std::hypot(dx, dz);
         for (std::size_t k = 0; k < points.position.size(); ++k) {
-            const Point at{f.from.x + points.position[k] * dx, f.from.z + points.position[k] * dz};
-            list_of(f, m).push_back({point_of(m, f.a, at), point_of(m, f.b, at), is_bed(f) ? 0.0 : 1.0,
-                                     is_bed(f) ? 1.0 : 0.0,
-                                     points.weight[k] * length * m.wall.thickness, material_of(f),
-                                     static_cast<int>(i)});
+            const Point at{f.from.x + points.position[k] * dx,
+                           f.from.z + points.position[k] * dz};
+            list_of(f, m).push_back({point_of(m, f.a, at), point_of(m, f.b, at),
+                                     is_bed(f) ? 0.0 : 1.0, is_bed(f) ? 1.0 : 0.0,
+                                     points.weight[k] * length * m.wall.thickness,
+                                     material_of(f), static_cast<int>(i)});
         }
     }
 }
 
-void check(const WallGeometry& wall, const Beam& beam, const Loads& loads, const Discretisation& d)
+void check(const WallGeometry& wall, const Beam& beam, const Loads& loads,
+           const Discretisation& d)
 {
     const auto require = [](bool ok, const char* what) {
         if (!ok) throw std::invalid_argument(what);
     };
     const double top = wall.courses * wall.course_height;
-    require(wall.courses >= 1 && wall.length > 0 && wall.thickness > 0 && wall.course_height > 0 &&
-                wall.unit_length > 0,
+    require(wall.courses >= 1 && wall.length > 0 && wall.thickness > 0 &&
+                wall.course_height > 0 && wall.unit_length > 0,
             "a wall needs positive sizes and at least one course");
-    require(wall.bond_offset >= 0 && wall.bond_offset < 1, "bond offset must be in [0, 1) unit lengths");
+    require(wall.bond_offset >= 0 && wall.bond_offset < 1,
+            "bond offset must be in [0, 1) unit lengths");
     require(beam.height > 0, "beam height must be positive");
     require(loads.height >= top - 1e-9 && loads.height <= top + beam.height + 1e-9,
             "the load line must lie within the beam");
-    require(d.contact_points >= 2 && d.zones_per_interval >= 1, "at least 2 contact points and 1 zone");
-    require(d.block_modes == 0 || d.block_modes >= 3, "block modes: 0 (all) or at least 3 (rigid)");
+    require(d.contact_points >= 2 && d.zones_per_interval >= 1,
+            "at least 2 contact points and 1 zone");
+    require(d.block_modes == 0 || d.block_modes >= 3,
+            "block modes: 0 (all) or at least 3 (rigid)");
 }
 
 } // namespace
 
-Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& beam, const Loads& loads,
-                 const ReferenceStiffness& reference, const Discretisation& d)
+Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& beam,
+                 const Loads& loads, const ReferenceStiffness& reference,
+                 const Discretisation& d)
 {
     check(wall, beam, loads, d);
     Model m;

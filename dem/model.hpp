@@ -39,7 +39,8 @@ struct Model {
     WallGeometry wall;
     Beam beam;
     Loads loads;
-    Elastic stone; ///< reference values: modes and fictitious masses of a sample are scaled from them
+    Elastic
+        stone; ///< reference values: modes and fictitious masses of a sample are scaled from them
     Layout layout;
     std::vector<BlockElement> elements;
     std::vector<BlockPlace> places; ///< by block

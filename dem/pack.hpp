@@ -34,7 +34,8 @@ class Pack {
     };
 
     Pack() = default;
-    Pack(double x) : v_(Vector{} + x) {} // NOLINT: every constant of a law is one value for all lanes
+    Pack(double x)
+        : v_(Vector{} + x) {} // NOLINT: every constant of a law is one value for all lanes
     [[nodiscard]] double operator[](int lane) const { return v_[lane]; }
     void set(int lane, double x) { v_[lane] = x; }
 

@@ -45,8 +45,8 @@ Point position_of(const Model& m, const Contact& c, const Face& f)
 
 /// Displacements of all contact points (x and z in turn), the ground last [m].
 template <class Real>
-std::vector<double> point_displacements(const Model& m, const StepTables& t, const WallState<Real>& state, int lane,
-                                        double drive)
+std::vector<double> point_displacements(const Model& m, const StepTables& t,
+                                        const WallState<Real>& state, int lane, double drive)
 {
     std::vector<double> u(2 * static_cast<std::size_t>(m.n_points) + 2, 0.0);
     for (std::size_t b = 0; b < t.blocks.size(); ++b) {
@@ -63,7 +63,8 @@ std::vector<double> point_displacements(const Model& m, const StepTables& t, con
     return u;
 }
 
-void add_contact(const Model& m, const Contact& c, const std::vector<double>& u, ContactState state, Snapshot& s)
+void add_contact(const Model& m, const Contact& c, const std::vector<double>& u,
+                 ContactState state, Snapshot& s)
 {
     const int a = 2 * c.a, b = 2 * c.b;
     state.slip = c.nz * (u[b] - u[a]) - c.nx * (u[b + 1] - u[a + 1]);
@@ -76,8 +77,8 @@ void add_contact(const Model& m, const Contact& c, const std::vector<double>& u,
 } // namespace
 
 template <class Real>
-Snapshot picture(const Model& m, const StepTables& t, const WallState<Real>& state, int lane, double drive,
-                 double force)
+Snapshot picture(const Model& m, const StepTables& t, const WallState<Real>& state, int lane,
+                 double drive, double force)
 {
     const auto at = [lane](const Real& x) { return dem::lane(x, lane); };
     Snapshot s;
@@ -85,18 +86,22 @@ Snapshot picture(const Model& m, const StepTables& t, const WallState<Real>& sta
     s.force = force;
     for (int b = 0; b < static_cast<int>(m.layout.blocks.size()); ++b) {
         Eigen::VectorXd q(t.blocks[b].modes);
-        for (int i = 0; i < t.blocks[b].modes; ++i) q(i) = at(state.q[t.blocks[b].first_mode + i]);
+        for (int i = 0; i < t.blocks[b].modes; ++i)
+            q(i) = at(state.q[t.blocks[b].first_mode + i]);
         s.blocks.push_back(block_state(m, q, b, drive));
     }
     s.faces = empty_faces(m.layout);
     const std::vector<double> u = point_displacements(m, t, state, lane, drive);
     for (std::size_t k = 0; k < m.dry.size(); ++k) {
         const double sigma = at(dry_stress(state.dry_laws[t.dry[k].law], state.dry[k].u_n));
-        add_contact(m, m.dry[k], u, {{}, 0, at(state.dry[k].u_n), 0, sigma, at(state.dry[k].tau), 0}, s);
+        add_contact(m, m.dry[k], u,
+                    {{}, 0, at(state.dry[k].u_n), 0, sigma, at(state.dry[k].tau), 0}, s);
     }
     for (std::size_t k = 0; k < m.tied.size(); ++k) {
         const double u_n = at(state.tied[k].u_n);
-        add_contact(m, m.tied[k], u, {{}, 0, u_n, 0, at(state.tied_laws[0].kn) * u_n, at(state.tied[k].tau), 0}, s);
+        add_contact(m, m.tied[k], u,
+                    {{}, 0, u_n, 0, at(state.tied_laws[0].kn) * u_n, at(state.tied[k].tau), 0},
+                    s);
     }
     for (std::size_t k = 0; k < m.cracks.size(); ++k) {
         const CrackState<Real>& c = state.cracks[k];
@@ -106,7 +111,9 @@ Snapshot picture(const Model& m, const StepTables& t, const WallState<Real>& sta
     return s;
 }
 
-template Snapshot picture(const Model&, const StepTables&, const WallState<double>&, int, double, double);
-template Snapshot picture(const Model&, const StepTables&, const WallState<Pack>&, int, double, double);
+template Snapshot picture(const Model&, const StepTables&, const WallState<double>&, int,
+                          double, double);
+template Snapshot picture(const Model&, const StepTables&, const WallState<Pack>&, int, double,
+                          double);
 
 } // namespace dem

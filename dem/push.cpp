@@ -18,17 +18,23 @@ void check(const Model& m, const WallMaterials& w, const PushPlan& plan, const S
     const auto require = [](bool ok, const char* what) {
         if (!ok) throw std::invalid_argument(what);
     };
-    require(static_cast<int>(w.joints.size()) == m.layout.n_joints, "one material per joint ID");
-    require(static_cast<int>(w.cracks.size()) == m.layout.n_cracks, "one material per crack ID");
+    require(static_cast<int>(w.joints.size()) == m.layout.n_joints,
+            "one material per joint ID");
+    require(static_cast<int>(w.cracks.size()) == m.layout.n_cracks,
+            "one material per crack ID");
     for (const JointMaterial& j : w.joints)
-        require(j.kn > 0 && j.ks > 0 && j.tan_phi >= 0, "a joint needs positive stiffness and friction >= 0");
+        require(j.kn > 0 && j.ks > 0 && j.tan_phi >= 0,
+                "a joint needs positive stiffness and friction >= 0");
     for (const CrackMaterial& c : w.cracks)
-        require(c.kn > 0 && c.ks > 0 && c.ft >= 0 && c.cohesion >= c.cohesion_res && c.cohesion_res >= 0 &&
-                    c.tan_phi >= 0 && c.tan_phi_res >= 0 && c.fracture_energy >= 0,
-                "a unit crack needs positive stiffness and strengths >= 0, residual <= initial");
-    require(plan.record_every > 0 && plan.snapshot_every >= 0, "curve points need a spacing > 0");
-    require(o.steps > 0 && o.damping_factor > 0 && o.damping_factor < 1 && o.step_fraction > 0 &&
-                o.step_fraction <= 1,
+        require(
+            c.kn > 0 && c.ks > 0 && c.ft >= 0 && c.cohesion >= c.cohesion_res &&
+                c.cohesion_res >= 0 && c.tan_phi >= 0 && c.tan_phi_res >= 0 &&
+                c.fracture_energy >= 0,
+            "a unit crack needs positive stiffness and strengths >= 0, residual <= initial");
+    require(plan.record_every > 0 && plan.snapshot_every >= 0,
+            "curve points need a spacing > 0");
+    require(o.steps > 0 && o.damping_factor > 0 && o.damping_factor < 1 &&
+                o.step_fraction > 0 && o.step_fraction <= 1,
             "steps > 0, damping factor in (0, 1), step fraction in (0, 1]");
 }
 
@@ -124,8 +130,16 @@ PushResult push(const Model& model, const WallMaterials& materials, const PushPl
     check(model, materials, plan, options);
     const auto start = std::chrono::steady_clock::now();
     const StepTables tables = step_tables(model);
-    Run r{model, tables, plan, unloaded<double>(model, tables, {&materials, 1}, options),
-          Drive(plan.targets, options), Recorder(plan.record_every), {}, 0.0, 0.0, 0.0};
+    Run r{model,
+          tables,
+          plan,
+          unloaded<double>(model, tables, {&materials, 1}, options),
+          Drive(plan.targets, options),
+          Recorder(plan.record_every),
+          {},
+          0.0,
+          0.0,
+          0.0};
     r.result.snap_back_contacts = count_snap_back(model, materials);
 
     bool settled = false;
@@ -142,7 +156,8 @@ PushResult push(const Model& model, const WallMaterials& materials, const PushPl
         } else {
             r.way += std::abs(in.drive);
             r.recorder.add(in.drive, before, r.state.top_force, r.state.base_shear);
-            r.drive.feel(std::abs(r.state.top_force - r.state.base_shear) / tables.vertical_load);
+            r.drive.feel(std::abs(r.state.top_force - r.state.base_shear) /
+                         tables.vertical_load);
             if (r.recorder.due() || r.drive.finished()) take_point(r);
         }
         if (r.result.cost.steps % kJudgeEvery == 0) r.result.outcome = judge(r);
@@ -157,7 +172,8 @@ PushResult push(const Model& model, const WallMaterials& materials, const PushPl
     r.result.cost.contact_updates =
         r.result.cost.steps *
         static_cast<long long>(model.dry.size() + model.tied.size() + model.cracks.size());
-    r.result.cost.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    r.result.cost.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return r.result;
 }
 

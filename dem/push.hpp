@@ -14,9 +14,9 @@
 namespace dem {
 
 enum class Outcome {
-    reached_target,   ///< all target displacements reached
+    reached_target, ///< all target displacements reached
     lost_equilibrium, ///< the wall came down: its blocks moved by more than its height. A result, not an error
-    not_finite        ///< the numbers broke: kept, named, and no number of it is used
+    not_finite ///< the numbers broke: kept, named, and no number of it is used
 };
 
 /// A point of the capacity curve: means over the way since the previous point, placed at its middle.
@@ -37,27 +37,31 @@ struct RunCost {
 
 struct PushResult {
     Outcome outcome = Outcome::reached_target;
-    std::vector<CurvePoint> curve;   ///< the first point is the wall before the push
-    std::vector<Snapshot> snapshots; ///< as asked for in PushPlan, in order of the way; the first before the push
-    Snapshot at_peak;                ///< at the curve point with the largest force
+    std::vector<CurvePoint> curve; ///< the first point is the wall before the push
+    std::vector<Snapshot>
+        snapshots; ///< as asked for in PushPlan, in order of the way; the first before the push
+    Snapshot at_peak; ///< at the curve point with the largest force
     Snapshot at_end;
     Energy energy;
-    double settlement = 0.0;    ///< of the beam under vertical load alone [m], positive down
-    int snap_back_contacts = 0; ///< in units, f_T > sqrt(2 G k_n): break at once and release f_T^2/(2 k_n) > G
+    double settlement = 0.0; ///< of the beam under vertical load alone [m], positive down
+    int snap_back_contacts =
+        0; ///< in units, f_T > sqrt(2 G k_n): break at once and release f_T^2/(2 k_n) > G
     RunCost cost;
 };
 
 /// Where to go and what to keep.
 struct PushPlan {
-    std::vector<double> targets = {0.03}; ///< load-line displacements [m] in order; a cyclic push changes sign
-    double record_every = 5e-5;           ///< way between curve points [m], > 0
-    double snapshot_every = 0.0;          ///< way between snapshots [m]; 0: none
-    std::function<void(double done, double displacement, double force)> progress; ///< done in [0, 1]; may be empty
+    std::vector<double> targets = {
+        0.03}; ///< load-line displacements [m] in order; a cyclic push changes sign
+    double record_every = 5e-5;  ///< way between curve points [m], > 0
+    double snapshot_every = 0.0; ///< way between snapshots [m]; 0: none
+    std::function<void(double done, double displacement, double force)>
+        progress; ///< done in [0, 1]; may be empty
 };
 
 /// @param materials as many joints and cracks as the model has
 /// @throws std::invalid_argument if they do not fit or a value is outside its range
-[[nodiscard]] PushResult push(const Model& model, const WallMaterials& materials, const PushPlan& plan,
-                              const SolverOptions& options = {});
+[[nodiscard]] PushResult push(const Model& model, const WallMaterials& materials,
+                              const PushPlan& plan, const SolverOptions& options = {});
 
 } // namespace dem

@@ -29,7 +29,8 @@ class Recorder {
     /// The point, and a new start. Only if any().
     [[nodiscard]] CurvePoint take(double position, const Energy& energy)
     {
-        const CurvePoint p{position - 0.5 * displacement_, force_ / way_, base_ / way_, gap_ / way_, energy};
+        const CurvePoint p{position - 0.5 * displacement_, force_ / way_, base_ / way_,
+                           gap_ / way_, energy};
         *this = Recorder(every_);
         return p;
     }

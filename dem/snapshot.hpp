@@ -27,18 +27,20 @@ struct ContactState {
 /// The contact points along one straight piece of joint between two blocks (block a below or left of block b).
 struct FaceState {
     FaceKind kind = FaceKind::bed_joint;
-    int id = 0;      ///< joint ID k in 1..n_joints, crack ID i in 1..n_cracks, 0 where there is no ID (beam, base)
-    int block_a = 0; ///< index in Snapshot::blocks, -1: the ground
-    int block_b = 0; ///< index in Snapshot::blocks
-    Point normal;    ///< unit vector from a to b
+    int id =
+        0; ///< joint ID k in 1..n_joints, crack ID i in 1..n_cracks, 0 where there is no ID (beam, base)
+    int block_a = 0;                    ///< index in Snapshot::blocks, -1: the ground
+    int block_b = 0;                    ///< index in Snapshot::blocks
+    Point normal;                       ///< unit vector from a to b
     std::vector<ContactState> contacts; ///< ordered along the face
 };
 
 struct BlockState {
-    std::vector<Point> outline;      ///< undeformed boundary [m], counter-clockwise, includes contact points
+    std::vector<Point>
+        outline; ///< undeformed boundary [m], counter-clockwise, includes contact points
     std::vector<Point> displacement; ///< of each outline point [m]
     int course = 0;                  ///< 1 = bottom; 0 = loading beam
-    int unit = 0;                    ///< number of the stone this block is part of, from 1; 0 = loading beam
+    int unit = 0; ///< number of the stone this block is part of, from 1; 0 = loading beam
 };
 
 struct Snapshot {

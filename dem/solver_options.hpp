@@ -11,7 +11,7 @@ enum class FaceRule {
 };
 
 enum class Damping {
-    local,   ///< Eq. 1: opposes the velocity
+    local, ///< Eq. 1: opposes the velocity
     combined ///< half opposes the velocity, half follows the change of force; no drag on steady motion
 };
 
@@ -21,23 +21,26 @@ enum class ContactLaw {
 };
 
 struct Discretisation {
-    int contact_points = 4;             ///< per face of a half unit, >= 2
+    int contact_points = 4; ///< per face of a half unit, >= 2
     FaceRule face_rule = FaceRule::even;
-    int zones_per_interval = 2;         ///< block zones between two neighbouring contact points, >= 1
-    int block_modes = 0;                ///< per block: 3 rigid, 6 simply deformable, ...; 0 all
-    int beam_modes = 15;                ///< of the loading beam; 0 all
+    int zones_per_interval = 2; ///< block zones between two neighbouring contact points, >= 1
+    int block_modes = 0;        ///< per block: 3 rigid, 6 simply deformable, ...; 0 all
+    int beam_modes = 15;        ///< of the loading beam; 0 all
 };
 
 struct SolverOptions {
     ContactLaw law = ContactLaw::coupled;
     Damping damping = Damping::combined;
-    double damping_factor = 0.8;  ///< gamma of Eq. 1 [-], in (0, 1)
-    double step_fraction = 0.95;  ///< of the step that is stable by the bound of block_element.hpp [-], in (0, 1]
-    long long steps = 50000;      ///< for the whole drive at full speed, > 0
+    double damping_factor = 0.8; ///< gamma of Eq. 1 [-], in (0, 1)
+    double step_fraction =
+        0.95; ///< of the step that is stable by the bound of block_element.hpp [-], in (0, 1]
+    long long steps = 50000;        ///< for the whole drive at full speed, > 0
     long long preload_steps = 3000; ///< at most, for the vertical load
-    double preload_unbalance = 1e-4; ///< unbalanced / applied load at which the vertical load counts as carried [-]
-    double unbalance_limit = 0.0; ///< |top - base shear| / vertical load above which the drive slows; 0: never slows
-    double min_speed = 0.02;      ///< slowest drive, as a share of full speed, in (0, 1]
+    double preload_unbalance =
+        1e-4; ///< unbalanced / applied load at which the vertical load counts as carried [-]
+    double unbalance_limit =
+        0.0; ///< |top - base shear| / vertical load above which the drive slows; 0: never slows
+    double min_speed = 0.02; ///< slowest drive, as a share of full speed, in (0, 1]
 };
 
 } // namespace dem

@@ -27,7 +27,8 @@ Real damping_force(Real gamma, Real force, Real last_force, Real velocity)
 
 /// Modal forces, leapfrog with damping, displacements of the contact points in this step.
 template <Damping kDamping, class Real>
-void move_blocks(const StepTables& t, double damping_factor, const StepInput<Real>& in, WallState<Real>& s)
+void move_blocks(const StepTables& t, double damping_factor, const StepInput<Real>& in,
+                 WallState<Real>& s)
 {
     const Real gamma(damping_factor);
     std::vector<Real>& last = s.last_force;
@@ -54,14 +55,16 @@ void move_blocks(const StepTables& t, double damping_factor, const StepInput<Rea
         }
         apply(t.to_points[b.element], &s.v[b.first_mode], &s.du[b.first_row]);
     }
-    for (int row = t.beam_first_row; row < t.beam_first_row + t.beam_rows; row += 2) s.du[row] += in.drive;
+    for (int row = t.beam_first_row; row < t.beam_first_row + t.beam_rows; row += 2)
+        s.du[row] += in.drive;
 }
 
 template <class Real> struct Relative {
     Real normal, tangential;
 };
 
-template <class Real> Relative<Real> relative_motion(const ContactIndex& c, const std::vector<Real>& du)
+template <class Real>
+Relative<Real> relative_motion(const ContactIndex& c, const std::vector<Real>& du)
 {
     const Real dx = du[c.b] - du[c.a], dz = du[c.b + 1] - du[c.a + 1];
     return {Real(c.nx) * dx + Real(c.nz) * dz, Real(c.nz) * dx - Real(c.nx) * dz};
@@ -103,7 +106,8 @@ template <class Real> void advance_tied(const StepTables& t, WallState<Real>& s)
     }
 }
 
-template <ContactLaw kLaw, class Real> void advance_cracks(const StepTables& t, WallState<Real>& s)
+template <ContactLaw kLaw, class Real>
+void advance_cracks(const StepTables& t, WallState<Real>& s)
 {
     for (std::size_t k = 0; k < t.cracks.size(); ++k) {
         const ContactIndex& c = t.cracks[k];
@@ -120,7 +124,8 @@ template <ContactLaw kLaw, class Real> void advance_cracks(const StepTables& t, 
 template <class Real> void measure_shear(const StepTables& t, WallState<Real>& s)
 {
     Real top(0.0), base = s.force[t.ground_row];
-    for (int row = t.beam_first_row; row < t.beam_first_row + t.beam_rows; row += 2) top -= s.force[row];
+    for (int row = t.beam_first_row; row < t.beam_first_row + t.beam_rows; row += 2)
+        top -= s.force[row];
     for (const int row : t.support_rows) base += s.force[row];
     s.top_force = top;
     s.base_shear = base;
@@ -129,7 +134,8 @@ template <class Real> void measure_shear(const StepTables& t, WallState<Real>& s
 } // namespace
 
 template <class Real>
-void step(const StepTables& t, const SolverOptions& options, const StepInput<Real>& in, WallState<Real>& s)
+void step(const StepTables& t, const SolverOptions& options, const StepInput<Real>& in,
+          WallState<Real>& s)
 {
     if (options.damping == Damping::local)
         move_blocks<Damping::local>(t, options.damping_factor, in, s);
@@ -159,8 +165,10 @@ template <class Real> double unbalanced_ratio(const WallState<Real>& s, int lane
     return loads > 0.0 ? std::sqrt(forces / loads) : 0.0;
 }
 
-template void step(const StepTables&, const SolverOptions&, const StepInput<double>&, WallState<double>&);
-template void step(const StepTables&, const SolverOptions&, const StepInput<Pack>&, WallState<Pack>&);
+template void step(const StepTables&, const SolverOptions&, const StepInput<double>&,
+                   WallState<double>&);
+template void step(const StepTables&, const SolverOptions&, const StepInput<Pack>&,
+                   WallState<Pack>&);
 template double unbalanced_ratio(const WallState<double>&, int);
 template double unbalanced_ratio(const WallState<Pack>&, int);
 

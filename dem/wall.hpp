@@ -5,7 +5,10 @@
 
 namespace dem {
 
-enum class FirstCourse { whole, shifted }; ///< bottom course starts with a whole unit, or with the shifted piece
+enum class FirstCourse {
+    whole,
+    shifted
+}; ///< bottom course starts with a whole unit, or with the shifted piece
 enum class Base {
     fixed, ///< bottom face of the first course clamped to the ground (the paper, section 3)
     joint  ///< first course stands on a dry joint and can lift and slide
@@ -14,17 +17,21 @@ enum class Toe {
     held, ///< horizontal displacement of the toe side of the first course is zero (the paper, section 3)
     free
 };
-enum class BeamInterface { tied, joint }; ///< beam glued to the top course (elastic), or resting on a dry joint
+enum class BeamInterface {
+    tied,
+    joint
+}; ///< beam glued to the top course (elastic), or resting on a dry joint
 enum class BeamRotation { free, fixed };
 
 /// Geometry and boundary conditions. All lengths in metres.
 struct WallGeometry {
-    double length = 1.0;        ///< > 0
-    double thickness = 0.20;    ///< > 0
-    int courses = 10;           ///< >= 1
+    double length = 1.0;         ///< > 0
+    double thickness = 0.20;     ///< > 0
+    int courses = 10;            ///< >= 1
     double course_height = 0.10; ///< > 0
-    double unit_length = 0.20;  ///< > 0
-    double bond_offset = 0.5;   ///< shift of every second course in unit lengths, in [0, 1); 0: stack bond
+    double unit_length = 0.20;   ///< > 0
+    double bond_offset =
+        0.5; ///< shift of every second course in unit lengths, in [0, 1); 0: stack bond
     FirstCourse first_course = FirstCourse::whole;
     bool cracks_in_units = true; ///< a potential crack at mid-length of each whole unit
     Base base = Base::fixed;
@@ -53,14 +60,16 @@ struct JointMaterial {
 
 /// A potential crack through a unit (paper, Table 4).
 struct CrackMaterial {
-    double kn = 0.0;          ///< normal stiffness [Pa/m], > 0
-    double ks = 0.0;          ///< shear stiffness [Pa/m], > 0
-    double ft = 0.0;          ///< tensile strength [Pa], >= 0
-    double cohesion = 0.0;    ///< initial cohesion [Pa], >= 0
-    double cohesion_res = 0.0; ///< residual cohesion [Pa], in [0, cohesion]
-    double tan_phi = 0.0;     ///< initial friction coefficient [-], >= 0
-    double tan_phi_res = 0.0; ///< residual friction coefficient [-], >= 0
+    double kn = 0.0;              ///< normal stiffness [Pa/m], > 0
+    double ks = 0.0;              ///< shear stiffness [Pa/m], > 0
+    double ft = 0.0;              ///< tensile strength [Pa], >= 0
+    double cohesion = 0.0;        ///< initial cohesion [Pa], >= 0
+    double cohesion_res = 0.0;    ///< residual cohesion [Pa], in [0, cohesion]
+    double tan_phi = 0.0;         ///< initial friction coefficient [-], >= 0
+    double tan_phi_res = 0.0;     ///< residual friction coefficient [-], >= 0
     double fracture_energy = 0.0; ///< mode I, G [J/m2], >= 0
+    bool tension_reduces_shear =
+        true; ///< tau_max = c - sigma tan(theta) in tension too (Table 2, step 5); false: c there
 };
 
 /// One realisation of everything that may be random: what a sample of a study is.
@@ -69,14 +78,14 @@ struct WallMaterials {
     std::vector<JointMaterial> joints; ///< by joint ID, n_joints (135 for the paper's wall)
     std::vector<CrackMaterial> cracks; ///< by crack ID, n_cracks (45)
     JointMaterial base_joint;          ///< used with Base::joint
-    JointMaterial beam_joint;          ///< stiffness always used, friction with BeamInterface::joint
+    JointMaterial beam_joint; ///< stiffness always used, friction with BeamInterface::joint
 };
 
 /// Loads on the wall. The vertical stress acts on length x thickness, through the beam.
 struct Loads {
     double vertical_stress = 0.0; ///< [Pa], >= 0, compression
-    double height = 1.10;         ///< of the horizontal load above the floor [m], within the beam
-    double gravity = 9.81;        ///< [m/s2], >= 0
+    double height = 1.10;  ///< of the horizontal load above the floor [m], within the beam
+    double gravity = 9.81; ///< [m/s2], >= 0
 };
 
 /// Eq. 2: joint and stone as springs in series over one course.

@@ -47,7 +47,8 @@ void tabulate_block(const Model& m, int block, StepTables& t)
     t.blocks.push_back({place.element, first_row, rows, place.first_mode, modes});
     for (int i = 0; i < modes; ++i) t.lambda.push_back(e.lambda(i));
     if (is_supported(m, block))
-        for (int row = first_row; row < first_row + rows; row += 2) t.support_rows.push_back(row);
+        for (int row = first_row; row < first_row + rows; row += 2)
+            t.support_rows.push_back(row);
 }
 
 /// Largest stiffness of a wall's contacts over their reference, per block.
@@ -85,6 +86,7 @@ CrackLaw<double> crack_law(const CrackMaterial& c)
     law.cohesion_drop = c.cohesion - c.cohesion_res;
     law.tan_phi_res = c.tan_phi_res;
     law.tan_phi_drop = c.tan_phi - c.tan_phi_res;
+    law.tension_weight = c.tension_reduces_shear ? 1.0 : 0.0;
     return law;
 }
 
@@ -109,12 +111,13 @@ template <class Real> void set_law(int i, const CrackMaterial& c, CrackLaw<Real>
     set_lane(law.cohesion_drop, i, one.cohesion_drop);
     set_lane(law.tan_phi_res, i, one.tan_phi_res);
     set_lane(law.tan_phi_drop, i, one.tan_phi_drop);
+    set_lane(law.tension_weight, i, one.tension_weight);
 }
 
 /// Loads, elasticity and fictitious masses of one lane.
 template <class Real>
-void set_modes(const Model& m, const StepTables& t, const WallMaterials& w, const SolverOptions& options,
-               int lane, WallState<Real>& s)
+void set_modes(const Model& m, const StepTables& t, const WallMaterials& w,
+               const SolverOptions& options, int lane, WallState<Real>& s)
 {
     const std::vector<double> ratio = stiffness_ratio(m, w);
     for (std::size_t b = 0; b < t.blocks.size(); ++b) {
@@ -128,7 +131,8 @@ void set_modes(const Model& m, const StepTables& t, const WallMaterials& w, cons
             const double load = material.density * m.loads.gravity * e.weight(i) +
                                 (is_beam ? m.loads.vertical_stress * e.top_load(i) : 0.0);
             // Damping adds up to gamma |F| to a force that opposes the motion, hence 1 + gamma.
-            const double f2 = options.step_fraction * options.step_fraction / (1.0 + options.damping_factor);
+            const double f2 =
+                options.step_fraction * options.step_fraction / (1.0 + options.damping_factor);
             set_lane(s.elasticity[mode], lane, lambda);
             set_lane(s.load[mode], lane, load);
             set_lane(s.inv_mass[mode], lane, 4.0 * f2 / (lambda + 2.0 * ratio[b]));
@@ -158,8 +162,8 @@ StepTables step_tables(const Model& m)
 }
 
 template <class Real>
-void load_lane(const Model& m, const StepTables& t, const WallMaterials& w, const SolverOptions& options,
-               int lane, WallState<Real>& s)
+void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
+               const SolverOptions& options, int lane, WallState<Real>& s)
 {
     for (auto* values : {&s.q, &s.v, &s.last_force, &s.du, &s.force})
         for (Real& x : *values) set_lane(x, lane, 0.0);
@@ -185,8 +189,8 @@ void load_lane(const Model& m, const StepTables& t, const WallMaterials& w, cons
 }
 
 template <class Real>
-WallState<Real> unloaded(const Model& m, const StepTables& t, std::span<const WallMaterials> walls,
-                         const SolverOptions& options)
+WallState<Real> unloaded(const Model& m, const StepTables& t,
+                         std::span<const WallMaterials> walls, const SolverOptions& options)
 {
     WallState<Real> s;
     for (auto* by_mode : {&s.q, &s.v, &s.last_force, &s.inv_mass, &s.load, &s.elasticity})
@@ -213,20 +217,21 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
         e.kinetic += 0.5 * at(s.v[i]) * at(s.v[i]) / at(s.inv_mass[i]);
         e.elastic += 0.5 * at(s.elasticity[i]) * at(s.q[i]) * at(s.q[i]);
     }
-    const auto contact = [&e](double area, double sigma, double u_n, double tau, double inv_ks) {
+    const auto contact = [&e](double area, double sigma, double u_n, double tau,
+                              double inv_ks) {
         e.elastic += 0.5 * area * (sigma * u_n + tau * tau * inv_ks);
     };
     for (std::size_t k = 0; k < s.dry.size(); ++k) {
         const DryLaw<Real>& law = s.dry_laws[t.dry[k].law];
-        contact(t.dry[k].area, at(dry_stress(law, s.dry[k].u_n)), at(s.dry[k].u_n), at(s.dry[k].tau),
-                at(law.inv_ks));
+        contact(t.dry[k].area, at(dry_stress(law, s.dry[k].u_n)), at(s.dry[k].u_n),
+                at(s.dry[k].tau), at(law.inv_ks));
     }
     for (std::size_t k = 0; k < s.tied.size(); ++k)
         contact(t.tied[k].area, at(s.tied_laws[0].kn) * at(s.tied[k].u_n), at(s.tied[k].u_n),
                 at(s.tied[k].tau), at(s.tied_laws[0].inv_ks));
     for (std::size_t k = 0; k < s.cracks.size(); ++k)
-        contact(t.cracks[k].area, at(s.cracks[k].sigma), at(s.cracks[k].u_n), at(s.cracks[k].tau),
-                at(s.crack_laws[t.cracks[k].law].inv_ks));
+        contact(t.cracks[k].area, at(s.cracks[k].sigma), at(s.cracks[k].u_n),
+                at(s.cracks[k].tau), at(s.crack_laws[t.cracks[k].law].inv_ks));
     e.work = at(s.work);
     e.friction = at(s.friction);
     e.fracture = at(s.fracture);
@@ -234,11 +239,15 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
     return e;
 }
 
-template WallState<double> unloaded(const Model&, const StepTables&, std::span<const WallMaterials>, const SolverOptions&);
-template void load_lane(const Model&, const StepTables&, const WallMaterials&, const SolverOptions&, int, WallState<double>&);
+template WallState<double> unloaded(const Model&, const StepTables&,
+                                    std::span<const WallMaterials>, const SolverOptions&);
+template void load_lane(const Model&, const StepTables&, const WallMaterials&,
+                        const SolverOptions&, int, WallState<double>&);
 template Energy energy_of(const StepTables&, const WallState<double>&, int);
-template WallState<Pack> unloaded(const Model&, const StepTables&, std::span<const WallMaterials>, const SolverOptions&);
-template void load_lane(const Model&, const StepTables&, const WallMaterials&, const SolverOptions&, int, WallState<Pack>&);
+template WallState<Pack> unloaded(const Model&, const StepTables&,
+                                  std::span<const WallMaterials>, const SolverOptions&);
+template void load_lane(const Model&, const StepTables&, const WallMaterials&,
+                        const SolverOptions&, int, WallState<Pack>&);
 template Energy energy_of(const StepTables&, const WallState<Pack>&, int);
 
 } // namespace dem

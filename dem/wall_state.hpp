@@ -24,25 +24,26 @@ struct StepTables {
         int element, first_row, rows, first_mode, modes;
     };
     std::vector<BlockRow> blocks;
-    std::vector<SharedMatrix> to_modes;  ///< by element: forces at points -> modal forces
-    std::vector<SharedMatrix> to_points; ///< by element: modal velocities -> velocities of points
-    std::vector<double> lambda;          ///< by mode
+    std::vector<SharedMatrix> to_modes; ///< by element: forces at points -> modal forces
+    std::vector<SharedMatrix>
+        to_points;              ///< by element: modal velocities -> velocities of points
+    std::vector<double> lambda; ///< by mode
     std::vector<ContactIndex> dry, cracks, tied;
     std::vector<int> support_rows; ///< rows (x) of the points of blocks held by the ground
     int beam_first_row = 0, beam_rows = 0, ground_row = 0;
-    double vertical_load = 0.0;     ///< stress x area, without self-weight [N]
+    double vertical_load = 0.0; ///< stress x area, without self-weight [N]
 };
 
 [[nodiscard]] StepTables step_tables(const Model& model);
 
 template <class Real> struct WallState {
-    std::vector<Real> q, v;        ///< by mode: position and velocity (half a step behind) [sqrt(J)]
-    std::vector<Real> last_force;  ///< by mode, of the previous step
-    std::vector<Real> inv_mass;    ///< by mode [1/step2]
-    std::vector<Real> load;        ///< by mode: self-weight and vertical stress, full
-    std::vector<Real> elasticity;  ///< by mode: lambda of this wall's stone
-    std::vector<Real> du;          ///< by row: displacement of the points in the last step [m]
-    std::vector<Real> force;       ///< by row: contact forces on the points [N]
+    std::vector<Real> q, v; ///< by mode: position and velocity (half a step behind) [sqrt(J)]
+    std::vector<Real> last_force; ///< by mode, of the previous step
+    std::vector<Real> inv_mass;   ///< by mode [1/step2]
+    std::vector<Real> load;       ///< by mode: self-weight and vertical stress, full
+    std::vector<Real> elasticity; ///< by mode: lambda of this wall's stone
+    std::vector<Real> du;         ///< by row: displacement of the points in the last step [m]
+    std::vector<Real> force;      ///< by row: contact forces on the points [N]
     std::vector<DryLaw<Real>> dry_laws, tied_laws;
     std::vector<CrackLaw<Real>> crack_laws;
     std::vector<DryState<Real>> dry, tied;
@@ -55,7 +56,8 @@ template <class Real> struct WallState {
 /// Unloaded walls. Lanes without a wall of their own repeat the last one.
 template <class Real>
 [[nodiscard]] WallState<Real> unloaded(const Model& model, const StepTables& tables,
-                                       std::span<const WallMaterials> walls, const SolverOptions& options);
+                                       std::span<const WallMaterials> walls,
+                                       const SolverOptions& options);
 
 /// Puts one wall, unloaded, into a lane.
 template <class Real>
@@ -64,6 +66,7 @@ void load_lane(const Model& model, const StepTables& tables, const WallMaterials
 
 /// Ledger of one lane, kinetic and elastic parts summed now.
 template <class Real>
-[[nodiscard]] Energy energy_of(const StepTables& tables, const WallState<Real>& state, int lane);
+[[nodiscard]] Energy energy_of(const StepTables& tables, const WallState<Real>& state,
+                               int lane);
 
 } // namespace dem

@@ -24,8 +24,8 @@ struct ZoneGrid {
 [[nodiscard]] Eigen::Matrix3d plane_stress(const Elastic& material);
 
 /// Stiffness of one zone [N/m], nodes counter-clockwise from the lower left.
-[[nodiscard]] Eigen::Matrix<double, 8, 8> zone_stiffness(double width, double height, double thickness,
-                                                         const Elastic& material);
+[[nodiscard]] Eigen::Matrix<double, 8, 8>
+zone_stiffness(double width, double height, double thickness, const Elastic& material);
 
 /// Stiffness of the grid, 2 nodes x 2 nodes [N/m].
 [[nodiscard]] Eigen::SparseMatrix<double> grid_stiffness(const ZoneGrid& grid, double thickness,

@@ -1,0 +1,18 @@
+#pragma once
+/// The capacity curve as a table.
+
+#include <span>
+#include <string>
+
+namespace app {
+
+/// "displacement_mm,drift_percent,force_kN" and one row per point, 9 significant digits; an
+/// empty cell where a value is not finite. Throws std::invalid_argument if the lengths differ
+/// or the height is not positive.
+/// @param displacement of the load line [m]
+/// @param force horizontal load [N]
+/// @param height drift = displacement / height [m], > 0
+[[nodiscard]] std::string capacity_csv(std::span<const double> displacement,
+                                       std::span<const double> force, double height);
+
+} // namespace app

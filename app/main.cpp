@@ -1,0 +1,39 @@
+/// drystone VERB STUDY.ini [options].  Exit codes: 0 done, 1 failed, 2 your input.
+
+#include "app/command_line.hpp"
+#include "app/config_error.hpp"
+#include "app/push_command.hpp"
+#include "app/version.hpp"
+
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+int run(const std::vector<std::string>& arguments)
+{
+    const app::Command command = app::parse_command_line(arguments);
+    switch (command.verb) {
+    case app::Verb::help: std::cout << app::help_text(command.topic); return 0;
+    case app::Verb::version: std::cout << "drystone " << app::kVersion << '\n'; return 0;
+    case app::Verb::push: return app::push_command(command);
+    }
+    return 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run({argv + 1, argv + argc});
+    } catch (const app::ConfigError& e) {
+        std::cerr << e.what() << '\n';
+        return 2;
+    } catch (const std::exception& e) {
+        std::cerr << "drystone: " << e.what() << '\n';
+        return 1;
+    }
+}

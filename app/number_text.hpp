@@ -1,0 +1,17 @@
+#pragma once
+/// Numbers as text: independent of the locale, and never "nan" or "inf".
+
+#include <string>
+
+namespace app {
+
+/// Shortest text of `value` with at most `digits` significant digits, "1e-05" style where that
+/// is shorter. Empty for NaN and infinities: an empty cell of a table.
+/// @param digits in [1, 17]; 17 gives back the same double when read
+[[nodiscard]] std::string number(double value, int digits);
+
+/// `value` with `decimals` places after the point, never "-0.0". Empty for NaN and infinities.
+/// @param decimals in [0, 17]
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+} // namespace app

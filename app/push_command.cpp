@@ -1,0 +1,151 @@
+#include "app/push_command.hpp"
+
+#include "app/atomic_output.hpp"
+#include "app/capacity_csv.hpp"
+#include "app/capacity_svg.hpp"
+#include "app/number_text.hpp"
+#include "app/progress.hpp"
+#include "app/pushed_wall.hpp"
+#include "app/study.hpp"
+#include "app/summary_json.hpp"
+#include "app/table.hpp"
+#include "app/vtk_series.hpp"
+#include "app/wall_svg.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string stress_text(const PushedWall& w) { return fixed(w.vertical_stress * 1e-6, 2) + " MPa"; }
+
+/// Progress of several walls as one line.
+class SharedProgress {
+  public:
+    SharedProgress(std::size_t walls, bool quiet)
+        : line_(std::cerr, stderr_progress(quiet), steady_seconds), done_(walls, 0.0)
+    {
+    }
+    void update(std::size_t wall, double done, double displacement, double force)
+    {
+        const std::lock_guard lock(mutex_);
+        done_[wall] = done;
+        double sum = 0.0;
+        for (const double d : done_) sum += d;
+        line_.update(sum / static_cast<double>(done_.size()),
+                     fixed(force * 1e-3, 1) + " kN at " + fixed(displacement * 1e3, 1) + " mm");
+    }
+    void finish() { line_.finish(""); }
+
+  private:
+    std::mutex mutex_;
+    Progress line_;
+    std::vector<double> done_;
+};
+
+/// Every level on its own; which thread runs it changes nothing in it.
+std::vector<PushedWall> push_all(const Study& study, int threads, bool quiet)
+{
+    const std::size_t n = study.load.vertical_stress.size();
+    std::vector<PushedWall> walls(n);
+    std::vector<std::exception_ptr> errors(n);
+    std::atomic<std::size_t> next{0};
+    SharedProgress progress(n, quiet);
+    const auto work = [&] {
+        for (std::size_t i = next++; i < n; i = next++) try {
+                walls[i] = push_level(study, static_cast<int>(i), [&progress, i](double d, double u, double f) {
+                    progress.update(i, d, u, f);
+                });
+            } catch (...) {
+                errors[i] = std::current_exception();
+            }
+    };
+    std::vector<std::jthread> team;
+    for (std::size_t t = 1; t < std::min<std::size_t>(threads, n); ++t) team.emplace_back(work);
+    work();
+    team.clear();
+    progress.finish();
+    for (const std::exception_ptr& e : errors)
+        if (e) std::rethrow_exception(e);
+    return walls;
+}
+
+void write_wall(const fs::path& folder, const Study& study, const PushedWall& w)
+{
+    make_folder(folder);
+    write_file(folder / "study.ini", effective_configuration(study));
+    if (w.result.outcome != dem::Outcome::not_finite) {
+        write_file(folder / "capacity.csv", capacity_csv(w.displacement, w.force, w.loads.height));
+        write_file(folder / "capacity.svg", capacity_svg(w));
+        WallPictureText text;
+        text.vertical_load = stress_text(w);
+        text.load_height = w.loads.height;
+        write_file(folder / "wall.svg", wall_picture(w.result.at_peak, w.result.at_end, text));
+        write_vtk_series(folder / "series", w.result.snapshots);
+    }
+    write_file(folder / "summary.json", summary_json(study, w)); // last: its presence says the rest is whole
+}
+
+Table level_table(const std::vector<PushedWall>& walls)
+{
+    Table t;
+    t.caption = "Capacity per vertical stress. Ultimate: force first comes down to 80 % of the peak; > where it never does.";
+    t.head = {"stress [MPa]", "peak [kN]", "at [mm]", "stiffness [kN/mm]", "ultimate [mm]", "drift [%]",
+              "mode",         "cracked units", "energy residual [%]"};
+    for (const PushedWall& w : walls) {
+        const bool censored = w.ultimate.reading == fragility::Reading::censored;
+        const bool defined = w.ultimate.reading != fragility::Reading::not_defined;
+        const auto ultimate = [&](double scale, int digits) {
+            return defined ? (censored ? "> " : "") + fixed(w.ultimate.displacement * scale, digits) : std::string();
+        };
+        t.rows.push_back({fixed(w.vertical_stress * 1e-6, 2), w.peak ? fixed(w.peak->force * 1e-3, 2) : "",
+                          w.peak ? fixed(w.peak->displacement * 1e3, 2) : "",
+                          w.stiffness ? fixed(*w.stiffness * 1e-6, 1) : "", ultimate(1e3, 2),
+                          ultimate(100.0 / w.loads.height, 2),
+                          w.result.outcome == dem::Outcome::not_finite ? "" : name(w.mode),
+                          fixed(w.mechanism.cracked_units, 0), number(100.0 * w.result.energy.residual(), 2)});
+    }
+    return t;
+}
+
+/// "0.50_MPa": the folder of a level.
+fs::path folder_of(const PushedWall& w)
+{
+    std::string name = stress_text(w);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+}
+
+void write_all(const fs::path& out, const Study& study, const std::vector<PushedWall>& walls)
+{
+    if (walls.size() == 1) return write_wall(out, study, walls.front());
+    for (const PushedWall& w : walls) write_wall(out / folder_of(w), study, w);
+    const Table table = level_table(walls);
+    write_file(out / "levels.csv", as_csv(table));
+    write_file(out / "levels.md", as_markdown(table));
+    write_file(out / "levels.tex", as_latex(table));
+}
+
+} // namespace
+
+int push_command(const Command& command)
+{
+    const Study study = read_study(with_overrides(read_study_file(command.study), command.overrides));
+    const std::vector<PushedWall> walls = push_all(study, command.threads, command.quiet);
+    write_all(command.out, study, walls);
+    std::cout << as_text(level_table(walls)) << "written to " << command.out << '\n';
+    return std::any_of(walls.begin(), walls.end(),
+                       [](const PushedWall& w) { return w.result.outcome == dem::Outcome::not_finite; });
+}
+
+} // namespace app

@@ -1,0 +1,70 @@
+#include "app/pushed_wall.hpp"
+
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+dem::Model model_of(const Study& study, int level)
+{
+    return dem::discretise(study.wall, study.stone, study.beam, loads(study, level),
+                           {joint_material(study, level), crack_material(study, level)}, study.discretisation);
+}
+
+bool is_monotonic(const dem::PushPlan& plan)
+{
+    double from = 0.0;
+    for (const double to : plan.targets) {
+        if (to < from) return false;
+        from = to;
+    }
+    return true;
+}
+
+void read_curve(PushedWall& w)
+{
+    const fragility::Curve curve{w.displacement, w.force};
+    w.peak = fragility::peak(curve);
+    w.stiffness = fragility::secant_stiffness(curve);
+    w.ultimate = fragility::drop_after_peak(curve);
+    for (const auto set : {fragility::LimitStateSet::paper, fragility::LimitStateSet::ntc,
+                           fragility::LimitStateSet::ec8})
+        for (const fragility::LimitState& s : fragility::read_limit_states(curve, set)) w.limit_states.push_back(s);
+}
+
+} // namespace
+
+PushedWall push_level(const Study& study, int level,
+                      std::function<void(double done, double displacement, double force)> progress)
+{
+    const dem::Model model = model_of(study, level);
+    dem::PushPlan plan = push_plan(study);
+    plan.progress = std::move(progress);
+
+    PushedWall w;
+    w.vertical_stress = study.load.vertical_stress[level];
+    w.loads = model.loads;
+    w.result = dem::push(model, materials(study, level, model.layout.n_joints, model.layout.n_cracks), plan,
+                         study.solver);
+    if (w.result.outcome == dem::Outcome::not_finite) {
+        w.no_reading = "the numbers of this run are not finite";
+        return w;
+    }
+    for (const dem::CurvePoint& p : w.result.curve) {
+        w.displacement.push_back(p.displacement);
+        w.force.push_back(p.force);
+    }
+    w.mechanism = dem::mechanism(w.result.at_end, w.loads.height);
+    if (w.displacement.size() < 2)
+        w.no_reading = "the wall came down under vertical load";
+    else if (is_monotonic(plan))
+        read_curve(w);
+    else
+        w.no_reading = "the push turns back: limit states are read off a monotonic push";
+    const bool dropped = w.peak && w.ultimate.reading == fragility::Reading::observed;
+    w.mode = dem::failure_mode(w.mechanism, dropped);
+    return w;
+}
+
+} // namespace app

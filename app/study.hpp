@@ -1,0 +1,93 @@
+#pragma once
+/// A study: everything one run needs, in SI, each value checked against its range and its
+/// fellows.
+
+#include "app/study_file.hpp"
+#include "dem/push.hpp"
+#include "dem/solver_options.hpp"
+#include "dem/wall.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Dry joints between units.
+struct JointInput {
+    std::vector<double> wall_modulus; ///< one per stress level [Pa], or empty
+    std::vector<double>
+        normal_stiffness; ///< one, or one per stress level [Pa/m]; empty: from wall_modulus
+    std::vector<double> shear_stiffness; ///< one, or one per stress level [Pa/m]
+    double friction_angle = 0.0;         ///< [rad], in [0, pi/2)
+    double stiffness_factor = 1.0;       ///< on k_n and k_s [-], > 0
+};
+
+/// Potential cracks in units. Zero strength and zero energy where unit_cracks = no.
+struct UnitInput {
+    double stiffness_ratio = 10.0;        ///< xi = k_n of a crack / k_n of a joint [-], > 0
+    double tensile_strength = 0.0;        ///< [Pa], >= 0
+    double cohesion = 0.0;                ///< [Pa], >= 0
+    double residual_cohesion = 0.0;       ///< [Pa], in [0, cohesion]
+    double fracture_energy = 0.0;         ///< mode I [J/m2], >= 0
+    double friction_angle = 0.0;          ///< [rad], in [0, pi/2)
+    double residual_friction_angle = 0.0; ///< [rad], in [0, friction_angle]
+    double stiffness_factor = 1.0;        ///< on k_n and k_s [-], > 0
+};
+
+struct LoadInput {
+    std::vector<double> vertical_stress; ///< stress levels [Pa], >= 0, at least one
+    double height = 0.0;                 ///< of the horizontal load above the floor [m]
+    double max_displacement = dem::PushPlan{}.targets.front(); ///< of the load line [m], > 0
+    std::vector<double>
+        targets; ///< displacements visited in order [m]; empty: max_displacement
+    double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
+};
+
+struct OutputInput {
+    double record_every = dem::PushPlan{}.record_every; ///< [m], > 0
+    double snapshot_every = 5e-4;                       ///< [m], >= 0; 0: only at both ends
+};
+
+struct Study {
+    dem::WallGeometry wall;
+    dem::Elastic stone;
+    JointInput joint;
+    UnitInput unit;
+    dem::Beam beam{
+        .material = {.poisson_ratio = 0.2}}; // of concrete; its effect is far below others
+    double beam_friction_angle = 0.0;        ///< [rad], used with BeamInterface::joint
+    double base_friction_angle = 0.0;        ///< [rad], used with Base::joint
+    LoadInput load;
+    dem::Discretisation discretisation;
+    dem::SolverOptions solver;
+    OutputInput output;
+    StudyFile source; ///< what was given
+};
+
+/// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at
+/// odds with another
+[[nodiscard]] Study read_study(const StudyFile &file);
+
+/// The study in full, as a study file that reads back to the same study; values that were not
+/// given are marked "# default", values given on the command line "# --set".
+[[nodiscard]] std::string effective_configuration(const Study &study);
+
+/// @param level index in study.load.vertical_stress
+[[nodiscard]] dem::Loads loads(const Study &study, int level);
+
+/// Joint by Eq. 2 or as given, times its factor.
+[[nodiscard]] dem::JointMaterial joint_material(const Study &study, int level);
+
+/// Crack of xi times the stiffness of the joint before its factor, times its own factor: Table
+/// 5 of the paper varies the two factors independently.
+[[nodiscard]] dem::CrackMaterial crack_material(const Study &study, int level);
+
+/// The same material for every joint ID and every crack ID. Base and beam joints have no
+/// factor.
+[[nodiscard]] dem::WallMaterials materials(const Study &study, int level, int n_joints,
+                                           int n_cracks);
+
+/// Without progress.
+[[nodiscard]] dem::PushPlan push_plan(const Study &study);
+
+} // namespace app

@@ -1,0 +1,41 @@
+#pragma once
+/// Numbers of a study file with their units, to and from SI. Independent of the locale.
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// Why a text is not the value asked for, and what to write instead; who reads it adds the
+/// place.
+struct BadValue : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// One number with its unit, such as "0.20 m".
+/// @param unit one of the units that may follow, "" if the quantity has none
+/// @return in SI, finite
+/// @throws BadValue
+[[nodiscard]] double parse_quantity(std::string_view text, std::string_view unit);
+
+/// One or more: "0.15, 0.50 MPa", with the unit once at the end or on each of them.
+[[nodiscard]] std::vector<double> parse_quantities(std::string_view text,
+                                                   std::string_view unit);
+
+/// A whole number, exact in a double: "10", "2e5".
+[[nodiscard]] double parse_count(std::string_view text);
+
+/// @param unit a unit of parse_quantity
+[[nodiscard]] double to_si(double value, std::string_view unit);
+
+/// The shortest text that parse_quantities reads back to the same bits; in SI where this unit
+/// has no such text.
+[[nodiscard]] std::string format_quantities(std::span<const double> si, std::string_view unit);
+
+/// The shortest decimal text of a number, locale or not.
+[[nodiscard]] std::string format_number(double value);
+
+} // namespace app

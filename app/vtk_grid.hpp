@@ -1,0 +1,51 @@
+#pragma once
+/// An unstructured grid as VTK XML text.
+
+#include "dem/snapshot.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Values of one array. add() throws std::invalid_argument for a value that is not finite.
+struct VtkArray {
+    std::string name;
+    std::string type; ///< of VTK XML: Float64, Int32, Int64, UInt8
+    int components = 1;
+    std::string values = {}; ///< ASCII; every double reads back the same
+    int tuples = 0;
+
+    void add(double value);
+    void add(int value);
+    /// In the plane of the wall: x along, z up; y = 0.
+    void add(dem::Point vector);
+};
+
+[[nodiscard]] VtkArray vtk_reals(std::string name);
+[[nodiscard]] VtkArray vtk_vectors(std::string name);
+[[nodiscard]] VtkArray vtk_integers(std::string name);
+
+inline constexpr int kVtkVertex = 1, kVtkPolyLine = 4, kVtkPolygon = 7; // cell types of VTK
+
+/// Cells over consecutive points.
+struct VtkGrid {
+    VtkArray points = vtk_vectors("Points");
+    VtkArray connectivity = {"connectivity", "Int64"};
+    VtkArray offsets = {"offsets", "Int64"};
+    VtkArray types = {"types", "UInt8"};
+    std::vector<VtkArray> point_data, cell_data, field_data;
+
+    void add_point(dem::Point at);
+    /// Closes a cell over the points added since the last.
+    void end_cell(int type);
+};
+
+/// The text of a .vtu file.
+[[nodiscard]] std::string vtu_text(const VtkGrid &grid);
+
+/// The text of a .pvd file: `files` at `times`, of equal length.
+[[nodiscard]] std::string pvd_text(const std::vector<double> &times,
+                                   const std::vector<std::string> &files);
+
+} // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+/// Words in messages: quoted, listed, and the one that was probably meant.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace app {
+
+/// Without blanks, tabs and carriage returns at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// In double quotes, on one line: control characters become '?', a long text is cut.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// "m, cm or mm"
+[[nodiscard]] std::string listed(std::span<const std::string_view> words);
+
+/// Fewest letters to insert, delete or replace (Levenshtein).
+[[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
+
+/// The word fewest edits away, if at most a third of its letters differ; otherwise empty.
+[[nodiscard]] std::string_view nearest_word(std::string_view wrong,
+                                            std::span<const std::string_view> words);
+
+/// `did you mean "push"?`, or `use m, cm or mm` if no word is near.
+[[nodiscard]] std::string suggestion(std::string_view wrong,
+                                     std::span<const std::string_view> words);
+
+} // namespace app

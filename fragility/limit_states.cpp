@@ -1,0 +1,122 @@
+#include "fragility/limit_states.hpp"
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace fragility {
+namespace {
+
+constexpr std::array kNames = {std::pair{LimitStateSet::paper, std::string_view{"paper"}},
+                               std::pair{LimitStateSet::ntc, std::string_view{"ntc"}},
+                               std::pair{LimitStateSet::ec8, std::string_view{"ec8"}}};
+
+/// What the three sets are made of.
+struct Parts {
+    Peak top;
+    LimitDisplacement ultimate;
+    LimitDisplacement yield;
+    std::string ultimate_rule;
+    std::string bilinear_rule;
+};
+
+LimitDisplacement scaled(LimitDisplacement x, double factor)
+{
+    x.displacement *= factor;
+    return x;
+}
+
+/// 0.8 -> "80 %", 2/3 -> "66.67 %"
+std::string percent(double share)
+{
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), 100.0 * share,
+                                   std::chars_format::general, 4);
+    return std::string(text.data(), end.ptr) + " %";
+}
+
+LimitDisplacement yield_of(const Curve& curve, const LimitDisplacement& ultimate,
+                           const Peak& top, double share)
+{
+    if (ultimate.reading == Reading::not_defined) return ultimate;
+    const Bilinear b = equal_energy_bilinear(curve, ultimate.displacement, share);
+    if (b.outcome != BilinearOutcome::found)
+        return {0.0, Reading::not_defined, reason(b.outcome)};
+    if (ultimate.reading == Reading::observed)
+        return {b.yield_displacement, Reading::observed, {}};
+    if (!top.at_end)
+        return {b.yield_displacement, Reading::observed, "bilinear up to the end of the curve"};
+    if (b.ductility < kShownYield)
+        return {b.yield_displacement, Reading::censored,
+                "the curve ends before it has yielded"};
+    return {b.yield_displacement, Reading::observed,
+            "bilinear up to the end of the curve, where it still rises"};
+}
+
+Parts read_parts(const Curve& curve, const LimitStateOptions& o)
+{
+    const Peak top = peak(curve);
+    const LimitDisplacement ultimate = drop_after_peak(curve, o.ultimate_share, o.crossing);
+    const char* order = o.crossing == Crossing::first ? "first" : "last";
+    return {top, ultimate, yield_of(curve, ultimate, top, o.bilinear_share),
+            std::string(order) + " drop to " + percent(o.ultimate_share) + " of the peak",
+            "yield of the equal-energy bilinear through " + percent(o.bilinear_share) +
+                " of the peak"};
+}
+
+/// SLD: whichever comes first.
+LimitDisplacement yield_or_peak(const Parts& p)
+{
+    if (p.yield.reading != Reading::not_defined && p.top.displacement < p.yield.displacement)
+        return {p.top.displacement, Reading::observed, "the peak comes before the yield"};
+    return p.yield;
+}
+
+std::vector<LimitState> ntc(const Parts& p)
+{
+    const LimitDisplacement sld = yield_or_peak(p);
+    return {{"SLO", "2/3 of SLD", scaled(sld, 2.0 / 3.0)},
+            {"SLD", p.bilinear_rule + ", or the peak if it comes first", sld},
+            {"SLV", "3/4 of SLC", scaled(p.ultimate, 0.75)},
+            {"SLC", p.ultimate_rule, p.ultimate}};
+}
+
+std::vector<LimitState> ec8(const Parts& p)
+{
+    return {{"DL", p.bilinear_rule, p.yield},
+            {"SD", "3/4 of NC", scaled(p.ultimate, 0.75)},
+            {"NC", p.ultimate_rule, p.ultimate}};
+}
+
+} // namespace
+
+std::vector<LimitState> read_limit_states(const Curve& curve, LimitStateSet set,
+                                          const LimitStateOptions& options)
+{
+    const Parts p = read_parts(curve, options);
+    switch (set) {
+    case LimitStateSet::paper:
+        return {{"ultimate", p.ultimate_rule, p.ultimate}};
+    case LimitStateSet::ntc:
+        return ntc(p);
+    case LimitStateSet::ec8:
+        return ec8(p);
+    }
+    return {};
+}
+
+std::string_view name(LimitStateSet set)
+{
+    for (const auto& [value, text] : kNames)
+        if (value == set) return text;
+    return "unknown";
+}
+
+std::optional<LimitStateSet> limit_state_set(std::string_view name)
+{
+    for (const auto& [value, text] : kNames)
+        if (text == name) return value;
+    return std::nullopt;
+}
+
+} // namespace fragility

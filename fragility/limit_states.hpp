@@ -1,0 +1,59 @@
+#pragma once
+/// Limit states of a wall, as sets of displacements read off its capacity curve. They need the
+/// shape of the curve only: drift limits and behaviour-factor caps of the codes are not
+/// applied.
+
+#include "fragility/bilinear.hpp"
+#include "fragility/curve_reading.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fragility {
+
+/// A curve that still rises where it ends has shown its yield once the plateau is as long as
+/// the elastic branch.
+constexpr double kShownYield = 2.0; ///< ductility [-]; our choice, no code has one
+
+enum class LimitStateSet {
+    paper, ///< ultimate: 80 % of the peak (the paper, section 4.2)
+    ntc,   ///< SLO, SLD, SLV, SLC: Circolare 7/2019, C8.7.1.3.1, existing masonry
+    ec8    ///< DL, SD, NC: EN 1998-3:2005, Annex C
+};
+
+/// Free choices of the reading; the defaults are those of the codes.
+struct LimitStateOptions {
+    double ultimate_share = kUltimateShare; ///< of the peak [-], in (0, 1)
+    Crossing crossing = Crossing::first;    ///< of that share
+    double bilinear_share = kBilinearShare; ///< of the peak [-], in (0, 1]
+};
+
+struct LimitState {
+    std::string_view name; ///< as in its code: "SLV"
+    std::string rule;      ///< how it is read, with the numbers used: "3/4 of SLC"
+    LimitDisplacement limit;
+};
+
+/// The limit states of a set, mildest first.
+///   paper  ultimate = displacement where the force falls to 80 % of the peak
+///   ntc    SLC = ultimate, SLV = 3/4 SLC, SLD = min(d_y, d at the peak), SLO = 2/3 SLD
+///   ec8    NC = ultimate, SD = 3/4 NC, DL = d_y
+/// with d_y the yield displacement of the equal-energy bilinear up to the ultimate
+/// displacement. The code's second condition for SLD, "all piers of a storey at their peak, not
+/// before 3/4 of the peak base shear", is the displacement at the peak for one wall.
+///
+/// Where ultimate is censored, 3/4 of it is censored too. d_y hardly depends on it and is
+/// observed, with a reason; but on a curve that still rises where it ends, d_y is censored
+/// below a ductility of kShownYield. On a brittle curve SLD may come after SLV: they are
+/// reported as the rules give them.
+/// @throws std::invalid_argument as check() and for shares out of range
+[[nodiscard]] std::vector<LimitState> read_limit_states(const Curve& curve, LimitStateSet set,
+                                                        const LimitStateOptions& options = {});
+
+/// "paper", "ntc", "ec8", as in study files.
+[[nodiscard]] std::string_view name(LimitStateSet set);
+[[nodiscard]] std::optional<LimitStateSet> limit_state_set(std::string_view name);
+
+} // namespace fragility

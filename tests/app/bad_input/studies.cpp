@@ -1,0 +1,196 @@
+#include "app/bad_input/cases.hpp"
+
+#include <array>
+
+namespace bad_input {
+
+const std::string_view kGoodStudy = R"([wall]
+length = 1.00 m
+courses = 10
+course_height = 0.10 m
+unit_length = 0.20 m
+thickness = 0.20 m
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+wall_modulus = 566, 768 MPa
+friction_angle = 31.8 deg
+[unit]
+tensile_strength = 3.7 MPa
+fracture_energy = 110 N/m
+friction_angle = 35 deg
+[beam]
+height = 0.10 m
+young_modulus = 30 GPa
+density = 2400 kg/m3
+[load]
+vertical_stress = 0.15, 0.50 MPa
+)";
+
+namespace {
+
+using namespace std::string_view_literals;
+
+// clang-format off
+constexpr std::array kStudies = {
+    // the file
+    BadStudy{"empty file", "", "",
+        "study.ini:1: no key in the file; configs/wall.ini shows a complete study"},
+    BadStudy{"only comments", "", "# a wall\n\n  # of stone\n",
+        "study.ini:3: no key in the file; configs/wall.ini shows a complete study"},
+    BadStudy{"binary file", "", "\x7f""ELF\2\1\1\0\0\0"sv,
+        "study.ini: is not UTF-8 text; save the study as plain text"},
+    BadStudy{"Latin-1 file", "courses = 10", "courses = 10 # Louren\xe7o",
+        "study.ini: is not UTF-8 text; save the study as plain text"},
+    BadStudy{"a line of prose", "courses = 10", "ten courses",
+        "study.ini:3: \"ten courses\" is neither [section], key = value nor # comment"},
+    BadStudy{"a key above all sections", "[wall]", "courses = 10\n[wall]",
+        "study.ini:1: courses: outside a section; open one above it, such as [wall]"},
+    BadStudy{"an open bracket", "[stone]", "[stone",
+        "study.ini:7: malformed section \"[stone\"; write its name alone in brackets, such as [wall]"},
+    BadStudy{"a key beside its section", "[stone]", "[stone] density = 1 kg/m3",
+        "study.ini:7: malformed section \"[stone] density = 1 kg/m3\"; write its name alone in brackets, such as [wall]"},
+    BadStudy{"a key of two words", "courses = 10", "no of courses = 10",
+        "study.ini:3: malformed key \"no of courses\"; write letters, digits and _ before the ="},
+    BadStudy{"no key before the =", "courses = 10", "= 10",
+        "study.ini:3: malformed key \"\"; write letters, digits and _ before the ="},
+    BadStudy{"duplicated key", "courses = 10", "courses = 10\ncourses = 12",
+        "study.ini:4: wall.courses: given twice, first on line 3; keep one of them"},
+    BadStudy{"duplicated key in a section opened twice", "[load]", "[wall]\ncourses = 12\n[load]",
+        "study.ini:23: wall.courses: given twice, first on line 3; keep one of them"},
+    BadStudy{"empty value", "courses = 10", "courses = # ten",
+        "study.ini:3: wall.courses: empty value; write one after the ="},
+
+    // names
+    BadStudy{"unknown section", "[stone]", "[stones]",
+        "study.ini:7: [stones]: unknown section; did you mean \"stone\"?"},
+    BadStudy{"unknown section like no other", "[load]", "[earthquake]\n[load]",
+        "study.ini:22: [earthquake]: unknown section; use wall, stone, joint, unit, beam, base, load, solver or output"},
+    BadStudy{"a section of a later version", "[load]", "[uq]\nsamples = 50\n[load]",
+        "study.ini:22: [uq]: not read by this version; remove the section"},
+    BadStudy{"unknown key", "thickness = 0.20 m", "thicknes = 0.20 m",
+        "study.ini:6: wall.thicknes: unknown key; did you mean \"wall.thickness\"?"},
+    BadStudy{"a key in capitals", "courses = 10", "Courses = 10",
+        "study.ini:3: wall.Courses: unknown key; did you mean \"wall.courses\"?"},
+    BadStudy{"unknown key like no other", "[stone]", "[stone]\ncolour = grey",
+        "study.ini:8: stone.colour: unknown key; use young_modulus, poisson_ratio or density"},
+    BadStudy{"missing key", "friction_angle = 31.8 deg", "",
+        "study.ini:11: joint.friction_angle: missing; write e.g. \"friction_angle = 31.8 deg\" under [joint]"},
+    BadStudy{"missing section", "[load]\nvertical_stress = 0.15, 0.50 MPa\n", "",
+        "study.ini:21: load.vertical_stress: missing; write e.g. \"vertical_stress = 0.50 MPa\" under [load]"},
+    BadStudy{"missing strength of units that can crack", "tensile_strength = 3.7 MPa", "",
+        "study.ini:14: unit.tensile_strength: missing; write e.g. \"tensile_strength = 3.7 MPa\" under [unit]"},
+
+    // units and numbers
+    BadStudy{"missing unit", "thickness = 0.20 m", "thickness = 0.20",
+        "study.ini:6: wall.thickness: missing unit; write \"0.20 m\""},
+    BadStudy{"wrong unit", "thickness = 0.20 m", "thickness = 0.20 mm2",
+        "study.ini:6: wall.thickness: unit \"mm2\" is not a length; use m, cm or mm"},
+    BadStudy{"unit of another quantity", "friction_angle = 31.8 deg", "friction_angle = 31.8 MPa",
+        "study.ini:13: joint.friction_angle: unit \"MPa\" is not an angle; use rad or deg"},
+    BadStudy{"unit in small letters", "young_modulus = 30 GPa", "young_modulus = 30 gpa",
+        "study.ini:20: beam.young_modulus: unit \"gpa\" is not a stress; use Pa, kPa, MPa, GPa or N/mm2"},
+    BadStudy{"unit where none belongs", "poisson_ratio = 0.2", "poisson_ratio = 0.2 m",
+        "study.ini:9: stone.poisson_ratio: unit \"m\" where none belongs; write \"0.2\""},
+    BadStudy{"nan", "density = 2300 kg/m3", "density = nan kg/m3",
+        "study.ini:10: stone.density: \"nan kg/m3\" is not a finite number; write a number and its unit, such as \"1 kg/m3\""},
+    BadStudy{"inf", "density = 2300 kg/m3", "density = -inf kg/m3",
+        "study.ini:10: stone.density: \"-inf kg/m3\" is not a finite number; write a number and its unit, such as \"1 kg/m3\""},
+    BadStudy{"more than a double holds", "density = 2300 kg/m3", "density = 1e999 kg/m3",
+        "study.ini:10: stone.density: \"1e999 kg/m3\" is beyond the range of a double; write a number and its unit, such as \"1 kg/m3\""},
+    BadStudy{"hexadecimal number", "courses = 10", "courses = 0x10",
+        "study.ini:3: wall.courses: \"0x10\" is not a decimal number; write a number, such as \"1\""},
+    BadStudy{"decimal comma", "thickness = 0.20 m", "thickness = 0,20 m",
+        "study.ini:6: wall.thickness: comma inside \"0,20 m\"; write a decimal point, \"0.20 m\", or a list with blanks, \"0, 20 m\""},
+    BadStudy{"half a course", "courses = 10", "courses = 7.5",
+        "study.ini:3: wall.courses: \"7.5\" is not a whole number; write one, such as \"10\""},
+    BadStudy{"half an exponent", "courses = 10", "courses = 1e3.5",
+        "study.ini:3: wall.courses: \"1e3.5\" is not one decimal number; write a number, such as \"1\""},
+    BadStudy{"a list for one value", "thickness = 0.20 m", "thickness = 0.20, 0.30 m",
+        "study.ini:6: wall.thickness: 2 values where one belongs; write one of them"},
+    BadStudy{"a hole in a list", "wall_modulus = 566, 768 MPa", "wall_modulus = 566, , 768 MPa",
+        "study.ini:12: joint.wall_modulus: empty place in the list \"566, , 768 MPa\"; write a number between two commas"},
+    BadStudy{"unit on some values", "wall_modulus = 566, 768 MPa", "wall_modulus = 566 MPa, 768",
+        "study.ini:12: joint.wall_modulus: missing unit in \"566 MPa, 768\"; write it once at the end, or on each value"},
+    BadStudy{"a list without unit", "wall_modulus = 566, 768 MPa", "wall_modulus = 566, 768",
+        "study.ini:12: joint.wall_modulus: missing unit; write \"566, 768 MPa\""},
+    BadStudy{"distribution", "friction_angle = 31.8 deg", "friction_angle = normal(mean 31.8 deg, cov 0.20)",
+        "study.ini:13: joint.friction_angle: \"normal(mean 31.8 deg, cov 0.20)\" is a distribution, but a single push needs a number; write its mean, \"31.8 deg\""},
+    BadStudy{"unknown word", "[stone]", "base = fixd\n[stone]",
+        "study.ini:7: wall.base: \"fixd\" is not one of fixed or joint; did you mean \"fixed\"?"},
+    BadStudy{"unknown bond", "[stone]", "bond = flemish\n[stone]",
+        "study.ini:7: wall.bond: \"flemish\" is not one of running, stack, [0, 1)"},
+
+    // ranges
+    BadStudy{"zero courses", "courses = 10", "courses = 0",
+        "study.ini:3: wall.courses: \"0\" is out of range; must be in [1, 1000]"},
+    BadStudy{"negative stiffness", "young_modulus = 15.5 GPa", "young_modulus = -15.5 GPa",
+        "study.ini:8: stone.young_modulus: \"-15.5 GPa\" is out of range; must be in (0, 1000] GPa"},
+    BadStudy{"Poisson's ratio of 0.5", "poisson_ratio = 0.2", "poisson_ratio = 0.5",
+        "study.ini:9: stone.poisson_ratio: \"0.5\" is out of range; must be in [0, 0.5)"},
+    BadStudy{"friction angle of 95 degrees", "friction_angle = 31.8 deg", "friction_angle = 95 deg",
+        "study.ini:13: joint.friction_angle: \"95 deg\" is out of range; must be in [0, 90) deg"},
+    BadStudy{"one contact point", "[load]", "[solver]\ncontact_points = 1\n[load]",
+        "study.ini:23: solver.contact_points: \"1\" is out of range; must be in [2, 100]"},
+    BadStudy{"two block modes", "[load]", "[solver]\nblock_modes = 2\n[load]",
+        "study.ini:23: solver.block_modes: \"2\" is out of range; must be in [3, 1000]"},
+    BadStudy{"millimetres written as metres", "length = 1.00 m", "length = 1000 m",
+        "study.ini:2: wall.length: \"1000 m\" is out of range; must be in [0.001, 100] m"},
+
+    // values at odds with each other
+    BadStudy{"a stress level without modulus", "wall_modulus = 566, 768 MPa", "wall_modulus = 566 MPa",
+        "study.ini:12: joint.wall_modulus: stress level 2 (0.5 MPa) has no value; write 2 values, one for each of load.vertical_stress"},
+    BadStudy{"a modulus without stress level", "wall_modulus = 566, 768 MPa", "wall_modulus = 566, 768, 1057 MPa",
+        "study.ini:12: joint.wall_modulus: has 3 values, load.vertical_stress 2; write one for each stress level"},
+    BadStudy{"a level without shear stiffness", "[unit]", "shear_stiffness = 1, 2, 3 GPa/m\n[unit]",
+        "study.ini:14: joint.shear_stiffness: has 3 values, load.vertical_stress 2; write one for each stress level"},
+    BadStudy{"a stress level twice", "vertical_stress = 0.15, 0.50 MPa", "vertical_stress = 0.5, 0.50 MPa",
+        "study.ini:23: load.vertical_stress: 0.5 MPa is given twice; keep one of them"},
+    BadStudy{"modulus and stiffness", "[unit]", "normal_stiffness = 8 GPa/m\n[unit]",
+        "study.ini:14: joint.normal_stiffness: given besides joint.wall_modulus, which gives it by Eq. 2; keep one of them"},
+    BadStudy{"neither modulus nor stiffness", "wall_modulus = 566, 768 MPa", "",
+        "study.ini:11: joint.wall_modulus: missing; write e.g. \"wall_modulus = 768 MPa\" or \"normal_stiffness = 8.08 GPa/m\" under [joint]"},
+    BadStudy{"a wall as stiff as its stone", "wall_modulus = 566, 768 MPa", "wall_modulus = 566, 15500 MPa",
+        "study.ini:12: joint.wall_modulus: 15500 MPa is not below stone.young_modulus, 15.5 GPa; a wall with joints is softer than its stone (Eq. 2)"},
+    BadStudy{"a wall all but as stiff as its stone", "wall_modulus = 566, 768 MPa", "wall_modulus = 566, 15499.9999999 MPa",
+        "study.ini:12: joint.wall_modulus: 15499.9999999 MPa makes the joint stiffness of Eq. 2 leave the range of 1 Pa/m to 1e+06 GPa/m"},
+    BadStudy{"residual cohesion above cohesion", "[beam]", "residual_cohesion = 4 MPa\n[beam]",
+        "study.ini:18: unit.residual_cohesion: must be at most unit.cohesion, 3.7 MPa"},
+    BadStudy{"residual friction above friction", "[beam]", "residual_friction_angle = 36 deg\n[beam]",
+        "study.ini:18: unit.residual_friction_angle: must be at most unit.friction_angle, 35 deg"},
+    BadStudy{"friction of a joint that is not there", "[load]", "[base]\nfriction_angle = 30 deg\n[load]",
+        "study.ini:23: base.friction_angle: there is no base joint; write wall.base = joint, or remove it"},
+    BadStudy{"friction under a beam that is glued", "[load]", "friction_angle = 30 deg\n[load]",
+        "study.ini:22: beam.friction_angle: there is no beam joint; write beam.interface = joint, or remove it"},
+    BadStudy{"a wall shorter than its units", "length = 1.00 m", "length = 0.15 m",
+        "study.ini:2: wall.length: must be at least one wall.unit_length, 0.2 m"},
+    BadStudy{"a sliver of a unit", "length = 1.00 m", "length = 1.0004 m",
+        "study.ini:5: wall.unit_length: a unit would be 0.4 mm long; choose wall.length, unit_length and bond so that none is below 1 mm"},
+    BadStudy{"a sliver of a bed joint", "[stone]", "bond = 0.498\n[stone]",
+        "study.ini:7: wall.bond: a piece of joint would be 0.4 mm long; choose wall.length, unit_length and bond so that none is below 1 mm"},
+    BadStudy{"load below the beam", "[load]", "[load]\nheight = 0.95 m",
+        "study.ini:23: load.height: must lie within the loading beam, from 1 m to 1.1 m"},
+    BadStudy{"a target twice", "[load]", "[load]\ntargets = 5, 5, -5 mm",
+        "study.ini:23: load.targets: 5 mm follows 5 mm; each target must differ from the one before, the first from 0 mm"},
+    BadStudy{"a curve without points", "[load]", "[output]\nrecord_every = 31 mm\n[load]",
+        "study.ini:23: output.record_every: must be at most the path of the push, 30 mm"},
+    BadStudy{"a curve of too many points", "[load]", "[output]\nrecord_every = 1e-6 mm\n[load]",
+        "study.ini:23: output.record_every: makes more than 1000000 points; record fewer"},
+    BadStudy{"too many snapshots", "[load]", "[output]\nsnapshot_every = 1e-6 mm\n[load]",
+        "study.ini:23: output.snapshot_every: makes more than 10000 snapshots; keep fewer"},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const BadStudy> bad_studies() { return kStudies; }
+
+std::string text_of(const BadStudy &bad) {
+    if (bad.line.empty()) return std::string(bad.instead);
+    std::string text(kGoodStudy);
+    return text.replace(text.find(bad.line), bad.line.size(), bad.instead);
+}
+
+} // namespace bad_input

@@ -1,0 +1,12 @@
+set(TEST_APP_OUTPUT_SOURCES
+    app/test_atomic_output.cpp
+    app/test_axis_ticks.cpp
+    app/test_capacity_csv.cpp
+    app/test_chart_svg.cpp
+    app/test_number_text.cpp
+    app/test_progress.cpp
+    app/test_svg_elements.cpp
+    app/test_vtk_series.cpp
+    app/test_wall_svg.cpp
+    app/test_wall_view.cpp
+    scenes/snapshot_scenes.cpp)

@@ -1,0 +1,88 @@
+#pragma once
+/// Studies that several tests read.
+
+#include "app/bad_input/cases.hpp"
+#include "app/study.hpp"
+
+#include <string>
+#include <vector>
+
+namespace study_texts {
+
+/// A value for every key that can stand beside the others; all but unit_cracks differ from the
+/// default.
+inline const char *const kEverything = R"([wall]
+length = 120 cm
+courses = 8
+course_height = 150 mm
+unit_length = 0.30 m
+thickness = 0.25 m
+bond = 0.25
+first_course = shifted
+unit_cracks = yes
+base = joint
+toe = free
+[stone]
+young_modulus = 20 GPa
+poisson_ratio = 0.25
+density = 2000 kg/m3
+[joint]
+normal_stiffness = 5.87, 8.08 GPa/m
+shear_stiffness = 2 N/mm3
+friction_angle = 30 deg
+stiffness_factor = 1.1
+[unit]
+stiffness_ratio = 12
+tensile_strength = 3 MPa
+cohesion = 4 MPa
+residual_cohesion = 0.1 MPa
+fracture_energy = 0.1 N/mm
+friction_angle = 0.7 rad
+residual_friction_angle = 33 deg
+stiffness_factor = 0.9
+contact_law = uncoupled
+[beam]
+height = 0.20 m
+young_modulus = 25 GPa
+poisson_ratio = 0.15
+density = 2500 kg/m3
+interface = joint
+friction_angle = 40 deg
+rotation = fixed
+[base]
+friction_angle = 25 deg
+[load]
+vertical_stress = 150 kPa, 0.5 MPa
+height = 1.3 m
+max_displacement = 2 cm
+targets = 5, -5, 10, -10 mm
+gravity = 9.80665 m/s2
+[solver]
+contact_points = 5
+face_rule = lobatto
+zones_per_interval = 3
+block_modes = 6
+beam_modes = rigid
+damping = local
+damping_factor = 0.7
+step_fraction = 0.5
+steps = 2e5
+preload_steps = 4000
+unbalance_limit = 0.01
+min_speed = 0.1
+[output]
+record_every = 0.1 mm
+snapshot_every = 0 mm
+)";
+
+inline app::Study read(const std::string &text,
+                       const std::vector<std::string> &overrides = {}) {
+    return app::read_study(
+        app::with_overrides(app::parse_study_text("study.ini", text), overrides));
+}
+
+inline app::Study read_good(const std::vector<std::string> &overrides = {}) {
+    return read(std::string(bad_input::kGoodStudy), overrides);
+}
+
+} // namespace study_texts

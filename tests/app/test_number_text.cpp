@@ -1,0 +1,45 @@
+#include "app/number_text.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <limits>
+
+using app::fixed;
+using app::number;
+
+TEST_CASE("number text: what is not finite is empty", "[app][number_text]")
+{
+    const double inf = std::numeric_limits<double>::infinity();
+    for (const double value : {std::numeric_limits<double>::quiet_NaN(), inf, -inf}) {
+        CHECK(number(value, 6).empty());
+        CHECK(number(value, 17).empty());
+        CHECK(fixed(value, 2).empty());
+    }
+}
+
+TEST_CASE("number text: 17 digits read back as the same double", "[app][number_text]")
+{
+    const double value =
+        GENERATE(0.1, 1.0 / 3.0, -2.5e-308, 1.7976931348623157e308, 5e-324, -0.0);
+    CHECK(std::strtod(number(value, 17).c_str(), nullptr) == value);
+}
+
+TEST_CASE("number text: digits are significant and trailing zeros go", "[app][number_text]")
+{
+    CHECK(number(0.1 + 0.2, 9) == "0.3");
+    CHECK(number(49712.3456, 6) == "49712.3");
+    CHECK(number(250.0, 6) == "250");
+    CHECK(number(-0.0, 6) == "0");
+    CHECK(number(0.1, 17) == "0.1");
+}
+
+TEST_CASE("number text: fixed keeps its decimals and has no negative zero",
+          "[app][number_text]")
+{
+    CHECK(fixed(9.84, 1) == "9.8");
+    CHECK(fixed(3.0, 2) == "3.00");
+    CHECK(fixed(-0.001, 1) == "0.0");
+    CHECK(fixed(-0.06, 1) == "-0.1");
+    CHECK(fixed(1e300, 0).size() == 301);
+}

@@ -1,0 +1,144 @@
+#include "app/study.hpp"
+
+#include "app/study_keys.hpp"
+#include "app/study_texts.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+#include <string>
+
+using study_texts::read;
+using study_texts::read_good;
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+app::Study shipped(const std::string &name) {
+    return app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/" + name));
+}
+
+} // namespace
+
+TEST_CASE("study: the effective configuration reads back to the same study", "[app][study]") {
+    const app::Study study =
+        GENERATE(read_good(), read(study_texts::kEverything), shipped("wall.ini"),
+                 shipped("levels.ini"), shipped("uncoupled.ini"),
+                 read_good({"wall.unit_cracks=no", "beam.interface=joint", "wall.base=joint"}),
+                 read_good({"joint.friction_angle=0.1234567890123 rad", "wall.courses=7"}));
+    const std::string text = app::effective_configuration(study);
+    INFO(text);
+    const app::Study again = read(text);
+    for (const app::Key &key : app::study_keys()) {
+        INFO(key.name);
+        CHECK(key.field.get(again) == key.field.get(study));
+    }
+}
+
+TEST_CASE("study: the effective configuration has every key in use, defaults and --set marked",
+          "[app][study]") {
+    const std::string text = app::effective_configuration(read_good({"wall.courses=12"}));
+    CHECK(text.find("courses                 = 12                            # --set\n") !=
+          std::string::npos);
+    CHECK(text.find("toe                     = held                          # default\n") !=
+          std::string::npos);
+    CHECK(text.find("length                  = 1.00 m\n") != std::string::npos);
+    CHECK(text.find("normal_stiffness") == std::string::npos); // wall_modulus gives it
+    CHECK(text.find("[base]") == std::string::npos);           // the base is fixed
+    const std::string everything = app::effective_configuration(read(study_texts::kEverything));
+    CHECK(everything.find("# default") == std::string::npos);
+}
+
+TEST_CASE("study: what the solver leaves open is as the solver has it", "[app][study]") {
+    const app::Study study = read_good();
+    const dem::SolverOptions solver;
+    const dem::Discretisation discretisation;
+    const dem::PushPlan plan;
+    CHECK(study.solver.law == solver.law);
+    CHECK(study.solver.damping == solver.damping);
+    CHECK(study.solver.damping_factor == solver.damping_factor);
+    CHECK(study.solver.step_fraction == solver.step_fraction);
+    CHECK(study.solver.steps == solver.steps);
+    CHECK(study.solver.preload_steps == solver.preload_steps);
+    CHECK(study.solver.unbalance_limit == solver.unbalance_limit);
+    CHECK(study.solver.min_speed == solver.min_speed);
+    CHECK(study.discretisation.contact_points == discretisation.contact_points);
+    CHECK(study.discretisation.face_rule == discretisation.face_rule);
+    CHECK(study.discretisation.zones_per_interval == discretisation.zones_per_interval);
+    CHECK(study.discretisation.block_modes == discretisation.block_modes);
+    CHECK(study.discretisation.beam_modes == discretisation.beam_modes);
+    CHECK(app::push_plan(study).targets == plan.targets);
+    CHECK(app::push_plan(study).record_every == plan.record_every);
+}
+
+TEST_CASE("study: defaults follow from the values they depend on", "[app][study]") {
+    const app::Study study = read_good({"wall.base=joint", "beam.interface=joint"});
+    CHECK(study.unit.cohesion == 3.7e6);
+    CHECK(study.unit.residual_cohesion == 0.0);
+    CHECK(study.unit.residual_friction_angle == 35 * kDegree);
+    CHECK(study.base_friction_angle == 31.8 * kDegree);
+    CHECK(study.beam_friction_angle == 31.8 * kDegree);
+    CHECK(study.beam.material.poisson_ratio == 0.2);
+    CHECK(study.load.height == Approx(1.1).epsilon(1e-15));
+    CHECK(read_good({"wall.courses=5"}).load.height == Approx(0.6).epsilon(1e-15));
+}
+
+TEST_CASE("study: units that cannot crack need no strength", "[app][study]") {
+    std::string text(bad_input::kGoodStudy);
+    const std::size_t begin = text.find("[unit]");
+    text.erase(begin, text.find("[beam]") - begin);
+    CHECK_THROWS_AS(read(text), app::ConfigError);
+    const app::Study study = read(text, {"wall.unit_cracks=no"});
+    CHECK_FALSE(study.wall.cracks_in_units);
+    CHECK(app::effective_configuration(study).find("[unit]") == std::string::npos);
+    CHECK_NOTHROW(read_good({"wall.unit_cracks=no"})); // their data may stay
+}
+
+TEST_CASE("study: the load line may lie anywhere in the beam, its ends included",
+          "[app][study]") {
+    CHECK_NOTHROW(read_good({"load.height=1 m"}));
+    CHECK_NOTHROW(read_good({"load.height=1.05 m"}));
+    CHECK_NOTHROW(read_good({"load.height=1.1 m"}));
+    CHECK_THROWS_AS(read_good({"load.height=1.1001 m"}), app::ConfigError);
+    CHECK_THROWS_AS(read_good({"load.height=0.9999 m"}), app::ConfigError);
+}
+
+TEST_CASE("study: sizes that divide the wall only up to rounding make no sliver",
+          "[app][study]") {
+    CHECK_NOTHROW(read_good({"wall.length=0.9 m", "wall.unit_length=0.3 m"}));
+    CHECK_NOTHROW(
+        read_good({"wall.length=2.1 m", "wall.unit_length=0.7 m", "wall.bond=stack"}));
+}
+
+TEST_CASE("study: the shipped wall is that of the paper", "[app][study]") {
+    const app::Study study = shipped("wall.ini");
+    CHECK(study.wall.length == 1.0);
+    CHECK(study.wall.courses == 10);
+    CHECK(study.wall.bond_offset == 0.5);
+    CHECK(study.wall.base == dem::Base::fixed);
+    CHECK(study.stone.young_modulus == 15.5e9);
+    CHECK(study.unit.tensile_strength == 3.7e6);
+    CHECK(study.unit.cohesion == study.unit.tensile_strength);
+    CHECK(study.unit.fracture_energy == 110.0);
+    CHECK(study.joint.friction_angle == 31.8 * kDegree);
+    CHECK(study.load.vertical_stress == std::vector<double>{0.5e6});
+    CHECK(study.load.max_displacement == 0.03);
+    CHECK(study.solver.law == dem::ContactLaw::coupled);
+}
+
+TEST_CASE("study: the other shipped studies differ from the wall in what they are for",
+          "[app][study]") {
+    const app::Study wall = shipped("wall.ini");
+    const std::string name = GENERATE("levels.ini", "uncoupled.ini");
+    const app::Study study = shipped(name);
+    for (const app::Key &key : app::study_keys()) {
+        INFO(key.name);
+        const bool same = key.field.get(study) == key.field.get(wall);
+        const bool of_level = key.name == "joint.wall_modulus" ||
+                              key.name == "joint.shear_stiffness" ||
+                              key.name == "load.vertical_stress";
+        const bool of_law = key.name == "unit.contact_law" && name == "uncoupled.ini";
+        CHECK(same != (of_level || of_law));
+    }
+}

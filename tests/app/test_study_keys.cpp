@@ -1,0 +1,99 @@
+#include "app/study_keys.hpp"
+
+#include "app/key_values.hpp"
+#include "app/study_texts.hpp"
+#include "app/units.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <set>
+#include <string>
+#include <string_view>
+
+using app::Key;
+using app::study_keys;
+
+TEST_CASE("study keys: names differ, and the keys of a section stand together",
+          "[app][study_keys]") {
+    std::set<std::string_view> names, sections;
+    std::string_view section;
+    for (const Key &key : study_keys()) {
+        INFO(key.name);
+        CHECK(names.insert(key.name).second);
+        if (app::section_of(key.name) != section) {
+            section = app::section_of(key.name);
+            CHECK(sections.insert(section).second);
+        }
+    }
+}
+
+TEST_CASE("study keys: each key has its own place in the study", "[app][study_keys]") {
+    app::Study other = study_texts::read(study_texts::kEverything);
+    other.wall.cracks_in_units = false; // the two that the text leaves at their default
+    other.joint.wall_modulus = {1e9};
+    for (const Key &changed : study_keys()) {
+        app::Study study;
+        changed.field.set(study, changed.field.get(other));
+        for (const Key &key : study_keys()) {
+            INFO(changed.name << " seen by " << key.name);
+            const bool moved = key.field.get(study) != key.field.get(app::Study{});
+            CHECK(moved == (key.name == changed.name));
+        }
+    }
+}
+
+TEST_CASE("study keys: examples and defaults are values of their keys", "[app][study_keys]") {
+    for (const Key &key : study_keys()) {
+        INFO(key.name);
+        CHECK_FALSE(key.meaning.empty());
+        if (!key.example.empty()) {
+            CHECK_NOTHROW(app::parse_value(key, key.example));
+            CHECK(key.derived.rule.empty());
+        } else if (key.derived.rule.empty()) {
+            const app::Study initial;
+            CHECK(app::parse_value(key, app::value_text(key, initial)) ==
+                  key.field.get(initial));
+        }
+    }
+}
+
+TEST_CASE("study keys: a named value is read and written by its name", "[app][study_keys]") {
+    for (const Key &key : study_keys()) {
+        for (const app::Named &name : key.names) {
+            INFO(key.name << " = " << name.word);
+            app::Study study;
+            key.field.set(study, app::parse_value(key, name.word));
+            CHECK(key.field.get(study).front() == name.value);
+            CHECK(app::value_text(key, study) == name.word);
+        }
+    }
+}
+
+TEST_CASE("study keys: open ends of a range are refused, closed ends are not",
+          "[app][study_keys]") {
+    const auto is_read = [](std::string_view name, std::string_view text) {
+        for (const Key &key : study_keys()) {
+            if (key.name != name) continue;
+            try {
+                (void)app::parse_value(key, text);
+                return true;
+            } catch (const app::BadValue &) {
+                return false;
+            }
+        }
+        FAIL("no such key");
+        return false;
+    };
+    CHECK(is_read("joint.friction_angle", "0 deg"));
+    CHECK(is_read("joint.friction_angle", "89.999 deg"));
+    CHECK_FALSE(is_read("joint.friction_angle", "90 deg"));
+    CHECK_FALSE(is_read("joint.friction_angle", "-1e-9 deg"));
+    CHECK(is_read("wall.length", "1 mm"));
+    CHECK(is_read("wall.length", "100 m"));
+    CHECK_FALSE(is_read("wall.length", "100.1 m"));
+    CHECK_FALSE(is_read("stone.young_modulus", "0 GPa"));
+    CHECK_FALSE(is_read("load.vertical_stress", "0.5, -0.1 MPa"));
+    CHECK(is_read("load.targets", "5, -5 mm"));
+    CHECK(is_read("wall.bond", "0.25"));
+    CHECK_FALSE(is_read("wall.bond", "1"));
+}

@@ -1,0 +1,100 @@
+/// What a study hands to the solver.
+
+#include "app/study.hpp"
+#include "app/study_texts.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using study_texts::read;
+using study_texts::read_good;
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+} // namespace
+
+TEST_CASE("study: the shipped moduli give the joint stiffness of Eq. 2 at every stress level",
+          "[app][study]") {
+    const app::Study study =
+        app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/levels.ini"));
+    const std::vector<double> kn = {5.87e9, 8.08e9, 9.70e9, 11.34e9, 13.03e9}; // [Pa/m]
+    const std::vector<double> stress = {0.15e6, 0.50e6, 0.75e6, 1.00e6, 1.25e6};
+    for (int level = 0; level < 5; ++level) {
+        const dem::JointMaterial joint = app::joint_material(study, level);
+        CHECK(std::abs(joint.kn - kn[level]) <= 0.005e9); // printed with two decimals
+        CHECK(joint.ks == joint.kn / 2.4);
+        CHECK(app::loads(study, level).vertical_stress == stress[level]);
+    }
+}
+
+TEST_CASE("study: one given stiffness serves all levels, a list one each", "[app][study]") {
+    const app::Study study = read(study_texts::kEverything); // factor 1.1
+    CHECK(app::joint_material(study, 0).kn == 1.1 * 5.87e9);
+    CHECK(app::joint_material(study, 1).kn == 1.1 * 8.08e9);
+    CHECK(app::joint_material(study, 0).ks == 1.1 * 2e9);
+    CHECK(app::joint_material(study, 1).ks == 1.1 * 2e9);
+}
+
+TEST_CASE("study: a crack is xi times as stiff as a joint, whatever the factor of the joint",
+          "[app][study]") {
+    const double kn = app::joint_material(read_good(), 1).kn;
+    for (const char *const factor : {"0.5", "1", "2"}) {
+        const app::Study study = read_good({std::string("joint.stiffness_factor=") + factor});
+        CHECK(app::crack_material(study, 1).kn == 10 * kn);
+        CHECK(app::joint_material(study, 1).kn == std::stod(factor) * kn);
+    }
+    CHECK(app::crack_material(read_good({"unit.stiffness_factor=2"}), 1).kn == 20 * kn);
+    CHECK(app::crack_material(read_good(), 1).ks == 10 * kn / 2.4);
+}
+
+TEST_CASE("study: every joint and crack ID has the material of the study", "[app][study]") {
+    const app::Study study = read(study_texts::kEverything);
+    const dem::WallMaterials all = app::materials(study, 1, 135, 45);
+    REQUIRE(all.joints.size() == 135);
+    REQUIRE(all.cracks.size() == 45);
+    CHECK(all.stone.density == 2000.0);
+    CHECK(all.joints.back().kn == 1.1 * 8.08e9);
+    CHECK(all.joints.back().tan_phi == std::tan(30 * kDegree));
+    const dem::CrackMaterial &crack = all.cracks.back();
+    CHECK(crack.kn == Approx(0.9 * 12 * 8.08e9).epsilon(1e-15));
+    CHECK(crack.ks == Approx(crack.kn / 2.5).epsilon(1e-15));
+    CHECK(crack.ft == 3e6);
+    CHECK(crack.cohesion == 4e6);
+    CHECK(crack.cohesion_res == 0.1e6);
+    CHECK(crack.tan_phi == std::tan(0.7));
+    CHECK(crack.tan_phi_res == std::tan(33 * kDegree));
+    CHECK(crack.fracture_energy == 100.0);
+}
+
+TEST_CASE("study: base and beam joints have the stiffness of the joints without their factor",
+          "[app][study]") {
+    const dem::WallMaterials all = app::materials(read(study_texts::kEverything), 1, 1, 1);
+    for (const dem::JointMaterial &joint : {all.base_joint, all.beam_joint}) {
+        CHECK(joint.kn == 8.08e9);
+        CHECK(joint.ks == 2e9);
+    }
+    CHECK(all.base_joint.tan_phi == std::tan(25 * kDegree));
+    CHECK(all.beam_joint.tan_phi == std::tan(40 * kDegree));
+}
+
+TEST_CASE("study: targets replace the one displacement of a monotonic push", "[app][study]") {
+    CHECK(app::push_plan(read_good({"load.max_displacement=12 mm"})).targets ==
+          std::vector<double>{0.012});
+    const dem::PushPlan plan = app::push_plan(read(study_texts::kEverything));
+    CHECK(plan.targets == std::vector<double>{0.005, -0.005, 0.01, -0.01});
+    CHECK(plan.record_every == 1e-4);
+    CHECK(plan.snapshot_every == 0.0);
+    CHECK_FALSE(plan.progress);
+}
+
+TEST_CASE("study: loads carry the height of the load and gravity", "[app][study]") {
+    const dem::Loads loads = app::loads(read(study_texts::kEverything), 0);
+    CHECK(loads.vertical_stress == 150e3);
+    CHECK(loads.height == 1.3);
+    CHECK(loads.gravity == 9.80665);
+}

@@ -1,0 +1,10 @@
+set(TEST_FRAGILITY_SOURCES
+    fragility/test_bilinear.cpp
+    fragility/test_comparison.cpp
+    fragility/test_curve_reading.cpp
+    fragility/test_curve_table.cpp
+    fragility/test_limit_states.cpp
+    fragility/test_measured_walls.cpp
+    ../bench/comparison.cpp
+    ../bench/curve_table.cpp
+    ../bench/measured_walls.cpp)

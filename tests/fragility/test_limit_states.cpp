@@ -1,0 +1,196 @@
+#include "fragility/limit_states.hpp"
+
+#include "tests/fragility/curve_scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+using namespace fragility;
+using scenes::OwnedCurve;
+
+namespace {
+
+auto near(double value) { return Approx(value).epsilon(1e-14).margin(0.0); }
+
+/// One limit state of a set, by name.
+LimitState state(const Curve& curve, LimitStateSet set, std::string_view name,
+                 const LimitStateOptions& options = {})
+{
+    for (const LimitState& s : read_limit_states(curve, set, options))
+        if (s.name == name) return s;
+    FAIL("no limit state " << name);
+    return {};
+}
+
+void check_observed(const LimitDisplacement& x, double displacement)
+{
+    CHECK(x.reading == Reading::observed);
+    CHECK(x.displacement == near(displacement));
+}
+
+void check_censored(const LimitDisplacement& x, double displacement)
+{
+    CHECK(x.reading == Reading::censored);
+    CHECK(x.displacement == near(displacement));
+    CHECK_FALSE(x.reason.empty());
+}
+
+void check_not_defined(const LimitDisplacement& x)
+{
+    CHECK(x.reading == Reading::not_defined);
+    CHECK(x.displacement == 0.0);
+    CHECK_FALSE(x.reason.empty());
+}
+
+constexpr auto kPaper = LimitStateSet::paper;
+constexpr auto kNtc = LimitStateSet::ntc;
+constexpr auto kEc8 = LimitStateSet::ec8;
+const double kTriangleYield = 1.4 - std::sqrt(0.24); // see test_bilinear
+
+} // namespace
+
+TEST_CASE("limit states: a triangle has all of them in closed form",
+          "[fragility][limit_states]")
+{
+    const OwnedCurve c = scenes::triangle();
+    check_observed(state(c, kPaper, "ultimate").limit, 1.4);
+    check_observed(state(c, kNtc, "SLC").limit, 1.4);
+    check_observed(state(c, kNtc, "SLV").limit, 1.05);
+    check_observed(state(c, kNtc, "SLD").limit, kTriangleYield);
+    check_observed(state(c, kNtc, "SLO").limit, kTriangleYield * 2.0 / 3.0);
+    check_observed(state(c, kEc8, "NC").limit, 1.4);
+    check_observed(state(c, kEc8, "SD").limit, 1.05);
+    check_observed(state(c, kEc8, "DL").limit, kTriangleYield);
+    for (const LimitStateSet set : {kPaper, kNtc, kEc8})
+        for (const LimitState& s : read_limit_states(c, set)) CHECK(s.limit.reason.empty());
+}
+
+TEST_CASE("limit states: each set lists its own, mildest first", "[fragility][limit_states]")
+{
+    const auto names = [](LimitStateSet set) {
+        std::vector<std::string_view> out;
+        for (const LimitState& s : read_limit_states(scenes::triangle(), set))
+            out.push_back(s.name);
+        return out;
+    };
+    CHECK(names(kPaper) == std::vector<std::string_view>{"ultimate"});
+    CHECK(names(kNtc) == std::vector<std::string_view>{"SLO", "SLD", "SLV", "SLC"});
+    CHECK(names(kEc8) == std::vector<std::string_view>{"DL", "SD", "NC"});
+}
+
+TEST_CASE(
+    "limit states: without a drop the ultimate and its 3/4 are censored, the yield is not",
+    "[fragility][limit_states]")
+{
+    const OwnedCurve c = scenes::elastic_plastic();
+    check_censored(state(c, kPaper, "ultimate").limit, 10.0);
+    check_censored(state(c, kNtc, "SLC").limit, 10.0);
+    check_censored(state(c, kNtc, "SLV").limit, 7.5);
+    check_observed(state(c, kNtc, "SLD").limit, 1.0);
+    check_observed(state(c, kNtc, "SLO").limit, 2.0 / 3.0);
+    check_censored(state(c, kEc8, "SD").limit, 7.5);
+    check_observed(state(c, kEc8, "DL").limit, 1.0);
+    CHECK(state(c, kEc8, "DL").limit.reason == "bilinear up to the end of the curve");
+}
+
+TEST_CASE("limit states: a curve that ends on its elastic branch has not yielded",
+          "[fragility][limit_states]")
+{
+    const LimitDisplacement sld = state(scenes::straight(), kNtc, "SLD").limit;
+    CHECK(sld.reading == Reading::censored);
+    CHECK(sld.displacement == Approx(3.0).epsilon(1e-7).margin(0.0));
+    CHECK(sld.reason == "the curve ends before it has yielded");
+    CHECK(state(scenes::straight(), kNtc, "SLO").limit.reading == Reading::censored);
+}
+
+TEST_CASE("limit states: a curve that creeps up on a long plateau has yielded",
+          "[fragility][limit_states]")
+{
+    const LimitDisplacement dl = state(OwnedCurve{{0, 0}, {1, 10}, {10, 11}}, kEc8, "DL").limit;
+    CHECK(dl.reading == Reading::observed);
+    CHECK(dl.reason == "bilinear up to the end of the curve, where it still rises");
+}
+
+TEST_CASE("limit states: SLD is the peak where the bilinear yields later",
+          "[fragility][limit_states]")
+{
+    const OwnedCurve stiffens{{0, 0}, {1, 0.6}, {1.3, 1.0}, {3, 1}, {3.01, 0.7}};
+    const LimitDisplacement sld = state(stiffens, kNtc, "SLD").limit;
+    check_observed(sld, 1.3);
+    CHECK(sld.reason == "the peak comes before the yield");
+    CHECK(state(stiffens, kEc8, "DL").limit.displacement > 1.7);
+}
+
+TEST_CASE("limit states: the crossing, the drop and the share of the bilinear are choices",
+          "[fragility][limit_states]")
+{
+    const LimitStateOptions last{.crossing = Crossing::last};
+    check_observed(state(scenes::jerky(), kNtc, "SLC").limit, 1.0 + 2.0 / 3.0);
+    check_observed(state(scenes::jerky(), kNtc, "SLC", last).limit, 3.0 + 1.0 / 3.0);
+    CHECK(state(scenes::jerky(), kPaper, "ultimate").rule == "first drop to 80 % of the peak");
+    CHECK(state(scenes::jerky(), kPaper, "ultimate", last).rule ==
+          "last drop to 80 % of the peak");
+
+    const LimitStateOptions half{.ultimate_share = 0.5};
+    check_observed(state(scenes::triangle(), kPaper, "ultimate", half).limit, 2.0);
+    CHECK(state(scenes::triangle(), kPaper, "ultimate", half).rule ==
+          "first drop to 50 % of the peak");
+
+    const OwnedCurve softening{{0, 0}, {1, 6}, {2, 10}, {8, 10}, {8, 0}};
+    const LimitStateOptions peak_secant{.bilinear_share = 1.0};
+    const double energy = 71.0; // up to 8
+    check_observed(state(softening, kEc8, "DL").limit,
+                   8.0 - std::sqrt(64.0 - 2.0 * energy / 6.0));
+    check_observed(state(softening, kEc8, "DL", peak_secant).limit,
+                   8.0 - std::sqrt(64.0 - 2.0 * energy / 5.0));
+    CHECK(state(softening, kEc8, "DL").rule ==
+          "yield of the equal-energy bilinear through 60 % of the peak");
+}
+
+TEST_CASE("limit states: what a curve does not have is not defined, with the reason",
+          "[fragility][limit_states]")
+{
+    for (const LimitStateSet set : {kPaper, kNtc, kEc8})
+        for (const LimitState& s : read_limit_states(scenes::negative(), set)) {
+            check_not_defined(s.limit);
+            CHECK(s.limit.reason == "the force is nowhere positive");
+        }
+    check_not_defined(state(scenes::descending(), kNtc, "SLD").limit);
+    check_not_defined(state(scenes::descending(), kNtc, "SLO").limit);
+    check_observed(state(scenes::descending(), kNtc, "SLC").limit, 1.5);
+    const OwnedCurve stiffens{{0, 0}, {1, 0.6}, {1.01, 1.0}, {1.02, 0.79}};
+    CHECK(state(stiffens, kEc8, "DL").limit.reason == reason(BilinearOutcome::no_real_root));
+}
+
+TEST_CASE("limit states: 3/4 of the ultimate may come before the yield of a brittle curve",
+          "[fragility][limit_states]")
+{
+    const OwnedCurve brittle{{0, 0}, {1, 10}, {1, 0}};
+    CHECK(state(brittle, kNtc, "SLV").limit.displacement == near(0.75));
+    CHECK(state(brittle, kNtc, "SLD").limit.displacement ==
+          Approx(1.0).epsilon(1e-7).margin(0.0));
+}
+
+TEST_CASE("limit states: a bad curve and bad shares are refused", "[fragility][limit_states]")
+{
+    CHECK_THROWS_AS(read_limit_states(OwnedCurve{}, kPaper), std::invalid_argument);
+    const OwnedCurve c = scenes::triangle();
+    CHECK_THROWS_AS(read_limit_states(c, kPaper, {.ultimate_share = 1.0}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(read_limit_states(c, kNtc, {.bilinear_share = 0.0}), std::invalid_argument);
+}
+
+TEST_CASE("limit states: sets have the names of study files", "[fragility][limit_states]")
+{
+    CHECK(name(kPaper) == "paper");
+    CHECK(name(kNtc) == "ntc");
+    CHECK(name(kEc8) == "ec8");
+    for (const LimitStateSet set : {kPaper, kNtc, kEc8})
+        CHECK(limit_state_set(name(set)) == set);
+    CHECK_FALSE(limit_state_set("NTC"));
+    CHECK_FALSE(limit_state_set(""));
+}

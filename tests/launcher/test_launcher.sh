@@ -1,0 +1,369 @@
+#!/usr/bin/env bash
+# test_launcher.sh ROOT CLAIM   checks one claim about the launcher ROOT/drystone
+# Each function claim_* is one test (CMakeLists.txt lists them). A claim works in a stub checkout
+# with a blank in its path: the launcher, a "program" that is a shell script and needs no
+# compiler, and a PATH where dpkg-query, apt-get, sudo and id are fakes.
+set -euo pipefail
+
+fail() {
+    echo "FAILED: $*" >&2
+    [[ ! -s $box/err ]] || sed 's/^/    stderr: /' "$box/err" >&2
+    [[ ! -s $box/out ]] || sed 's/^/    stdout: /' "$box/out" >&2
+    exit 1
+}
+expect_equal() { # $1: what, $2: found, $3: wanted
+    [[ $2 == "$3" ]] || fail "$1 is '$2', not '$3'"
+}
+expect_text() { # $1: file, $2: text it holds
+    grep -qF -e "$2" -- "$1" || fail "no '$2' in ${1##*/}"
+}
+expect_no_text() {
+    ! grep -qF -e "$2" -- "$1" || fail "'$2' in ${1##*/}"
+}
+
+# The launcher with a bare environment; stdout, stderr and exit code are kept. $@: its arguments
+drystone() {
+    code=0
+    "${before[@]}" env -i PATH="$tools" BOX="$box" "${settings[@]}" \
+        "${launcher:-$checkout/drystone}" "$@" >"$box/out" 2>"$box/err" </dev/null || code=$?
+}
+
+fake() { # $1: name, stdin: the script; replaces a real tool of that name
+    rm -f -- "$tools/$1"
+    { echo '#!/usr/bin/env bash'; cat; } >"$tools/$1"
+    chmod +x "$tools/$1"
+}
+
+make_tools() { # a short PATH: what the launcher counts on, and fakes that write down their calls
+    local tool
+    mkdir "$tools"
+    for tool in bash cat cmake cp ctest env flock grep mkdir ninja nproc readlink rm sh sleep \
+        touch; do
+        ln -s "$(command -v "$tool")" "$tools/$tool"
+    done
+    : >"$box/absent" # one package per line
+    : >"$box/calls"
+    fake id <<<'echo 0'
+    fake dpkg-query <<'TOOL'
+echo "dpkg-query" >>"$BOX/calls"
+for package in "${@:4}"; do
+    grep -qxF -e "$package" "$BOX/absent" || echo "$package installed"
+done
+TOOL
+    fake apt-get <<'TOOL'
+echo "apt-get ${DEBIAN_FRONTEND-} $*" >>"$BOX/calls"
+echo "apt-get talks on stdout"
+[[ " $* " != *" install "* ]] || : >"$BOX/absent"
+TOOL
+}
+
+make_checkout() { # a program and three tests, all shell scripts
+    mkdir -p "$checkout/app"
+    cp -- "$1/drystone" "$checkout/drystone"
+    cat >"$checkout/app/program.sh" <<'SCRIPT'
+#!/usr/bin/env bash
+# version 1
+case ${1-} in
+show) printf '<%s>\n' "${@:2}" ;;
+where) pwd ;;
+pid) echo "$$" ;;
+exit) exit "$2" ;;
+read) cat ;;
+esac
+SCRIPT
+    chmod +x "$checkout/app/program.sh"
+    cat >"$checkout/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.25)
+project(stub NONE)
+set(program ${PROJECT_BINARY_DIR}/app/drystone)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/app)
+add_custom_command(OUTPUT ${program} DEPENDS ${PROJECT_SOURCE_DIR}/app/program.sh VERBATIM
+    COMMAND sh -c "echo building >>\"$BOX/calls\"; sleep 0.1; test ! -e \"$BOX/broken\""
+    COMMAND cp ${PROJECT_SOURCE_DIR}/app/program.sh ${program})
+add_custom_target(drystone ALL DEPENDS ${program})
+set(tested ${PROJECT_BINARY_DIR}/tested)
+add_custom_command(OUTPUT ${tested} COMMAND touch ${tested} VERBATIM)
+add_custom_target(test_program ALL DEPENDS ${tested})
+enable_testing()
+add_test(NAME good COMMAND sh -c "exit 0")
+add_test(NAME fine COMMAND cat ${tested})
+if(DEFINED STUB_TEST)
+    add_test(NAME odd COMMAND sh -c "${STUB_TEST}")
+    set_tests_properties(odd PROPERTIES SKIP_RETURN_CODE 77)
+endif()
+CMAKE
+    write_presets
+}
+
+write_presets() { # $1: cache variables of the release preset, as JSON
+    cat >"$checkout/CMakePresets.json" <<JSON
+{ "version": 4, "configurePresets": [
+    { "name": "release", "generator": "Ninja", "binaryDir": "\${sourceDir}/build/\${presetName}",
+      "cacheVariables": { ${1-} } },
+    { "name": "portable", "inherits": "release" } ] }
+JSON
+}
+
+claim_arguments_arrive_exactly_as_given() {
+    cd -- "$checkout" # where * would match
+    drystone show "two words" '*' '' '$HOME' "it's" 'a"b' -- --flag $'line\nbreak'
+    expect_equal "the argument list" "$(cat "$box/out")" \
+        "$(printf '<%s>\n' "two words" '*' '' '$HOME' "it's" 'a"b' -- --flag $'line\nbreak')"
+}
+
+claim_the_exit_code_is_the_programs() {
+    local wanted
+    for wanted in 0 1 2 42; do
+        drystone exit "$wanted"
+        expect_equal "the exit code" "$code" "$wanted"
+    done
+}
+
+claim_the_working_directory_stays() {
+    mkdir "$box/else where"
+    cd -- "$box/else where"
+    drystone where
+    expect_equal "the working directory" "$(cat "$box/out")" "$box/else where"
+}
+
+claim_stdout_and_stdin_belong_to_the_program() {
+    echo catch2 >"$box/absent"
+    drystone show first
+    expect_equal "stdout of the run that installs and builds" "$(cat "$box/out")" "<first>"
+    expect_text "$box/err" "building Drystone (first time, about "
+    drystone show second
+    expect_equal "stdout of the next run" "$(cat "$box/out")" "<second>"
+    expect_equal "stderr of the next run" "$(cat "$box/err")" ""
+    rm -r -- "$checkout/build"
+    expect_equal "stdin through the first build" \
+        "$(echo data | env -i PATH="$tools" BOX="$box" "$checkout/drystone" read)" data
+}
+
+claim_the_program_takes_the_launchers_place() {
+    drystone exit 0
+    env -i PATH="$tools" BOX="$box" "$checkout/drystone" pid >"$box/out" &
+    wait $!
+    expect_equal "the process" "$(cat "$box/out")" "$!"
+}
+
+claim_it_works_through_a_symlink() {
+    ln -s "$checkout/drystone" "$box/link to drystone"
+    ln -s "link to drystone" "$box/link"
+    launcher="$box/link"
+    drystone show yes
+    expect_equal "stdout" "$(cat "$box/out")" "<yes>"
+}
+
+claim_a_changed_source_is_built_before_the_run() {
+    drystone exit 0
+    echo 'echo "version 2"' >>"$checkout/app/program.sh"
+    drystone
+    expect_equal "stdout" "$(cat "$box/out")" "version 2"
+    expect_text "$box/err" "building what changed"
+    drystone
+    expect_equal "the number of builds" "$(grep -c building "$box/calls")" 2
+}
+
+claim_a_failed_build_shows_its_output_and_runs_nothing() {
+    drystone show old
+    touch "$checkout/app/program.sh" "$box/broken"
+    drystone show old
+    expect_equal "the exit code" "$code" 1
+    expect_equal "stdout" "$(cat "$box/out")" ""
+    expect_text "$box/err" "FAILED: app/drystone"
+    expect_text "$box/err" "drystone: the build failed"
+    rm "$box/broken"
+    drystone show new
+    expect_equal "stdout once repaired" "$(cat "$box/out")" "<new>"
+}
+
+claim_changed_presets_are_configured_again() {
+    drystone exit 0
+    write_presets '"STUB_TEST": "exit 77"'
+    drystone test
+    expect_equal "the last line" "$(tail -n 1 "$box/out")" "2 passed, 0 failed, 1 skipped"
+}
+
+claim_a_moved_checkout_builds_again() {
+    drystone exit 0
+    mv -- "$checkout" "$box/moved here"
+    checkout="$box/moved here"
+    echo 'echo moved' >>"$checkout/app/program.sh"
+    drystone
+    expect_equal "stdout" "$(cat "$box/out")" moved
+}
+
+claim_runs_at_the_same_time_build_once() {
+    local run
+    for run in 1 2 3 4; do
+        env -i PATH="$tools" BOX="$box" "$checkout/drystone" show "$run" &
+    done >>"$box/out" 2>>"$box/err"
+    wait
+    expect_equal "the answers" "$(sort "$box/out" | paste -sd' ')" "<1> <2> <3> <4>"
+    expect_equal "the number of builds" "$(grep -c building "$box/calls")" 1
+}
+
+claim_a_ready_program_can_be_named() {
+    settings=(DRYSTONE_PROGRAM="$checkout/app/program.sh")
+    drystone show ready
+    expect_equal "stdout" "$(cat "$box/out")" "<ready>"
+    expect_equal "the calls" "$(cat "$box/calls")" ""
+    [[ ! -e $checkout/build ]] || fail "it made a build directory"
+}
+
+claim_without_the_means_to_install_the_missing_packages_are_listed() {
+    printf '%s\n' libgsl-dev g++ >"$box/absent"
+    fake id <<<'echo 1000'
+    drystone show no
+    expect_equal "the exit code" "$code" 1
+    expect_equal "stdout" "$(cat "$box/out")" ""
+    expect_text "$box/err" "this is neither root nor a user of sudo"
+    expect_no_text "$box/err" "running:"
+    expect_equal "the list" "$(sed -n 's/^    //p' "$box/err")" $'g++\nlibgsl-dev'
+    expect_no_text "$box/calls" apt-get
+    expect_no_text "$box/calls" building
+}
+
+claim_a_system_without_dpkg_gets_the_full_list() {
+    rm "$tools/dpkg-query"
+    drystone show no
+    expect_equal "the exit code" "$code" 1
+    expect_text "$box/err" "not a Debian-like system"
+    expect_equal "the length of the list" "$(grep -c '^    ' "$box/err")" \
+        "$(sed -n '/^packages=(/,/)/{s/packages=//;p}' "$checkout/drystone" | wc -w)"
+    expect_no_text "$box/calls" apt-get
+}
+
+claim_a_directory_configured_by_hand_needs_no_packages() {
+    rm "$tools/dpkg-query"
+    (cd -- "$checkout" && env -i PATH="$tools" BOX="$box" cmake --preset release >/dev/null)
+    drystone show yes
+    expect_equal "stdout" "$(cat "$box/out")" "<yes>"
+}
+
+claim_root_installs_what_is_missing_and_nothing_else() {
+    printf '%s\n' catch2 cmake >"$box/absent"
+    drystone exit 0
+    expect_equal "the exit code" "$code" 0
+    expect_equal "the apt-get calls" "$(grep apt-get "$box/calls" | sed 's/-o [^ ]* //')" \
+        "apt-get noninteractive -qq update
+apt-get noninteractive -qq install -y --no-install-recommends cmake catch2"
+}
+
+claim_a_user_installs_through_sudo_after_being_told() {
+    echo catch2 >"$box/absent"
+    fake id <<<'echo 1000'
+    fake sudo <<'TOOL'
+[[ $1 != -n ]] || exit 0
+echo "sudo" >>"$BOX/calls"
+exec "$@"
+TOOL
+    drystone show yes
+    expect_equal "stdout" "$(cat "$box/out")" "<yes>"
+    expect_equal "the number of commands told" "$(grep -c "running: sudo env" "$box/err")" 2
+    expect_text "$box/err" "install -y --no-install-recommends catch2"
+    expect_equal "the calls of sudo" "$(grep -cx sudo "$box/calls")" 2
+    expect_text "$box/calls" "install -y --no-install-recommends catch2"
+}
+
+claim_a_sudo_that_asks_is_not_run_without_a_terminal() {
+    echo catch2 >"$box/absent"
+    fake id <<<'echo 1000'
+    fake sudo <<<'[[ $1 != -n ]] && echo "sudo" >>"$BOX/calls"; exit 1'
+    before=(setsid --wait)
+    drystone show no
+    expect_equal "the exit code" "$code" 1
+    expect_text "$box/err" "sudo wants a password and there is no terminal"
+    expect_no_text "$box/calls" sudo
+}
+
+claim_dpkg_is_asked_once_and_apt_never_when_all_is_there() {
+    drystone exit 0
+    drystone exit 0
+    expect_equal "the calls" "$(grep -v building "$box/calls")" "dpkg-query"
+}
+
+claim_an_install_that_leaves_packages_out_stops() {
+    echo catch2 >"$box/absent"
+    fake apt-get <<<'exit 0'
+    drystone show no
+    expect_equal "the exit code" "$code" 1
+    expect_equal "the list" "$(sed -n 's/^    //p' "$box/err")" catch2
+}
+
+claim_an_older_or_other_processor_gets_the_portable_preset() {
+    local flags wanted
+    sed -i "s|/proc/cpuinfo|'$box/cpu'|" "$checkout/drystone"
+    while IFS=: read -r wanted flags; do
+        rm -rf -- "$checkout/build"
+        printf 'processor\t: 0\nflags\t\t: %s\nbugs\t\t:\n' "$flags" >"$box/cpu"
+        drystone exit 0
+        expect_equal "the build for '$flags'" "$(cd -- "$checkout/build" && echo *)" "$wanted"
+    done <<'CPUS'
+release:fpu fma bmi1 avx2 bmi2
+portable:fpu fma bmi1 avx bmi2
+portable:fpu bmi1 avx2 bmi2
+portable:fpu fma bmi1 avx2
+CPUS
+    printf 'CPU architecture: 8\nFeatures\t: fp asimd\n' >"$box/cpu"
+    rm -rf -- "$checkout/build"
+    drystone exit 0
+    [[ -d $checkout/build/portable ]] || fail "no portable build for another architecture"
+}
+
+claim_an_unknown_preset_is_refused() {
+    settings=(DRYSTONE_PRESET=none)
+    drystone exit 0
+    expect_equal "the exit code" "$code" 1
+    expect_text "$box/err" "drystone: configuring failed"
+}
+
+claim_test_ends_with_the_count() {
+    drystone test
+    expect_equal "the last line" "$(tail -n 1 "$box/out")" "2 passed, 0 failed"
+    expect_equal "the exit code" "$code" 0
+    drystone test -R good
+    expect_equal "the last line with -R good" "$(tail -n 1 "$box/out")" "1 passed, 0 failed"
+    touch "$checkout/app/program.sh"
+    drystone exit 0
+    expect_equal "stderr of a run after the tests" "$(cat "$box/err")" \
+        "drystone: building what changed"
+}
+
+claim_test_fails_with_a_test() {
+    write_presets '"STUB_TEST": "echo cause; exit 3"'
+    drystone test
+    expect_equal "the last line" "$(tail -n 1 "$box/out")" "2 passed, 1 failed"
+    expect_equal "the exit code" "$code" 1
+    expect_text "$box/out" cause
+}
+
+claim_test_counts_what_cannot_be_started_as_failed() {
+    echo 'add_test(NAME lost COMMAND /nonexistent)' >>"$checkout/CMakeLists.txt"
+    drystone test
+    expect_equal "the last line" "$(tail -n 1 "$box/out")" "2 passed, 1 failed"
+    expect_equal "the exit code" "$code" 1
+}
+
+claim_test_without_a_test_fails() {
+    drystone test -R nothing
+    expect_equal "the last line" "$(tail -n 1 "$box/out")" "0 passed, 0 failed"
+    expect_equal "the exit code" "$code" 1
+    fake ctest <<<'exit 5' # before any report
+    drystone test
+    expect_equal "the last line of a broken ctest" "$(tail -n 1 "$box/out")" "0 passed, 0 failed"
+    expect_equal "the exit code of a broken ctest" "$code" 1
+    expect_equal "stderr of a broken ctest" "$(cat "$box/err")" \
+        $'drystone: ctest failed with exit code 5\ndrystone: no test ran'
+}
+
+box=$(readlink -f -- "$(mktemp -d)")
+trap 'rm -rf -- "$box"' EXIT
+checkout="$box/check out"
+tools=$box/tools
+launcher=
+settings=() # of the environment
+before=()   # words before the command
+make_tools
+make_checkout "$1"
+"claim_$2"
