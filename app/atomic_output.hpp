@@ -8,12 +8,12 @@ namespace app {
 
 /// Creates `folder` and its parents where they are missing.
 /// Throws std::runtime_error naming the folder and the reason.
-void make_folder(const std::filesystem::path &folder);
+void make_folder(const std::filesystem::path& folder);
 
 /// Writes `content` to a temporary in the folder of `path`, then renames it to `path`. A file
 /// that was there is replaced, or left as it was if anything fails; a kill leaves at most the
 /// temporary. Does not wait for the disk: a power cut may lose it. Throws std::runtime_error
 /// naming the path and the reason (no such folder, disk full, permission, not a regular file).
-void write_file(const std::filesystem::path &path, std::string_view content);
+void write_file(const std::filesystem::path& path, std::string_view content);
 
 } // namespace app

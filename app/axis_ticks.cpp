@@ -11,10 +11,11 @@ namespace app {
 
 namespace {
 
-constexpr const char *kThinSpace = "\u2009";
+constexpr const char* kThinSpace = "\u2009";
 
 /// 1, 2 or 5 times a power of ten, nearest above `step`.
-double round_step(double step) {
+double round_step(double step)
+{
     const double decade = std::pow(10.0, std::floor(std::log10(step)));
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * decade >= step * (1.0 - 1e-9)) return factor * decade;
@@ -22,7 +23,8 @@ double round_step(double step) {
 }
 
 /// Multiples of powers of ten within [low, high].
-std::vector<double> multiples(double low, double high, std::initializer_list<int> factors) {
+std::vector<double> multiples(double low, double high, std::initializer_list<int> factors)
+{
     std::vector<double> values;
     const int first = static_cast<int>(std::floor(std::log10(low)));
     const int last = static_cast<int>(std::floor(std::log10(high)));
@@ -34,23 +36,26 @@ std::vector<double> multiples(double low, double high, std::initializer_list<int
     return values;
 }
 
-std::string superscript(int n) {
-    static constexpr std::array<const char *, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
-                                                             "⁵", "⁶", "⁷", "⁸", "⁹"};
+std::string superscript(int n)
+{
+    static constexpr std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
+                                                            "⁵", "⁶", "⁷", "⁸", "⁹"};
     std::string text = n < 0 ? "⁻" : "";
     for (const char c : std::to_string(std::abs(n)))
         text += kDigits[static_cast<std::size_t>(c - '0')];
     return text;
 }
 
-std::string power_text(double value) {
+std::string power_text(double value)
+{
     int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
     const std::string factor = number(value / std::pow(10.0, exponent), 6);
     if (factor == "1") return "10" + superscript(exponent);
     return factor + "·10" + superscript(exponent);
 }
 
-std::string grouped(std::string text) {
+std::string grouped(std::string text)
+{
     const std::size_t point = std::min(text.find('.'), text.size());
     const std::size_t first = text.front() == '-' ? 1 : 0;
     if (point - first < 5) return text; // 1000 to 9999 stay as they are
@@ -60,12 +65,14 @@ std::string grouped(std::string text) {
 
 } // namespace
 
-double Axis::share(double value) const {
+double Axis::share(double value) const
+{
     if (log) return std::log(value / low) / std::log(high / low);
     return (value - low) / (high - low);
 }
 
-Axis linear_axis(double low, double high, int wanted) {
+Axis linear_axis(double low, double high, int wanted)
+{
     if (low > high) std::swap(low, high);
     const double largest = std::max(std::abs(low), std::abs(high));
     if (high - low <= 1e-9 * largest ||
@@ -85,7 +92,8 @@ Axis linear_axis(double low, double high, int wanted) {
     return axis;
 }
 
-Axis log_axis(double low, double high) {
+Axis log_axis(double low, double high)
+{
     if (low > high) std::swap(low, high);
     const double grow = low == high ? 2.0 : std::pow(high / low, 0.04);
     Axis axis;
@@ -102,7 +110,8 @@ Axis log_axis(double low, double high) {
     return axis;
 }
 
-std::string tick_label(const Axis &axis, double tick) {
+std::string tick_label(const Axis& axis, double tick)
+{
     if (tick == 0.0) return "0";
     const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
     if (largest >= 1e7 || largest < 1e-3 || (axis.log && std::abs(tick) < 1e-3))

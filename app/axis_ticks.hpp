@@ -27,6 +27,6 @@ struct Axis {
 [[nodiscard]] Axis log_axis(double low, double high);
 
 /// "20 000" (thin space), "0.25", "2·10⁻⁶"; all labels of a linear axis with the same decimals.
-[[nodiscard]] std::string tick_label(const Axis &axis, double tick);
+[[nodiscard]] std::string tick_label(const Axis& axis, double tick);
 
 } // namespace app

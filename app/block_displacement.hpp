@@ -7,6 +7,6 @@ namespace app {
 
 /// Displacement of block `block` (-1, the ground: none) at the outline point nearest to `at`
 /// [m].
-[[nodiscard]] dem::Point displacement_at(const dem::Snapshot &wall, int block, dem::Point at);
+[[nodiscard]] dem::Point displacement_at(const dem::Snapshot& wall, int block, dem::Point at);
 
 } // namespace app

@@ -8,7 +8,8 @@
 namespace app {
 
 std::string capacity_csv(std::span<const double> displacement, std::span<const double> force,
-                         double height) {
+                         double height)
+{
     if (displacement.size() != force.size())
         throw std::invalid_argument(
             "capacity curve: as many displacements as forces are needed");

@@ -10,28 +10,30 @@ namespace app {
 namespace {
 
 // Okabe and Ito: told apart with any colour vision
-constexpr std::array<const char *, 7> kPalette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                  "#E69F00", "#56B4E9", "#000000"};
+constexpr std::array<const char*, 7> kPalette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                 "#E69F00", "#56B4E9", "#000000"};
 constexpr double kMargin = 18.0, kTickSize = 12.0, kSample = 26.0; // [px]
 
 struct Range {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
-    void add(double value, bool log) {
+    void add(double value, bool log)
+    {
         if (!std::isfinite(value) || (log && value <= 0.0)) return;
         low = std::min(low, value);
         high = std::max(high, value);
     }
 };
 
-Range range_of(const Chart &chart, bool of_x) {
+Range range_of(const Chart& chart, bool of_x)
+{
     const bool log = of_x ? chart.log_x : chart.log_y;
     Range range;
-    for (const Series &s : chart.series)
+    for (const Series& s : chart.series)
         for (const double v : of_x ? s.x : s.y) range.add(v, log);
-    for (const ReferenceLine &line : of_x ? chart.vertical : chart.horizontal)
+    for (const ReferenceLine& line : of_x ? chart.vertical : chart.horizontal)
         range.add(line.at, log);
-    for (const ChartMark &mark : chart.marks) range.add(of_x ? mark.x : mark.y, log);
+    for (const ChartMark& mark : chart.marks) range.add(of_x ? mark.x : mark.y, log);
     if (range.low > range.high)
         return log ? Range{1.0, 10.0} : Range{0.0, 1.0}; // nothing to show
     // a curve that comes near zero is read from zero
@@ -40,7 +42,8 @@ Range range_of(const Chart &chart, bool of_x) {
 }
 
 /// @param headroom share of the axis kept free above the data [-], in [0, 1)
-Axis make_axis(Range range, bool log, double headroom) {
+Axis make_axis(Range range, bool log, double headroom)
+{
     if (log) {
         const double span = std::max(range.high / range.low, 1.0 + 1e-9);
         return log_axis(range.low, range.high * (std::pow(span, 1.0 / (1.0 - headroom) - 1.0)));
@@ -50,7 +53,8 @@ Axis make_axis(Range range, bool log, double headroom) {
                        headroom > 0.0 ? 8 : 6); // finer: less empty room
 }
 
-std::vector<std::string> pick_colours(const std::vector<Series> &series) {
+std::vector<std::string> pick_colours(const std::vector<Series>& series)
+{
     std::vector<std::string> colours;
     std::size_t next = 0;
     for (std::size_t i = 0; i < series.size(); ++i) {
@@ -65,15 +69,16 @@ std::vector<std::string> pick_colours(const std::vector<Series> &series) {
 }
 
 /// One entry for each name, in rows; returns the entries with the last at the bottom row.
-std::vector<LegendEntry> place_legend(const Chart &chart,
-                                      const std::vector<std::string> &colours, Pixel first) {
+std::vector<LegendEntry> place_legend(const Chart& chart,
+                                      const std::vector<std::string>& colours, Pixel first)
+{
     std::vector<LegendEntry> entries;
     Pixel at = first;
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
-        const Series &s = chart.series[i];
+        const Series& s = chart.series[i];
         const bool known =
             std::any_of(entries.begin(), entries.end(),
-                        [&](const LegendEntry &e) { return e.series->name == s.name; });
+                        [&](const LegendEntry& e) { return e.series->name == s.name; });
         if (s.name.empty() || known) continue;
         const double width = kSample + 8.0 + text_width(s.name, kTickSize) + 18.0;
         if (at.x > first.x && at.x + width > chart.width - kMargin) at = {first.x, at.y + 18.0};
@@ -83,8 +88,9 @@ std::vector<LegendEntry> place_legend(const Chart &chart,
     return entries;
 }
 
-std::vector<int> label_rows(const std::vector<ReferenceLine> &lines, const Axis &x, double left,
-                            double right) {
+std::vector<int> label_rows(const std::vector<ReferenceLine>& lines, const Axis& x, double left,
+                            double right)
+{
     std::vector<std::size_t> order(lines.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(),
@@ -105,18 +111,21 @@ std::vector<int> label_rows(const std::vector<ReferenceLine> &lines, const Axis 
     return rows;
 }
 
-double widest_label(const Axis &axis) {
+double widest_label(const Axis& axis)
+{
     double width = 0.0;
     for (const double t : axis.ticks)
         width = std::max(width, text_width(tick_label(axis, t), kTickSize));
     return width;
 }
 
-std::string grid_line(Pixel a, Pixel b, bool strong) {
+std::string grid_line(Pixel a, Pixel b, bool strong)
+{
     return svg_line(a, b, svg_stroke(strong ? "#e2e2e2" : "#f0f0f0", 1.0));
 }
 
-std::string draw_x_axis(const Chart &chart, const ChartFrame &f) {
+std::string draw_x_axis(const Chart& chart, const ChartFrame& f)
+{
     std::string drawn;
     for (const double t : f.x.minor)
         drawn += grid_line(f.place(t, f.y.low), f.place(t, f.y.high), false);
@@ -131,7 +140,8 @@ std::string draw_x_axis(const Chart &chart, const ChartFrame &f) {
                             "text-anchor=\"middle\"");
 }
 
-std::string draw_y_axis(const Chart &chart, const ChartFrame &f) {
+std::string draw_y_axis(const Chart& chart, const ChartFrame& f)
+{
     std::string drawn;
     for (const double t : f.y.minor)
         drawn += grid_line(f.place(f.x.low, t), f.place(f.x.high, t), false);
@@ -148,7 +158,8 @@ std::string draw_y_axis(const Chart &chart, const ChartFrame &f) {
                     "text-anchor=\"middle\" transform=\"rotate(-90 " + x + ' ' + y + ")\"");
 }
 
-std::string draw_top_axis(const Chart &chart, const ChartFrame &f) {
+std::string draw_top_axis(const Chart& chart, const ChartFrame& f)
+{
     if (!chart.top || f.x.log || !(chart.top->factor > 0.0)) return {};
     const double factor = chart.top->factor;
     const Axis axis = linear_axis(f.x.low * factor, f.x.high * factor, 8);
@@ -164,9 +175,10 @@ std::string draw_top_axis(const Chart &chart, const ChartFrame &f) {
                             "text-anchor=\"middle\" font-size=\"12\" fill=\"#555\"");
 }
 
-std::string draw_legend(const ChartFrame &f) {
+std::string draw_legend(const ChartFrame& f)
+{
     std::string drawn;
-    for (const LegendEntry &entry : f.legend) {
+    for (const LegendEntry& entry : f.legend) {
         const Pixel a = entry.at, b{a.x + kSample, a.y}, middle{a.x + kSample / 2, a.y};
         if (entry.series->line != LineStyle::none)
             drawn += svg_line(a, b, line_attributes(*entry.series, entry.colour));
@@ -179,24 +191,28 @@ std::string draw_legend(const ChartFrame &f) {
 
 } // namespace
 
-Pixel ChartFrame::place(double value_x, double value_y) const {
+Pixel ChartFrame::place(double value_x, double value_y) const
+{
     return {left + (right - left) * x.share(value_x),
             bottom - (bottom - top) * y.share(value_y)};
 }
 
-bool ChartFrame::shows(double value_x, double value_y) const {
+bool ChartFrame::shows(double value_x, double value_y) const
+{
     return std::isfinite(value_x) && std::isfinite(value_y) && (!x.log || value_x > 0.0) &&
            (!y.log || value_y > 0.0);
 }
 
-std::string line_attributes(const Series &series, const std::string &colour) {
+std::string line_attributes(const Series& series, const std::string& colour)
+{
     std::string text = svg_stroke(colour, series.width) + "stroke-linejoin=\"round\" ";
     if (series.line == LineStyle::dashed) text += "stroke-dasharray=\"7 4\"";
     if (series.line == LineStyle::dotted) text += "stroke-dasharray=\"1.5 3.5\"";
     return text;
 }
 
-ChartFrame lay_out_chart(const Chart &chart) {
+ChartFrame lay_out_chart(const Chart& chart)
+{
     ChartFrame f;
     f.colours = pick_colours(chart.series);
     f.top = chart.title.empty() ? kMargin : 48.0;
@@ -219,7 +235,8 @@ ChartFrame lay_out_chart(const Chart &chart) {
     return f;
 }
 
-std::string draw_frame(const Chart &chart, const ChartFrame &f) {
+std::string draw_frame(const Chart& chart, const ChartFrame& f)
+{
     return svg_text({kMargin, 30.0}, chart.title, "font-size=\"16\" font-weight=\"bold\"") +
            draw_x_axis(chart, f) + draw_y_axis(chart, f) +
            svg_rectangle({f.left, f.top}, f.right - f.left, f.bottom - f.top,

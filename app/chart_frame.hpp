@@ -13,7 +13,7 @@ namespace app {
 
 /// A name in the legend and how its line looks.
 struct LegendEntry {
-    const Series *series = nullptr;
+    const Series* series = nullptr;
     std::string colour;
     Pixel at; ///< left end of the sample
 };
@@ -33,12 +33,12 @@ struct ChartFrame {
 
 inline constexpr double kLabelRow = 17.0; // height of a row of labels [px]
 
-[[nodiscard]] ChartFrame lay_out_chart(const Chart &chart);
+[[nodiscard]] ChartFrame lay_out_chart(const Chart& chart);
 
 /// Grid, ticks, axis labels, title and legend.
-[[nodiscard]] std::string draw_frame(const Chart &chart, const ChartFrame &frame);
+[[nodiscard]] std::string draw_frame(const Chart& chart, const ChartFrame& frame);
 
 /// Attributes of the line of a series.
-[[nodiscard]] std::string line_attributes(const Series &series, const std::string &colour);
+[[nodiscard]] std::string line_attributes(const Series& series, const std::string& colour);
 
 } // namespace app

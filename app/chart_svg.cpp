@@ -12,11 +12,12 @@ namespace app {
 
 namespace {
 
-constexpr const char *kReferenceStyle =
+constexpr const char* kReferenceStyle =
     "stroke=\"#777\" stroke-width=\"1.1\" stroke-dasharray=\"5 3\"";
 
 /// Text with a white rim, readable over lines.
-std::string label(Pixel at, std::string_view text, const std::string &anchor) {
+std::string label(Pixel at, std::string_view text, const std::string& anchor)
+{
     const std::string style = "font-size=\"12\" text-anchor=\"" + anchor + "\" ";
     return svg_text(at, text,
                     style + "stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\" "
@@ -24,7 +25,8 @@ std::string label(Pixel at, std::string_view text, const std::string &anchor) {
            svg_text(at, text, style);
 }
 
-std::string draw_series(const Series &s, const std::string &colour, const ChartFrame &f) {
+std::string draw_series(const Series& s, const std::string& colour, const ChartFrame& f)
+{
     std::string drawn;
     std::vector<Pixel> run; // up to the next gap
     const auto flush = [&] {
@@ -46,10 +48,11 @@ std::string draw_series(const Series &s, const std::string &colour, const ChartF
     return drawn;
 }
 
-std::string draw_vertical_lines(const Chart &chart, const ChartFrame &f) {
+std::string draw_vertical_lines(const Chart& chart, const ChartFrame& f)
+{
     std::string lines, labels;
     for (std::size_t i = 0; i < chart.vertical.size(); ++i) {
-        const ReferenceLine &line = chart.vertical[i];
+        const ReferenceLine& line = chart.vertical[i];
         if (!f.shows(line.at, f.y.low)) continue;
         const double x = f.place(line.at, f.y.low).x;
         lines += svg_line({x, f.top}, {x, f.bottom}, "");
@@ -61,10 +64,11 @@ std::string draw_vertical_lines(const Chart &chart, const ChartFrame &f) {
 }
 
 /// How much of the lines runs through a box: samples along every piece that lie in it.
-int crowd(const Chart &chart, const ChartFrame &f, Pixel low, Pixel high) {
+int crowd(const Chart& chart, const ChartFrame& f, Pixel low, Pixel high)
+{
     constexpr int kSamples = 16; // per piece
     int inside = 0;
-    for (const Series &s : chart.series)
+    for (const Series& s : chart.series)
         for (std::size_t i = 0; i + 1 < s.x.size(); ++i) {
             if (!f.shows(s.x[i], s.y[i]) || !f.shows(s.x[i + 1], s.y[i + 1])) continue;
             const Pixel p = f.place(s.x[i], s.y[i]), q = f.place(s.x[i + 1], s.y[i + 1]);
@@ -78,8 +82,9 @@ int crowd(const Chart &chart, const ChartFrame &f, Pixel low, Pixel high) {
 }
 
 /// At the end and the side of a horizontal line where the fewest lines run through the text.
-std::string label_horizontal(const Chart &chart, const ChartFrame &f, double y,
-                             const std::string &text) {
+std::string label_horizontal(const Chart& chart, const ChartFrame& f, double y,
+                             const std::string& text)
+{
     const double width = text_width(text, 12.0) + 8.0;
     std::string best;
     int least = std::numeric_limits<int>::max();
@@ -97,25 +102,28 @@ std::string label_horizontal(const Chart &chart, const ChartFrame &f, double y,
     return best;
 }
 
-std::string draw_horizontal_lines(const Chart &chart, const ChartFrame &f) {
+std::string draw_horizontal_lines(const Chart& chart, const ChartFrame& f)
+{
     std::string lines;
-    for (const ReferenceLine &line : chart.horizontal)
+    for (const ReferenceLine& line : chart.horizontal)
         if (f.shows(f.x.low, line.at))
             lines += svg_line(f.place(f.x.low, line.at), f.place(f.x.high, line.at), "");
     return svg_group(kReferenceStyle, lines);
 }
 
-std::string draw_horizontal_labels(const Chart &chart, const ChartFrame &f) {
+std::string draw_horizontal_labels(const Chart& chart, const ChartFrame& f)
+{
     std::string labels;
-    for (const ReferenceLine &line : chart.horizontal)
+    for (const ReferenceLine& line : chart.horizontal)
         if (f.shows(f.x.low, line.at))
             labels += label_horizontal(chart, f, f.place(f.x.low, line.at).y, line.label);
     return labels;
 }
 
-std::string draw_marks(const Chart &chart, const ChartFrame &f) {
+std::string draw_marks(const Chart& chart, const ChartFrame& f)
+{
     std::string drawn;
-    for (const ChartMark &mark : chart.marks) {
+    for (const ChartMark& mark : chart.marks) {
         if (!f.shows(mark.x, mark.y)) continue;
         const Pixel at = f.place(mark.x, mark.y);
         const bool fits = at.x + text_width(mark.label, 12.0) + 10.0 < f.right;
@@ -128,10 +136,11 @@ std::string draw_marks(const Chart &chart, const ChartFrame &f) {
 
 } // namespace
 
-std::string line_chart(const Chart &chart) {
+std::string line_chart(const Chart& chart)
+{
     if (!(chart.width >= 300.0 && chart.height >= 240.0))
         throw std::invalid_argument("chart: at least 300 x 240 pixels are needed");
-    for (const Series &s : chart.series)
+    for (const Series& s : chart.series)
         if (s.x.size() != s.y.size())
             throw std::invalid_argument("chart: series '" + s.name + "' has unequal lengths");
 

@@ -49,6 +49,6 @@ struct Chart {
 
 /// Everything finite is inside the frame; a linear axis starts at 0 where the data come near
 /// it. Throws std::invalid_argument if a series has unequal lengths or the chart is too small.
-[[nodiscard]] std::string line_chart(const Chart &chart);
+[[nodiscard]] std::string line_chart(const Chart& chart);
 
 } // namespace app

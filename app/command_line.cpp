@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 3> kVerbs = {"push", "help", "version"};
 constexpr std::array<std::string_view, 6> kLaterVerbs = {"study",  "fragility", "report",
                                                          "sample", "merge",     "reliability"};
 
-constexpr const char *kUsage =
+constexpr const char* kUsage =
     R"(Drystone: in-plane push of dry-joint stone masonry walls by the discrete element method.
 
   drystone push STUDY.ini [options]   push one wall: capacity curve, summary, pictures
@@ -34,18 +34,21 @@ constexpr const char *kUsage =
   drystone version
 
 )";
-constexpr const char *kExitCodes = "\nExit codes: 0 done, 1 failed, 2 error in the input.\n";
+constexpr const char* kExitCodes = "\nExit codes: 0 done, 1 failed, 2 error in the input.\n";
 
-[[noreturn]] void refuse(std::string_view what, const std::string &why) {
+[[noreturn]] void refuse(std::string_view what, const std::string& why)
+{
     throw ConfigError("drystone", 0, what, why);
 }
 
-int default_threads() {
+int default_threads()
+{
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-po::options_description options() {
-    const auto text = [](const char *name) {
+po::options_description options()
+{
+    const auto text = [](const char* name) {
         return po::value<std::string>()->value_name(name);
     };
     const std::string threads =
@@ -62,7 +65,8 @@ po::options_description options() {
     return all;
 }
 
-[[noreturn]] void refuse_unknown_option(const std::string &token) {
+[[noreturn]] void refuse_unknown_option(const std::string& token)
+{
     constexpr std::array<std::string_view, 6> kNames = {"--out",   "--set",  "--threads",
                                                         "--quiet", "--help", "--version"};
     const std::string name = token.substr(0, token.find('='));
@@ -70,7 +74,8 @@ po::options_description options() {
 }
 
 /// Boost splits the arguments; what it refuses is said in our words.
-std::vector<po::option> split(const std::vector<std::string> &arguments) {
+std::vector<po::option> split(const std::vector<std::string>& arguments)
+{
     namespace style = po::command_line_style;
     const po::options_description all = options();
     try {
@@ -80,19 +85,20 @@ std::vector<po::option> split(const std::vector<std::string> &arguments) {
             .allow_unregistered()
             .run()
             .options;
-    } catch (const po::invalid_command_line_syntax &error) {
+    } catch (const po::invalid_command_line_syntax& error) {
         const bool extra = error.kind() == po::invalid_syntax::extra_parameter;
         refuse(error.get_option_name(),
                extra ? "takes no value; write it alone" : "missing value; write one after it");
     }
 }
 
-int parse_threads(const std::string &text) {
+int parse_threads(const std::string& text)
+{
     constexpr double kMost = 1024;
     double n = 0.0;
     try {
         n = parse_count(text);
-    } catch (const BadValue &bad) {
+    } catch (const BadValue& bad) {
         refuse("--threads", bad.what());
     }
     if (n < 1 || n > kMost)
@@ -101,7 +107,8 @@ int parse_threads(const std::string &text) {
 }
 
 /// The directory itself is made by who writes into it.
-void check_out(const std::string &out) {
+void check_out(const std::string& out)
+{
     namespace fs = std::filesystem;
     std::error_code ignored;
     fs::path path = fs::path(out).lexically_normal();
@@ -114,12 +121,13 @@ void check_out(const std::string &out) {
 }
 
 /// Sort one option into the command; words without -- are kept apart.
-void take(const po::option &option, Command &command, std::vector<std::string> &words) {
+void take(const po::option& option, Command& command, std::vector<std::string>& words)
+{
     if (option.unregistered) refuse_unknown_option(option.original_tokens.front());
     const bool next_option =
         option.original_tokens.size() > 1 && option.value.front().starts_with("--");
     if (next_option) refuse("--" + option.string_key, "missing value; write one after it");
-    const std::string &name = option.string_key;
+    const std::string& name = option.string_key;
     if (name.empty()) {
         words.push_back(option.value.front());
     } else if (name == "set") {
@@ -134,21 +142,24 @@ void take(const po::option &option, Command &command, std::vector<std::string> &
     }
 }
 
-void refuse_doubled(const std::vector<po::option> &given) {
-    for (const char *const name : {"out", "threads"}) {
-        const auto times = std::count_if(given.begin(), given.end(), [&](const po::option &o) {
+void refuse_doubled(const std::vector<po::option>& given)
+{
+    for (const char* const name : {"out", "threads"}) {
+        const auto times = std::count_if(given.begin(), given.end(), [&](const po::option& o) {
             return o.string_key == name;
         });
         if (times > 1) refuse("--" + std::string(name), "given twice; keep one of them");
     }
 }
 
-bool has(const std::vector<po::option> &given, const char *name) {
+bool has(const std::vector<po::option>& given, const char* name)
+{
     return std::any_of(given.begin(), given.end(),
-                       [&](const po::option &o) { return o.string_key == name; });
+                       [&](const po::option& o) { return o.string_key == name; });
 }
 
-std::string known_verb(const std::string &word) {
+std::string known_verb(const std::string& word)
+{
     if (std::find(kVerbs.begin(), kVerbs.end(), word) != kVerbs.end()) return word;
     if (std::find(kLaterVerbs.begin(), kLaterVerbs.end(), word) != kLaterVerbs.end()) {
         refuse(word, "not in this version; \"drystone help\" lists what is");
@@ -157,7 +168,8 @@ std::string known_verb(const std::string &word) {
 }
 
 /// VERB and what follows it.
-void read_words(const std::vector<std::string> &words, Command &command) {
+void read_words(const std::vector<std::string>& words, Command& command)
+{
     if (words.empty()) {
         refuse("", "missing verb; write \"drystone push STUDY.ini\", or \"drystone help\"");
     }
@@ -179,13 +191,14 @@ void read_words(const std::vector<std::string> &words, Command &command) {
 
 } // namespace
 
-Command parse_command_line(const std::vector<std::string> &arguments) {
+Command parse_command_line(const std::vector<std::string>& arguments)
+{
     Command command;
     command.threads = default_threads();
     std::vector<std::string> words;
     const std::vector<po::option> given = split(arguments);
     refuse_doubled(given);
-    for (const po::option &option : given) take(option, command, words);
+    for (const po::option& option : given) take(option, command, words);
 
     if (has(given, "help")) {
         if (!words.empty()) command.topic = known_verb(words.front());
@@ -205,7 +218,8 @@ Command parse_command_line(const std::vector<std::string> &arguments) {
     return command;
 }
 
-std::string help_text(std::string_view topic) {
+std::string help_text(std::string_view topic)
+{
     std::ostringstream text;
     text << kUsage << options() << kExitCodes;
     if (topic == "push") {

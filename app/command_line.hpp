@@ -21,7 +21,7 @@ struct Command {
 
 /// @param arguments without the name of the program
 /// @throws ConfigError that names the option; nothing has been written then
-[[nodiscard]] Command parse_command_line(const std::vector<std::string> &arguments);
+[[nodiscard]] Command parse_command_line(const std::vector<std::string>& arguments);
 
 /// @param topic a verb, or empty for the program
 [[nodiscard]] std::string help_text(std::string_view topic);

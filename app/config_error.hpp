@@ -15,10 +15,11 @@ class ConfigError : public std::runtime_error {
     /// @param line from 1; 0 if there is none, then left out
     /// @param key `section.key` or an option; left out if empty
     ConfigError(std::string_view file, int line, std::string_view key, std::string_view why)
-        : std::runtime_error(std::string(file) +
-                             (line > 0 ? ":" + std::to_string(line) : std::string()) + ": " +
-                             (key.empty() ? std::string() : std::string(key) + ": ") +
-                             std::string(why)) {}
+        : std::runtime_error(
+              std::string(file) + (line > 0 ? ":" + std::to_string(line) : std::string()) +
+              ": " + (key.empty() ? std::string() : std::string(key) + ": ") + std::string(why))
+    {
+    }
 };
 
 } // namespace app

@@ -1,39 +1,40 @@
 #include "app/key_values.hpp"
 
+#include "app/number_text.hpp"
 #include "app/units.hpp"
 #include "app/words.hpp"
-
-#include <algorithm>
-#include <cctype>
-#include <cstddef>
 
 namespace app {
 namespace {
 
-std::vector<std::string_view> words_of(const Key &key) {
+std::vector<std::string_view> words_of(const Key& key)
+{
     std::vector<std::string_view> words;
-    for (const Named &n : key.names) words.push_back(n.word);
+    for (const Named& n : key.names) words.push_back(n.word);
     return words;
 }
 
-std::string range_text(const Key &key) {
-    return key.range.left + format_number(key.range.low) + ", " +
-           format_number(key.range.high) + key.range.right + (key.unit.empty() ? "" : " ") +
-           std::string(key.unit);
+std::string range_text(const Key& key)
+{
+    return key.range.left + number(key.range.low, 17) + ", " + number(key.range.high, 17) +
+           key.range.right + (key.unit.empty() ? "" : " ") + std::string(key.unit);
 }
 
-bool in_range(double si, const Key &key) {
+bool in_range(double si, const Key& key)
+{
     const double low = to_si(key.range.low, key.unit), high = to_si(key.range.high, key.unit);
     return (key.range.left == '[' ? si >= low : si > low) &&
            (key.range.right == ']' ? si <= high : si < high);
 }
 
-bool starts_with_letter(std::string_view text) {
+bool starts_with_letter(std::string_view text)
+{
     const char c = text.empty() ? '\0' : text.front();
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-std::vector<double> parse_numbers(const Key &key, std::string_view text) {
+std::vector<double> parse_numbers(const Key& key, std::string_view text)
+{
     switch (key.kind) {
     case Kind::list:
         return parse_quantities(text, key.unit);
@@ -46,15 +47,17 @@ std::vector<double> parse_numbers(const Key &key, std::string_view text) {
 
 } // namespace
 
-std::string allowed_values(const Key &key) {
+std::string allowed_values(const Key& key)
+{
     if (key.kind == Kind::word) return listed(words_of(key));
     std::string text;
-    for (const Named &n : key.names) text += std::string(n.word) + ", ";
+    for (const Named& n : key.names) text += std::string(n.word) + ", ";
     return text + (key.kind == Kind::count ? "whole in " : "") + range_text(key);
 }
 
-std::vector<double> parse_value(const Key &key, std::string_view text) {
-    for (const Named &n : key.names) {
+std::vector<double> parse_value(const Key& key, std::string_view text)
+{
+    for (const Named& n : key.names) {
         if (text == n.word) return {n.value};
     }
     if (key.kind == Kind::word || (!key.names.empty() && starts_with_letter(text))) {
@@ -70,10 +73,11 @@ std::vector<double> parse_value(const Key &key, std::string_view text) {
     return values;
 }
 
-std::string value_text(const Key &key, const Study &study) {
+std::string value_text(const Key& key, const Study& study)
+{
     const std::vector<double> values = key.field.get(study);
     if (values.empty()) return {};
-    for (const Named &n : key.names) {
+    for (const Named& n : key.names) {
         if (values.front() == n.value) return std::string(n.word);
     }
     return format_quantities(values, key.unit);

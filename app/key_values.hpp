@@ -11,13 +11,13 @@ namespace app {
 
 /// @return in SI
 /// @throws BadValue if the text is not a value of this key, or out of its range
-[[nodiscard]] std::vector<double> parse_value(const Key &key, std::string_view text);
+[[nodiscard]] std::vector<double> parse_value(const Key& key, std::string_view text);
 
 /// The value a study has, such that parse_value gives it back to the bit; empty for an empty
 /// list.
-[[nodiscard]] std::string value_text(const Key &key, const Study &study);
+[[nodiscard]] std::string value_text(const Key& key, const Study& study);
 
 /// "[0, 90) deg", "whole or shifted"
-[[nodiscard]] std::string allowed_values(const Key &key);
+[[nodiscard]] std::string allowed_values(const Key& key);
 
 } // namespace app

@@ -10,7 +10,8 @@ namespace app {
 
 namespace {
 
-std::string to_text(double value, std::chars_format format, int digits) {
+std::string to_text(double value, std::chars_format format, int digits)
+{
     std::array<char, 400> text; // the largest double has 309 digits before the point
     const auto [end, error] =
         std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
@@ -20,7 +21,8 @@ std::string to_text(double value, std::chars_format format, int digits) {
 
 } // namespace
 
-std::string number(double value, int digits) {
+std::string number(double value, int digits)
+{
     assert(digits >= 1 && digits <= 17);
     if (!std::isfinite(value)) return {};
     if (digits == 17) { // the shortest text that reads back as the same double
@@ -32,7 +34,8 @@ std::string number(double value, int digits) {
     return to_text(value == 0.0 ? 0.0 : value, std::chars_format::general, digits);
 }
 
-std::string fixed(double value, int decimals) {
+std::string fixed(double value, int decimals)
+{
     assert(decimals >= 0 && decimals <= 17);
     if (!std::isfinite(value)) return {};
     const std::string text = to_text(value, std::chars_format::fixed, decimals);

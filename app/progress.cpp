@@ -23,7 +23,8 @@ constexpr int kBarWidth = 24;
 
 std::string two_digits(long long n) { return (n < 10 ? "0" : "") + std::to_string(n); }
 
-std::string bar(double done) {
+std::string bar(double done)
+{
     const int filled = static_cast<int>(std::floor(done * kBarWidth));
     std::string text(static_cast<std::size_t>(filled), '=');
     if (filled < kBarWidth) text += '>';
@@ -32,7 +33,8 @@ std::string bar(double done) {
 }
 
 /// Cuts to `columns`, never within a UTF-8 character; counts every character as one column.
-std::string cut(const std::string &text, int columns) {
+std::string cut(const std::string& text, int columns)
+{
     int seen = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const bool starts = (static_cast<unsigned char>(text[i]) & 0xC0) != 0x80;
@@ -43,15 +45,19 @@ std::string cut(const std::string &text, int columns) {
 
 } // namespace
 
-Progress::Progress(std::ostream &out, ProgressOptions options, Clock clock)
+Progress::Progress(std::ostream& out, ProgressOptions options, Clock clock)
     : out_(out), options_(options), clock_(std::move(clock)), start_(clock_()),
-      last_sample_(start_), last_drawn_(start_) {}
+      last_sample_(start_), last_drawn_(start_)
+{
+}
 
-Progress::~Progress() {
+Progress::~Progress()
+{
     if (drawn_ && !finished_ && options_.terminal) out_ << '\n' << std::flush;
 }
 
-void Progress::update(double done, std::string_view text) {
+void Progress::update(double done, std::string_view text)
+{
     if (options_.quiet || finished_) return;
     const double now = clock_();
     done = done > 0.0 ? std::min(done, 1.0) : 0.0; // NaN: 0
@@ -66,7 +72,8 @@ void Progress::update(double done, std::string_view text) {
     write_line(line(done, clock_text(left) + " left", text), now);
 }
 
-void Progress::finish(std::string_view text) {
+void Progress::finish(std::string_view text)
+{
     if (options_.quiet || finished_) return;
     const double now = clock_();
     if (drawn_) write_line(line(1.0, clock_text(now - start_) + " taken", text), now);
@@ -76,7 +83,8 @@ void Progress::finish(std::string_view text) {
 
 /// Work and time fade alike, so their ratio is a mean over the last kRateMemory seconds, from
 /// the first sample on.
-void Progress::follow_rate(double now, double done) {
+void Progress::follow_rate(double now, double done)
+{
     const double dt = now - last_sample_;
     const double keep = std::exp(-dt / kRateMemory);
     done_sum_ = keep * done_sum_ + std::max(0.0, done - last_done_);
@@ -85,7 +93,8 @@ void Progress::follow_rate(double now, double done) {
     last_done_ = done;
 }
 
-void Progress::write_line(const std::string &line, double now) {
+void Progress::write_line(const std::string& line, double now)
+{
     if (options_.terminal)
         out_ << '\r' << cut(line, options_.width - 1) << "\033[K"
              << std::flush; // K: clear the rest
@@ -95,7 +104,8 @@ void Progress::write_line(const std::string &line, double now) {
     drawn_ = true;
 }
 
-std::string Progress::line(double done, const std::string &time, std::string_view text) const {
+std::string Progress::line(double done, const std::string& time, std::string_view text) const
+{
     // 100 % only when it is: 0.999 is 99 %
     std::string percent = fixed(std::floor(done * 100.0), 0);
     percent.insert(0, 3 - std::min<std::size_t>(3, percent.size()), ' ');
@@ -106,7 +116,8 @@ std::string Progress::line(double done, const std::string &time, std::string_vie
     return result;
 }
 
-ProgressOptions stderr_progress(bool quiet) {
+ProgressOptions stderr_progress(bool quiet)
+{
     ProgressOptions options{.terminal = ::isatty(STDERR_FILENO) == 1, .quiet = quiet};
     winsize size{};
     if (options.terminal && ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
@@ -114,12 +125,14 @@ ProgressOptions stderr_progress(bool quiet) {
     return options;
 }
 
-double steady_seconds() {
+double steady_seconds()
+{
     using namespace std::chrono;
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-std::string clock_text(double seconds) {
+std::string clock_text(double seconds)
+{
     if (!(seconds >= 0.0 && seconds < 1e9)) return "-:--";
     const long long s = std::llround(seconds);
     const std::string tail = ':' + two_digits(s % 60);

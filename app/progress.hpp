@@ -21,12 +21,12 @@ class Progress {
   public:
     using Clock = std::function<double()>; ///< [s], never backwards
 
-    Progress(std::ostream &out, ProgressOptions options, Clock clock);
+    Progress(std::ostream& out, ProgressOptions options, Clock clock);
     /// Ends a line that was drawn and not finished, so that an error message starts on a line
     /// of its own.
     ~Progress();
-    Progress(const Progress &) = delete;
-    Progress &operator=(const Progress &) = delete;
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
 
     /// @param done share of the work in [0, 1]; outside, and NaN, is clamped
     /// @param text free text at the end of the line, e.g. "49.7 kN at 9.8 mm"
@@ -37,11 +37,11 @@ class Progress {
 
   private:
     void follow_rate(double now, double done);
-    void write_line(const std::string &line, double now);
-    [[nodiscard]] std::string line(double done, const std::string &time,
+    void write_line(const std::string& line, double now);
+    [[nodiscard]] std::string line(double done, const std::string& time,
                                    std::string_view text) const;
 
-    std::ostream &out_;
+    std::ostream& out_;
     ProgressOptions options_;
     Clock clock_;
     double start_ = 0.0, last_sample_ = 0.0, last_done_ = 0.0; ///< [s], [s], [-]

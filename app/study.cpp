@@ -14,16 +14,18 @@
 namespace app {
 namespace {
 
-std::vector<std::string_view> section_names() {
+std::vector<std::string_view> section_names()
+{
     std::vector<std::string_view> names;
-    for (const Key &key : study_keys()) {
+    for (const Key& key : study_keys()) {
         const std::string_view section = section_of(key.name);
         if (names.empty() || names.back() != section) names.push_back(section);
     }
     return names;
 }
 
-void refuse_unknown_section(const StudyFile &file, int line, std::string_view section) {
+void refuse_unknown_section(const StudyFile& file, int line, std::string_view section)
+{
     const std::string_view path = line > 0 ? std::string_view(file.path) : "--set";
     const std::string shown = "[" + std::string(section) + "]";
     if (section == "uq" || section == "fragility") {
@@ -35,9 +37,10 @@ void refuse_unknown_section(const StudyFile &file, int line, std::string_view se
     }
 }
 
-void refuse_unknown_key(const StudyFile &file, const Entry &entry) {
+void refuse_unknown_key(const StudyFile& file, const Entry& entry)
+{
     std::vector<std::string_view> all, in_section;
-    for (const Key &key : study_keys()) {
+    for (const Key& key : study_keys()) {
         if (key.name == entry.key) return;
         all.push_back(key.name);
         if (section_of(key.name) == section_of(entry.key)) {
@@ -51,19 +54,21 @@ void refuse_unknown_key(const StudyFile &file, const Entry &entry) {
                                           : "did you mean " + in_quotes(nearest) + "?"));
 }
 
-void refuse_unknown(const StudyFile &file) {
-    for (const SectionHeader &s : file.sections) refuse_unknown_section(file, s.line, s.name);
-    for (const Entry &e : file.entries) {
+void refuse_unknown(const StudyFile& file)
+{
+    for (const SectionHeader& s : file.sections) refuse_unknown_section(file, s.line, s.name);
+    for (const Entry& e : file.entries) {
         refuse_unknown_section(file, e.line, section_of(e.key));
         refuse_unknown_key(file, e);
     }
 }
 
-void read_given(const Key &key, Study &study) {
-    if (const Entry *entry = find_entry(study.source, key.name)) {
+void read_given(const Key& key, Study& study)
+{
+    if (const Entry* entry = find_entry(study.source, key.name)) {
         try {
             key.field.set(study, parse_value(key, entry->value));
-        } catch (const BadValue &bad) {
+        } catch (const BadValue& bad) {
             throw error_at(study.source, key.name, bad.what());
         }
     } else if (!key.example.empty() && is_used(key, study)) {
@@ -75,7 +80,8 @@ void read_given(const Key &key, Study &study) {
 }
 
 /// A friction that no joint has is a misunderstanding; data of units that cannot crack are not.
-void refuse_unused(const Key &key, const Study &study) {
+void refuse_unused(const Key& key, const Study& study)
+{
     if (is_used(key, study) || find_entry(study.source, key.name) == nullptr) return;
     if (key.used == Used::with_base_joint) {
         throw error_at(study.source, key.name,
@@ -87,19 +93,22 @@ void refuse_unused(const Key &key, const Study &study) {
     }
 }
 
-void derive(const Key &key, Study &study) {
+void derive(const Key& key, Study& study)
+{
     const bool given = find_entry(study.source, key.name) != nullptr;
     if (!given && key.derived.apply != nullptr && is_used(key, study)) key.derived.apply(study);
 }
 
 /// Value of one level of a list that has one value for all levels, or one for each.
-double at_level(const std::vector<double> &values, int level) {
+double at_level(const std::vector<double>& values, int level)
+{
     return values.size() == 1 ? values.front() : values.at(static_cast<std::size_t>(level));
 }
 
 /// Of the dry joints, without their factor.
-dem::JointMaterial stiffness_of_level(const Study &study, int level) {
-    const JointInput &joint = study.joint;
+dem::JointMaterial stiffness_of_level(const Study& study, int level)
+{
+    const JointInput& joint = study.joint;
     const double kn = joint.wall_modulus.empty()
                           ? at_level(joint.normal_stiffness, level)
                           : dem::joint_stiffness(study.wall.course_height,
@@ -110,23 +119,25 @@ dem::JointMaterial stiffness_of_level(const Study &study, int level) {
 
 } // namespace
 
-Study read_study(const StudyFile &file) {
+Study read_study(const StudyFile& file)
+{
     refuse_unknown(file);
     Study study;
     study.source = file;
-    for (const Key &key : study_keys()) read_given(key, study);
-    for (const Key &key : study_keys()) refuse_unused(key, study);
+    for (const Key& key : study_keys()) read_given(key, study);
+    for (const Key& key : study_keys()) refuse_unused(key, study);
     check_stiffness(study);
-    for (const Key &key : study_keys()) derive(key, study);
+    for (const Key& key : study_keys()) derive(key, study);
     check_relations(study);
     return study;
 }
 
-std::string effective_configuration(const Study &study) {
+std::string effective_configuration(const Study& study)
+{
     std::string text;
     std::string_view section;
-    for (const Key &key : study_keys()) {
-        const Entry *entry = find_entry(study.source, key.name);
+    for (const Key& key : study_keys()) {
+        const Entry* entry = find_entry(study.source, key.name);
         if (entry == nullptr && !is_used(key, study)) continue;
         const std::string value = entry != nullptr ? entry->value : value_text(key, study);
         if (value.empty()) continue;
@@ -137,7 +148,7 @@ std::string effective_configuration(const Study &study) {
         std::string line(name_in_section(key.name));
         line.resize(std::max<std::size_t>(line.size(), 24), ' ');
         line += "= " + value;
-        const char *const mark = entry == nullptr   ? "# default"
+        const char* const mark = entry == nullptr   ? "# default"
                                  : entry->line == 0 ? "# --set"
                                                     : "";
         if (*mark != '\0') line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
@@ -146,18 +157,21 @@ std::string effective_configuration(const Study &study) {
     return text;
 }
 
-dem::Loads loads(const Study &study, int level) {
+dem::Loads loads(const Study& study, int level)
+{
     return {at_level(study.load.vertical_stress, level), study.load.height, study.load.gravity};
 }
 
-dem::JointMaterial joint_material(const Study &study, int level) {
+dem::JointMaterial joint_material(const Study& study, int level)
+{
     const dem::JointMaterial joint = stiffness_of_level(study, level);
     const double factor = study.joint.stiffness_factor;
     return {factor * joint.kn, factor * joint.ks, std::tan(study.joint.friction_angle)};
 }
 
-dem::CrackMaterial crack_material(const Study &study, int level) {
-    const UnitInput &unit = study.unit;
+dem::CrackMaterial crack_material(const Study& study, int level)
+{
+    const UnitInput& unit = study.unit;
     const double kn =
         unit.stiffness_factor * unit.stiffness_ratio * stiffness_of_level(study, level).kn;
     return {.kn = kn,
@@ -170,7 +184,8 @@ dem::CrackMaterial crack_material(const Study &study, int level) {
             .fracture_energy = unit.fracture_energy};
 }
 
-dem::WallMaterials materials(const Study &study, int level, int n_joints, int n_cracks) {
+dem::WallMaterials materials(const Study& study, int level, int n_joints, int n_cracks)
+{
     dem::WallMaterials all;
     all.stone = study.stone;
     all.joints.assign(static_cast<std::size_t>(n_joints), joint_material(study, level));
@@ -181,7 +196,8 @@ dem::WallMaterials materials(const Study &study, int level, int n_joints, int n_
     return all;
 }
 
-dem::PushPlan push_plan(const Study &study) {
+dem::PushPlan push_plan(const Study& study)
+{
     dem::PushPlan plan;
     plan.targets = study.load.targets;
     if (plan.targets.empty()) plan.targets = {study.load.max_displacement};

@@ -53,10 +53,9 @@ struct Study {
     dem::Elastic stone;
     JointInput joint;
     UnitInput unit;
-    dem::Beam beam{
-        .material = {.poisson_ratio = 0.2}}; // of concrete; its effect is far below others
-    double beam_friction_angle = 0.0;        ///< [rad], used with BeamInterface::joint
-    double base_friction_angle = 0.0;        ///< [rad], used with Base::joint
+    dem::Beam beam{.material = {.poisson_ratio = 0.2}}; // choice: concrete
+    double beam_friction_angle = 0.0; ///< [rad], used with BeamInterface::joint
+    double base_friction_angle = 0.0; ///< [rad], used with Base::joint
     LoadInput load;
     dem::Discretisation discretisation;
     dem::SolverOptions solver;
@@ -66,28 +65,28 @@ struct Study {
 
 /// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at
 /// odds with another
-[[nodiscard]] Study read_study(const StudyFile &file);
+[[nodiscard]] Study read_study(const StudyFile& file);
 
 /// The study in full, as a study file that reads back to the same study; values that were not
 /// given are marked "# default", values given on the command line "# --set".
-[[nodiscard]] std::string effective_configuration(const Study &study);
+[[nodiscard]] std::string effective_configuration(const Study& study);
 
 /// @param level index in study.load.vertical_stress
-[[nodiscard]] dem::Loads loads(const Study &study, int level);
+[[nodiscard]] dem::Loads loads(const Study& study, int level);
 
 /// Joint by Eq. 2 or as given, times its factor.
-[[nodiscard]] dem::JointMaterial joint_material(const Study &study, int level);
+[[nodiscard]] dem::JointMaterial joint_material(const Study& study, int level);
 
 /// Crack of xi times the stiffness of the joint before its factor, times its own factor: Table
 /// 5 of the paper varies the two factors independently.
-[[nodiscard]] dem::CrackMaterial crack_material(const Study &study, int level);
+[[nodiscard]] dem::CrackMaterial crack_material(const Study& study, int level);
 
 /// The same material for every joint ID and every crack ID. Base and beam joints have no
 /// factor.
-[[nodiscard]] dem::WallMaterials materials(const Study &study, int level, int n_joints,
+[[nodiscard]] dem::WallMaterials materials(const Study& study, int level, int n_joints,
                                            int n_cracks);
 
 /// Without progress.
-[[nodiscard]] dem::PushPlan push_plan(const Study &study);
+[[nodiscard]] dem::PushPlan push_plan(const Study& study);
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "app/study_checks.hpp"
 
+#include "app/number_text.hpp"
 #include "app/units.hpp"
 #include "dem/layout.hpp"
 
@@ -14,20 +15,24 @@
 namespace app {
 namespace {
 
-[[noreturn]] void refuse(const Study &study, std::string_view key, const std::string &why) {
+[[noreturn]] void refuse(const Study& study, std::string_view key, const std::string& why)
+{
     throw error_at(study.source, key, why);
 }
 
-std::string text(double si, std::string_view unit) {
+std::string text(double si, std::string_view unit)
+{
     return format_quantities(std::span(&si, 1), unit);
 }
 
-std::string level_text(const Study &study, std::size_t level) {
+std::string level_text(const Study& study, std::size_t level)
+{
     return "stress level " + std::to_string(level + 1) + " (" +
            text(study.load.vertical_stress[level], "MPa") + ")";
 }
 
-void check_count(const Study &study, std::string_view key, std::size_t values) {
+void check_count(const Study& study, std::string_view key, std::size_t values)
+{
     const std::size_t levels = study.load.vertical_stress.size();
     if (values < levels) {
         refuse(study, key,
@@ -41,7 +46,8 @@ void check_count(const Study &study, std::string_view key, std::size_t values) {
     }
 }
 
-void check_levels_differ(const Study &study) {
+void check_levels_differ(const Study& study)
+{
     std::vector<double> levels = study.load.vertical_stress;
     std::sort(levels.begin(), levels.end());
     const auto twice = std::adjacent_find(levels.begin(), levels.end());
@@ -51,7 +57,8 @@ void check_levels_differ(const Study &study) {
     }
 }
 
-void check_wall_modulus(const Study &study, double modulus) {
+void check_wall_modulus(const Study& study, double modulus)
+{
     constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
     const double e = study.stone.young_modulus;
     if (modulus >= e) {
@@ -68,8 +75,9 @@ void check_wall_modulus(const Study &study, double modulus) {
     }
 }
 
-void check_residuals(const Study &study) {
-    const UnitInput &u = study.unit;
+void check_residuals(const Study& study)
+{
+    const UnitInput& u = study.unit;
     if (u.residual_cohesion > u.cohesion) {
         refuse(study, "unit.residual_cohesion",
                "must be at most unit.cohesion, " + text(u.cohesion, "MPa"));
@@ -82,10 +90,11 @@ void check_residuals(const Study &study) {
 
 /// No block and no piece of joint may be a sliver: its stiffness would be an accident of the
 /// sizes.
-void check_pieces(const Study &study) {
+void check_pieces(const Study& study)
+{
     constexpr double kSmallest = 1e-3; // [m]
     constexpr double kMostUnits = 1e5;
-    const dem::WallGeometry &wall = study.wall;
+    const dem::WallGeometry& wall = study.wall;
     if (wall.length < wall.unit_length) {
         refuse(study, "wall.length",
                "must be at least one wall.unit_length, " + text(wall.unit_length, "m"));
@@ -95,23 +104,24 @@ void check_pieces(const Study &study) {
     }
     const std::string_view culprit =
         find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
-    const auto refuse_piece = [&](const std::string &what, double length) {
+    const auto refuse_piece = [&](const std::string& what, double length) {
         refuse(study, culprit,
-               what + " would be " + format_number(std::round(length * 1e6) / 1e3) +
+               what + " would be " + number(std::round(length * 1e6) / 1e3, 17) +
                    " mm long; choose wall.length, unit_length and bond so that none is below 1 "
                    "mm");
     };
     const dem::Layout layout = dem::lay_out(wall, study.beam.height);
-    for (const dem::Block &b : layout.blocks) {
+    for (const dem::Block& b : layout.blocks) {
         if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
     }
-    for (const dem::Face &f : layout.faces) {
+    for (const dem::Face& f : layout.faces) {
         const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
         if (length < kSmallest) refuse_piece("a piece of joint", length);
     }
 }
 
-void check_load(const Study &study) {
+void check_load(const Study& study)
+{
     constexpr double kRounding = 1e-9; // [m]
     const double top = study.wall.courses * study.wall.course_height;
     const double low = top - kRounding, high = top + study.beam.height + kRounding;
@@ -132,14 +142,15 @@ void check_load(const Study &study) {
 }
 
 /// What is kept must be more than nothing and fit into memory.
-void check_output(const Study &study) {
+void check_output(const Study& study)
+{
     constexpr double kMostPoints = 1e6, kMostSnapshots = 1e4;
     double path = 0.0, previous = 0.0;
     for (const double target : push_plan(study).targets) {
         path += std::abs(target - previous);
         previous = target;
     }
-    const OutputInput &out = study.output;
+    const OutputInput& out = study.output;
     if (out.record_every > path) {
         refuse(study, "output.record_every",
                "must be at most the path of the push, " + text(path, "mm"));
@@ -154,8 +165,9 @@ void check_output(const Study &study) {
 
 } // namespace
 
-void check_stiffness(const Study &study) {
-    const JointInput &joint = study.joint;
+void check_stiffness(const Study& study)
+{
+    const JointInput& joint = study.joint;
     if (joint.wall_modulus.empty() && joint.normal_stiffness.empty()) {
         refuse(study, "joint.wall_modulus",
                "missing; write e.g. \"wall_modulus = 768 MPa\" or \"normal_stiffness = 8.08 "
@@ -178,7 +190,8 @@ void check_stiffness(const Study &study) {
     for (const double modulus : joint.wall_modulus) check_wall_modulus(study, modulus);
 }
 
-void check_relations(const Study &study) {
+void check_relations(const Study& study)
+{
     check_residuals(study);
     check_pieces(study);
     check_load(study);

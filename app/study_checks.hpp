@@ -8,10 +8,10 @@ namespace app {
 /// Joint stiffness: where it comes from, and one value per stress level. Before defaults are
 /// derived from it.
 /// @throws ConfigError at the value to change
-void check_stiffness(const Study &study);
+void check_stiffness(const Study& study);
 
 /// Everything else, once every value is known.
 /// @throws ConfigError at the value to change
-void check_relations(const Study &study);
+void check_relations(const Study& study);
 
 } // namespace app

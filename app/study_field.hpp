@@ -11,13 +11,13 @@ namespace app {
 /// Values in SI. A single number is a list of one; counts, choices and yes/no are whole
 /// numbers.
 struct Field {
-    std::vector<double> (*get)(const Study &) = nullptr;
-    void (*set)(Study &, const std::vector<double> &) = nullptr;
+    std::vector<double> (*get)(const Study&) = nullptr;
+    void (*set)(Study&, const std::vector<double>&) = nullptr;
 };
 
 /// The member at the end of a path of member pointers.
-template <auto First, auto... Rest>
-auto &follow(auto &object) {
+template <auto First, auto... Rest> auto& follow(auto& object)
+{
     if constexpr (sizeof...(Rest) == 0) {
         return object.*First;
     } else {
@@ -25,18 +25,18 @@ auto &follow(auto &object) {
     }
 }
 
-template <auto... Path>
-std::vector<double> get_field(const Study &study) {
-    const auto &field = follow<Path...>(study);
-    if constexpr (std::is_same_v<decltype(field), const std::vector<double> &>) {
+template <auto... Path> std::vector<double> get_field(const Study& study)
+{
+    const auto& field = follow<Path...>(study);
+    if constexpr (std::is_same_v<decltype(field), const std::vector<double>&>) {
         return field;
     } else {
         return {static_cast<double>(field)};
     }
 }
 
-template <auto... Path>
-void set_field(Study &study, const std::vector<double> &values) {
+template <auto... Path> void set_field(Study& study, const std::vector<double>& values)
+{
     using Value = std::remove_reference_t<decltype(follow<Path...>(study))>;
     if constexpr (std::is_same_v<Value, std::vector<double>>) {
         follow<Path...>(study) = values;
@@ -46,7 +46,6 @@ void set_field(Study &study, const std::vector<double> &values) {
 }
 
 /// kAt<&Study::wall, &dem::WallGeometry::length>
-template <auto... Path>
-constexpr Field kAt{&get_field<Path...>, &set_field<Path...>};
+template <auto... Path> constexpr Field kAt{&get_field<Path...>, &set_field<Path...>};
 
 } // namespace app

@@ -12,22 +12,25 @@
 namespace app {
 namespace {
 
-bool is_name(std::string_view text) {
+bool is_name(std::string_view text)
+{
     constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz_0123456789"
                                           "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
     return !text.empty() && text.find_first_not_of(kLetters) == std::string_view::npos;
 }
 
-std::string_view without_comment(std::string_view line) {
+std::string_view without_comment(std::string_view line)
+{
     return trimmed(line.substr(0, line.find('#')));
 }
 
 /// Boost says neither the line of a value nor what is wrong with a line: both are found here.
 class LineCheck {
   public:
-    explicit LineCheck(StudyFile &file) : file_(file) {}
+    explicit LineCheck(StudyFile& file) : file_(file) {}
 
-    void next(std::string_view raw) {
+    void next(std::string_view raw)
+    {
         ++line_;
         const std::string_view line = without_comment(raw);
         if (line.empty()) return;
@@ -40,11 +43,13 @@ class LineCheck {
     }
 
   private:
-    [[noreturn]] void refuse(std::string_view key, const std::string &why) const {
+    [[noreturn]] void refuse(std::string_view key, const std::string& why) const
+    {
         throw ConfigError(file_.path, line_, key, why);
     }
 
-    void open_section(std::string_view line) {
+    void open_section(std::string_view line)
+    {
         const std::string_view name = line.substr(1, line.size() - 2);
         if (line.size() < 3 || line.back() != ']' || !is_name(name)) {
             refuse("", "malformed section " + in_quotes(line) +
@@ -52,11 +57,12 @@ class LineCheck {
         }
         section_ = name;
         const bool known = std::any_of(file_.sections.begin(), file_.sections.end(),
-                                       [&](const auto &s) { return s.name == section_; });
+                                       [&](const auto& s) { return s.name == section_; });
         if (!known) file_.sections.push_back({section_, line_});
     }
 
-    void add_key(std::string_view name, std::string_view value) {
+    void add_key(std::string_view name, std::string_view value)
+    {
         if (!is_name(name)) {
             refuse("", "malformed key " + in_quotes(name) +
                            "; write letters, digits and _ before the =");
@@ -66,21 +72,22 @@ class LineCheck {
         }
         const std::string key = section_ + "." + std::string(name);
         if (value.empty()) refuse(key, "empty value; write one after the =");
-        if (const Entry *first = find_entry(file_, key)) {
+        if (const Entry* first = find_entry(file_, key)) {
             refuse(key, "given twice, first on line " + std::to_string(first->line) +
                             "; keep one of them");
         }
         file_.entries.push_back({key, "", line_}); // its value is Boost's to read
     }
 
-    StudyFile &file_;
+    StudyFile& file_;
     std::string section_;
     int line_ = 0;
 };
 
 } // namespace
 
-StudyFile parse_study_text(const std::string &path, std::string_view text) {
+StudyFile parse_study_text(const std::string& path, std::string_view text)
+{
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3); // byte order mark
     if (!is_text(text)) {
         throw ConfigError(path, 0, "", "is not UTF-8 text; save the study as plain text");
@@ -102,12 +109,14 @@ StudyFile parse_study_text(const std::string &path, std::string_view text) {
     return file;
 }
 
-StudyFile read_study_file(const std::string &path) {
+StudyFile read_study_file(const std::string& path)
+{
     return parse_study_text(path, read_small_file(path));
 }
 
-StudyFile with_overrides(StudyFile file, std::span<const std::string> assignments) {
-    for (const std::string &text : assignments) {
+StudyFile with_overrides(StudyFile file, std::span<const std::string> assignments)
+{
+    for (const std::string& text : assignments) {
         const std::size_t equals = std::min(text.find('='), text.size());
         const std::string key(trimmed(std::string_view(text).substr(0, equals)));
         const std::size_t dot = std::min(key.find('.'), key.size());
@@ -124,7 +133,7 @@ StudyFile with_overrides(StudyFile file, std::span<const std::string> assignment
             throw ConfigError("--set", 0, key, "empty value; write one after the =");
         }
         const auto given = std::find_if(file.entries.begin(), file.entries.end(),
-                                        [&](const Entry &e) { return e.key == key; });
+                                        [&](const Entry& e) { return e.key == key; });
         if (given == file.entries.end()) {
             file.entries.push_back({key, value, 0});
         } else if (given->line == 0) {
@@ -136,18 +145,20 @@ StudyFile with_overrides(StudyFile file, std::span<const std::string> assignment
     return file;
 }
 
-const Entry *find_entry(const StudyFile &file, std::string_view key) {
+const Entry* find_entry(const StudyFile& file, std::string_view key)
+{
     const auto found = std::find_if(file.entries.begin(), file.entries.end(),
-                                    [&](const Entry &e) { return e.key == key; });
+                                    [&](const Entry& e) { return e.key == key; });
     return found == file.entries.end() ? nullptr : &*found;
 }
 
-ConfigError error_at(const StudyFile &file, std::string_view key, std::string_view why) {
-    if (const Entry *entry = find_entry(file, key)) {
+ConfigError error_at(const StudyFile& file, std::string_view key, std::string_view why)
+{
+    if (const Entry* entry = find_entry(file, key)) {
         return {entry->line > 0 ? std::string_view(file.path) : "--set", entry->line, key, why};
     }
     const auto section =
-        std::find_if(file.sections.begin(), file.sections.end(), [&](const SectionHeader &s) {
+        std::find_if(file.sections.begin(), file.sections.end(), [&](const SectionHeader& s) {
             return s.name == key.substr(0, key.find('.'));
         });
     return {file.path, section == file.sections.end() ? file.last_line : section->line, key,

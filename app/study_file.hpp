@@ -33,10 +33,10 @@ struct StudyFile {
 /// Read an INI file: `[section]`, `key = value`, `# comment`. UTF-8, with or without byte order
 /// mark, lines ending in LF or CRLF.
 /// @throws ConfigError if the path cannot be read as such a text, or a key is empty or doubled
-[[nodiscard]] StudyFile read_study_file(const std::string &path);
+[[nodiscard]] StudyFile read_study_file(const std::string& path);
 
 /// The same from a text; path only names it.
-[[nodiscard]] StudyFile parse_study_text(const std::string &path, std::string_view text);
+[[nodiscard]] StudyFile parse_study_text(const std::string& path, std::string_view text);
 
 /// The file with the values of `section.key=value` put in place of its own.
 /// @throws ConfigError if an assignment is malformed, empty or doubled
@@ -44,11 +44,11 @@ struct StudyFile {
                                        std::span<const std::string> assignments);
 
 /// nullptr if the key is not given.
-[[nodiscard]] const Entry *find_entry(const StudyFile &file, std::string_view key);
+[[nodiscard]] const Entry* find_entry(const StudyFile& file, std::string_view key);
 
 /// An error about a key: where it is given, else where its section opens, else at the last
 /// line.
-[[nodiscard]] ConfigError error_at(const StudyFile &file, std::string_view key,
+[[nodiscard]] ConfigError error_at(const StudyFile& file, std::string_view key,
                                    std::string_view why);
 
 } // namespace app

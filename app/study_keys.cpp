@@ -11,7 +11,8 @@ using dem::Elastic;
 using dem::SolverOptions;
 using dem::WallGeometry;
 
-constexpr Named named(std::string_view word, auto value) {
+constexpr Named named(std::string_view word, auto value)
+{
     return {word, static_cast<double>(value)};
 }
 
@@ -34,17 +35,19 @@ constexpr std::array kDampings = {named("local", dem::Damping::local),
                                   named("combined", dem::Damping::combined)};
 constexpr std::array kModes = {named("all", 0), named("rigid", 3)};
 
-void derive_shear_stiffness(Study &s) {
+void derive_shear_stiffness(Study& s)
+{
     std::vector<double> kn = s.joint.normal_stiffness;
     for (const double modulus : s.joint.wall_modulus) {
         kn.push_back(
             dem::joint_stiffness(s.wall.course_height, modulus, s.stone.young_modulus));
     }
-    for (double &k : kn) k = dem::shear_stiffness(k, s.stone.poisson_ratio);
+    for (double& k : kn) k = dem::shear_stiffness(k, s.stone.poisson_ratio);
     s.joint.shear_stiffness = kn;
 }
 
-void derive_load_height(Study &s) {
+void derive_load_height(Study& s)
+{
     s.load.height = s.wall.courses * s.wall.course_height + s.beam.height;
 }
 
@@ -239,6 +242,9 @@ constexpr std::array kKeys = {
     Key{.name = "solver.preload_steps", .kind = Kind::count, .range = {'[', 1, 1e12, ']'},
         .meaning = "at most, to come to rest under the vertical load",
         .field = kAt<&Study::solver, &SolverOptions::preload_steps>},
+    Key{.name = "solver.preload_unbalance", .range = {'(', 0, 1, ')'},
+        .meaning = "unbalanced / applied load at which the vertical load counts as carried",
+        .field = kAt<&Study::solver, &SolverOptions::preload_unbalance>},
     Key{.name = "solver.unbalance_limit", .range = {'[', 0, 1, ']'},
         .meaning = "|top - base shear| / vertical load above which the drive slows; 0 never",
         .field = kAt<&Study::solver, &SolverOptions::unbalance_limit>},
@@ -263,7 +269,8 @@ std::string_view section_of(std::string_view key) { return key.substr(0, key.fin
 
 std::string_view name_in_section(std::string_view key) { return key.substr(key.find('.') + 1); }
 
-bool is_used(const Key &key, const Study &study) {
+bool is_used(const Key& key, const Study& study)
+{
     switch (key.used) {
     case Used::always:
         return true;

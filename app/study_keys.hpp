@@ -36,8 +36,8 @@ struct Named {
 
 /// A default that follows from other values.
 struct Derived {
-    std::string_view rule;            ///< in words
-    void (*apply)(Study &) = nullptr; ///< nullptr: the rule says what else to give
+    std::string_view rule;           ///< in words
+    void (*apply)(Study&) = nullptr; ///< nullptr: the rule says what else to give
 };
 
 struct Key {
@@ -62,6 +62,6 @@ struct Key {
 /// "length" of "wall.length"
 [[nodiscard]] std::string_view name_in_section(std::string_view key);
 
-[[nodiscard]] bool is_used(const Key &key, const Study &study);
+[[nodiscard]] bool is_used(const Key& key, const Study& study);
 
 } // namespace app

@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t kLargest = 1 << 20; // [bytes]; a study has a few thousand
 
 /// Bytes of the character that starts at text[0], 0 if it is malformed (Unicode 15, table 3-7).
-std::size_t character_length(std::string_view text) {
+std::size_t character_length(std::string_view text)
+{
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
     };
@@ -37,7 +38,8 @@ std::size_t character_length(std::string_view text) {
 
 } // namespace
 
-bool is_text(std::string_view bytes) {
+bool is_text(std::string_view bytes)
+{
     while (!bytes.empty()) {
         const std::size_t n = character_length(bytes);
         if (n == 0) return false;
@@ -46,8 +48,9 @@ bool is_text(std::string_view bytes) {
     return true;
 }
 
-std::string read_small_file(const std::string &path) {
-    const auto refuse = [&](const std::string &why) { throw ConfigError(path, 0, "", why); };
+std::string read_small_file(const std::string& path)
+{
+    const auto refuse = [&](const std::string& why) { throw ConfigError(path, 0, "", why); };
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
         refuse("is a directory; give a study file, such as configs/wall.ini");

@@ -1,5 +1,6 @@
 #include "app/units.hpp"
 
+#include "app/number_text.hpp"
 #include "app/words.hpp"
 
 #include <algorithm>
@@ -49,31 +50,35 @@ constexpr std::array kUnits = {
     Unit{"", "a number without unit", 1, 1},
 };
 
-const Unit &unit_named(std::string_view name) {
+const Unit& unit_named(std::string_view name)
+{
     const auto found = std::find_if(kUnits.begin(), kUnits.end(),
-                                    [&](const Unit &u) { return u.name == name; });
+                                    [&](const Unit& u) { return u.name == name; });
     assert(found != kUnits.end());
     return *found;
 }
 
-double si_value(double value, const Unit &unit) { return value * unit.times / unit.over; }
+double si_value(double value, const Unit& unit) { return value * unit.times / unit.over; }
 
 /// Names of the units of the same quantity, its SI unit first.
-std::vector<std::string_view> alternatives(const Unit &unit) {
+std::vector<std::string_view> alternatives(const Unit& unit)
+{
     std::vector<std::string_view> names;
-    for (const Unit &u : kUnits) {
+    for (const Unit& u : kUnits) {
         if (u.quantity == unit.quantity) names.push_back(u.name);
     }
     return names;
 }
 
-std::string example(std::string_view number, const Unit &unit) {
+std::string example(std::string_view number, const Unit& unit)
+{
     return in_quotes(std::string(number) + (unit.name.empty() ? "" : " ") +
                      std::string(unit.name));
 }
 
-[[noreturn]] void refuse_number(std::string_view text, const std::string &what,
-                                const Unit &unit) {
+[[noreturn]] void refuse_number(std::string_view text, const std::string& what,
+                                const Unit& unit)
+{
     throw BadValue(in_quotes(text) + " is " + what + "; write " +
                    (unit.name.empty() ? "a number" : "a number and its unit") + ", such as " +
                    example("1", unit));
@@ -86,7 +91,8 @@ struct Parts {
 };
 
 /// "31.8 deg" -> 31.8, "31.8", "deg"
-Parts split(std::string_view text, const Unit &unit) {
+Parts split(std::string_view text, const Unit& unit)
+{
     const std::size_t sign = text.find_first_of("+-") == 0 ? 1 : 0;
     if (text.find_first_of("0123456789.", sign) != sign) {
         refuse_number(text, "not a finite number", unit); // also nan and inf
@@ -98,7 +104,6 @@ Parts split(std::string_view text, const Unit &unit) {
     if (error == std::errc::result_out_of_range) {
         refuse_number(text, "beyond the range of a double", unit);
     }
-    if (error != std::errc()) refuse_number(text, "not a finite number", unit);
     parts.number_text = text.substr(0, static_cast<std::size_t>(end - text.data()));
     const std::string_view rest = text.substr(parts.number_text.size());
     if (rest.starts_with('x') || rest.starts_with('X')) {
@@ -111,7 +116,8 @@ Parts split(std::string_view text, const Unit &unit) {
     return parts;
 }
 
-double in_si(const Parts &parts, const Unit &expected) {
+double in_si(const Parts& parts, const Unit& expected)
+{
     const auto names = alternatives(expected);
     if (std::find(names.begin(), names.end(), parts.unit) == names.end()) {
         const std::string is = "unit " + in_quotes(parts.unit);
@@ -129,7 +135,8 @@ double in_si(const Parts &parts, const Unit &expected) {
 }
 
 /// A distribution is a value of a study of many walls; its mean is offered instead.
-void refuse_distribution(std::string_view text, const Unit &unit) {
+void refuse_distribution(std::string_view text, const Unit& unit)
+{
     if (text.find('(') == std::string_view::npos) return;
     const std::size_t mean = text.find("mean ");
     std::string remedy = "a number, such as " + example("1", unit);
@@ -143,7 +150,8 @@ void refuse_distribution(std::string_view text, const Unit &unit) {
 
 /// A comma ends an item of a list only before a blank, so that "0,15" is never read as 0
 /// and 15.
-std::vector<std::string_view> items(std::string_view text) {
+std::vector<std::string_view> items(std::string_view text)
+{
     std::vector<std::string_view> found;
     for (std::size_t begin = 0, comma = 0; comma != std::string_view::npos; begin = comma + 1) {
         comma = text.find(',', begin);
@@ -166,14 +174,15 @@ std::vector<std::string_view> items(std::string_view text) {
 
 } // namespace
 
-std::vector<double> parse_quantities(std::string_view text, std::string_view unit) {
-    const Unit &expected = unit_named(unit);
+std::vector<double> parse_quantities(std::string_view text, std::string_view unit)
+{
+    const Unit& expected = unit_named(unit);
     refuse_distribution(text, expected);
     std::vector<Parts> parts;
     for (const std::string_view item : items(text)) parts.push_back(split(item, expected));
-    const auto is_bare = [](const Parts &p) { return p.unit.empty(); };
+    const auto is_bare = [](const Parts& p) { return p.unit.empty(); };
     if (std::all_of(parts.begin(), parts.end() - 1, is_bare)) {
-        for (Parts &p : parts) p.unit = parts.back().unit;
+        for (Parts& p : parts) p.unit = parts.back().unit;
     }
     if (!unit.empty() && std::any_of(parts.begin(), parts.end(), is_bare)) {
         throw BadValue(is_bare(parts.back()) && is_bare(parts.front())
@@ -182,11 +191,12 @@ std::vector<double> parse_quantities(std::string_view text, std::string_view uni
                                  "; write it once at the end, or on each value");
     }
     std::vector<double> values;
-    for (const Parts &p : parts) values.push_back(in_si(p, expected));
+    for (const Parts& p : parts) values.push_back(in_si(p, expected));
     return values;
 }
 
-double parse_quantity(std::string_view text, std::string_view unit) {
+double parse_quantity(std::string_view text, std::string_view unit)
+{
     const std::vector<double> values = parse_quantities(text, unit);
     if (values.size() != 1) {
         throw BadValue(std::to_string(values.size()) +
@@ -195,7 +205,8 @@ double parse_quantity(std::string_view text, std::string_view unit) {
     return values.front();
 }
 
-double parse_count(std::string_view text) {
+double parse_count(std::string_view text)
+{
     constexpr double kLargest = 9007199254740992.0; // 2^53: above it a double skips integers
     const double value = parse_quantity(text, "");
     if (value != std::floor(value) || std::abs(value) > kLargest) {
@@ -206,18 +217,13 @@ double parse_count(std::string_view text) {
 
 double to_si(double value, std::string_view unit) { return si_value(value, unit_named(unit)); }
 
-std::string format_number(double value) {
-    std::array<char, 32> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), result.ptr};
-}
-
-std::string format_quantities(std::span<const double> si, std::string_view unit) {
-    const Unit &wanted = unit_named(unit);
-    const auto text_in = [&](const Unit &u) {
+std::string format_quantities(std::span<const double> si, std::string_view unit)
+{
+    const Unit& wanted = unit_named(unit);
+    const auto text_in = [&](const Unit& u) {
         std::string text;
         for (const double value : si) {
-            text += (text.empty() ? "" : ", ") + format_number(value * u.over / u.times);
+            text += (text.empty() ? "" : ", ") + number(value * u.over / u.times, 17);
         }
         return text + (u.name.empty() ? "" : " ") + std::string(u.name);
     };

@@ -35,7 +35,4 @@ struct BadValue : std::runtime_error {
 /// has no such text.
 [[nodiscard]] std::string format_quantities(std::span<const double> si, std::string_view unit);
 
-/// The shortest decimal text of a number, locale or not.
-[[nodiscard]] std::string format_number(double value);
-
 } // namespace app

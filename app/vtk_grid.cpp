@@ -10,21 +10,24 @@ namespace app {
 
 namespace {
 
-constexpr const char *kHeader = "<?xml version=\"1.0\"?>\n";
+constexpr const char* kHeader = "<?xml version=\"1.0\"?>\n";
 
-void append(VtkArray &array, const std::string &value) {
+void append(VtkArray& array, const std::string& value)
+{
     array.values += value;
     array.values += ++array.tuples % 8 == 0 ? '\n' : ' ';
 }
 
-std::string checked(const VtkArray &array, double value) {
+std::string checked(const VtkArray& array, double value)
+{
     if (!std::isfinite(value))
         throw std::invalid_argument("time series: a value of '" + array.name +
                                     "' is not finite");
     return number(value, 17);
 }
 
-std::string array_text(const VtkArray &array, bool field) {
+std::string array_text(const VtkArray& array, bool field)
+{
     std::string text = "<DataArray type=\"" + array.type + "\" Name=\"" + array.name + '"';
     if (array.components > 1)
         text += " NumberOfComponents=\"" + std::to_string(array.components) + '"';
@@ -32,9 +35,10 @@ std::string array_text(const VtkArray &array, bool field) {
     return text + " format=\"ascii\">\n" + array.values + "\n</DataArray>\n";
 }
 
-std::string section(const std::string &name, const std::vector<VtkArray> &arrays) {
+std::string section(const std::string& name, const std::vector<VtkArray>& arrays)
+{
     std::string text = '<' + name + ">\n";
-    for (const VtkArray &array : arrays) text += array_text(array, name == "FieldData");
+    for (const VtkArray& array : arrays) text += array_text(array, name == "FieldData");
     return text + "</" + name + ">\n";
 }
 
@@ -42,7 +46,8 @@ std::string section(const std::string &name, const std::vector<VtkArray> &arrays
 
 void VtkArray::add(double value) { append(*this, checked(*this, value)); }
 void VtkArray::add(int value) { append(*this, std::to_string(value)); }
-void VtkArray::add(dem::Point vector) {
+void VtkArray::add(dem::Point vector)
+{
     append(*this, checked(*this, vector.x) + " 0 " + checked(*this, vector.z));
 }
 
@@ -50,17 +55,20 @@ VtkArray vtk_reals(std::string name) { return {std::move(name), "Float64"}; }
 VtkArray vtk_vectors(std::string name) { return {std::move(name), "Float64", 3}; }
 VtkArray vtk_integers(std::string name) { return {std::move(name), "Int32"}; }
 
-void VtkGrid::add_point(dem::Point at) {
+void VtkGrid::add_point(dem::Point at)
+{
     connectivity.add(points.tuples);
     points.add(at);
 }
 
-void VtkGrid::end_cell(int type) {
+void VtkGrid::end_cell(int type)
+{
     offsets.add(points.tuples);
     types.add(type);
 }
 
-std::string vtu_text(const VtkGrid &grid) {
+std::string vtu_text(const VtkGrid& grid)
+{
     return std::string(kHeader) +
            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\">\n<UnstructuredGrid>\n" +
@@ -72,7 +80,8 @@ std::string vtu_text(const VtkGrid &grid) {
            "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-std::string pvd_text(const std::vector<double> &times, const std::vector<std::string> &files) {
+std::string pvd_text(const std::vector<double>& times, const std::vector<std::string>& files)
+{
     std::string text = std::string(kHeader) + "<VTKFile type=\"Collection\" version=\"1.0\" "
                                               "byte_order=\"LittleEndian\">\n<Collection>\n";
     for (std::size_t i = 0; i < times.size(); ++i)

@@ -42,10 +42,10 @@ struct VtkGrid {
 };
 
 /// The text of a .vtu file.
-[[nodiscard]] std::string vtu_text(const VtkGrid &grid);
+[[nodiscard]] std::string vtu_text(const VtkGrid& grid);
 
 /// The text of a .pvd file: `files` at `times`, of equal length.
-[[nodiscard]] std::string pvd_text(const std::vector<double> &times,
-                                   const std::vector<std::string> &files);
+[[nodiscard]] std::string pvd_text(const std::vector<double>& times,
+                                   const std::vector<std::string>& files);
 
 } // namespace app

@@ -12,7 +12,8 @@ namespace app {
 
 namespace {
 
-std::vector<VtkArray> load_data(const dem::Snapshot &wall) {
+std::vector<VtkArray> load_data(const dem::Snapshot& wall)
+{
     std::vector<VtkArray> data = {vtk_reals("load_displacement"), vtk_reals("force")};
     data[0].add(wall.displacement);
     data[1].add(wall.force);
@@ -20,14 +21,16 @@ std::vector<VtkArray> load_data(const dem::Snapshot &wall) {
 }
 
 /// Between the two sides of a face.
-dem::Point middle_displacement(const dem::Snapshot &wall, const dem::FaceState &face,
-                               dem::Point at) {
+dem::Point middle_displacement(const dem::Snapshot& wall, const dem::FaceState& face,
+                               dem::Point at)
+{
     const dem::Point a = displacement_at(wall, face.block_a, at);
     const dem::Point b = displacement_at(wall, face.block_b, at);
     return {0.5 * (a.x + b.x), 0.5 * (a.z + b.z)};
 }
 
-int kind_number(dem::FaceKind kind) {
+int kind_number(dem::FaceKind kind)
+{
     switch (kind) {
     case dem::FaceKind::bed_joint:
         return 0;
@@ -44,10 +47,11 @@ int kind_number(dem::FaceKind kind) {
 }
 
 /// Way of the load line up to each snapshot [mm].
-std::vector<double> way_of_load(const std::vector<dem::Snapshot> &walls) {
+std::vector<double> way_of_load(const std::vector<dem::Snapshot>& walls)
+{
     std::vector<double> way;
     double last = 0.0, sum = 0.0; // [m]
-    for (const dem::Snapshot &wall : walls) {
+    for (const dem::Snapshot& wall : walls) {
         sum += std::abs(wall.displacement - last);
         last = wall.displacement;
         way.push_back(sum * 1e3);
@@ -55,7 +59,8 @@ std::vector<double> way_of_load(const std::vector<dem::Snapshot> &walls) {
     return way;
 }
 
-std::string file_name(const std::string &stem, std::size_t index) {
+std::string file_name(const std::string& stem, std::size_t index)
+{
     const std::string digits = std::to_string(index);
     return stem + '_' + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits +
            ".vtu";
@@ -63,12 +68,13 @@ std::string file_name(const std::string &stem, std::size_t index) {
 
 } // namespace
 
-std::string blocks_vtu(const dem::Snapshot &wall) {
+std::string blocks_vtu(const dem::Snapshot& wall)
+{
     VtkGrid grid;
     VtkArray displacement = vtk_vectors("displacement");
     VtkArray course = vtk_integers("course"), unit = vtk_integers("unit"),
              index = vtk_integers("block");
-    for (const dem::BlockState &block : wall.blocks) {
+    for (const dem::BlockState& block : wall.blocks) {
         index.add(index.tuples);
         course.add(block.course);
         unit.add(block.unit);
@@ -84,7 +90,8 @@ std::string blocks_vtu(const dem::Snapshot &wall) {
     return vtu_text(grid);
 }
 
-std::string joints_vtu(const dem::Snapshot &wall) {
+std::string joints_vtu(const dem::Snapshot& wall)
+{
     VtkGrid grid;
     VtkArray displacement = vtk_vectors("displacement");
     VtkArray opening = vtk_reals("opening"), slip = vtk_reals("slip"),
@@ -93,9 +100,9 @@ std::string joints_vtu(const dem::Snapshot &wall) {
     VtkArray kind = vtk_integers("kind"), id = vtk_integers("id");
     VtkArray block_a = vtk_integers("block_a"), block_b = vtk_integers("block_b");
     VtkArray normal = vtk_vectors("normal");
-    for (const dem::FaceState &face : wall.faces) {
+    for (const dem::FaceState& face : wall.faces) {
         if (face.contacts.empty()) continue;
-        for (const dem::ContactState &c : face.contacts) {
+        for (const dem::ContactState& c : face.contacts) {
             grid.add_point(c.at);
             displacement.add(middle_displacement(wall, face, c.at));
             opening.add(c.opening);
@@ -118,11 +125,12 @@ std::string joints_vtu(const dem::Snapshot &wall) {
     return vtu_text(grid);
 }
 
-void write_vtk_series(const std::filesystem::path &folder,
-                      const std::vector<dem::Snapshot> &walls) {
+void write_vtk_series(const std::filesystem::path& folder,
+                      const std::vector<dem::Snapshot>& walls)
+{
     make_folder(folder);
     // an earlier series must not name files that this one is about to replace
-    for (const char *name : {"wall.pvd", "joints.pvd"}) {
+    for (const char* name : {"wall.pvd", "joints.pvd"}) {
         std::error_code nothing_there;
         std::filesystem::remove(folder / name, nothing_there);
     }

@@ -17,14 +17,14 @@ namespace app {
 ///           block_a, block_b (-1: ground), normal
 /// Both carry the field data load_displacement [m] and force [N]. Throws std::invalid_argument
 /// if a value is not finite.
-[[nodiscard]] std::string blocks_vtu(const dem::Snapshot &wall);
-[[nodiscard]] std::string joints_vtu(const dem::Snapshot &wall);
+[[nodiscard]] std::string blocks_vtu(const dem::Snapshot& wall);
+[[nodiscard]] std::string joints_vtu(const dem::Snapshot& wall);
 
 /// Creates `folder` if needed and writes wall_0000.vtu ..., joints_0000.vtu ..., then wall.pvd
 /// and joints.pvd, which name them. Time is the way of the load line in mm: its displacement in
 /// a monotonic push. Of snapshots at the same time the last is kept. Throws std::runtime_error
 /// if a file cannot be written.
-void write_vtk_series(const std::filesystem::path &folder,
-                      const std::vector<dem::Snapshot> &walls);
+void write_vtk_series(const std::filesystem::path& folder,
+                      const std::vector<dem::Snapshot>& walls);
 
 } // namespace app

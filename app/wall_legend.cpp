@@ -4,6 +4,7 @@
 #include "app/wall_body.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace app {
 
@@ -11,29 +12,44 @@ namespace {
 
 constexpr double kSample = 34.0; // width of a sample [px]
 
-std::string millimetres(double metres) { return number(metres * 1e3, 2); }
+/// Two significant digits, never as a power of ten.
+std::string rounded(double value)
+{
+    const double step = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return number(std::round(value / step) * step, 9);
+}
+
+std::string millimetres(double metres) { return rounded(metres * 1e3); }
 
 /// A line that grows from `thin` to `thick` over the width of a sample.
 std::string taper(Pixel at, double thin, double thick, std::string_view colour,
-                  std::string_view edge = "none") {
+                  std::string_view edge = "none")
+{
     const std::array<Pixel, 4> shape = {
         Pixel{at.x, at.y - thin / 2}, Pixel{at.x + kSample, at.y - thick / 2},
         Pixel{at.x + kSample, at.y + thick / 2}, Pixel{at.x, at.y + thin / 2}};
     return svg_polygon(shape, svg_attribute("fill", colour) + svg_attribute("stroke", edge));
 }
 
+std::string slip_text(const MarkSizes& sizes)
+{
+    const std::string from = millimetres(sizes.threshold);
+    return sizes.widest_slip > 0.0 ? from + " to " + millimetres(sizes.widest_slip) + " mm"
+                                   : "> " + from + " mm: none";
+}
+
+std::string thrust_text(double widest_force)
+{
+    return widest_force > 0.0 ? "up to " + rounded(widest_force * 1e-3) + " kN per face"
+                              : "none";
+}
+
 } // namespace
 
-std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes &sizes,
-                             double widest_force) {
+std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes& sizes,
+                             double widest_force, double mark_size)
+{
     const std::string above = "> " + millimetres(sizes.threshold) + " mm";
-    const std::string slip =
-        sizes.widest_slip > 0.0
-            ? millimetres(sizes.threshold) + " to " + millimetres(sizes.widest_slip) + " mm"
-            : above + ": none";
-    const std::string thrust = widest_force > 0.0
-                                   ? "up to " + number(widest_force * 1e-3, 2) + " kN per face"
-                                   : "none";
     const auto at = [&](int column, int row) -> Pixel {
         return {top_left.x + column * width / 3.0, top_left.y + 14.0 + row * 26.0};
     };
@@ -55,12 +71,13 @@ std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes &size
     drawn += taper(p, 1.0, 9.0, kGapColour, kOpeningColour) +
              label(p, "joint open " + above + " (drawn to scale)");
     p = at(1, 1);
-    drawn += taper(p, kSlipThinnest, kSlipWidest, kSlipColour) +
-             half_arrows({p.x + kSample / 2, p.y}, {1, 0}, {0, -1}) +
-             label(p, "closed joint slid " + slip);
+    drawn += taper(p, kSlipThinnest * mark_size, kSlipWidest * mark_size, kSlipColour) +
+             half_arrows({p.x + kSample / 2, p.y}, {1, 0}, {0, -1}, mark_size) +
+             label(p, "closed joint slid " + slip_text(sizes));
     p = at(2, 0);
-    drawn += svg_group("opacity=\"0.6\"", taper(p, 0.5, kThrustWidest, kThrustColour)) +
-             label(p, "compression " + thrust);
+    drawn +=
+        svg_group("opacity=\"0.6\"", taper(p, 0.5, kThrustWidest * mark_size, kThrustColour)) +
+        label(p, "compression " + thrust_text(widest_force));
     p = at(2, 1);
     return drawn + svg_rectangle({p.x + 4, p.y - 7}, kSample - 8, 14, svg_stroke("#bbb", 0.9)) +
            label(p, "undeformed");

@@ -21,8 +21,8 @@ struct WallPictureText {
 /// panels unless the smaller would then not be seen; the factor is stated. Throws
 /// std::invalid_argument for a wall without blocks, a length that is not positive, or a
 /// displacement that is not finite.
-[[nodiscard]] std::string wall_picture(const dem::Snapshot &at_peak,
-                                       const dem::Snapshot &at_end,
-                                       const WallPictureText &text);
+[[nodiscard]] std::string wall_picture(const dem::Snapshot& at_peak,
+                                       const dem::Snapshot& at_end,
+                                       const WallPictureText& text);
 
 } // namespace app

@@ -7,14 +7,16 @@
 
 namespace app {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trimmed(std::string_view text)
+{
     constexpr std::string_view kBlank = " \t\r";
     const std::size_t first = text.find_first_not_of(kBlank);
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-std::string in_quotes(std::string_view text) {
+std::string in_quotes(std::string_view text)
+{
     constexpr std::size_t kLongest = 60; // [bytes]
     std::string shown(text.substr(0, kLongest));
     if (text.size() > kLongest) {
@@ -22,13 +24,14 @@ std::string in_quotes(std::string_view text) {
             shown.pop_back(); // whole characters
         shown += "...";
     }
-    for (char &c : shown) {
+    for (char& c : shown) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
     }
     return '"' + shown + '"';
 }
 
-std::string listed(std::span<const std::string_view> words) {
+std::string listed(std::span<const std::string_view> words)
+{
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
@@ -37,7 +40,8 @@ std::string listed(std::span<const std::string_view> words) {
     return text;
 }
 
-int edit_distance(std::string_view a, std::string_view b) {
+int edit_distance(std::string_view a, std::string_view b)
+{
     std::vector<int> row(b.size() + 1); // distance of a[0, i) to each b[0, j)
     std::iota(row.begin(), row.end(), 0);
     for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -52,7 +56,8 @@ int edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-std::string_view nearest_word(std::string_view wrong, std::span<const std::string_view> words) {
+std::string_view nearest_word(std::string_view wrong, std::span<const std::string_view> words)
+{
     constexpr std::size_t kLongest = 100; // longer ones are no misprint of a word
     if (wrong.size() > kLongest) return {};
     std::string_view nearest;
@@ -68,7 +73,8 @@ std::string_view nearest_word(std::string_view wrong, std::span<const std::strin
     return nearest;
 }
 
-std::string suggestion(std::string_view wrong, std::span<const std::string_view> words) {
+std::string suggestion(std::string_view wrong, std::span<const std::string_view> words)
+{
     const std::string_view nearest = nearest_word(wrong, words);
     if (nearest.empty()) return "use " + listed(words);
     return "did you mean " + in_quotes(nearest) + "?";

@@ -117,6 +117,20 @@ BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const Mat
     return joined({moving, VectorXd::Zero(moving.cols())}, elastic);
 }
 
+/// Linear fields that a support lets pass, about the lower right corner.
+MatrixXd supported_fields(const BlockSpec& spec, const std::vector<Point>& points)
+{
+    const Point corner{spec.width, 0.0};
+    const auto field = [&](Point a, Point b, Point c) {
+        return linear_field(points, corner, a, b, c);
+    };
+    const VectorXd shear = field({}, {}, {1, 0}), stretch = field({}, {}, {0, 1});
+    if (spec.motion == Motion::clamped_bottom) return columns({shear, stretch});
+    if (spec.motion == Motion::clamped_bottom_held_right) return columns({stretch});
+    return columns(
+        {field({0, 1}, {}, {}), field({}, {0, 1}, {}), field({}, {1, 0}, {}), shear, stretch});
+}
+
 /// Modes of a block on a support: rows of held displacements stay zero.
 BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const MatrixXd& c)
 {
@@ -128,7 +142,18 @@ BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const Ma
     const bool hinged = spec.motion == Motion::held_right_corner; // still turns and lifts
     const Index wanted =
         spec.modes > 0 ? std::min<Index>(spec.modes - (hinged ? 1 : 3), all) : all;
-    const BlockModes m = ritz(k_open, c_open, eigenvectors(k_open, c_open).leftCols(wanted));
+    MatrixXd basis(all, 0);
+    if (hinged && wanted == 2) // rigid
+        extend_basis(c_open,
+                     columns({linear_field(con.points, {spec.width, 0.0}, {0, 1}, {}, {}),
+                              linear_field(con.points, {spec.width, 0.0}, {}, {0, -1},
+                                           {1, 0})})(open, Eigen::all),
+                     wanted, basis);
+    else if (wanted < all)
+        extend_basis(c_open, supported_fields(spec, con.points)(open, Eigen::all), wanted,
+                     basis);
+    extend_basis(c_open, eigenvectors(k_open, c_open), wanted, basis);
+    const BlockModes m = ritz(k_open, c_open, basis);
     BlockModes full{MatrixXd::Zero(con.stiffness.rows(), m.phi.cols()), m.lambda.cwiseMax(0.0)};
     for (Index i = 0; i < all; ++i) full.phi.row(open[i]) = m.phi.row(i);
     return full;

@@ -158,7 +158,7 @@ PushResult push(const Model& model, const WallMaterials& materials, const PushPl
             r.recorder.add(in.drive, before, r.state.top_force, r.state.base_shear);
             r.drive.feel(std::abs(r.state.top_force - r.state.base_shear) /
                          tables.vertical_load);
-            if (r.recorder.due() || r.drive.finished()) take_point(r);
+            if (r.drive.finished() || (r.recorder.due() && r.drive.left() > 0.5 * plan.record_every)) take_point(r);
         }
         if (r.result.cost.steps % kJudgeEvery == 0) r.result.outcome = judge(r);
         if (r.result.outcome != Outcome::reached_target) break;
@@ -168,7 +168,7 @@ PushResult push(const Model& model, const WallMaterials& materials, const PushPl
         }
     }
     r.result.energy = energy_of(tables, r.state, 0);
-    r.result.at_end = r.snapshot(r.state.top_force);
+    r.result.at_end = r.snapshot(r.result.curve.empty() ? r.state.top_force : r.result.curve.back().force);
     r.result.cost.contact_updates =
         r.result.cost.steps *
         static_cast<long long>(model.dry.size() + model.tied.size() + model.cracks.size());

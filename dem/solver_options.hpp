@@ -21,8 +21,8 @@ enum class ContactLaw {
 };
 
 struct Discretisation {
-    int contact_points = 4; ///< per face of a half unit, >= 2
-    FaceRule face_rule = FaceRule::even;
+    int contact_points = 5; ///< per face of a half unit, >= 2
+    FaceRule face_rule = FaceRule::lobatto;
     int zones_per_interval = 2; ///< block zones between two neighbouring contact points, >= 1
     int block_modes = 0;        ///< per block: 3 rigid, 6 simply deformable, ...; 0 all
     int beam_modes = 15;        ///< of the loading beam; 0 all
@@ -32,15 +32,15 @@ struct SolverOptions {
     ContactLaw law = ContactLaw::coupled;
     Damping damping = Damping::combined;
     double damping_factor = 0.8; ///< gamma of Eq. 1 [-], in (0, 1)
-    double step_fraction =
-        0.95; ///< of the step that is stable by the bound of block_element.hpp [-], in (0, 1]
-    long long steps = 50000;        ///< for the whole drive at full speed, > 0
+    /// Of the step that is stable by the bound of block_element.hpp [-], in (0, 1].
+    double step_fraction = 0.95;
+    long long steps = 20000; ///< for the whole drive at full speed, > 0
+    /// |top force - base shear| / vertical load above which the drive slows [-]; 0: never slows.
+    double unbalance_limit = 0.003;
+    double min_speed = 0.01;        ///< slowest drive, as a share of full speed, in (0, 1]
     long long preload_steps = 3000; ///< at most, for the vertical load
-    double preload_unbalance =
-        1e-4; ///< unbalanced / applied load at which the vertical load counts as carried [-]
-    double unbalance_limit =
-        0.0; ///< |top - base shear| / vertical load above which the drive slows; 0: never slows
-    double min_speed = 0.02; ///< slowest drive, as a share of full speed, in (0, 1]
+    /// Unbalanced / applied load at which the vertical load counts as carried [-].
+    double preload_unbalance = 1e-4;
 };
 
 } // namespace dem

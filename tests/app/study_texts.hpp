@@ -11,7 +11,7 @@ namespace study_texts {
 
 /// A value for every key that can stand beside the others; all but unit_cracks differ from the
 /// default.
-inline const char *const kEverything = R"([wall]
+inline const char* const kEverything = R"([wall]
 length = 120 cm
 courses = 8
 course_height = 150 mm
@@ -68,6 +68,7 @@ damping_factor = 0.7
 step_fraction = 0.5
 steps = 2e5
 preload_steps = 4000
+preload_unbalance = 1e-5
 unbalance_limit = 0.01
 min_speed = 0.1
 [output]
@@ -75,13 +76,14 @@ record_every = 0.1 mm
 snapshot_every = 0 mm
 )";
 
-inline app::Study read(const std::string &text,
-                       const std::vector<std::string> &overrides = {}) {
+inline app::Study read(const std::string& text, const std::vector<std::string>& overrides = {})
+{
     return app::read_study(
         app::with_overrides(app::parse_study_text("study.ini", text), overrides));
 }
 
-inline app::Study read_good(const std::vector<std::string> &overrides = {}) {
+inline app::Study read_good(const std::vector<std::string>& overrides = {})
+{
     return read(std::string(bad_input::kGoodStudy), overrides);
 }
 

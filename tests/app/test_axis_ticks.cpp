@@ -9,8 +9,8 @@ using app::linear_axis;
 using app::log_axis;
 using app::tick_label;
 
-TEST_CASE("axis ticks: linear ticks are round, even, and around the data",
-          "[app][axis_ticks]") {
+TEST_CASE("axis ticks: linear ticks are round, even, and around the data", "[app][axis_ticks]")
+{
     const double low = GENERATE(-3e6, -0.07, 0.0, 1e-7, 49.2);
     const double span = GENERATE(0.013, 1.0, 31.0, 7e8);
     const double high = low + span;
@@ -29,7 +29,8 @@ TEST_CASE("axis ticks: linear ticks are round, even, and around the data",
 }
 
 TEST_CASE("axis ticks: a range without width, or upside down, is still an axis",
-          "[app][axis_ticks]") {
+          "[app][axis_ticks]")
+{
     for (const double value : {0.0, 5.0, -2e-9}) {
         const Axis axis = linear_axis(value, value);
         CHECK(axis.low < value);
@@ -42,7 +43,8 @@ TEST_CASE("axis ticks: a range without width, or upside down, is still an axis",
 }
 
 TEST_CASE("axis ticks: log axes of any width have three labels or more, inside",
-          "[app][axis_ticks]") {
+          "[app][axis_ticks]")
+{
     const double low = GENERATE(1e-8, 0.03, 1.0, 5000.0);
     const double ratio = GENERATE(1.1, 2.0, 7.0, 80.0, 1e4, 1e12);
     const Axis axis = log_axis(low, low * ratio);
@@ -56,7 +58,8 @@ TEST_CASE("axis ticks: log axes of any width have three labels or more, inside",
     }
 }
 
-TEST_CASE("axis ticks: equal factors are equal lengths on a log axis", "[app][axis_ticks]") {
+TEST_CASE("axis ticks: equal factors are equal lengths on a log axis", "[app][axis_ticks]")
+{
     const Axis axis = log_axis(1.0, 1000.0);
     CHECK(axis.share(axis.low) == 0.0);
     CHECK(axis.share(axis.high) == 1.0);
@@ -64,7 +67,8 @@ TEST_CASE("axis ticks: equal factors are equal lengths on a log axis", "[app][ax
     CHECK(linear_axis(0.0, 10.0).share(2.5) == 0.25);
 }
 
-TEST_CASE("axis ticks: labels of one axis have the same decimals", "[app][axis_ticks]") {
+TEST_CASE("axis ticks: labels of one axis have the same decimals", "[app][axis_ticks]")
+{
     const Axis axis = linear_axis(0.0, 1.0);
     CHECK(tick_label(axis, axis.ticks.at(1)) == "0.2");
     CHECK(tick_label(axis, 1.0) == "1.0");
@@ -75,7 +79,8 @@ TEST_CASE("axis ticks: labels of one axis have the same decimals", "[app][axis_t
 }
 
 TEST_CASE("axis ticks: large numbers are grouped, very large and small ones are powers",
-          "[app][axis_ticks]") {
+          "[app][axis_ticks]")
+{
     const Axis steps = log_axis(5000.0, 400000.0);
     CHECK(tick_label(steps, 5000.0) == "5000");
     CHECK(tick_label(steps, 20000.0) == "20\u2009000");

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// For the shell.
-std::string for_shell(std::string_view word) {
+std::string for_shell(std::string_view word)
+{
     std::string text = "'";
     for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return text + "'";
@@ -31,18 +32,20 @@ struct Run {
 };
 
 /// In the folder `work` of a place; the streams go beside it.
-Run run(const fs::path &place, const std::vector<std::string> &arguments) {
+Run run(const fs::path& place, const std::vector<std::string>& arguments)
+{
     std::string command =
         "cd " + for_shell((place / "work").string()) + " && " + for_shell(DRYSTONE_PROGRAM);
-    for (const std::string &argument : arguments) command += " " + for_shell(argument);
+    for (const std::string& argument : arguments) command += " " + for_shell(argument);
     command += " >../out 2>../err </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, scenes::read_text(place / "out"),
             scenes::read_text(place / "err")};
 }
 
-void check_refused(std::string_view study, const std::vector<std::string> &arguments,
-                   std::string_view message) {
+void check_refused(std::string_view study, const std::vector<std::string>& arguments,
+                   std::string_view message)
+{
     const scenes::TemporaryFolder place;
     const fs::path work = place.path / "work";
     fs::create_directory(work);
@@ -53,7 +56,7 @@ void check_refused(std::string_view study, const std::vector<std::string> &argum
     CHECK(result.err == std::string(message) + "\n");
     CHECK(result.out.empty());
     std::vector<std::string> left;
-    for (const auto &entry : fs::recursive_directory_iterator(work)) {
+    for (const auto& entry : fs::recursive_directory_iterator(work)) {
         left.push_back(entry.path().filename().string());
     }
     CHECK(left == std::vector<std::string>{"study.ini"});
@@ -63,8 +66,9 @@ void check_refused(std::string_view study, const std::vector<std::string> &argum
 } // namespace
 
 TEST_CASE("program: a bad study file is refused with exit code 2 and nothing is written",
-          "[app][bad_input][program]") {
-    for (const bad_input::BadStudy &bad : bad_input::bad_studies()) {
+          "[app][bad_input][program]")
+{
+    for (const bad_input::BadStudy& bad : bad_input::bad_studies()) {
         INFO(bad.fault);
         check_refused(bad_input::text_of(bad), {"push", "study.ini", "--out", "results"},
                       bad.message);
@@ -72,8 +76,9 @@ TEST_CASE("program: a bad study file is refused with exit code 2 and nothing is 
 }
 
 TEST_CASE("program: a bad command line is refused with exit code 2 and nothing is written",
-          "[app][bad_input][program]") {
-    for (const bad_input::BadCommand &bad : bad_input::bad_commands()) {
+          "[app][bad_input][program]")
+{
+    for (const bad_input::BadCommand& bad : bad_input::bad_commands()) {
         INFO(bad.fault);
         check_refused(bad_input::kGoodStudy, bad.arguments, bad.message);
     }

@@ -13,10 +13,11 @@
 namespace {
 
 /// What reading a study text complains about; empty: nothing.
-std::string complaint(const std::string &text) {
+std::string complaint(const std::string& text)
+{
     try {
         (void)app::read_study(app::parse_study_text("study.ini", text));
-    } catch (const app::ConfigError &error) {
+    } catch (const app::ConfigError& error) {
         return error.what();
     }
     return {};
@@ -24,13 +25,15 @@ std::string complaint(const std::string &text) {
 
 } // namespace
 
-TEST_CASE("bad input: the study that every case spoils is good", "[app][bad_input]") {
+TEST_CASE("bad input: the study that every case spoils is good", "[app][bad_input]")
+{
     CHECK(complaint(std::string(bad_input::kGoodStudy)) == "");
 }
 
 TEST_CASE("bad input: a fault in a study file is named by line and key, with a remedy",
-          "[app][bad_input]") {
-    for (const bad_input::BadStudy &bad : bad_input::bad_studies()) {
+          "[app][bad_input]")
+{
+    for (const bad_input::BadStudy& bad : bad_input::bad_studies()) {
         INFO(bad.fault);
         CHECK(complaint(bad_input::text_of(bad)) == bad.message);
     }

@@ -12,7 +12,8 @@ using app::Verb;
 using Words = std::vector<std::string>;
 
 TEST_CASE("command line: a push takes its study, output directory and options in any order",
-          "[app][command_line]") {
+          "[app][command_line]")
+{
     const Words words =
         GENERATE(Words{"push", "a/wall.ini", "--out", "runs/x", "--set", "wall.courses=9",
                        "--set=load.height=1 m", "--threads", "3", "--quiet"},
@@ -27,7 +28,8 @@ TEST_CASE("command line: a push takes its study, output directory and options in
     CHECK(command.quiet);
 }
 
-TEST_CASE("command line: what is not said has a default", "[app][command_line]") {
+TEST_CASE("command line: what is not said has a default", "[app][command_line]")
+{
     const app::Command command = parse_command_line({"push", "configs/wall.ini"});
     CHECK(command.out == "runs/wall");
     CHECK(command.overrides.empty());
@@ -35,7 +37,8 @@ TEST_CASE("command line: what is not said has a default", "[app][command_line]")
     CHECK_FALSE(command.quiet);
 }
 
-TEST_CASE("command line: help and version are verbs and options", "[app][command_line]") {
+TEST_CASE("command line: help and version are verbs and options", "[app][command_line]")
+{
     CHECK(parse_command_line({"help"}).verb == Verb::help);
     CHECK(parse_command_line({"--help"}).verb == Verb::help);
     CHECK(parse_command_line({"-h"}).topic.empty());
@@ -48,9 +51,10 @@ TEST_CASE("command line: help and version are verbs and options", "[app][command
 }
 
 TEST_CASE("command line: the help of push lists every key of a study with its true default",
-          "[app][command_line]") {
+          "[app][command_line]")
+{
     const std::string help = app::help_text("push");
-    for (const app::Key &key : app::study_keys()) {
+    for (const app::Key& key : app::study_keys()) {
         INFO(key.name);
         CHECK(help.find("\n  " + std::string(app::name_in_section(key.name)) + " ") !=
               std::string::npos);

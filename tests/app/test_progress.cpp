@@ -16,7 +16,8 @@ using Catch::Matchers::EndsWith;
 namespace {
 
 /// A run of `seconds` at an even pace, reported every `every` seconds; the text written.
-std::string run(ProgressOptions options, double seconds, double every, bool finish = true) {
+std::string run(ProgressOptions options, double seconds, double every, bool finish = true)
+{
     std::ostringstream out;
     double now = 100.0; // [s] clocks do not start at 0
     Progress progress(out, options, [&] { return now; });
@@ -29,30 +30,33 @@ std::string run(ProgressOptions options, double seconds, double every, bool fini
     return out.str();
 }
 
-auto count(const std::string &text, char c) { return std::count(text.begin(), text.end(), c); }
+auto count(const std::string& text, char c) { return std::count(text.begin(), text.end(), c); }
 
 const ProgressOptions kTerminal{.terminal = true, .quiet = false, .width = 80};
 const ProgressOptions kPlain{.terminal = false, .quiet = false, .width = 80};
 
 } // namespace
 
-TEST_CASE("progress: a run of less than two seconds says nothing", "[app][progress]") {
+TEST_CASE("progress: a run of less than two seconds says nothing", "[app][progress]")
+{
     CHECK(run(kTerminal, 1.9, 0.1).empty());
     CHECK(run(kPlain, 1.9, 0.1).empty());
 }
 
-TEST_CASE("progress: quiet says nothing", "[app][progress]") {
+TEST_CASE("progress: quiet says nothing", "[app][progress]")
+{
     CHECK(run({.terminal = true, .quiet = true, .width = 80}, 60.0, 1.0).empty());
 }
 
-TEST_CASE("progress: a terminal line is redrawn at most ten times a second",
-          "[app][progress]") {
+TEST_CASE("progress: a terminal line is redrawn at most ten times a second", "[app][progress]")
+{
     const std::string text = run(kTerminal, 12.0, 0.001);
     CHECK(count(text, '\r') <= 102); // 10 s after the silence, first and last included
     CHECK(count(text, '\r') >= 90);
 }
 
-TEST_CASE("progress: a terminal shows one line, ended once", "[app][progress]") {
+TEST_CASE("progress: a terminal shows one line, ended once", "[app][progress]")
+{
     const std::string text = run(kTerminal, 30.0, 0.25);
     CHECK(count(text, '\n') == 1);
     CHECK_THAT(text, EndsWith("30.0 mm\033[K\n"));
@@ -61,8 +65,8 @@ TEST_CASE("progress: a terminal shows one line, ended once", "[app][progress]") 
                Contains("100 % [========================] 0:30 taken  49.7 kN at 30.0 mm"));
 }
 
-TEST_CASE("progress: a line that was drawn is ended when the run breaks off",
-          "[app][progress]") {
+TEST_CASE("progress: a line that was drawn is ended when the run breaks off", "[app][progress]")
+{
     std::ostringstream out;
     {
         double now = 0.0;
@@ -75,14 +79,16 @@ TEST_CASE("progress: a line that was drawn is ended when the run breaks off",
 }
 
 TEST_CASE("progress: without a terminal there is a line every 10 s and one at the end",
-          "[app][progress]") {
+          "[app][progress]")
+{
     const std::string text = run(kPlain, 35.0, 0.05);
     CHECK(count(text, '\n') == 4);
     CHECK(count(text, '\r') == 0);
     CHECK(count(text, '\033') == 0);
 }
 
-TEST_CASE("progress: no line is wider than the terminal", "[app][progress]") {
+TEST_CASE("progress: no line is wider than the terminal", "[app][progress]")
+{
     const std::string text =
         run({.terminal = true, .quiet = false, .width = 40}, 10.0, 0.25, false);
     std::istringstream lines(text);
@@ -96,7 +102,8 @@ TEST_CASE("progress: no line is wider than the terminal", "[app][progress]") {
     CHECK(seen > 30);
 }
 
-TEST_CASE("progress: the time left follows a change of pace", "[app][progress]") {
+TEST_CASE("progress: the time left follows a change of pace", "[app][progress]")
+{
     std::ostringstream out;
     double now = 0.0, done = 0.0;
     Progress progress(out, kTerminal, [&] { return now; });
@@ -113,7 +120,8 @@ TEST_CASE("progress: the time left follows a change of pace", "[app][progress]")
 }
 
 TEST_CASE("progress: shares outside 0 to 1 and NaN are drawn as the nearest end",
-          "[app][progress]") {
+          "[app][progress]")
+{
     for (const double done : {-1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
         std::ostringstream out;
         double now = 0.0;
@@ -125,7 +133,8 @@ TEST_CASE("progress: shares outside 0 to 1 and NaN are drawn as the nearest end"
     }
 }
 
-TEST_CASE("progress: times are read as on a clock", "[app][progress]") {
+TEST_CASE("progress: times are read as on a clock", "[app][progress]")
+{
     CHECK(clock_text(0.0) == "0:00");
     CHECK(clock_text(65.4) == "1:05");
     CHECK(clock_text(3599.6) == "1:00:00");

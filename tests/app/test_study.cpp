@@ -15,13 +15,15 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-app::Study shipped(const std::string &name) {
+app::Study shipped(const std::string& name)
+{
     return app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/" + name));
 }
 
 } // namespace
 
-TEST_CASE("study: the effective configuration reads back to the same study", "[app][study]") {
+TEST_CASE("study: the effective configuration reads back to the same study", "[app][study]")
+{
     const app::Study study =
         GENERATE(read_good(), read(study_texts::kEverything), shipped("wall.ini"),
                  shipped("levels.ini"), shipped("uncoupled.ini"),
@@ -30,14 +32,15 @@ TEST_CASE("study: the effective configuration reads back to the same study", "[a
     const std::string text = app::effective_configuration(study);
     INFO(text);
     const app::Study again = read(text);
-    for (const app::Key &key : app::study_keys()) {
+    for (const app::Key& key : app::study_keys()) {
         INFO(key.name);
         CHECK(key.field.get(again) == key.field.get(study));
     }
 }
 
 TEST_CASE("study: the effective configuration has every key in use, defaults and --set marked",
-          "[app][study]") {
+          "[app][study]")
+{
     const std::string text = app::effective_configuration(read_good({"wall.courses=12"}));
     CHECK(text.find("courses                 = 12                            # --set\n") !=
           std::string::npos);
@@ -50,7 +53,8 @@ TEST_CASE("study: the effective configuration has every key in use, defaults and
     CHECK(everything.find("# default") == std::string::npos);
 }
 
-TEST_CASE("study: what the solver leaves open is as the solver has it", "[app][study]") {
+TEST_CASE("study: what the solver leaves open is as the solver has it", "[app][study]")
+{
     const app::Study study = read_good();
     const dem::SolverOptions solver;
     const dem::Discretisation discretisation;
@@ -61,6 +65,7 @@ TEST_CASE("study: what the solver leaves open is as the solver has it", "[app][s
     CHECK(study.solver.step_fraction == solver.step_fraction);
     CHECK(study.solver.steps == solver.steps);
     CHECK(study.solver.preload_steps == solver.preload_steps);
+    CHECK(study.solver.preload_unbalance == solver.preload_unbalance);
     CHECK(study.solver.unbalance_limit == solver.unbalance_limit);
     CHECK(study.solver.min_speed == solver.min_speed);
     CHECK(study.discretisation.contact_points == discretisation.contact_points);
@@ -72,7 +77,8 @@ TEST_CASE("study: what the solver leaves open is as the solver has it", "[app][s
     CHECK(app::push_plan(study).record_every == plan.record_every);
 }
 
-TEST_CASE("study: defaults follow from the values they depend on", "[app][study]") {
+TEST_CASE("study: defaults follow from the values they depend on", "[app][study]")
+{
     const app::Study study = read_good({"wall.base=joint", "beam.interface=joint"});
     CHECK(study.unit.cohesion == 3.7e6);
     CHECK(study.unit.residual_cohesion == 0.0);
@@ -84,7 +90,8 @@ TEST_CASE("study: defaults follow from the values they depend on", "[app][study]
     CHECK(read_good({"wall.courses=5"}).load.height == Approx(0.6).epsilon(1e-15));
 }
 
-TEST_CASE("study: units that cannot crack need no strength", "[app][study]") {
+TEST_CASE("study: units that cannot crack need no strength", "[app][study]")
+{
     std::string text(bad_input::kGoodStudy);
     const std::size_t begin = text.find("[unit]");
     text.erase(begin, text.find("[beam]") - begin);
@@ -96,7 +103,8 @@ TEST_CASE("study: units that cannot crack need no strength", "[app][study]") {
 }
 
 TEST_CASE("study: the load line may lie anywhere in the beam, its ends included",
-          "[app][study]") {
+          "[app][study]")
+{
     CHECK_NOTHROW(read_good({"load.height=1 m"}));
     CHECK_NOTHROW(read_good({"load.height=1.05 m"}));
     CHECK_NOTHROW(read_good({"load.height=1.1 m"}));
@@ -105,13 +113,15 @@ TEST_CASE("study: the load line may lie anywhere in the beam, its ends included"
 }
 
 TEST_CASE("study: sizes that divide the wall only up to rounding make no sliver",
-          "[app][study]") {
+          "[app][study]")
+{
     CHECK_NOTHROW(read_good({"wall.length=0.9 m", "wall.unit_length=0.3 m"}));
     CHECK_NOTHROW(
         read_good({"wall.length=2.1 m", "wall.unit_length=0.7 m", "wall.bond=stack"}));
 }
 
-TEST_CASE("study: the shipped wall is that of the paper", "[app][study]") {
+TEST_CASE("study: the shipped wall is that of the paper", "[app][study]")
+{
     const app::Study study = shipped("wall.ini");
     CHECK(study.wall.length == 1.0);
     CHECK(study.wall.courses == 10);
@@ -128,11 +138,12 @@ TEST_CASE("study: the shipped wall is that of the paper", "[app][study]") {
 }
 
 TEST_CASE("study: the other shipped studies differ from the wall in what they are for",
-          "[app][study]") {
+          "[app][study]")
+{
     const app::Study wall = shipped("wall.ini");
     const std::string name = GENERATE("levels.ini", "uncoupled.ini");
     const app::Study study = shipped(name);
-    for (const app::Key &key : app::study_keys()) {
+    for (const app::Key& key : app::study_keys()) {
         INFO(key.name);
         const bool same = key.field.get(study) == key.field.get(wall);
         const bool of_level = key.name == "joint.wall_modulus" ||

@@ -11,7 +11,8 @@
 using app::parse_study_text;
 using Assignments = std::vector<std::string>;
 
-TEST_CASE("study file: every value knows its section and its line", "[app][study_file]") {
+TEST_CASE("study file: every value knows its section and its line", "[app][study_file]")
+{
     const app::StudyFile file =
         parse_study_text("a.ini", "# a wall\n"
                                   "[wall]\n"
@@ -37,7 +38,8 @@ TEST_CASE("study file: every value knows its section and its line", "[app][study
 }
 
 TEST_CASE("study file: CRLF line ends and a byte order mark change nothing",
-          "[app][study_file]") {
+          "[app][study_file]")
+{
     const auto file = parse_study_text("a.ini", "\xef\xbb\xbf[wall]\r\n\r\ncourses = 10 # c\r\n"
                                                 "length = 1 m\r\n");
     REQUIRE(file.entries.size() == 2);
@@ -48,12 +50,14 @@ TEST_CASE("study file: CRLF line ends and a byte order mark change nothing",
     CHECK(file.entries[1].line == 4);
 }
 
-TEST_CASE("study file: a value of carriage returns alone is empty", "[app][study_file]") {
+TEST_CASE("study file: a value of carriage returns alone is empty", "[app][study_file]")
+{
     CHECK_THROWS_WITH(parse_study_text("a.ini", "[wall]\nbond = \r\r\n"),
                       "a.ini:2: wall.bond: empty value; write one after the =");
 }
 
-TEST_CASE("study file: a section may be opened twice", "[app][study_file]") {
+TEST_CASE("study file: a section may be opened twice", "[app][study_file]")
+{
     const auto file = parse_study_text("a.ini", "[a]\nx = 1\n[b]\nx = 2\n[a]\ny = 3\n");
     REQUIRE(file.entries.size() == 3);
     CHECK(file.entries[2].key == "a.y");
@@ -61,7 +65,8 @@ TEST_CASE("study file: a section may be opened twice", "[app][study_file]") {
     CHECK(file.sections[0].line == 1);
 }
 
-TEST_CASE("study file: --set replaces a value of the file, or adds one", "[app][study_file]") {
+TEST_CASE("study file: --set replaces a value of the file, or adds one", "[app][study_file]")
+{
     const auto file = app::with_overrides(parse_study_text("a.ini", "[wall]\nlength = 1 m\n"),
                                           Assignments{"wall.length = 2 m", "wall.courses=9"});
     REQUIRE(file.entries.size() == 2);
@@ -73,7 +78,8 @@ TEST_CASE("study file: --set replaces a value of the file, or adds one", "[app][
 }
 
 TEST_CASE("study file: an error stands where the key is, else its section, else the end",
-          "[app][study_file]") {
+          "[app][study_file]")
+{
     const auto file = app::with_overrides(
         parse_study_text("a.ini", "# a\n[wall]\nlength = 1 m\nthickness = 1 m\n\n"),
         Assignments{"wall.thickness=2 m"});
@@ -87,7 +93,8 @@ TEST_CASE("study file: an error stands where the key is, else its section, else 
           "a.ini:5: load.height: why");
 }
 
-TEST_CASE("study file: text is well-formed UTF-8 without NUL", "[app][study_file]") {
+TEST_CASE("study file: text is well-formed UTF-8 without NUL", "[app][study_file]")
+{
     using namespace std::string_view_literals;
     CHECK(app::is_text("plain, \xc3\xa9, \xe2\x82\xac, \xf0\x9f\xa7\xb1"));
     const std::string_view bad =

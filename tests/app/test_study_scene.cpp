@@ -19,7 +19,8 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 } // namespace
 
 TEST_CASE("study: the shipped moduli give the joint stiffness of Eq. 2 at every stress level",
-          "[app][study]") {
+          "[app][study]")
+{
     const app::Study study =
         app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/levels.ini"));
     const std::vector<double> kn = {5.87e9, 8.08e9, 9.70e9, 11.34e9, 13.03e9}; // [Pa/m]
@@ -32,7 +33,8 @@ TEST_CASE("study: the shipped moduli give the joint stiffness of Eq. 2 at every 
     }
 }
 
-TEST_CASE("study: one given stiffness serves all levels, a list one each", "[app][study]") {
+TEST_CASE("study: one given stiffness serves all levels, a list one each", "[app][study]")
+{
     const app::Study study = read(study_texts::kEverything); // factor 1.1
     CHECK(app::joint_material(study, 0).kn == 1.1 * 5.87e9);
     CHECK(app::joint_material(study, 1).kn == 1.1 * 8.08e9);
@@ -41,9 +43,10 @@ TEST_CASE("study: one given stiffness serves all levels, a list one each", "[app
 }
 
 TEST_CASE("study: a crack is xi times as stiff as a joint, whatever the factor of the joint",
-          "[app][study]") {
+          "[app][study]")
+{
     const double kn = app::joint_material(read_good(), 1).kn;
-    for (const char *const factor : {"0.5", "1", "2"}) {
+    for (const char* const factor : {"0.5", "1", "2"}) {
         const app::Study study = read_good({std::string("joint.stiffness_factor=") + factor});
         CHECK(app::crack_material(study, 1).kn == 10 * kn);
         CHECK(app::joint_material(study, 1).kn == std::stod(factor) * kn);
@@ -52,7 +55,8 @@ TEST_CASE("study: a crack is xi times as stiff as a joint, whatever the factor o
     CHECK(app::crack_material(read_good(), 1).ks == 10 * kn / 2.4);
 }
 
-TEST_CASE("study: every joint and crack ID has the material of the study", "[app][study]") {
+TEST_CASE("study: every joint and crack ID has the material of the study", "[app][study]")
+{
     const app::Study study = read(study_texts::kEverything);
     const dem::WallMaterials all = app::materials(study, 1, 135, 45);
     REQUIRE(all.joints.size() == 135);
@@ -60,7 +64,7 @@ TEST_CASE("study: every joint and crack ID has the material of the study", "[app
     CHECK(all.stone.density == 2000.0);
     CHECK(all.joints.back().kn == 1.1 * 8.08e9);
     CHECK(all.joints.back().tan_phi == std::tan(30 * kDegree));
-    const dem::CrackMaterial &crack = all.cracks.back();
+    const dem::CrackMaterial& crack = all.cracks.back();
     CHECK(crack.kn == Approx(0.9 * 12 * 8.08e9).epsilon(1e-15));
     CHECK(crack.ks == Approx(crack.kn / 2.5).epsilon(1e-15));
     CHECK(crack.ft == 3e6);
@@ -72,9 +76,10 @@ TEST_CASE("study: every joint and crack ID has the material of the study", "[app
 }
 
 TEST_CASE("study: base and beam joints have the stiffness of the joints without their factor",
-          "[app][study]") {
+          "[app][study]")
+{
     const dem::WallMaterials all = app::materials(read(study_texts::kEverything), 1, 1, 1);
-    for (const dem::JointMaterial &joint : {all.base_joint, all.beam_joint}) {
+    for (const dem::JointMaterial& joint : {all.base_joint, all.beam_joint}) {
         CHECK(joint.kn == 8.08e9);
         CHECK(joint.ks == 2e9);
     }
@@ -82,9 +87,11 @@ TEST_CASE("study: base and beam joints have the stiffness of the joints without 
     CHECK(all.beam_joint.tan_phi == std::tan(40 * kDegree));
 }
 
-TEST_CASE("study: targets replace the one displacement of a monotonic push", "[app][study]") {
+TEST_CASE("study: targets replace the one displacement of a monotonic push", "[app][study]")
+{
     CHECK(app::push_plan(read_good({"load.max_displacement=12 mm"})).targets ==
           std::vector<double>{0.012});
+    CHECK(app::push_plan(read_good()).snapshot_every == 5e-4);
     const dem::PushPlan plan = app::push_plan(read(study_texts::kEverything));
     CHECK(plan.targets == std::vector<double>{0.005, -0.005, 0.01, -0.01});
     CHECK(plan.record_every == 1e-4);
@@ -92,7 +99,8 @@ TEST_CASE("study: targets replace the one displacement of a monotonic push", "[a
     CHECK_FALSE(plan.progress);
 }
 
-TEST_CASE("study: loads carry the height of the load and gravity", "[app][study]") {
+TEST_CASE("study: loads carry the height of the load and gravity", "[app][study]")
+{
     const dem::Loads loads = app::loads(read(study_texts::kEverything), 0);
     CHECK(loads.vertical_stress == 150e3);
     CHECK(loads.height == 1.3);

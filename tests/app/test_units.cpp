@@ -2,17 +2,18 @@
 
 #include <catch2/catch.hpp>
 
-#include <clocale>
+#include <locale>
 #include <numbers>
 #include <string>
 #include <vector>
 
 namespace {
 
-std::string complaint(const std::string &text, const std::string &unit) {
+std::string complaint(const std::string& text, const std::string& unit)
+{
     try {
         (void)app::parse_quantities(text, unit);
-    } catch (const app::BadValue &bad) {
+    } catch (const app::BadValue& bad) {
         return bad.what();
     }
     return {};
@@ -20,7 +21,8 @@ std::string complaint(const std::string &text, const std::string &unit) {
 
 } // namespace
 
-TEST_CASE("units: every unit is worth what it says", "[app][units]") {
+TEST_CASE("units: every unit is worth what it says", "[app][units]")
+{
     CHECK(app::parse_quantity("3 m", "m") == 3.0);
     CHECK(app::parse_quantity("3 cm", "m") == 0.03);
     CHECK(app::parse_quantity("3 mm", "m") == 0.003);
@@ -47,7 +49,8 @@ TEST_CASE("units: every unit is worth what it says", "[app][units]") {
     CHECK(app::parse_quantity("3", "") == 3.0);
 }
 
-TEST_CASE("units: a length has the same bits in metres and in millimetres", "[app][units]") {
+TEST_CASE("units: a length has the same bits in metres and in millimetres", "[app][units]")
+{
     for (int mm = 1; mm < 2000; ++mm) {
         const std::string text = std::to_string(mm);
         const std::string metres = std::to_string(mm / 1000) + "." +
@@ -58,7 +61,8 @@ TEST_CASE("units: a length has the same bits in metres and in millimetres", "[ap
     }
 }
 
-TEST_CASE("units: signs, exponents and blanks are read", "[app][units]") {
+TEST_CASE("units: signs, exponents and blanks are read", "[app][units]")
+{
     CHECK(app::parse_quantity("-5mm", "m") == -0.005);
     CHECK(app::parse_quantity("+5 mm", "m") == 0.005);
     CHECK(app::parse_quantity("5e-3\t m", "m") == 0.005);
@@ -67,8 +71,8 @@ TEST_CASE("units: signs, exponents and blanks are read", "[app][units]") {
     CHECK(app::parse_quantity("1E3 m", "m") == 1000.0);
 }
 
-TEST_CASE("units: the unit of a list stands once at its end, or on each value",
-          "[app][units]") {
+TEST_CASE("units: the unit of a list stands once at its end, or on each value", "[app][units]")
+{
     const std::vector<double> stresses = {0.15e6, 0.5e6, 0.75e6};
     CHECK(app::parse_quantities("0.15, 0.50, 0.75 MPa", "MPa") == stresses);
     CHECK(app::parse_quantities("150 kPa, 0.50 MPa, 0.75 N/mm2", "MPa") == stresses);
@@ -81,7 +85,8 @@ TEST_CASE("units: the unit of a list stands once at its end, or on each value",
           "empty place in the list \"1, 2,\"; write a number between two commas");
 }
 
-TEST_CASE("units: what is no decimal number with its unit is refused", "[app][units]") {
+TEST_CASE("units: what is no decimal number with its unit is refused", "[app][units]")
+{
     const std::string text =
         GENERATE("nan m", "NaN", "inf m", "-Infinity m", "nan(1) m", "1e999 m", "1e-999 m",
                  "0x1p3 m", "1,5 m", "1.5.2 m", "1e3.5 m", "--1 m", "+-1 m", "-+1 m", "m",
@@ -91,12 +96,14 @@ TEST_CASE("units: what is no decimal number with its unit is refused", "[app][un
     CHECK(complaint(text, "m") != "");
 }
 
-TEST_CASE("units: a quantity that overflows in SI is refused", "[app][units]") {
+TEST_CASE("units: a quantity that overflows in SI is refused", "[app][units]")
+{
     CHECK(complaint("1e300 GPa", "MPa") == "\"1e300\" is beyond the range of a double; write a "
                                            "number and its unit, such as \"1 MPa\"");
 }
 
-TEST_CASE("units: a distribution is refused, and its mean offered", "[app][units]") {
+TEST_CASE("units: a distribution is refused, and its mean offered", "[app][units]")
+{
     CHECK(complaint("lognormal(mean 3.7 MPa, cov 0.30)", "MPa") ==
           "\"lognormal(mean 3.7 MPa, cov 0.30)\" is a distribution, but a single push needs a "
           "number; "
@@ -107,7 +114,8 @@ TEST_CASE("units: a distribution is refused, and its mean offered", "[app][units
           "such as \"1 MPa\"");
 }
 
-TEST_CASE("units: a count is a whole number that a double holds exactly", "[app][units]") {
+TEST_CASE("units: a count is a whole number that a double holds exactly", "[app][units]")
+{
     CHECK(app::parse_count("10") == 10.0);
     CHECK(app::parse_count("2e5") == 200000.0);
     CHECK(app::parse_count("9007199254740992") == 9007199254740992.0);
@@ -117,7 +125,8 @@ TEST_CASE("units: a count is a whole number that a double holds exactly", "[app]
     CHECK_THROWS_AS(app::parse_count("1, 2"), app::BadValue);
 }
 
-TEST_CASE("units: a formatted quantity reads back to the same bits", "[app][units]") {
+TEST_CASE("units: a formatted quantity reads back to the same bits", "[app][units]")
+{
     const std::string unit = GENERATE("m", "mm", "MPa", "GPa", "GPa/m", "deg", "kg/m3", "");
     double value = 1.0 / 3.0;
     for (int i = 0; i < 2000; ++i) {
@@ -131,10 +140,17 @@ TEST_CASE("units: a formatted quantity reads back to the same bits", "[app][unit
     CHECK(app::format_quantities(std::vector<double>{0.15e6, 0.5e6}, "MPa") == "0.15, 0.5 MPa");
 }
 
-TEST_CASE("units: the locale of the user changes nothing", "[app][units]") {
-    const char *const comma = std::setlocale(LC_ALL, "de_DE.UTF-8"); // if there is one
-    CAPTURE(comma != nullptr);
-    CHECK(app::parse_quantity("0.5 m", "m") == 0.5);
-    CHECK(app::format_number(0.5) == "0.5");
-    std::setlocale(LC_ALL, "C");
+TEST_CASE("units: the locale of the user changes nothing", "[app][units]")
+{
+    struct Comma : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\3"; }
+    };
+    const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
+    const double read = app::parse_quantity("1234.5 m", "m");
+    const std::string written = app::format_quantities(std::vector<double>{1234.5}, "m");
+    std::locale::global(before);
+    CHECK(read == 1234.5);
+    CHECK(written == "1234.5 m");
 }

@@ -21,8 +21,9 @@ using scenes::read_text;
 
 namespace {
 
-std::vector<double> array(const std::string &vtu, const std::string &name) {
-    for (const scenes::Xml &data : elements(parse_xml(vtu), "DataArray")) {
+std::vector<double> array(const std::string& vtu, const std::string& name)
+{
+    for (const scenes::Xml& data : elements(parse_xml(vtu), "DataArray")) {
         if (attribute(data, "Name") != name) continue;
         std::istringstream in(data.data());
         std::vector<double> values;
@@ -33,21 +34,24 @@ std::vector<double> array(const std::string &vtu, const std::string &name) {
     return {};
 }
 
-std::vector<dem::Snapshot> a_push() {
+std::vector<dem::Snapshot> a_push()
+{
     return {scenes::wall_at_rest(), scenes::stair_step_rocking(0.01 / 3.0),
             scenes::diagonal_crack(0.02, 0.6)};
 }
 
-std::vector<std::string> listed(const fs::path &pvd, const std::string &what) {
+std::vector<std::string> listed(const fs::path& pvd, const std::string& what)
+{
     std::vector<std::string> found;
-    for (const scenes::Xml &entry : elements(parse_xml(read_text(pvd)), "DataSet"))
+    for (const scenes::Xml& entry : elements(parse_xml(read_text(pvd)), "DataSet"))
         found.push_back(attribute(entry, what));
     return found;
 }
 
 /// For check_vtk.py: what each file must hold.
-std::string expectation(const std::string &file, const std::vector<double> &values,
-                        std::size_t cells) {
+std::string expectation(const std::string& file, const std::vector<double>& values,
+                        std::size_t cells)
+{
     double sum = 0.0;
     for (const double v : values) sum += v;
     return file + ' ' + std::to_string(cells) + ' ' + std::to_string(values.size()) + ' ' +
@@ -56,12 +60,13 @@ std::string expectation(const std::string &file, const std::vector<double> &valu
 
 } // namespace
 
-TEST_CASE("vtk series: every double of a block reads back the same", "[app][vtk_series]") {
+TEST_CASE("vtk series: every double of a block reads back the same", "[app][vtk_series]")
+{
     const dem::Snapshot wall = scenes::stair_step_rocking(0.01 / 3.0);
     const std::string vtu = app::blocks_vtu(wall);
     const std::vector<double> points = array(vtu, "Points"), moved = array(vtu, "displacement");
     std::size_t i = 0;
-    for (const dem::BlockState &block : wall.blocks)
+    for (const dem::BlockState& block : wall.blocks)
         for (std::size_t k = 0; k < block.outline.size(); ++k, i += 3) {
             REQUIRE(points.at(i) == block.outline[k].x);
             REQUIRE(points.at(i + 1) == 0.0);
@@ -78,7 +83,8 @@ TEST_CASE("vtk series: every double of a block reads back the same", "[app][vtk_
 }
 
 TEST_CASE("vtk series: every contact is a point with its state, every face a cell",
-          "[app][vtk_series]") {
+          "[app][vtk_series]")
+{
     const dem::Snapshot wall = scenes::diagonal_crack(0.02, 0.6);
     const std::string vtu = app::joints_vtu(wall);
     std::size_t i = 0, cell = 0;
@@ -87,8 +93,8 @@ TEST_CASE("vtk series: every contact is a point with its state, every face a cel
                damage = array(vtu, "damage"), area = array(vtu, "area"), id = array(vtu, "id"),
                a = array(vtu, "block_a"), b = array(vtu, "block_b"), kind = array(vtu, "kind"),
                offsets = array(vtu, "offsets");
-    for (const dem::FaceState &face : wall.faces) {
-        for (const dem::ContactState &c : face.contacts) {
+    for (const dem::FaceState& face : wall.faces) {
+        for (const dem::ContactState& c : face.contacts) {
             REQUIRE(opening.at(i) == c.opening);
             REQUIRE(slip.at(i) == c.slip);
             REQUIRE(sigma.at(i) == c.sigma);
@@ -108,12 +114,13 @@ TEST_CASE("vtk series: every contact is a point with its state, every face a cel
     CHECK(opening.size() == i);
 }
 
-TEST_CASE("vtk series: a joint is drawn midway between its two sides", "[app][vtk_series]") {
+TEST_CASE("vtk series: a joint is drawn midway between its two sides", "[app][vtk_series]")
+{
     dem::Snapshot wall = scenes::wall_at_rest();
-    for (dem::Point &u : wall.blocks.at(10).displacement) u = {0.002, 0.004}; // second course
+    for (dem::Point& u : wall.blocks.at(10).displacement) u = {0.002, 0.004}; // second course
     const std::vector<double> moved = array(app::joints_vtu(wall), "displacement");
     std::size_t i = 0;
-    for (const dem::FaceState &face : wall.faces)
+    for (const dem::FaceState& face : wall.faces)
         for (std::size_t k = 0; k < face.contacts.size(); ++k, i += 3)
             if (face.block_a == 10 || face.block_b == 10) {
                 REQUIRE(moved.at(i) == 0.001);
@@ -121,22 +128,24 @@ TEST_CASE("vtk series: a joint is drawn midway between its two sides", "[app][vt
             }
 }
 
-TEST_CASE("vtk series: time is the way of the load line in mm", "[app][vtk_series]") {
+TEST_CASE("vtk series: time is the way of the load line in mm", "[app][vtk_series]")
+{
     const scenes::TemporaryFolder folder;
     std::vector<dem::Snapshot> walls = a_push();
     walls.push_back(scenes::stair_step_rocking(-0.01)); // back again
     app::write_vtk_series(folder.path / "vtk", walls);
-    for (const char *name : {"wall", "joints"}) {
+    for (const char* name : {"wall", "joints"}) {
         const fs::path pvd = folder.path / "vtk" / (std::string(name) + ".pvd");
         CHECK(listed(pvd, "timestep") ==
               std::vector<std::string>{"0", app::number(0.01 / 3.0 * 1e3, 17), "20", "50"});
-        for (const std::string &file : listed(pvd, "file"))
+        for (const std::string& file : listed(pvd, "file"))
             CHECK(fs::exists(folder.path / "vtk" / file));
         CHECK(listed(pvd, "file").at(2) == std::string(name) + "_0002.vtu");
     }
 }
 
-TEST_CASE("vtk series: of walls at the same time the last is kept", "[app][vtk_series]") {
+TEST_CASE("vtk series: of walls at the same time the last is kept", "[app][vtk_series]")
+{
     const scenes::TemporaryFolder folder;
     std::vector<dem::Snapshot> walls = a_push();
     walls.push_back(walls.back());
@@ -147,7 +156,8 @@ TEST_CASE("vtk series: of walls at the same time the last is kept", "[app][vtk_s
 }
 
 TEST_CASE("vtk series: a value that is not finite is refused, and no series is listed",
-          "[app][vtk_series]") {
+          "[app][vtk_series]")
+{
     const scenes::TemporaryFolder folder;
     std::vector<dem::Snapshot> walls = a_push();
     app::write_vtk_series(folder.path, walls);
@@ -161,7 +171,8 @@ TEST_CASE("vtk series: a value that is not finite is refused, and no series is l
 }
 
 TEST_CASE("vtk series: faces with one contact or none are written as VTK wants them",
-          "[app][vtk_series]") {
+          "[app][vtk_series]")
+{
     dem::Snapshot wall = scenes::wall_at_rest();
     const std::size_t faces = wall.faces.size();
     wall.faces[0].contacts.clear();
@@ -173,18 +184,19 @@ TEST_CASE("vtk series: faces with one contact or none are written as VTK wants t
 }
 
 // Hidden: writes a series for check_vtk.py, which reads it with VTK.
-TEST_CASE("vtk series: for the reader of VTK", "[.][vtk_reader]") {
-    const char *folder = std::getenv("DRYSTONE_VTK_FOLDER");
+TEST_CASE("vtk series: for the reader of VTK", "[.][vtk_reader]")
+{
+    const char* folder = std::getenv("DRYSTONE_VTK_FOLDER");
     REQUIRE(folder != nullptr);
     const std::vector<dem::Snapshot> walls = a_push();
     app::write_vtk_series(folder, walls);
     std::ofstream out(fs::path(folder) / "expected.txt");
     for (std::size_t i = 0; i < walls.size(); ++i) {
         std::vector<double> heights, openings;
-        for (const dem::BlockState &block : walls[i].blocks)
-            for (const dem::Point &u : block.displacement) heights.push_back(u.z);
-        for (const dem::FaceState &face : walls[i].faces)
-            for (const dem::ContactState &c : face.contacts) openings.push_back(c.opening);
+        for (const dem::BlockState& block : walls[i].blocks)
+            for (const dem::Point& u : block.displacement) heights.push_back(u.z);
+        for (const dem::FaceState& face : walls[i].faces)
+            for (const dem::ContactState& c : face.contacts) openings.push_back(c.opening);
         const std::string end = "_000" + std::to_string(i) + ".vtu";
         out << expectation("wall" + end, heights, walls[i].blocks.size())
             << expectation("joints" + end, openings, walls[i].faces.size());

@@ -1,6 +1,7 @@
 #include "app/wall_svg.hpp"
 
 #include "app/wall_body.hpp"
+#include "app/wall_legend.hpp"
 #include "app/wall_marks.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 #include "tests/scenes/xml_tree.hpp"
@@ -21,7 +22,7 @@ using scenes::parse_elements;
 
 namespace {
 
-const app::WallView kView{1.0, 1000.0, {0.0, 2000.0}}; // 1 px per mm
+const app::WallView kView{1.0, 1000.0, {0.0, 2000.0}, 1.0}; // 1 px per mm
 const app::MarkSizes kMarks{5e-4, 0.02};
 
 std::size_t faces_open(const dem::Snapshot& wall, double threshold)
@@ -213,6 +214,15 @@ TEST_CASE("wall picture: the page states displacement, drift, force, factor and 
     CHECK_THAT(found, VectorContains(std::string("200 mm")));
 }
 
+TEST_CASE("wall picture: the legend rounds to two digits and writes no powers of ten",
+          "[app][wall_svg]")
+{
+    const auto found = scenes::texts(
+        parse_elements(app::draw_wall_legend({0, 0}, 900, {2.5e-4, 0.1234}, 137.4e3, 1.0)));
+    CHECK_THAT(found, VectorContains(std::string("compression up to 140 kN per face")));
+    CHECK_THAT(found, VectorContains(std::string("closed joint slid 0.25 to 120 mm")));
+}
+
 TEST_CASE("wall picture: a movement too small for the common factor has its own",
           "[app][wall_svg]")
 {
@@ -259,6 +269,19 @@ TEST_CASE("wall picture: whatever the wall did, the picture has a page size and 
         CHECK(text.find("nan") == std::string::npos);
         CHECK(text.find("inf") == std::string::npos);
     }
+}
+
+TEST_CASE("wall picture: marks are smaller where stones are small", "[app][wall_svg]")
+{
+    const auto widest = [](const dem::Snapshot& wall) { // crack line in the picture [px]
+        double width = 0.0;
+        for (const auto& group : elements(scenes::parse_xml(picture(wall, wall)), "g"))
+            if (scenes::attribute(group, "fill") == app::kCrackColour)
+                width = std::max(width, scenes::number_of(group, "stroke-width"));
+        return width;
+    };
+    CHECK(widest(scenes::diagonal_crack(0.01, 1.0)) == 3.0);
+    CHECK(widest(scenes::diagonal_crack(0.01, 1.0, {.courses = 30})) < 1.7);
 }
 
 TEST_CASE("wall picture: bad walls and settings are refused", "[app][wall_svg]")

@@ -26,7 +26,7 @@ TEST_CASE("wall view: the wall stays a wall, and its mechanism is seen", "[app][
     const dem::Snapshot wall = GENERATE_COPY(scenes::stair_step_rocking(displacement),
                                              scenes::diagonal_crack(displacement, 1.0));
     const double scale = app::drawing_scale(wall);
-    const double size = 1.1; // [m] wall and beam
+    const double size = 1.0; // [m] the smaller side
     CAPTURE(displacement, scale);
     CHECK(scale * app::largest_displacement(wall) <= 0.15 * size);
     CHECK(scale * largest_opening(wall) <= 0.12 * size);
@@ -41,7 +41,18 @@ TEST_CASE("wall view: a wall that leans without a gap leans visibly and no more"
     for (dem::BlockState& block : wall.blocks)
         for (std::size_t i = 0; i < block.outline.size(); ++i)
             block.displacement[i].x = 0.001 * block.outline[i].z;
-    CHECK(app::drawing_scale(wall) == 100.0); // 0.11 m of 1.1 m; 200 would be 0.2
+    CHECK(app::drawing_scale(wall) == 100.0); // 0.11 m; 200 would be 0.22 m
+}
+
+TEST_CASE("wall view: blocks that part either way do not part by more than a stone",
+          "[app][wall_view]")
+{
+    dem::Snapshot wall = scenes::wall_at_rest();
+    wall.faces.at(100).contacts.at(1).opening = 0.012; // [m]
+    CHECK(app::drawing_scale(wall) == 10.0);           // 0.12 m; 20 would be 0.24 m
+    wall.faces.at(100).contacts.at(1).opening = 0.0;
+    wall.faces.at(100).contacts.at(1).slip = -0.012;
+    CHECK(app::drawing_scale(wall) == 10.0);
 }
 
 TEST_CASE("wall view: displacements are never drawn smaller than they are", "[app][wall_view]")
@@ -60,7 +71,7 @@ TEST_CASE("wall view: a gap is drawn as wide as the opening times the factor",
           "[app][wall_view]")
 {
     const dem::Snapshot wall = scenes::stair_step_rocking(0.02);
-    const app::WallView view{3.0, 400.0, {50.0, 600.0}};
+    const app::WallView view{3.0, 400.0, {50.0, 600.0}, 1.0};
     int open = 0;
     for (const dem::FaceState& face : wall.faces)
         for (const dem::ContactState& c : face.contacts) {
@@ -76,7 +87,7 @@ TEST_CASE("wall view: a gap is drawn as wide as the opening times the factor",
 
 TEST_CASE("wall view: z is up on the page", "[app][wall_view]")
 {
-    const app::WallView view{2.0, 100.0, {10.0, 500.0}};
+    const app::WallView view{2.0, 100.0, {10.0, 500.0}, 1.0};
     const app::Pixel p = view.place({1.0, 2.0}, {0.5, 0.25});
     CHECK(p.x == Approx(10.0 + 100.0 * (1.0 + 2.0 * 0.5)).epsilon(1e-14));
     CHECK(p.y == Approx(500.0 - 100.0 * (2.0 + 2.0 * 0.25)).epsilon(1e-14));

@@ -16,14 +16,16 @@ using dem::Point;
 using dem::Snapshot;
 
 /// Points from a to b, both included, without the last: sides chain into an outline.
-void add_side(std::vector<Point> &outline, Point a, Point b, int intervals) {
+void add_side(std::vector<Point>& outline, Point a, Point b, int intervals)
+{
     for (int i = 0; i < intervals; ++i) {
         const double s = static_cast<double>(i) / intervals;
         outline.push_back({a.x + s * (b.x - a.x), a.z + s * (b.z - a.z)});
     }
 }
 
-BlockState rectangle(Point low, Point high, int along, int up) {
+BlockState rectangle(Point low, Point high, int along, int up)
+{
     BlockState block;
     add_side(block.outline, low, {high.x, low.z}, along);
     add_side(block.outline, {high.x, low.z}, high, up);
@@ -34,7 +36,8 @@ BlockState rectangle(Point low, Point high, int along, int up) {
 }
 
 FaceState face(FaceKind kind, int id, int a, int b, Point from, Point to, Point normal,
-               const SnapshotWall &wall) {
+               const SnapshotWall& wall)
+{
     FaceState f{
         .kind = kind, .id = id, .block_a = a, .block_b = b, .normal = normal, .contacts = {}};
     const int intervals = wall.points - 1;
@@ -49,7 +52,8 @@ FaceState face(FaceKind kind, int id, int a, int b, Point from, Point to, Point 
     return f;
 }
 
-int block_index(const SnapshotWall &wall, int row, int column) {
+int block_index(const SnapshotWall& wall, int row, int column)
+{
     return row * wall.half_units + column;
 }
 
@@ -57,7 +61,8 @@ int block_index(const SnapshotWall &wall, int row, int column) {
 /// end.
 bool same_unit(int row, int left_column) { return (left_column % 2 == 0) == (row % 2 == 0); }
 
-void add_blocks(Snapshot &s, const SnapshotWall &wall) {
+void add_blocks(Snapshot& s, const SnapshotWall& wall)
+{
     const double l = wall.half_length, h = wall.course_height;
     int unit = 0;
     for (int row = 0; row < wall.courses; ++row) {
@@ -75,7 +80,8 @@ void add_blocks(Snapshot &s, const SnapshotWall &wall) {
                                  wall.half_units * (wall.points - 1), 1));
 }
 
-void add_faces(Snapshot &s, const SnapshotWall &wall) {
+void add_faces(Snapshot& s, const SnapshotWall& wall)
+{
     const double l = wall.half_length, h = wall.course_height;
     int joint = 0, crack = 0;
     for (int row = 0; row < wall.courses; ++row)
@@ -101,9 +107,10 @@ void add_faces(Snapshot &s, const SnapshotWall &wall) {
         }
 }
 
-Point displacement_of(const Snapshot &s, int block, Point at) {
+Point displacement_of(const Snapshot& s, int block, Point at)
+{
     if (block < 0) return {};
-    const BlockState &b = s.blocks[static_cast<std::size_t>(block)];
+    const BlockState& b = s.blocks[static_cast<std::size_t>(block)];
     for (std::size_t i = 0; i < b.outline.size(); ++i)
         if (std::hypot(b.outline[i].x - at.x, b.outline[i].z - at.z) < 1e-9)
             return b.displacement[i];
@@ -112,12 +119,13 @@ Point displacement_of(const Snapshot &s, int block, Point at) {
 
 /// Openings and slips from the displacements; compression along a strut from the top middle to
 /// the toe.
-void fill_contacts(Snapshot &s, const SnapshotWall &wall, double strut_share) {
+void fill_contacts(Snapshot& s, const SnapshotWall& wall, double strut_share)
+{
     const double length = wall.half_units * wall.half_length;
     const double height = wall.courses * wall.course_height;
     const double mean = wall.vertical_load / (length * wall.thickness);
-    for (FaceState &f : s.faces)
-        for (ContactState &c : f.contacts) {
+    for (FaceState& f : s.faces)
+        for (ContactState& c : f.contacts) {
             const Point a = displacement_of(s, f.block_a, c.at),
                         b = displacement_of(s, f.block_b, c.at);
             const Point d{b.x - a.x, b.z - a.z}, t{f.normal.z, -f.normal.x};
@@ -136,18 +144,19 @@ void fill_contacts(Snapshot &s, const SnapshotWall &wall, double strut_share) {
 }
 
 /// Moves each block by motion(block centre, unit centre, point).
-void move(Snapshot &s, const std::function<Point(Point, Point, Point)> &motion) {
-    const auto centre = [](const BlockState &b) {
+void move(Snapshot& s, const std::function<Point(Point, Point, Point)>& motion)
+{
+    const auto centre = [](const BlockState& b) {
         const auto [l, r] = std::minmax_element(b.outline.begin(), b.outline.end(),
                                                 [](Point p, Point q) { return p.x < q.x; });
         const auto [d, u] = std::minmax_element(b.outline.begin(), b.outline.end(),
                                                 [](Point p, Point q) { return p.z < q.z; });
         return Point{(l->x + r->x) / 2, (d->z + u->z) / 2};
     };
-    for (BlockState &b : s.blocks) {
+    for (BlockState& b : s.blocks) {
         Point unit_centre{};
         int halves = 0;
-        for (const BlockState &other : s.blocks)
+        for (const BlockState& other : s.blocks)
             if (other.unit == b.unit) {
                 const Point c = centre(other);
                 unit_centre = {unit_centre.x + c.x, unit_centre.z + c.z};
@@ -161,18 +170,20 @@ void move(Snapshot &s, const std::function<Point(Point, Point, Point)> &motion) 
 
 } // namespace
 
-Snapshot wall_at_rest(const SnapshotWall &wall) {
+Snapshot wall_at_rest(const SnapshotWall& wall)
+{
     Snapshot s;
     add_blocks(s, wall);
     add_faces(s, wall);
     const int beam = wall.courses * wall.half_units;
-    for (FaceState &f : s.faces)
+    for (FaceState& f : s.faces)
         if (f.kind == FaceKind::beam_joint) f.block_b = beam;
     fill_contacts(s, wall, 0.0);
     return s;
 }
 
-Snapshot stair_step_rocking(double displacement, const SnapshotWall &wall) {
+Snapshot stair_step_rocking(double displacement, const SnapshotWall& wall)
+{
     Snapshot s = wall_at_rest(wall);
     const double length = wall.half_units * wall.half_length;
     const double load_height = (wall.courses + 1) * wall.course_height;
@@ -189,7 +200,8 @@ Snapshot stair_step_rocking(double displacement, const SnapshotWall &wall) {
     return s;
 }
 
-Snapshot diagonal_crack(double displacement, double share, const SnapshotWall &wall) {
+Snapshot diagonal_crack(double displacement, double share, const SnapshotWall& wall)
+{
     Snapshot s = wall_at_rest(wall);
     const double length = wall.half_units * wall.half_length;
     const double height = wall.courses * wall.course_height;
@@ -205,7 +217,7 @@ Snapshot diagonal_crack(double displacement, double share, const SnapshotWall &w
         return slides ? Point{slide + theta * p.z, theta * (length - p.x)} : Point{};
     });
     fill_contacts(s, wall, 0.9);
-    for (FaceState &f : s.faces) {
+    for (FaceState& f : s.faces) {
         if (f.kind != FaceKind::unit_crack) continue;
         const std::size_t n = f.contacts.size();
         const Point middle{f.contacts.front().at.x,

@@ -20,12 +20,12 @@ struct SnapshotWall {
 
 /// The wall at rest: no displacement, no damage, uniform compression. Courses x half_units
 /// blocks and the beam.
-[[nodiscard]] dem::Snapshot wall_at_rest(const SnapshotWall &wall = {});
+[[nodiscard]] dem::Snapshot wall_at_rest(const SnapshotWall& wall = {});
 
 /// Everything above a 45 degree staircase from the toe turns about the toe (bottom right) until
 /// the load line has moved by `displacement` [m]. No unit cracks.
 [[nodiscard]] dem::Snapshot stair_step_rocking(double displacement,
-                                               const SnapshotWall &wall = {});
+                                               const SnapshotWall& wall = {});
 
 /// A crack from the toe towards the top middle, through units and along joints; the part right
 /// of it and above its end slides to the right and turns a little.
@@ -33,6 +33,6 @@ struct SnapshotWall {
 /// @param share of the height that the crack reaches, in [0, 1]; units above it on the diagonal
 /// are half damaged
 [[nodiscard]] dem::Snapshot diagonal_crack(double displacement, double share,
-                                           const SnapshotWall &wall = {});
+                                           const SnapshotWall& wall = {});
 
 } // namespace scenes

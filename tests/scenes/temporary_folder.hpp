@@ -12,23 +12,26 @@ namespace scenes {
 
 class TemporaryFolder {
   public:
-    TemporaryFolder() {
+    TemporaryFolder()
+    {
         std::string name =
             (std::filesystem::temp_directory_path() / "drystone-XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
         path = name;
     }
-    ~TemporaryFolder() {
+    ~TemporaryFolder()
+    {
         std::error_code ignored;
         std::filesystem::remove_all(path, ignored);
     }
-    TemporaryFolder(const TemporaryFolder &) = delete;
-    TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     std::filesystem::path path;
 };
 
-[[nodiscard]] inline std::string read_text(const std::filesystem::path &path) {
+[[nodiscard]] inline std::string read_text(const std::filesystem::path& path)
+{
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }

@@ -31,6 +31,6 @@ struct BadCommand {
 [[nodiscard]] std::span<const BadCommand> bad_commands();
 
 /// The text of a bad study file.
-[[nodiscard]] std::string text_of(const BadStudy &bad);
+[[nodiscard]] std::string text_of(const BadStudy& bad);
 
 } // namespace bad_input

@@ -120,6 +120,8 @@ constexpr std::array kStudies = {
         "study.ini:13: joint.friction_angle: \"normal(mean 31.8 deg, cov 0.20)\" is a distribution, but a single push needs a number; write its mean, \"31.8 deg\""},
     BadStudy{"unknown word", "[stone]", "base = fixd\n[stone]",
         "study.ini:7: wall.base: \"fixd\" is not one of fixed or joint; did you mean \"fixed\"?"},
+    BadStudy{"a number for a word", "[stone]", "base = 1\n[stone]",
+        "study.ini:7: wall.base: \"1\" is not one of fixed or joint"},
     BadStudy{"unknown bond", "[stone]", "bond = flemish\n[stone]",
         "study.ini:7: wall.bond: \"flemish\" is not one of running, stack, [0, 1)"},
 
@@ -144,6 +146,8 @@ constexpr std::array kStudies = {
         "study.ini:12: joint.wall_modulus: stress level 2 (0.5 MPa) has no value; write 2 values, one for each of load.vertical_stress"},
     BadStudy{"a modulus without stress level", "wall_modulus = 566, 768 MPa", "wall_modulus = 566, 768, 1057 MPa",
         "study.ini:12: joint.wall_modulus: has 3 values, load.vertical_stress 2; write one for each stress level"},
+    BadStudy{"a level without normal stiffness", "wall_modulus = 566, 768 MPa", "normal_stiffness = 5, 8, 11 GPa/m",
+        "study.ini:12: joint.normal_stiffness: has 3 values, load.vertical_stress 2; write one for each stress level"},
     BadStudy{"a level without shear stiffness", "[unit]", "shear_stiffness = 1, 2, 3 GPa/m\n[unit]",
         "study.ini:14: joint.shear_stiffness: has 3 values, load.vertical_stress 2; write one for each stress level"},
     BadStudy{"a stress level twice", "vertical_stress = 0.15, 0.50 MPa", "vertical_stress = 0.5, 0.50 MPa",
@@ -166,6 +170,9 @@ constexpr std::array kStudies = {
         "study.ini:22: beam.friction_angle: there is no beam joint; write beam.interface = joint, or remove it"},
     BadStudy{"a wall shorter than its units", "length = 1.00 m", "length = 0.15 m",
         "study.ini:2: wall.length: must be at least one wall.unit_length, 0.2 m"},
+    BadStudy{"a wall of bricks too many", "length = 1.00 m\ncourses = 10\ncourse_height = 0.10 m\nunit_length = 0.20 m",
+        "length = 100 m\ncourses = 200\ncourse_height = 0.10 m\nunit_length = 0.1 m",
+        "study.ini:5: wall.unit_length: makes a wall of more than 100000 units"},
     BadStudy{"a sliver of a unit", "length = 1.00 m", "length = 1.0004 m",
         "study.ini:5: wall.unit_length: a unit would be 0.4 mm long; choose wall.length, unit_length and bond so that none is below 1 mm"},
     BadStudy{"a sliver of a bed joint", "[stone]", "bond = 0.498\n[stone]",
@@ -187,7 +194,8 @@ constexpr std::array kStudies = {
 
 std::span<const BadStudy> bad_studies() { return kStudies; }
 
-std::string text_of(const BadStudy &bad) {
+std::string text_of(const BadStudy& bad)
+{
     if (bad.line.empty()) return std::string(bad.instead);
     std::string text(kGoodStudy);
     return text.replace(text.find(bad.line), bad.line.size(), bad.instead);

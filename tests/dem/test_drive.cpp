@@ -1,0 +1,264 @@
+#include "dem/drive.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace {
+
+using dem::Drive;
+
+dem::SolverOptions options(long long steps = 4000)
+{
+    dem::SolverOptions o;
+    o.steps = steps;
+    o.preload_steps = 400; // ramp of 100
+    return o;
+}
+
+/// Past the vertical load at the first look after its ramp.
+Drive settled(const std::vector<double>& targets, const dem::SolverOptions& o)
+{
+    Drive d(targets, o);
+    while (d.settling()) {
+        (void)d.advance();
+        d.settle([] { return 0.0; });
+    }
+    return d;
+}
+
+double path_of(const std::vector<double>& targets)
+{
+    double path = 0.0, from = 0.0;
+    for (const double to : targets) {
+        path += std::abs(to - from);
+        from = to;
+    }
+    return path;
+}
+
+/// Steps of the load line to the end of the way, in balance.
+std::vector<double> steps_of(Drive& d)
+{
+    std::vector<double> steps;
+    while (!d.finished()) {
+        steps.push_back(d.advance());
+        d.feel(0.0);
+    }
+    return steps;
+}
+
+const std::vector<double> kCycle = {0.003, -0.005, 0.008, 0.008, 0.0, 0.0113};
+
+} // namespace
+
+TEST_CASE("drive: the vertical load grows from 0 to 1 without a jerk, and stays",
+          "[dem][drive]")
+{
+    Drive d({0.01}, options());
+    std::vector<double> factor{0.0}; // before the first step
+    for (int i = 0; i < 300; ++i) {
+        factor.push_back(d.load_factor());
+        (void)d.advance();
+        d.settle([] { return 1.0; });
+    }
+    for (std::size_t i = 1; i < factor.size(); ++i) CHECK(factor[i] >= factor[i - 1]);
+    CHECK(factor[1] > 0.0);
+    CHECK(factor[99] < 1.0);
+    CHECK(factor[100] == 1.0); // a quarter of the steps allowed
+    CHECK(factor.back() == 1.0);
+    for (std::size_t i = 1; i < factor.size(); ++i)
+        CHECK(factor[i] - factor[i - 1] < 1.51 / 100);
+    CHECK(factor[1] < 0.1 / 100); // flat at both ends
+    CHECK(1.0 - factor[99] < 0.1 / 100);
+    CHECK(settled({0.01}, options()).load_factor() == 1.0);
+}
+
+TEST_CASE("drive: the load line rests until the vertical load is carried", "[dem][drive]")
+{
+    Drive d({0.01}, options());
+    int asked = 0;
+    double unbalance = 1.0;
+    while (d.settling()) {
+        CHECK(d.advance() == 0.0);
+        CHECK(d.position() == 0.0);
+        CHECK_FALSE(d.finished());
+        d.settle([&] {
+            ++asked;
+            return unbalance;
+        });
+        if (d.step_count() == 210) unbalance = 0.99 * options().preload_unbalance;
+    }
+    CHECK(d.step_count() == 250); // looks every 50 steps, after the ramp
+    CHECK(asked == 3);
+    CHECK(d.advance() > 0.0);
+}
+
+TEST_CASE("drive: a wall that never comes to rest is pushed after the steps allowed",
+          "[dem][drive]")
+{
+    Drive d({0.01}, options());
+    while (d.settling()) {
+        (void)d.advance();
+        d.settle([] { return 1.0; });
+    }
+    CHECK(d.step_count() == options().preload_steps);
+}
+
+TEST_CASE("drive: visits the targets in order and exactly", "[dem][drive]")
+{
+    Drive d = settled(kCycle, options());
+    std::size_t visited = 0;
+    double position = 0.0;
+    while (!d.finished()) {
+        const double step = d.advance();
+        CHECK(d.position() == Approx(position + step).margin(1e-18));
+        const double from = visited > 0 ? kCycle[visited - 1] : 0.0;
+        CHECK(d.position() >= std::min(from, kCycle[visited]));
+        CHECK(d.position() <= std::max(from, kCycle[visited]));
+        position = d.position();
+        if (position == kCycle[visited]) ++visited;
+    }
+    CHECK(visited == kCycle.size());
+    CHECK(d.position() == kCycle.back());
+}
+
+TEST_CASE("drive: is never faster than full speed", "[dem][drive]")
+{
+    const auto targets =
+        GENERATE(std::vector<double>{0.03}, std::vector<double>{-0.02}, kCycle);
+    Drive d = settled(targets, options());
+    const double full = path_of(targets) / options().steps;
+    double fastest = 0.0;
+    for (const double step : steps_of(d)) fastest = std::max(fastest, std::abs(step));
+    CHECK(fastest <= full * (1 + 1e-10)); // positions of 1e-2 round steps of 1e-6
+    CHECK(fastest == Approx(full).epsilon(1e-10));
+}
+
+TEST_CASE("drive: starts softly, and again after each turn", "[dem][drive]")
+{
+    const std::vector<double> targets = {0.01, -0.01};
+    Drive d = settled(targets, options());
+    const double full = path_of(targets) / options().steps;
+    double before = 0.0;
+    int starts = 0;
+    for (const double step : steps_of(d)) {
+        if (before * step <= 0.0) { // first step, or turned
+            before = 0.0;
+            ++starts;
+        }
+        CHECK(std::abs(step) - std::abs(before) <= full / 500 * (1 + 1e-6));
+        before = step;
+    }
+    CHECK(starts == 2);
+}
+
+TEST_CASE("drive: takes the steps asked for, and those of its starts", "[dem][drive]")
+{
+    const long long steps = GENERATE(2000, 20000);
+    Drive d = settled({0.03}, options(steps));
+    CHECK(std::abs(static_cast<double>(steps_of(d).size()) - (steps + 249.5)) <=
+          1.0); // half of 500 to full speed
+}
+
+TEST_CASE("drive: its progress is the share of the way, back and forth", "[dem][drive]")
+{
+    Drive d = settled(kCycle, options());
+    double way = 0.0, last = 0.0;
+    CHECK(d.done() == 0.0);
+    while (!d.finished()) {
+        way += std::abs(d.advance());
+        CHECK(d.done() >= last);
+        CHECK(d.done() == Approx(way / path_of(kCycle)).epsilon(1e-9));
+        last = d.done();
+    }
+    CHECK(d.done() == Approx(1.0).epsilon(1e-12));
+}
+
+TEST_CASE("drive: slows to limit / unbalance, never below its slowest speed", "[dem][drive]")
+{
+    dem::SolverOptions o = options();
+    o.unbalance_limit = 0.004;
+    o.min_speed = 0.05;
+    const auto [unbalance, share] = GENERATE(table<double, double>(
+        {{0.0, 1.0}, {0.0039, 1.0}, {0.008, 0.5}, {0.04, 0.1}, {0.4, 0.05}, {1e6, 0.05}}));
+    Drive d = settled({0.03}, o);
+    const double full = 0.03 / o.steps;
+    double step = 0.0;
+    for (int i = 0; i < 2500; ++i) { // past the start, and the smoothing over 50 steps
+        step = d.advance();
+        d.feel(unbalance);
+    }
+    REQUIRE_FALSE(d.finished());
+    CHECK(step == Approx(share * full).epsilon(1e-9));
+}
+
+TEST_CASE("drive: gets its speed back once the wall is in balance", "[dem][drive]")
+{
+    Drive d = settled({0.03}, options());
+    for (int i = 0; i < 600; ++i) {
+        (void)d.advance();
+        d.feel(i < 550 ? 0.0 : 0.1);
+    }
+    CHECK(d.advance() < 0.5 * 0.03 / options().steps);
+    double step = 0.0;
+    for (int i = 0; i < 1200; ++i) {
+        step = d.advance();
+        d.feel(0.0);
+    }
+    CHECK(step == Approx(0.03 / options().steps).epsilon(1e-9));
+}
+
+TEST_CASE("drive: with a limit of zero it never slows", "[dem][drive]")
+{
+    dem::SolverOptions o = options();
+    o.unbalance_limit = 0.0;
+    Drive d = settled({0.03}, o);
+    for (int i = 0; i < 600; ++i) {
+        (void)d.advance();
+        d.feel(1.0);
+    }
+    CHECK(d.advance() == Approx(0.03 / o.steps).epsilon(1e-9));
+}
+
+TEST_CASE("drive: what it feels under vertical load does not slow the push", "[dem][drive]")
+{
+    Drive d({0.03}, options());
+    while (d.settling()) {
+        (void)d.advance();
+        d.feel(1.0);
+        d.settle([] { return 0.0; });
+    }
+    for (int i = 0; i < 600; ++i) (void)d.advance();
+    CHECK(d.advance() == Approx(0.03 / options().steps).epsilon(1e-9));
+}
+
+TEST_CASE("drive: an unbalance that is no finite number slows it as far as it goes",
+          "[dem][drive]")
+{
+    // A wall under its own weight alone: the push divides by a vertical load of zero.
+    const double unbalance = GENERATE(std::numeric_limits<double>::infinity(),
+                                      std::numeric_limits<double>::quiet_NaN());
+    Drive d = settled({0.03}, options());
+    for (int i = 0; i < 600; ++i) {
+        (void)d.advance();
+        d.feel(unbalance);
+    }
+    CHECK(d.advance() <= 0.03 / options().steps * options().min_speed * (1 + 1e-9));
+}
+
+TEST_CASE("drive: without a way to go it is done once the vertical load is carried",
+          "[dem][drive]")
+{
+    const auto targets = GENERATE(std::vector<double>{}, std::vector<double>{0.0},
+                                  std::vector<double>{0.0, 0.0});
+    Drive d = settled(targets, options());
+    CHECK(d.finished());
+    CHECK(d.advance() == 0.0);
+    CHECK(d.position() == 0.0);
+    CHECK(d.done() == 1.0);
+}

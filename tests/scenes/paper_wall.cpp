@@ -1,0 +1,113 @@
+#include "scenes/paper_wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+namespace scenes {
+
+namespace {
+
+/// Table 3 [Pa]; 0.75 MPa interpolated between its neighbours.
+double wall_modulus(double stress_mpa)
+{
+    for (const auto& [stress, modulus] : {std::pair{0.15, 566e6},
+                                          {0.50, 768e6},
+                                          {0.75, 912.5e6},
+                                          {1.00, 1057e6},
+                                          {1.25, 1202e6}})
+        if (std::abs(stress - stress_mpa) < 1e-9) return modulus;
+    throw std::invalid_argument("no wall modulus at this stress");
+}
+
+/// Standard normal by Box and Muller, cut at five: the same on every platform.
+double normal(std::mt19937_64& random)
+{
+    const auto uniform = [&random] {
+        return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
+    };
+    const double r = std::sqrt(-2.0 * std::log(uniform()));
+    return std::clamp(r * std::cos(2.0 * std::numbers::pi * uniform()), -3.9,
+                      5.0); // keeps factors positive
+}
+
+} // namespace
+
+double tan_deg(double degrees) { return std::tan(degrees * std::numbers::pi / 180.0); }
+
+Scene paper_wall(double stress_mpa)
+{
+    Scene s;
+    s.stone = {15.5e9, 0.2, 2300.0};
+    s.beam.material = {30e9, 0.2, 2400.0};
+    s.loads.vertical_stress = stress_mpa * 1e6;
+    s.joint.kn = dem::joint_stiffness(0.10, wall_modulus(stress_mpa), s.stone.young_modulus);
+    s.joint.ks = dem::shear_stiffness(s.joint.kn, s.stone.poisson_ratio);
+    s.joint.tan_phi = tan_deg(31.8);
+    s.crack.kn = 10.0 * s.joint.kn;
+    s.crack.ks = dem::shear_stiffness(s.crack.kn, s.stone.poisson_ratio);
+    s.crack.ft = s.crack.cohesion = 3.7e6;
+    s.crack.tan_phi = s.crack.tan_phi_res = tan_deg(35.0);
+    s.crack.fracture_energy = 110.0;
+    return s;
+}
+
+Scene monolith(double length, double height, double vertical_stress, double joint_kn)
+{
+    Scene s = paper_wall(0.50);
+    s.wall.length = s.wall.unit_length = length;
+    s.wall.course_height = height;
+    s.wall.courses = 1;
+    s.wall.cracks_in_units = false;
+    s.wall.base = dem::Base::joint;
+    s.beam.material.density = 0.0;
+    s.loads.vertical_stress = vertical_stress;
+    s.loads.height = height + s.beam.height;
+    s.joint.kn = joint_kn;
+    s.joint.ks = dem::shear_stiffness(joint_kn, 0.2);
+    return s;
+}
+
+dem::Model model_of(const Scene& s, const dem::Discretisation& d)
+{
+    return dem::discretise(s.wall, s.stone, s.beam, s.loads, {s.joint, s.crack}, d);
+}
+
+dem::WallMaterials uniform(const Scene& s, const dem::Model& m)
+{
+    dem::WallMaterials w;
+    w.stone = s.stone;
+    w.joints.assign(m.layout.n_joints, s.joint);
+    w.cracks.assign(m.layout.n_cracks, s.crack);
+    w.base_joint = w.beam_joint = s.joint;
+    return w;
+}
+
+dem::WallMaterials table5_sample(const Scene& scene, const dem::Model& m, std::uint64_t sample)
+{
+    std::mt19937_64 random(1000 + sample);
+    Scene s = scene;
+    const double joint_factor = 1.0 + 0.25 * normal(random),
+                 crack_factor = 1.0 + 0.25 * normal(random);
+    s.joint.kn *= joint_factor;
+    s.joint.ks *= joint_factor;
+    s.crack.kn *= crack_factor;
+    s.crack.ks *= crack_factor;
+    s.crack.ft = s.crack.cohesion = 1e6 * std::exp(1.265 + 0.294 * normal(random));
+    s.crack.tan_phi = s.crack.tan_phi_res = tan_deg(35.0 * (1.0 + 0.20 * normal(random)));
+    s.joint.tan_phi = tan_deg(31.8 * (1.0 + 0.20 * normal(random)));
+    dem::WallMaterials w = uniform(s, m);
+    w.base_joint = w.beam_joint = scene.joint;
+    return w;
+}
+
+double peak_force(const dem::PushResult& result)
+{
+    double peak = 0.0;
+    for (const dem::CurvePoint& p : result.curve) peak = std::max(peak, p.force);
+    return peak;
+}
+
+} // namespace scenes
