@@ -16,9 +16,14 @@ int run(const std::vector<std::string>& arguments)
 {
     const app::Command command = app::parse_command_line(arguments);
     switch (command.verb) {
-    case app::Verb::help: std::cout << app::help_text(command.topic); return 0;
-    case app::Verb::version: std::cout << "drystone " << app::kVersion << '\n'; return 0;
-    case app::Verb::push: return app::push_command(command);
+    case app::Verb::help:
+        std::cout << app::help_text(command.topic);
+        return 0;
+    case app::Verb::version:
+        std::cout << "drystone " << app::kVersion << '\n';
+        return 0;
+    case app::Verb::push:
+        return app::push_command(command);
     }
     return 1;
 }

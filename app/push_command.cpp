@@ -27,7 +27,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string stress_text(const PushedWall& w) { return fixed(w.vertical_stress * 1e-6, 2) + " MPa"; }
+/// "0.50 MPa"; more digits where two are not exact.
+std::string stress_text(const PushedWall& w)
+{
+    const double mpa = w.vertical_stress * 1e-6;
+    const std::string two = fixed(mpa, 2);
+    return (number(mpa, 12) == number(std::stod(two), 12) ? two : number(mpa, 12)) + " MPa";
+}
 
 /// Progress of several walls as one line.
 class SharedProgress {
@@ -63,9 +69,10 @@ std::vector<PushedWall> push_all(const Study& study, int threads, bool quiet)
     SharedProgress progress(n, quiet);
     const auto work = [&] {
         for (std::size_t i = next++; i < n; i = next++) try {
-                walls[i] = push_level(study, static_cast<int>(i), [&progress, i](double d, double u, double f) {
-                    progress.update(i, d, u, f);
-                });
+                walls[i] = push_level(study, static_cast<int>(i),
+                                      [&progress, i](double d, double u, double f) {
+                                          progress.update(i, d, u, f);
+                                      });
             } catch (...) {
                 errors[i] = std::current_exception();
             }
@@ -85,7 +92,8 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w)
     make_folder(folder);
     write_file(folder / "study.ini", effective_configuration(study));
     if (w.result.outcome != dem::Outcome::not_finite) {
-        write_file(folder / "capacity.csv", capacity_csv(w.displacement, w.force, w.loads.height));
+        write_file(folder / "capacity.csv",
+                   capacity_csv(w.displacement, w.force, w.loads.height));
         write_file(folder / "capacity.svg", capacity_svg(w));
         WallPictureText text;
         text.vertical_load = stress_text(w);
@@ -93,27 +101,34 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w)
         write_file(folder / "wall.svg", wall_picture(w.result.at_peak, w.result.at_end, text));
         write_vtk_series(folder / "series", w.result.snapshots);
     }
-    write_file(folder / "summary.json", summary_json(study, w)); // last: its presence says the rest is whole
+    write_file(folder / "summary.json",
+               summary_json(study, w)); // last: its presence says the rest is whole
 }
 
 Table level_table(const std::vector<PushedWall>& walls)
 {
     Table t;
-    t.caption = "Capacity per vertical stress. Ultimate: force first comes down to 80 % of the peak; > where it never does.";
-    t.head = {"stress [MPa]", "peak [kN]", "at [mm]", "stiffness [kN/mm]", "ultimate [mm]", "drift [%]",
-              "mode",         "cracked units", "energy residual [%]"};
+    t.caption = "Capacity per vertical stress. Ultimate: force first comes down to 80 % of the "
+                "peak; > where it never does.";
+    t.head = {"stress [MPa]",       "peak [kN]", "at [mm]", "stiffness [kN/mm]",
+              "ultimate [mm]",      "drift [%]", "mode",    "cracked units",
+              "energy residual [%]"};
     for (const PushedWall& w : walls) {
         const bool censored = w.ultimate.reading == fragility::Reading::censored;
         const bool defined = w.ultimate.reading != fragility::Reading::not_defined;
         const auto ultimate = [&](double scale, int digits) {
-            return defined ? (censored ? "> " : "") + fixed(w.ultimate.displacement * scale, digits) : std::string();
+            return defined
+                       ? (censored ? "> " : "") + fixed(w.ultimate.displacement * scale, digits)
+                       : std::string();
         };
-        t.rows.push_back({fixed(w.vertical_stress * 1e-6, 2), w.peak ? fixed(w.peak->force * 1e-3, 2) : "",
+        t.rows.push_back({number(w.vertical_stress * 1e-6, 6),
+                          w.peak ? fixed(w.peak->force * 1e-3, 2) : "",
                           w.peak ? fixed(w.peak->displacement * 1e3, 2) : "",
                           w.stiffness ? fixed(*w.stiffness * 1e-6, 1) : "", ultimate(1e3, 2),
                           ultimate(100.0 / w.loads.height, 2),
                           w.result.outcome == dem::Outcome::not_finite ? "" : name(w.mode),
-                          fixed(w.mechanism.cracked_units, 0), number(100.0 * w.result.energy.residual(), 2)});
+                          fixed(w.mechanism.cracked_units, 0),
+                          number(100.0 * w.result.energy.residual(), 2)});
     }
     return t;
 }
@@ -140,12 +155,14 @@ void write_all(const fs::path& out, const Study& study, const std::vector<Pushed
 
 int push_command(const Command& command)
 {
-    const Study study = read_study(with_overrides(read_study_file(command.study), command.overrides));
+    const Study study =
+        read_study(with_overrides(read_study_file(command.study), command.overrides));
     const std::vector<PushedWall> walls = push_all(study, command.threads, command.quiet);
     write_all(command.out, study, walls);
     std::cout << as_text(level_table(walls)) << "written to " << command.out << '\n';
-    return std::any_of(walls.begin(), walls.end(),
-                       [](const PushedWall& w) { return w.result.outcome == dem::Outcome::not_finite; });
+    return std::any_of(walls.begin(), walls.end(), [](const PushedWall& w) {
+        return w.result.outcome == dem::Outcome::not_finite;
+    });
 }
 
 } // namespace app

@@ -9,7 +9,8 @@ namespace {
 dem::Model model_of(const Study& study, int level)
 {
     return dem::discretise(study.wall, study.stone, study.beam, loads(study, level),
-                           {joint_material(study, level), crack_material(study, level)}, study.discretisation);
+                           {joint_material(study, level), crack_material(study, level)},
+                           study.discretisation);
 }
 
 bool is_monotonic(const dem::PushPlan& plan)
@@ -30,13 +31,15 @@ void read_curve(PushedWall& w)
     w.ultimate = fragility::drop_after_peak(curve);
     for (const auto set : {fragility::LimitStateSet::paper, fragility::LimitStateSet::ntc,
                            fragility::LimitStateSet::ec8})
-        for (const fragility::LimitState& s : fragility::read_limit_states(curve, set)) w.limit_states.push_back(s);
+        for (const fragility::LimitState& s : fragility::read_limit_states(curve, set))
+            w.limit_states.push_back(s);
 }
 
 } // namespace
 
-PushedWall push_level(const Study& study, int level,
-                      std::function<void(double done, double displacement, double force)> progress)
+PushedWall
+push_level(const Study& study, int level,
+           std::function<void(double done, double displacement, double force)> progress)
 {
     const dem::Model model = model_of(study, level);
     dem::PushPlan plan = push_plan(study);
@@ -45,8 +48,9 @@ PushedWall push_level(const Study& study, int level,
     PushedWall w;
     w.vertical_stress = study.load.vertical_stress[level];
     w.loads = model.loads;
-    w.result = dem::push(model, materials(study, level, model.layout.n_joints, model.layout.n_cracks), plan,
-                         study.solver);
+    w.result =
+        dem::push(model, materials(study, level, model.layout.n_joints, model.layout.n_cracks),
+                  plan, study.solver);
     if (w.result.outcome == dem::Outcome::not_finite) {
         w.no_reading = "the numbers of this run are not finite";
         return w;

@@ -30,7 +30,8 @@ struct PushedWall {
 };
 
 /// @param level index in study.load.vertical_stress
-[[nodiscard]] PushedWall push_level(const Study& study, int level,
-                                    std::function<void(double done, double displacement, double force)> progress);
+[[nodiscard]] PushedWall
+push_level(const Study& study, int level,
+           std::function<void(double done, double displacement, double force)> progress);
 
 } // namespace app

@@ -181,7 +181,8 @@ dem::CrackMaterial crack_material(const Study& study, int level)
             .cohesion_res = unit.residual_cohesion,
             .tan_phi = std::tan(unit.friction_angle),
             .tan_phi_res = std::tan(unit.residual_friction_angle),
-            .fracture_energy = unit.fracture_energy};
+            .fracture_energy = unit.fracture_energy,
+            .tension_reduces_shear = unit.tension_reduces_shear};
 }
 
 dem::WallMaterials materials(const Study& study, int level, int n_joints, int n_cracks)

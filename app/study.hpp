@@ -32,6 +32,7 @@ struct UnitInput {
     double friction_angle = 0.0;          ///< [rad], in [0, pi/2)
     double residual_friction_angle = 0.0; ///< [rad], in [0, friction_angle]
     double stiffness_factor = 1.0;        ///< on k_n and k_s [-], > 0
+    bool tension_reduces_shear = dem::CrackMaterial{}.tension_reduces_shear;
 };
 
 struct LoadInput {

@@ -18,15 +18,19 @@ Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr
 
 Json displacement_mm(const fragility::LimitDisplacement& d)
 {
-    return d.reading == fragility::Reading::not_defined ? Json(nullptr) : Json(d.displacement * kToMm);
+    return d.reading == fragility::Reading::not_defined ? Json(nullptr)
+                                                        : Json(d.displacement * kToMm);
 }
 
 const char* name(fragility::Reading r)
 {
     switch (r) {
-    case fragility::Reading::observed: return "observed";
-    case fragility::Reading::censored: return "censored";
-    case fragility::Reading::not_defined: return "not defined";
+    case fragility::Reading::observed:
+        return "observed";
+    case fragility::Reading::censored:
+        return "censored";
+    case fragility::Reading::not_defined:
+        return "not defined";
     }
     return "";
 }
@@ -34,9 +38,12 @@ const char* name(fragility::Reading r)
 const char* name(dem::Outcome o)
 {
     switch (o) {
-    case dem::Outcome::reached_target: return "reached target";
-    case dem::Outcome::lost_equilibrium: return "lost equilibrium";
-    case dem::Outcome::not_finite: return "not finite";
+    case dem::Outcome::reached_target:
+        return "reached target";
+    case dem::Outcome::lost_equilibrium:
+        return "lost equilibrium";
+    case dem::Outcome::not_finite:
+        return "not finite";
     }
     return "";
 }
@@ -45,22 +52,24 @@ Json limit_states(const PushedWall& w)
 {
     Json list = Json::array();
     for (const fragility::LimitState& s : w.limit_states)
-        list.push_back({{"name", s.name},
-                        {"rule", s.rule},
-                        {"displacement_mm", displacement_mm(s.limit)},
-                        {"drift_percent", s.limit.reading == fragility::Reading::not_defined
-                                              ? Json(nullptr)
-                                              : Json(100.0 * s.limit.displacement / w.loads.height)},
-                        {"reading", name(s.limit.reading)},
-                        {"reason", s.limit.reason}});
+        list.push_back(
+            {{"name", s.name},
+             {"rule", s.rule},
+             {"displacement_mm", displacement_mm(s.limit)},
+             {"drift_percent", s.limit.reading == fragility::Reading::not_defined
+                                   ? Json(nullptr)
+                                   : Json(100.0 * s.limit.displacement / w.loads.height)},
+             {"reading", name(s.limit.reading)},
+             {"reason", s.limit.reason}});
     return list;
 }
 
 Json energy(const dem::Energy& e)
 {
-    return {{"work_J", number_or_null(e.work)},         {"elastic_J", number_or_null(e.elastic)},
-            {"friction_J", number_or_null(e.friction)}, {"fracture_J", number_or_null(e.fracture)},
-            {"damping_J", number_or_null(e.damping)},   {"kinetic_J", number_or_null(e.kinetic)}};
+    return {
+        {"work_J", number_or_null(e.work)},         {"elastic_J", number_or_null(e.elastic)},
+        {"friction_J", number_or_null(e.friction)}, {"fracture_J", number_or_null(e.fracture)},
+        {"damping_J", number_or_null(e.damping)},   {"kinetic_J", number_or_null(e.kinetic)}};
 }
 
 Json mechanism(const PushedWall& w)
@@ -71,22 +80,28 @@ Json mechanism(const PushedWall& w)
             {"cracked_units", w.mechanism.cracked_units},
             {"cracked_contacts", w.mechanism.cracked_contacts},
             {"snap_back_contacts", w.result.snap_back_contacts},
-            {"mode_rule", "mixed if a unit cracked through, or the load dropped to 80 % of its peak, or bed joints slid "
+            {"mode_rule", "mixed if a unit cracked through, or the load dropped to 80 % of its "
+                          "peak, or bed joints slid "
                           "by the share of the displacement given; else rocking"},
-            {"mode_thresholds", {{"cracked_units", t.cracked_units}, {"sliding_share", t.sliding_share}}}};
+            {"mode_thresholds",
+             {{"cracked_units", t.cracked_units}, {"sliding_share", t.sliding_share}}}};
 }
 
 /// Largest share of the work missing from the ledger at any point of the curve.
 double worst_residual(const PushedWall& w)
 {
     double worst = std::abs(w.result.energy.residual());
-    for (const dem::CurvePoint& p : w.result.curve) worst = std::max(worst, std::abs(p.energy.residual()));
+    for (const dem::CurvePoint& p : w.result.curve)
+        worst = std::max(worst, std::abs(p.energy.residual()));
     return worst;
 }
 
 } // namespace
 
-const char* name(dem::FailureMode mode) { return mode == dem::FailureMode::rocking ? "rocking" : "mixed"; }
+const char* name(dem::FailureMode mode)
+{
+    return mode == dem::FailureMode::rocking ? "rocking" : "mixed";
+}
 
 std::string summary_json(const Study& study, const PushedWall& w)
 {
@@ -99,7 +114,8 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["peak_is_last_point"] = w.peak ? Json(w.peak->at_end) : Json(nullptr);
     j["ultimate_displacement_mm"] = displacement_mm(w.ultimate);
     j["ultimate_censored"] = w.ultimate.reading == fragility::Reading::censored;
-    j["ultimate_rule"] = "force first comes down to 80 % of the peak; if it never does, censored at the last displacement";
+    j["ultimate_rule"] = "force first comes down to 80 % of the peak; if it never does, "
+                         "censored at the last displacement";
     j["mode"] = whole ? Json(name(w.mode)) : Json(nullptr);
     j["stiffness_kN_per_mm"] = w.stiffness ? Json(*w.stiffness * 1e-6) : Json(nullptr);
     j["stiffness_rule"] = "secant at 30 % of the peak";
@@ -113,7 +129,8 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["steps"] = w.result.cost.steps;
     j["contact_updates"] = w.result.cost.contact_updates;
     j["solver_seconds"] = w.result.cost.seconds;
-    j["contact_updates_per_second"] = number_or_null(static_cast<double>(w.result.cost.contact_updates) / w.result.cost.seconds);
+    j["contact_updates_per_second"] = number_or_null(
+        static_cast<double>(w.result.cost.contact_updates) / w.result.cost.seconds);
     j["version"] = kVersion;
     j["study"] = effective_configuration(study);
     return j.dump(2) + "\n";

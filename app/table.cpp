@@ -21,8 +21,9 @@ std::vector<std::size_t> column_widths(const Table& t)
     return w;
 }
 
-std::string padded_row(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths,
-                       const std::string& left, const std::string& between, const std::string& right)
+std::string padded_row(const std::vector<std::string>& cells,
+                       const std::vector<std::size_t>& widths, const std::string& left,
+                       const std::string& between, const std::string& right)
 {
     std::string line = left;
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -53,10 +54,12 @@ std::string latex_cell(const std::string& text)
     return escaped;
 }
 
-template <class Cell> std::string joined(const std::vector<std::string>& cells, const char* between, Cell cell)
+template <class Cell>
+std::string joined(const std::vector<std::string>& cells, const char* between, Cell cell)
 {
     std::string line;
-    for (std::size_t c = 0; c < cells.size(); ++c) line += (c > 0 ? between : "") + cell(cells[c]);
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        line += (c > 0 ? between : "") + cell(cells[c]);
     return line;
 }
 
@@ -90,8 +93,9 @@ std::string as_markdown(const Table& t)
 
 std::string as_latex(const Table& t)
 {
-    std::string text = "\\begin{table}\n\\centering\n\\caption{" + latex_cell(t.caption) + "}\n\\begin{tabular}{" +
-                       std::string(t.head.size(), 'r') + "}\n\\toprule\n";
+    std::string text = "\\begin{table}\n\\centering\n\\caption{" + latex_cell(t.caption) +
+                       "}\n\\begin{tabular}{" + std::string(t.head.size(), 'r') +
+                       "}\n\\toprule\n";
     text += joined(t.head, " & ", latex_cell) + " \\\\\n\\midrule\n";
     for (const auto& row : t.rows) text += joined(row, " & ", latex_cell) + " \\\\\n";
     return text + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";

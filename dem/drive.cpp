@@ -21,7 +21,7 @@ Drive::Drive(std::vector<double> targets, const SolverOptions& options)
         path_ += std::abs(to - from);
         from = to;
     }
-    full_speed_ = path_ / static_cast<double>(options_.steps);
+    full_speed_ = 1e-3 / options_.steps_per_mm;
     while (target_ < targets_.size() && targets_[target_] == position_) ++target_;
 }
 

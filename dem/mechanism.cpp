@@ -8,7 +8,10 @@ namespace dem {
 
 namespace {
 
-bool is_bed(FaceKind k) { return k == FaceKind::bed_joint || k == FaceKind::base_joint || k == FaceKind::beam_joint; }
+bool is_bed(FaceKind k)
+{
+    return k == FaceKind::bed_joint || k == FaceKind::base_joint || k == FaceKind::beam_joint;
+}
 
 /// Rotation of the loading beam, from the vertical displacements of its ends [-].
 double beam_rotation(const Snapshot& wall)
@@ -51,8 +54,9 @@ Mechanism mechanism(const Snapshot& wall, double height)
     }
     for (const FaceState& f : wall.faces) {
         if (f.kind != FaceKind::unit_crack) continue;
-        const auto broken = std::count_if(f.contacts.begin(), f.contacts.end(),
-                                          [](const ContactState& c) { return c.damage >= 1.0; });
+        const auto broken =
+            std::count_if(f.contacts.begin(), f.contacts.end(),
+                          [](const ContactState& c) { return c.damage >= 1.0; });
         m.cracked_contacts += static_cast<int>(broken);
         m.cracked_units += broken == static_cast<std::ptrdiff_t>(f.contacts.size());
     }
@@ -61,7 +65,8 @@ Mechanism mechanism(const Snapshot& wall, double height)
 
 FailureMode failure_mode(const Mechanism& m, bool load_dropped, const ModeThresholds& t)
 {
-    const bool mixed = load_dropped || m.cracked_units >= t.cracked_units || std::abs(m.sliding_share) >= t.sliding_share;
+    const bool mixed = load_dropped || m.cracked_units >= t.cracked_units ||
+                       std::abs(m.sliding_share) >= t.sliding_share;
     return mixed ? FailureMode::mixed : FailureMode::rocking;
 }
 

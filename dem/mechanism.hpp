@@ -6,10 +6,12 @@
 namespace dem {
 
 struct Mechanism {
-    double rotation_share = 0.0; ///< rotation of the beam x height / displacement [-]: 1 for a wall that only rocks
-    double sliding_share = 0.0;  ///< slip of the closed bed joints, summed over the courses / displacement [-]
-    int cracked_units = 0;       ///< units cracked through: D = 1 in all contacts of the crack
-    int cracked_contacts = 0;    ///< contacts in units with D = 1
+    double rotation_share =
+        0.0; ///< rotation of the beam x height / displacement [-]: 1 for a wall that only rocks
+    double sliding_share =
+        0.0; ///< slip of the closed bed joints, summed over the courses / displacement [-]
+    int cracked_units = 0;    ///< units cracked through: D = 1 in all contacts of the crack
+    int cracked_contacts = 0; ///< contacts in units with D = 1
 };
 
 /// @param height of the load line above the floor [m], > 0
@@ -27,6 +29,7 @@ struct ModeThresholds {
 };
 
 /// Mixed if units cracked through, or the load dropped (80 % rule), or the courses slid; else rocking.
-[[nodiscard]] FailureMode failure_mode(const Mechanism& m, bool load_dropped, const ModeThresholds& t = {});
+[[nodiscard]] FailureMode failure_mode(const Mechanism& m, bool load_dropped,
+                                       const ModeThresholds& t = {});
 
 } // namespace dem

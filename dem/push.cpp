@@ -33,9 +33,9 @@ void check(const Model& m, const WallMaterials& w, const PushPlan& plan, const S
             "a unit crack needs positive stiffness and strengths >= 0, residual <= initial");
     require(plan.record_every > 0 && plan.snapshot_every >= 0,
             "curve points need a spacing > 0");
-    require(o.steps > 0 && o.damping_factor > 0 && o.damping_factor < 1 &&
+    require(o.steps_per_mm > 0 && o.damping_factor > 0 && o.damping_factor < 1 &&
                 o.step_fraction > 0 && o.step_fraction <= 1,
-            "steps > 0, damping factor in (0, 1), step fraction in (0, 1]");
+            "steps per mm > 0, damping factor in (0, 1), step fraction in (0, 1]");
 }
 
 int count_snap_back(const Model& m, const WallMaterials& w)
@@ -53,13 +53,14 @@ struct Run {
     const Model& model;
     const StepTables& tables;
     const PushPlan& plan;
+    const SolverOptions& options;
     WallState<double> state;
     Drive drive;
     Recorder recorder;
-    PushResult result;
-    double peak = 0.0;
-    double next_snapshot = 0.0; ///< share of the way [m]
-    double way = 0.0;
+    PushResult result = {};
+    double peak = 0.0;          ///< largest force so far, either way [N]
+    double way = 0.0;           ///< travelled since the start of the push [m]
+    double next_snapshot = 0.0; ///< on the way [m]
 
     [[nodiscard]] Snapshot snapshot(double force) const
     {
@@ -104,7 +105,6 @@ void take_point(Run& r)
         r.result.snapshots.push_back(r.snapshot(p.force));
         r.next_snapshot += r.plan.snapshot_every;
     }
-    if (r.plan.progress) r.plan.progress(r.drive.done(), p.displacement, p.force);
 }
 
 /// Whether the run can go on.
@@ -120,7 +120,42 @@ Outcome judge(const Run& r)
     return worst > height ? Outcome::lost_equilibrium : Outcome::reached_target;
 }
 
-constexpr long long kJudgeEvery = 500; // steps
+constexpr long long kLookEvery = 500; // steps between looks at the wall from outside
+
+/// A step under vertical load alone.
+void settle(Run& r)
+{
+    StepInput<double> in;
+    in.load_factor = r.drive.load_factor();
+    in.drive = r.drive.advance();
+    step(r.tables, r.options, in, r.state);
+    r.drive.settle([&r] { return unbalanced_ratio(r.state, 0); });
+    if (!r.drive.settling()) begin_push(r);
+}
+
+/// A step of the push, and a point of the curve where one is due.
+void go_on(Run& r)
+{
+    const double before = r.state.top_force;
+    const double drive = r.drive.advance();
+    step(r.tables, r.options, {1.0, drive}, r.state);
+    r.way += std::abs(drive);
+    r.recorder.add(drive, before, r.state.top_force, r.state.base_shear);
+    if (r.tables.vertical_load > 0.0)
+        r.drive.feel(std::abs(r.state.top_force - r.state.base_shear) / r.tables.vertical_load);
+    const bool room_for_another = r.drive.left() > 0.5 * r.plan.record_every;
+    if (r.drive.finished() || (r.recorder.due() && room_for_another)) take_point(r);
+}
+
+void finish(Run& r)
+{
+    r.result.energy = energy_of(r.tables, r.state, 0);
+    r.result.at_end =
+        r.snapshot(r.result.curve.empty() ? r.state.top_force : r.result.curve.back().force);
+    const std::size_t contacts =
+        r.model.dry.size() + r.model.tied.size() + r.model.cracks.size();
+    r.result.cost.contact_updates = r.result.cost.steps * static_cast<long long>(contacts);
+}
 
 } // namespace
 
@@ -133,47 +168,21 @@ PushResult push(const Model& model, const WallMaterials& materials, const PushPl
     Run r{model,
           tables,
           plan,
+          options,
           unloaded<double>(model, tables, {&materials, 1}, options),
           Drive(plan.targets, options),
-          Recorder(plan.record_every),
-          {},
-          0.0,
-          0.0,
-          0.0};
+          Recorder(plan.record_every)};
     r.result.snap_back_contacts = count_snap_back(model, materials);
 
-    bool settled = false;
-    while (!r.drive.finished()) {
-        StepInput<double> in;
-        in.load_factor = r.drive.load_factor();
-        const bool settling = r.drive.settling();
-        in.drive = r.drive.advance();
-        const double before = r.state.top_force;
-        step(tables, options, in, r.state);
-        ++r.result.cost.steps;
-        if (settling) {
-            r.drive.settle([&r] { return unbalanced_ratio(r.state, 0); });
-        } else {
-            r.way += std::abs(in.drive);
-            r.recorder.add(in.drive, before, r.state.top_force, r.state.base_shear);
-            r.drive.feel(std::abs(r.state.top_force - r.state.base_shear) /
-                         tables.vertical_load);
-            if (r.drive.finished() || (r.recorder.due() && r.drive.left() > 0.5 * plan.record_every)) take_point(r);
-        }
-        if (r.result.cost.steps % kJudgeEvery == 0) r.result.outcome = judge(r);
-        if (r.result.outcome != Outcome::reached_target) break;
-        if (!settled && !r.drive.settling()) {
-            settled = true;
-            begin_push(r);
-        }
+    while (!r.drive.finished() && r.result.outcome == Outcome::reached_target) {
+        r.drive.settling() ? settle(r) : go_on(r);
+        if (++r.result.cost.steps % kLookEvery != 0) continue;
+        r.result.outcome = judge(r);
+        if (plan.progress) plan.progress(r.drive.done(), r.drive.position(), r.state.top_force);
     }
-    r.result.energy = energy_of(tables, r.state, 0);
-    r.result.at_end = r.snapshot(r.result.curve.empty() ? r.state.top_force : r.result.curve.back().force);
-    r.result.cost.contact_updates =
-        r.result.cost.steps *
-        static_cast<long long>(model.dry.size() + model.tied.size() + model.cracks.size());
-    r.result.cost.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    finish(r);
+    const auto end = std::chrono::steady_clock::now();
+    r.result.cost.seconds = std::chrono::duration<double>(end - start).count();
     return r.result;
 }
 

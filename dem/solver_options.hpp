@@ -34,7 +34,7 @@ struct SolverOptions {
     double damping_factor = 0.8; ///< gamma of Eq. 1 [-], in (0, 1)
     /// Of the step that is stable by the bound of block_element.hpp [-], in (0, 1].
     double step_fraction = 0.95;
-    long long steps = 20000; ///< for the whole drive at full speed, > 0
+    double steps_per_mm = 1500; ///< of the load line's way at full speed [1/mm], > 0
     /// |top force - base shear| / vertical load above which the drive slows [-]; 0: never slows.
     double unbalance_limit = 0.003;
     double min_speed = 0.01;        ///< slowest drive, as a share of full speed, in (0, 1]

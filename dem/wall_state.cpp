@@ -51,6 +51,18 @@ void tabulate_block(const Model& m, int block, StepTables& t)
             t.support_rows.push_back(row);
 }
 
+/// Vertical load and weight, with the reference density [N].
+double vertical_load(const Model& m)
+{
+    double force = m.loads.vertical_stress * m.wall.length * m.wall.thickness;
+    for (const Block& b : m.layout.blocks) {
+        const Elastic& material = b.course == 0 ? m.beam.material : m.stone;
+        const double volume = (b.x1 - b.x0) * (b.z1 - b.z0) * m.wall.thickness;
+        force += volume * material.density * m.loads.gravity;
+    }
+    return force;
+}
+
 /// Largest stiffness of a wall's contacts over their reference, per block.
 std::vector<double> stiffness_ratio(const Model& m, const WallMaterials& w)
 {
@@ -157,7 +169,7 @@ StepTables step_tables(const Model& m)
     t.beam_first_row = beam.first_row;
     t.beam_rows = beam.rows;
     t.ground_row = 2 * m.ground_point;
-    t.vertical_load = m.loads.vertical_stress * m.wall.length * m.wall.thickness;
+    t.vertical_load = vertical_load(m);
     return t;
 }
 

@@ -31,7 +31,7 @@ struct StepTables {
     std::vector<ContactIndex> dry, cracks, tied;
     std::vector<int> support_rows; ///< rows (x) of the points of blocks held by the ground
     int beam_first_row = 0, beam_rows = 0, ground_row = 0;
-    double vertical_load = 0.0; ///< stress x area, without self-weight [N]
+    double vertical_load = 0.0; ///< on the base, self-weight included [N]
 };
 
 [[nodiscard]] StepTables step_tables(const Model& model);

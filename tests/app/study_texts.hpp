@@ -41,6 +41,7 @@ friction_angle = 0.7 rad
 residual_friction_angle = 33 deg
 stiffness_factor = 0.9
 contact_law = uncoupled
+tension_reduces_shear = no
 [beam]
 height = 0.20 m
 young_modulus = 25 GPa
@@ -66,7 +67,7 @@ beam_modes = rigid
 damping = local
 damping_factor = 0.7
 step_fraction = 0.5
-steps = 2e5
+steps_per_mm = 2e3
 preload_steps = 4000
 preload_unbalance = 1e-5
 unbalance_limit = 0.01

@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 
+#include "app/number_text.hpp"
 #include "app/study_keys.hpp"
 
 #include <catch2/catch.hpp>
@@ -60,8 +61,8 @@ TEST_CASE("command line: the help of push lists every key of a study with its tr
               std::string::npos);
         CHECK(help.find("\n      " + std::string(key.meaning) + "\n") != std::string::npos);
     }
-    const std::string steps = std::to_string(dem::SolverOptions{}.steps);
-    CHECK(help.find("steps                     " + steps + " ") != std::string::npos);
+    const std::string steps = app::number(dem::SolverOptions{}.steps_per_mm, 12);
+    CHECK(help.find("steps_per_mm              " + steps + " ") != std::string::npos);
     CHECK(help.find("max_displacement          30 mm ") != std::string::npos);
     CHECK(app::help_text("").find("[solver]") == std::string::npos);
 }

@@ -113,7 +113,7 @@ dem::Snapshot loaded(const scenes::Scene& s, const dem::Discretisation& d)
     dem::SolverOptions options;
     options.preload_steps = 4000;
     options.preload_unbalance = 0.0; // all of them
-    options.steps = 1;
+    options.steps_per_mm = 1;
     dem::PushPlan plan;
     plan.targets = {1e-9};
     plan.snapshot_every = 1.0; // one, before the push
@@ -150,6 +150,8 @@ TEST_CASE("model: blocks and joints pass a uniform stress on exactly, whatever t
          {dem::Base::joint, 6, FaceRule::even, 0.25},
          {dem::Base::joint, 0, FaceRule::even, 0.25},
          {dem::Base::joint, 0, FaceRule::lobatto, 0.5},
+         {dem::Base::fixed, 6, FaceRule::even, 0.25},
+         {dem::Base::fixed, 6, FaceRule::lobatto, 0.5},
          {dem::Base::fixed, 0, FaceRule::even, 0.25},
          {dem::Base::fixed, 0, FaceRule::lobatto, 0.5}}));
     scenes::Scene s = small_wall();

@@ -77,7 +77,7 @@ TEST_CASE("push: half the time step, and half the speed, move the peak by less t
     const double peak = scenes::peak_force(pushed(s, to({0.015})));
     dem::SolverOptions shorter, slower;
     shorter.step_fraction = 0.5 * shorter.step_fraction;
-    slower.steps *= 2;
+    slower.steps_per_mm *= 2;
     CHECK(scenes::peak_force(pushed(s, to({0.015}), shorter)) == Approx(peak).epsilon(0.01));
     CHECK(scenes::peak_force(pushed(s, to({0.015}), slower)) == Approx(peak).epsilon(0.01));
 }
@@ -185,7 +185,7 @@ TEST_CASE(
     "[dem][push]")
 {
     dem::SolverOptions fast;
-    fast.steps = 30000;
+    fast.steps_per_mm = 6;
     fast.unbalance_limit = 0.0;
     const dem::PushResult r = pushed(scenes::paper_wall(0.15), to({5.0}), fast);
     CHECK(r.outcome == dem::Outcome::lost_equilibrium);

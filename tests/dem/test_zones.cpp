@@ -253,7 +253,7 @@ TEST_CASE("zones: one row of n zones bends like n beams with linear moment and c
           "[dem][zones]")
 {
     // Problem 6:  P L^3/(3 E I) (1 - 1/(4 n^2)) + P L/(G A)
-    const Elastic material = GENERATE(kNoPoisson, kStone);
+    const Elastic material = GENERATE(as<Elastic>{}, kNoPoisson, kStone);
     const double shear_modulus = 0.5 * material.young_modulus / (1 + material.poisson_ratio);
     const double shear = 1e3 / (shear_modulus * 0.1 * 0.1);
     CHECK(kEulerBernoulli + 1.2 * shear ==

@@ -1,0 +1,122 @@
+#include "app/push_command.hpp"
+
+#include "scenes/temporary_folder.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using scenes::read_text;
+
+/// Quick and coarse: what is written is tested, not what is found.
+const std::vector<std::string> kCoarse = {
+    "solver.contact_points=2", "solver.block_modes=6", "solver.steps_per_mm=500",
+    "load.max_displacement=4 mm", "output.snapshot_every=1 mm"};
+
+struct Written {
+    int code = -1;
+    std::string terminal;
+};
+
+Written push(const std::string& study, const fs::path& out, std::vector<std::string> overrides,
+             int threads = 1)
+{
+    app::Command command;
+    command.verb = app::Verb::push;
+    command.study = std::string(DRYSTONE_SOURCE_DIR) + "/configs/" + study;
+    command.out = out.string();
+    command.overrides = std::move(overrides);
+    command.threads = threads;
+    command.quiet = true;
+    std::ostringstream terminal;
+    std::streambuf* screen = std::cout.rdbuf(terminal.rdbuf());
+    const int code = app::push_command(command);
+    std::cout.rdbuf(screen);
+    return {code, terminal.str()};
+}
+
+nlohmann::json summary(const fs::path& folder)
+{
+    return nlohmann::json::parse(read_text(folder / "summary.json"));
+}
+
+} // namespace
+
+TEST_CASE(
+    "push command: one wall gives curve, summary, pictures, series and the effective study",
+    "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    CHECK(push("wall.ini", folder.path / "out", kCoarse).code == 0);
+    for (const char* file : {"capacity.csv", "capacity.svg", "wall.svg", "summary.json",
+                             "study.ini", "series/wall.pvd", "series/joints.pvd"})
+        CHECK(fs::file_size(folder.path / "out" / file) > 0);
+    const nlohmann::json s = summary(folder.path / "out");
+    for (const char* key : {"peak_force_kN", "displacement_at_peak_mm",
+                            "ultimate_displacement_mm", "ultimate_censored", "mode",
+                            "energy_residual", "solver_seconds", "contact_updates_per_second"})
+        CHECK_FALSE(s.at(key).is_null());
+    CHECK(s["vertical_stress_MPa"] == 0.5);
+    CHECK(s["study"] == read_text(folder.path / "out" / "study.ini"));
+}
+
+TEST_CASE("push command: the study it wrote gives the same curve again", "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    REQUIRE(push("wall.ini", folder.path / "a", kCoarse).code == 0);
+    const fs::path again = fs::relative(folder.path / "a" / "study.ini",
+                                        std::string(DRYSTONE_SOURCE_DIR) + "/configs");
+    REQUIRE(push(again.string(), folder.path / "b", {}).code == 0);
+    CHECK(read_text(folder.path / "a" / "capacity.csv") ==
+          read_text(folder.path / "b" / "capacity.csv"));
+}
+
+TEST_CASE("push command: one thread and two give the same bits", "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    const Written one = push("levels.ini", folder.path / "one", kCoarse, 1);
+    const Written two = push("levels.ini", folder.path / "two", kCoarse, 2);
+    CHECK(one.code == 0);
+    CHECK(two.code == 0);
+    for (const char* level : {"0.15_MPa", "0.50_MPa", "0.75_MPa", "1.00_MPa", "1.25_MPa"})
+        for (const char* file : {"capacity.csv", "wall.svg", "series/joints_0002.vtu"}) {
+            const std::string a = read_text(folder.path / "one" / level / file);
+            REQUIRE_FALSE(a.empty());
+            CHECK(a == read_text(folder.path / "two" / level / file));
+        }
+    for (const char* table : {"levels.csv", "levels.md", "levels.tex"})
+        CHECK(read_text(folder.path / "one" / table) == read_text(folder.path / "two" / table));
+    CHECK(one.terminal.find("1.25") != std::string::npos);
+}
+
+TEST_CASE("push command: a push that turns back has a curve but no limit states, and says why",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    std::vector<std::string> overrides = kCoarse;
+    overrides[3] = "load.targets=1, -1 mm";
+    REQUIRE(push("wall.ini", folder.path / "out", overrides).code == 0);
+    const nlohmann::json s = summary(folder.path / "out");
+    CHECK(s["ultimate_displacement_mm"].is_null());
+    CHECK(s["limit_states"].empty());
+    CHECK(s["no_reading"].get<std::string>().find("turns back") != std::string::npos);
+}
+
+TEST_CASE(
+    "push command: stress levels that differ in the third place have folders of their own",
+    "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    std::vector<std::string> overrides = kCoarse;
+    overrides[3] = "load.max_displacement=0.5 mm";
+    overrides.insert(overrides.end(), {"load.vertical_stress=0.501, 0.502 MPa",
+                                       "joint.wall_modulus=768, 769 MPa"});
+    REQUIRE(push("wall.ini", folder.path / "out", overrides).code == 0);
+    CHECK(summary(folder.path / "out" / "0.501_MPa")["vertical_stress_MPa"] == Approx(0.501));
+    CHECK(summary(folder.path / "out" / "0.502_MPa")["vertical_stress_MPa"] == Approx(0.502));
+}

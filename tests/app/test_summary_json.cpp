@@ -1,0 +1,310 @@
+#include "app/study_texts.hpp"
+#include "app/summary_json.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using app::PushedWall;
+using Json = nlohmann::ordered_json;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+dem::Energy balanced()
+{
+    dem::Energy e;
+    e.work = 100.0;
+    e.elastic = 20.0;
+    e.friction = 70.0;
+    e.fracture = 5.0;
+    e.damping = 4.0;
+    e.kinetic = 1.0;
+    return e;
+}
+
+fragility::LimitDisplacement reading(double displacement, fragility::Reading r,
+                                     std::string_view reason = "")
+{
+    return {displacement, r, reason};
+}
+
+/// A wall pushed to 30 mm with all readings.
+PushedWall good_wall()
+{
+    PushedWall w;
+    w.vertical_stress = 0.5e6;
+    w.loads.height = 1.1;
+    w.result.energy = balanced();
+    w.result.curve = {{0.0, 0.0, 0.0, 0.0, balanced()}, {0.03, 40e3, 40e3, 0.0, balanced()}};
+    w.result.settlement = 0.7e-3;
+    w.result.snap_back_contacts = 3;
+    w.result.cost = {1000, 500000, 0.25};
+    w.mechanism = {0.9, 0.1, 2, 7};
+    w.mode = dem::FailureMode::mixed;
+    w.displacement = {0.0, 0.03};
+    w.force = {0.0, 40e3};
+    w.peak = fragility::Peak{50e3, 0.012, false};
+    w.stiffness = 25e6;
+    w.ultimate = reading(0.018, fragility::Reading::observed);
+    w.limit_states = {
+        {"SLC", "80 % of the peak", reading(0.018, fragility::Reading::observed)},
+        {"SLV", "3/4 of SLC", reading(0.0225, fragility::Reading::censored, "SLC is")},
+        {"SLD", "yield", reading(0.0, fragility::Reading::not_defined, "no elastic branch")}};
+    return w;
+}
+
+/// As push_level leaves a wall whose numbers broke.
+PushedWall broken_wall()
+{
+    PushedWall w;
+    w.vertical_stress = 0.5e6;
+    w.loads.height = 1.1;
+    w.result.outcome = dem::Outcome::not_finite;
+    w.result.energy = {kNan, kNan, kNan, kNan, kNan, kNan};
+    w.result.curve = {{0.0, 0.0, 0.0, 0.0, balanced()},
+                      {0.01, kNan, kNan, kNan, w.result.energy}};
+    w.result.settlement = kNan;
+    w.result.cost = {1000, 500000, 0.25};
+    w.mechanism = {kNan, kNan, 0, 0};
+    w.no_reading = "the numbers of this run are not finite";
+    return w;
+}
+
+Json summary(const PushedWall& w)
+{
+    return Json::parse(app::summary_json(study_texts::read_good(), w));
+}
+
+/// Whether any number anywhere in a JSON value is not finite.
+bool has_broken_number(const Json& j)
+{
+    if (j.is_number_float()) return !std::isfinite(j.get<double>());
+    if (!j.is_structured()) return false;
+    for (const Json& item : j)
+        if (has_broken_number(item)) return true;
+    return false;
+}
+
+std::vector<std::string> keys_of(const Json& j)
+{
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : j.items()) keys.push_back(key);
+    return keys;
+}
+
+std::set<std::string> null_keys(const Json& j)
+{
+    std::set<std::string> keys;
+    for (const auto& [key, value] : j.items())
+        if (value.is_null()) keys.insert(key);
+    return keys;
+}
+
+} // namespace
+
+TEST_CASE("summary: numbers are in the units of their keys", "[app][summary_json]")
+{
+    const Json j = summary(good_wall());
+    const auto value = [&j](const char* key) { return j.at(key).get<double>(); };
+    CHECK(value("vertical_stress_MPa") == Approx(0.5).epsilon(1e-14));
+    CHECK(value("peak_force_kN") == Approx(50.0).epsilon(1e-14));
+    CHECK(value("displacement_at_peak_mm") == Approx(12.0).epsilon(1e-14));
+    CHECK(value("ultimate_displacement_mm") == Approx(18.0).epsilon(1e-14));
+    CHECK(value("stiffness_kN_per_mm") == Approx(25.0).epsilon(1e-14));
+    CHECK(value("settlement_mm") == Approx(0.7).epsilon(1e-14));
+    CHECK(value("load_height_m") == Approx(1.1).epsilon(1e-14));
+    CHECK(value("solver_seconds") == 0.25);
+    CHECK(value("contact_updates_per_second") == Approx(2e6).epsilon(1e-14));
+    CHECK(j.at("steps") == 1000);
+    CHECK(j.at("contact_updates") == 500000);
+    CHECK(j.at("energy").at("work_J") == 100.0);
+    CHECK(j.at("energy").at("friction_J") == 70.0);
+    CHECK(null_keys(j).empty());
+}
+
+TEST_CASE("summary: a wall with readings says what it did", "[app][summary_json]")
+{
+    PushedWall w = good_wall();
+    Json j = summary(w);
+    CHECK(j.at("outcome") == "reached target");
+    CHECK(j.at("mode") == "mixed");
+    CHECK(j.at("no_reading") == "");
+    CHECK(j.at("ultimate_censored") == false);
+    CHECK(j.at("peak_is_last_point") == false);
+    const Json& m = j.at("mechanism");
+    CHECK(m.at("rotation_share") == 0.9);
+    CHECK(m.at("sliding_share") == 0.1);
+    CHECK(m.at("cracked_units") == 2);
+    CHECK(m.at("cracked_contacts") == 7);
+    CHECK(m.at("snap_back_contacts") == 3);
+
+    w.mode = dem::FailureMode::rocking;
+    w.ultimate = reading(0.03, fragility::Reading::censored, "the curve ends above 80 %");
+    w.peak->at_end = true;
+    w.result.outcome = dem::Outcome::lost_equilibrium;
+    j = summary(w);
+    CHECK(j.at("mode") == "rocking");
+    CHECK(j.at("ultimate_censored") == true);
+    CHECK(j.at("ultimate_displacement_mm").get<double>() == Approx(30.0).epsilon(1e-14));
+    CHECK(j.at("peak_is_last_point") == true);
+    CHECK(j.at("outcome") == "lost equilibrium");
+}
+
+TEST_CASE(
+    "summary: limit states carry reading, reason and rule; what is not defined has no number",
+    "[app][summary_json]")
+{
+    const Json list = summary(good_wall()).at("limit_states");
+    REQUIRE(list.size() == 3);
+    CHECK(list[0].at("name") == "SLC");
+    CHECK(list[0].at("rule") == "80 % of the peak");
+    CHECK(list[0].at("reading") == "observed");
+    CHECK(list[0].at("displacement_mm").get<double>() == Approx(18.0).epsilon(1e-14));
+    CHECK(list[0].at("drift_percent").get<double>() ==
+          Approx(100 * 0.018 / 1.1).epsilon(1e-14));
+    CHECK(list[1].at("reading") == "censored");
+    CHECK(list[1].at("reason") == "SLC is");
+    CHECK(list[1].at("displacement_mm").get<double>() == Approx(22.5).epsilon(1e-14));
+    CHECK(list[2].at("reading") == "not defined");
+    CHECK(list[2].at("reason") == "no elastic branch");
+    CHECK(list[2].at("displacement_mm").is_null());
+    CHECK(list[2].at("drift_percent").is_null());
+}
+
+TEST_CASE("summary: the energy residual is the worst of the run, without its sign",
+          "[app][summary_json]")
+{
+    PushedWall w = good_wall();
+    CHECK(summary(w).at("energy_residual") == 0.0);
+    w.result.curve[0].energy.work = 80.0; // 20 of 100 J found too much
+    w.result.curve[1].energy.work = 101.0;
+    CHECK(summary(w).at("energy_residual").get<double>() == Approx(0.2).epsilon(1e-14));
+    w.result.energy.work = 200.0; // half of it missing at the end
+    CHECK(summary(w).at("energy_residual").get<double>() == Approx(0.5).epsilon(1e-14));
+}
+
+TEST_CASE("summary: a wall whose numbers broke has null for every number of its run",
+          "[app][summary_json]")
+{
+    const std::string text = app::summary_json(study_texts::read_good(), broken_wall());
+    const Json j = Json::parse(text);
+    CHECK_FALSE(has_broken_number(j));
+    CHECK(j.at("outcome") == "not finite");
+    CHECK(j.at("no_reading") == "the numbers of this run are not finite");
+    CHECK(null_keys(j) ==
+          std::set<std::string>{"peak_force_kN", "displacement_at_peak_mm",
+                                "peak_is_last_point", "ultimate_displacement_mm", "mode",
+                                "stiffness_kN_per_mm", "settlement_mm", "energy_residual"});
+    CHECK(null_keys(j.at("energy")).size() == 6);
+    CHECK(null_keys(j.at("mechanism")) ==
+          std::set<std::string>{"rotation_share", "sliding_share"});
+    CHECK(j.at("limit_states").empty());
+    CHECK(j.at("vertical_stress_MPa") == 0.5); // what it was asked
+    CHECK(j.at("steps") == 1000);              // and what it took
+}
+
+TEST_CASE("summary: a residual broken anywhere is not hidden by sound points",
+          "[app][summary_json]")
+{
+    PushedWall w = good_wall();
+    double dem::Energy::*entry = GENERATE(&dem::Energy::work, &dem::Energy::damping);
+    w.result.curve[1].energy.*entry = kNan;
+    CHECK(summary(w).at("energy_residual").is_null());
+}
+
+TEST_CASE("summary: numbers that left their range are null, one by one", "[app][summary_json]")
+{
+    const double broken = GENERATE(as<double>{}, kNan, kInfinity, -kInfinity);
+    PushedWall w = good_wall();
+    w.result.settlement = broken;
+    w.mechanism.sliding_share = broken;
+    w.result.energy.kinetic = broken;
+    w.peak->force = broken;
+    w.stiffness = broken;
+    const Json j = summary(w);
+    CHECK_FALSE(has_broken_number(j));
+    CHECK(j.at("settlement_mm").is_null());
+    CHECK(j.at("mechanism").at("sliding_share").is_null());
+    CHECK(j.at("energy").at("kinetic_J").is_null());
+    CHECK(j.at("peak_force_kN").is_null());
+    CHECK(j.at("stiffness_kN_per_mm").is_null());
+    CHECK(j.at("displacement_at_peak_mm").get<double>() == Approx(12.0).epsilon(1e-14));
+}
+
+TEST_CASE("summary: a run that took no time has no speed", "[app][summary_json]")
+{
+    PushedWall w = good_wall();
+    w.result.cost = {0, 0, 0.0};
+    CHECK(summary(w).at("contact_updates_per_second").is_null());
+    w.result.cost = {1, 1, 0.0};
+    CHECK(summary(w).at("contact_updates_per_second").is_null());
+}
+
+TEST_CASE("summary: a push that turns back has no readings, but a mode", "[app][summary_json]")
+{
+    PushedWall w = good_wall();
+    w.peak.reset();
+    w.stiffness.reset();
+    w.ultimate = {};
+    w.limit_states.clear();
+    w.no_reading = "the push turns back";
+    const Json j = summary(w);
+    CHECK(null_keys(j) == std::set<std::string>{
+                              "peak_force_kN", "displacement_at_peak_mm", "peak_is_last_point",
+                              "ultimate_displacement_mm", "stiffness_kN_per_mm"});
+    CHECK(j.at("ultimate_censored") == false);
+    CHECK(j.at("mode") == "mixed");
+}
+
+TEST_CASE("summary: what others read by name comes in a fixed order", "[app][summary_json]")
+{
+    const std::vector<std::string> expected = {"vertical_stress_MPa",
+                                               "outcome",
+                                               "peak_force_kN",
+                                               "displacement_at_peak_mm",
+                                               "peak_is_last_point",
+                                               "ultimate_displacement_mm",
+                                               "ultimate_censored",
+                                               "ultimate_rule",
+                                               "mode",
+                                               "stiffness_kN_per_mm",
+                                               "stiffness_rule",
+                                               "no_reading",
+                                               "load_height_m",
+                                               "settlement_mm",
+                                               "limit_states",
+                                               "mechanism",
+                                               "energy_residual",
+                                               "energy",
+                                               "steps",
+                                               "contact_updates",
+                                               "solver_seconds",
+                                               "contact_updates_per_second",
+                                               "version",
+                                               "study"};
+    CHECK(keys_of(summary(good_wall())) == expected);
+    CHECK(keys_of(summary(broken_wall())) == expected); // broken numbers keep their place
+}
+
+TEST_CASE("summary: the study inside it is the one that ran", "[app][summary_json]")
+{
+    const app::Study study = study_texts::read_good({"wall.courses=7", "load.height=0.75m"});
+    const Json j = Json::parse(app::summary_json(study, good_wall()));
+    const std::string text = j.at("study").get<std::string>();
+    CHECK(text == app::effective_configuration(study));
+    CHECK(study_texts::read(text).wall.courses == 7);
+}
+
+TEST_CASE("summary: the failure modes have names", "[app][summary_json]")
+{
+    CHECK(app::name(dem::FailureMode::rocking) == std::string("rocking"));
+    CHECK(app::name(dem::FailureMode::mixed) == std::string("mixed"));
+}
