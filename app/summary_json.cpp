@@ -87,12 +87,15 @@ Json mechanism(const PushedWall& w)
              {{"cracked_units", t.cracked_units}, {"sliding_share", t.sliding_share}}}};
 }
 
-/// Largest share of the work missing from the ledger at any point of the curve.
+/// Largest share of the work missing from the ledger at any point of the curve; NaN if any of them is.
 double worst_residual(const PushedWall& w)
 {
     double worst = std::abs(w.result.energy.residual());
-    for (const dem::CurvePoint& p : w.result.curve)
-        worst = std::max(worst, std::abs(p.energy.residual()));
+    for (const dem::CurvePoint& p : w.result.curve) {
+        const double r = std::abs(p.energy.residual());
+        if (!(r <= worst)) worst = r;
+        if (std::isnan(worst)) break;
+    }
     return worst;
 }
 

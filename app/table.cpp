@@ -41,17 +41,47 @@ std::string csv_cell(const std::string& text)
     return quoted + "\"";
 }
 
+/// A character as LaTeX text.
+std::string as_latex(char c)
+{
+    switch (c) {
+    case '^':
+        return "\\textasciicircum{}";
+    case '~':
+        return "\\textasciitilde{}";
+    case '\\':
+        return "\\textbackslash{}";
+    case '<':
+    case '>':
+        return std::string("$") + c + "$"; // text fonts have other signs there
+    default:
+        break;
+    }
+    const bool special = std::string_view("&%$#_{}").find(c) != std::string_view::npos;
+    return (special ? "\\" : "") + std::string(1, c);
+}
+
 std::string latex_cell(const std::string& text)
 {
     std::string escaped;
-    for (const char c : text) {
-        if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
-        if (c == '>' || c == '<') // text fonts print other signs for them
-            escaped += std::string("$") + c + "$";
-        else
-            escaped += c;
-    }
+    for (const char c : text) escaped += as_latex(c);
     return escaped;
+}
+
+/// A bar would open a column.
+std::string markdown_cell(const std::string& text)
+{
+    std::string escaped;
+    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+    return escaped;
+}
+
+Table markdown_cells(Table t)
+{
+    for (std::string& cell : t.head) cell = markdown_cell(cell);
+    for (auto& row : t.rows)
+        for (std::string& cell : row) cell = markdown_cell(cell);
+    return t;
 }
 
 template <class Cell>
@@ -80,8 +110,9 @@ std::string as_csv(const Table& t)
     return text;
 }
 
-std::string as_markdown(const Table& t)
+std::string as_markdown(const Table& table)
 {
+    const Table t = markdown_cells(table);
     const auto widths = column_widths(t);
     std::string text = t.caption.empty() ? "" : t.caption + "\n\n";
     text += padded_row(t.head, widths, "| ", " | ", " |") + "|";

@@ -107,7 +107,7 @@ BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const Mat
     extend_basis(c, rigid_motions(spec, con.points), 3, rigid);
     MatrixXd basis = rigid;
     if (wanted > 3 && wanted < all) extend_basis(c, strains(spec, con.points), wanted, basis);
-    if (wanted > 6) extend_basis(c, eigenvectors(k, c), wanted, basis);
+    if (basis.cols() < wanted) extend_basis(c, eigenvectors(k, c), wanted, basis);
     const BlockModes elastic = ritz(k, c, basis.rightCols(basis.cols() - rigid.cols()));
     MatrixXd moving = rigid;
     if (spec.motion == Motion::driven) {
@@ -127,8 +127,8 @@ MatrixXd supported_fields(const BlockSpec& spec, const std::vector<Point>& point
     const VectorXd shear = field({}, {}, {1, 0}), stretch = field({}, {}, {0, 1});
     if (spec.motion == Motion::clamped_bottom) return columns({shear, stretch});
     if (spec.motion == Motion::clamped_bottom_held_right) return columns({stretch});
-    return columns(
-        {field({0, 1}, {}, {}), field({}, {0, 1}, {}), field({}, {1, 0}, {}), shear, stretch});
+    return columns({field({0, 1}, {}, {}), field({}, {0, -1}, {1, 0}), shear, stretch,
+                    field({}, {1, 0}, {})});
 }
 
 /// Modes of a block on a support: rows of held displacements stay zero.
@@ -143,13 +143,7 @@ BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const Ma
     const Index wanted =
         spec.modes > 0 ? std::min<Index>(spec.modes - (hinged ? 1 : 3), all) : all;
     MatrixXd basis(all, 0);
-    if (hinged && wanted == 2) // rigid
-        extend_basis(c_open,
-                     columns({linear_field(con.points, {spec.width, 0.0}, {0, 1}, {}, {}),
-                              linear_field(con.points, {spec.width, 0.0}, {}, {0, -1},
-                                           {1, 0})})(open, Eigen::all),
-                     wanted, basis);
-    else if (wanted < all)
+    if (wanted < all)
         extend_basis(c_open, supported_fields(spec, con.points)(open, Eigen::all), wanted,
                      basis);
     extend_basis(c_open, eigenvectors(k_open, c_open), wanted, basis);

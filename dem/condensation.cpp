@@ -82,10 +82,24 @@ struct Trace {
     Eigen::MatrixXd n;          ///< displacement of edge nodes from that of the points
 };
 
+/// Shapes at s of an edge that is straight between its own zone corners: lines of the grid that come from other edges
+/// must not bend it, or its areas would no longer be the integrals of its shapes.
+std::vector<double> straight_shapes(const BlockSpec& spec, const BlockEdge& e, double s)
+{
+    const std::vector<double> nodes = edge_nodes(e.points, spec.zones_per_interval);
+    std::size_t k = 0;
+    while (k + 2 < nodes.size() && nodes[k + 1] <= s) ++k;
+    std::vector<double> shape = edge_shapes(spec.face_rule, e.points, nodes[k]);
+    const std::vector<double> next = edge_shapes(spec.face_rule, e.points, nodes[k + 1]);
+    const double w = (s - nodes[k]) / (nodes[k + 1] - nodes[k]);
+    for (std::size_t i = 0; i < shape.size(); ++i) shape[i] += w * (next[i] - shape[i]);
+    return shape;
+}
+
 void trace_edge(const BlockSpec& spec, const BlockEdge& e, const std::vector<Point>& points,
                 int node, double s, Trace& t)
 {
-    const std::vector<double> shape = edge_shapes(spec.face_rule, e.points, s);
+    const std::vector<double> shape = straight_shapes(spec, e, s);
     for (int d = 0; d < 2; ++d) {
         t.source[2 * node + d] = Source::edge;
         t.n.row(2 * node + d).setZero(); // a corner lies on two edges; both say the same

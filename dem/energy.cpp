@@ -8,8 +8,8 @@ namespace dem {
 double Energy::residual() const
 {
     const double found = kinetic + elastic + friction + fracture + damping;
-    const double scale = std::max(std::abs(work), found);
-    return scale > 0.0 ? (work - found) / scale : 0.0;
+    const double scale = std::max(found, std::abs(work));
+    return scale == 0.0 ? 0.0 : (work - found) / scale; // NaN stays NaN
 }
 
 } // namespace dem

@@ -19,7 +19,7 @@ std::vector<double> unit_boundaries(const WallGeometry& wall, int course)
 {
     const double start = is_shifted(wall, course) ? wall.bond_offset * wall.unit_length : 0.0;
     std::vector<double> x{0.0};
-    if (start > kSmallestPiece) x.push_back(start);
+    if (start > kSmallestPiece && start < wall.length - kSmallestPiece) x.push_back(start);
     for (int i = 1; start + i * wall.unit_length < wall.length - kSmallestPiece; ++i)
         x.push_back(start + i * wall.unit_length);
     x.push_back(wall.length);

@@ -158,8 +158,8 @@ void check(const WallGeometry& wall, const Beam& beam, const Loads& loads,
             "the load line must lie within the beam");
     require(d.contact_points >= 2 && d.zones_per_interval >= 1,
             "at least 2 contact points and 1 zone");
-    require(d.block_modes == 0 || d.block_modes >= 3,
-            "block modes: 0 (all) or at least 3 (rigid)");
+    for (const int modes : {d.block_modes, d.beam_modes})
+        require(modes == 0 || modes >= 3, "modes: 0 (all) or at least 3 (rigid)");
 }
 
 } // namespace
