@@ -27,13 +27,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "0.50 MPa"; more digits where two are not exact.
-std::string stress_text(const PushedWall& w)
+/// [MPa] "0.50"; more digits where two are not exact.
+std::string stress_number(const PushedWall& w)
 {
     const double mpa = w.vertical_stress * 1e-6;
     const std::string two = fixed(mpa, 2);
-    return (number(mpa, 12) == number(std::stod(two), 12) ? two : number(mpa, 12)) + " MPa";
+    return number(mpa, 12) == number(std::stod(two), 12) ? two : number(mpa, 12);
 }
+
+std::string stress_text(const PushedWall& w) { return stress_number(w) + " MPa"; }
 
 /// Progress of several walls as one line.
 class SharedProgress {
@@ -121,8 +123,7 @@ Table level_table(const std::vector<PushedWall>& walls)
                        ? (censored ? "> " : "") + fixed(w.ultimate.displacement * scale, digits)
                        : std::string();
         };
-        t.rows.push_back({number(w.vertical_stress * 1e-6, 6),
-                          w.peak ? fixed(w.peak->force * 1e-3, 2) : "",
+        t.rows.push_back({stress_number(w), w.peak ? fixed(w.peak->force * 1e-3, 2) : "",
                           w.peak ? fixed(w.peak->displacement * 1e3, 2) : "",
                           w.stiffness ? fixed(*w.stiffness * 1e-6, 1) : "", ultimate(1e3, 2),
                           ultimate(100.0 / w.loads.height, 2),

@@ -1,8 +1,10 @@
 /// Our walls against the measured ones: a picture per stress level and two tables.
 ///
 ///   drystone push configs/levels.ini --out runs/levels
-///   compare_tests runs/levels EXPERIMENTS_DIR runs/comparison
+///   drystone push configs/uncoupled.ini --out runs/uncoupled
+///   compare_tests runs/levels EXPERIMENTS_DIR runs/comparison [runs/uncoupled]
 ///
+/// With the last argument also laws.svg: coupled against uncoupled law at 1.25 MPa, as Fig. 7 of the paper.
 /// EXPERIMENTS_DIR: the digitised curves, see bench/measured_walls.hpp.
 
 #include "app/atomic_output.hpp"
@@ -30,11 +32,17 @@ struct Output {
     std::vector<bench::LevelComparison> levels;
 };
 
-std::string picture(const bench::StressLevel& level, const bench::CurveTable& ours,
+struct OurCurve {
+    std::string name;
+    bench::CurveTable table;
+    app::LineStyle line = app::LineStyle::solid;
+};
+
+std::string picture(const std::string& title, const std::vector<OurCurve>& ours,
                     const std::vector<bench::MeasuredWall>& tests)
 {
     app::Chart chart;
-    chart.title = "Vertical stress " + app::fixed(level.stress_MPa, 2) + " MPa";
+    chart.title = title;
     chart.x_label = "Top displacement [mm]";
     chart.y_label = "Horizontal force [kN]";
     for (const bench::MeasuredWall& t : tests)
@@ -42,11 +50,13 @@ std::string picture(const bench::StressLevel& level, const bench::CurveTable& ou
                                 .x = t.table.displacement_mm,
                                 .y = t.table.force_kN,
                                 .width = 1.3});
-    chart.series.push_back({.name = "Drystone",
-                            .x = ours.displacement_mm,
-                            .y = ours.force_kN,
-                            .colour = "#111",
-                            .width = 2.4});
+    for (const OurCurve& c : ours)
+        chart.series.push_back({.name = c.name,
+                                .x = c.table.displacement_mm,
+                                .y = c.table.force_kN,
+                                .colour = "#111",
+                                .line = c.line,
+                                .width = 2.4});
     return app::line_chart(chart);
 }
 
@@ -68,7 +78,10 @@ Output compare(const fs::path& study, const fs::path& experiments)
         for (const bench::MeasuredWall& t : tests)
             row.tests.push_back(bench::facts(t.name, t.table));
         out.levels.push_back(std::move(row));
-        out.files.emplace_back(std::string(level.folder) + ".svg", picture(level, ours, tests));
+        out.files.emplace_back(
+            std::string(level.folder) + ".svg",
+            picture("Vertical stress " + app::fixed(level.stress_MPa, 2) + " MPa",
+                    {{"Drystone", ours}}, tests));
     }
     if (out.levels.empty())
         throw std::runtime_error(study.string() + ": no level folder such as 0.50_MPa");
@@ -77,15 +90,27 @@ Output compare(const fs::path& study, const fs::path& experiments)
     return out;
 }
 
+/// Fig. 7: both laws at 1.25 MPa over the test.
+std::string laws(const fs::path& study, const fs::path& uncoupled, const fs::path& experiments)
+{
+    return picture(
+        "Coupled and uncoupled law, 1.25 MPa",
+        {{"coupled", bench::read_capacity_curve(study / "1.25_MPa" / "capacity.csv")},
+         {"uncoupled", bench::read_capacity_curve(uncoupled / "capacity.csv"),
+          app::LineStyle::dashed}},
+        bench::read_series(experiments, "250"));
+}
+
 int run(int argc, char** argv)
 {
-    if (argc != 4) {
-        std::cerr << "usage: compare_tests STUDY_OUT_DIR EXPERIMENTS_DIR OUT_DIR\n";
+    if (argc != 4 && argc != 5) {
+        std::cerr << "usage: compare_tests STUDY_OUT_DIR EXPERIMENTS_DIR OUT_DIR "
+                     "[UNCOUPLED_OUT_DIR]\n";
         return 2;
     }
     const fs::path folder = argv[3];
-    const Output out =
-        compare(argv[1], argv[2]); // everything is read before anything is written
+    Output out = compare(argv[1], argv[2]); // everything is read before anything is written
+    if (argc == 5) out.files.emplace_back("laws.svg", laws(argv[1], argv[4], argv[2]));
     app::make_folder(folder);
     for (const auto& [name, content] : out.files) app::write_file(folder / name, content);
     std::cerr << "wrote " << out.files.size() << " files to " << folder.string() << '\n';

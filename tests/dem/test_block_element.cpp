@@ -286,6 +286,22 @@ TEST_CASE("block element: modes kept are nested: what few can do, more can",
     }
 }
 
+TEST_CASE("block element: beyond the linear fields the softest modes are kept",
+          "[dem][block_element]")
+{
+    const int modes = 14;
+    for (const BlockSpec& spec : all_motions(GENERATE(as<Mesh>{}, kEven, kLobatto))) {
+        const MatrixXd metric = dem::contact_metric(spec, dem::condense(spec));
+        const BlockElement all = dem::block_element(spec),
+                           few = dem::block_element(with_modes(spec, modes));
+        for (Index i = 0; i < modes - 8; ++i) { // at most eight are linear fields
+            const VectorXd missed = all.phi.col(i) - followed(few, metric, all.phi.col(i));
+            CHECK(missed.dot(metric * missed) <
+                  0.01 * (1 + 1e-9)); // of 1: nearly spanned by the linear fields
+        }
+    }
+}
+
 TEST_CASE("block element: body forces and top pressure have the resultants of the block",
           "[dem][block_element]")
 {

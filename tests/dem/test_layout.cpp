@@ -96,11 +96,19 @@ TEST_CASE("layout: the wall of the paper has 100 blocks, 45 unit cracks and 135 
 
 TEST_CASE("layout: counts of a running bond follow from units and courses", "[dem][layout]")
 {
-    const int n = GENERATE(1, 2, 5, 8), courses = GENERATE(1, 2, 7, 10);
+    // Lengths as one writes them: 3 x 0.3 is below 0.9, 3 x 0.2 above 0.6.
+    const auto [n, unit, length] = GENERATE(table<int, double, double>({{1, 0.2, 0.2},
+                                                                        {2, 0.2, 0.4},
+                                                                        {3, 0.2, 0.6},
+                                                                        {3, 0.3, 0.9},
+                                                                        {5, 0.2, 1.0},
+                                                                        {7, 0.1, 0.7},
+                                                                        {8, 0.3, 2.4}}));
+    const int courses = GENERATE(1, 2, 7, 10);
     const FirstCourse first = GENERATE(FirstCourse::whole, FirstCourse::shifted);
     WallGeometry w;
-    w.unit_length = GENERATE(0.2, 0.3); // 0.3 n rounds up or down
-    w.length = n * w.unit_length;
+    w.unit_length = unit;
+    w.length = length;
     w.courses = courses;
     w.first_course = first;
     const Layout l = dem::lay_out(w, kBeam);
