@@ -87,7 +87,8 @@ Json mechanism(const PushedWall& w)
              {{"cracked_units", t.cracked_units}, {"sliding_share", t.sliding_share}}}};
 }
 
-/// Largest share of the work missing from the ledger at any point of the curve; NaN if any of them is.
+/// Largest share of the work missing from the ledger at any point of the curve; NaN if any of
+/// them is.
 double worst_residual(const PushedWall& w)
 {
     double worst = std::abs(w.result.energy.residual());

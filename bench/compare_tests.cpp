@@ -4,8 +4,8 @@
 ///   drystone push configs/uncoupled.ini --out runs/uncoupled
 ///   compare_tests runs/levels EXPERIMENTS_DIR runs/comparison [runs/uncoupled]
 ///
-/// With the last argument also laws.svg: coupled against uncoupled law at 1.25 MPa, as Fig. 7 of the paper.
-/// EXPERIMENTS_DIR: the digitised curves, see bench/measured_walls.hpp.
+/// With the last argument also laws.svg: coupled against uncoupled law at 1.25 MPa, as Fig. 7
+/// of the paper. EXPERIMENTS_DIR: the digitised curves, see bench/measured_walls.hpp.
 
 #include "app/atomic_output.hpp"
 #include "app/chart_svg.hpp"

@@ -1,5 +1,6 @@
-/// convergence OUT.md: peak force and 80 %-drop displacement of the paper's wall against every free choice of the
-/// discretisation and the solver, one at a time from the reference; and the effect of the modelling choices.
+/// convergence OUT.md: peak force and 80 %-drop displacement of the paper's wall against every
+/// free choice of the discretisation and the solver, one at a time from the reference; and the
+/// effect of the modelling choices.
 
 #include "app/atomic_output.hpp"
 #include "app/number_text.hpp"

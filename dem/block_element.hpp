@@ -1,11 +1,13 @@
 #pragma once
 /// A deformable block, condensed to its contact points and written in its own modes.
 ///
-/// The zones of a block are eliminated statically onto the contact points of its faces (its edge runs between them as
-/// face_rule.hpp says), which leaves K u_c. The modes solve K phi = lambda C phi, C being the stiffness of the block's
-/// own contacts with their other side held: phi^T C phi = 1, phi^T K phi = lambda. In a wall a contact feels two
-/// blocks, k (u_b - u_a)^2 <= 2 k u_a^2 + 2 k u_b^2, so a mode of fictitious mass (lambda + 2)/4 or more is stable at a
-/// unit time step whatever its neighbours do: no mode is slower than it has to be, and the bound is a proof.
+/// The zones of a block are eliminated statically onto the contact points of its faces (its
+/// edge runs between them as face_rule.hpp says), which leaves K u_c. The modes solve K phi =
+/// lambda C phi, C being the stiffness of the block's own contacts with their other side held:
+/// phi^T C phi = 1, phi^T K phi = lambda. In a wall a contact feels two blocks, k (u_b - u_a)^2
+/// <= 2 k u_a^2 + 2 k u_b^2, so a mode of fictitious mass (lambda + 2)/4 or more is stable at a
+/// unit time step whatever its neighbours do: no mode is slower than it has to be, and the
+/// bound is a proof.
 
 #include "dem/face_rule.hpp"
 #include "dem/snapshot.hpp"
@@ -17,7 +19,8 @@
 
 namespace dem {
 
-/// A contact face on a block's boundary, in the block's own frame (origin at its lower left corner).
+/// A contact face on a block's boundary, in the block's own frame (origin at its lower left
+/// corner).
 struct BlockEdge {
     Point from, to; ///< [m]
     FacePoints points;
@@ -61,7 +64,8 @@ struct BlockElement {
 
 [[nodiscard]] BlockElement block_element(const BlockSpec& spec);
 
-/// Edge points of the block in the order of BlockElement::points, for finding a contact's point.
+/// Edge points of the block in the order of BlockElement::points, for finding a contact's
+/// point.
 [[nodiscard]] int find_point(const BlockElement& element, Point at);
 
 } // namespace dem

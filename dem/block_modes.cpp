@@ -12,7 +12,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Displacements (u_x, u_z) at the contact points of a field linear in x and z: u = a + b x + c z, about `centre`.
+/// Displacements (u_x, u_z) at the contact points of a field linear in x and z: u = a + b x + c
+/// z, about `centre`.
 VectorXd linear_field(const std::vector<Point>& points, Point centre, Point a, Point b, Point c)
 {
     VectorXd u(2 * static_cast<Index>(points.size()));
@@ -32,7 +33,8 @@ MatrixXd columns(std::initializer_list<VectorXd> list)
     return m;
 }
 
-/// Appends to `basis` what is new in `candidates`, C-orthonormal, until it has `wanted` columns.
+/// Appends to `basis` what is new in `candidates`, C-orthonormal, until it has `wanted`
+/// columns.
 void extend_basis(const MatrixXd& c, const MatrixXd& candidates, Index wanted, MatrixXd& basis)
 {
     for (Index k = 0; k < candidates.cols() && basis.cols() < wanted; ++k) {
@@ -97,7 +99,8 @@ MatrixXd strains(const BlockSpec& spec, const std::vector<Point>& points)
                     linear_field(points, centre, {}, {0, 1}, {1, 0})});
 }
 
-/// A block no support touches: rigid motions and deformations apart, so that the former have no elastic force at all.
+/// A block no support touches: rigid motions and deformations apart, so that the former have no
+/// elastic force at all.
 BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const MatrixXd& c)
 {
     const MatrixXd& k = con.stiffness;

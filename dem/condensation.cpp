@@ -21,7 +21,8 @@ Point along(const BlockEdge& e, double s)
     return {e.from.x + s * (e.to.x - e.from.x), e.from.z + s * (e.to.z - e.from.z)};
 }
 
-/// Zone lines in one direction: through the zone corners of the edges, evenly where there are none.
+/// Zone lines in one direction: through the zone corners of the edges, evenly where there are
+/// none.
 std::vector<double> grid_lines(const BlockSpec& spec, bool vertical)
 {
     const double size = vertical ? spec.height : spec.width;
@@ -82,8 +83,9 @@ struct Trace {
     Eigen::MatrixXd n;          ///< displacement of edge nodes from that of the points
 };
 
-/// Shapes at s of an edge that is straight between its own zone corners: lines of the grid that come from other edges
-/// must not bend it, or its areas would no longer be the integrals of its shapes.
+/// Shapes at s of an edge that is straight between its own zone corners: lines of the grid that
+/// come from other edges must not bend it, or its areas would no longer be the integrals of its
+/// shapes.
 std::vector<double> straight_shapes(const BlockSpec& spec, const BlockEdge& e, double s)
 {
     const std::vector<double> nodes = edge_nodes(e.points, spec.zones_per_interval);

@@ -1,18 +1,22 @@
 #pragma once
-/// Contact laws (paper, Tables 1 and 2): pure functions over Real = double or Pack, state in, state out.
+/// Contact laws (paper, Tables 1 and 2): pure functions over Real = double or Pack, state in,
+/// state out.
 ///
-/// Tension and opening are positive. Normal stress is a function of the total opening u_n and of the damage, shear
-/// stress is advanced by increments. Decisions where the paper is silent or misprinted:
+/// Tension and opening are positive. Normal stress is a function of the total opening u_n and
+/// of the damage, shear stress is advanced by increments. Decisions where the paper is silent
+/// or misprinted:
 ///   - u_el = f_T / k_n (Table 2 prints f_T / u_n).
-///   - Unloading in tension is secant to the origin: an open crack that closes is in contact again at u_n = 0. Plain
-///     increments of Table 1 would leave it propped open.
-///   - u_ul = 2 G / f_T <= u_el, that is f_T > sqrt(2 G k_n): the contact breaks at u_el and releases f_T^2/(2 k_n) > G.
-///   - The shear limit is checked with the damage known so far; a contact that reaches it gets its residual strength
-///     in the same step.
-///   - Tension lowers the shear strength as Table 2 (step 5) says. The other reading, a shear strength c under any
-///     tension, is an option: it decides whether units crack at all at moderate stress (docs/model.md).
-///   - Between initial and residual friction, tan(theta) is interpolated, not theta. The same where they are equal
-///     (all of the paper).
+///   - Unloading in tension is secant to the origin: an open crack that closes is in contact
+///     again at u_n = 0. Plain increments of Table 1 would leave it propped open.
+///   - u_ul = 2 G / f_T <= u_el, that is f_T > sqrt(2 G k_n): the contact breaks at u_el and
+///     releases f_T^2/(2 k_n) > G.
+///   - The shear limit is checked with the damage known so far; a contact that reaches it gets
+///     its residual strength in the same step.
+///   - Tension lowers the shear strength as Table 2 (step 5) says. The other reading, a shear
+///     strength c under any tension, is an option: it decides whether units crack at all at
+///     moderate stress (docs/model.md).
+///   - Between initial and residual friction, tan(theta) is interpolated, not theta. The same
+///     where they are equal (all of the paper).
 
 #include "dem/pack.hpp"
 #include "dem/solver_options.hpp"
@@ -67,18 +71,17 @@ template <class Real>
 constexpr double kBreaksAtOnce = 1e300; // [1/m]
 
 template <class Real> struct CrackLaw {
-    Real kn;            ///< [Pa/m]
-    Real ks;            ///< [Pa/m]
-    Real inv_ks;        ///< [m/Pa]
-    Real ft;            ///< tensile strength [Pa]
-    Real u_el;          ///< ft / kn [m]
-    Real inv_softening; ///< 1/(u_ul - u_el) [1/m], or kBreaksAtOnce
-    Real cohesion_res;  ///< [Pa]
-    Real cohesion_drop; ///< initial - residual cohesion [Pa]
-    Real tan_phi_res;   ///< [-]
-    Real tan_phi_drop;  ///< initial - residual [-]
-    Real
-        tension_weight; ///< share of a tension that enters the shear strength: 1, or 0 in the other reading [-]
+    Real kn;             ///< [Pa/m]
+    Real ks;             ///< [Pa/m]
+    Real inv_ks;         ///< [m/Pa]
+    Real ft;             ///< tensile strength [Pa]
+    Real u_el;           ///< ft / kn [m]
+    Real inv_softening;  ///< 1/(u_ul - u_el) [1/m], or kBreaksAtOnce
+    Real cohesion_res;   ///< [Pa]
+    Real cohesion_drop;  ///< initial - residual cohesion [Pa]
+    Real tan_phi_res;    ///< [-]
+    Real tan_phi_drop;   ///< initial - residual [-]
+    Real tension_weight; ///< share of a tension in the shear strength: 1; 0: other reading [-]
 };
 
 template <class Real> struct CrackState {
@@ -95,7 +98,8 @@ template <class Real> [[nodiscard]] Real tension_left(const CrackLaw<Real>& law,
     return Real(1.0) - min(Real(1.0), (u_max - law.u_el) * law.inv_softening);
 }
 
-/// Integrity left against opening and against slip. Coupled: both 1 - D = (1 - d_t)(1 - d_s) (Table 2, step 4).
+/// Integrity left against opening and against slip. Coupled: both 1 - D = (1 - d_t)(1 - d_s)
+/// (Table 2, step 4).
 template <ContactLaw kLaw, class Real> struct Integrity {
     Real normal;
     Real shear;
@@ -150,9 +154,11 @@ template <ContactLaw kLaw, class Real>
 
     const Real slip = du_s - (tau - s.tau) * law.inv_ks;
     const Real shear_loss = Real(0.5) * (s.tau + tau) * slip;
-    // In the step that breaks the bond, what the residual strength would have taken is friction, the rest fracture.
+    // In the step that breaks the bond, what the residual strength would have taken is
+    // friction, the rest fracture.
     const Real friction = select(bond < s.bond, min(shear_loss, abs(tau * slip)), shear_loss);
-    // Work of sigma less the change of sigma u_n / 2: zero as long as sigma is proportional to u_n.
+    // Work of sigma less the change of sigma u_n / 2: zero as long as sigma is proportional to
+    // u_n.
     const Real opening_loss = Real(0.5) * (s.sigma * u_n - sigma * s.u_n);
     return {{u_n, tau, sigma, u_max, bond}, {friction, opening_loss + (shear_loss - friction)}};
 }

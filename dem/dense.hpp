@@ -17,7 +17,8 @@ struct SharedMatrix {
 
 namespace detail {
 
-/// kBlock outputs at a time stay in registers. The order of the sum is that of the inputs, whatever the block.
+/// kBlock outputs at a time stay in registers. The order of the sum is that of the inputs,
+/// whatever the block.
 template <int kBlock, class Real>
 void apply_block(const SharedMatrix& a, int first, const Real* x, Real* y)
 {

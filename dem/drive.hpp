@@ -1,5 +1,6 @@
 #pragma once
-/// The clock of one wall: vertical load first, then the load line visits the target displacements.
+/// The clock of one wall: vertical load first, then the load line visits the target
+/// displacements.
 
 #include "dem/solver_options.hpp"
 
@@ -15,7 +16,8 @@ class Drive {
     /// Share of the vertical load that acts in the next step.
     [[nodiscard]] double load_factor() const;
 
-    /// Advances by a step; returns the displacement of the load line in it [m]. Zero under vertical load alone.
+    /// Advances by a step; returns the displacement of the load line in it [m]. Zero under
+    /// vertical load alone.
     double advance();
 
     /// Vertical load: to be called after each step, with the state of the wall.

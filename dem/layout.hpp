@@ -27,8 +27,9 @@ struct Face {
     Point from, to; ///< end points [m], left to right or bottom to top
 };
 
-/// Joint IDs run course by course from the bottom: the head joints of a course from left to right, then the bed-joint
-/// pieces above it from left to right. Crack IDs likewise. Base and beam faces have no ID.
+/// Joint IDs run course by course from the bottom: the head joints of a course from left to
+/// right, then the bed-joint pieces above it from left to right. Crack IDs likewise. Base and
+/// beam faces have no ID.
 struct Layout {
     std::vector<Block>
         blocks; ///< course by course from the bottom, left to right; the beam last

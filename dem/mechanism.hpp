@@ -22,13 +22,15 @@ enum class FailureMode {
     mixed    ///< units crack or courses slide (diagonal shear)
 };
 
-/// Thresholds of the rule, the same for all stress levels. Free choices; docs/model.md has their effect.
+/// Thresholds of the rule, the same for all stress levels. Free choices; docs/model.md has
+/// their effect.
 struct ModeThresholds {
     double sliding_share = 0.25; ///< from here on a wall counts as sliding [-], in (0, 1)
     int cracked_units = 1;       ///< from here on a wall counts as cracked, >= 1
 };
 
-/// Mixed if units cracked through, or the load dropped (80 % rule), or the courses slid; else rocking.
+/// Mixed if units cracked through, or the load dropped (80 % rule), or the courses slid; else
+/// rocking.
 [[nodiscard]] FailureMode failure_mode(const Mechanism& m, bool load_dropped,
                                        const ModeThresholds& t = {});
 

@@ -20,7 +20,8 @@ struct BlockPlace {
 constexpr int kBaseMaterial = -1;
 constexpr int kBeamMaterial = -2;
 
-/// A contact point between point a and point b of the wall (Model::ground_point for the ground).
+/// A contact point between point a and point b of the wall (Model::ground_point for the
+/// ground).
 struct Contact {
     int a = 0, b = 0;
     double nx = 0.0, nz = 0.0; ///< unit normal from a to b; the tangent is (nz, -nx)
@@ -29,7 +30,8 @@ struct Contact {
     int face = 0;              ///< index in Layout::faces
 };
 
-/// Stiffness that contacts have on average over the samples of a study. Sets the fictitious masses, not the answer.
+/// Stiffness that contacts have on average over the samples of a study. Sets the fictitious
+/// masses, not the answer.
 struct ReferenceStiffness {
     JointMaterial joint;
     CrackMaterial crack;
@@ -53,7 +55,8 @@ struct Model {
     int ground_point = 0; ///< = n_points: never moves
 };
 
-/// @throws std::invalid_argument if a size makes no wall (no course, load line outside the beam, ...)
+/// @throws std::invalid_argument if a size makes no wall (no course, load line outside the
+/// beam, ...)
 [[nodiscard]] Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& beam,
                                const Loads& loads, const ReferenceStiffness& reference,
                                const Discretisation& discretisation = {});

@@ -1,7 +1,8 @@
 #pragma once
-/// A register of doubles, one wall per lane. Laws and solver are written once over Real = double or Pack.
-/// Untemplated: g++ 12 refuses a dependent vector_size. Build with -ffp-contract=off: multiply_add is the only
-/// place where a product and a sum are rounded once, so every width and compiler gives the same bits.
+/// A register of doubles, one wall per lane. Laws and solver are written once over Real =
+/// double or Pack. Untemplated: g++ 12 refuses a dependent vector_size. Build with
+/// -ffp-contract=off: multiply_add is the only place where a product and a sum are rounded
+/// once, so every width and compiler gives the same bits.
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-/// A wall under vertical load, then pushed along a list of target displacements. The result can be judged: energy,
-/// unbalance, outcome.
+/// A wall under vertical load, then pushed along a list of target displacements. The result can
+/// be judged: energy, unbalance, outcome.
 
 #include "dem/energy.hpp"
 #include "dem/model.hpp"
@@ -14,12 +14,13 @@
 namespace dem {
 
 enum class Outcome {
-    reached_target, ///< all target displacements reached
-    lost_equilibrium, ///< the wall came down: its blocks moved by more than its height. A result, not an error
-    not_finite ///< the numbers broke: kept, named, and no number of it is used
+    reached_target,   ///< all target displacements reached
+    lost_equilibrium, ///< the wall came down: blocks parted by more than its height. A result
+    not_finite        ///< the numbers broke: kept, named, and no number of it is used
 };
 
-/// A point of the capacity curve: means over the way since the previous point, placed at its middle.
+/// A point of the capacity curve: means over the way since the previous point, placed at its
+/// middle.
 struct CurvePoint {
     double displacement = 0.0; ///< of the load line [m]
     double force = 0.0;        ///< horizontal load [N]: work of the drive / way

@@ -1,6 +1,7 @@
 #pragma once
-/// What a wall looks like at one instant: blocks with their displacements, joints with their openings and slips.
-/// Read by pictures, ParaView series and the failure-mode rule; never by the solver.
+/// What a wall looks like at one instant: blocks with their displacements, joints with their
+/// openings and slips. Read by pictures, ParaView series and the failure-mode rule; never by
+/// the solver.
 
 #include <vector>
 
@@ -24,7 +25,8 @@ struct ContactState {
     double damage = 0.0;  ///< D of Table 2, in [0, 1]; 0 for dry joints
 };
 
-/// The contact points along one straight piece of joint between two blocks (block a below or left of block b).
+/// The contact points along one straight piece of joint between two blocks (block a below or
+/// left of block b).
 struct FaceState {
     FaceKind kind = FaceKind::bed_joint;
     int id =

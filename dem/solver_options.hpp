@@ -1,5 +1,6 @@
 #pragma once
-/// Free choices of the discretisation and of the explicit solver, declared once. Their effect: docs/convergence.md.
+/// Free choices of the discretisation and of the explicit solver, declared once. Their effect:
+/// docs/convergence.md.
 
 #include <string_view>
 
@@ -35,7 +36,8 @@ struct SolverOptions {
     /// Of the step that is stable by the bound of block_element.hpp [-], in (0, 1].
     double step_fraction = 0.95;
     double steps_per_mm = 1500; ///< of the load line's way at full speed [1/mm], > 0
-    /// |top force - base shear| / vertical load above which the drive slows [-]; 0: never slows.
+    /// |top force - base shear| / vertical load above which the drive slows [-]; 0: never
+    /// slows.
     double unbalance_limit = 0.003;
     double min_speed = 0.01;        ///< slowest drive, as a share of full speed, in (0, 1]
     long long preload_steps = 3000; ///< at most, for the vertical load

@@ -15,8 +15,8 @@ template <class Real> Real with_sign_of(Real size, Real x)
     return select(x > zero, size, select(x < zero, -size, zero));
 }
 
-/// Damping force on a mode: Eq. 1 (local), or combined: half of it follows the change of the force, so that a
-/// body in steady motion, whose force does not change, is not dragged.
+/// Damping force on a mode: Eq. 1 (local), or combined: half of it follows the change of the
+/// force, so that a body in steady motion, whose force does not change, is not dragged.
 template <Damping kDamping, class Real>
 Real damping_force(Real gamma, Real force, Real last_force, Real velocity)
 {

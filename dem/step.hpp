@@ -15,7 +15,8 @@ template <class Real>
 void step(const StepTables& tables, const SolverOptions& options, const StepInput<Real>& input,
           WallState<Real>& state);
 
-/// sqrt(sum of squared modal forces / sum of squared modal loads), of one lane, at the last step [-].
+/// sqrt(sum of squared modal forces / sum of squared modal loads), of one lane, at the last
+/// step [-].
 template <class Real>
 [[nodiscard]] double unbalanced_ratio(const WallState<Real>& state, int lane);
 

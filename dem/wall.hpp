@@ -1,5 +1,6 @@
 #pragma once
-/// The wall as an engineer describes it: sizes, bond, supports, loads, and the material of every joint and crack.
+/// The wall as an engineer describes it: sizes, bond, supports, loads, and the material of
+/// every joint and crack.
 
 #include <vector>
 

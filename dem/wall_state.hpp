@@ -1,5 +1,6 @@
 #pragma once
-/// Where the walls of a batch are: one array per quantity, one lane per wall. What they are is in the model.
+/// Where the walls of a batch are: one array per quantity, one lane per wall. What they are is
+/// in the model.
 
 #include "dem/contact_law.hpp"
 #include "dem/dense.hpp"

@@ -10,8 +10,8 @@ namespace {
 constexpr std::array<double, 4> kCornerXi = {-1, 1, 1, -1};
 constexpr std::array<double, 4> kCornerEta = {-1, -1, 1, 1};
 
-/// Strain-displacement matrix of a rectangle at (xi, eta): 8 compatible columns, then 4 incompatible ones
-/// (shapes 1 - xi^2 and 1 - eta^2 in each direction).
+/// Strain-displacement matrix of a rectangle at (xi, eta): 8 compatible columns, then 4
+/// incompatible ones (shapes 1 - xi^2 and 1 - eta^2 in each direction).
 Eigen::Matrix<double, 3, 12> strain_matrix(double width, double height, double xi, double eta)
 {
     Eigen::Matrix<double, 3, 12> b = Eigen::Matrix<double, 3, 12>::Zero();

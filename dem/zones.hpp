@@ -1,7 +1,8 @@
 #pragma once
-/// Plane-stress zones of a rectangular block: four-node elements with incompatible bending modes.
-/// Taylor, Beresford, Wilson (1976), Int. J. Numer. Meth. Eng. 10:1211 (QM6). On rectangles they pass the patch test and
-/// bend exactly, so the zones stay few. The constant-strain tetrahedra of the paper need many more.
+/// Plane-stress zones of a rectangular block: four-node elements with incompatible bending
+/// modes. Taylor, Beresford, Wilson (1976), Int. J. Numer. Meth. Eng. 10:1211 (QM6). On
+/// rectangles they pass the patch test and bend exactly, so the zones stay few. The
+/// constant-strain tetrahedra of the paper need many more.
 
 #include "dem/wall.hpp"
 
@@ -12,7 +13,8 @@
 
 namespace dem {
 
-/// A grid of zones. Node n = j * x.size() + i sits at (x[i], z[j]); its degrees of freedom are 2n (x) and 2n + 1 (z).
+/// A grid of zones. Node n = j * x.size() + i sits at (x[i], z[j]); its degrees of freedom are
+/// 2n (x) and 2n + 1 (z).
 struct ZoneGrid {
     std::vector<double> x; ///< [m], increasing, at least two
     std::vector<double> z; ///< [m], increasing, at least two

@@ -47,7 +47,8 @@ inline dem::BlockEdge top(const dem::BlockSpec& s, const Mesh& mesh, double x0, 
     return edge({x0 * s.width, s.height}, {x1 * s.width, s.height}, mesh, kJoint);
 }
 
-/// One of a pair that makes a unit: bed joints below and above, a head joint on its left, a crack on its right.
+/// One of a pair that makes a unit: bed joints below and above, a head joint on its left, a
+/// crack on its right.
 inline dem::BlockSpec half_unit(const Mesh& mesh)
 {
     dem::BlockSpec s = bare(mesh);

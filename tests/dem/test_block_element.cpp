@@ -333,7 +333,8 @@ TEST_CASE("block element: body forces and top pressure have the resultants of th
 TEST_CASE("block element: a uniform stress under a top pressure is carried without bending",
           "[dem][block_element]")
 {
-    // Pressure on top, reaction on the bottom face: work of both on any mode is that of the strain energy.
+    // Pressure on top, reaction on the bottom face: work of both on any mode is that of the
+    // strain energy.
     BlockSpec spec = block_specs::half_unit(kEven);
     spec.material.poisson_ratio = 0.0;
     spec.edges.erase(spec.edges.begin() + 1); // nothing on top: the beam

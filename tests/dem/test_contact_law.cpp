@@ -43,7 +43,8 @@ dem::CrackState<double> intact(const dem::CrackLaw<double>& law)
     return {0, 0, 0, law.u_el, 1};
 }
 
-/// Moves a contact in n equal steps; keeps the largest stresses, the work done on it and what it lost.
+/// Moves a contact in n equal steps; keeps the largest stresses, the work done on it and what
+/// it lost.
 struct Path {
     dem::CrackState<double> state;
     double work = 0.0, friction = 0.0, fracture = 0.0; // [J/m2]

@@ -87,7 +87,8 @@ TEST_CASE("face rule: even points have the trapezoid weights, whatever the zones
 
 TEST_CASE("face rule: lobatto points are those of Gauss and Lobatto", "[dem][face_rule]")
 {
-    // With the weights of the rule they integrate polynomials up to degree 2 n - 3; no other points do.
+    // With the weights of the rule they integrate polynomials up to degree 2 n - 3; no other
+    // points do.
     const int n = GENERATE(range(2, 13));
     FacePoints f = dem::face_points(FaceRule::lobatto, n, 1);
     f.weight = lobatto_weights(f);

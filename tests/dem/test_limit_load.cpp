@@ -23,7 +23,8 @@ dem::Discretisation rigid_blocks(int contact_points = 2)
     return d;
 }
 
-/// The paper's wall as rigid blocks on a first course that can lift, joints a hundred times stiffer than real.
+/// The paper's wall as rigid blocks on a first course that can lift, joints a hundred times
+/// stiffer than real.
 scenes::Scene rigid_wall(double load_kn, bool units_intact)
 {
     scenes::Scene s = scenes::paper_wall(0.50);
@@ -43,7 +44,8 @@ scenes::Scene rigid_wall(double load_kn, bool units_intact)
     return s;
 }
 
-/// Force once the mechanism has formed: the last point of a push that small displacements leave level [N].
+/// Force once the mechanism has formed: the last point of a push that small displacements leave
+/// level [N].
 double plateau(const scenes::Scene& s)
 {
     const dem::Model m = scenes::model_of(s, rigid_blocks());
@@ -105,9 +107,10 @@ TEST_CASE(
     "limit load: the paper's wall of rigid units approaches the limit analysis from below",
     "[dem][limit_load][slow]")
 {
-    // Problem 18, associated flow: units intact, and all cracked beforehand. Cracked units leave columns of half units;
-    // what holds these together in the limit analysis is dilatancy alone, so far less is carried without it. Columns
-    // that rock one by one are the least: (N + W) b / (2 h).
+    // Problem 18, associated flow: units intact, and all cracked beforehand. Cracked units
+    // leave columns of half units; what holds these together in the limit analysis is dilatancy
+    // alone, so far less is carried without it. Columns that rock one by one are the least: (N
+    // + W) b / (2 h).
     const auto [load, intact, cracked] = GENERATE(table<double, double, double>(
         {{30, 14.90, 8.55}, {100, 46.72, 27.40}, {250, 114.90, 67.76}}));
     const double whole = plateau(rigid_wall(load, true)) * 1e-3;
@@ -123,7 +126,8 @@ TEST_CASE(
 
 namespace {
 
-/// Ferris and Tin-Loi (2001): units 0.4 x 0.175, friction 0.65, no beam load, horizontal force = lambda x weight.
+/// Ferris and Tin-Loi (2001): units 0.4 x 0.175, friction 0.65, no beam load, horizontal force
+/// = lambda x weight.
 scenes::Scene ferris_wall(int units, int courses)
 {
     scenes::Scene s = scenes::paper_wall(0.50);
@@ -211,7 +215,8 @@ double tilt_limit(const scenes::Scene& s, double tolerance)
 TEST_CASE("limit load: the walls of Ferris and Tin-Loi fall below the associated limit",
           "[dem][limit_load][slow]")
 {
-    // Problem 17: 0.64286 (5 x 6) and 0.58000 (5 x 10), which assume dilatancy tan(psi) = mu; ours is 0.
+    // Problem 17: 0.64286 (5 x 6) and 0.58000 (5 x 10), which assume dilatancy tan(psi) = mu;
+    // ours is 0.
     const auto [courses, limit] = GENERATE(table<int, double>({{6, 0.64286}, {10, 0.58000}}));
     const double lambda = tilt_limit(ferris_wall(5, courses), 5e-4);
     WARN("5 x " << courses << ": lambda " << lambda << ", " << lambda / limit

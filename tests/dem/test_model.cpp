@@ -124,7 +124,8 @@ dem::Snapshot loaded(const scenes::Scene& s, const dem::Discretisation& d)
 
 TEST_CASE("model: no motion of a bonded wall is faster than the step allows", "[dem][model]")
 {
-    // Largest eigenvalue of M^-1 K with M = (lambda + 2)/4: at most 4, where a unit step of the leapfrog is just stable.
+    // Largest eigenvalue of M^-1 K with M = (lambda + 2)/4: at most 4, where a unit step of the
+    // leapfrog is just stable.
     scenes::Scene s = small_wall();
     s.wall.base = GENERATE(dem::Base::fixed, dem::Base::joint);
     s.wall.toe = GENERATE(dem::Toe::held, dem::Toe::free);
@@ -143,7 +144,8 @@ TEST_CASE("model: no motion of a bonded wall is faster than the step allows", "[
 TEST_CASE("model: blocks and joints pass a uniform stress on exactly, whatever their mesh",
           "[dem][model]")
 {
-    // Problem 7. Without Poisson's ratio and self-weight every contact carries the vertical stress and no shear.
+    // Problem 7. Without Poisson's ratio and self-weight every contact carries the vertical
+    // stress and no shear.
     const auto [base, modes, rule, bond] = GENERATE(table<dem::Base, int, FaceRule, double>(
         {{dem::Base::joint, 6, FaceRule::even, 0.5},
          {dem::Base::joint, 6, FaceRule::lobatto, 0.5},
@@ -280,6 +282,20 @@ TEST_CASE("model: blocks that are alike share an element, and it has their size"
     }
     CHECK(m.places[22].element == m.places[24].element); // left halves inside a course
     CHECK(m.places[22].element != m.places[23].element); // left and right half
+}
+
+TEST_CASE("model: blocks alike but for their support have elements of their own",
+          "[dem][model]")
+{
+    scenes::Scene s = small_wall(); // a column of whole units, held at its foot
+    s.wall.length = s.wall.unit_length;
+    s.wall.bond_offset = 0.0;
+    s.wall.cracks_in_units = false;
+    s.wall.base = dem::Base::joint;
+    const Model m = scenes::model_of(s, coarse(3));
+    REQUIRE(m.places.size() == 4);
+    CHECK(m.places[0].element != m.places[1].element);
+    CHECK(m.places[1].element == m.places[2].element);
 }
 
 TEST_CASE("model: contact points are as dense on long faces as on those of a half unit",

@@ -1,4 +1,5 @@
-/// Walls under vertical load: problem 12 of the verification list and the wall modulus of Table 3.
+/// Walls under vertical load: problem 12 of the verification list and the wall modulus of Table
+/// 3.
 
 #include "scenes/paper_wall.hpp"
 

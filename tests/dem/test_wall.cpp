@@ -4,7 +4,8 @@
 
 TEST_CASE("wall: Eq. 2 gives the joint stiffness of the paper", "[dem][wall]")
 {
-    // Moduli of Table 3 at 0.15, 0.50, 1.00 and 1.25 MPa; stiffness to the last digit given, 5.87, 8.08, 11.34, 13.03 GPa/m.
+    // Moduli of Table 3 at 0.15, 0.50, 1.00 and 1.25 MPa; stiffness to the last digit given,
+    // 5.87, 8.08, 11.34, 13.03 GPa/m.
     const auto [modulus, stiffness] = GENERATE(table<double, double>(
         {{566e6, 5.87e9}, {768e6, 8.08e9}, {1057e6, 11.34e9}, {1202e6, 13.03e9}}));
     CHECK(dem::joint_stiffness(0.1, modulus, 15.5e9) ==

@@ -49,7 +49,8 @@ VectorXd linear_field(const ZoneGrid& grid, const Eigen::Vector3d& strain,
     return u;
 }
 
-/// Nodal loads of a uniform stress (sigma_x, sigma_z, tau) on the boundary: half of each side to each of its ends.
+/// Nodal loads of a uniform stress (sigma_x, sigma_z, tau) on the boundary: half of each side
+/// to each of its ends.
 VectorXd boundary_loads(const ZoneGrid& grid, const Eigen::Vector3d& stress)
 {
     VectorXd f = VectorXd::Zero(2 * grid.nodes());
@@ -119,7 +120,8 @@ struct Wave {
 
 constexpr double kClamped = 1e25; // [N/m]: a support that does not move
 
-/// Tip deflection of problem 6 by a grid of columns x rows zones, the load spread evenly over the end [m].
+/// Tip deflection of problem 6 by a grid of columns x rows zones, the load spread evenly over
+/// the end [m].
 double cantilever_tip(int columns, int rows, const Elastic& material)
 {
     const double height = 0.1, thickness = 0.1, load = 1e3;
@@ -238,7 +240,8 @@ TEST_CASE("zones: bar, P and S waves have their speeds, with an error of second 
 
 TEST_CASE("zones: a slender bar with free sides sounds at 599.0 Hz", "[dem][zones]")
 {
-    // Problem 5. Half of the bar, above its axis; both directions move. Lateral inertia: 1 - (pi nu h)^2 / 96 = 1 - 2e-6.
+    // Problem 5. Half of the bar, above its axis; both directions move. Lateral inertia: 1 -
+    // (pi nu h)^2 / 96 = 1 - 2e-6.
     const auto frequency = [](int zones) {
         const ZoneGrid half = bar(zones, 0.01);
         const auto is_free = [](int i, int j, int d) { return d == 0 ? i > 0 : j > 0; };
@@ -269,7 +272,8 @@ TEST_CASE("zones: the cantilever comes to Timoshenko's deflection as its zones g
     const auto error = [](int columns, int rows) {
         return cantilever_tip(columns, rows, kStone) / kTimoshenko - 1;
     };
-    // The clamp holds the root's depth as well: elasticity's limit is 0.08 % stiffer than the beam's.
+    // The clamp holds the root's depth as well: elasticity's limit is 0.08 % stiffer than the
+    // beam's.
     CHECK(std::abs(error(5, 1)) < 1.2e-2);
     CHECK(std::abs(error(10, 1)) < 3.7e-3);
     CHECK(std::abs(error(20, 2)) < 3.1e-3);

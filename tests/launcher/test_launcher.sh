@@ -212,14 +212,14 @@ claim_a_ready_program_can_be_named() {
 }
 
 claim_without_the_means_to_install_the_missing_packages_are_listed() {
-    printf '%s\n' libgsl-dev g++ >"$box/absent"
+    printf '%s\n' libeigen3-dev g++ >"$box/absent"
     fake id <<<'echo 1000'
     drystone show no
     expect_equal "the exit code" "$code" 1
     expect_equal "stdout" "$(cat "$box/out")" ""
     expect_text "$box/err" "this is neither root nor a user of sudo"
     expect_no_text "$box/err" "running:"
-    expect_equal "the list" "$(sed -n 's/^    //p' "$box/err")" $'g++\nlibgsl-dev'
+    expect_equal "the list" "$(sed -n 's/^    //p' "$box/err")" $'g++\nlibeigen3-dev'
     expect_no_text "$box/calls" apt-get
     expect_no_text "$box/calls" building
 }

@@ -28,8 +28,8 @@ struct Scene {
 [[nodiscard]] dem::Model model_of(const Scene& scene, const dem::Discretisation& d = {});
 [[nodiscard]] dem::WallMaterials uniform(const Scene& scene, const dem::Model& model);
 
-/// Sample of Table 5 (non-spatial): one draw per wall of the two stiffness factors, f_t, phi_u, phi_j, cut at -3.9 and 5
-/// standard deviations. A stand-in until uq/ draws samples.
+/// Sample of Table 5 (non-spatial): one draw per wall of the two stiffness factors, f_t, phi_u,
+/// phi_j, cut at -3.9 and 5 standard deviations. A stand-in until uq/ draws samples.
 [[nodiscard]] dem::WallMaterials table5_sample(const Scene& scene, const dem::Model& model,
                                                std::uint64_t sample);
 
