@@ -35,8 +35,8 @@ class Drive {
 
     [[nodiscard]] bool settling() const { return settling_; }
     [[nodiscard]] bool finished() const { return !settling_ && target_ >= targets_.size(); }
-    [[nodiscard]] double position() const { return position_; } ///< of the load line [m]
-    [[nodiscard]] double left() const { return path_ - travelled_; }         ///< of the whole path [m]
+    [[nodiscard]] double position() const { return position_; }      ///< of the load line [m]
+    [[nodiscard]] double left() const { return path_ - travelled_; } ///< of the whole path [m]
     [[nodiscard]] double done() const; ///< share of the whole path travelled [-]
     [[nodiscard]] long long step_count() const { return step_; }
 
