@@ -141,7 +141,7 @@ void connect(const Discretisation& d, Model& m)
     }
 }
 
-void check(const WallGeometry& wall, const Beam& beam, const Loads& loads,
+void check(const WallGeometry& wall, const Elastic& stone, const Beam& beam, const Loads& loads,
            const Discretisation& d)
 {
     const auto require = [](bool ok, const char* what) {
@@ -154,6 +154,12 @@ void check(const WallGeometry& wall, const Beam& beam, const Loads& loads,
     require(wall.bond_offset >= 0 && wall.bond_offset < 1,
             "bond offset must be in [0, 1) unit lengths");
     require(beam.height > 0, "beam height must be positive");
+    for (const Elastic& m : {stone, beam.material})
+        require(m.young_modulus > 0 && m.poisson_ratio >= 0 && m.poisson_ratio < 0.5 &&
+                    m.density >= 0,
+                "elastic: E > 0, Poisson's ratio in [0, 0.5), density >= 0");
+    require(loads.vertical_stress >= 0 && loads.gravity >= 0,
+            "vertical stress and gravity must not be negative");
     require(loads.height >= top - 1e-9 && loads.height <= top + beam.height + 1e-9,
             "the load line must lie within the beam");
     require(d.contact_points >= 2 && d.zones_per_interval >= 1,
@@ -168,7 +174,7 @@ Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& bea
                  const Loads& loads, const ReferenceStiffness& reference,
                  const Discretisation& d)
 {
-    check(wall, beam, loads, d);
+    check(wall, stone, beam, loads, d);
     Model m;
     m.wall = wall;
     m.beam = beam;

@@ -31,6 +31,8 @@ void check(const Model& m, const WallMaterials& w, const PushPlan& plan, const S
                 c.cohesion_res >= 0 && c.tan_phi >= 0 && c.tan_phi_res >= 0 &&
                 c.fracture_energy >= 0,
             "a unit crack needs positive stiffness and strengths >= 0, residual <= initial");
+    for (const double target : plan.targets)
+        require(std::isfinite(target), "targets must be finite");
     require(plan.record_every > 0 && plan.snapshot_every >= 0,
             "curve points need a spacing > 0");
     require(o.steps_per_mm > 0 && o.damping_factor > 0 && o.damping_factor < 1 &&
@@ -144,7 +146,8 @@ void go_on(Run& r)
     if (r.tables.vertical_load > 0.0)
         r.drive.feel(std::abs(r.state.top_force - r.state.base_shear) / r.tables.vertical_load);
     const bool room_for_another = r.drive.left() > 0.5 * r.plan.record_every;
-    if (r.drive.finished() || (r.recorder.due() && room_for_another)) take_point(r);
+    const bool wanted = r.drive.finished() || (r.recorder.due() && room_for_another);
+    if (wanted && r.recorder.any()) take_point(r);
 }
 
 void finish(Run& r)

@@ -334,6 +334,11 @@ TEST_CASE("model: what makes no wall is refused", "[dem][model]")
         [](auto& s, auto&) { s.loads.height = 0.29; }, // top of the wall: 0.30 m
         [](auto& s, auto&) { s.loads.height = 0.41; }, // top of the beam: 0.40 m
         [nan](auto& s, auto&) { s.loads.height = nan; },
+        [](auto& s, auto&) { s.loads.vertical_stress = -1.0; },
+        [nan](auto& s, auto&) { s.loads.vertical_stress = nan; },
+        [](auto& s, auto&) { s.stone.young_modulus = 0.0; },
+        [](auto& s, auto&) { s.stone.poisson_ratio = 0.5; },
+        [](auto& s, auto&) { s.beam.material.density = -1.0; },
         [](auto&, auto& d) { d.contact_points = 1; },
         [](auto&, auto& d) { d.zones_per_interval = 0; },
         [](auto&, auto& d) { d.block_modes = 2; },

@@ -193,6 +193,13 @@ TEST_CASE(
     for (const dem::CurvePoint& p : r.curve) CHECK(std::isfinite(p.force));
 }
 
+TEST_CASE("push: a target given twice adds no point and no NaN", "[dem][push]")
+{
+    const dem::PushResult r = pushed(scenes::paper_wall(0.50), to({5e-4, 5e-4}));
+    for (const dem::CurvePoint& p : r.curve) CHECK(std::isfinite(p.force));
+    CHECK(r.curve.size() == pushed(scenes::paper_wall(0.50), to({5e-4})).curve.size());
+}
+
 TEST_CASE("push: snap-back contacts are counted", "[dem][push]")
 {
     const scenes::Scene s = scenes::paper_wall(0.15); // f_T 3.7 > sqrt(2 G k_n) = 3.595 MPa
