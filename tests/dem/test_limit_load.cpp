@@ -66,7 +66,7 @@ TEST_CASE("limit load: a rocking block on an elastic joint carries N (L/2 - c/3)
     const double kn = 1e10, length = 1.0, height = 1.0, t = 0.2;
     scenes::Scene s = scenes::monolith(length, height, stress, kn);
     s.stone.young_modulus = s.beam.material.young_modulus = 1e15;
-    dem::Discretisation d = rigid_blocks(65);
+    dem::Discretisation d = rigid_blocks(33);
     const dem::Model m = scenes::model_of(s, d);
     dem::PushPlan plan;
     plan.targets = {displacement};
