@@ -68,7 +68,7 @@ template <class Real>
 }
 
 /// 1/(u_ul - u_el) of a contact that snaps back: any opening beyond u_el is full damage.
-constexpr double kBreaksAtOnce = 1e300; // [1/m]
+constexpr double kBreaksAtOnce = 1e30; // [1/m]
 
 template <class Real> struct CrackLaw {
     Real kn;             ///< [Pa/m]
@@ -85,12 +85,20 @@ template <class Real> struct CrackLaw {
 };
 
 template <class Real> struct CrackState {
-    Real u_n;   ///< [m]
-    Real tau;   ///< [Pa]
-    Real sigma; ///< [Pa]
-    Real u_max; ///< largest opening so far, at least u_el [m]
-    Real bond;  ///< 1 - d_s: 1 intact, 0 once the shear limit was reached
+    Real u_n;       ///< [m]
+    Real tau;       ///< [Pa]
+    Real sigma;     ///< [Pa]
+    Real u_max;     ///< largest opening so far, at least u_el [m]
+    Real bond;      ///< 1 - d_s: 1 intact, 0 once the shear limit was reached
+    Real secant;    ///< sigma / u_n in tension [Pa/m]
+    Real integrity; ///< what is left against slip, see Integrity [-]
 };
+
+template <class Real> [[nodiscard]] CrackState<Real> intact(const CrackLaw<Real>& law)
+{
+    const Real zero(0.0), one(1.0);
+    return {zero, zero, zero, law.u_el, one, law.kn, one};
+}
 
 /// 1 - d_t (Table 2, step 3), from the largest opening so far.
 template <class Real> [[nodiscard]] Real tension_left(const CrackLaw<Real>& law, Real u_max)
@@ -113,9 +121,9 @@ template <ContactLaw kLaw, class Real> struct Integrity {
 /// Normal stress: elastic in compression, secant below the largest opening.
 ///   u_n <= 0: k_n u_n        u_n > 0: (1 - D) f_T u_n / u_max
 template <class Real>
-[[nodiscard]] Real crack_stress(const CrackLaw<Real>& law, Real integrity, Real u_n, Real u_max)
+[[nodiscard]] Real crack_stress(const CrackLaw<Real>& law, Real secant, Real u_n)
 {
-    return select(u_n > Real(0.0), integrity * law.ft * (u_n / u_max), law.kn * u_n);
+    return select(u_n > Real(0.0), secant, law.kn) * u_n;
 }
 
 /// tau_max = c(D) - sigma tan(theta(D)), not below zero (Table 2, step 5).
@@ -133,34 +141,62 @@ template <class Real> struct CrackUpdate {
     ContactLoss<Real> loss;
 };
 
-/// Potential crack in a unit (Table 2): linear softening in tension, brittle in shear.
+/// A crack that neither opens further than before nor reaches its shear limit, and whether that
+/// holds in every lane: most cracks, most of the time.
+template <class Real> struct ElasticTrial {
+    Real u_n, tau, sigma;
+    bool holds;
+};
+
+template <class Real>
+[[nodiscard]] ElasticTrial<Real> try_elastic(const CrackLaw<Real>& law,
+                                             const CrackState<Real>& s, Real du_n, Real du_s)
+{
+    const Real u_n = s.u_n + du_n;
+    const Real sigma = crack_stress(law, s.secant, u_n);
+    const Real tau = multiply_add(law.ks, du_s, s.tau);
+    const auto leaves = (u_n > s.u_max) | (abs(tau) > shear_strength(law, s.integrity, sigma));
+    return {u_n, tau, sigma, !any(leaves)};
+}
+
+/// Potential crack in a unit (Table 2): linear softening in tension, brittle in shear. Where
+/// try_elastic holds it gives the same bits.
 template <ContactLaw kLaw, class Real>
 [[nodiscard]] CrackUpdate<Real> advance(const CrackLaw<Real>& law, const CrackState<Real>& s,
                                         Real du_n, Real du_s)
 {
+    const Real zero(0.0);
     const Real u_n = s.u_n + du_n;
-    const Real u_max = max(s.u_max, u_n);
+    const auto opens = u_n > s.u_max;
+    const Real u_max = select(opens, u_n, s.u_max);
     const Real left = tension_left(law, u_max);
     const Integrity<kLaw, Real> before(left, s.bond);
-    const Real sigma_trial = crack_stress(law, before.normal, u_n, u_max);
+    const Real secant_trial = select(opens, before.normal * (law.ft / u_max), s.secant);
+    const Real integrity_trial = select(opens, before.shear, s.integrity);
+    const Real sigma_trial = crack_stress(law, secant_trial, u_n);
     const Real tau_trial = multiply_add(law.ks, du_s, s.tau);
 
-    const auto fails = abs(tau_trial) > shear_strength(law, before.shear, sigma_trial);
-    const Real bond = select(fails, Real(0.0), s.bond);
+    const auto yields = abs(tau_trial) > shear_strength(law, integrity_trial, sigma_trial);
+    const Real bond = select(yields, zero, s.bond);
     const Integrity<kLaw, Real> after(left, bond);
-    const Real sigma = crack_stress(law, after.normal, u_n, u_max);
-    const Real limit = shear_strength(law, after.shear, sigma);
-    const Real tau = max(-limit, min(limit, tau_trial));
+    const Real secant =
+        kLaw == ContactLaw::coupled ? select(yields, zero, secant_trial) : secant_trial;
+    const Real integrity = select(yields, after.shear, integrity_trial);
+    const Real sigma = crack_stress(law, secant, u_n);
+    const Real limit = shear_strength(law, integrity, sigma);
+    const Real tau = select(yields, max(-limit, min(limit, tau_trial)), tau_trial);
 
-    const Real slip = du_s - (tau - s.tau) * law.inv_ks;
+    const Real slip = select(yields, du_s - (tau - s.tau) * law.inv_ks, zero);
     const Real shear_loss = Real(0.5) * (s.tau + tau) * slip;
     // In the step that breaks the bond, what the residual strength would have taken is
     // friction, the rest fracture.
     const Real friction = select(bond < s.bond, min(shear_loss, abs(tau * slip)), shear_loss);
     // Work of sigma less the change of sigma u_n / 2: zero as long as sigma is proportional to
     // u_n.
-    const Real opening_loss = Real(0.5) * (s.sigma * u_n - sigma * s.u_n);
-    return {{u_n, tau, sigma, u_max, bond}, {friction, opening_loss + (shear_loss - friction)}};
+    const Real changes = Real(0.5) * (s.sigma * u_n - sigma * s.u_n);
+    const Real opening_loss = select(opens, changes, select(secant < s.secant, changes, zero));
+    return {{u_n, tau, sigma, u_max, bond, secant, integrity},
+            {friction, opening_loss + (shear_loss - friction)}};
 }
 
 /// D of Table 2.

@@ -25,8 +25,8 @@ class Drive {
     template <class F> void settle(F unbalanced_ratio)
     {
         if (!settling_ || step_ % kLookEvery != 0 || step_ <= ramp_steps()) return;
-        if (step_ >= options_.preload_steps || unbalanced_ratio() < options_.preload_unbalance)
-            settling_ = false;
+        settled_ = unbalanced_ratio() < options_.preload_unbalance;
+        settling_ = !settled_ && step_ < options_.preload_steps;
     }
 
     /// Push: to be called after each step. Slows the drive while the wall is out of balance.
@@ -34,6 +34,7 @@ class Drive {
     void feel(double unbalance);
 
     [[nodiscard]] bool settling() const { return settling_; }
+    [[nodiscard]] bool settled() const { return settled_; } ///< at rest before the push
     [[nodiscard]] bool finished() const { return !settling_ && target_ >= targets_.size(); }
     [[nodiscard]] double position() const { return position_; }      ///< of the load line [m]
     [[nodiscard]] double left() const { return path_ - travelled_; } ///< of the whole path [m]
@@ -42,13 +43,17 @@ class Drive {
 
   private:
     static constexpr int kLookEvery = 50;
-    [[nodiscard]] long long ramp_steps() const { return options_.preload_steps / 4; }
+    [[nodiscard]] long long ramp_steps() const
+    {
+        return options_.preload == Preload::solved ? 0 : options_.preload_steps / 4;
+    }
 
     std::vector<double> targets_;
     SolverOptions options_;
     double full_speed_ = 0.0; ///< [m/step]
     double path_ = 0.0;       ///< [m]
     bool settling_ = true;
+    bool settled_ = false;
     long long step_ = 0;
     std::size_t target_ = 0;
     double position_ = 0.0;

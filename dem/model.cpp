@@ -52,8 +52,19 @@ std::vector<double> key_of(const BlockSpec& s)
     return key;
 }
 
-BlockSpec spec_of(int block, const Model& m, const ReferenceStiffness& reference,
-                  const Discretisation& d)
+/// Faces of each block, in the order of the layout.
+std::vector<std::vector<int>> faces_by_block(const Layout& layout)
+{
+    std::vector<std::vector<int>> faces(layout.blocks.size());
+    for (std::size_t f = 0; f < layout.faces.size(); ++f)
+        for (const int block : {layout.faces[f].a, layout.faces[f].b})
+            if (block != kGround) faces[block].push_back(static_cast<int>(f));
+    return faces;
+}
+
+/// @param faces of the block, indices in Layout::faces
+BlockSpec spec_of(int block, const std::vector<int>& faces, const Model& m,
+                  const ReferenceStiffness& reference, const Discretisation& d)
 {
     const Block& b = m.layout.blocks[block];
     const bool is_beam = block == m.layout.beam;
@@ -69,23 +80,24 @@ BlockSpec spec_of(int block, const Model& m, const ReferenceStiffness& reference
     s.zones_per_interval = d.zones_per_interval;
     s.zone_size = 0.5 * m.wall.unit_length / ((d.contact_points - 1) * d.zones_per_interval);
     s.modes = is_beam ? d.beam_modes : d.block_modes;
-    for (const Face& f : m.layout.faces)
-        if (f.a == block || f.b == block) {
-            const auto [kn, ks] = reference_of(f, reference);
-            s.edges.push_back({{f.from.x - b.x0, f.from.z - b.z0},
-                               {f.to.x - b.x0, f.to.z - b.z0},
-                               points_of(f, m.wall, d),
-                               kn,
-                               ks});
-        }
+    for (const int face : faces) {
+        const Face& f = m.layout.faces[face];
+        const auto [kn, ks] = reference_of(f, reference);
+        s.edges.push_back({{f.from.x - b.x0, f.from.z - b.z0},
+                           {f.to.x - b.x0, f.to.z - b.z0},
+                           points_of(f, m.wall, d),
+                           kn,
+                           ks});
+    }
     return s;
 }
 
 void place_blocks(const ReferenceStiffness& reference, const Discretisation& d, Model& m)
 {
+    const std::vector<std::vector<int>> faces = faces_by_block(m.layout);
     std::vector<std::vector<double>> keys;
     for (int block = 0; block < static_cast<int>(m.layout.blocks.size()); ++block) {
-        const BlockSpec spec = spec_of(block, m, reference, d);
+        const BlockSpec spec = spec_of(block, faces[block], m, reference, d);
         const std::vector<double> key = key_of(spec);
         const auto known = std::find(keys.begin(), keys.end(), key);
         const int element = static_cast<int>(known - keys.begin());

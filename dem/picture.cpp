@@ -43,35 +43,23 @@ Point position_of(const Model& m, const Contact& c, const Face& f)
     return {m.layout.blocks[f.b].x0 + local.x, m.layout.blocks[f.b].z0 + local.z};
 }
 
-/// Displacements of all contact points (x and z in turn), the ground last [m].
+/// Slip of the contacts of one lane since the unloaded wall [m].
 template <class Real>
-std::vector<double> point_displacements(const Model& m, const StepTables& t,
-                                        const WallState<Real>& state, int lane, double drive)
+std::vector<double> slips(const StepTables& t, const WallState<Real>& state, int lane,
+                          double drive)
 {
-    std::vector<double> u(2 * static_cast<std::size_t>(m.n_points) + 2, 0.0);
-    for (std::size_t b = 0; b < t.blocks.size(); ++b) {
-        const auto& block = t.blocks[b];
-        const Eigen::MatrixXd& phi = m.elements[block.element].phi;
-        const double pushed = static_cast<int>(b) == m.layout.beam ? drive : 0.0;
-        for (int row = 0; row < block.rows; ++row) {
-            double sum = row % 2 == 0 ? pushed : 0.0;
-            for (int i = 0; i < block.modes; ++i)
-                sum += phi(row, i) * dem::lane(state.q[block.first_mode + i], lane);
-            u[block.first_row + row] = sum;
-        }
+    std::vector<double> slip(t.n_contacts, 0.0);
+    for (const auto& b : t.blocks) {
+        const PortMatrix<double>& a = t.matrices[b.element];
+        for (int p = 0; p < a.ports; ++p)
+            for (int i = 0; i < a.modes; ++i)
+                slip[t.port_contact[b.first_port + p]] +=
+                    a.to_contacts[2 * (static_cast<std::size_t>(i) * a.ports + p) + 1] *
+                    dem::lane(state.q[b.first_mode + i], lane);
     }
-    return u;
-}
-
-void add_contact(const Model& m, const Contact& c, const std::vector<double>& u,
-                 ContactState state, Snapshot& s)
-{
-    const int a = 2 * c.a, b = 2 * c.b;
-    state.slip = c.nz * (u[b] - u[a]) - c.nx * (u[b + 1] - u[a + 1]);
-    state.at = position_of(m, c, m.layout.faces[c.face]);
-    state.area = c.area;
-    s.faces[c.face].normal = {c.nx, c.nz};
-    s.faces[c.face].contacts.push_back(state);
+    for (const HorizontalShare& h : t.beam)
+        if (h.row % 2 == 1) slip[h.row / 2] += h.factor * drive;
+    return slip;
 }
 
 } // namespace
@@ -91,23 +79,19 @@ Snapshot picture(const Model& m, const StepTables& t, const WallState<Real>& sta
         s.blocks.push_back(block_state(m, q, b, drive));
     }
     s.faces = empty_faces(m.layout);
-    const std::vector<double> u = point_displacements(m, t, state, lane, drive);
-    for (std::size_t k = 0; k < m.dry.size(); ++k) {
-        const double sigma = at(dry_stress(state.dry_laws[t.dry[k].law], state.dry[k].u_n));
-        add_contact(m, m.dry[k], u,
-                    {{}, 0, at(state.dry[k].u_n), 0, sigma, at(state.dry[k].tau), 0}, s);
-    }
-    for (std::size_t k = 0; k < m.tied.size(); ++k) {
-        const double u_n = at(state.tied[k].u_n);
-        add_contact(m, m.tied[k], u,
-                    {{}, 0, u_n, 0, at(state.tied_laws[0].kn) * u_n, at(state.tied[k].tau), 0},
-                    s);
-    }
-    for (std::size_t k = 0; k < m.cracks.size(); ++k) {
-        const CrackState<Real>& c = state.cracks[k];
-        const double d = at(damage(state.crack_laws[t.cracks[k].law], c));
-        add_contact(m, m.cracks[k], u, {{}, 0, at(c.u_n), 0, at(c.sigma), at(c.tau), d}, s);
-    }
+    const std::vector<double> slip = slips(t, state, lane, drive);
+    int number = 0;
+    const auto add = [&](const Contact& c, double damage) {
+        const int k = number++;
+        s.faces[c.face].normal = {c.nx, c.nz};
+        s.faces[c.face].contacts.push_back({position_of(m, c, m.layout.faces[c.face]), c.area,
+                                            at(state.u_n[k]), slip[k], at(state.stress[2 * k]),
+                                            at(state.stress[2 * k + 1]), damage});
+    };
+    for (const Contact& c : m.dry) add(c, 0.0);
+    for (const Contact& c : m.tied) add(c, 0.0);
+    for (const Contact& c : m.cracks)
+        add(c, at(damage(state.crack_laws[c.material], crack_state(t, state, number))));
     return s;
 }
 
@@ -115,5 +99,9 @@ template Snapshot picture(const Model&, const StepTables&, const WallState<doubl
                           double, double);
 template Snapshot picture(const Model&, const StepTables&, const WallState<Pack>&, int, double,
                           double);
+template Snapshot picture(const Model&, const StepTables&, const WallState<float>&, int, double,
+                          double);
+template Snapshot picture(const Model&, const StepTables&, const WallState<FloatPack>&, int,
+                          double, double);
 
 } // namespace dem

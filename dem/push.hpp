@@ -9,15 +9,26 @@
 #include "dem/wall.hpp"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace dem {
 
 enum class Outcome {
     reached_target,   ///< all target displacements reached
+    decided,          ///< stopped by PushPlan::decided: nothing more to learn
     lost_equilibrium, ///< the wall came down: blocks parted by more than its height. A result
-    not_finite        ///< the numbers broke: kept, named, and no number of it is used
+    not_finite,       ///< the numbers broke: kept, named, and no number of it is used
+    energy_astray, ///< more energy appeared or vanished than energy_tolerance, at any step tried
+    out_of_steps   ///< SolverOptions::most_steps were not enough
 };
+
+/// The run says nothing about the wall (or not enough): kept, counted, never averaged.
+[[nodiscard]] constexpr bool failed(Outcome o)
+{
+    return o == Outcome::not_finite || o == Outcome::energy_astray ||
+           o == Outcome::out_of_steps;
+}
 
 /// A point of the capacity curve: means over the way since the previous point, placed at its
 /// middle.
@@ -26,14 +37,16 @@ struct CurvePoint {
     double force = 0.0;        ///< horizontal load [N]: work of the drive / way
     double base_shear = 0.0;   ///< horizontal force on the ground [N]
     double unbalance = 0.0;    ///< mean of |load - base shear| [N]
-    Energy energy;             ///< at the end of the interval, since the unloaded wall [J]
+    Energy
+        energy; ///< at the end of the interval, since the unloaded wall [J]; zeros if not kept
 };
 
 /// What a run took.
 struct RunCost {
     long long steps = 0;
     long long contact_updates = 0;
-    double seconds = 0.0; ///< wall clock
+    double seconds =
+        0.0; ///< of one core (core_clock.hpp); walls that share a register share it
 };
 
 struct PushResult {
@@ -43,25 +56,41 @@ struct PushResult {
         snapshots; ///< as asked for in PushPlan, in order of the way; the first before the push
     Snapshot at_peak; ///< at the curve point with the largest force
     Snapshot at_end;
-    Energy energy;
+    Energy energy;         ///< at the end
+    double residual = 0.0; ///< largest |energy residual| wherever it was read [-]
+    /// Of the step that is stable by the bound of block_element.hpp [-]; smaller than asked for
+    /// where that step made energy: halved each time, and the wall pushed anew.
+    double step_fraction = 0.0;
+    int step_reductions = 0;
+    bool settled = false;    ///< at rest under the vertical load before the push
     double settlement = 0.0; ///< of the beam under vertical load alone [m], positive down
     int snap_back_contacts =
         0; ///< in units, f_T > sqrt(2 G k_n): break at once and release f_T^2/(2 k_n) > G
     RunCost cost;
 };
 
-/// Where to go and what to keep.
+/// Where to go and what to keep. What is not asked for is not computed.
 struct PushPlan {
     std::vector<double> targets = {
         0.03}; ///< load-line displacements [m] in order; a cyclic push changes sign
     double record_every = 5e-5;  ///< way between curve points [m], > 0
     double snapshot_every = 0.0; ///< way between snapshots [m]; 0: none
+    bool energy_at_points =
+        true; ///< ledger at every curve point, else only every few hundred steps
+    bool snapshot_at_peak = true;
+    /// Asked at each curve point; true ends the push. May be empty.
+    std::function<bool(std::span<const CurvePoint>)> decided;
     std::function<void(double done, double displacement, double force)>
         progress; ///< done in [0, 1]; may be empty
 };
 
+/// @throws std::invalid_argument if materials do not fit the model or a value is outside its range
+void check(const Model& model, const WallMaterials& materials);
+void check(const PushPlan& plan, const SolverOptions& options);
+
+/// One wall, in plain doubles. The same bits as from push_ensemble.
 /// @param materials as many joints and cracks as the model has
-/// @throws std::invalid_argument if they do not fit or a value is outside its range
+/// @throws std::invalid_argument as check
 [[nodiscard]] PushResult push(const Model& model, const WallMaterials& materials,
                               const PushPlan& plan, const SolverOptions& options = {});
 

@@ -1,6 +1,5 @@
 #include "dem/step.hpp"
 
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -25,110 +24,114 @@ Real damping_force(Real gamma, Real force, Real last_force, Real velocity)
     return Real(0.5) * (with_sign_of(size, force - last_force) - with_sign_of(size, velocity));
 }
 
-/// Modal forces, leapfrog with damping, displacements of the contact points in this step.
+/// Modal forces, leapfrog with damping, relative displacements at the contacts in this step.
 template <Damping kDamping, class Real>
 void move_blocks(const StepTables& t, double damping_factor, const StepInput<Real>& in,
                  WallState<Real>& s)
 {
-    const Real gamma(damping_factor);
-    std::vector<Real>& last = s.last_force;
-    std::array<Real, 256> force;
-    std::vector<Real> large; // the beam with all its modes
+    const Real gamma(damping_factor), half(0.5);
+    Real lost = s.damping, work = s.work;
+    Real* force = s.block_force.data();
+    const auto& matrices = matrices_of<Number<Real>>(t);
     for (const auto& b : t.blocks) {
-        Real* f = force.data();
-        if (b.modes > static_cast<int>(force.size())) {
-            large.resize(b.modes);
-            f = large.data();
-        }
-        apply(t.to_modes[b.element], &s.force[b.first_row], f);
+        const auto& matrix = matrices[b.element];
+        const int* contact = t.port_contact.data() + b.first_port;
+        gather(matrix, contact, s.stress.data(), force);
         for (int i = 0; i < b.modes; ++i) {
             const int m = b.first_mode + i;
-            const Real load = in.load_factor * s.load[m];
-            const Real total = f[i] + load - s.elasticity[m] * s.q[m];
-            const Real damping = damping_force<kDamping>(gamma, total, last[m], s.v[m]);
-            const Real v = multiply_add(total + damping, s.inv_mass[m], s.v[m]);
-            s.damping -= damping * (Real(0.5) * (s.v[m] + v));
-            s.work = multiply_add(load, v, s.work);
+            const Real load = in.load_factor * s.load[m], before = s.v[m];
+            const Real total = force[i] + load - s.elasticity[m] * s.q[m];
+            const Real damping = damping_force<kDamping>(gamma, total, s.last_force[m], before);
+            const Real v = multiply_add(total + damping, s.inv_mass[m], before);
+            lost -= damping * (half * (before + v));
+            work = multiply_add(load, v, work);
             s.q[m] += v;
             s.v[m] = v;
-            last[m] = total;
+            s.last_force[m] = total;
         }
-        apply(t.to_points[b.element], &s.v[b.first_mode], &s.du[b.first_row]);
+        scatter(matrix, contact, s.v.data() + b.first_mode, s.du.data());
     }
-    for (int row = t.beam_first_row; row < t.beam_first_row + t.beam_rows; row += 2)
-        s.du[row] += in.drive;
+    s.damping = lost;
+    s.work = work;
+    for (const HorizontalShare& h : t.beam) s.du[h.row] += Real(h.factor) * in.drive;
 }
 
+/// Takes the relative displacement of a contact and leaves zero for the next step.
 template <class Real> struct Relative {
     Real normal, tangential;
+    Relative(WallState<Real>& s, int contact)
+        : normal(s.du[2 * contact]), tangential(s.du[2 * contact + 1])
+    {
+        s.du[2 * contact] = s.du[2 * contact + 1] = Real(0.0);
+    }
 };
 
 template <class Real>
-Relative<Real> relative_motion(const ContactIndex& c, const std::vector<Real>& du)
+void set_contact(WallState<Real>& s, int k, Real u_n, Real sigma, Real tau)
 {
-    const Real dx = du[c.b] - du[c.a], dz = du[c.b + 1] - du[c.a + 1];
-    return {Real(c.nx) * dx + Real(c.nz) * dz, Real(c.nz) * dx - Real(c.nx) * dz};
-}
-
-/// Tension pulls b back to a; positive shear stress pulls b back along the tangent.
-template <class Real>
-void add_force(const ContactIndex& c, Real sigma, Real tau, std::vector<Real>& force)
-{
-    const Real n = Real(c.area) * sigma, t = Real(c.area) * tau;
-    const Real fx = Real(c.nx) * n + Real(c.nz) * t, fz = Real(c.nz) * n - Real(c.nx) * t;
-    force[c.a] += fx;
-    force[c.a + 1] += fz;
-    force[c.b] -= fx;
-    force[c.b + 1] -= fz;
+    s.u_n[k] = u_n;
+    s.stress[2 * k] = sigma;
+    s.stress[2 * k + 1] = tau;
 }
 
 template <class Real> void advance_dry(const StepTables& t, WallState<Real>& s)
 {
-    for (std::size_t k = 0; k < t.dry.size(); ++k) {
-        const ContactIndex& c = t.dry[k];
-        const auto [du_n, du_s] = relative_motion(c, s.du);
-        const DryUpdate<Real> u = advance(s.dry_laws[c.law], s.dry[k], du_n, du_s);
-        s.dry[k] = u.state;
-        s.friction = multiply_add(Real(c.area), u.friction, s.friction);
-        add_force(c, u.sigma, u.state.tau, s.force);
+    Real friction = s.friction;
+    for (const ContactRun& run : t.dry) {
+        const DryLaw<Real> law = s.dry_laws[run.law];
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const Relative<Real> du(s, k);
+            const DryState<Real> before{s.u_n[k], s.stress[2 * k + 1]};
+            const DryUpdate<Real> u = advance(law, before, du.normal, du.tangential);
+            set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
+            friction = multiply_add(Real(t.area[k]), u.friction, friction);
+        }
     }
+    s.friction = friction;
 }
 
 template <class Real> void advance_tied(const StepTables& t, WallState<Real>& s)
 {
-    for (std::size_t k = 0; k < t.tied.size(); ++k) {
-        const ContactIndex& c = t.tied[k];
-        const auto [du_n, du_s] = relative_motion(c, s.du);
-        DryState<Real>& state = s.tied[k];
-        state.u_n += du_n;
-        state.tau = multiply_add(s.tied_laws[0].ks, du_s, state.tau);
-        add_force(c, s.tied_laws[0].kn * state.u_n, state.tau, s.force);
+    for (const ContactRun& run : t.tied) {
+        const DryLaw<Real>& law = s.tied_laws[run.law];
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const Relative<Real> du(s, k);
+            const Real u_n = s.u_n[k] + du.normal;
+            const Real tau = multiply_add(law.ks, du.tangential, s.stress[2 * k + 1]);
+            set_contact(s, k, u_n, law.kn * u_n, tau);
+        }
     }
 }
 
 template <ContactLaw kLaw, class Real>
-void advance_cracks(const StepTables& t, WallState<Real>& s)
+void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
 {
-    for (std::size_t k = 0; k < t.cracks.size(); ++k) {
-        const ContactIndex& c = t.cracks[k];
-        const auto [du_n, du_s] = relative_motion(c, s.du);
-        const CrackUpdate<Real> u = advance<kLaw>(s.crack_laws[c.law], s.cracks[k], du_n, du_s);
-        s.cracks[k] = u.state;
-        s.friction = multiply_add(Real(c.area), u.loss.friction, s.friction);
-        s.fracture = multiply_add(Real(c.area), u.loss.fracture, s.fracture);
-        add_force(c, u.state.sigma, u.state.tau, s.force);
+    for (const ContactRun& run : t.cracks) {
+        const CrackLaw<Real>& law = s.crack_laws[run.law];
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const Relative<Real> du(s, k);
+            const CrackState<Real> before = crack_state(t, s, k);
+            const auto trial = try_elastic(law, before, du.normal, du.tangential);
+            if (trial.holds && shortcuts) {
+                set_contact(s, k, trial.u_n, trial.sigma, trial.tau);
+                continue;
+            }
+            const auto [c, loss] = advance<kLaw>(law, before, du.normal, du.tangential);
+            set_contact(s, k, c.u_n, c.sigma, c.tau);
+            s.cracks[k - t.first_crack] = {c.u_max, c.bond, c.secant, c.integrity};
+            s.friction = multiply_add(Real(t.area[k]), loss.friction, s.friction);
+            s.fracture = multiply_add(Real(t.area[k]), loss.fracture, s.fracture);
+        }
     }
 }
 
-/// Force of the drive on the beam, and of the wall on the ground.
-template <class Real> void measure_shear(const StepTables& t, WallState<Real>& s)
+template <class Real>
+Real horizontal_force(const std::vector<HorizontalShare>& shares, const WallState<Real>& s)
 {
-    Real top(0.0), base = s.force[t.ground_row];
-    for (int row = t.beam_first_row; row < t.beam_first_row + t.beam_rows; row += 2)
-        top -= s.force[row];
-    for (const int row : t.support_rows) base += s.force[row];
-    s.top_force = top;
-    s.base_shear = base;
+    Real sum(0.0);
+    for (const HorizontalShare& h : shares)
+        sum = multiply_add(Real(h.area * h.factor), s.stress[h.row], sum);
+    return sum;
 }
 
 } // namespace
@@ -142,16 +145,16 @@ void step(const StepTables& t, const SolverOptions& options, const StepInput<Rea
     else
         move_blocks<Damping::combined>(t, options.damping_factor, in, s);
 
-    s.force.assign(s.force.size(), Real(0.0));
     advance_dry(t, s);
     advance_tied(t, s);
     if (options.law == ContactLaw::coupled)
-        advance_cracks<ContactLaw::coupled>(t, s);
+        advance_cracks<ContactLaw::coupled>(t, options.shortcuts, s);
     else
-        advance_cracks<ContactLaw::uncoupled>(t, s);
+        advance_cracks<ContactLaw::uncoupled>(t, options.shortcuts, s);
 
     const Real before = s.top_force;
-    measure_shear(t, s);
+    s.top_force = horizontal_force(t.beam, s);
+    s.base_shear = -horizontal_force(t.ground, s);
     s.work = multiply_add(Real(0.5) * (before + s.top_force), in.drive, s.work);
 }
 
@@ -167,9 +170,15 @@ template <class Real> double unbalanced_ratio(const WallState<Real>& s, int lane
 
 template void step(const StepTables&, const SolverOptions&, const StepInput<double>&,
                    WallState<double>&);
+template double unbalanced_ratio(const WallState<double>&, int);
 template void step(const StepTables&, const SolverOptions&, const StepInput<Pack>&,
                    WallState<Pack>&);
-template double unbalanced_ratio(const WallState<double>&, int);
 template double unbalanced_ratio(const WallState<Pack>&, int);
+template void step(const StepTables&, const SolverOptions&, const StepInput<float>&,
+                   WallState<float>&);
+template double unbalanced_ratio(const WallState<float>&, int);
+template void step(const StepTables&, const SolverOptions&, const StepInput<FloatPack>&,
+                   WallState<FloatPack>&);
+template double unbalanced_ratio(const WallState<FloatPack>&, int);
 
 } // namespace dem

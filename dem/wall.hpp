@@ -2,6 +2,7 @@
 /// The wall as an engineer describes it: sizes, bond, supports, loads, and the material of
 /// every joint and crack.
 
+#include <optional>
 #include <vector>
 
 namespace dem {
@@ -37,12 +38,14 @@ struct WallGeometry {
     bool cracks_in_units = true; ///< a potential crack at mid-length of each whole unit
     Base base = Base::fixed;
     Toe toe = Toe::held;
+    friend bool operator==(const WallGeometry&, const WallGeometry&) = default;
 };
 
 struct Elastic {
     double young_modulus = 0.0; ///< [Pa], > 0
     double poisson_ratio = 0.0; ///< [-], in [0, 0.5)
     double density = 0.0;       ///< [kg/m3], >= 0
+    friend bool operator==(const Elastic&, const Elastic&) = default;
 };
 
 struct Beam {
@@ -50,6 +53,7 @@ struct Beam {
     Elastic material;
     BeamInterface interface = BeamInterface::tied;
     BeamRotation rotation = BeamRotation::free;
+    friend bool operator==(const Beam&, const Beam&) = default;
 };
 
 /// A dry joint: no tension, Coulomb friction, no dilatancy.
@@ -80,6 +84,8 @@ struct WallMaterials {
     std::vector<CrackMaterial> cracks; ///< by crack ID, n_cracks (45)
     JointMaterial base_joint;          ///< used with Base::joint
     JointMaterial beam_joint; ///< stiffness always used, friction with BeamInterface::joint
+    std::optional<double>
+        vertical_stress; ///< on this wall [Pa], >= 0; none: that of the model's loads
 };
 
 /// Loads on the wall. The vertical stress acts on length x thickness, through the beam.
