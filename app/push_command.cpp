@@ -93,7 +93,7 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w)
 {
     make_folder(folder);
     write_file(folder / "study.ini", effective_configuration(study));
-    if (w.result.outcome != dem::Outcome::not_finite) {
+    if (!dem::failed(w.result.outcome)) {
         write_file(folder / "capacity.csv",
                    capacity_csv(w.displacement, w.force, w.loads.height));
         write_file(folder / "capacity.svg", capacity_svg(w));
@@ -127,7 +127,7 @@ Table level_table(const std::vector<PushedWall>& walls)
                           w.peak ? fixed(w.peak->displacement * 1e3, 2) : "",
                           w.stiffness ? fixed(*w.stiffness * 1e-6, 1) : "", ultimate(1e3, 2),
                           ultimate(100.0 / w.loads.height, 2),
-                          w.result.outcome == dem::Outcome::not_finite ? "" : name(w.mode),
+                          dem::failed(w.result.outcome) ? "failed" : name(w.mode),
                           fixed(w.mechanism.cracked_units, 0),
                           number(100.0 * w.result.energy.residual(), 2)});
     }
@@ -161,9 +161,8 @@ int push_command(const Command& command)
     const std::vector<PushedWall> walls = push_all(study, command.threads, command.quiet);
     write_all(command.out, study, walls);
     std::cout << as_text(level_table(walls)) << "written to " << command.out << '\n';
-    return std::any_of(walls.begin(), walls.end(), [](const PushedWall& w) {
-        return w.result.outcome == dem::Outcome::not_finite;
-    });
+    return std::any_of(walls.begin(), walls.end(),
+                       [](const PushedWall& w) { return dem::failed(w.result.outcome); });
 }
 
 } // namespace app

@@ -6,11 +6,12 @@ namespace app {
 
 namespace {
 
-dem::Model model_of(const Study& study, int level)
+const char* why_failed(dem::Outcome o)
 {
-    return dem::discretise(study.wall, study.stone, study.beam, loads(study, level),
-                           {joint_material(study, level), crack_material(study, level)},
-                           study.discretisation);
+    if (o == dem::Outcome::not_finite) return "the numbers of this run are not finite";
+    if (o == dem::Outcome::energy_astray)
+        return "the energy ledger does not close at any step tried";
+    return "solver.most_steps were not enough";
 }
 
 bool is_monotonic(const dem::PushPlan& plan)
@@ -41,18 +42,18 @@ PushedWall
 push_level(const Study& study, int level,
            std::function<void(double done, double displacement, double force)> progress)
 {
-    const dem::Model model = model_of(study, level);
+    const dem::Model model = model_of(study);
     dem::PushPlan plan = push_plan(study);
     plan.progress = std::move(progress);
 
     PushedWall w;
     w.vertical_stress = study.load.vertical_stress[level];
-    w.loads = model.loads;
+    w.loads = loads(study, level);
     w.result =
         dem::push(model, materials(study, level, model.layout.n_joints, model.layout.n_cracks),
                   plan, study.solver);
-    if (w.result.outcome == dem::Outcome::not_finite) {
-        w.no_reading = "the numbers of this run are not finite";
+    if (dem::failed(w.result.outcome)) {
+        w.no_reading = why_failed(w.result.outcome);
         return w;
     }
     for (const dem::CurvePoint& p : w.result.curve) {

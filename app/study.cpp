@@ -189,6 +189,7 @@ dem::WallMaterials materials(const Study& study, int level, int n_joints, int n_
 {
     dem::WallMaterials all;
     all.stone = study.stone;
+    all.vertical_stress = at_level(study.load.vertical_stress, level);
     all.joints.assign(static_cast<std::size_t>(n_joints), joint_material(study, level));
     all.cracks.assign(static_cast<std::size_t>(n_cracks), crack_material(study, level));
     all.base_joint = all.beam_joint = stiffness_of_level(study, level);
@@ -197,6 +198,28 @@ dem::WallMaterials materials(const Study& study, int level, int n_joints, int n_
     return all;
 }
 
+dem::Model model_of(const Study& study)
+{
+    return dem::discretise(study.wall, study.stone, study.beam, loads(study, 0),
+                           {joint_material(study, 0), crack_material(study, 0)},
+                           study.discretisation);
+}
+
+namespace {
+
+/// True once the force is below a share of the largest so far. A push that turns back is not
+/// judged on its way back: forces of both signs count by size.
+std::function<bool(std::span<const dem::CurvePoint>)> stop_below(double share)
+{
+    return [share](std::span<const dem::CurvePoint> curve) {
+        double peak = 0.0;
+        for (const dem::CurvePoint& p : curve) peak = std::max(peak, std::abs(p.force));
+        return curve.size() > 1 && std::abs(curve.back().force) < share * peak;
+    };
+}
+
+} // namespace
+
 dem::PushPlan push_plan(const Study& study)
 {
     dem::PushPlan plan;
@@ -204,6 +227,7 @@ dem::PushPlan push_plan(const Study& study)
     if (plan.targets.empty()) plan.targets = {study.load.max_displacement};
     plan.record_every = study.output.record_every;
     plan.snapshot_every = study.output.snapshot_every;
+    if (study.load.stop_below > 0.0) plan.decided = stop_below(study.load.stop_below);
     return plan;
 }
 

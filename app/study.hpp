@@ -42,6 +42,7 @@ struct LoadInput {
     std::vector<double>
         targets; ///< displacements visited in order [m]; empty: max_displacement
     double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
+    double stop_below = 0.0; ///< share of the peak [-], in [0, 1); 0: push on to the end
 };
 
 struct OutputInput {
@@ -58,6 +59,7 @@ struct Study {
     double beam_friction_angle = 0.0; ///< [rad], used with BeamInterface::joint
     double base_friction_angle = 0.0; ///< [rad], used with Base::joint
     LoadInput load;
+    dem::Fidelity fidelity = dem::Fidelity::standard;
     dem::Discretisation discretisation;
     dem::SolverOptions solver;
     OutputInput output;
@@ -86,6 +88,10 @@ struct Study {
 /// factor.
 [[nodiscard]] dem::WallMaterials materials(const Study& study, int level, int n_joints,
                                            int n_cracks);
+
+/// One for all levels: modes and masses of the first level's stiffness, which sets the step, not the
+/// answer. Each wall brings its own stress.
+[[nodiscard]] dem::Model model_of(const Study& study);
 
 /// Without progress.
 [[nodiscard]] dem::PushPlan push_plan(const Study& study);

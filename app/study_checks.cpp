@@ -137,6 +137,10 @@ void check_load(const Study& study)
                    text(target, "mm") + " follows " + text(previous, "mm") +
                        "; each target must differ from the one before, the first from 0 mm");
         }
+        if (study.load.stop_below > 0.0 && target < previous) {
+            refuse(study, "load.stop_below",
+                   "needs a push that does not turn back; remove it, or let load.targets grow");
+        }
         previous = target;
     }
 }

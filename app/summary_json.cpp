@@ -40,10 +40,16 @@ const char* name(dem::Outcome o)
     switch (o) {
     case dem::Outcome::reached_target:
         return "reached target";
+    case dem::Outcome::decided:
+        return "decided";
     case dem::Outcome::lost_equilibrium:
         return "lost equilibrium";
     case dem::Outcome::not_finite:
         return "not finite";
+    case dem::Outcome::energy_astray:
+        return "energy astray";
+    case dem::Outcome::out_of_steps:
+        return "out of steps";
     }
     return "";
 }
@@ -109,7 +115,7 @@ const char* name(dem::FailureMode mode)
 
 std::string summary_json(const Study& study, const PushedWall& w)
 {
-    const bool whole = w.result.outcome != dem::Outcome::not_finite;
+    const bool whole = !dem::failed(w.result.outcome);
     Json j;
     j["vertical_stress_MPa"] = w.vertical_stress * kToMpa;
     j["outcome"] = name(w.result.outcome);
@@ -130,6 +136,9 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["mechanism"] = mechanism(w);
     j["energy_residual"] = number_or_null(worst_residual(w));
     j["energy"] = energy(w.result.energy);
+    j["settled_before_push"] = w.result.settled;
+    j["step_fraction"] = w.result.step_fraction;
+    j["step_reductions"] = w.result.step_reductions;
     j["steps"] = w.result.cost.steps;
     j["contact_updates"] = w.result.cost.contact_updates;
     j["solver_seconds"] = w.result.cost.seconds;
