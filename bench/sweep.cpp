@@ -3,36 +3,30 @@
 #include "dem/mechanism.hpp"
 #include "fragility/curve_reading.hpp"
 
-#include <atomic>
 #include <cmath>
 #include <iostream>
-#include <thread>
 
 namespace bench {
 
 namespace {
 
-Answer run(const Case& c)
+Answer read(const dem::PushResult& r, double load_height)
 {
-    const dem::Model model = scenes::model_of(c.scene, c.discretisation);
-    const dem::WallMaterials walls = c.sample < 0
-                                         ? scenes::uniform(c.scene, model)
-                                         : scenes::table5_sample(c.scene, model, c.sample);
-    dem::PushPlan plan;
-    plan.record_every = c.record_every;
-    const dem::PushResult r = dem::push(model, walls, plan, c.solver);
-
     std::vector<double> u, f;
-    Answer a;
     for (const dem::CurvePoint& p : r.curve) {
         u.push_back(p.displacement);
         f.push_back(p.force);
-        a.residual = std::max(a.residual, std::abs(p.energy.residual()));
     }
+    Answer a;
+    a.residual = r.residual;
+    a.steps = r.cost.steps;
+    a.seconds = r.cost.seconds;
+    a.failed = dem::failed(r.outcome);
+    if (a.failed) return a;
     const fragility::Curve curve{u, f};
     const fragility::Peak peak = fragility::peak(curve);
     const fragility::LimitDisplacement drop = fragility::drop_after_peak(curve);
-    const dem::Mechanism m = dem::mechanism(r.at_end, c.scene.loads.height);
+    const dem::Mechanism m = dem::mechanism(r.at_end, load_height);
     a.peak = peak.force;
     a.at_peak = peak.displacement;
     a.censored = drop.reading != fragility::Reading::observed;
@@ -40,28 +34,51 @@ Answer run(const Case& c)
     a.at_30mm = f.back();
     a.cracked_units = m.cracked_units;
     a.mixed = dem::failure_mode(m, !a.censored) == dem::FailureMode::mixed;
-    a.steps = r.cost.steps;
-    a.seconds = r.cost.seconds;
     return a;
+}
+
+bool share_model(const Case& a, const Case& b)
+{
+    return a.scene.wall == b.scene.wall && a.scene.stone == b.scene.stone &&
+           a.scene.beam == b.scene.beam && a.scene.loads.height == b.scene.loads.height &&
+           a.scene.loads.gravity == b.scene.loads.gravity &&
+           a.discretisation == b.discretisation && a.solver == b.solver &&
+           a.record_every == b.record_every;
 }
 
 } // namespace
 
-std::vector<Answer> run_all(const std::vector<Case>& cases)
+dem::WallMaterials case_materials(const Case& c, const dem::Model& m)
+{
+    if (c.sample < 0) return scenes::uniform(c.scene, m);
+    return c.spatial ? scenes::table5_spatial_sample(c.scene, m, c.sample)
+                     : scenes::table5_sample(c.scene, m, c.sample);
+}
+
+std::vector<Answer> run_all(const std::vector<Case>& cases, const dem::Workers& workers)
 {
     std::vector<Answer> answers(cases.size());
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        for (std::size_t i = next++; i < cases.size(); i = next++) {
-            answers[i] = run(cases[i]);
-            std::cerr << '\r' << next.load() << " of " << cases.size() << std::flush;
-        }
-    };
-    {
-        std::vector<std::jthread> team;
-        for (unsigned t = 1; t < std::thread::hardware_concurrency(); ++t)
-            team.emplace_back(work);
-        work();
+    std::vector<bool> done(cases.size(), false);
+    std::size_t count = 0;
+    for (std::size_t first = 0; first < cases.size(); ++first) {
+        if (done[first]) continue;
+        std::vector<std::size_t> group;
+        for (std::size_t i = first; i < cases.size(); ++i)
+            if (!done[i] && share_model(cases[first], cases[i])) group.push_back(i);
+        for (const std::size_t i : group) done[i] = true;
+        const Case& common = cases[first];
+        const dem::Model model = scenes::model_of(common.scene, common.discretisation);
+        dem::PushPlan plan;
+        plan.record_every = common.record_every;
+        plan.energy_at_points = plan.snapshot_at_peak = false;
+        const dem::Ensemble ensemble{
+            group.size(), [&](std::size_t k) { return case_materials(cases[group[k]], model); },
+            [&](std::size_t k, dem::PushResult&& r) {
+                answers[group[k]] = read(r, common.scene.loads.height);
+                if (++count % 8 == 0 || count == cases.size())
+                    std::cerr << '\r' << count << " of " << cases.size() << std::flush;
+            }};
+        dem::push_ensemble(model, ensemble, plan, common.solver, workers);
     }
     std::cerr << '\n';
     return answers;

@@ -1,10 +1,9 @@
 #pragma once
-/// Many pushes of the paper's wall, read the same way, on all cores.
+/// Many pushes of the paper's wall, read the same way, as ensembles.
 
+#include "dem/ensemble.hpp"
 #include "scenes/paper_wall.hpp"
 
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace bench {
@@ -14,7 +13,8 @@ struct Case {
     dem::Discretisation discretisation;
     dem::SolverOptions solver;
     double record_every = 5e-5; ///< [m]
-    int sample = -1;            ///< of scenes::table5_sample; -1: the mean values
+    int sample = -1;            ///< of Table 5; -1: the mean values
+    bool spatial = false;       ///< one draw per joint
 };
 
 struct Answer {
@@ -26,12 +26,17 @@ struct Answer {
     double residual = 0.0; ///< largest energy residual [-]
     int cracked_units = 0;
     bool mixed = false;
+    bool failed = false;
     long long steps = 0;
     double seconds = 0.0; ///< of one core, solver alone
 };
 
-/// Answers in the order of the cases; prints a line of progress to stderr.
-[[nodiscard]] std::vector<Answer> run_all(const std::vector<Case>& cases);
+/// Answers in the order of the cases; cases that differ in materials and stress alone share a model
+/// and run side by side. Prints a line of progress to stderr.
+[[nodiscard]] std::vector<Answer> run_all(const std::vector<Case>& cases,
+                                          const dem::Workers& workers = {});
+
+[[nodiscard]] dem::WallMaterials case_materials(const Case& c, const dem::Model& model);
 
 struct Moments {
     double mean = 0.0;

@@ -1,0 +1,43 @@
+#include "bench/core_speed.hpp"
+
+#include "bench/shortest.hpp"
+#include "dem/pack.hpp"
+
+#include <vector>
+
+namespace bench {
+
+template <class Real> double multiply_add_peak()
+{
+    constexpr int kChains = 12; // two units, four cycles each: 8 at least; 12 fit 16 registers
+    constexpr int kRounds = 100'000;
+    const Real a(static_cast<dem::Number<Real>>(0.5)), b(static_cast<dem::Number<Real>>(0.5));
+    const double seconds = shortest(40, [&] {
+        Real x[kChains];
+        for (int j = 0; j < kChains; ++j) x[j] = Real(static_cast<dem::Number<Real>>(j));
+        for (int i = 0; i < kRounds; ++i) {
+#pragma GCC unroll 16
+            for (int j = 0; j < kChains; ++j) x[j] = multiply_add(a, x[j], b);
+        }
+        double sum = 0.0;
+        for (int j = 0; j < kChains; ++j) sum += dem::lane(x[j], 0);
+        asm volatile("" : : "r"(&sum) : "memory"); // the result is used
+    });
+    return 1.0 * kChains * kRounds * dem::lanes<Real> / seconds;
+}
+
+double sweep_bandwidth(std::size_t bytes)
+{
+    std::vector<dem::Pack> x(bytes / sizeof(dem::Pack), dem::Pack(1.0));
+    const dem::Pack a(0.999);
+    const double seconds = shortest(200, [&] {
+        for (dem::Pack& value : x) value = a * value;
+        asm volatile("" : : "r"(x.data()) : "memory"); // every sweep reaches memory
+    });
+    return 2.0 * static_cast<double>(x.size() * sizeof(dem::Pack)) / seconds;
+}
+
+template double multiply_add_peak<dem::Pack>();
+template double multiply_add_peak<dem::FloatPack>();
+
+} // namespace bench

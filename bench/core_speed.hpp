@@ -1,0 +1,15 @@
+#pragma once
+/// What one core can do at most: the roofs a kernel is held against.
+
+#include <cstddef>
+
+namespace bench {
+
+/// Multiply-adds per second in registers, all lanes counted: independent chains, best of many
+/// short repeats. Real: dem::Pack or dem::FloatPack.
+template <class Real> [[nodiscard]] double multiply_add_peak();
+
+/// Bytes per second read and written by x = a x over a working set, best of many sweeps.
+[[nodiscard]] double sweep_bandwidth(std::size_t bytes);
+
+} // namespace bench

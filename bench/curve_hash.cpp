@@ -1,0 +1,103 @@
+/// curve_hash: all bits of the curves of a fixed ensemble as one number, through packs and one wall at a
+/// time. The number must not depend on compiler, flags, register or threads (tests/same_bits.sh).
+
+#include "dem/ensemble.hpp"
+#include "dem/pack.hpp"
+#include "scenes/paper_wall.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+namespace {
+
+/// FNV-1a, byte by byte from the lowest.
+class Hash {
+  public:
+    void add(std::uint64_t x)
+    {
+        for (int byte = 0; byte < 8; ++byte)
+            value_ = (value_ ^ ((x >> (8 * byte)) & 0xff)) * 0x100000001b3ULL;
+    }
+    void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+void add(const dem::PushResult& r, Hash& hash)
+{
+    hash.add(static_cast<std::uint64_t>(r.outcome));
+    hash.add(static_cast<std::uint64_t>(r.cost.steps));
+    hash.add(r.settlement);
+    for (const dem::CurvePoint& p : r.curve)
+        for (const double x : {p.displacement, p.force, p.base_shear, p.unbalance,
+                               p.energy.work, p.energy.kinetic, p.energy.elastic,
+                               p.energy.friction, p.energy.fracture, p.energy.damping})
+            hash.add(x);
+}
+
+struct Case {
+    dem::Fidelity fidelity;
+    dem::ContactLaw law;
+    dem::Damping damping;
+};
+
+/// Two samples at each of three stresses.
+std::vector<dem::WallMaterials> walls_of(const dem::Model& model)
+{
+    std::vector<dem::WallMaterials> walls;
+    for (const double stress : {0.15, 0.75, 1.25})
+        for (const int sample : {0, 1})
+            walls.push_back(scenes::table5_sample(scenes::paper_wall(stress), model, sample));
+    return walls;
+}
+
+std::vector<dem::PushResult> pushed(const dem::Model& model, const Case& c, bool scalar)
+{
+    const std::vector<dem::WallMaterials> walls = walls_of(model);
+    std::vector<dem::PushResult> results(walls.size());
+    dem::Ensemble ensemble;
+    ensemble.size = walls.size();
+    ensemble.wall = [&](std::size_t i) { return walls[i]; };
+    ensemble.done = [&](std::size_t i, dem::PushResult&& r) { results[i] = std::move(r); };
+    dem::PushPlan plan;
+    plan.targets = {0.008};
+    dem::SolverOptions o;
+    o.steps_per_mm = 50;
+    o.law = c.law;
+    o.damping = c.damping;
+    dem::push_ensemble(model, ensemble, plan, o, {0, dem::Precision::double_precision, scalar});
+    return results;
+}
+
+void add_case(const Case& c, Hash& packs, Hash& scalar)
+{
+    const dem::Model model =
+        scenes::model_of(scenes::paper_wall(0.75), dem::discretisation_of(c.fidelity));
+    for (const dem::PushResult& r : pushed(model, c, false)) add(r, packs);
+    for (const dem::PushResult& r : pushed(model, c, true)) add(r, scalar);
+}
+
+} // namespace
+
+int main()
+try {
+    using enum dem::Fidelity;
+    using enum dem::ContactLaw;
+    Hash packs, scalar;
+    for (const Case& c : {Case{simple, coupled, dem::Damping::combined},
+                          Case{simple, uncoupled, dem::Damping::local},
+                          Case{standard, coupled, dem::Damping::combined}})
+        add_case(c, packs, scalar);
+    std::printf("packs  %016llx  %d lanes\n", static_cast<unsigned long long>(packs.value()),
+                dem::lanes<dem::Pack>);
+    std::printf("scalar %016llx\n", static_cast<unsigned long long>(scalar.value()));
+    return packs.value() == scalar.value() ? 0 : 1;
+} catch (const std::exception& e) {
+    std::fprintf(stderr, "curve_hash: %s\n", e.what());
+    return 1;
+}

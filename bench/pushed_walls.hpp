@@ -1,0 +1,26 @@
+#pragma once
+/// Walls at rest under their load, then pushed for a number of steps: what a kernel is timed on.
+
+#include "dem/step.hpp"
+#include "scenes/paper_wall.hpp"
+
+#include <cstddef>
+
+namespace bench {
+
+template <class Real> struct PushedWalls {
+    dem::Model model;
+    dem::StepTables tables;
+    dem::SolverOptions options;
+    dem::WallState<Real> state;
+};
+
+/// A register of random walls (samples of Table 5, one draw per joint), pushed at full speed.
+template <class Real>
+[[nodiscard]] PushedWalls<Real>
+pushed_walls(const scenes::Scene& scene, const dem::Discretisation& discretisation, int steps);
+
+/// Steps at full speed.
+template <class Real> void push_on(PushedWalls<Real>& walls, int steps);
+
+} // namespace bench

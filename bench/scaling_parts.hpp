@@ -1,0 +1,17 @@
+#pragma once
+/// The three tables of scaling.cpp.
+
+#include "app/table.hpp"
+
+namespace bench {
+
+/// Threads: the same ensemble on one core and on all, run in turns.
+[[nodiscard]] app::Table thread_table();
+
+/// Blocks: cost of a block-step from 100 to 100 000 blocks in one wall.
+[[nodiscard]] app::Table block_table();
+
+/// Samples: 10 to 100 000 tiny walls, memory against number.
+[[nodiscard]] app::Table sample_table();
+
+} // namespace bench

@@ -1,0 +1,254 @@
+#include "bench/stress_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <sstream>
+
+namespace bench {
+
+namespace {
+
+/// std::uniform_*_distribution differs between libraries; this does not.
+class Draw {
+  public:
+    Draw(std::uint64_t seed, std::uint64_t number)
+    {
+        std::seed_seq words{seed, seed >> 32, number, number >> 32};
+        engine_.seed(words);
+    }
+    [[nodiscard]] double uniform(double low, double high)
+    {
+        return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+    }
+    [[nodiscard]] double log_uniform(double low, double high)
+    {
+        return std::exp(uniform(std::log(low), std::log(high)));
+    }
+    [[nodiscard]] int integer(int low, int high) ///< both ends included
+    {
+        return std::min(high, low + static_cast<int>(uniform(0.0, high - low + 1.0)));
+    }
+    [[nodiscard]] bool chance(double share) { return uniform(0.0, 1.0) < share; }
+    template <class T> [[nodiscard]] T one_of(std::initializer_list<T> list)
+    {
+        return list.begin()[integer(0, static_cast<int>(list.size()) - 1)];
+    }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+/// Most walls are small; a few are tall.
+int draw_courses(Draw& d)
+{
+    if (d.chance(0.70)) return d.integer(1, 6);
+    if (d.chance(0.80)) return d.integer(7, 20);
+    return d.integer(21, 60);
+}
+
+dem::WallGeometry draw_geometry(Draw& d)
+{
+    dem::WallGeometry w;
+    w.courses = draw_courses(d);
+    w.unit_length = d.uniform(0.1, 0.5);
+    const double most = w.courses > 20 ? 2.0 : w.courses > 6 ? 4.0 : 6.0;
+    w.length = w.unit_length *
+               (d.chance(0.5) ? d.integer(1, static_cast<int>(most)) : d.uniform(0.7, most));
+    w.course_height = d.uniform(0.05, 0.3);
+    w.thickness = d.uniform(0.1, 0.5);
+    w.bond_offset = d.chance(0.5) ? 0.5 : d.chance(0.3) ? 0.0 : d.uniform(0.1, 0.9);
+    w.first_course = d.one_of({dem::FirstCourse::whole, dem::FirstCourse::shifted});
+    w.cracks_in_units = d.chance(0.75);
+    w.base = d.one_of({dem::Base::fixed, dem::Base::joint});
+    w.toe = d.one_of({dem::Toe::held, dem::Toe::free});
+    return w;
+}
+
+double tan_of_draw(Draw& d) { return scenes::tan_deg(d.uniform(1.0, 80.0)); }
+
+void draw_materials(Draw& d, scenes::Scene& s)
+{
+    s.stone = {d.log_uniform(1e9, 1e11), d.uniform(0.0, 0.4), d.uniform(1500.0, 3000.0)};
+    s.joint.kn = d.log_uniform(1e8, 1e12);
+    s.joint.ks = s.joint.kn * d.log_uniform(0.05, 1.0);
+    s.joint.tan_phi = tan_of_draw(d);
+    s.crack.kn = s.joint.kn * d.log_uniform(1.0, 1000.0);
+    s.crack.ks = s.crack.kn * d.log_uniform(0.05, 1.0);
+    s.crack.ft = d.log_uniform(1e4, 50e6);
+    s.crack.cohesion = s.crack.ft * d.log_uniform(0.3, 3.0);
+    s.crack.cohesion_res = d.chance(0.5) ? 0.0 : s.crack.cohesion * d.uniform(0.0, 1.0);
+    s.crack.tan_phi = tan_of_draw(d);
+    s.crack.tan_phi_res = d.chance(0.5) ? s.crack.tan_phi : tan_of_draw(d);
+    s.crack.fracture_energy = d.log_uniform(0.1, 1e4);
+    s.crack.tension_reduces_shear = d.chance(0.7);
+}
+
+void draw_load(Draw& d, scenes::Scene& s)
+{
+    s.beam.height = d.uniform(0.05, 0.3);
+    s.beam.material = {d.log_uniform(1e9, 2e11), d.uniform(0.0, 0.4), d.uniform(0.0, 8000.0)};
+    s.beam.interface = d.one_of({dem::BeamInterface::tied, dem::BeamInterface::joint});
+    s.beam.rotation = d.one_of({dem::BeamRotation::free, dem::BeamRotation::fixed});
+    s.loads.vertical_stress = d.chance(0.05) ? 0.0 : d.uniform(0.0, 5e6);
+    s.loads.height =
+        s.wall.courses * s.wall.course_height + s.beam.height * d.uniform(0.0, 1.0);
+}
+
+dem::Discretisation draw_discretisation(Draw& d)
+{
+    dem::Discretisation x = dem::discretisation_of(
+        d.one_of({dem::Fidelity::rigid, dem::Fidelity::simple, dem::Fidelity::standard}));
+    x.contact_points = d.integer(2, 6);
+    x.face_rule = d.one_of({dem::FaceRule::even, dem::FaceRule::lobatto});
+    x.zones_per_interval = d.integer(1, 2);
+    return x;
+}
+
+dem::SolverOptions draw_solver(Draw& d)
+{
+    dem::SolverOptions o;
+    o.law = d.one_of({dem::ContactLaw::coupled, dem::ContactLaw::uncoupled});
+    o.damping = d.one_of({dem::Damping::local, dem::Damping::combined});
+    o.damping_factor = d.chance(0.1) ? 0.0 : d.uniform(0.0, 0.95);
+    o.step_fraction = d.chance(0.5) ? d.uniform(0.2, 1.0) : d.uniform(1.0, 2.0);
+    o.steps_per_mm = d.chance(0.2) ? d.log_uniform(5.0, 100.0) : d.log_uniform(100.0, 3000.0);
+    o.unbalance_limit = d.chance(0.2) ? 0.0 : d.log_uniform(5e-4, 0.1);
+    o.min_speed = d.log_uniform(0.05, 1.0);
+    o.preload = d.one_of({dem::Preload::solved, dem::Preload::ramped});
+    o.preload_steps = d.integer(500, 3000);
+    return o;
+}
+
+/// A way of at most some mm and about `steps` steps at full speed; few go on until the blocks part.
+dem::PushPlan draw_plan(Draw& d, const dem::WallGeometry& wall, double steps,
+                        dem::SolverOptions& o)
+{
+    double way = std::min(d.log_uniform(3e-4, 6e-3), 1e-3 * steps / o.steps_per_mm);
+    if (d.chance(0.03)) { // much too fast
+        way = 3.0 * wall.courses * wall.course_height;
+        o.steps_per_mm = 1e-3 * steps / way;
+    }
+    dem::PushPlan plan;
+    plan.targets = {way};
+    if (d.chance(0.35)) plan.targets = {way / 4.0, -way / 4.0, way / 8.0, 0.0};
+    plan.record_every = way / d.integer(10, 60);
+    plan.snapshot_every = d.chance(0.1) ? way / 3.0 : 0.0;
+    plan.energy_at_points = d.chance(0.8);
+    return plan;
+}
+
+std::string describe(const StressScene& s)
+{
+    const dem::WallGeometry& w = s.scene.wall;
+    const dem::SolverOptions& o = s.solver;
+    std::ostringstream text;
+    text.precision(3);
+    text << w.courses << " courses, " << w.length << " m, base "
+         << (w.base == dem::Base::fixed ? "fixed" : "joint") << ", "
+         << s.scene.loads.vertical_stress * 1e-6 << " MPa, kn " << s.scene.joint.kn * 1e-9
+         << " GPa/m, ratio " << s.scene.crack.kn / s.scene.joint.kn << ", tan phi "
+         << s.scene.joint.tan_phi << ", f_T " << s.scene.crack.ft * 1e-6 << " MPa, G "
+         << s.scene.crack.fracture_energy << " N/m, modes " << s.discretisation.block_modes
+         << ", " << (o.damping == dem::Damping::local ? "local " : "combined ")
+         << o.damping_factor << ", step " << o.step_fraction << ", " << o.steps_per_mm
+         << " steps/mm, " << (o.preload == dem::Preload::solved ? "solved" : "ramped")
+         << (s.plan.targets.size() > 1 ? ", cyclic" : "") << ", way "
+         << s.plan.targets.front() * 1e3 << " mm, decades " << s.decades
+         << (s.by_joint ? " by joint" : "")
+         << (s.precision == dem::Precision::single_precision ? ", single precision" : "");
+    return text.str();
+}
+
+/// Absurd values that check() lets pass.
+void spoil(Draw& d, dem::WallMaterials& w)
+{
+    const auto set = [&w](auto change) {
+        for (auto& j : w.joints) change(j);
+        for (auto& c : w.cracks) change(c);
+    };
+    const double absurd = d.one_of({1e300, 1e200, 1e60, 1e-300, 1e-310});
+    switch (d.integer(0, 7)) {
+    case 0:
+        set([&](auto& m) { m.kn = absurd; });
+        break;
+    case 1:
+        set([&](auto& m) { m.ks = absurd; });
+        break;
+    case 2:
+        set([&](auto& m) { m.kn = m.ks = std::numeric_limits<double>::infinity(); });
+        break;
+    case 3:
+        w.stone.young_modulus = absurd;
+        break;
+    case 4:
+        w.vertical_stress = 1e300;
+        break;
+    case 5:
+        set([&](auto& m) { m.tan_phi = absurd; });
+        break;
+    case 6:
+        w.base_joint.kn = w.beam_joint.ks = absurd;
+        break;
+    default:
+        (w.cracks.empty() ? w.beam_joint.kn : w.cracks.front().ft) = absurd;
+    }
+}
+
+} // namespace
+
+StressScene stress_scene(std::uint64_t seed, std::uint64_t number)
+{
+    Draw d(seed, number);
+    StressScene s;
+    s.scene.wall = draw_geometry(d);
+    draw_materials(d, s.scene);
+    draw_load(d, s.scene);
+    s.discretisation = draw_discretisation(d);
+    s.solver = draw_solver(d);
+    const double steps = std::clamp(40'000.0 / s.scene.wall.courses, 2'000.0, 10'000.0);
+    s.plan = draw_plan(d, s.scene.wall, steps, s.solver);
+    s.solver.most_steps = static_cast<long long>(30.0 * steps);
+    s.material_seed = static_cast<std::uint64_t>(d.uniform(0.0, 0x1p52));
+    s.walls = d.integer(4, 12);
+    s.decades = d.chance(0.2) ? 0.0 : d.uniform(0.1, 2.0);
+    s.by_joint = d.chance(0.4);
+    if (d.chance(0.1)) s.spoil = d.integer(0, s.walls - 1);
+    if (d.chance(0.1)) s.precision = dem::Precision::single_precision;
+    s.text = describe(s);
+    return s;
+}
+
+dem::WallMaterials stress_wall(const StressScene& s, const dem::Model& model, int wall)
+{
+    Draw d(s.material_seed, static_cast<std::uint64_t>(wall));
+    dem::WallMaterials w = scenes::uniform(s.scene, model);
+    const auto factor = [&] { return std::pow(10.0, s.decades * d.uniform(-0.5, 0.5)); };
+    const auto scatter = [&](auto& materials, auto change) {
+        if (materials.empty()) return;
+        change(materials.front());
+        for (auto& m : materials) s.by_joint ? change(m) : void(m = materials.front());
+    };
+    scatter(w.joints, [&](dem::JointMaterial& j) {
+        const double stiffer = factor();
+        j = {s.scene.joint.kn * stiffer, s.scene.joint.ks * stiffer,
+             s.scene.joint.tan_phi * factor()};
+    });
+    scatter(w.cracks, [&](dem::CrackMaterial& c) {
+        const double stiffer = factor(), stronger = factor();
+        c = s.scene.crack;
+        c.kn *= stiffer;
+        c.ks *= stiffer;
+        c.ft *= stronger;
+        c.cohesion *= stronger;
+        c.cohesion_res *= stronger;
+        c.fracture_energy *= factor();
+    });
+    w.stone.young_modulus *= std::pow(factor(), 0.2);
+    w.vertical_stress = s.scene.loads.vertical_stress * d.uniform(0.5, 1.5);
+    if (s.spoil == wall) spoil(d, w);
+    return w;
+}
+
+} // namespace bench

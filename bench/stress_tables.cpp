@@ -1,0 +1,190 @@
+#include "bench/stress_tables.hpp"
+
+#include "app/number_text.hpp"
+#include "dem/stability_limit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace bench {
+
+namespace {
+
+using dem::Outcome;
+
+constexpr std::array kOutcomes = {Outcome::reached_target, Outcome::lost_equilibrium,
+                                  Outcome::energy_astray, Outcome::not_finite,
+                                  Outcome::out_of_steps};
+
+std::string share(int part, int whole)
+{
+    return std::to_string(part) + " (" + app::fixed(100.0 * part / std::max(1, whole), 2) +
+           " %)";
+}
+
+template <class F> void for_each_wall(const std::vector<SceneReport>& scenes, F f)
+{
+    for (const SceneReport& s : scenes)
+        for (const WallReport& w : s.walls) f(s, w);
+}
+
+constexpr double kTooFast = 100.0; // steps per mm; default: 1000
+
+const char* group_of(const SceneReport& s, const WallReport& w)
+{
+    if (w.spoilt) return "spoilt on purpose";
+    const bool fast = s.scene.solver.steps_per_mm < kTooFast;
+    if (s.scene.solver.step_fraction > 1.0)
+        return fast ? "step beyond the bound, drive too fast" : "step beyond the bound";
+    return fast ? "step within the bound, drive too fast" : "step within the bound";
+}
+
+/// How the walls of a scene ended, and what of it must not be.
+std::string story_of(const SceneReport& s)
+{
+    std::map<std::string, int> count;
+    for (const WallReport& w : s.walls)
+        if (!w.spoilt) ++count[name_of(w.outcome)];
+    std::string text;
+    for (const auto& [name, n] : count)
+        text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + name;
+    for (const std::string& rule : s.broken_rules) text += "; " + rule;
+    return text;
+}
+
+} // namespace
+
+CampaignSums sums_of(const std::vector<SceneReport>& scenes)
+{
+    CampaignSums sum;
+    sum.scenes = static_cast<int>(scenes.size());
+    for (const SceneReport& s : scenes) {
+        sum.broken_rules += static_cast<int>(s.broken_rules.size());
+        sum.compared_scenes += s.scene.spoil.has_value();
+        sum.slowest = std::max(sum.slowest, s.seconds);
+        sum.seconds += s.seconds;
+    }
+    for_each_wall(scenes, [&](const SceneReport&, const WallReport& w) {
+        ++sum.walls;
+        sum.steps += w.steps;
+        sum.beyond_bound += w.over_limit > 0.0;
+        sum.over_limit = std::max(sum.over_limit, w.over_limit);
+        if (w.outcome == Outcome::reached_target)
+            sum.residual = std::max(sum.residual, w.residual);
+    });
+    return sum;
+}
+
+app::Table outcome_table(const std::vector<SceneReport>& scenes)
+{
+    std::map<std::string, std::map<Outcome, int>> count;
+    for_each_wall(scenes, [&](const SceneReport& s, const WallReport& w) {
+        ++count[group_of(s, w)][w.outcome];
+    });
+    app::Table t;
+    t.head = {"walls", "all"};
+    for (const Outcome o : kOutcomes) t.head.push_back(name_of(o));
+    for (const auto& [group, by_outcome] : count) {
+        int all = 0;
+        for (const auto& [outcome, n] : by_outcome) all += n;
+        std::vector<std::string> row{group, std::to_string(all)};
+        for (const Outcome o : kOutcomes)
+            row.push_back(share(by_outcome.contains(o) ? by_outcome.at(o) : 0, all));
+        t.rows.push_back(row);
+    }
+    return t;
+}
+
+app::Table reduction_table(const std::vector<SceneReport>& scenes)
+{
+    std::map<int, std::map<Outcome, int>> count;
+    for_each_wall(scenes, [&](const SceneReport&, const WallReport& w) {
+        if (!w.spoilt) ++count[w.step_reductions][w.outcome];
+    });
+    app::Table t;
+    t.head = {"step halved"};
+    for (const Outcome o : kOutcomes) t.head.push_back(name_of(o));
+    for (const auto& [times, by_outcome] : count) {
+        std::vector<std::string> row{std::to_string(times) + " times"};
+        for (const Outcome o : kOutcomes)
+            row.push_back(std::to_string(by_outcome.contains(o) ? by_outcome.at(o) : 0));
+        t.rows.push_back(row);
+    }
+    return t;
+}
+
+app::Table within_bound_table(const std::vector<SceneReport>& scenes)
+{
+    constexpr std::array kStep = {0.2, 0.6, 0.8, 0.866, 0.95, 1.0};
+    constexpr std::array kDamping = {0.0, 1e-9, 0.2, 0.5, 0.95};
+    app::Table t;
+    t.head = {"damping factor"};
+    for (std::size_t j = 0; j + 1 < kStep.size(); ++j)
+        t.head.push_back("step " + app::fixed(kStep[j], 2) + " to " +
+                         app::fixed(kStep[j + 1], 2));
+    for (std::size_t i = 0; i + 1 < kDamping.size(); ++i) {
+        std::vector<std::string> row{i == 0 ? "0"
+                                            : app::fixed(kDamping[i], 2) + " to " +
+                                                  app::fixed(kDamping[i + 1], 2)};
+        for (std::size_t j = 0; j + 1 < kStep.size(); ++j) {
+            int all = 0, reduced = 0;
+            for_each_wall(scenes, [&](const SceneReport& s, const WallReport& w) {
+                const dem::SolverOptions& o = s.scene.solver;
+                const bool here = o.damping_factor >= kDamping[i] &&
+                                  o.damping_factor < kDamping[i + 1] &&
+                                  o.step_fraction >= kStep[j] && o.step_fraction < kStep[j + 1];
+                if (!here || w.spoilt || o.steps_per_mm < kTooFast) return;
+                ++all;
+                reduced += w.step_reductions > 0;
+            });
+            row.push_back(std::to_string(reduced) + "/" + std::to_string(all));
+        }
+        t.rows.push_back(row);
+    }
+    return t;
+}
+
+app::Table failed_table(const std::vector<SceneReport>& scenes)
+{
+    app::Table t;
+    t.head = {"scene", "walls", "of"};
+    for (const SceneReport& s : scenes) {
+        const bool failed = std::any_of(s.walls.begin(), s.walls.end(), [](const auto& w) {
+            return !w.spoilt && dem::failed(w.outcome);
+        });
+        if (failed || !s.broken_rules.empty())
+            t.rows.push_back({std::to_string(s.number), story_of(s), s.scene.text});
+    }
+    return t;
+}
+
+app::Table limit_table()
+{
+    constexpr int kSamples = 8;
+    app::Table t;
+    t.head = {"fidelity", "step / proven bound", "step / measured limit",
+              "random walls, least and most", "without damping"};
+    const scenes::Scene scene = scenes::paper_wall(0.50);
+    const dem::SolverOptions o;
+    for (const auto& [name, fidelity] : {std::pair{"rigid", dem::Fidelity::rigid},
+                                         {"simple", dem::Fidelity::simple},
+                                         {"standard", dem::Fidelity::standard},
+                                         {"zones", dem::Fidelity::zones}}) {
+        const dem::Model m = scenes::model_of(scene, dem::discretisation_of(fidelity));
+        const double mean = dem::step_over_limit(m, scenes::uniform(scene, m), o);
+        double least = 1e9, most = 0.0;
+        for (int i = 0; i < kSamples; ++i) {
+            const double x = dem::step_over_limit(m, scenes::table5_sample(scene, m, i), o);
+            least = std::min(least, x);
+            most = std::max(most, x);
+        }
+        t.rows.push_back({name, app::fixed(o.step_fraction, 3), app::fixed(mean, 3),
+                          app::fixed(least, 3) + " to " + app::fixed(most, 3),
+                          app::fixed(mean / std::sqrt(1.0 + o.damping_factor), 3)});
+    }
+    return t;
+}
+
+} // namespace bench
