@@ -57,8 +57,10 @@ vertical_stress = 150 kPa, 0.5 MPa
 height = 1.3 m
 max_displacement = 2 cm
 targets = 5, -5, 10, -10 mm
+stop_below = 0
 gravity = 9.80665 m/s2
 [solver]
+fidelity = simple
 contact_points = 5
 face_rule = lobatto
 zones_per_interval = 3
@@ -68,10 +70,13 @@ damping = local
 damping_factor = 0.7
 step_fraction = 0.5
 steps_per_mm = 2e3
+preload = ramped
 preload_steps = 4000
 preload_unbalance = 1e-5
 unbalance_limit = 0.01
 min_speed = 0.1
+energy_tolerance = 0.02
+most_steps = 1000000
 [output]
 record_every = 0.1 mm
 snapshot_every = 0 mm

@@ -99,6 +99,21 @@ TEST_CASE("study: targets replace the one displacement of a monotonic push", "[a
     CHECK_FALSE(plan.progress);
 }
 
+TEST_CASE("study: stop_below ends the push once the force is below that share of the peak",
+          "[app][study]")
+{
+    CHECK_FALSE(app::push_plan(read_good()).decided);
+    const auto decided = app::push_plan(read_good({"load.stop_below=0.5"})).decided;
+    REQUIRE(decided);
+    std::vector<dem::CurvePoint> curve;
+    for (const double force : {0.0, 10.0, 40.0, 100.0, 60.0}) {
+        curve.emplace_back().force = force;
+        CHECK_FALSE(decided(curve));
+    }
+    curve.emplace_back().force = 49.9;
+    CHECK(decided(curve));
+}
+
 TEST_CASE("study: loads carry the height of the load and gravity", "[app][study]")
 {
     const dem::Loads loads = app::loads(read(study_texts::kEverything), 0);

@@ -3,12 +3,21 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_block_element.cpp
     dem/test_condensation.cpp
     dem/test_drive.cpp
+    dem/test_elastic_trial.cpp
     dem/test_energy.cpp
+    dem/test_ensemble.cpp
     dem/test_face_rule.cpp
     dem/test_layout.cpp
     dem/test_mechanism.cpp
     dem/test_model.cpp
+    dem/test_pack.cpp
+    dem/test_port_matrix.cpp
     dem/test_recorder.cpp
+    dem/test_run_outcomes.cpp
+    dem/test_stability_limit.cpp
+    dem/test_static_start.cpp
+    dem/test_step_tables.cpp
     dem/test_wall.cpp
+    dem/test_wall_run.cpp
     dem/test_zones.cpp
     scenes/snapshot_scenes.cpp)

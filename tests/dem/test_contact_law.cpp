@@ -38,11 +38,6 @@ dem::CrackLaw<double> crack(double ft = kFt, double kn = kKn, double g = kG)
     return law;
 }
 
-dem::CrackState<double> intact(const dem::CrackLaw<double>& law)
-{
-    return {0, 0, 0, law.u_el, 1};
-}
-
 /// Moves a contact in n equal steps; keeps the largest stresses, the work done on it and what
 /// it lost.
 struct Path {
@@ -166,6 +161,31 @@ TEST_CASE("contact law: a dry joint carries no tension, and no shear while it is
 }
 
 // Problem 10: coupling.
+TEST_CASE("contact law: a crack without strength is a dry joint", "[dem][contact_law]")
+{
+    const double kn = 8.08e9, ks = dem::shear_stiffness(kn, 0.2), tan_phi = tan_deg(31.8);
+    const dem::DryLaw<double> joint{kn, ks, 1.0 / ks, tan_phi};
+    dem::CrackLaw<double> law = crack(0.0, kn);
+    law.inv_softening = dem::kBreaksAtOnce;
+    law.tan_phi_res = tan_phi;
+    Path p{intact(law)};
+    dem::DryState<double> dry{0.0, 0.0};
+    std::mt19937_64 random(5);
+    const auto draw = [&random] { return static_cast<double>(random() >> 11) * 0x1p-53 - 0.5; };
+    double friction = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+        const double du_n = 1e-6 * draw(), du_s = 1e-6 * draw();
+        move(law, du_n, du_s, 1, p);
+        const auto u = dem::advance(joint, dry, du_n, du_s);
+        dry = u.state;
+        friction += u.friction;
+        REQUIRE(p.state.sigma == u.sigma);
+        REQUIRE(p.state.tau == dry.tau);
+    }
+    CHECK(p.friction == Approx(friction).epsilon(1e-9));
+    CHECK(p.fracture == Approx(0.0).margin(1e-3)); // [J/m2]: kinks of the path
+}
+
 TEST_CASE("contact law: tension damage of one half halves the shear strength",
           "[dem][contact_law]")
 {
@@ -250,7 +270,7 @@ TEST_CASE("contact law: each lane of a pack is the scalar law, bit for bit",
     std::vector<dem::CrackState<double>> states;
     dem::CrackLaw<dem::Pack> pack_law{};
     dem::CrackState<dem::Pack> pack{};
-    for (int i = 0; i < dem::kLanes; ++i) {
+    for (int i = 0; i < dem::lanes<dem::Pack>; ++i) {
         laws.push_back(crack(2e6 + 5e6 * uniform(), (4 + 8 * uniform()) * 1e10));
         states.push_back(intact(laws.back()));
         pack_law.kn.set(i, laws[i].kn), pack_law.ks.set(i, laws[i].ks),
@@ -261,18 +281,17 @@ TEST_CASE("contact law: each lane of a pack is the scalar law, bit for bit",
         pack_law.cohesion_drop.set(i, laws[i].cohesion_drop),
             pack_law.tan_phi_res.set(i, laws[i].tan_phi_res);
         pack_law.tan_phi_drop.set(i, laws[i].tan_phi_drop), pack_law.tension_weight.set(i, 1.0);
-        pack.u_n.set(i, 0), pack.tau.set(i, 0), pack.sigma.set(i, 0), pack.bond.set(i, 1);
-        pack.u_max.set(i, laws[i].u_el);
     }
+    pack = intact(pack_law);
     for (int step = 0; step < 4000; ++step) {
         dem::Pack du_n, du_s;
-        for (int i = 0; i < dem::kLanes; ++i) {
+        for (int i = 0; i < dem::lanes<dem::Pack>; ++i) {
             const double n = (uniform() - 0.48) * 1e-5, s = (uniform() - 0.5) * 2e-5;
             du_n.set(i, n), du_s.set(i, s);
             states[i] = dem::advance<ContactLaw::coupled>(laws[i], states[i], n, s).state;
         }
         pack = dem::advance<ContactLaw::coupled>(pack_law, pack, du_n, du_s).state;
-        for (int i = 0; i < dem::kLanes; ++i) {
+        for (int i = 0; i < dem::lanes<dem::Pack>; ++i) {
             REQUIRE(pack.sigma[i] == states[i].sigma);
             REQUIRE(pack.tau[i] == states[i].tau);
             REQUIRE(pack.u_max[i] == states[i].u_max);

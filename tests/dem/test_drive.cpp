@@ -18,7 +18,8 @@ dem::SolverOptions options(long long steps = 4000)
 {
     dem::SolverOptions o;
     o.steps_per_mm = static_cast<double>(steps) / 30.0; // on a way of 30 mm
-    o.preload_steps = 400;                              // ramp of 100
+    o.preload = dem::Preload::ramped;
+    o.preload_steps = 400; // ramp of 100
     return o;
 }
 

@@ -101,7 +101,8 @@ TEST_CASE("push: a wall in a lane of a pack moves as it does alone, bit for bit"
     const dem::StepTables t = dem::step_tables(m);
     const dem::SolverOptions o;
     std::vector<dem::WallMaterials> walls;
-    for (int i = 0; i < dem::kLanes; ++i) walls.push_back(scenes::table5_sample(s, m, i));
+    for (int i = 0; i < dem::lanes<dem::Pack>; ++i)
+        walls.push_back(scenes::table5_sample(s, m, i));
     dem::WallState<dem::Pack> together = dem::unloaded<dem::Pack>(m, t, walls, o);
     std::vector<dem::WallState<double>> alone;
     for (const dem::WallMaterials& w : walls)
@@ -112,7 +113,7 @@ TEST_CASE("push: a wall in a lane of a pack moves as it does alone, bit for bit"
                              together);
         for (auto& w : alone) dem::step<double>(t, o, {std::min(1.0, step / 300.0), drive}, w);
     }
-    for (int i = 0; i < dem::kLanes; ++i) {
+    for (int i = 0; i < dem::lanes<dem::Pack>; ++i) {
         REQUIRE(together.top_force[i] == alone[i].top_force);
         REQUIRE(together.friction[i] == alone[i].friction);
         for (std::size_t mode = 0; mode < together.q.size(); ++mode)

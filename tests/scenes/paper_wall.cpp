@@ -79,27 +79,63 @@ dem::WallMaterials uniform(const Scene& s, const dem::Model& m)
 {
     dem::WallMaterials w;
     w.stone = s.stone;
+    w.vertical_stress = s.loads.vertical_stress;
     w.joints.assign(m.layout.n_joints, s.joint);
     w.cracks.assign(m.layout.n_cracks, s.crack);
     w.base_joint = w.beam_joint = s.joint;
     return w;
 }
 
+namespace {
+
+/// Table 5: factor on the stiffness of a joint, its friction angle.
+dem::JointMaterial draw_joint(dem::JointMaterial joint, double factor, double friction)
+{
+    joint.kn *= 1.0 + 0.25 * factor;
+    joint.ks *= 1.0 + 0.25 * factor;
+    joint.tan_phi = tan_deg(31.8 * (1.0 + 0.20 * friction));
+    return joint;
+}
+
+/// Table 5: factor on the stiffness of a crack, its strength, its friction angle.
+dem::CrackMaterial draw_crack(dem::CrackMaterial crack, double factor, double strength,
+                              double friction)
+{
+    crack.kn *= 1.0 + 0.25 * factor;
+    crack.ks *= 1.0 + 0.25 * factor;
+    crack.ft = crack.cohesion = 1e6 * std::exp(1.265 + 0.294 * strength);
+    crack.tan_phi = crack.tan_phi_res = tan_deg(35.0 * (1.0 + 0.20 * friction));
+    return crack;
+}
+
+} // namespace
+
 dem::WallMaterials table5_sample(const Scene& scene, const dem::Model& m, std::uint64_t sample)
 {
     std::mt19937_64 random(1000 + sample);
+    double draw[5];
+    for (double& d : draw) d = normal(random);
     Scene s = scene;
-    const double joint_factor = 1.0 + 0.25 * normal(random),
-                 crack_factor = 1.0 + 0.25 * normal(random);
-    s.joint.kn *= joint_factor;
-    s.joint.ks *= joint_factor;
-    s.crack.kn *= crack_factor;
-    s.crack.ks *= crack_factor;
-    s.crack.ft = s.crack.cohesion = 1e6 * std::exp(1.265 + 0.294 * normal(random));
-    s.crack.tan_phi = s.crack.tan_phi_res = tan_deg(35.0 * (1.0 + 0.20 * normal(random)));
-    s.joint.tan_phi = tan_deg(31.8 * (1.0 + 0.20 * normal(random)));
+    s.joint = draw_joint(scene.joint, draw[0], draw[4]);
+    s.crack = draw_crack(scene.crack, draw[1], draw[2], draw[3]);
     dem::WallMaterials w = uniform(s, m);
     w.base_joint = w.beam_joint = scene.joint;
+    return w;
+}
+
+dem::WallMaterials table5_spatial_sample(const Scene& scene, const dem::Model& m,
+                                         std::uint64_t sample)
+{
+    std::mt19937_64 random(500000 + sample);
+    dem::WallMaterials w = uniform(scene, m);
+    for (dem::JointMaterial& joint : w.joints) {
+        const double factor = normal(random);
+        joint = draw_joint(scene.joint, factor, normal(random));
+    }
+    for (dem::CrackMaterial& crack : w.cracks) {
+        const double factor = normal(random), strength = normal(random);
+        crack = draw_crack(scene.crack, factor, strength, normal(random));
+    }
     return w;
 }
 

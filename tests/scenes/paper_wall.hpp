@@ -33,6 +33,10 @@ struct Scene {
 [[nodiscard]] dem::WallMaterials table5_sample(const Scene& scene, const dem::Model& model,
                                                std::uint64_t sample);
 
+/// The same with one draw per joint ID and per crack ID (spatial, independent).
+[[nodiscard]] dem::WallMaterials
+table5_spatial_sample(const Scene& scene, const dem::Model& model, std::uint64_t sample);
+
 [[nodiscard]] double tan_deg(double degrees);
 
 /// Largest force of the curve [N].

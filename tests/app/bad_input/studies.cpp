@@ -181,6 +181,8 @@ constexpr std::array kStudies = {
         "study.ini:23: load.height: must lie within the loading beam, from 1 m to 1.1 m"},
     BadStudy{"a target twice", "[load]", "[load]\ntargets = 5, 5, -5 mm",
         "study.ini:23: load.targets: 5 mm follows 5 mm; each target must differ from the one before, the first from 0 mm"},
+    BadStudy{"an early stop of a cyclic push", "[load]", "[load]\nstop_below = 0.2\ntargets = 5, -5 mm",
+        "study.ini:23: load.stop_below: needs a push that does not turn back; remove it, or let load.targets grow"},
     BadStudy{"a curve without points", "[load]", "[output]\nrecord_every = 31 mm\n[load]",
         "study.ini:23: output.record_every: must be at most the path of the push, 30 mm"},
     BadStudy{"a curve of too many points", "[load]", "[output]\nrecord_every = 1e-6 mm\n[load]",

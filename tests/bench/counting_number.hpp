@@ -1,0 +1,48 @@
+#pragma once
+/// A number that counts what is done with it: the laws and the step written for it do what they do
+/// for doubles, and say how much that was.
+
+#include "dem/pack.hpp"
+
+#include <cmath>
+
+namespace counting {
+
+/// Of everything done since the start.
+inline long long operations = 0;
+
+struct Mask {
+    bool set;
+    friend Mask operator|(Mask a, Mask b) { return ++operations, Mask{a.set || b.set}; }
+    friend bool any(Mask m) { return ++operations, m.set; }
+};
+
+struct Counted {
+    double x = 0.0;
+    Counted() = default;
+    Counted(double value) : x(value) {} // NOLINT: as PackOf
+    friend Counted operator+(Counted a, Counted b) { return ++operations, a.x + b.x; }
+    friend Counted operator-(Counted a, Counted b) { return ++operations, a.x - b.x; }
+    friend Counted operator*(Counted a, Counted b) { return ++operations, a.x * b.x; }
+    friend Counted operator/(Counted a, Counted b) { return ++operations, a.x / b.x; }
+    friend Counted operator-(Counted a) { return ++operations, -a.x; }
+    Counted& operator+=(Counted b) { return *this = *this + b; }
+    Counted& operator-=(Counted b) { return *this = *this - b; }
+    friend Mask operator<(Counted a, Counted b) { return ++operations, Mask{a.x < b.x}; }
+    friend Mask operator>(Counted a, Counted b) { return ++operations, Mask{a.x > b.x}; }
+    friend Counted select(Mask m, Counted yes, Counted no)
+    {
+        return ++operations, m.set ? yes : no;
+    }
+    friend Counted multiply_add(Counted a, Counted b, Counted c)
+    {
+        return ++operations, std::fma(a.x, b.x, c.x);
+    }
+};
+
+} // namespace counting
+
+/// Tables stay tables of doubles.
+template <> struct dem::NumberOf<counting::Counted> {
+    using Type = double;
+};

@@ -1,0 +1,7 @@
+# What the benchmarks count and how they report it; their timings are no tests.
+drystone_tests(bench
+    SOURCES
+        bench/test_work_count.cpp
+        scenes/paper_wall.cpp
+        ../bench/work_count.cpp
+    LIBRARIES drystone_dem)

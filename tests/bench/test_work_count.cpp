@@ -1,0 +1,145 @@
+#include "bench/counting_number.hpp"
+#include "bench/work_count.hpp"
+#include "dem/static_start.hpp"
+#include "dem/step.cpp" // NOLINT: for one more kind of number
+#include "scenes/paper_wall.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+namespace {
+
+using counting::Counted;
+
+/// One unit of two rigid blocks on a dry joint, two points per face, under a rigid beam: small
+/// enough to count by hand.
+scenes::Scene one_unit()
+{
+    scenes::Scene s = scenes::paper_wall(0.50);
+    s.wall.length = s.wall.unit_length;
+    s.wall.courses = 1;
+    s.wall.base = dem::Base::joint;
+    s.wall.toe = dem::Toe::free;
+    s.loads.height = s.wall.course_height + s.beam.height;
+    return s;
+}
+
+dem::Discretisation coarse()
+{
+    dem::Discretisation d;
+    d.contact_points = 2;
+    d.block_modes = d.beam_modes = 3;
+    return d;
+}
+
+std::vector<Counted> counted(const std::vector<double>& values)
+{
+    return {values.begin(), values.end()};
+}
+
+dem::WallState<Counted> counted(const dem::WallState<double>& s)
+{
+    dem::WallState<Counted> c;
+    c.q = counted(s.q);
+    c.v = counted(s.v);
+    c.last_force = counted(s.last_force);
+    c.inv_mass = counted(s.inv_mass);
+    c.load = counted(s.load);
+    c.elasticity = counted(s.elasticity);
+    c.block_force = counted(s.block_force);
+    c.du = counted(s.du);
+    c.stress = counted(s.stress);
+    c.u_n = counted(s.u_n);
+    for (const auto& m : s.cracks) c.cracks.push_back({m.u_max, m.bond, m.secant, m.integrity});
+    for (const auto& l : s.dry_laws) c.dry_laws.push_back({l.kn, l.ks, l.inv_ks, l.tan_phi});
+    for (const auto& l : s.tied_laws) c.tied_laws.push_back({l.kn, l.ks, l.inv_ks, l.tan_phi});
+    for (const auto& l : s.crack_laws)
+        c.crack_laws.push_back({l.kn, l.ks, l.inv_ks, l.ft, l.u_el, l.inv_softening,
+                                l.cohesion_res, l.cohesion_drop, l.tan_phi_res, l.tan_phi_drop,
+                                l.tension_weight});
+    return c;
+}
+
+/// What a step does, counted while it is done.
+long long operations_of_a_step(const scenes::Scene& scene, const dem::Discretisation& d)
+{
+    const dem::Model model = scenes::model_of(scene, d);
+    const dem::StepTables tables = dem::step_tables(model);
+    const dem::WallMaterials wall = scenes::uniform(scene, model);
+    dem::WallState<double> at_rest = dem::unloaded<double>(model, tables, {&wall, 1}, {});
+    REQUIRE(dem::solve_preload(tables, at_rest));
+    dem::WallState<Counted> state = counted(at_rest);
+    counting::operations = 0;
+    dem::step(tables, {}, {Counted(1.0), Counted(1e-7)}, state);
+    return counting::operations;
+}
+
+} // namespace
+
+TEST_CASE("work count: one unit counted by hand", "[bench][work_count]")
+{
+    const dem::Model model = scenes::model_of(one_unit(), coarse());
+    const bench::StepWork w = bench::work_of(dem::step_tables(model));
+    CHECK(w.blocks == 3);
+    CHECK(w.dry == 4);    // two base faces of two points
+    CHECK(w.tied == 4);   // two beam faces
+    CHECK(w.cracks == 2); // one crack
+    CHECK(w.contacts() == 10);
+    CHECK(w.ports ==
+          6 + 6 + 4); // base, crack, beam points of each half; beam points of the beam
+    CHECK(w.modes == 3 + 3 + 2); // the beam's sway is prescribed
+    // forces and displacements x normal and tangential x ports x modes
+    CHECK(w.multiply_adds == 2 * 2 * (6 * 3 + 6 * 3 + 4 * 2));
+    CHECK(w.matrix_numbers == w.multiply_adds); // no two of these blocks are alike
+    CHECK(w.dry_laws == 2 + 2);
+    CHECK(w.crack_laws == 1);
+}
+
+TEST_CASE("work count: a step does as many operations as its tables say", "[bench][work_count]")
+{
+    scenes::Scene scene = one_unit();
+    dem::Discretisation d = coarse();
+    SECTION("one unit, rigid") {}
+    SECTION("the paper's wall, rigid")
+    {
+        scene = scenes::paper_wall(0.75);
+        d = dem::discretisation_of(dem::Fidelity::rigid);
+    }
+    SECTION("the paper's wall, default")
+    {
+        scene = scenes::paper_wall(0.75);
+        d = {};
+    }
+    const bench::StepWork w = bench::work_of(dem::step_tables(scenes::model_of(scene, d)));
+    CHECK(operations_of_a_step(scene, d) == w.multiply_adds + w.operations);
+}
+
+TEST_CASE("work count: a pack moves as many bytes as its lanes would apart, tables but once",
+          "[bench][work_count]")
+{
+    const bench::StepWork w =
+        bench::work_of(dem::step_tables(scenes::model_of(scenes::paper_wall(0.75))));
+    const bench::Traffic one = bench::traffic_of(w, 8, 8), eight = bench::traffic_of(w, 64, 8);
+    CHECK(eight.written == 8.0 * one.written);
+    const double tables = 8.0 * static_cast<double>(w.matrix_numbers + w.contacts()) +
+                          4.0 * static_cast<double>(w.ports);
+    CHECK(eight.read - tables == 8.0 * (one.read - tables));
+    CHECK(eight.state - tables == 8.0 * (one.state - tables));
+}
+
+TEST_CASE("work count: the state counted is the state there is", "[bench][work_count]")
+{
+    const dem::Model model = scenes::model_of(one_unit(), coarse());
+    const dem::StepTables tables = dem::step_tables(model);
+    const auto s = dem::empty_lanes<double>(model, tables);
+    const std::size_t laws = 4 * (tables.dry.size() + tables.tied.size()) + 11;
+    const std::size_t numbers = s.q.size() + s.v.size() + s.last_force.size() +
+                                s.inv_mass.size() + s.load.size() + s.elasticity.size() +
+                                s.du.size() + s.stress.size() + s.u_n.size() +
+                                4 * s.cracks.size() + laws;
+    const bench::StepWork w = bench::work_of(tables);
+    const double more = static_cast<double>(bench::traffic_of(w, 16, 0).state) -
+                        static_cast<double>(bench::traffic_of(w, 8, 0).state);
+    CHECK(more == 8.0 * static_cast<double>(numbers));
+}

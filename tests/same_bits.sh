@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# bash tests/same_bits.sh   one ensemble, the same curves to the last bit: through packs and one wall at a
+# time, with every register width, g++ and clang++, optimised and not. Builds in a directory that it removes.
+set -uo pipefail
+cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." || exit 1
+
+builds=$(mktemp -d) || exit 1
+trap 'rm -rf -- "$builds"' EXIT
+passed=0 failed=0 skipped=0 first='' table=()
+
+runs() { # $@: flags of /proc/cpuinfo; whether this processor has them all
+    local flag
+    for flag in "$@"; do grep -qw -m1 -- "$flag" /proc/cpuinfo || return 1; done
+}
+
+row() { table+=("$(printf '%-28s %5s  %-16s  %-16s  %6s  %s' "$@")"); }
+
+build() { # $1: directory, $2: compiler, $3: flags
+    cmake -S . -B "$1" -G Ninja -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_COMPILER="$2" \
+        -DCMAKE_CXX_FLAGS="$3 -DNDEBUG" -DDRYSTONE_WERROR=OFF >"$1.log" 2>&1 &&
+        cmake --build "$1" --target curve_hash >>"$1.log" 2>&1 && return
+    tail -n 20 -- "$1.log"
+    return 1
+}
+
+try() { # $1: compiler, $2: flags
+    local dir=$builds/${#table[@]} begin=$SECONDS verdict=ok output='' packs scalar lanes
+    build "$dir" "$1" "$2" && output=$("$dir/bench/curve_hash") || verdict=FAILED
+    read -r _ packs lanes _ <<<"$(grep '^packs ' <<<"$output")"
+    read -r _ scalar <<<"$(grep '^scalar ' <<<"$output")"
+    first=${first:-$packs} # that of the first build is what all others must have
+    [[ -n $first && $packs == "$first" && $scalar == "$first" ]] || verdict=FAILED
+    if [[ $verdict == ok ]]; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+    row "$1 ${2// -mprefer-vector-width=512/}" "${lanes:--}" "${packs:--}" "${scalar:--}" \
+        $((SECONDS - begin)) "$verdict"
+    rm -rf -- "$dir"
+}
+
+skip() { # $1: what, $2: why
+    skipped=$((skipped + 1))
+    row "$1" - - - - "did not run: $2"
+}
+
+row compiler lanes packs scalar seconds ''
+try g++ '-O2 -march=x86-64' # no multiply-add instruction
+if runs avx2 fma; then
+    try g++ '-O3 -march=x86-64-v3'
+    try g++ '-O0 -march=x86-64-v3'
+    if command -v clang++ >/dev/null; then
+        try clang++ '-O3 -march=x86-64-v3'
+    else
+        skip 'clang++ -O3' 'no clang++'
+    fi
+else
+    skip '-march=x86-64-v3' 'no AVX2 and FMA'
+fi
+if runs avx512f avx512dq avx512vl avx512bw avx512cd; then
+    try g++ '-O3 -march=x86-64-v4 -mprefer-vector-width=512'
+else
+    skip 'g++ -march=x86-64-v4' 'no AVX-512'
+fi
+printf '%s\n' "${table[@]}"
+printf '%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
+((failed == 0 && passed > 0))
