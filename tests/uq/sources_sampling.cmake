@@ -1,0 +1,2 @@
+set(TEST_UQ_SAMPLING_SOURCES
+    uq/test_stream.cpp)

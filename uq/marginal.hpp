@@ -1,0 +1,88 @@
+#pragma once
+/// Distributions of one variable. A distribution is a value; what it can do are free functions
+/// with the same names for all.
+
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace uq {
+
+struct Constant {
+    double value;
+};
+/// sd > 0
+struct Normal {
+    double mean, sd;
+};
+/// of ln x; sigma_log > 0
+struct Lognormal {
+    double mu_log, sigma_log;
+};
+/// lower < upper
+struct Uniform {
+    double lower, upper;
+};
+/// lower <= mode <= upper, lower < upper
+struct Triangular {
+    double lower, mode, upper;
+};
+/// alpha, beta > 0; lower < upper
+struct Beta {
+    double alpha, beta, lower, upper;
+};
+/// both > 0
+struct Gamma {
+    double shape, scale;
+};
+/// of minima; both > 0
+struct Weibull {
+    double shape, scale;
+};
+/// of maxima; scale > 0
+struct Gumbel {
+    double location, scale;
+};
+/// observations, at least one, ascending
+struct Empirical {
+    std::vector<double> sorted;
+};
+
+using Shape = std::variant<Constant, Normal, Lognormal, Uniform, Triangular, Beta, Gamma,
+                           Weibull, Gumbel, Empirical>;
+
+/// A shape, cut off outside [lower, upper] and scaled up to one.
+struct Marginal {
+    Shape shape;
+    double lower = -std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
+};
+
+/// @throws std::invalid_argument naming the parameter that is out of range, or a cut that leaves
+/// nothing. Every function below is for marginals that pass.
+void check(const Marginal& m);
+
+/// From mean and coefficient of variation = sd / |mean|. @throws std::invalid_argument
+[[nodiscard]] Normal normal_from_moments(double mean, double cov);
+[[nodiscard]] Lognormal lognormal_from_moments(double mean, double cov);
+[[nodiscard]] Uniform uniform_from_moments(double mean, double cov);
+[[nodiscard]] Gamma gamma_from_moments(double mean, double cov);
+[[nodiscard]] Weibull weibull_from_moments(double mean, double cov);
+[[nodiscard]] Gumbel gumbel_from_moments(double mean, double cov);
+[[nodiscard]] Beta beta_from_moments(double mean, double cov, double lower, double upper);
+
+[[nodiscard]] double pdf(const Marginal& m, double x);
+[[nodiscard]] double cdf(const Marginal& m, double x);
+[[nodiscard]] double complement(const Marginal& m, double x); ///< P(X > x), accurate when small
+/// x with cdf(x) = p, p in (0, 1); and with complement(x) = q, accurate for q down to 1e-300.
+[[nodiscard]] double quantile(const Marginal& m, double p);
+[[nodiscard]] double upper_quantile(const Marginal& m, double q);
+[[nodiscard]] double mean(const Marginal& m);
+[[nodiscard]] double sd(const Marginal& m);
+
+/// The same probability on the standard normal axis, from whichever tail is the smaller:
+///   cdf(x) = Phi(z).
+[[nodiscard]] double from_normal(const Marginal& m, double z);
+[[nodiscard]] double to_normal(const Marginal& m, double x);
+
+} // namespace uq

@@ -1,0 +1,2 @@
+set(UQ_ANALYSIS_SOURCES
+    analysis_stub.cpp)

@@ -1,0 +1,2 @@
+set(UQ_RELIABILITY_SOURCES
+    reliability_stub.cpp)

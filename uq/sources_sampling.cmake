@@ -1,0 +1,2 @@
+set(UQ_SAMPLING_SOURCES
+    stream.cpp)
