@@ -196,7 +196,8 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
 {
     drive_.settling() ? settle(state, lane) : go_on(state, lane);
     const bool over = drive_.finished() || decided_;
-    if (++result_.cost.steps % kLookEvery != 0 && !over) return true;
+    ++result_.cost.steps;
+    if (++steps_ % kLookEvery != 0 && !over) return true;
     result_.outcome = judge(state, lane);
     if (task_->plan.progress)
         task_->plan.progress(drive_.done(), drive_.position(),
@@ -227,6 +228,7 @@ void WallRun::reduce_step()
     drive_ = Drive(task_->plan.targets, options_);
     recorder_ = Recorder(task_->plan.record_every);
     peak_ = way_ = next_snapshot_ = 0.0;
+    steps_ = 0;
     decided_ = false;
 }
 

@@ -65,6 +65,8 @@ class WallRun {
     double peak_ = 0.0;          ///< largest force so far, either way [N]
     double way_ = 0.0;           ///< travelled since the start of the push [m]
     double next_snapshot_ = 0.0; ///< on the way [m]
+    long long steps_ =
+        0; ///< since the last start: looks fall where those of the smaller step alone would
     bool decided_ = false;
 };
 
