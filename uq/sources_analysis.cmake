@@ -1,2 +1,7 @@
 set(UQ_ANALYSIS_SOURCES
-    analysis_stub.cpp)
+    field.cpp
+    field_basis.cpp
+    field_marginal.cpp
+    field_product.cpp
+    karhunen.cpp
+    kernel.cpp)

@@ -1,0 +1,45 @@
+#pragma once
+/// What turns independent standard normal coordinates into correlated ones: g = map z.
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace uq {
+
+struct FieldBasis {
+    Eigen::MatrixXd map; ///< sites x coordinates; g = map z, z standard normal
+    /// Added to the diagonal (then all scaled back to unit variance) because the matrix was
+    /// singular to working precision; correlations are that much smaller [-]. 0: not needed.
+    double nugget = 0.0;
+    double dropped = 0.0;        ///< share of the variance left out, mean over the sites [-]
+    double worst_dropped = 0.0;  ///< the same at the site where it is largest [-]
+    Eigen::Index worst_site = 0; ///< that site
+    bool unit_variance = true;   ///< what was dropped is made up for site by site
+    Eigen::VectorXd eigenvalues; ///< of the modes kept, descending; empty: not by modes
+};
+
+/// Largest nugget that passes for rounding.
+constexpr double kLargestNugget = 1e-8;
+
+/// Lower triangular factor. Sites of correlation exactly 1 share one row and one coordinate, so
+/// one value for all needs one coordinate and gives it back unchanged, and independent sites
+/// give back their coordinates unchanged.
+/// @param correlation symmetric, ones on the diagonal, entries in [-1, 1]
+/// @throws std::invalid_argument if it is not, or if it is indefinite beyond kLargestNugget
+[[nodiscard]] FieldBasis cholesky_basis(const Eigen::MatrixXd& correlation);
+
+/// How sites are represented: site i has the value of distinct site `of[i]`, which is site
+/// `first[of[i]]`.
+struct DistinctSites {
+    std::vector<Eigen::Index> of, first;
+};
+/// @throws std::invalid_argument if `correlation` is no correlation matrix
+[[nodiscard]] DistinctSites distinct_sites(const Eigen::MatrixXd& correlation);
+/// Rows and columns of the distinct sites.
+[[nodiscard]] Eigen::MatrixXd reduced(const Eigen::MatrixXd& correlation,
+                                      const DistinctSites& sites);
+/// Rows of the distinct sites handed out to all sites.
+[[nodiscard]] Eigen::MatrixXd expanded(const Eigen::MatrixXd& rows, const DistinctSites& sites);
+
+} // namespace uq
