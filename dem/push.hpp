@@ -59,7 +59,8 @@ struct PushResult {
     Energy energy;         ///< at the end
     double residual = 0.0; ///< largest |energy residual| wherever it was read [-]
     /// Of the step that is stable by the bound of block_element.hpp [-]; smaller than asked for
-    /// where that step made energy: halved each time, and the wall pushed anew.
+    /// where that step made energy or was above the measured limit: halved each time, and the wall
+    /// pushed anew.
     double step_fraction = 0.0;
     int step_reductions = 0;
     bool settled = false;    ///< at rest under the vertical load before the push
