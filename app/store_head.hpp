@@ -1,0 +1,70 @@
+#pragma once
+/// What a stored study is: inputs, columns, origin.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace app {
+
+constexpr std::uint32_t kStoreLayout = 1; ///< counts up when FILE.h5 or its journal changes
+
+/// Name, unit and meaning of one number of every wall. Names are unique in their list, not empty,
+/// of letters, digits and "_-.+()[]" only, not "." or "..".
+struct Column {
+    std::string name;
+    std::string unit; ///< "-" if it has none
+    std::string meaning;
+    friend bool operator==(const Column&, const Column&) = default;
+};
+
+struct StoreLevel {
+    double vertical_stress = 0.0; ///< [Pa], finite
+    std::uint32_t samples = 0;    ///< wanted: walls (level, 0 .. samples - 1)
+    friend bool operator==(const StoreLevel&, const StoreLevel&) = default;
+};
+
+/// One process that added walls. Text only; differs between runs of the same study.
+struct StoreSession {
+    std::string program_version;
+    std::string machine;  ///< host and processor
+    std::string build;    ///< compiler and preset
+    std::string settings; ///< threads and what else moves no result
+    std::string started;  ///< ISO 8601
+    friend bool operator==(const StoreSession&, const StoreSession&) = default;
+};
+
+struct StoreHead {
+    std::string configuration; ///< complete effective study file
+    std::string identity;      ///< all inputs that move results, one `key = value` per line
+    std::vector<StoreLevel> levels;
+    std::vector<std::uint32_t>
+        design_sizes;       ///< sizes through which the design grew, increasing; kept by resume
+    std::uint64_t seed = 0; ///< of the study
+    std::uint32_t shard = 0, shards = 1; ///< this file holds part `shard` (from 0) of `shards`
+    std::vector<Column> inputs, responses, counts, cost;
+    std::vector<Column> curve_columns;    ///< beyond displacement and force
+    bool single_precision_curves = false; ///< curves are rounded to float when a wall is added
+    int compression = 1;                  ///< deflate level, 0 (none) to 9
+    std::vector<StoreSession> sessions;   ///< oldest first
+};
+
+/// Throws std::invalid_argument naming the field and what is allowed.
+void check_head(const StoreHead& head);
+
+/// Lines in which two texts differ, `- ` only in `before`, `+ ` only in `after`, in order, at most
+/// `most` lines and then how many more. Empty if equal.
+[[nodiscard]] std::string text_difference(const std::string& before, const std::string& after,
+                                          std::size_t most = 40);
+
+/// The head with which a stored study goes on, if it may. `wanted` may have more samples, further
+/// levels after the stored ones, another configuration text and other sessions; the largest number of
+/// samples is added to `design_sizes` if it exceeds the last, and sessions are added after the
+/// stored ones. Compression and precision stay as stored.
+/// Throws StoreError(`file`: what differs, what to do) if identity, seed, columns, shard or stored
+/// levels differ, or if fewer samples are wanted than before.
+[[nodiscard]] StoreHead continued_head(const std::string& file, const StoreHead& stored,
+                                       const StoreHead& wanted);
+
+} // namespace app
