@@ -3,6 +3,7 @@
 /// with the same names for all.
 
 #include <limits>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -71,18 +72,27 @@ void check(const Marginal& m);
 [[nodiscard]] Gumbel gumbel_from_moments(double mean, double cov);
 [[nodiscard]] Beta beta_from_moments(double mean, double cov, double lower, double upper);
 
+/// @throws std::invalid_argument for x = nan, p or q outside (0, 1), and from pdf for a variable
+/// of separate values: it has no density.
 [[nodiscard]] double pdf(const Marginal& m, double x);
 [[nodiscard]] double cdf(const Marginal& m, double x);
 [[nodiscard]] double complement(const Marginal& m, double x); ///< P(X > x), accurate when small
 /// x with cdf(x) = p, p in (0, 1); and with complement(x) = q, accurate for q down to 1e-300.
 [[nodiscard]] double quantile(const Marginal& m, double p);
 [[nodiscard]] double upper_quantile(const Marginal& m, double q);
+/// quantile() of every entry, in place.
+void to_quantiles(const Marginal& m, std::span<double> u);
 [[nodiscard]] double mean(const Marginal& m);
 [[nodiscard]] double sd(const Marginal& m);
 
 /// The same probability on the standard normal axis, from whichever tail is the smaller:
 ///   cdf(x) = Phi(z).
+/// Of separate values, to_normal gives the middle of the step. Except where the map is a line or
+/// an exponential, |z| > 37.5 is taken as 37.5, beyond which double has no probabilities.
 [[nodiscard]] double from_normal(const Marginal& m, double z);
 [[nodiscard]] double to_normal(const Marginal& m, double x);
+
+/// z where from_normal has a kink.
+[[nodiscard]] std::vector<double> kinks(const Marginal& m);
 
 } // namespace uq

@@ -1,2 +1,10 @@
 set(UQ_SAMPLING_SOURCES
+    marginal.cpp
+    marginal_check.cpp
+    marginal_mean.cpp
+    marginal_moments.cpp
+    marginal_shape.cpp
+    marginal_special.cpp
+    marginal_steps.cpp
+    normal_rule.cpp
     stream.cpp)
