@@ -1,7 +1,14 @@
 set(UQ_ANALYSIS_SOURCES
+    estimate.cpp
+    estimate_critical.cpp
+    estimate_probability.cpp
     field.cpp
     field_basis.cpp
     field_marginal.cpp
     field_product.cpp
     karhunen.cpp
-    kernel.cpp)
+    kernel.cpp
+    quantile_estimate.cpp
+    replicate.cpp
+    running_mean.cpp
+    stopping.cpp)

@@ -1,0 +1,167 @@
+#include "uq/quantile_estimate.hpp"
+
+#include "uq/stream.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+using namespace uq;
+
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+auto near(double value, double tolerance)
+{
+    return Approx(value).epsilon(tolerance).margin(0.0);
+}
+
+std::vector<double> one_to(int n)
+{
+    std::vector<double> y;
+    for (int i = n; i >= 1; --i) y.push_back(i);
+    return y;
+}
+
+} // namespace
+
+TEST_CASE("quantile: definition 8 of Hyndman and Fan", "[uq][quantile]")
+{
+    // R quantile(1:10, p, type = 8): place (n + 1/3) p + 1/3
+    CHECK(estimate_quantile(one_to(10), 0.5).value == near(5.5, 1e-14));
+    CHECK(estimate_quantile(one_to(10), 0.25).value ==
+          near(10.0 / 3.0 * 0.775 + 1.0 / 3.0, 1e-14));
+    CHECK(estimate_quantile(one_to(10), 0.9).value == near(9.3 + 1.0 / 3.0, 1e-14));
+    CHECK(estimate_quantile(one_to(10), 0.001).value == 1.0);
+    CHECK(estimate_quantile(one_to(10), 0.999).value == 10.0);
+}
+
+TEST_CASE("quantile: the interval is two values of the sample, from the binomial",
+          "[uq][quantile]")
+{
+    // n = 20, median: P(B <= 5) = .0207, P(B <= 14) = .9793 -> 6th and 15th value
+    const Estimate e = estimate_quantile(one_to(20), 0.5);
+    CHECK(e.interval.lower == 6.0);
+    CHECK(e.interval.upper == 15.0);
+    // 95 % quantile of 20: no value is surely above
+    CHECK(estimate_quantile(one_to(20), 0.95).interval.upper ==
+          std::numeric_limits<double>::infinity());
+    // two-sided 95 %: the largest of 72 has P(B = 72) = .95^72 = .0249
+    CHECK(std::isinf(estimate_quantile(one_to(71), 0.95).interval.upper));
+    CHECK(estimate_quantile(one_to(72), 0.95).interval.upper == 72.0);
+}
+
+TEST_CASE("quantile: failed samples are lowest for the lower limit and highest for the upper",
+          "[uq][quantile]")
+{
+    std::vector<double> y = one_to(17);
+    y.insert(y.end(), 3, kNan);
+    const Estimate e = estimate_quantile(y, 0.5);
+    CHECK(e.n == 17);
+    CHECK(e.failed == 3);
+    CHECK(e.value == near(9.0, 1e-14));
+    CHECK(e.interval.lower == 3.0);  // 6th of 20 with three below all
+    CHECK(e.interval.upper == 15.0); // 15th of 20 with three above all
+    y.insert(y.end(), 17, kNan);
+    CHECK(std::isinf(estimate_quantile(y, 0.5).interval.lower));
+    CHECK(std::isinf(estimate_quantile(y, 0.5).interval.upper));
+}
+
+TEST_CASE("quantile: the interval holds the quantile at least as often as it says, of any law",
+          "[uq][quantile]")
+{
+    const double p = GENERATE(0.05, 0.5, 0.8);
+    const double truth = -std::log1p(-p);
+    int held = 0;
+    const int studies = 3000;
+    for (int k = 0; k < studies; ++k) {
+        Stream s(4, static_cast<std::uint64_t>(k), Purpose::monte_carlo);
+        std::vector<double> y;
+        for (int i = 0; i < 80; ++i) y.push_back(-std::log(s.uniform()));
+        const Interval in = estimate_quantile(y, p).interval;
+        held += in.lower <= truth && truth <= in.upper;
+    }
+    CHECK(held / double(studies) > 0.95 - 3.0 * std::sqrt(0.95 * 0.05 / studies));
+    CHECK(held / double(studies) < 0.99);
+}
+
+TEST_CASE("quantile: the smoothed one has the smaller error, and its standard error is true",
+          "[uq][quantile]")
+{
+    double raw = 0.0, smooth = 0.0, raw_variance = 0.0, smooth_variance = 0.0;
+    const int studies = 3000;
+    for (int k = 0; k < studies; ++k) {
+        Stream s(5, static_cast<std::uint64_t>(k), Purpose::monte_carlo);
+        std::vector<double> y;
+        for (int i = 0; i < 50; ++i) y.push_back(s.normal());
+        const Estimate r = estimate_quantile(y, 0.5);
+        const Estimate e = estimate_quantile(y, 0.5, 0.95, QuantileKind::smoothed);
+        raw += r.value * r.value;
+        smooth += e.value * e.value;
+        raw_variance += r.std_error * r.std_error;
+        smooth_variance += e.std_error * e.std_error;
+    }
+    CHECK(smooth < 0.97 * raw);
+    CHECK(std::sqrt(raw_variance / raw) == Approx(1.0).epsilon(0.1));
+    CHECK(std::sqrt(smooth_variance / smooth) == Approx(1.0).epsilon(0.1));
+}
+
+TEST_CASE("quantile: Harrell-Davis of a symmetric sample is its middle", "[uq][quantile]")
+{
+    CHECK(estimate_quantile(one_to(11), 0.5, 0.95, QuantileKind::smoothed).value ==
+          near(6.0, 1e-14));
+    // n = 2, p = 1/2: weights of Beta(1.5, 1.5) at 1/2 are equal
+    CHECK(estimate_quantile(one_to(2), 0.5, 0.95, QuantileKind::smoothed).value ==
+          near(1.5, 1e-14));
+    // n = 2, p = 2/3: Beta(2, 1), I = x^2: weights 1/4, 3/4
+    CHECK(estimate_quantile(one_to(2), 2.0 / 3.0, 0.95, QuantileKind::smoothed).value ==
+          near(1.75, 1e-14));
+}
+
+TEST_CASE("quantile: sample sizes of Wilks", "[uq][quantile]")
+{
+    CHECK(wilks_sample_size(0.95, 0.95, 1) == 59);
+    CHECK(wilks_sample_size(0.95, 0.95, 2) == 93);
+    CHECK(wilks_sample_size(0.95, 0.95, 3) == 124);
+    CHECK(1.0 - std::pow(0.95, 59) >= 0.95);
+    CHECK(1.0 - std::pow(0.95, 58) < 0.95);
+    CHECK(wilks_sample_size(0.5, 0.5, 1) == 1);
+}
+
+TEST_CASE("quantile: one-sided tolerance factors of the normal distribution", "[uq][quantile]")
+{
+    const struct {
+        int n;
+        double k95, k75;
+    } rows[] = {{5, 4.202681, 2.463383},
+                {10, 2.910963, 2.103668},
+                {30, 2.219838, 1.868608},
+                {50, 2.064993, 1.810875}};
+    for (const auto& r : rows) {
+        CHECK(tolerance_factor(r.n, 0.95, 0.95) == Approx(r.k95).margin(6e-7));
+        CHECK(tolerance_factor(r.n, 0.95, 0.75) == Approx(r.k75).margin(6e-7));
+    }
+}
+
+TEST_CASE("quantile: prediction factors of EN 1990, Table D1", "[uq][quantile]")
+{
+    CHECK(prediction_factor(5, 0.95) == Approx(2.3353).margin(6e-5));
+    CHECK(prediction_factor(10, 0.95) == Approx(1.9226).margin(6e-5));
+    CHECK(prediction_factor(30, 0.95) == Approx(1.7272).margin(6e-5));
+    CHECK(prediction_factor(50, 0.95) == Approx(1.6932).margin(6e-5));
+}
+
+TEST_CASE("quantile: what is out of range is refused", "[uq][quantile]")
+{
+    CHECK_THROWS_AS(estimate_quantile(one_to(5), 0.0), std::invalid_argument);
+    CHECK_THROWS_AS(estimate_quantile(one_to(5), 1.0), std::invalid_argument);
+    CHECK_THROWS_AS(estimate_quantile(one_to(1), 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(wilks_sample_size(0.95, 0.95, 0), std::invalid_argument);
+    CHECK_THROWS_AS(wilks_sample_size(1.0, 0.95), std::invalid_argument);
+    CHECK_THROWS_AS(tolerance_factor(1, 0.95, 0.95), std::invalid_argument);
+    CHECK_THROWS_AS(prediction_factor(1, 0.95), std::invalid_argument);
+}
