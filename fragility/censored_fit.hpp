@@ -1,0 +1,74 @@
+#pragma once
+/// Maximum likelihood for values that are observed, or known to lie above, below or between
+/// limits.
+
+#include "fragility/censored_sample.hpp"
+#include "fragility/interval.hpp"
+#include "fragility/law.hpp"
+#include "fragility/observation.hpp"
+
+#include <Eigen/Dense>
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace fragility {
+
+enum class FitOutcome {
+    converged,
+    no_data,
+    invalid_value, ///< NaN, ends in the wrong order, no information, weight not positive
+    not_positive,  ///< a value at or below zero under a law of positive values
+    too_few,       ///< fewer observations than a law of two parameters needs
+    no_spread,     ///< one and the same value agrees with all observations
+    all_censored,  ///< nothing but lower (or nothing but upper) limits
+    no_finite_fit, ///< the likelihood grows towards a dispersion without bound
+    not_converged
+};
+
+/// Two parameters need three walls, two of them not merely lower limits.
+constexpr double kFewestWalls = 3.0;
+constexpr double kFewestInformative = 2.0;
+
+/// Why these observations cannot be fitted; nothing if they can.
+struct Refusal {
+    FitOutcome outcome;
+    std::string reason; ///< with numbers: "all 12 censored: ..."
+};
+[[nodiscard]] std::optional<Refusal> screen(Law law, std::span<const Observation> data);
+
+/// Everything but outcome, reason and counts is as initialised unless the outcome is
+/// `converged`.
+struct Fit {
+    FitOutcome outcome = FitOutcome::no_data;
+    std::string reason; ///< empty if converged
+    Counts counts;
+    Distribution law;
+    /// Inverse observed information of (location, ln dispersion).
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+    double location_error = 0.0;   ///< standard error of the location
+    double dispersion_error = 0.0; ///< standard error of the dispersion
+    double log_likelihood = 0.0;   ///< of densities of x
+    double aic = 0.0;              ///< 2 k - 2 ln L, k = 2
+    double bic = 0.0;              ///< k ln n - 2 ln L
+    int iterations = 0;
+};
+
+[[nodiscard]] Fit fit(Law law, std::span<const Observation> data);
+/// The same for a prepared sample with weights changed, as a bootstrap does; not screened.
+/// `start` saves iterations.
+[[nodiscard]] Fit fit(const CensoredSample& sample, const Distribution* start = nullptr);
+
+/// Inverse expected information of (location, ln dispersion) for data without censoring, or
+/// with right-censoring at one common value (type I); nothing for other data, whose censoring
+/// plan is not known.
+[[nodiscard]] std::optional<Eigen::Matrix2d>
+expected_covariance(const Fit& fit, std::span<const Observation> data);
+
+/// Distribution of the sample's mean and standard deviation (n - 1), to compare; nothing for
+/// censored data or data that screen() refuses.
+[[nodiscard]] std::optional<Distribution> fit_moments(Law law,
+                                                      std::span<const Observation> data);
+
+} // namespace fragility

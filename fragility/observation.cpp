@@ -1,0 +1,64 @@
+#include "fragility/observation.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+namespace fragility {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+Observation observed(double value) { return {value, value}; }
+Observation right_censored(double lower) { return {lower, kInfinity}; }
+Observation left_censored(double upper) { return {-kInfinity, upper}; }
+Observation interval_censored(double lower, double upper) { return {lower, upper}; }
+
+std::optional<Observation> observation(const LimitDisplacement& reading, double scale)
+{
+    if (!(scale > 0.0 && scale < kInfinity))
+        throw std::invalid_argument("observation: scale must be positive and finite");
+    switch (reading.reading) {
+    case Reading::observed:
+        return observed(scale * reading.displacement);
+    case Reading::censored:
+        return right_censored(scale * reading.displacement);
+    case Reading::not_defined:
+        break;
+    }
+    return std::nullopt;
+}
+
+Censoring censoring(const Observation& o, bool positive)
+{
+    if (o.lower == o.upper) return Censoring::none;
+    if (o.upper == kInfinity) return Censoring::right;
+    if (o.lower == -kInfinity || (positive && o.lower == 0.0)) return Censoring::left;
+    return Censoring::interval;
+}
+
+Counts count(std::span<const Observation> data, bool positive)
+{
+    Counts c;
+    for (const Observation& o : data) {
+        c.n += o.weight;
+        switch (censoring(o, positive)) {
+        case Censoring::none:
+            c.observed += o.weight;
+            break;
+        case Censoring::right:
+            c.right += o.weight;
+            break;
+        case Censoring::left:
+            c.left += o.weight;
+            break;
+        case Censoring::interval:
+            c.interval += o.weight;
+            break;
+        }
+    }
+    return c;
+}
+
+} // namespace fragility

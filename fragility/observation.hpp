@@ -1,0 +1,40 @@
+#pragma once
+/// What is known of one wall's limit displacement: a value, or that it lies between two.
+
+#include "fragility/curve_reading.hpp"
+
+#include <optional>
+#include <span>
+
+namespace fragility {
+
+/// The value lies within [lower, upper]; both ends equal: observed. Lower end -infinity (or 0
+/// for laws of positive values): left-censored; upper end infinite: right-censored.
+struct Observation {
+    double lower;
+    double upper;
+    double weight = 1.0; ///< how many such walls [-], > 0
+};
+
+[[nodiscard]] Observation observed(double value);
+[[nodiscard]] Observation right_censored(double lower); ///< above `lower`
+[[nodiscard]] Observation left_censored(double upper);  ///< below `upper`
+[[nodiscard]] Observation interval_censored(double lower, double upper);
+
+/// A reading times `scale` (1 / height makes it a drift); nothing if it is not defined.
+/// @throws std::invalid_argument if the scale is not positive
+[[nodiscard]] std::optional<Observation> observation(const LimitDisplacement& reading,
+                                                     double scale = 1.0);
+
+enum class Censoring { none, right, left, interval };
+/// A lower end of 0 is as good as none if `positive`.
+[[nodiscard]] Censoring censoring(const Observation& o, bool positive);
+
+/// Sums of weights.
+struct Counts {
+    double n = 0.0;
+    double observed = 0.0, right = 0.0, left = 0.0, interval = 0.0;
+};
+[[nodiscard]] Counts count(std::span<const Observation> data, bool positive);
+
+} // namespace fragility
