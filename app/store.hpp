@@ -4,6 +4,7 @@
 /// walls of the append() in flight. Layout and guarantees: docs/store.md.
 
 #include "app/store_error.hpp"
+#include "app/store_file.hpp"
 #include "app/store_head.hpp"
 #include "app/store_reader.hpp"
 #include "app/store_row.hpp"
@@ -21,9 +22,9 @@ namespace app {
 struct StoreOptions {
     double sync_seconds = 1.0; ///< between waits for the disk [s], >= 0; a kill needs none, a
                                ///< power cut loses what came after the last
-    std::uint64_t journal_bytes =
-        64u << 20; ///< compact() by itself when the journal is longer than
-                   ///< this and than FILE.h5 [bytes]
+    /// compact() by itself when the journal is longer than this and than FILE.h5 [bytes]
+    std::uint64_t journal_bytes = 64u << 20;
+    StageHook reached; ///< called by compact() at its stages: for tests that kill it there
 };
 
 /// Open for writing, by one process at a time. Use from one thread at a time, and not while
@@ -51,8 +52,8 @@ class Store {
     /// replaced; a wall that is ok may not. Compacts when the journal has grown long.
     /// Throws std::invalid_argument (sizes unlike the head, key out of range, wall there already)
     /// before anything is written; StoreError if the disk refuses: then none of `rows` is in the file,
-    /// all earlier walls are, and append() may be tried again. If only the compaction after it fails,
-    /// the walls are kept and the next append() or compact() reports it.
+    /// all earlier walls are, and append() may be tried again. If the compaction by itself fails the
+    /// walls are kept, the journal goes on growing, and compact() says why.
     void append(std::span<const WallRow> rows);
     /// Waits until the disk has all walls.
     void sync();

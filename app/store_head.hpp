@@ -58,6 +58,10 @@ void check_head(const StoreHead& head);
 [[nodiscard]] std::string text_difference(const std::string& before, const std::string& after,
                                           std::size_t most = 40);
 
+/// Why two heads are not of the same study, shown line by line: identity, seed, shard or columns differ.
+/// Empty if they are.
+[[nodiscard]] std::string study_difference(const StoreHead& stored, const StoreHead& other);
+
 /// The head with which a stored study goes on, if it may. `wanted` may have more samples, further
 /// levels after the stored ones, another configuration text and other sessions; the largest number of
 /// samples is added to `design_sizes` if it exceeds the last, and sessions are added after the

@@ -5,6 +5,7 @@
 #include "app/store_head.hpp"
 #include "app/store_row.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -16,9 +17,17 @@ namespace app {
 
 /// What the journal of an unfinished study held.
 struct JournalState {
+    std::uint64_t bytes = 0;   ///< up to the end of the last sound record; 0: no journal
     std::uint64_t records = 0; ///< whole and sound
     std::uint64_t damaged = 0; ///< skipped: their checksum is wrong; these walls are run again
     std::uint64_t torn_bytes = 0; ///< unfinished record at the end, left by a kill
+};
+
+/// Totals over all walls.
+struct StoreSize {
+    std::uint64_t walls = 0;
+    std::uint64_t points = 0;       ///< of their curves
+    std::uint64_t reason_bytes = 0; ///< of the longest reason
 };
 
 /// A snapshot: walls added later are not seen. Needs no lock and no write permission, works while
@@ -36,6 +45,7 @@ class StoreReader {
 
     [[nodiscard]] const StoreHead& head() const;
     [[nodiscard]] const JournalState& journal() const;
+    [[nodiscard]] const StoreSize& size() const;
     /// All walls in the order of their keys; what row(i) counts.
     [[nodiscard]] const std::vector<WallStatus>& statuses() const;
 

@@ -18,6 +18,8 @@ struct WallKey {
 
 constexpr std::int32_t kWallOk = 0; ///< status of a wall that gave results
 
+[[nodiscard]] std::string wall_name(WallKey key); ///< "wall (level 2, sample 17)"
+
 struct WallStatus {
     WallKey key;
     std::int32_t status = kWallOk; ///< else a code of failure
