@@ -4,13 +4,28 @@
 
 #include "uq/marginal_shape.hpp"
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace uq::shape {
+
+/// Of the density from x to y, between which it changes little except as a power of the distance
+/// to an end of the support: Gauss-Legendre, on stretches that double this distance.
+template <class S> [[nodiscard]] double integral(const S& s, double x, double y)
+{
+    const Range ends = support(s);
+    const double from_lower = x - ends.lower, from_upper = ends.upper - y;
+    if (y - x > std::min(from_lower, from_upper)) {
+        const double middle = from_lower < from_upper ? std::min(x + from_lower, 0.5 * (x + y))
+                                                      : std::max(y - from_upper, 0.5 * (x + y));
+        if (x < middle && middle < y) return integral(s, x, middle) + integral(s, middle, y);
+    }
+    return boost::math::quadrature::gauss<double, 20>::integrate(
+        [&](double t) { return density(s, t); }, x, y);
+}
 
 /// Probability between x and y, x <= y, both inside the support. Tails are subtracted where that
 /// keeps the digits, otherwise the density is integrated.
@@ -34,17 +49,14 @@ template <class S> [[nodiscard]] double between(const S& s, double x, double y)
         difference = 1.0 - below - upper_tail(s, y);
     }
     if (difference > kShare * whole) return difference;
-    return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
-        [&](double t) { return density(s, t); }, x, y, 15, 1e-13);
+    return integral(s, x, y);
 }
 
 /// The density is made of straight lines.
 template <> [[nodiscard]] inline double between(const Triangular& s, double x, double y)
 {
     if (x < s.mode && s.mode < y) return between(s, x, s.mode) + between(s, s.mode, y);
-    const double middle =
-        0.5 * (x + y); // on one side of the mode also where x or y is the mode
-    return density(s, middle) * (y - x);
+    return 0.5 * (density(s, x) + density(s, y)) * (y - x);
 }
 
 /// What is left of a shape, with what is asked for again and again.
@@ -112,12 +124,13 @@ template <class S>
     return h;
 }
 
+constexpr double kLeast = std::numeric_limits<double>::min(); // of the shape's probabilities
 constexpr double kClose = 0.1; // share of a tail below which steps from the cut are taken
 
 /// x with P(X <= x) = p, p in (0, 1/2]
 template <class S> [[nodiscard]] double at_lower(const S& s, const Cut& c, double p)
 {
-    const double t = p * c.mass;
+    const double t = std::max(p * c.mass, kLeast);
     if (!c.cut_below || c.below == 0.0) return std::clamp(at_lower(s, t), c.lower, c.upper);
     if (t < kClose * std::min(c.below, c.from_lower))
         return std::min(c.lower + step_from(s, c.lower, 1.0, t), c.upper);
@@ -129,7 +142,7 @@ template <class S> [[nodiscard]] double at_lower(const S& s, const Cut& c, doubl
 /// x with P(X > x) = q, q in (0, 1/2]
 template <class S> [[nodiscard]] double at_upper(const S& s, const Cut& c, double q)
 {
-    const double t = q * c.mass;
+    const double t = std::max(q * c.mass, kLeast);
     if (!c.cut_above || c.above == 0.0) return std::clamp(at_upper(s, t), c.lower, c.upper);
     if (t < kClose * std::min(c.above, c.to_upper))
         return std::max(c.upper - step_from(s, c.upper, -1.0, t), c.lower);
