@@ -1,2 +1,16 @@
 set(UQ_RELIABILITY_SOURCES
-    reliability_stub.cpp)
+    crude_monte_carlo.cpp
+    evaluate.cpp
+    exceedance.cpp
+    form.cpp
+    form_search.cpp
+    form_search_constrained.cpp
+    form_search_gradient.cpp
+    form_search_hl_rf.cpp
+    importance_sampling.cpp
+    limit_state.cpp
+    mean_value.cpp
+    sorm.cpp
+    sorm_paraboloid.cpp
+    subset_simulation.cpp
+    subset_simulation_chains.cpp)

@@ -1,2 +1,11 @@
 set(TEST_UQ_RELIABILITY_SOURCES
-    uq/test_reliability_stub.cpp)
+    uq/reliability_problems.cpp
+    uq/test_crude_monte_carlo.cpp
+    uq/test_evaluate.cpp
+    uq/test_exceedance.cpp
+    uq/test_form.cpp
+    uq/test_importance_sampling.cpp
+    uq/test_limit_state.cpp
+    uq/test_mean_value.cpp
+    uq/test_sorm.cpp
+    uq/test_subset_simulation.cpp)
