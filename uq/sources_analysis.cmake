@@ -1,4 +1,5 @@
 set(UQ_ANALYSIS_SOURCES
+    correlation_measures.cpp
     estimate.cpp
     estimate_critical.cpp
     estimate_probability.cpp
@@ -6,9 +7,14 @@ set(UQ_ANALYSIS_SOURCES
     field_basis.cpp
     field_marginal.cpp
     field_product.cpp
+    given_data.cpp
     karhunen.cpp
     kernel.cpp
     quantile_estimate.cpp
+    regression.cpp
+    regression_bootstrap.cpp
+    regression_fit.cpp
     replicate.cpp
     running_mean.cpp
+    sobol_indices.cpp
     stopping.cpp)
