@@ -2,6 +2,9 @@ set(UQ_RELIABILITY_SOURCES
     crude_monte_carlo.cpp
     evaluate.cpp
     exceedance.cpp
+    external_program.cpp
+    external_program_process.cpp
+    external_program_result.cpp
     form.cpp
     form_search.cpp
     form_search_constrained.cpp

@@ -3,6 +3,7 @@ set(TEST_UQ_RELIABILITY_SOURCES
     uq/test_crude_monte_carlo.cpp
     uq/test_evaluate.cpp
     uq/test_exceedance.cpp
+    uq/test_external_program.cpp
     uq/test_form.cpp
     uq/test_importance_sampling.cpp
     uq/test_limit_state.cpp
