@@ -1,6 +1,8 @@
 #include "app/command_line.hpp"
 
 #include "app/config_error.hpp"
+#include "app/distribution_text.hpp"
+#include "app/number_text.hpp"
 #include "app/study_help.hpp"
 #include "app/units.hpp"
 #include "app/words.hpp"
@@ -22,18 +24,8 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr std::array<std::string_view, 3> kVerbs = {"push", "help", "version"};
-constexpr std::array<std::string_view, 6> kLaterVerbs = {"study",  "fragility", "report",
-                                                         "sample", "merge",     "reliability"};
+constexpr std::array<std::string_view, 3> kLaterVerbs = {"fragility", "report", "reliability"};
 
-constexpr const char* kUsage =
-    R"(Drystone: in-plane push of dry-joint stone masonry walls by the discrete element method.
-
-  drystone push STUDY.ini [options]   push one wall: capacity curve, summary, pictures
-  drystone help [push]                this text, or the keys of a study
-  drystone version
-
-)";
 constexpr const char* kExitCodes = "\nExit codes: 0 done, 1 failed, 2 error in the input.\n";
 
 [[noreturn]] void refuse(std::string_view what, const std::string& why)
@@ -56,10 +48,18 @@ po::options_description options()
         ", all of this machine)";
     po::options_description all("Options", 96);
     auto add = all.add_options();
-    add("out", text("DIR"), "output directory (default: runs/<name of the study file>)");
+    add("out", text("PATH"),
+        "output directory or file (default: runs/<name of the study file>...)");
     add("set", text("section.key=value"), "value in place of the study's; may be repeated");
     add("threads", text("N"), threads.c_str());
     add("quiet", "no progress on stderr (default: progress)");
+    add("sample", text("K"), "push: wall K, from 0, of a study with distributions");
+    add("level", text("STRESS"), "push: its vertical stress, such as \"0.75 MPa\"");
+    add("shard", text("I/N"), "study: part I of N, I from 1; each into a file of its own");
+    add("slurm", text("FILE"),
+        "study: write a job array of shards (--shard */N, or as many as needed), run nothing");
+    add("rerun-failed", "study: run walls that failed again");
+    add("partial", "merge: although walls are missing");
     add("help,h", "help, after a verb on that verb");
     add("version", "name and version");
     return all;
@@ -67,10 +67,11 @@ po::options_description options()
 
 [[noreturn]] void refuse_unknown_option(const std::string& token)
 {
-    constexpr std::array<std::string_view, 6> kNames = {"--out",   "--set",  "--threads",
-                                                        "--quiet", "--help", "--version"};
+    std::vector<std::string> names;
+    for (const auto& option : options().options()) names.push_back("--" + option->long_name());
+    const std::vector<std::string_view> views(names.begin(), names.end());
     const std::string name = token.substr(0, token.find('='));
-    refuse(name, "unknown option; " + suggestion(name, kNames));
+    refuse(name, "unknown option; " + suggestion(name, views));
 }
 
 /// Boost splits the arguments; what it refuses is said in our words.
@@ -92,26 +93,47 @@ std::vector<po::option> split(const std::vector<std::string>& arguments)
     }
 }
 
-int parse_threads(const std::string& text)
+int parse_whole(const std::string& option, const std::string& text, double least, double most)
 {
-    constexpr double kMost = 1024;
     double n = 0.0;
     try {
         n = parse_count(text);
     } catch (const BadValue& bad) {
-        refuse("--threads", bad.what());
+        refuse(option, bad.what());
     }
-    if (n < 1 || n > kMost)
-        refuse("--threads", in_quotes(text) + " is out of range; must be in [1, 1024]");
+    if (n < least || n > most)
+        refuse(option, in_quotes(text) + " is out of range; must be in [" + number(least, 12) +
+                           ", " + number(most, 12) + "]");
     return static_cast<int>(n);
 }
 
-/// The directory itself is made by who writes into it.
-void check_out(const std::string& out)
+constexpr double kMostShards = 100'000;
+
+Shard parse_shard(const std::string& text)
+{
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos)
+        refuse("--shard", in_quotes(text) + " is not a part of a whole; write e.g. \"3/16\"");
+    Shard s;
+    s.count = parse_whole("--shard", text.substr(slash + 1), 1, kMostShards);
+    if (text.substr(0, slash) != "*")
+        s.index = parse_whole("--shard", text.substr(0, slash), 1, s.count) - 1;
+    return s;
+}
+
+/// Folders on the way are made by who writes into them.
+void check_out(const VerbRule& rule, const std::string& out)
 {
     namespace fs = std::filesystem;
     std::error_code ignored;
     fs::path path = fs::path(out).lexically_normal();
+    if (rule.out != OutKind::folder) {
+        if (fs::is_directory(path, ignored))
+            refuse("--out",
+                   in_quotes(out) + " is a directory; give a file, such as " +
+                       in_quotes((path / "name").string() + std::string(rule.extension)));
+        path = path.parent_path();
+    }
     while (!path.empty() && !fs::exists(path, ignored) && path != path.parent_path()) {
         path = path.parent_path();
     }
@@ -136,15 +158,27 @@ void take(const po::option& option, Command& command, std::vector<std::string>& 
         command.out = option.value.front();
         if (command.out.empty()) refuse("--out", "missing value; write one after it");
     } else if (name == "threads") {
-        command.threads = parse_threads(option.value.front());
+        command.threads = parse_whole("--threads", option.value.front(), 1, 1024);
+    } else if (name == "sample") {
+        command.sample = parse_whole("--sample", option.value.front(), 0, 1e9);
+    } else if (name == "level") {
+        command.level = option.value.front();
+    } else if (name == "shard") {
+        command.shard = parse_shard(option.value.front());
+    } else if (name == "slurm") {
+        command.script = option.value.front();
     } else if (name == "quiet") {
         command.quiet = true;
+    } else if (name == "rerun-failed") {
+        command.rerun_failed = true;
+    } else if (name == "partial") {
+        command.partial = true;
     }
 }
 
 void refuse_doubled(const std::vector<po::option>& given)
 {
-    for (const char* const name : {"out", "threads"}) {
+    for (const char* const name : {"out", "threads", "sample", "level", "shard", "slurm"}) {
         const auto times = std::count_if(given.begin(), given.end(), [&](const po::option& o) {
             return o.string_key == name;
         });
@@ -160,11 +194,30 @@ bool has(const std::vector<po::option>& given, const char* name)
 
 std::string known_verb(const std::string& word)
 {
-    if (std::find(kVerbs.begin(), kVerbs.end(), word) != kVerbs.end()) return word;
+    if (word == "help" || word == "version" || find_verb(word) != nullptr) return word;
     if (std::find(kLaterVerbs.begin(), kLaterVerbs.end(), word) != kLaterVerbs.end()) {
         refuse(word, "not in this version; \"drystone help\" lists what is");
     }
-    refuse(word, "unknown verb; " + suggestion(word, kVerbs));
+    std::vector<std::string_view> names = {"help", "version"};
+    for (const VerbRule& r : verb_rules()) names.push_back(r.name);
+    refuse(word, "unknown verb; " + suggestion(word, names));
+}
+
+[[noreturn]] void refuse_extra(const std::string& word)
+{
+    refuse(in_quotes(word), "one word too many; leave it out");
+}
+
+void read_verb_words(const VerbRule& rule, const std::vector<std::string>& words,
+                     Command& command)
+{
+    command.verb = rule.verb;
+    command.words.assign(words.begin() + 1, words.end());
+    if (command.words.size() < rule.least)
+        refuse(rule.name, "missing " + std::string(rule.words) + "; write \"" +
+                              std::string(rule.example) + "\"");
+    if (command.words.size() > rule.most) refuse_extra(command.words[rule.most]);
+    command.study = command.words.front();
 }
 
 /// VERB and what follows it.
@@ -174,19 +227,29 @@ void read_words(const std::vector<std::string>& words, Command& command)
         refuse("", "missing verb; write \"drystone push STUDY.ini\", or \"drystone help\"");
     }
     const std::string verb = known_verb(words.front());
+    if (const VerbRule* rule = find_verb(verb)) return read_verb_words(*rule, words, command);
     const std::size_t most = verb == "version" ? 1 : 2;
-    if (words.size() > most) refuse(in_quotes(words[most]), "one word too many; leave it out");
-    if (verb == "version") {
-        command.verb = Verb::version;
-    } else if (verb == "help") {
-        command.verb = Verb::help;
-        if (words.size() == 2) command.topic = known_verb(words[1]);
-    } else if (words.size() == 2) {
-        command.verb = Verb::push;
-        command.study = words[1];
-    } else {
-        refuse(verb, "missing study file; write \"drystone push configs/wall.ini\"");
-    }
+    if (words.size() > most) refuse_extra(words[most]);
+    command.verb = verb == "version" ? Verb::version : Verb::help;
+    if (words.size() == 2) command.topic = known_verb(words[1]);
+}
+
+void refuse_foreign(const VerbRule& rule, const std::vector<po::option>& given)
+{
+    for (const po::option& o : given)
+        if (!o.string_key.empty() && !takes(rule, o.string_key))
+            refuse("--" + o.string_key,
+                   "not an option of " + std::string(rule.name) + "; leave it out");
+}
+
+void set_out(const VerbRule& rule, Command& command)
+{
+    namespace fs = std::filesystem;
+    if (rule.out == OutKind::first_word) command.out = command.words.front();
+    if (command.out.empty())
+        command.out = (fs::path("runs") / fs::path(command.study).stem()).string() +
+                      std::string(rule.extension);
+    check_out(rule, command.out);
 }
 
 } // namespace
@@ -209,22 +272,42 @@ Command parse_command_line(const std::vector<std::string>& arguments)
         return command;
     }
     read_words(words, command);
-    if (command.verb != Verb::push) return command;
-    if (command.out.empty()) {
-        const std::filesystem::path stem = std::filesystem::path(command.study).stem();
-        command.out = (std::filesystem::path("runs") / stem).string();
-    }
-    check_out(command.out);
+    if (command.verb == Verb::help || command.verb == Verb::version) return command;
+    const VerbRule& rule = rule_of(command.verb);
+    refuse_foreign(rule, given);
+    set_out(rule, command);
     return command;
 }
+
+namespace {
+
+std::string usage()
+{
+    std::string text =
+        "Drystone: in-plane push of dry-joint stone masonry walls by the discrete "
+        "element method.\n\n";
+    const auto line = [&](std::string left, std::string_view meaning) {
+        left.resize(std::max<std::size_t>(left.size() + 2, 46), ' ');
+        text += left + std::string(meaning) + "\n";
+    };
+    for (const VerbRule& r : verb_rules())
+        line("  drystone " + std::string(r.name) + " " + std::string(r.words) + " [options]",
+             r.meaning);
+    line("  drystone help [VERB]", "this text, or the keys of a study");
+    line("  drystone version", "");
+    return text + "\n";
+}
+
+} // namespace
 
 std::string help_text(std::string_view topic)
 {
     std::ostringstream text;
-    text << kUsage << options() << kExitCodes;
-    if (topic == "push") {
+    text << usage() << options() << kExitCodes;
+    if (const VerbRule* rule = find_verb(topic); rule != nullptr && takes(*rule, "set")) {
         text << "\nA study file has sections of keys: name, default, values allowed, meaning.\n"
-             << study_help();
+             << study_help() << '\n'
+             << distribution_help();
     }
     return text.str();
 }

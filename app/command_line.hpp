@@ -1,22 +1,35 @@
 #pragma once
-/// The command line: `drystone VERB STUDY.ini [options]`.
+/// The command line: `drystone VERB WORDS [options]`.
 
+#include "app/verbs.hpp"
+
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace app {
 
-enum class Verb { help, version, push };
+/// Part `index` (from 0) of `count`.
+struct Shard {
+    int index = 0, count = 1;
+};
 
 struct Command {
     Verb verb = Verb::help;
     std::string topic;                  ///< the verb that help is about; empty: the program
-    std::string study;                  ///< path of the study file
-    std::string out;                    ///< output directory; it may not exist yet
+    std::string study;                  ///< first word: path of the study file
+    std::vector<std::string> words;     ///< all words after the verb
+    std::string out;                    ///< output directory or file; it may not exist yet
     std::vector<std::string> overrides; ///< section.key=value, in order
     int threads = 1;                    ///< >= 1
     bool quiet = false;                 ///< no progress
+    std::optional<int> sample;          ///< of a study, >= 0
+    std::string level; ///< vertical stress of that sample as written; empty: the only one
+    Shard shard;
+    std::string script;        ///< write a job array to this file instead of running
+    bool rerun_failed = false; ///< run failed walls again
+    bool partial = false;      ///< merge although walls are missing
 };
 
 /// @param arguments without the name of the program

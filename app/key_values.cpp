@@ -1,8 +1,11 @@
 #include "app/key_values.hpp"
 
+#include "app/distribution_text.hpp"
 #include "app/number_text.hpp"
 #include "app/units.hpp"
 #include "app/words.hpp"
+
+#include <algorithm>
 
 namespace app {
 namespace {
@@ -45,10 +48,38 @@ std::vector<double> parse_numbers(const Key& key, std::string_view text)
     }
 }
 
+/// The range of the key holds for every draw.
+void cut_off(const Key& key, std::string_view text, RandomInput& random)
+{
+    constexpr double kMostCut = 0.5;
+    uq::Marginal& m = random.marginal;
+    const double low = to_si(key.range.low, key.unit), high = to_si(key.range.high, key.unit);
+    random.cut = (low > m.lower ? uq::cdf(m, low) : 0.0) +
+                 (high < m.upper ? uq::complement(m, high) : 0.0);
+    if (!(random.cut < kMostCut))
+        throw BadValue(in_quotes(text) + " lies outside the range of this key, " +
+                       range_text(key) + "; check its unit");
+    m.lower = std::max(m.lower, low);
+    m.upper = std::min(m.upper, high);
+}
+
 } // namespace
+
+std::optional<RandomInput> parse_random(const Key& key, std::string_view text)
+{
+    if (!is_distribution(text)) return {};
+    if (key.varies == Varies::never)
+        throw BadValue(in_quotes(text) + " is a distribution, but " + std::string(key.name) +
+                       " is the same for all walls; write a number");
+    RandomInput random{std::string(key.name), parse_distribution(text, key.unit), 0.0,
+                       key.varies};
+    cut_off(key, text, random);
+    return random;
+}
 
 std::string allowed_values(const Key& key)
 {
+    if (key.kind == Kind::text) return "text";
     if (key.kind == Kind::word) return listed(words_of(key));
     std::string text;
     for (const Named& n : key.names) text += std::string(n.word) + ", ";
@@ -75,6 +106,10 @@ std::vector<double> parse_value(const Key& key, std::string_view text)
 
 std::string value_text(const Key& key, const Study& study)
 {
+    if (key.kind == Kind::text) {
+        Study copy = study;
+        return key.text(copy);
+    }
     const std::vector<double> values = key.field.get(study);
     if (values.empty()) return {};
     for (const Named& n : key.names) {

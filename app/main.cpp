@@ -2,7 +2,10 @@
 
 #include "app/command_line.hpp"
 #include "app/config_error.hpp"
+#include "app/merge_command.hpp"
 #include "app/push_command.hpp"
+#include "app/sample_command.hpp"
+#include "app/study_command.hpp"
 #include "app/version.hpp"
 
 #include <exception>
@@ -24,6 +27,12 @@ int run(const std::vector<std::string>& arguments)
         return 0;
     case app::Verb::push:
         return app::push_command(command);
+    case app::Verb::study:
+        return app::study_command(command);
+    case app::Verb::sample:
+        return app::sample_command(command);
+    case app::Verb::merge:
+        return app::merge_command(command);
     }
     return 1;
 }

@@ -11,6 +11,7 @@
 #include "app/table.hpp"
 #include "app/vtk_series.hpp"
 #include "app/wall_svg.hpp"
+#include "app/wanted_walls.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -61,20 +62,21 @@ class SharedProgress {
     std::vector<double> done_;
 };
 
-/// Every level on its own; which thread runs it changes nothing in it.
-std::vector<PushedWall> push_all(const Study& study, int threads, bool quiet)
+/// Every wall on its own; which thread runs it changes nothing in it.
+std::vector<PushedWall> push_all(const Study& study, const std::vector<WantedWall>& wanted,
+                                 int threads, bool quiet)
 {
-    const std::size_t n = study.load.vertical_stress.size();
+    const std::size_t n = wanted.size();
     std::vector<PushedWall> walls(n);
     std::vector<std::exception_ptr> errors(n);
     std::atomic<std::size_t> next{0};
     SharedProgress progress(n, quiet);
     const auto work = [&] {
         for (std::size_t i = next++; i < n; i = next++) try {
-                walls[i] = push_level(study, static_cast<int>(i),
-                                      [&progress, i](double d, double u, double f) {
-                                          progress.update(i, d, u, f);
-                                      });
+                walls[i] = push_wall(study, wanted[i].level, wanted[i].draw,
+                                     [&progress, i](double d, double u, double f) {
+                                         progress.update(i, d, u, f);
+                                     });
             } catch (...) {
                 errors[i] = std::current_exception();
             }
@@ -156,9 +158,10 @@ void write_all(const fs::path& out, const Study& study, const std::vector<Pushed
 
 int push_command(const Command& command)
 {
-    const Study study =
-        read_study(with_overrides(read_study_file(command.study), command.overrides));
-    const std::vector<PushedWall> walls = push_all(study, command.threads, command.quiet);
+    const StudySource source = study_source(command);
+    const Study& study = source.study;
+    const std::vector<PushedWall> walls =
+        push_all(study, wanted_walls(source, command), command.threads, command.quiet);
     write_all(command.out, study, walls);
     std::cout << as_text(level_table(walls)) << "written to " << command.out << '\n';
     return std::any_of(walls.begin(), walls.end(),

@@ -38,20 +38,12 @@ void read_curve(PushedWall& w)
 
 } // namespace
 
-PushedWall
-push_level(const Study& study, int level,
-           std::function<void(double done, double displacement, double force)> progress)
+PushedWall read_wall(const Study& study, int level, dem::PushResult result)
 {
-    const dem::Model model = model_of(study);
-    dem::PushPlan plan = push_plan(study);
-    plan.progress = std::move(progress);
-
     PushedWall w;
-    w.vertical_stress = study.load.vertical_stress[level];
+    w.vertical_stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
     w.loads = loads(study, level);
-    w.result =
-        dem::push(model, materials(study, level, model.layout.n_joints, model.layout.n_cracks),
-                  plan, study.solver);
+    w.result = std::move(result);
     if (dem::failed(w.result.outcome)) {
         w.no_reading = why_failed(w.result.outcome);
         return w;
@@ -63,13 +55,25 @@ push_level(const Study& study, int level,
     w.mechanism = dem::mechanism(w.result.at_end, w.loads.height);
     if (w.displacement.size() < 2)
         w.no_reading = "the wall came down under vertical load";
-    else if (is_monotonic(plan))
+    else if (is_monotonic(push_plan(study)))
         read_curve(w);
     else
         w.no_reading = "the push turns back: limit states are read off a monotonic push";
     const bool dropped = w.peak && w.ultimate.reading == fragility::Reading::observed;
     w.mode = dem::failure_mode(w.mechanism, dropped);
     return w;
+}
+
+PushedWall
+push_wall(const Study& study, int level, const WallDraw& draw,
+          std::function<void(double done, double displacement, double force)> progress)
+{
+    const dem::Model model = model_of(study);
+    dem::PushPlan plan = push_plan(study);
+    plan.progress = std::move(progress);
+    return read_wall(
+        study, level,
+        dem::push(model, wall_materials(study, model.layout, level, draw), plan, study.solver));
 }
 
 } // namespace app

@@ -2,6 +2,7 @@
 /// One wall pushed, and what an engineer reads off it.
 
 #include "app/study.hpp"
+#include "app/wall_draw.hpp"
 #include "dem/mechanism.hpp"
 #include "dem/push.hpp"
 #include "fragility/limit_states.hpp"
@@ -29,9 +30,14 @@ struct PushedWall {
     std::string no_reading;                          ///< why there are none
 };
 
+/// What is read off a result.
+/// @param level index in study.load.vertical_stress
+[[nodiscard]] PushedWall read_wall(const Study& study, int level, dem::PushResult result);
+
+/// @param draw random values of the wall; none: the numbers of the study
 /// @param level index in study.load.vertical_stress
 [[nodiscard]] PushedWall
-push_level(const Study& study, int level,
-           std::function<void(double done, double displacement, double force)> progress);
+push_wall(const Study& study, int level, const WallDraw& draw,
+          std::function<void(double done, double displacement, double force)> progress);
 
 } // namespace app

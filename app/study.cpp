@@ -28,7 +28,7 @@ void refuse_unknown_section(const StudyFile& file, int line, std::string_view se
 {
     const std::string_view path = line > 0 ? std::string_view(file.path) : "--set";
     const std::string shown = "[" + std::string(section) + "]";
-    if (section == "uq" || section == "fragility") {
+    if (section == "fragility") {
         throw ConfigError(path, line, shown, "not read by this version; remove the section");
     }
     const auto names = section_names();
@@ -63,11 +63,24 @@ void refuse_unknown(const StudyFile& file)
     }
 }
 
+/// A field whose value is a distribution holds its mean.
+void read_value(const Key& key, const std::string& text, Study& study)
+{
+    if (key.kind == Kind::text) {
+        key.text(study) = text;
+    } else if (auto random = parse_random(key, text)) {
+        key.field.set(study, {uq::mean(random->marginal)});
+        study.random.push_back(std::move(*random));
+    } else {
+        key.field.set(study, parse_value(key, text));
+    }
+}
+
 void read_given(const Key& key, Study& study)
 {
     if (const Entry* entry = find_entry(study.source, key.name)) {
         try {
-            key.field.set(study, parse_value(key, entry->value));
+            read_value(key, entry->value, study);
         } catch (const BadValue& bad) {
             throw error_at(study.source, key.name, bad.what());
         }
@@ -93,10 +106,10 @@ void refuse_unused(const Key& key, const Study& study)
     }
 }
 
-void derive(const Key& key, Study& study)
+bool is_derived(const Key& key, const Study& study)
 {
     const bool given = find_entry(study.source, key.name) != nullptr;
-    if (!given && key.derived.apply != nullptr && is_used(key, study)) key.derived.apply(study);
+    return !given && key.derived.apply != nullptr && is_used(key, study);
 }
 
 /// Value of one level of a list that has one value for all levels, or one for each.
@@ -127,9 +140,18 @@ Study read_study(const StudyFile& file)
     for (const Key& key : study_keys()) read_given(key, study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
     check_stiffness(study);
-    for (const Key& key : study_keys()) derive(key, study);
+    for (const auto& apply : derivations(study)) apply(study);
     check_relations(study);
     return study;
+}
+
+std::vector<void (*)(Study&)> derivations(const Study& study, std::string_view section)
+{
+    std::vector<void (*)(Study&)> all;
+    for (const Key& key : study_keys())
+        if (is_derived(key, study) && (section.empty() || section == section_of(key.name)))
+            all.push_back(key.derived.apply);
+    return all;
 }
 
 std::string effective_configuration(const Study& study)
@@ -178,9 +200,10 @@ dem::CrackMaterial crack_material(const Study& study, int level)
             .ks = dem::shear_stiffness(kn, study.stone.poisson_ratio),
             .ft = unit.tensile_strength,
             .cohesion = unit.cohesion,
-            .cohesion_res = unit.residual_cohesion,
+            .cohesion_res = std::min(unit.residual_cohesion, unit.cohesion),
             .tan_phi = std::tan(unit.friction_angle),
-            .tan_phi_res = std::tan(unit.residual_friction_angle),
+            .tan_phi_res =
+                std::tan(std::min(unit.residual_friction_angle, unit.friction_angle)),
             .fracture_energy = unit.fracture_energy,
             .tension_reduces_shear = unit.tension_reduces_shear};
 }

@@ -6,8 +6,12 @@
 #include "dem/push.hpp"
 #include "dem/solver_options.hpp"
 #include "dem/wall.hpp"
+#include "uq/design.hpp"
+#include "uq/marginal.hpp"
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -48,6 +52,53 @@ struct LoadInput {
 struct OutputInput {
     double record_every = dem::PushPlan{}.record_every; ///< [m], > 0
     double snapshot_every = 5e-4;                       ///< [m], >= 0; 0: only at both ends
+    bool single_precision_curves = false; ///< of a study's file: half the size, 7 digits
+};
+
+/// What has a value of its own where the study is spatial.
+enum class Varies {
+    never,    ///< a number, never a distribution
+    by_wall,  ///< one value per wall, in spatial studies too
+    by_joint, ///< one per joint ID
+    by_crack  ///< one per crack ID
+};
+
+/// A key whose value is a distribution.
+struct RandomInput {
+    std::string key;       ///< "joint.friction_angle"
+    uq::Marginal marginal; ///< in SI, cut off at the range of the key
+    double cut = 0.0;      ///< probability outside that range before the cut [-]
+    Varies varies = Varies::by_wall;
+};
+
+enum class Spatial {
+    none,        ///< one value per wall
+    independent, ///< one per joint, from a design over walls and joints
+    stratified,  ///< one per joint, a Latin hypercube over the joints inside each wall
+    correlated   ///< one per joint, a random field over the joints
+};
+
+enum class FieldKernel {
+    exponential,
+    squared_exponential,
+    exponential_l1,
+    matern,
+    same_course, ///< uq.group_correlation between joints of one course, 0 between courses
+    same_unit,   ///< the same of one unit
+    all          ///< the same of the whole wall
+};
+
+struct UqInput {
+    uq::DesignKind design = uq::DesignKind::latin_random;
+    int samples = 50;       ///< walls per stress level, >= 1
+    std::uint64_t seed = 1; ///< of the design
+    bool shared = false;    ///< the same samples under every stress level
+    Spatial spatial = Spatial::none;
+    FieldKernel kernel = FieldKernel::exponential;
+    std::vector<double> correlation_length; ///< [m]; two for exponential_l1: along x and z
+    double matern_nu = 1.5;                 ///< smoothness [-]
+    double group_correlation = 0.5;         ///< [-], in [0, 1]
+    std::string pearson; ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
 };
 
 struct Study {
@@ -63,12 +114,19 @@ struct Study {
     dem::Discretisation discretisation;
     dem::SolverOptions solver;
     OutputInput output;
-    StudyFile source; ///< what was given
+    UqInput uq;
+    std::vector<RandomInput> random; ///< in the order of the keys; the fields hold their means
+    StudyFile source;                ///< what was given
 };
 
 /// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at
 /// odds with another
 [[nodiscard]] Study read_study(const StudyFile& file);
+
+/// The rules for values that were not given and follow from others, of one section or, if it is
+/// empty, of all; to be applied in this order whenever the others change.
+[[nodiscard]] std::vector<void (*)(Study&)> derivations(const Study& study,
+                                                        std::string_view section = "");
 
 /// The study in full, as a study file that reads back to the same study; values that were not
 /// given are marked "# default", values given on the command line "# --set".
@@ -80,6 +138,7 @@ struct Study {
 /// Joint by Eq. 2 or as given, times its factor.
 [[nodiscard]] dem::JointMaterial joint_material(const Study& study, int level);
 
+/// A residual value above the initial one, where draws make it so, counts as the initial one.
 /// Crack of xi times the stiffness of the joint before its factor, times its own factor: Table
 /// 5 of the paper varies the two factors independently.
 [[nodiscard]] dem::CrackMaterial crack_material(const Study& study, int level);

@@ -18,6 +18,7 @@ constexpr Named named(std::string_view word, auto value)
 
 constexpr std::array kBonds = {named("running", 0.5), named("stack", 0)};
 constexpr std::array kYesNo = {named("yes", true), named("no", false)};
+constexpr std::array kPrecisions = {named("double", false), named("single", true)};
 constexpr std::array kFirstCourses = {named("whole", dem::FirstCourse::whole),
                                       named("shifted", dem::FirstCourse::shifted)};
 constexpr std::array kBases = {named("fixed", dem::Base::fixed),
@@ -39,6 +40,21 @@ constexpr std::array kFidelities = {
     named("rigid", dem::Fidelity::rigid), named("simple", dem::Fidelity::simple),
     named("standard", dem::Fidelity::standard), named("zones", dem::Fidelity::zones),
     named("fine", dem::Fidelity::fine)};
+constexpr std::array kDesigns = {named("lhs", uq::DesignKind::latin_random),
+                                 named("lhs_centred", uq::DesignKind::latin_centred),
+                                 named("lhs_optimised", uq::DesignKind::latin_optimised),
+                                 named("monte_carlo", uq::DesignKind::monte_carlo),
+                                 named("sobol", uq::DesignKind::sobol)};
+constexpr std::array kSpatial = {
+    named("none", Spatial::none), named("independent", Spatial::independent),
+    named("stratified", Spatial::stratified), named("correlated", Spatial::correlated)};
+constexpr std::array kKernels = {named("exponential", FieldKernel::exponential),
+                                 named("squared_exponential", FieldKernel::squared_exponential),
+                                 named("exponential_l1", FieldKernel::exponential_l1),
+                                 named("matern", FieldKernel::matern),
+                                 named("same_course", FieldKernel::same_course),
+                                 named("same_unit", FieldKernel::same_unit),
+                                 named("all", FieldKernel::all)};
 constexpr std::array kModes = {named("all", 0), named("rigid", 3)};
 
 void derive_shear_stiffness(Study& s)
@@ -113,12 +129,15 @@ constexpr std::array kKeys = {
         .field = kAt<&Study::wall, &WallGeometry::toe>},
 
     Key{.name = "stone.young_modulus", .unit = "GPa", .range = kModulus, .example = "15.5 GPa",
+        .varies = Varies::by_wall,
         .meaning = "E_stone of Eq. 2",
         .field = kAt<&Study::stone, &Elastic::young_modulus>},
     Key{.name = "stone.poisson_ratio", .range = kPoisson, .example = "0.2",
+        .varies = Varies::by_wall,
         .meaning = "also of k_s = k_n / (2 (1 + nu)) (paper, Table 4)",
         .field = kAt<&Study::stone, &Elastic::poisson_ratio>},
     Key{.name = "stone.density", .unit = "kg/m3", .range = kDensity, .example = "2300 kg/m3",
+        .varies = Varies::by_wall,
         .meaning = "self-weight of the wall",
         .field = kAt<&Study::stone, &Elastic::density>},
 
@@ -135,42 +154,52 @@ constexpr std::array kKeys = {
         .meaning = "k_s, one or one per stress level (paper, Table 4)",
         .field = kAt<&Study::joint, &JointInput::shear_stiffness>},
     Key{.name = "joint.friction_angle", .unit = "deg", .range = kAngle, .example = "31.8 deg",
+        .varies = Varies::by_joint,
         .meaning = "of the dry joints (paper, Table 4)",
         .field = kAt<&Study::joint, &JointInput::friction_angle>},
     Key{.name = "joint.stiffness_factor", .range = kFactor,
+        .varies = Varies::by_joint,
         .meaning = "on k_n and k_s of the joints (paper, Table 5)",
         .field = kAt<&Study::joint, &JointInput::stiffness_factor>},
 
     Key{.name = "unit.stiffness_ratio", .range = {'(', 0, 1e6, ']'}, .used = Used::with_cracks,
+        .varies = Varies::by_crack,
         .meaning = "xi = k_n of a crack / k_n of a joint (paper, Table 4)",
         .field = kAt<&Study::unit, &UnitInput::stiffness_ratio>},
     Key{.name = "unit.tensile_strength", .unit = "MPa", .range = kStrength,
         .used = Used::with_cracks, .example = "3.7 MPa",
+        .varies = Varies::by_crack,
         .meaning = "f_T of the units (paper, Table 4)",
         .field = kAt<&Study::unit, &UnitInput::tensile_strength>},
     Key{.name = "unit.cohesion", .unit = "MPa", .range = kStrength, .used = Used::with_cracks,
         .derived = {"tensile_strength", [](Study& s) { s.unit.cohesion = s.unit.tensile_strength; }},
+        .varies = Varies::by_crack,
         .meaning = "initial (paper, Table 4)",
         .field = kAt<&Study::unit, &UnitInput::cohesion>},
     Key{.name = "unit.residual_cohesion", .unit = "MPa", .range = kStrength,
         .used = Used::with_cracks,
+        .varies = Varies::by_crack,
         .meaning = "at most the initial one",
         .field = kAt<&Study::unit, &UnitInput::residual_cohesion>},
     Key{.name = "unit.fracture_energy", .unit = "N/m", .range = {'[', 0, 1e6, ']'},
         .used = Used::with_cracks, .example = "110 N/m",
+        .varies = Varies::by_crack,
         .meaning = "mode I (paper, Table 4)",
         .field = kAt<&Study::unit, &UnitInput::fracture_energy>},
     Key{.name = "unit.friction_angle", .unit = "deg", .range = kAngle, .used = Used::with_cracks,
         .example = "35 deg",
+        .varies = Varies::by_crack,
         .meaning = "initial, of a crack (paper, Table 4)",
         .field = kAt<&Study::unit, &UnitInput::friction_angle>},
     Key{.name = "unit.residual_friction_angle", .unit = "deg", .range = kAngle,
         .used = Used::with_cracks,
         .derived = {"friction_angle",
                     [](Study& s) { s.unit.residual_friction_angle = s.unit.friction_angle; }},
+        .varies = Varies::by_crack,
         .meaning = "at most the initial one (paper, Table 4)",
         .field = kAt<&Study::unit, &UnitInput::residual_friction_angle>},
     Key{.name = "unit.stiffness_factor", .range = kFactor, .used = Used::with_cracks,
+        .varies = Varies::by_crack,
         .meaning = "on k_n and k_s of the cracks (paper, Table 5)",
         .field = kAt<&Study::unit, &UnitInput::stiffness_factor>},
     Key{.name = "unit.contact_law", .kind = Kind::word, .names = kLaws, .used = Used::with_cracks,
@@ -200,6 +229,7 @@ constexpr std::array kKeys = {
         .used = Used::with_beam_joint,
         .derived = {"joint.friction_angle",
                     [](Study& s) { s.beam_friction_angle = s.joint.friction_angle; }},
+        .varies = Varies::by_wall,
         .meaning = "under the beam, only with interface = joint",
         .field = kAt<&Study::beam_friction_angle>},
     Key{.name = "beam.rotation", .kind = Kind::word, .names = kRotations,
@@ -210,6 +240,7 @@ constexpr std::array kKeys = {
         .used = Used::with_base_joint,
         .derived = {"joint.friction_angle",
                     [](Study& s) { s.base_friction_angle = s.joint.friction_angle; }},
+        .varies = Varies::by_wall,
         .meaning = "under the first course, only with wall.base = joint",
         .field = kAt<&Study::base_friction_angle>},
 
@@ -296,6 +327,43 @@ constexpr std::array kKeys = {
     Key{.name = "output.snapshot_every", .unit = "mm", .range = {'[', 0, 1000, ']'},
         .meaning = "spacing of the ParaView series; 0 only both ends",
         .field = kAt<&Study::output, &OutputInput::snapshot_every>},
+    Key{.name = "output.curves", .kind = Kind::word, .names = kPrecisions,
+        .meaning = "precision of the curves in the file of a study; single: half the size",
+        .field = kAt<&Study::output, &OutputInput::single_precision_curves>},
+
+    Key{.name = "uq.design", .kind = Kind::word, .names = kDesigns,
+        .meaning = "how the samples are drawn; lhs: Latin hypercube",
+        .field = kAt<&Study::uq, &UqInput::design>},
+    Key{.name = "uq.samples", .kind = Kind::count, .range = {'[', 1, 1e7, ']'},
+        .meaning = "walls per stress level; a larger number adds walls and keeps the old",
+        .field = kAt<&Study::uq, &UqInput::samples>},
+    Key{.name = "uq.seed", .kind = Kind::count, .range = {'[', 0, 9e15, ']'},
+        .meaning = "another seed gives other samples",
+        .field = kAt<&Study::uq, &UqInput::seed>},
+    Key{.name = "uq.shared", .kind = Kind::word, .names = kYesNo,
+        .meaning = "the same samples under every stress level, or a design of its own for each (paper)",
+        .field = kAt<&Study::uq, &UqInput::shared>},
+    Key{.name = "uq.spatial", .kind = Kind::word, .names = kSpatial,
+        .meaning = "one value per wall, or per joint ID: independent, stratified in each wall, correlated",
+        .field = kAt<&Study::uq, &UqInput::spatial>},
+    Key{.name = "uq.kernel", .kind = Kind::word, .names = kKernels, .used = Used::with_fields,
+        .meaning = "correlation between joints by distance of their centres, or by group",
+        .field = kAt<&Study::uq, &UqInput::kernel>},
+    Key{.name = "uq.correlation_length", .kind = Kind::list, .unit = "m", .range = {'(', 0, 1e6, ']'},
+        .used = Used::with_fields,
+        .derived = {"must be given with kernels by distance"},
+        .meaning = "of kernels by distance; two values for exponential_l1, along x and z",
+        .field = kAt<&Study::uq, &UqInput::correlation_length>},
+    Key{.name = "uq.matern_nu", .range = {'[', 0.05, 50, ']'}, .used = Used::with_fields,
+        .meaning = "smoothness of the kernel matern",
+        .field = kAt<&Study::uq, &UqInput::matern_nu>},
+    Key{.name = "uq.group_correlation", .range = {'[', 0, 1, ']'}, .used = Used::with_fields,
+        .meaning = "between joints of one group, kernels same_course, same_unit, all",
+        .field = kAt<&Study::uq, &UqInput::group_correlation>},
+    Key{.name = "uq.pearson", .kind = Kind::text,
+        .derived = {"none"},
+        .meaning = "correlated variables: joint.friction_angle joint.stiffness_factor 0.3, ...",
+        .text = [](Study& s) -> std::string& { return s.uq.pearson; }},
 };
 // clang-format on
 
@@ -306,6 +374,13 @@ std::span<const Key> study_keys() { return kKeys; }
 std::string_view section_of(std::string_view key) { return key.substr(0, key.find('.')); }
 
 std::string_view name_in_section(std::string_view key) { return key.substr(key.find('.') + 1); }
+
+const Key* find_key(std::string_view name)
+{
+    for (const Key& key : kKeys)
+        if (key.name == name) return &key;
+    return nullptr;
+}
 
 bool is_used(const Key& key, const Study& study)
 {
@@ -318,6 +393,8 @@ bool is_used(const Key& key, const Study& study)
         return study.wall.base == dem::Base::joint;
     case Used::with_beam_joint:
         return study.beam.interface == dem::BeamInterface::joint;
+    case Used::with_fields:
+        return study.uq.spatial == Spatial::correlated;
     }
     return true;
 }

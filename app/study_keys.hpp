@@ -6,6 +6,7 @@
 #include "app/study_field.hpp"
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace app {
@@ -14,11 +15,12 @@ enum class Kind {
     number,
     list,  ///< of numbers
     count, ///< a whole number
-    word   ///< one of Key::names and nothing else
+    word,  ///< one of Key::names and nothing else
+    text   ///< free text, read elsewhere
 };
 
 /// When a key has a meaning.
-enum class Used { always, with_cracks, with_base_joint, with_beam_joint };
+enum class Used { always, with_cracks, with_base_joint, with_beam_joint, with_fields };
 
 /// Closed '[' ']' or open '(' ')' at either end, in the unit of the key.
 struct Range {
@@ -49,8 +51,10 @@ struct Key {
     Used used = Used::always;
     std::string_view example = ""; ///< of a key that must be given; empty: it has a default
     Derived derived = {};          ///< empty: the default is the one of the field
+    Varies varies = Varies::never; ///< otherwise a distribution is a value too
     std::string_view meaning = ""; ///< one line, with its source
     Field field = {};
+    std::string& (*text)(Study&) = nullptr; ///< of Kind::text, in place of the field
 };
 
 /// Section by section.
@@ -61,6 +65,9 @@ struct Key {
 
 /// "length" of "wall.length"
 [[nodiscard]] std::string_view name_in_section(std::string_view key);
+
+/// nullptr if there is none.
+[[nodiscard]] const Key* find_key(std::string_view name);
 
 [[nodiscard]] bool is_used(const Key& key, const Study& study);
 

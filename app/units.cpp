@@ -134,20 +134,6 @@ double in_si(const Parts& parts, const Unit& expected)
     return value;
 }
 
-/// A distribution is a value of a study of many walls; its mean is offered instead.
-void refuse_distribution(std::string_view text, const Unit& unit)
-{
-    if (text.find('(') == std::string_view::npos) return;
-    const std::size_t mean = text.find("mean ");
-    std::string remedy = "a number, such as " + example("1", unit);
-    if (mean != std::string_view::npos) {
-        const std::string_view rest = text.substr(mean + 5);
-        remedy = "its mean, " + in_quotes(trimmed(rest.substr(0, rest.find_first_of(",)"))));
-    }
-    throw BadValue(in_quotes(text) +
-                   " is a distribution, but a single push needs a number; write " + remedy);
-}
-
 /// A comma ends an item of a list only before a blank, so that "0,15" is never read as 0
 /// and 15.
 std::vector<std::string_view> items(std::string_view text)
@@ -177,7 +163,6 @@ std::vector<std::string_view> items(std::string_view text)
 std::vector<double> parse_quantities(std::string_view text, std::string_view unit)
 {
     const Unit& expected = unit_named(unit);
-    refuse_distribution(text, expected);
     std::vector<Parts> parts;
     for (const std::string_view item : items(text)) parts.push_back(split(item, expected));
     const auto is_bare = [](const Parts& p) { return p.unit.empty(); };

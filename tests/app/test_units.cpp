@@ -102,18 +102,6 @@ TEST_CASE("units: a quantity that overflows in SI is refused", "[app][units]")
                                            "number and its unit, such as \"1 MPa\"");
 }
 
-TEST_CASE("units: a distribution is refused, and its mean offered", "[app][units]")
-{
-    CHECK(complaint("lognormal(mean 3.7 MPa, cov 0.30)", "MPa") ==
-          "\"lognormal(mean 3.7 MPa, cov 0.30)\" is a distribution, but a single push needs a "
-          "number; "
-          "write its mean, \"3.7 MPa\"");
-    CHECK(complaint("uniform(1, 2) MPa", "MPa") ==
-          "\"uniform(1, 2) MPa\" is a distribution, but a single push needs a number; write a "
-          "number, "
-          "such as \"1 MPa\"");
-}
-
 TEST_CASE("units: a count is a whole number that a double holds exactly", "[app][units]")
 {
     CHECK(app::parse_count("10") == 10.0);

@@ -1,0 +1,91 @@
+#include "app/study_command.hpp"
+
+#include "app/atomic_output.hpp"
+#include "app/interrupt.hpp"
+#include "app/number_text.hpp"
+#include "app/progress.hpp"
+#include "app/provenance.hpp"
+#include "app/slurm_command.hpp"
+#include "app/study_file_head.hpp"
+#include "app/study_runner.hpp"
+#include "app/study_summary.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "runs/paper.h5", shard 3 of 16: "runs/paper_03_of_16.h5"
+fs::path shard_file(const fs::path& out, Shard shard)
+{
+    if (shard.count == 1) return out;
+    std::string index = std::to_string(shard.index + 1);
+    const std::string count = std::to_string(shard.count);
+    index.insert(0, count.size() - index.size(), '0');
+    fs::path file = out;
+    file.replace_filename(out.stem().string() + "_" + index + "_of_" + count +
+                          out.extension().string());
+    return file;
+}
+
+std::string progress_text(const RunProgress& p, double seconds)
+{
+    return std::to_string(p.done) + " of " + std::to_string(p.all) + " walls, " +
+           std::to_string(p.failed) + " failed, " +
+           fixed(static_cast<double>(p.done) / std::max(seconds, 1e-9), 1) + " walls/s";
+}
+
+/// @return whether it ran to the end
+bool run(const Study& study, const Command& command, const SamplePlan& plan,
+         const dem::Model& model, Store& store)
+{
+    const std::vector<WallKey> walls =
+        pending_walls(store, command.shard, command.rerun_failed);
+    Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
+    const double start = steady_seconds();
+    RunProgress last;
+    try {
+        last = run_walls(
+            study, model, plan, walls, command.threads, store, [&](const RunProgress& p) {
+                progress.update(static_cast<double>(p.done) / static_cast<double>(p.all),
+                                progress_text(p, steady_seconds() - start));
+            });
+    } catch (const Interrupted&) {
+        return false;
+    }
+    progress.finish(progress_text(last, steady_seconds() - start));
+    return true;
+}
+
+} // namespace
+
+int study_command(const Command& command)
+{
+    const Study study =
+        read_study(with_overrides(read_study_file(command.study), command.overrides));
+    if (!command.script.empty()) return write_slurm_script(study, command);
+    const fs::path file = shard_file(command.out, command.shard);
+    const std::vector<std::uint32_t> sizes = design_sizes(study, file);
+    const dem::Model model = model_of(study);
+    const SamplePlan plan = sample_plan(study, model.layout, sizes);
+    StoreHead head = head_of(study, plan, sizes);
+    head.shard = static_cast<std::uint32_t>(command.shard.index);
+    head.shards = static_cast<std::uint32_t>(command.shard.count);
+    head.sessions = {this_session(command.threads)};
+    if (file.has_parent_path()) make_folder(file.parent_path());
+    catch_interrupts();
+    Store store(file, head);
+    const bool whole = run(study, command, plan, model, store);
+    store.compact();
+    const StudySummary summary = summarise(file);
+    std::cout << as_text(summary.table) << summary.remarks << "written to " << file.string()
+              << '\n';
+    if (!whole)
+        std::cerr << "drystone: interrupted; the same command goes on where it stopped\n";
+    return whole && summary.failed == 0 ? 0 : 1;
+}
+
+} // namespace app

@@ -1,0 +1,57 @@
+#include "app/verbs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace app {
+namespace {
+
+using Options = std::string_view;
+
+constexpr std::array<Options, 6> kPush = {"out", "set", "threads", "quiet", "sample", "level"};
+constexpr std::array<Options, 7> kStudy = {"out",   "set",   "threads",     "quiet",
+                                           "shard", "slurm", "rerun-failed"};
+constexpr std::array<Options, 3> kSample = {"out", "set", "quiet"};
+constexpr std::array<Options, 2> kMerge = {"partial", "quiet"};
+
+constexpr std::size_t kMany = 1'000'000;
+
+constexpr std::array kRules = {
+    VerbRule{Verb::push, "push", "STUDY.ini",
+             "push one wall: capacity curve, summary, pictures", OutKind::folder, "", 1, 1,
+             kPush, "drystone push configs/wall.ini"},
+    VerbRule{Verb::study, "study", "STUDY.ini",
+             "samples x stress levels into one file; goes on where it stopped", OutKind::file,
+             ".h5", 1, 1, kStudy, "drystone study configs/quick.ini"},
+    VerbRule{Verb::sample, "sample", "STUDY.ini", "the samples alone, as a table",
+             OutKind::file, ".csv", 1, 1, kSample, "drystone sample configs/quick.ini"},
+    VerbRule{Verb::merge, "merge", "OUT.h5 SHARD.h5...", "shards of one study into one file",
+             OutKind::first_word, "", 2, kMany, kMerge,
+             "drystone merge runs/paper.h5 runs/paper_*.h5"},
+};
+
+} // namespace
+
+std::span<const VerbRule> verb_rules() { return kRules; }
+
+const VerbRule* find_verb(std::string_view name)
+{
+    for (const VerbRule& r : kRules)
+        if (r.name == name) return &r;
+    return nullptr;
+}
+
+const VerbRule& rule_of(Verb verb)
+{
+    for (const VerbRule& r : kRules)
+        if (r.verb == verb) return r;
+    throw std::invalid_argument("a verb without a rule");
+}
+
+bool takes(const VerbRule& rule, std::string_view option)
+{
+    return std::find(rule.options.begin(), rule.options.end(), option) != rule.options.end();
+}
+
+} // namespace app
