@@ -46,11 +46,14 @@ Maximum maximise(const std::function<Local(const Eigen::VectorXd&)>& f, Eigen::V
     m.last_step = Eigen::VectorXd::Zero(m.at.size());
     m.local = f(m.at);
     if (!sound(m.local)) return m;
+    double last_gain = HUGE_VAL;
     while (m.iterations < options.max_iterations) {
         const Step step = newton_step(m.local);
         const double worth = std::max(1.0, std::abs(m.local.value));
         m.converged = step.concave && step.gain <= kSound * worth;
-        if (m.converged && step.gain <= options.tolerance * worth) break;
+        const bool at_rounding = step.gain > 0.25 * last_gain;
+        if (m.converged && (step.gain <= options.tolerance * worth || at_rounding)) break;
+        last_gain = step.gain;
         ++m.iterations;
         double part = 1.0;
         Local next = f(m.at + step.by);

@@ -17,7 +17,9 @@ struct Local {
 
 struct NewtonOptions {
     int max_iterations = 200;
-    double tolerance = 1e-20; ///< on gain still to be had, against max(1, |value|) [-]
+    /// On the gain still to be had, against max(1, |value|) [-]; where rounding stops the search
+    /// before, that is the end too.
+    double tolerance = 1e-26;
 };
 
 struct Maximum {

@@ -1,0 +1,42 @@
+#pragma once
+/// How far the data are from a law, and how often data of that law are further.
+
+#include "fragility/censored_fit.hpp"
+#include "fragility/random_bits.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace fragility {
+
+/// Distances between empirical and fitted distribution. Data right-censored at one common value
+/// are judged up to there (Pettitt and Stephens 1976, Biometrika 63, 291-298).
+struct Distances {
+    double kolmogorov_smirnov = 0.0; ///< D: largest difference
+    double cramer_von_mises = 0.0;   ///< W^2: n times the mean squared difference
+    double anderson_darling = 0.0;   ///< A^2: the same, weighed by 1 / (F (1 - F))
+};
+
+/// Nothing for data with other censoring, or of weights other than 1.
+[[nodiscard]] std::optional<Distances> distances(const Distribution& law,
+                                                 std::span<const Observation> data);
+
+/// p: share of samples of the fitted law, refitted, that lie further away. Since the parameters
+/// are fitted, tables for given parameters do not hold (Lilliefors 1967).
+struct GoodnessOfFit {
+    bool available = false;
+    std::string reason; ///< why not
+    Distances distance;
+    double p_kolmogorov_smirnov = 0.0; ///< in (0, 1], (k + 1) / (replicates + 1)
+    double p_cramer_von_mises = 0.0;
+    double p_anderson_darling = 0.0;
+    std::size_t replicates = 0; ///< that could be fitted
+    std::size_t failed = 0;
+};
+
+[[nodiscard]] GoodnessOfFit goodness_of_fit(const Fit& fit, std::span<const Observation> data,
+                                            const RandomBits& bits,
+                                            std::size_t replicates = 1000);
+
+} // namespace fragility

@@ -1,0 +1,80 @@
+#include "fragility/kaplan_meier.hpp"
+
+#include "fragility/standard_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace fragility {
+namespace {
+
+struct Here {
+    double failed = 0.0, stopped = 0.0;
+};
+
+std::map<double, Here> tally(std::span<const Observation> data)
+{
+    std::map<double, Here> all;
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        const Observation& o = data[i];
+        const Censoring kind = censoring(o, false);
+        if (!(o.weight > 0.0) || !std::isfinite(o.lower) || std::isnan(o.upper) ||
+            kind == Censoring::left || kind == Censoring::interval)
+            throw std::invalid_argument("Kaplan-Meier: observation " + std::to_string(i + 1) +
+                                        " is neither observed nor right-censored");
+        (kind == Censoring::none ? all[o.lower].failed : all[o.lower].stopped) += o.weight;
+    }
+    return all;
+}
+
+/// ln(-ln S) +- z s / (S |ln S|), 0 < S < 1: stays within [0, 1] (Kalbfleisch and Prentice).
+/// Where the last wall has failed, S = 0 and the formula ends: the band before it goes up to 1.
+Interval band(double survival, double greenwood, double confidence)
+{
+    const double z = StandardNormal::quantile(0.5 + 0.5 * confidence);
+    const double spread = std::exp(z * std::sqrt(greenwood) / std::abs(std::log(survival)));
+    return {1.0 - std::pow(survival, 1.0 / spread), 1.0 - std::pow(survival, spread),
+            confidence};
+}
+
+} // namespace
+
+KaplanMeier kaplan_meier(std::span<const Observation> data, double confidence)
+{
+    if (!(confidence > 0.0 && confidence < 1.0))
+        throw std::invalid_argument("Kaplan-Meier: confidence must be in (0, 1), is " +
+                                    std::to_string(confidence));
+    const std::map<double, Here> all = tally(data);
+    KaplanMeier k;
+    double at_risk = 0.0;
+    for (const Observation& o : data) at_risk += o.weight;
+    double survival = 1.0;
+    double greenwood = 0.0; // variance of ln survival
+    for (const auto& [at, here] : all) {
+        if (here.failed > 0.0) {
+            const double left = at_risk - here.failed;
+            const bool last = left <= 1e-12 * at_risk;
+            survival = last ? 0.0 : survival * left / at_risk;
+            if (!last) greenwood += here.failed / (at_risk * left);
+            k.steps.push_back(
+                {at, at_risk, here.failed, 1.0 - survival, survival * std::sqrt(greenwood),
+                 last ? Interval{k.steps.empty() ? 0.0 : k.steps.back().band.lower, 1.0,
+                                 confidence}
+                      : band(survival, greenwood, confidence)});
+        }
+        at_risk -= here.failed + here.stopped;
+        k.end = at;
+    }
+    return k;
+}
+
+const KaplanMeierStep* step_at(const KaplanMeier& k, double x)
+{
+    const auto next = std::ranges::upper_bound(k.steps, x, {}, &KaplanMeierStep::at);
+    return next == k.steps.begin() ? nullptr : &*std::prev(next);
+}
+
+} // namespace fragility

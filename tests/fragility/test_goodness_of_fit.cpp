@@ -1,0 +1,105 @@
+#include "fragility/goodness_of_fit.hpp"
+
+#include "tests/fragility/fit_data.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace fragility;
+
+namespace {
+
+auto near(double value) { return Approx(value).epsilon(1e-9).margin(0.0); }
+const RandomBits kBits = fit_data::bits;
+
+/// n times the integral of (F_n - F)^2 w(F) dF up to `end`, w = 1 or 1 / (F (1 - F)).
+template <class Weight>
+double integrated(const Distribution& law, const std::vector<Observation>& data, double end,
+                  Weight weight)
+{
+    const int panels = 2000000;
+    std::vector<double> values;
+    for (const Observation& o : data)
+        if (o.lower == o.upper) values.push_back(cdf(law, o.lower));
+    std::sort(values.begin(), values.end());
+    const double n = static_cast<double>(data.size());
+    double sum = 0.0;
+    std::size_t k = 0;
+    for (int i = 0; i < panels; ++i) {
+        const double f = (i + 0.5) * end / panels;
+        while (k < values.size() && values[k] <= f) ++k;
+        sum += std::pow(static_cast<double>(k) / n - f, 2) * weight(f);
+    }
+    return n * sum * end / panels;
+}
+
+} // namespace
+
+TEST_CASE("goodness of fit: distances of the 350 as nortest", "[fragility][goodness_of_fit]")
+{
+    const auto data = fit_data::all_observed(fit_data::lognormal350);
+    const Fit f = fit(Law::lognormal, data);
+    CHECK(distances(f.law, data)->kolmogorov_smirnov == near(0.0295087763479));
+    // nortest divides by n - 1
+    const Distribution unbiased{Law::lognormal, -4.43578971603651, 0.476473225106621};
+    const auto d = distances(unbiased, data);
+    REQUIRE(d);
+    CHECK(d->kolmogorov_smirnov == near(0.0292246753938));
+    CHECK(d->anderson_darling == near(0.189502084652));
+    CHECK(d->cramer_von_mises == near(0.03252415013));
+}
+
+TEST_CASE("goodness of fit: right-censored distances are the integrals up to the limit",
+          "[fragility][goodness_of_fit]")
+{
+    const auto data = fit_data::stopped_at({0.4, 0.9, 1.1, 1.7, 2.6, 3.5, 4.1, 5.0}, 3.0);
+    const Distribution law{Law::weibull, 0.9, 0.7};
+    const auto d = distances(law, data);
+    REQUIRE(d);
+    const double end = cdf(law, 3.0);
+    CHECK(d->cramer_von_mises ==
+          Approx(integrated(law, data, end, [](double) { return 1.0; })).epsilon(1e-5));
+    CHECK(d->anderson_darling == Approx(integrated(law, data, end, [](double f) {
+                                     return 1.0 / (f * (1.0 - f));
+                                 })).epsilon(1e-5));
+    CHECK(d->kolmogorov_smirnov >= std::abs(end - 5.0 / 8.0));
+}
+
+TEST_CASE("goodness of fit: p of the 350 by refits is that of the tables",
+          "[fragility][goodness_of_fit]")
+{
+    const auto data = fit_data::all_observed(fit_data::lognormal350);
+    const GoodnessOfFit g = goodness_of_fit(fit(Law::lognormal, data), data, kBits, 2000);
+    REQUIRE(g.available);
+    CHECK(g.replicates == 2000);
+    // ad.test: 0.8995; lillie.test: 0.662 by formula, 0.678 by simulation; error 0.011
+    CHECK(g.p_anderson_darling == Approx(0.8995).margin(0.03));
+    CHECK(g.p_kolmogorov_smirnov == Approx(0.678).margin(0.04));
+}
+
+TEST_CASE("goodness of fit: a wrong law is refused, its own data are not",
+          "[fragility][goodness_of_fit]")
+{
+    auto data = fit_data::all_observed(fit_data::lognormal350);
+    data.resize(150);
+    const GoodnessOfFit wrong = goodness_of_fit(fit(Law::normal, data), data, kBits, 500);
+    CHECK(wrong.p_anderson_darling < 0.005);
+    CHECK(wrong.p_cramer_von_mises < 0.005);
+    auto stopped = fit_data::stopped_at(fit_data::lognormal350, 0.018);
+    const GoodnessOfFit right =
+        goodness_of_fit(fit(Law::lognormal, stopped), stopped, kBits, 200);
+    CHECK(right.p_anderson_darling > 0.05);
+    CHECK(right.p_kolmogorov_smirnov > 0.05);
+}
+
+TEST_CASE("goodness of fit: what cannot be judged says why", "[fragility][goodness_of_fit]")
+{
+    auto data = fit_data::all_observed({1, 2, 3, 4, 5});
+    data.push_back(interval_censored(2, 3));
+    const GoodnessOfFit g = goodness_of_fit(fit(Law::lognormal, data), data, kBits, 10);
+    CHECK_FALSE(g.available);
+    CHECK_FALSE(g.reason.empty());
+    CHECK_FALSE(goodness_of_fit(fit(Law::lognormal, {}), {}, kBits, 10).available);
+}
