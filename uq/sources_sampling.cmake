@@ -1,4 +1,11 @@
 set(UQ_SAMPLING_SOURCES
+    correlation_matrix.cpp
+    design.cpp
+    design_criteria.cpp
+    iman_conover.cpp
+    inputs.cpp
+    latin.cpp
+    latin_annealing.cpp
     marginal.cpp
     marginal_check.cpp
     marginal_mean.cpp
@@ -6,5 +13,7 @@ set(UQ_SAMPLING_SOURCES
     marginal_shape.cpp
     marginal_special.cpp
     marginal_steps.cpp
+    nataf.cpp
     normal_rule.cpp
+    sobol.cpp
     stream.cpp)

@@ -42,10 +42,12 @@ double Stream::uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x
 std::uint64_t Stream::below(std::uint64_t n)
 {
     __extension__ using Wide = unsigned __int128;
-    const std::uint64_t rejected = -n % n; // of the 2^64 values, so that n divides the rest
-    Wide product = 0;
-    do product = static_cast<Wide>(bits()) * n;
-    while (static_cast<std::uint64_t>(product) < rejected);
+    Wide product = static_cast<Wide>(bits()) * n;
+    if (static_cast<std::uint64_t>(product) < n) { // seldom: spares the remainder
+        const std::uint64_t rejected = -n % n; // of the 2^64 values, so that n divides the rest
+        while (static_cast<std::uint64_t>(product) < rejected)
+            product = static_cast<Wide>(bits()) * n;
+    }
     return static_cast<std::uint64_t>(product >> 64);
 }
 
