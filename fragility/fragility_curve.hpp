@@ -1,0 +1,65 @@
+#pragma once
+/// P(limit state reached | drift): of one fitted law, and of walls that fail in several modes.
+
+#include "fragility/censored_fit.hpp"
+#include "fragility/interval.hpp"
+#include "fragility/random_bits.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fragility {
+
+struct CurvePoint {
+    double drift;       ///< [unit of the fit], > 0 for laws of positive values
+    double probability; ///< [-]
+    double std_error;   ///< delta method [-]
+    Interval band;      ///< delta method on the logit: within [0, 1]
+};
+
+/// @throws std::invalid_argument if the fit has not converged or a drift is not a number
+[[nodiscard]] std::vector<CurvePoint>
+fragility_curve(const Fit& fit, std::span<const double> drifts, double confidence = 0.95);
+
+/// Walls of one mode.
+struct ModeGroup {
+    std::vector<Observation> limits;
+    Law law = Law::lognormal;
+};
+
+/// P = sum of shares times curves. A mode without a fit (all its walls stood) is only known not
+/// to have failed up to where they stood: `least` takes none of its walls as failed, `most` the
+/// upper confidence bound of lower_bound() up to that drift, and all of them beyond it.
+struct MixturePoint {
+    double drift;
+    double least, most; ///< [-], equal where all modes have fits
+    double std_error;   ///< of `least`: shares (multinomial) and fits (delta method)
+    Interval band;      ///< of `least` below and `most` above
+};
+
+struct Mixture {
+    std::vector<double> shares; ///< of the modes
+    std::vector<Fit> fits;
+    std::vector<MixturePoint> points;
+};
+
+/// @throws std::invalid_argument without walls, or for data that are not numbers
+[[nodiscard]] Mixture mixture_curve(std::span<const ModeGroup> modes,
+                                    std::span<const double> drifts, double confidence = 0.95);
+
+struct BootstrapBand {
+    std::vector<Interval> bands; ///< of `least`, one for each drift
+    std::size_t replicates = 0;  ///< with all fits that the data themselves allow
+    std::size_t failed = 0;
+};
+
+/// All walls drawn with replacement, so that shares and fits vary together; percentiles.
+/// Weights must be 1.
+[[nodiscard]] BootstrapBand mixture_bootstrap(std::span<const ModeGroup> modes,
+                                              std::span<const double> drifts,
+                                              const RandomBits& bits,
+                                              std::size_t replicates = 1000,
+                                              double confidence = 0.95);
+
+} // namespace fragility
