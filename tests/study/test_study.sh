@@ -1,0 +1,135 @@
+#!/usr/bin/env bash
+# test_study.sh PROGRAM COMPARE CLAIM   a claim about `drystone study`: function claim_CLAIM below
+set -euo pipefail
+
+program=$1 compare=$2 claim=$3
+here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+work=$(mktemp -d)
+mounted=''
+cleanup() {
+    [[ -z $mounted ]] || umount "$mounted" || :
+    rm -rf -- "$work"
+}
+trap cleanup EXIT
+
+fail() {
+    echo "$*" >&2
+    exit 1
+}
+
+study() { # $1: name of the file; then options
+    local file=$work/$1.h5
+    shift
+    "$program" study "$here/small.ini" --out "$file" --quiet "$@"
+}
+
+same() { # $1, $2: names; $3: samples
+    "$compare" "$work/$1.h5" "$work/$2.h5" "${@:3}" || fail "$1 and $2 differ"
+}
+
+refused() { # $1: exit code; $2: part of what is said; then the command
+    local code=0
+    "${@:3}" >"$work/said" 2>&1 || code=$?
+    [[ $code == "$1" ]] || fail "exit code $code: $(cat "$work/said")"
+    grep -qF -- "$2" "$work/said" || fail "not said: $2; but: $(cat "$work/said")"
+}
+
+claim_thirty_kills_and_as_many_resumes_change_no_bit() {
+    local kills=0 code size=(--set uq.samples=1000 --threads 2)
+    study whole "${size[@]}"
+    while ((kills < 30)); do
+        "$program" study "$here/small.ini" --out "$work/killed.h5" --quiet "${size[@]}" >/dev/null &
+        sleep "0.$((RANDOM % 4))$((RANDOM % 10))"
+        kill -KILL $! 2>/dev/null || :
+        code=0
+        wait $! 2>/dev/null || code=$?
+        ((code == 137)) || break # it was done before the kill
+        kills=$((kills + 1))
+        [[ ! -e $work/killed.h5 ]] || "$compare" "$work/killed.h5" "$work/killed.h5" || fail "damaged"
+    done
+    ((kills == 30)) || fail "done after $kills kills, exit code $code"
+    study killed "${size[@]}"
+    same whole killed
+}
+
+claim_threads_and_shards_change_no_bit() {
+    local n i files
+    study whole --threads 2
+    study one --threads 1
+    same whole one
+    for n in 1 4 16; do
+        files=()
+        for ((i = 1; i <= n; ++i)); do study "s$n" --shard "$i/$n" >/dev/null; done
+        ((n > 1)) || { same whole s1; continue; }
+        for i in "$work/s$n"_*_of_"$n".h5; do files+=("$i"); done
+        "$program" merge "$work/m$n.h5" "${files[@]}"
+        same whole "m$n"
+    done
+    refused 1 '5 walls are in no shard' "$program" merge "$work/gap.h5" "${files[@]:1}"
+    [[ ! -e $work/gap.h5 ]] || fail "a file with a gap was written"
+}
+
+claim_more_samples_add_walls_and_keep_the_old() {
+    local design
+    for design in monte_carlo sobol; do
+        study "grown_$design" --set uq.design="$design" --set uq.samples=50
+        study "grown_$design" --set uq.design="$design" --set uq.samples=100
+        study "whole_$design" --set uq.design="$design" --set uq.samples=100
+        same "whole_$design" "grown_$design"
+    done
+    study latin --set uq.samples=50
+    cp "$work/latin.h5" "$work/fifty.h5"
+    study latin --set uq.samples=100
+    same fifty latin 50
+    "$program" sample "$work/latin.h5" --out "$work/latin.csv" >/dev/null
+    # column 5 is uniform on [0.5, 1.5]: each of 100 strata once at each of the two levels
+    [[ $(awk -F, 'NR > 1 {print $1, int(($5 - 0.5) * 100)}' "$work/latin.csv" | sort -u | wc -l) == 200 ]] ||
+        fail "not Latin as a whole"
+    refused 1 'only 60 are wanted' "$program" study "$here/small.ini" --out "$work/latin.h5" --set uq.samples=60
+}
+
+claim_other_inputs_are_refused_with_the_difference() {
+    study one
+    refused 1 'joint.friction_angle' "$program" study "$here/small.ini" --out "$work/one.h5" \
+        --set 'joint.friction_angle=normal(mean 30 deg, cov 0.20)'
+    cp "$work/one.h5" "$work/before.h5"
+    study one --set 'joint.friction_angle=normal(mean 31.8 deg, cov 0.20)' --set uq.samples=4e1
+    same one before
+}
+
+claim_walls_that_fail_are_kept_named_and_counted() {
+    local code=0
+    study failed --set solver.energy_tolerance=1e-14 --set uq.samples=3 >"$work/said" || code=$?
+    [[ $code == 1 ]] || fail "exit code $code"
+    grep -q '6 failed: the energy ledger does not close' "$work/said" || fail "$(cat "$work/said")"
+    grep -q '0.5 MPa sample 0' "$work/said" || fail "not named: $(cat "$work/said")"
+    # run again alone, they fail again, the same bits
+    cp "$work/failed.h5" "$work/first.h5"
+    study failed --set solver.energy_tolerance=1e-14 --set uq.samples=3 --rerun-failed >/dev/null || :
+    same first failed
+}
+
+claim_a_full_disk_is_said_and_survived() {
+    [[ $(id -u) == 0 ]] && mkdir "$work/disk" && mount -t tmpfs -o size=192k tmpfs "$work/disk" 2>/dev/null ||
+        exit 77
+    mounted=$work/disk
+    refused 1 'disk' "$program" study "$here/small.ini" --out "$work/disk/s.h5" --quiet
+    "$compare" "$work/disk/s.h5" "$work/disk/s.h5" >/dev/null || fail "the file is not valid"
+    mount -o remount,size=16m "$work/disk"
+    "$program" study "$here/small.ini" --out "$work/disk/s.h5" --quiet
+    study whole
+    "$compare" "$work/whole.h5" "$work/disk/s.h5"
+}
+
+claim_two_runs_on_one_file_are_refused() {
+    "$program" study "$here/small.ini" --out "$work/one.h5" --set uq.samples=2000 --threads 1 --quiet >/dev/null 2>&1 &
+    local first=$!
+    for _ in {1..100}; do [[ ! -e $work/one.h5 ]] || break; sleep 0.02; done
+    refused 1 'is held by process' "$program" study "$here/small.ini" --out "$work/one.h5" --set uq.samples=2000
+    sleep 1
+    kill -TERM "$first"
+    wait "$first" && fail "not interrupted" || :
+    "$compare" "$work/one.h5" "$work/one.h5" # what it had is there
+}
+
+"claim_$claim"
