@@ -8,12 +8,21 @@ namespace uq {
 
 namespace {
 
-constexpr Eigen::Index kSamples = 8; ///< side by side, one in each lane
+constexpr Eigen::Index kLanes = 4;
+constexpr Eigen::Index kSamples =
+    2 * kLanes;                   ///< side by side, one in each lane of two registers
 constexpr Eigen::Index kRows = 4; ///< of the map, so that a loaded coordinate serves four sums
 
-/// The compiler splits it into the registers there are; lanes never meet, so the bits do not
+/// Where registers are shorter the compiler splits it; lanes never meet, so the bits do not
 /// depend on how.
-using Lanes = double __attribute__((vector_size(kSamples * sizeof(double))));
+using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+
+Lanes load(const double* from)
+{
+    Lanes x;
+    std::memcpy(&x, from, sizeof x);
+    return x;
+}
 
 struct Panel {
     Eigen::Index reach;         ///< coordinates up to the last that is not zero
@@ -35,19 +44,22 @@ Panel panel(const Eigen::MatrixXd& map, Eigen::Index first)
 /// `out`: kRows x kSamples sums over the coordinates of `z`: reach x kSamples.
 void sum(const Panel& p, const double* z, double* out)
 {
-    Lanes a{}, b{}, c{}, d{};
+    Lanes a0{}, a1{}, b0{}, b1{}, c0{}, c1{}, d0{}, d1{};
     const double* m = p.values.data();
     for (Eigen::Index j = 0; j < p.reach; ++j, m += kRows, z += kSamples) {
-        Lanes x;
-        std::memcpy(&x, z, sizeof x);
-        a += m[0] * x;
-        b += m[1] * x;
-        c += m[2] * x;
-        d += m[3] * x;
+        const Lanes x0 = load(z), x1 = load(z + kLanes);
+        a0 += m[0] * x0;
+        a1 += m[0] * x1;
+        b0 += m[1] * x0;
+        b1 += m[1] * x1;
+        c0 += m[2] * x0;
+        c1 += m[2] * x1;
+        d0 += m[3] * x0;
+        d1 += m[3] * x1;
     }
-    for (const Lanes* row : {&a, &b, &c, &d}) {
-        std::memcpy(out, row, sizeof *row);
-        out += kSamples;
+    for (const Lanes& sums : {a0, a1, b0, b1, c0, c1, d0, d1}) {
+        std::memcpy(out, &sums, sizeof sums);
+        out += kLanes;
     }
 }
 
