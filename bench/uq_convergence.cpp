@@ -148,7 +148,7 @@ app::Series series(const Errors& errors, const std::string& response, const Desi
     app::Series s{.colour = d.colour, .line = line, .points = true};
     for (const ErrorPoint& p : errors.at(response).at(d.name)) {
         s.x.push_back(p.n);
-        s.y.push_back(p.rms);
+        s.y.push_back(p.rms / (p.naive * std::sqrt(p.n))); // over s
     }
     return s;
 }
@@ -158,7 +158,7 @@ std::string picture(const Errors& errors)
     app::Chart chart;
     chart.title = "Error of the mean: smooth response (solid), indicator (dashed)";
     chart.x_label = "samples";
-    chart.y_label = "root mean square error of the mean";
+    chart.y_label = "rms error of the mean / standard deviation of the response";
     chart.log_x = chart.log_y = true;
     chart.width = 860.0;
     chart.height = 560.0;
@@ -180,7 +180,10 @@ mechanisms; **indicator**, the share of walls on one side of a limit, as failure
 ![error of the mean against the number of samples](uq_convergence.svg)
 
 `s / sqrt(n)` is what one design says of its own error if its samples are taken for independent: true of Monte Carlo,
-far too large for the others. Their error is known from replicates (uq/replicate.hpp).)";
+far too large for the others. Their error is known from replicates (uq/replicate.hpp).
+
+A Latin hypercube takes away the error of the additive part of a response; what is left, interactions and
+jumps, falls like Monte Carlo's, so its slope is no constant. Slopes in the legend: smooth / indicator.)";
 
 } // namespace
 

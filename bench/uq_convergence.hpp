@@ -19,8 +19,8 @@ struct KnownResponse {
 };
 
 /// Smooth: products and curved functions of all five. Kinked: the weaker of two mechanisms, one
-/// of them growing with a weighted sum of the variables. Indicator: the share of walls for which
-/// that sum is below a limit, as a mode of failure is counted.
+/// of them growing with a weighted sum of the variables. Indicator: the share of walls for
+/// which that sum is below a limit, as a mode of failure is counted.
 [[nodiscard]] std::vector<KnownResponse> known_responses();
 
 } // namespace bench

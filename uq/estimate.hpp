@@ -12,8 +12,8 @@
 
 namespace uq {
 
-/// An interval that holds the true value with the given confidence [-]. A limit that the samples
-/// do not give is infinite.
+/// An interval that holds the true value with the given confidence [-]. A limit that the
+/// samples do not give is infinite.
 struct Interval {
     double lower, upper, confidence;
 };
@@ -50,8 +50,8 @@ struct Moments {
 [[nodiscard]] Estimate estimate_mean(std::span<const double> y,
                                      double confidence = kConfidence);
 
-/// The same where every answer is known to lie in [lower, upper]: the interval holds the mean of
-/// all samples, whatever the failed ones would have answered.
+/// The same where every answer is known to lie in [lower, upper]: the interval holds the mean
+/// of all samples, whatever the failed ones would have answered.
 [[nodiscard]] Estimate estimate_mean(std::span<const double> y, double lower, double upper,
                                      double confidence = kConfidence);
 
@@ -64,9 +64,9 @@ enum class ProportionInterval {
     clopper_pearson ///< coverage never below it (Clopper, Pearson 1934)
 };
 
-/// Probability of an event seen in `hits` of `n` sound samples. A failed sample could be either:
-/// lower limit as if none of them hit, upper as if all did; likewise the standard error is that
-/// of the proportion nearest 1/2 that they allow.
+/// Probability of an event seen in `hits` of `n` sound samples. A failed sample could be
+/// either: lower limit as if none of them hit, upper as if all did; likewise the standard error
+/// is that of the proportion nearest 1/2 that they allow.
 /// @throws std::invalid_argument for n = 0, hits > n, or a confidence outside (0, 1)
 [[nodiscard]] Estimate
 estimate_probability(std::size_t hits, std::size_t n, std::size_t failed = 0,

@@ -14,8 +14,8 @@
 namespace uq {
 
 /// n x `count` standard normal coordinates; row i is read off the stream (seed, id[i], field),
-/// so it does not depend on which other samples are asked for. Several fields of one sample share
-/// the stream: ask once for all their coordinates and split the columns.
+/// so it does not depend on which other samples are asked for. Several fields of one sample
+/// share the stream: ask once for all their coordinates and split the columns.
 [[nodiscard]] Eigen::MatrixXd
 field_coordinates(std::uint64_t seed, std::span<const std::uint64_t> id, Eigen::Index count);
 
@@ -27,8 +27,9 @@ field_coordinates(std::uint64_t seed, std::span<const std::uint64_t> id, Eigen::
 /// @param z n x coordinates of `basis`, finite, else std::invalid_argument
 [[nodiscard]] Eigen::MatrixXd realise(const FieldBasis& basis, const Eigen::MatrixXd& z);
 
-/// Several standard normal fields over the same sites in separable form: the correlation between
-/// variable k at site i and variable l at site j is variables(k, l) x correlation of i and j.
+/// Several standard normal fields over the same sites in separable form: the correlation
+/// between variable k at site i and variable l at site j is variables(k, l) x correlation of i
+/// and j.
 /// @param variables v x v correlation matrix
 /// @param z n x (v x coordinates), the coordinates of the first variable first
 /// @return one matrix n x sites for each variable

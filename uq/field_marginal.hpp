@@ -7,8 +7,8 @@
 
 namespace uq {
 
-/// The field with marginal `m` at every site (translation, Grigoriu 1984): m's quantile of Phi(g).
-/// The correlation of the result is a little below that of g unless m is normal.
+/// The field with marginal `m` at every site (translation, Grigoriu 1984): m's quantile of
+/// Phi(g). The correlation of the result is a little below that of g unless m is normal.
 [[nodiscard]] Eigen::MatrixXd translate(const Eigen::MatrixXd& standard, const Marginal& m);
 
 } // namespace uq

@@ -30,8 +30,8 @@ Eigen::ArrayXd next(const Eigen::ArrayXd& v, Eigen::Index by)
     return shifted;
 }
 
-/// Terms t_k depend on y_k and y_k+1, and their level on x: the covariance of t_k and t_k+1 less
-/// that of t_k and t_k+2 is what neighbours share through y alone.
+/// Terms t_k depend on y_k and y_k+1, and their level on x: the covariance of t_k and t_k+1
+/// less that of t_k and t_k+2 is what neighbours share through y alone.
 double variance_of_sum(const Eigen::ArrayXd& t)
 {
     const double own = t.square().sum();

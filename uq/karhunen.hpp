@@ -25,9 +25,9 @@ struct KarhunenOptions {
 /// @param eigenvalues descending  @param share in (0, 1], else std::invalid_argument
 [[nodiscard]] Eigen::Index modes_for(const Eigen::VectorXd& eigenvalues, double share);
 
-/// Sites of correlation exactly 1 count as one for the modes (they share a value anyway), so one
-/// value for all gives its coordinate back unchanged; independent sites have one mode each, in
-/// their order. The largest entry of a mode is positive.
+/// Sites of correlation exactly 1 count as one for the modes (they share a value anyway), so
+/// one value for all gives its coordinate back unchanged; independent sites have one mode each,
+/// in their order. The largest entry of a mode is positive.
 /// @throws std::invalid_argument as above, for options out of range, for an eigenvalue below
 /// -kLargestNugget, or if unit variance is asked for and a site has none left
 [[nodiscard]] FieldBasis karhunen_basis(const Eigen::MatrixXd& correlation,

@@ -1,10 +1,10 @@
 #pragma once
 /// Correlation between the sites of a random field.
 ///
-/// d = distance of the two centres [m]. Conventions differ: OpenTURNS and Rasmussen and Williams
-/// (2006, eq. 4.9) write the squared exponential with exp(-d^2 / (2 l^2)), here l = L / sqrt(2);
-/// the "scale of fluctuation" of Vanmarcke (1983) is 2 L for the exponential and sqrt(pi) L for
-/// the squared exponential.
+/// d = distance of the two centres [m]. Conventions differ: OpenTURNS and Rasmussen and
+/// Williams (2006, eq. 4.9) write the squared exponential with exp(-d^2 / (2 l^2)), here l = L
+/// / sqrt(2); the "scale of fluctuation" of Vanmarcke (1983) is 2 L for the exponential and
+/// sqrt(pi) L for the squared exponential.
 
 #include "uq/field_site.hpp"
 
@@ -30,7 +30,8 @@ struct ExponentialL1 {
     double length_x, length_z;
 };
 /// s = sqrt(2 nu) d / L: 2^(1 - nu) / Gamma(nu) s^nu K_nu(s) (Rasmussen and Williams 2006, eq.
-/// 4.14); nu in [0.05, 50], L > 0 [m]. nu = 1/2 is the exponential; nu -> infinity exp(-d^2 / (2 L^2)).
+/// 4.14); nu in [0.05, 50], L > 0 [m]. nu = 1/2 is the exponential; nu -> infinity exp(-d^2 /
+/// (2 L^2)).
 struct Matern {
     double nu, length;
 };

@@ -96,7 +96,8 @@ Weighted weighted(const std::vector<double>& sorted, const std::vector<double>& 
     return {centre + first, std::sqrt(std::max(0.0, second - first * first))};
 }
 
-/// Standard error of the smoothed quantile: each value left out in turn (Harrell and Davis 1982).
+/// Standard error of the smoothed quantile: each value left out in turn (Harrell and Davis
+/// 1982).
 double jackknife_error(const std::vector<double>& sorted, double p, double centre)
 {
     const std::size_t n = sorted.size();

@@ -27,7 +27,8 @@ enum class QuantileKind {
 
 /// Smallest n for which the `order`-th largest of n values is above the p-quantile with the
 /// given confidence (Wilks 1941): 59, 93, 124 for 0.95, 0.95 and order 1, 2, 3. Two-sided, for
-/// the share p between the order-th smallest and the order-th largest: as one-sided with 2 order.
+/// the share p between the order-th smallest and the order-th largest: as one-sided with 2
+/// order.
 /// @throws std::invalid_argument for p or confidence outside (0, 1), or order < 1
 [[nodiscard]] int wilks_sample_size(double p, double confidence, int order = 1);
 

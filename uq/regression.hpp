@@ -50,8 +50,8 @@ struct RegressionOptions {
 
 /// Nothing if the response does not vary.
 /// @param x n x d, NaN in a row of x or y: failed, left out and counted
-/// @throws std::invalid_argument if the lengths differ, a value is infinite, or fewer than d + 4
-/// samples are sound
+/// @throws std::invalid_argument if the lengths differ, a value is infinite, or fewer than d +
+/// 4 samples are sound
 [[nodiscard]] std::optional<Regression> regress(const Eigen::MatrixXd& x,
                                                 const Eigen::VectorXd& y,
                                                 const RegressionOptions& options = {});

@@ -14,8 +14,8 @@
 
 namespace uq {
 
-/// Mean of R estimates of the same quantity, NaN where a replicate failed; standard error s / sqrt(R)
-/// and Student's interval with R - 1 degrees of freedom. `n` counts replicates.
+/// Mean of R estimates of the same quantity, NaN where a replicate failed; standard error s /
+/// sqrt(R) and Student's interval with R - 1 degrees of freedom. `n` counts replicates.
 /// @throws std::invalid_argument for fewer than 2 sound replicates
 [[nodiscard]] Estimate combine_replicates(std::span<const double> estimates,
                                           double confidence = kConfidence);
@@ -25,7 +25,8 @@ struct Replicates {
     std::vector<double> each; ///< one of every replicate, NaN: failed
 };
 
-/// Calls `one` with the seeds of replicates 0 .. count - 1 (uq/stream.hpp: 0 is the study itself).
+/// Calls `one` with the seeds of replicates 0 .. count - 1 (uq/stream.hpp: 0 is the study
+/// itself).
 [[nodiscard]] Replicates replicate(std::size_t count, std::uint64_t seed,
                                    const std::function<double(std::uint64_t seed)>& one,
                                    double confidence = kConfidence);

@@ -31,12 +31,12 @@ struct SobolIndices {
 };
 
 /// Standard errors by the delta method over the n rows, as of independent ones: too large where
-/// A and B are Latin hypercubes or sequences. `n` of an index counts rows; a row of which A, B or
-/// ABi failed (NaN) is left out of index i and counted as failed.
+/// A and B are Latin hypercubes or sequences. `n` of an index counts rows; a row of which A, B
+/// or ABi failed (NaN) is left out of index i and counted as failed.
 /// @param y response to the rows of pick_freeze
 /// @param d number of inputs
-/// @throws std::invalid_argument if the length is no multiple of d + 2, a value is infinite, fewer
-/// than 2 rows of an index are sound, or the response does not vary
+/// @throws std::invalid_argument if the length is no multiple of d + 2, a value is infinite,
+/// fewer than 2 rows of an index are sound, or the response does not vary
 [[nodiscard]] SobolIndices sobol_indices(const Eigen::VectorXd& y, Eigen::Index d,
                                          FirstOrder estimator = FirstOrder::saltelli,
                                          double confidence = kConfidence);

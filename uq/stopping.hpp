@@ -1,9 +1,10 @@
 #pragma once
 /// How many samples: until an interval is narrow enough.
 ///
-/// Looking again and again and stopping at a narrow interval picks out samples whose spread came
-/// out small: the coverage of the last interval is a little below its confidence (tests/uq/
-/// test_stopping.cpp measures it). A larger `min_n` and growth in large steps keep that small.
+/// Looking again and again and stopping at a narrow interval picks out samples whose spread
+/// came out small: the coverage of the last interval is a little below its confidence
+/// (tests/uq/test_stopping.cpp measures it). A larger `min_n` and growth in large steps keep
+/// that small.
 
 #include "uq/estimate.hpp"
 
@@ -51,7 +52,8 @@ struct StoppedSampling {
     std::vector<double> y;
 };
 
-/// Samples until the rule stops. `more(first, count)` answers samples first .. first + count - 1.
+/// Samples until the rule stops. `more(first, count)` answers samples first .. first + count -
+/// 1.
 /// @throws std::runtime_error if it returns another number of answers
 [[nodiscard]] StoppedSampling sample_until(
     const StoppingRule& rule,
