@@ -1,0 +1,157 @@
+/// How often intervals hold the true value: synthetic studies of a lognormal law with 0, 20 and
+/// 60 % right-censored; writes docs/bench/interval_coverage.md.
+
+#include "bench/report.hpp"
+
+#include "fragility/bootstrap.hpp"
+#include "fragility/fit_intervals.hpp"
+#include "tests/fragility/fit_data.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace fragility;
+
+constexpr Distribution kTruth{Law::lognormal, 0.0, 0.4}; ///< scale-free; dispersion of a drift
+constexpr std::size_t kWalls = 50;
+constexpr double kHigh = 0.97; ///< coverage called right: 93 to 97 %
+constexpr double kLow = 0.93;
+constexpr std::array<Quantity, 2> kQuantities{median(), dispersion()};
+constexpr std::array<const char*, 6> kKinds{
+    "Wald on ln",           "profile likelihood",       "percentile, walls resampled",
+    "BCa, walls resampled", "percentile, from the law", "BCa, from the law"};
+
+struct Tally {
+    int held = 0, below = 0, above = 0, asked = 0; ///< truth below / above the interval
+    double log_width = 0.0;
+    int open = 0;
+};
+using Tallies = std::array<std::array<Tally, kKinds.size()>, kQuantities.size()>;
+
+void note(Tally& t, const Interval& i, double truth)
+{
+    ++t.asked;
+    t.held += i.lower <= truth && truth <= i.upper;
+    t.below += truth < i.lower;
+    t.above += truth > i.upper;
+    if (std::isfinite(i.upper) && i.lower > 0.0)
+        t.log_width += std::log(i.upper / i.lower);
+    else
+        ++t.open;
+}
+
+std::vector<Observation> study(double censored, std::uint64_t which)
+{
+    const double limit = censored > 0.0 ? quantile(kTruth, 1.0 - censored)
+                                        : std::numeric_limits<double>::infinity();
+    std::vector<Observation> data;
+    for (std::size_t k = 0; k < kWalls; ++k) {
+        const double x = quantile(kTruth, uniform(fit_data::bits(7'000'000 + which, k)));
+        data.push_back(x < limit ? observed(x) : right_censored(limit));
+    }
+    return data;
+}
+
+/// @return false: no fit
+bool judge(double censored, std::uint64_t which, std::size_t replicates, Tallies& tallies)
+{
+    const std::vector<Observation> data = study(censored, which);
+    const Fit f = fit(kTruth.law, data);
+    if (f.outcome != FitOutcome::converged) return false;
+    const RandomBits bits = [which](std::uint64_t replicate, std::uint64_t draw) {
+        return fit_data::bits(which * 1'000'003 + replicate, draw);
+    };
+    const Bootstrap walls = bootstrap(f, data, bits, {replicates, Resampling::walls});
+    const Bootstrap law = bootstrap(f, data, bits, {replicates, Resampling::law});
+    for (std::size_t q = 0; q < kQuantities.size(); ++q) {
+        const double truth = value(kTruth, kQuantities[q]);
+        auto& t = tallies[q];
+        note(t[0], wald_interval(f, kQuantities[q]), truth);
+        note(t[1], profile_interval(f, data, kQuantities[q]), truth);
+        note(t[2], percentile_interval(walls, kQuantities[q]), truth);
+        note(t[3], bca_interval(walls, kQuantities[q]), truth);
+        note(t[4], percentile_interval(law, kQuantities[q]), truth);
+        note(t[5], bca_interval(law, kQuantities[q]), truth);
+    }
+    return true;
+}
+
+std::string shown(double x, const char* format)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, format, x);
+    return text;
+}
+
+void add_rows(app::Table& table, double censored, int no_fit, const Tallies& tallies)
+{
+    for (std::size_t q = 0; q < kQuantities.size(); ++q)
+        for (std::size_t k = 0; k < kKinds.size(); ++k) {
+            const Tally& t = tallies[q][k];
+            const double n = t.asked;
+            const double share = t.held / n;
+            const bool right = share >= kLow && share <= kHigh;
+            table.rows.push_back(
+                {shown(100.0 * censored, "%.0f"), q == 0 ? "median" : "dispersion", kKinds[k],
+                 shown(100.0 * share, "%.1f"),
+                 shown(100.0 * std::sqrt(share * (1.0 - share) / n), "%.1f"),
+                 right ? "yes" : "no", shown(100.0 * t.below / n, "%.1f"),
+                 shown(100.0 * t.above / n, "%.1f"), shown(t.log_width / (n - t.open), "%.3f"),
+                 std::to_string(t.open), std::to_string(no_fit)});
+        }
+}
+
+void write(const std::string& path, int studies, std::size_t replicates)
+{
+    app::Table table;
+    table.head = {"censored [%]",  "of",         "interval",        "holds [%]",
+                  "error [%]",     "93 to 97 %", "truth below [%]", "truth above [%]",
+                  "mean ln width", "open",       "no fit"};
+    for (const double censored : {0.0, 0.2, 0.6}) {
+        Tallies tallies{};
+        int no_fit = 0;
+        for (int i = 0; i < studies; ++i)
+            no_fit += !judge(censored, static_cast<std::uint64_t>(i), replicates, tallies);
+        add_rows(table, censored, no_fit, tallies);
+        std::fprintf(stderr, "%.0f %% censored: done\n", 100.0 * censored);
+    }
+    const std::string opening =
+        "How often do 95 % intervals hold the true value? " + std::to_string(studies) +
+        " synthetic studies of 50 walls each, lognormal with a dispersion of 0.4, all walls "
+        "stopped at the drift that the stated share of walls exceeds. Bootstraps of " +
+        std::to_string(replicates) +
+        " refits. Error: of the coverage, from the number of studies. Truth below and above: "
+        "2.5 % each would be even. Width: mean ln(upper / lower). Open: intervals without an "
+        "upper "
+        "end.\n\nThe default is the profile likelihood (kDefaultInterval, "
+        "fragility/fit_intervals.hpp).";
+    bench::write_report(path, {"Coverage of intervals",
+                               "bench/interval_coverage " + path + " " +
+                                   std::to_string(studies) + " " + std::to_string(replicates),
+                               opening,
+                               {{"", "", "", table}}});
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+    if (argc < 2 || argc > 4) {
+        std::fputs("usage: interval_coverage OUT.md [STUDIES=2000 [REFITS=500]]\n", stderr);
+        return 2;
+    }
+    write(argv[1], argc > 2 ? std::atoi(argv[2]) : 2000,
+          argc > 3 ? static_cast<std::size_t>(std::atoi(argv[3])) : 500);
+    return 0;
+} catch (const std::exception& e) {
+    std::fprintf(stderr, "interval_coverage: %s\n", e.what());
+    return 1;
+}
