@@ -1,4 +1,5 @@
 set(UQ_RELIABILITY_SOURCES
+    control_variate.cpp
     crude_monte_carlo.cpp
     evaluate.cpp
     exceedance.cpp
@@ -13,6 +14,8 @@ set(UQ_RELIABILITY_SOURCES
     importance_sampling.cpp
     limit_state.cpp
     mean_value.cpp
+    multi_fidelity.cpp
+    multi_fidelity_plan.cpp
     sorm.cpp
     sorm_paraboloid.cpp
     subset_simulation.cpp

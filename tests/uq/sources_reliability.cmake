@@ -1,5 +1,6 @@
 set(TEST_UQ_RELIABILITY_SOURCES
     uq/reliability_problems.cpp
+    uq/test_control_variate.cpp
     uq/test_crude_monte_carlo.cpp
     uq/test_evaluate.cpp
     uq/test_exceedance.cpp
@@ -8,5 +9,7 @@ set(TEST_UQ_RELIABILITY_SOURCES
     uq/test_importance_sampling.cpp
     uq/test_limit_state.cpp
     uq/test_mean_value.cpp
+    uq/test_multi_fidelity.cpp
+    uq/test_multi_fidelity_plan.cpp
     uq/test_sorm.cpp
     uq/test_subset_simulation.cpp)
