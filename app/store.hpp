@@ -48,8 +48,9 @@ class Store {
     [[nodiscard]] std::vector<WallStatus> statuses() const; ///< in the order of keys
     [[nodiscard]] std::size_t size() const;                 ///< walls there
 
-    /// Adds finished walls: on return no kill loses them. A failed wall may be added again, it is
-    /// replaced; a wall that is ok may not. Compacts when the journal has grown long.
+    /// Adds finished walls: on return no kill loses them; a kill before may keep the first of
+    /// them. A failed wall may be added again, it is replaced; a wall that is ok may not.
+    /// Compacts when the journal has grown long.
     /// Throws std::invalid_argument (sizes unlike the head, key out of range, wall there already)
     /// before anything is written; StoreError if the disk refuses: then none of `rows` is in the file,
     /// all earlier walls are, and append() may be tried again. If the compaction by itself fails the

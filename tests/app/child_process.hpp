@@ -2,6 +2,8 @@
 /// A process of its own for what a test kills or limits.
 
 #include <csignal>
+#include <cstdio>
+#include <exception>
 #include <functional>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,8 +18,8 @@ inline pid_t start_child(const std::function<int()>& work)
     int code = 1;
     try {
         code = work();
-    } catch (...) {
-        code = 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "child: %s\n", error.what());
     }
     ::_exit(code);
 }

@@ -1,0 +1,19 @@
+set(TEST_APP_STORE_SOURCES
+    app/store_scene.cpp
+    app/test_merge.cpp
+    app/test_store.cpp
+    app/test_store_disk.cpp
+    app/test_store_journal.cpp
+    app/test_store_kill.cpp
+    app/test_store_memory.cpp
+    fuzz/test_store_fuzz.cpp)
+
+drystone_tests(app_store
+    SOURCES ${TEST_APP_STORE_SOURCES}
+    LIBRARIES drystone_app_store drystone_uq_sampling)
+
+# The lines of docs/store.md, run on a study that the test program writes; skipped where python3-h5py is missing.
+add_test(NAME "app_store: h5py reads the study as documented"
+         COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/app/read_store.py
+                 $<TARGET_FILE:test_app_store> ${PROJECT_SOURCE_DIR}/docs/store.md)
+set_tests_properties("app_store: h5py reads the study as documented" PROPERTIES SKIP_RETURN_CODE 77)

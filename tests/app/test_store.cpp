@@ -1,0 +1,339 @@
+#include "app/store.hpp"
+
+#include "app/memory_folder.hpp"
+#include "app/store_scene.hpp"
+#include "tests/scenes/temporary_folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+namespace fs = std::filesystem;
+using app::Store;
+using app::StoreError;
+using app::StoreReader;
+using Catch::Matchers::Contains;
+using scenes::check_rows;
+using scenes::store_head;
+using scenes::store_row;
+using scenes::store_rows;
+
+namespace {
+
+std::string refusal(const fs::path& file, const app::StoreHead& wanted)
+{
+    try {
+        const Store store(file, wanted);
+    } catch (const StoreError& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+} // namespace
+
+TEST_CASE("store: walls come back bit for bit from the journal, from the file, and from both",
+          "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    Store store(file, store_head(50));
+    CHECK(check_rows(file) == 0);
+    store.append(store_rows(0, 20));
+    CHECK(check_rows(file) == 60);
+    store.compact();
+    CHECK(!fs::exists(app::journal_of(file)));
+    CHECK(check_rows(file) == 60);
+    store.append(store_rows(20, 50));
+    CHECK(check_rows(file) == 150);
+    store.compact();
+    CHECK(check_rows(file) == 150);
+    CHECK(store.size() == 150);
+    CHECK(fs::exists(app::lock_of(file)));
+}
+
+TEST_CASE("store: a row is found by its key, a wall that is not there is none", "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    Store store(file, store_head(5));
+    store.append(store_rows(1, 4));
+    store.compact();
+    StoreReader reader(file);
+    REQUIRE(reader.row(app::WallKey{2, 3}));
+    CHECK(app::same_results(*reader.row(app::WallKey{2, 3}), store_row({2, 3})));
+    CHECK(!reader.row(app::WallKey{2, 0}));
+    CHECK(!reader.row(app::WallKey{2, 4}));
+    CHECK(store.status({0, 3}) == 5); // failed: 3 % 7
+    CHECK(store.status({0, 2}) == app::kWallOk);
+    CHECK(!store.status({0, 4}));
+    CHECK(app::missing_walls(reader.head(), reader.statuses()) ==
+          std::vector<app::WallKey>{{0, 0}, {0, 4}, {1, 0}, {1, 4}, {2, 0}, {2, 4}});
+}
+
+TEST_CASE("store: the head comes back whole, from the file and from the journal",
+          "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    const app::StoreHead head = store_head(5);
+    const auto check = [&](const app::StoreHead& read) {
+        CHECK(read.configuration == head.configuration);
+        CHECK(read.identity == head.identity);
+        CHECK(read.levels == head.levels);
+        CHECK(read.design_sizes == head.design_sizes);
+        CHECK(read.seed == head.seed);
+        CHECK(read.inputs == head.inputs);
+        CHECK(read.responses == head.responses);
+        CHECK(read.counts == head.counts);
+        CHECK(read.cost == head.cost);
+        CHECK(read.curve_columns == head.curve_columns);
+        CHECK(read.sessions == head.sessions);
+    };
+    Store store(file, head);
+    check(app::read_head(file));
+    store.append(store_rows(0, 1));
+    check(app::read_head(file));
+}
+
+TEST_CASE("store: a study without curves, columns, levels or walls is stored too",
+          "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    Store(folder.path / "none.h5", {}).compact();
+    CHECK(StoreReader(folder.path / "none.h5").statuses().empty());
+
+    app::StoreHead head;
+    head.levels = {{0.0, 2}};
+    Store store(folder.path / "bare.h5", head);
+    store.append(std::vector<app::WallRow>(1));
+    store.compact();
+    StoreReader reader(folder.path / "bare.h5");
+    REQUIRE(reader.statuses().size() == 1);
+    CHECK(app::same_results(reader.row(std::size_t{0}), app::WallRow{}));
+}
+
+TEST_CASE("store: curves in single precision are the same before and after compaction",
+          "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    app::StoreHead head = store_head(2);
+    head.single_precision_curves = true;
+    head.compression = GENERATE(0, 9);
+    Store store(file, head);
+    store.append(store_rows(0, 1));
+    const app::WallRow before = *StoreReader(file).row(app::WallKey{1, 0});
+    store.compact();
+    const app::WallRow after = *StoreReader(file).row(app::WallKey{1, 0});
+    CHECK(app::same_results(before, after));
+    const app::WallRow given = store_row({1, 0});
+    CHECK(before.curve.force.size() == given.curve.force.size());
+    CHECK(before.curve.force[0] ==
+          static_cast<double>(static_cast<float>(given.curve.force[0])));
+    CHECK(before.inputs == given.inputs);
+}
+
+TEST_CASE("store: single precision refuses what would become infinite", "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    app::StoreHead head = store_head(2);
+    head.single_precision_curves = true;
+    Store store(folder.path / "a.h5", head);
+    app::WallRow row = store_row({0, 0});
+    row.curve.force[0] = 1e39;
+    CHECK_THROWS_AS(store.append({&row, 1}), std::invalid_argument);
+}
+
+TEST_CASE("store: rows that do not fit are refused and nothing of their batch is stored",
+          "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    Store store(file, store_head(9));
+    std::vector<app::WallRow> rows = store_rows(0, 1);
+    app::WallRow& bad = rows.back();
+    SECTION("inputs") { bad.inputs.pop_back(); }
+    SECTION("responses") { bad.responses.push_back(0.0); }
+    SECTION("counts") { bad.counts.clear(); }
+    SECTION("cost") { bad.cost.clear(); }
+    SECTION("columns of the curve") { bad.curve.further.clear(); }
+    SECTION("length of a column") { bad.curve.force.pop_back(); }
+    SECTION("level") { bad.key.level = 3; }
+    SECTION("sample") { bad.key.sample = 9; }
+    SECTION("twice in a batch") { bad.key = rows.front().key; }
+    SECTION("NUL in the reason") { bad.reason = std::string("a\0b", 3); }
+    CHECK_THROWS_AS(store.append(rows), std::invalid_argument);
+    CHECK(store.size() == 0);
+    CHECK(check_rows(file) == 0);
+}
+
+TEST_CASE("store: a wall that is ok is not replaced, a failed one is", "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    Store store(file, store_head(9));
+    store.append(store_rows(0, 9));
+    if (GENERATE(false, true)) store.compact();
+    app::WallRow ok = store_row({1, 2});
+    CHECK_THROWS_WITH(store.append({&ok, 1}), Contains("stored already"));
+    app::WallRow again = store_row({0, 2});
+    again.key = {0, 3}; // had failed
+    store.append({&again, 1});
+    CHECK(store.status({0, 3}) == app::kWallOk);
+    for (int pass = 0; pass < 2; ++pass, store.compact()) {
+        StoreReader reader(file);
+        CHECK(reader.statuses().size() == 27);
+        CHECK(app::same_results(*reader.row(app::WallKey{0, 3}), again));
+    }
+}
+
+TEST_CASE("store: a long reason is cut between characters", "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    Store store(folder.path / "a.h5", store_head(1));
+    app::WallRow row = store_row({0, 0});
+    row.reason = "x";
+    while (row.reason.size() < 600) row.reason += "\xc3\xa9";
+    store.append({&row, 1});
+    const std::string reason = StoreReader(folder.path / "a.h5").row(std::size_t{0}).reason;
+    CHECK(reason == row.reason.substr(0, 499));
+}
+
+TEST_CASE("store: the same study goes on, larger too, and keeps its history", "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    {
+        Store store(file, store_head(4));
+        store.append(store_rows(0, 4));
+        if (GENERATE(false, true)) store.compact();
+    }
+    const auto untouched = fs::last_write_time(file);
+    app::StoreHead wanted = store_head(9);
+    wanted.configuration += "samples = 9\n";
+    wanted.sessions[0].machine = "another";
+    wanted.levels.push_back({2e6, 1});
+    Store store(file, wanted);
+    CHECK(store.size() == 12);
+    CHECK(fs::last_write_time(file) == untouched);
+    CHECK(app::read_head(file).levels == wanted.levels); // at once, not with the first wall
+    store.append(store_rows(4, 9));
+    store.compact();
+    CHECK(check_rows(file) == 27);
+    const app::StoreHead head = app::read_head(file);
+    CHECK(head.design_sizes == std::vector<std::uint32_t>{4, 9});
+    CHECK(head.configuration == wanted.configuration);
+    REQUIRE(head.sessions.size() == 2);
+    CHECK(head.sessions[1].machine == "another");
+}
+
+TEST_CASE("store: a finished study that is run again leaves its file as it is", "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    {
+        Store store(file, store_head(2));
+        store.append(store_rows(0, 2));
+        store.compact();
+    }
+    const std::string before = scenes::read_text(file);
+    {
+        Store store(file, store_head(2));
+        store.compact();
+    }
+    CHECK(scenes::read_text(file) == before);
+    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
+}
+
+TEST_CASE("store: another study is refused and the difference is shown", "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    {
+        Store store(file, store_head(4));
+        store.append(store_rows(0, 2));
+        if (GENERATE(false, true)) store.compact();
+    }
+    const std::string before = scenes::read_text(file);
+    app::StoreHead other = store_head(4);
+    other.identity = "length = 1\nfriction = normal(0.7, 0.2)\n";
+    CHECK_THAT(refusal(file, other), Contains("- friction = normal(0.6, 0.2)\n+ friction = "
+                                              "normal(0.7, 0.2)"));
+    CHECK_THAT(refusal(file, other), !Contains("length"));
+    CHECK_THAT(refusal(file, store_head(3)), Contains("has 4 samples at level 0, only 3"));
+    other = store_head(4);
+    other.seed = 1;
+    CHECK_THAT(refusal(file, other), Contains("seed 18446744073709551615, not 1"));
+    other = store_head(4);
+    other.shards = 2;
+    CHECK_THAT(refusal(file, other), Contains("shard 0 of 1, not 0 of 2"));
+    other = store_head(4);
+    other.responses[1].unit = "mm";
+    CHECK_THAT(refusal(file, other),
+               Contains("+ response ultimate_displacement [mm] at 80 % of it"));
+    other = store_head(4);
+    other.levels[1].vertical_stress = std::nextafter(0.5e6, 1e6);
+    CHECK_THAT(refusal(file, other), Contains("level 1 has another vertical stress"));
+    CHECK(scenes::read_text(file) == before);
+    CHECK(refusal(file, store_head(4)) == "not refused");
+}
+
+TEST_CASE("store: heads that make no sense are refused", "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    app::StoreHead head = store_head(4);
+    SECTION("name") { head.inputs[0].name = "a/b"; }
+    SECTION("no name") { head.counts[0].name = ""; }
+    SECTION("dots") { head.cost[0].name = ".."; }
+    SECTION("twice") { head.responses[0].name = head.responses[1].name; }
+    SECTION("force is there") { head.curve_columns[0].name = "force"; }
+    SECTION("shard") { head.shard = 1; }
+    SECTION("stress") { head.levels[0].vertical_stress = std::nan(""); }
+    SECTION("compression") { head.compression = 10; }
+    SECTION("design") { head.design_sizes = {4, 4}; }
+    CHECK_THROWS_AS(Store(folder.path / "a.h5", head), std::invalid_argument);
+    CHECK(fs::is_empty(folder.path));
+}
+
+TEST_CASE("store: a long journal is compacted by itself", "[app][store]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    app::StoreOptions options;
+    options.journal_bytes = 20000;
+    int compactions = 0;
+    options.reached = [&](app::StoreStage stage) {
+        compactions += stage == app::StoreStage::journal_removed ? 1 : 0;
+    };
+    Store store(file, store_head(200), options);
+    for (std::uint32_t i = 0; i < 200; ++i) store.append(store_rows(i, i + 1));
+    CHECK(check_rows(file) == 600);
+    // 600 walls of about 600 bytes: never before the journal is as long as the file
+    CHECK(compactions >= 3);
+    CHECK(compactions <= 12);
+}
+
+TEST_CASE("store: a study for h5py, and the curve of its row 17", "[app][store][h5py]")
+{
+    const scenes::TemporaryFolder own;
+    const char* given = std::getenv("DRYSTONE_STORE_FOLDER");
+    const fs::path folder = given != nullptr ? fs::path(given) : own.path;
+    {
+        Store store(folder / "paper.h5", store_head(30));
+        store.append(store_rows(1, 30));
+        store.compact();
+    }
+    const app::WallRow row = StoreReader(folder / "paper.h5").row(std::size_t{17});
+    REQUIRE(row.curve.force.size() > 10);
+    std::ofstream out(folder / "row17.txt");
+    out.precision(17);
+    for (std::size_t k = 0; k < row.curve.force.size(); ++k)
+        out << row.curve.displacement[k] << ' ' << row.curve.force[k] << '\n';
+    CHECK(out.good());
+}

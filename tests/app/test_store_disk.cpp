@@ -1,0 +1,263 @@
+#include "app/store.hpp"
+#include "app/store_disk.hpp"
+
+#include "app/child_process.hpp"
+#include "app/store_scene.hpp"
+#include "tests/scenes/temporary_folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+namespace fs = std::filesystem;
+using app::Store;
+using app::StoreError;
+using app::StoreReader;
+using Catch::Matchers::Contains;
+using scenes::check_rows;
+using scenes::start_child;
+using scenes::store_head;
+using scenes::store_rows;
+using scenes::wait_for;
+
+namespace {
+
+void limit_file_size(rlim_t bytes)
+{
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, RLIM_INFINITY};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+bool says(const std::function<void()>& work, const std::string& words)
+{
+    try {
+        work();
+    } catch (const StoreError& error) {
+        return std::string(error.what()).find(words) != std::string::npos;
+    }
+    return false;
+}
+
+/// A small file system of its own, for root.
+class SmallDisk {
+  public:
+    explicit SmallDisk(const fs::path& at) : at_(at)
+    {
+        fs::create_directory(at);
+        mounted = ::mount("tmpfs", at.c_str(), "tmpfs", 0, "size=1m") == 0;
+    }
+    ~SmallDisk()
+    {
+        if (mounted) ::umount2(at_.c_str(), MNT_DETACH);
+    }
+    bool mounted = false;
+
+  private:
+    fs::path at_;
+};
+
+} // namespace
+
+TEST_CASE(
+    "store: a limit of file size stops it at any size with a reason, without a crash at exit",
+    "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    {
+        Store store(file, store_head(300));
+        store.append(store_rows(0, 100));
+    }
+    const auto largest = static_cast<rlim_t>(fs::file_size(app::journal_of(file)));
+    int refused = 0;
+    for (rlim_t limit = 0; limit < largest; limit += largest / 60) {
+        const pid_t child = start_child([&] {
+            Store store(file, store_head(300)); // its head is there already
+            limit_file_size(limit);
+            if (!says([&] { store.compact(); }, "ulimit -f")) return 2;
+            std::exit(0); // as a program ends: HDF5 cleans up
+        });
+        const int code = wait_for(child);
+        REQUIRE((code == 0 || code == 2));
+        if (code == 0) ++refused;
+        REQUIRE(!fs::exists(app::part_of(file)));
+        REQUIRE(check_rows(file) == 300);
+        if (code == 2) break; // was done
+    }
+    CHECK(refused >= 10);
+    Store(file, store_head(300)).compact();
+    CHECK(check_rows(file) == 300);
+}
+
+TEST_CASE("store: a batch that does not fit leaves the journal as it was", "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    const pid_t child = start_child([&] {
+        Store store(file, store_head(30));
+        store.append(store_rows(0, 10));
+        const auto full = fs::file_size(app::journal_of(file));
+        limit_file_size(full + 1000);
+        const auto more = store_rows(10, 20);
+        if (!says([&] { store.append(more); }, "ulimit -f")) return 2;
+        if (fs::file_size(app::journal_of(file)) != full) return 3;
+        if (store.size() != 30 || store.status(more[0].key)) return 4;
+        limit_file_size(RLIM_INFINITY);
+        store.append(more); // space was made
+        return 0;
+    });
+    CHECK(wait_for(child) == 0);
+    CHECK(check_rows(file) == 60);
+}
+
+TEST_CASE(
+    "store: a full disk is said, the file stays good, and the study goes on after space is "
+    "made",
+    "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const SmallDisk disk(folder.path / "disk");
+    if (!disk.mounted) {
+        WARN("skipped: no right to mount");
+        return;
+    }
+    const fs::path file = folder.path / "disk" / "a.h5", ballast = folder.path / "disk" / "x";
+    const pid_t child = start_child([&] {
+        std::ofstream(ballast) << std::string(600000, 'x');
+        Store store(file, store_head(3000));
+        std::uint32_t i = 0;
+        if (!says(
+                [&] {
+                    for (; i < 3000; ++i) store.append(store_rows(i, i + 1));
+                },
+                "make space there"))
+            return 2;
+        if (check_rows(file) != 3 * i) return 3;
+        if (!says([&] { store.compact(); }, "make space there")) return 4;
+        if (check_rows(file) != 3 * i) return 5;
+        fs::remove(ballast);
+        store.compact();
+        store.append(store_rows(i, i + 1));
+        if (check_rows(file) != 3 * i + 3) return 6;
+        std::exit(0);
+    });
+    CHECK(wait_for(child) == 0);
+    CHECK(check_rows(file) > 100);
+}
+
+TEST_CASE("store: compaction by itself that finds no room lets the journal grow",
+          "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    const pid_t child = start_child([&] {
+        app::StoreOptions options;
+        options.journal_bytes = 1000;
+        Store store(file, store_head(30), options);
+        fs::create_directory(app::part_of(file)); // cannot be replaced by a file
+        for (std::uint32_t i = 0; i < 30; ++i) store.append(store_rows(i, i + 1));
+        if (!says([&] { store.compact(); }, app::part_of(file).string())) return 2;
+        fs::remove(app::part_of(file));
+        return 0;
+    });
+    CHECK(wait_for(child) == 0);
+    CHECK(check_rows(file) == 90);
+}
+
+TEST_CASE("store: a folder that cannot be written is said, reading works there",
+          "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    {
+        Store store(file, store_head(30));
+        store.append(store_rows(0, 10));
+        store.compact();
+        store.append(store_rows(10, 20));
+    }
+    ::chmod(folder.path.c_str(), 0555);
+    const pid_t child = start_child([&] {
+        if (::geteuid() == 0 && ::seteuid(65534) != 0) return 77; // root may write everywhere
+        if (!says([&] { Store(file, store_head(30)); }, "choose a folder that can be written"))
+            return 2;
+        if (!says([&] { Store(folder.path / "new.h5", store_head(30)); }, "can be written"))
+            return 3;
+        return check_rows(file) == 60 ? 0 : 4;
+    });
+    CHECK(wait_for(child) == 0);
+    ::chmod(folder.path.c_str(), 0755);
+}
+
+TEST_CASE("store: a second process is refused and told of the first, until that ends",
+          "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    int ready[2];
+    REQUIRE(::pipe(ready) == 0);
+    const pid_t child = start_child([&] {
+        Store store(file, store_head(30));
+        store.append(store_rows(0, 10));
+        if (::write(ready[1], "x", 1) != 1) return 1;
+        for (;;) ::pause();
+        return 0;
+    });
+    char byte = 0;
+    REQUIRE(::read(ready[0], &byte, 1) == 1);
+    CHECK_THROWS_WITH(Store(file, store_head(30)),
+                      Contains("held by process " + std::to_string(child) + " on "));
+    CHECK(check_rows(file) == 30); // readers need no lock
+    ::kill(child, SIGKILL);
+    CHECK(wait_for(child) == -SIGKILL);
+    const Store store(file, store_head(30));
+    CHECK(store.size() == 30);
+    CHECK_THROWS_WITH(Store(file, store_head(30)),
+                      Contains("held by process " + std::to_string(::getpid())));
+    ::close(ready[0]);
+    ::close(ready[1]);
+}
+
+TEST_CASE(
+    "store: files of something else, damaged or of another layout are refused with a reason",
+    "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    Store(file, store_head(30)).append(store_rows(0, 10));
+    Store(file, store_head(30)).compact();
+    std::string bytes = scenes::read_text(file);
+    std::string words;
+    SECTION("empty") { bytes.clear(), words = "is empty"; }
+    SECTION("text") { bytes = "[wall]\n", words = "is not the file of a study"; }
+    SECTION("HDF5") { bytes.erase(0, 512), words = "HDF5 file, but not of a study"; }
+    SECTION("cut") { bytes.resize(bytes.size() - 1), words = "its checksum is wrong"; }
+    SECTION("grown") { bytes += '\0', words = "its checksum is wrong"; }
+    SECTION("flipped") { bytes[bytes.size() / 2] ^= 1, words = "its checksum is wrong"; }
+    SECTION("in the seal") { bytes[500] = 'x', words = "its checksum is wrong"; }
+    SECTION("layout")
+    {
+        bytes[bytes.find("layout ") + 7] = '7';
+        words = "has layout 7, this program knows 1";
+    }
+    std::ofstream(file, std::ios::binary) << bytes;
+    CHECK_THROWS_WITH(StoreReader(file), Contains(words));
+    CHECK_THROWS_WITH(Store(file, store_head(30)), Contains(words));
+    CHECK(scenes::read_text(file) == bytes);
+}
+
+TEST_CASE("store: folders, pipes and missing files are refused", "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    ::mkfifo((folder.path / "pipe").c_str(), 0600);
+    fs::create_directory(folder.path / "folder");
+    CHECK_THROWS_WITH(StoreReader(folder.path / "pipe"), Contains("not a regular file"));
+    CHECK_THROWS_WITH(StoreReader(folder.path / "folder"), Contains("not a regular file"));
+    CHECK_THROWS_WITH(StoreReader(folder.path / "none"), Contains("no such file"));
+    CHECK_THROWS_WITH(Store(folder.path / "none" / "a.h5", store_head(1)),
+                      Contains("make the folder first"));
+}
