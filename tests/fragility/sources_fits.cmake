@@ -12,4 +12,10 @@ drystone_tests(fragility_fits
         fragility/test_standard_law.cpp
         fragility/test_stress_model.cpp
         fragility/test_stripe_fit.cpp
+        fragility/test_survival_data.cpp
     LIBRARIES drystone_fragility)
+
+# Random data sets against R; skipped where R or its packages survival, MASS, nnet are missing.
+add_test(NAME "fragility_fits: R agrees"
+         COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/fragility/check_survival.sh $<TARGET_FILE:test_fragility_fits>)
+set_tests_properties("fragility_fits: R agrees" PROPERTIES SKIP_RETURN_CODE 77)
