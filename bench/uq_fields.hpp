@@ -28,10 +28,10 @@ template <class F> [[nodiscard]] double cpu_ms(int repeats, F run)
     return best;
 }
 
-/// What another library takes for the same tasks [ms]; NaN where it is not built in.
+/// What another library takes for the same tasks [ms].
 struct OtherTimes {
     std::string name; ///< empty: not installed
-    double matrix, cholesky, build_and_one, thousand, karhunen;
+    double matrix, cholesky, build_and_one, coordinates, thousand, karhunen;
     Eigen::MatrixXd correlation; ///< for comparison
 };
 [[nodiscard]] OtherTimes other_times(int repeats);

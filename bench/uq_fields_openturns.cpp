@@ -31,6 +31,8 @@ OtherTimes other_times(int repeats)
     });
     t.build_and_one = cpu_ms(
         repeats, [&] { static_cast<void>(OT::GaussianProcess(model, mesh).getRealization()); });
+    t.coordinates = cpu_ms(
+        repeats, [&] { static_cast<void>(OT::DistFunc::rNormal(1000 * vertices.getSize())); });
     t.thousand = cpu_ms(
         repeats, [&] { static_cast<void>(OT::GaussianProcess(model, mesh).getSample(1000)); });
     t.karhunen = cpu_ms(repeats, [&] {

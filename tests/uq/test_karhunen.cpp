@@ -98,6 +98,16 @@ TEST_CASE("karhunen: with all modes nothing is lost; unit variance makes up for 
     CHECK(ten.worst_dropped > 0.1); // still said
 }
 
+TEST_CASE("karhunen: the sign of a mode is that of its largest entry, positive",
+          "[uq][karhunen]")
+{
+    const Eigen::MatrixXd r =
+        correlation_matrix(Kernel{{Exponential{0.3}}}, scenes::grid(5, 3, 0.2, 0.1));
+    const FieldBasis basis = karhunen_basis(r, {.share = 1.0, .unit_variance = false});
+    for (const auto mode : basis.map.colwise())
+        CHECK(mode.maxCoeff() >= mode.cwiseAbs().maxCoeff() * (1.0 - 1e-12));
+}
+
 TEST_CASE("karhunen: one value for all and independent sites keep their coordinates",
           "[uq][karhunen]")
 {
