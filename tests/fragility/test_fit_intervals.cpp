@@ -1,10 +1,13 @@
 #include "fragility/bootstrap.hpp"
 #include "fragility/fit_intervals.hpp"
+#include "fragility/resampling.hpp"
+#include "fragility/standard_law.hpp"
 
 #include "tests/fragility/fit_data.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -168,6 +171,53 @@ TEST_CASE("bootstrap: BCa corrects the dispersion upwards, percentiles do not",
     const Bootstrap b = bootstrap(f, data, kBits, {2000, Resampling::walls});
     CHECK(bca_interval(b, dispersion()).upper > percentile_interval(b, dispersion()).upper);
     CHECK(bca_interval(b, dispersion()).lower > percentile_interval(b, dispersion()).lower);
+}
+
+TEST_CASE("bootstrap: BCa of a mean has the acceleration skewness / (6 sqrt n)",
+          "[fragility][bootstrap]")
+{
+    const std::vector<double> x{0.1, 0.2, 0.4, 0.5, 0.7, 1.0, 1.4, 1.9, 2.8, 5.0, 9.0};
+    const double n = 11.0;
+    const double mean = 23.0 / n;
+    double m2 = 0.0;
+    double m3 = 0.0;
+    for (const double v : x) {
+        m2 += std::pow(v - mean, 2) / n;
+        m3 += std::pow(v - mean, 3) / n;
+    }
+    const double a = m3 / std::pow(m2, 1.5) / (6.0 * std::sqrt(n));
+    const auto data = fit_data::all_observed(x);
+    const Bootstrap b = bootstrap(fit(Law::normal, data), data, kBits, {2000});
+    std::vector<double> means;
+    for (const Distribution& d : b.laws) means.push_back(d.location);
+    std::sort(means.begin(), means.end());
+    double below = 0.0;
+    for (const double v : means) below += v < mean - 1e-9 ? 1.0 : v < mean + 1e-9 ? 0.5 : 0.0;
+    const double size = static_cast<double>(means.size());
+    const double z0 = StandardNormal::quantile(below / size);
+    const auto end = [&](double z) {
+        return sample_quantile(means,
+                               StandardNormal::cdf(z0 + (z0 + z) / (1.0 - a * (z0 + z))));
+    };
+    const Interval i = bca_interval(b, location());
+    CHECK(i.lower == near(end(-kZ), 1e-3)); // ties at the mean move z0 by a few of 2000
+    CHECK(i.upper == near(end(kZ), 1e-3));
+    CHECK(i.upper > percentile_interval(b, location()).upper);
+}
+
+TEST_CASE("bootstrap: stopping points beyond an observed value, from those of the others",
+          "[fragility][bootstrap]")
+{
+    const std::vector<Observation> walls{observed(1), right_censored(2), observed(3),
+                                         right_censored(4)};
+    const StoppingPoints stops(walls);
+    // Kaplan-Meier with the roles exchanged: 1/3 stop at 2, the others at 4
+    CHECK(stops.draw(0, 0.33) == 2.0);
+    CHECK(stops.draw(0, 0.34) == 4.0);
+    CHECK(stops.draw(1, 0.9) == 2.0);
+    CHECK(stops.draw(2, 0.01) == 4.0);
+    CHECK(stops.draw(3, 0.01) == 4.0);
+    CHECK(std::isinf(StoppingPoints(std::vector{observed(1), observed(2)}).draw(0, 0.99)));
 }
 
 TEST_CASE("bootstrap: resamples that cannot be fitted are counted", "[fragility][bootstrap]")
