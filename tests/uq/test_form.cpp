@@ -202,6 +202,16 @@ TEST_CASE("form: counts every evaluation, 2 d + 1 to a gradient", "[uq][form]")
     CHECK(asked < 300); // 273 when written
 }
 
+TEST_CASE("form: a point on the limit state that is not nearest to the origin is refused",
+          "[uq][form]")
+{
+    Search search;
+    judge({Eigen::Vector2d(3.0, 1.0), 0.0, Eigen::Vector2d(-1.0, 0.0)}, {}, search);
+    CHECK(search.outcome == SearchOutcome::off_axis);
+    CHECK_FALSE(search.point);
+    CHECK(search.reason.find("1 off the axis") != std::string::npos);
+}
+
 TEST_CASE("form: options out of range are refused", "[uq][form]")
 {
     const LimitState s = problems::rp22().limit;
