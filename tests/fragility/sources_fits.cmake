@@ -9,6 +9,7 @@ drystone_tests(fragility_fits
         fragility/test_kaplan_meier.cpp
         fragility/test_lower_bound.cpp
         fragility/test_mode_model.cpp
+        fragility/test_newton.cpp
         fragility/test_standard_law.cpp
         fragility/test_stress_model.cpp
         fragility/test_stripe_fit.cpp

@@ -112,6 +112,11 @@ TEST_CASE("ordinal fit: three states as polr (R)", "[fragility][ordinal_fit]")
     CHECK(std::log(f.medians[0]) / f.dispersion == near(-2.21126170275, 1e-9));
     CHECK(std::log(f.medians[1]) / f.dispersion == near(-0.891128423812, 2e-9));
     CHECK(f.deviance == near(356.429407995, 1e-11));
+    // from second differences of the likelihood written in R
+    CHECK(std::sqrt(f.covariance(0, 0)) == near(0.05844062340, 1e-6));
+    CHECK(std::sqrt(f.covariance(1, 1)) == near(0.06459076940, 1e-6));
+    CHECK(std::sqrt(f.covariance(2, 2)) == near(0.05256974469, 1e-6));
+    CHECK(f.covariance(0, 2) == near(-0.00069363929, 1e-5));
 }
 
 TEST_CASE("ordinal fit: separate probits of the same counts", "[fragility][ordinal_fit]")
