@@ -52,7 +52,8 @@ Eigen::MatrixXd nataf(const Inputs& inputs, const Eigen::MatrixXd& rho)
         Eigen::MatrixXd nearest = nearest_correlation(rho_z, 1e-4);
         for (Eigen::Index i = 0; i < d; ++i)
             for (Eigen::Index j = 0; j < d; ++j)
-                if (i != j) nearest(i, j) = pearson(a[index(i)], a[index(j)], nearest(i, j));
+                if (i != j)
+                    nearest(i, j) = pearson_of_normals(a[index(i)], a[index(j)], nearest(i, j));
         throw std::invalid_argument(
             "pearson: a correlation matrix, but not one of the normal copula with these "
             "marginals; nearest: " +

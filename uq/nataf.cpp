@@ -119,7 +119,7 @@ Eigen::VectorXd hermite_coefficients(const Marginal& m)
                                                       : smooth_coefficients(m);
 }
 
-double pearson(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double rho_z)
+double pearson_of_normals(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double rho_z)
 {
     double sum = 0.0; // Horner
     for (Eigen::Index k = std::min(a.size(), b.size()); k > 0; --k)
@@ -130,7 +130,7 @@ double pearson(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double rho_z)
 double normal_correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double rho)
 {
     if (rho == 0.0) return 0.0;
-    const double least = pearson(a, b, -1.0), most = pearson(a, b, 1.0);
+    const double least = pearson_of_normals(a, b, -1.0), most = pearson_of_normals(a, b, 1.0);
     if (!(rho > least && rho < most)) {
         std::ostringstream text;
         text.precision(6);
@@ -141,8 +141,8 @@ double normal_correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b, do
     }
     std::uintmax_t steps = 200;
     const auto bracket = boost::math::tools::toms748_solve(
-        [&](double r) { return pearson(a, b, r) - rho; }, -1.0, 1.0, least - rho, most - rho,
-        boost::math::tools::eps_tolerance<double>(52), steps);
+        [&](double r) { return pearson_of_normals(a, b, r) - rho; }, -1.0, 1.0, least - rho,
+        most - rho, boost::math::tools::eps_tolerance<double>(52), steps);
     return 0.5 * (bracket.first + bracket.second);
 }
 

@@ -17,7 +17,8 @@ namespace uq {
 [[nodiscard]] Eigen::VectorXd hermite_coefficients(const Marginal& m);
 
 /// rho of the variables with coefficients a and b for rho_z in [-1, 1] of their normal images.
-[[nodiscard]] double pearson(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double rho_z);
+[[nodiscard]] double pearson_of_normals(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                                        double rho_z);
 
 /// rho_z that gives rho.
 /// @throws std::invalid_argument naming the range that the variables can attain

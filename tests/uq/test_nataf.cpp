@@ -34,8 +34,9 @@ TEST_CASE("nataf: normal images of two lognormals, by the closed form", "[uq][na
     const double v1 = GENERATE(0.05, 0.3, 1.5), v2 = GENERATE(0.2, 2.0);
     const double rho_z = GENERATE(-0.9, 0.1, 0.7, 1.0);
     const double product = std::sqrt(std::log1p(v1 * v1) * std::log1p(v2 * v2));
-    CHECK(pearson(hermite_coefficients(lognormal(v1)), hermite_coefficients(lognormal(v2)),
-                  rho_z) == near(std::expm1(rho_z * product) / (v1 * v2), 1e-12));
+    CHECK(pearson_of_normals(hermite_coefficients(lognormal(v1)),
+                             hermite_coefficients(lognormal(v2)),
+                             rho_z) == near(std::expm1(rho_z * product) / (v1 * v2), 1e-12));
 }
 
 TEST_CASE("nataf: normal with lognormal, normal with normal, uniform with uniform",
@@ -63,8 +64,10 @@ TEST_CASE("nataf: the squares of the coefficients are the variance, cut shapes t
     // A kink and steps leave a rest that falls with a power of the order.
     CHECK(hermite_coefficients({Triangular{0.0, 0.2, 1.0}}).squaredNorm() == near(1.0, 1e-6));
     const Eigen::VectorXd coin = hermite_coefficients({Empirical{{0.0, 1.0}}});
-    CHECK(pearson(coin, coin, 0.5) == near(2.0 / std::numbers::pi * std::asin(0.5), 1e-12));
-    CHECK(pearson(coin, coin, 0.9) == near(2.0 / std::numbers::pi * std::asin(0.9), 1e-12));
+    CHECK(pearson_of_normals(coin, coin, 0.5) ==
+          near(2.0 / std::numbers::pi * std::asin(0.5), 1e-12));
+    CHECK(pearson_of_normals(coin, coin, 0.9) ==
+          near(2.0 / std::numbers::pi * std::asin(0.9), 1e-12));
     CHECK(hermite_coefficients({Constant{2.0}}).size() == 0);
 }
 
