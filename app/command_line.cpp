@@ -24,7 +24,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr std::array<std::string_view, 3> kLaterVerbs = {"fragility", "report", "reliability"};
+constexpr std::array<std::string_view, 2> kLaterVerbs = {"fragility", "report"};
 
 constexpr const char* kExitCodes = "\nExit codes: 0 done, 1 failed, 2 error in the input.\n";
 
@@ -68,7 +68,8 @@ po::options_description options()
 [[noreturn]] void refuse_unknown_option(const std::string& token)
 {
     std::vector<std::string> names;
-    for (const auto& option : options().options()) names.push_back("--" + option->long_name());
+    const po::options_description all = options();
+    for (const auto& option : all.options()) names.push_back("--" + option->long_name());
     const std::vector<std::string_view> views(names.begin(), names.end());
     const std::string name = token.substr(0, token.find('='));
     refuse(name, "unknown option; " + suggestion(name, views));
@@ -198,8 +199,9 @@ std::string known_verb(const std::string& word)
     if (std::find(kLaterVerbs.begin(), kLaterVerbs.end(), word) != kLaterVerbs.end()) {
         refuse(word, "not in this version; \"drystone help\" lists what is");
     }
-    std::vector<std::string_view> names = {"help", "version"};
+    std::vector<std::string_view> names;
     for (const VerbRule& r : verb_rules()) names.push_back(r.name);
+    names.insert(names.end(), {"help", "version"});
     refuse(word, "unknown verb; " + suggestion(word, names));
 }
 

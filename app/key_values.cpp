@@ -71,8 +71,11 @@ std::optional<RandomInput> parse_random(const Key& key, std::string_view text)
     if (key.varies == Varies::never)
         throw BadValue(in_quotes(text) + " is a distribution, but " + std::string(key.name) +
                        " is the same for all walls; write a number");
-    RandomInput random{std::string(key.name), parse_distribution(text, key.unit), 0.0,
-                       key.varies};
+    RandomInput random;
+    random.key = key.name;
+    random.marginal = parse_distribution(text, key.unit);
+    random.mean = uq::mean(random.marginal);
+    random.varies = key.varies;
     cut_off(key, text, random);
     return random;
 }
@@ -88,6 +91,7 @@ std::string allowed_values(const Key& key)
 
 std::vector<double> parse_value(const Key& key, std::string_view text)
 {
+    if (key.kind == Kind::text) return {text.begin(), text.end()};
     for (const Named& n : key.names) {
         if (text == n.word) return {n.value};
     }
@@ -106,12 +110,9 @@ std::vector<double> parse_value(const Key& key, std::string_view text)
 
 std::string value_text(const Key& key, const Study& study)
 {
-    if (key.kind == Kind::text) {
-        Study copy = study;
-        return key.text(copy);
-    }
     const std::vector<double> values = key.field.get(study);
     if (values.empty()) return {};
+    if (key.kind == Kind::text) return {values.begin(), values.end()};
     for (const Named& n : key.names) {
         if (values.front() == n.value) return std::string(n.word);
     }

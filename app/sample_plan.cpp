@@ -5,6 +5,7 @@
 #include "app/study_kernel.hpp"
 #include "app/wall_sites.hpp"
 #include "uq/field.hpp"
+#include "uq/iman_conover.hpp"
 #include "uq/stream.hpp"
 
 #include <gsl/gsl_cdf.h>
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <optional>
+#include <stdexcept>
 
 namespace app {
 namespace {
@@ -49,15 +52,30 @@ uq::FieldBasis basis_over(const Study& study, const std::vector<uq::Site>& sites
     return uq::cholesky_basis(uq::correlation_matrix(kernel_of(study), sites));
 }
 
+/// Rows of each size reordered among themselves: a Latin hypercube stays one.
+void correlate(const Study& study, const Eigen::MatrixXd& target,
+               std::span<const std::uint32_t> sizes, Eigen::MatrixXd& u)
+{
+    Eigen::Index before = 0;
+    try {
+        for (const std::uint32_t n : sizes) {
+            const Eigen::MatrixXd block = u.middleRows(before, n - before);
+            u.middleRows(before, n - before) =
+                uq::reordered(block, target, uq::normal_scores(block));
+            before = n;
+        }
+    } catch (const std::invalid_argument& bad) {
+        throw error_at(study.source, "uq.samples", bad.what());
+    }
+}
+
 using Coordinates = std::vector<std::vector<double>>; ///< standard normal, of each input
 
-Coordinates coordinates(const SamplePlan& plan, int level, int sample)
+Coordinates coordinates(const SamplePlan& plan, const Eigen::VectorXd& normal)
 {
     Coordinates z(plan.inputs.size());
-    const Eigen::MatrixXd& u = plan.design[static_cast<std::size_t>(level)];
     for (std::size_t i = 0; i < z.size(); ++i)
-        for (const int column : plan.columns[i])
-            z[i].push_back(gsl_cdf_ugaussian_Pinv(u(sample, column)));
+        for (const int column : plan.columns[i]) z[i].push_back(normal(column));
     return z;
 }
 
@@ -126,20 +144,22 @@ SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
             plan.cracks = basis_over(study, crack_sites(layout));
     }
     number_columns(plan);
-    plan.mixing = mixing_of(study);
+    const std::optional<uq::Joint> dependence = dependence_of(study);
+    const bool reorder =
+        dependence && plan.spatial == Spatial::none && is_latin(study.uq.design);
+    if (dependence && !reorder) plan.mixing = dependence->factor;
     for (const double stress : study.load.vertical_stress) {
         plan.seeds.push_back(level_seed(study.uq, stress));
         plan.design.push_back(unit_cube_of(study, plan.n_columns, plan.seeds.back(), sizes));
+        if (reorder) correlate(study, dependence->rho_z, sizes, plan.design.back());
     }
     return plan;
 }
 
-WallDraw draw(const SamplePlan& plan, int level, int sample)
+WallDraw draw_at(const SamplePlan& plan, const Eigen::VectorXd& normal, uq::Stream& random)
 {
-    Coordinates z = coordinates(plan, level, sample);
+    Coordinates z = coordinates(plan, normal);
     mix(plan.mixing, z);
-    uq::Stream random(plan.seeds[static_cast<std::size_t>(level)],
-                      static_cast<std::uint64_t>(sample), uq::Purpose::field);
     WallDraw all;
     for (std::size_t i = 0; i < z.size(); ++i) {
         all.values.push_back(over_sites(plan, i, z[i], random));
@@ -149,12 +169,32 @@ WallDraw draw(const SamplePlan& plan, int level, int sample)
     return all;
 }
 
+WallDraw draw(const SamplePlan& plan, int level, int sample)
+{
+    const auto l = static_cast<std::size_t>(level);
+    const Eigen::VectorXd normal =
+        plan.design[l].row(sample).transpose().unaryExpr(&gsl_cdf_ugaussian_Pinv);
+    uq::Stream random(plan.seeds[l], static_cast<std::uint64_t>(sample), uq::Purpose::field);
+    return draw_at(plan, normal, random);
+}
+
 std::vector<double> flattened(const WallDraw& draw)
 {
     std::vector<double> row;
     for (const std::vector<double>& values : draw.values)
         row.insert(row.end(), values.begin(), values.end());
     return row;
+}
+
+WallDraw unflattened(const SamplePlan& plan, const Eigen::VectorXd& row)
+{
+    WallDraw draw;
+    const double* from = row.data();
+    for (const int n : plan.n_values) {
+        draw.values.emplace_back(from, from + n);
+        from += n;
+    }
+    return draw;
 }
 
 } // namespace app

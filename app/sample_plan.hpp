@@ -4,6 +4,7 @@
 #include "app/study.hpp"
 #include "app/wall_draw.hpp"
 #include "uq/field_basis.hpp"
+#include "uq/stream.hpp"
 
 #include <Eigen/Core>
 
@@ -24,7 +25,7 @@ struct SamplePlan {
     std::vector<std::vector<int>> columns; ///< of the design, of each input
     int n_columns = 0;
     uq::FieldBasis joints, cracks;       ///< with Spatial::correlated
-    Eigen::MatrixXd mixing;              ///< of the inputs' coordinates; empty: independent
+    Eigen::MatrixXd mixing;              ///< of the inputs' coordinates; empty: none to be done
     std::vector<std::uint64_t> seeds;    ///< of each level
     std::vector<Eigen::MatrixXd> design; ///< of each level: samples x n_columns, in (0, 1)
 };
@@ -40,7 +41,15 @@ struct SamplePlan {
 /// @param sample in [0, samples)
 [[nodiscard]] WallDraw draw(const SamplePlan& plan, int level, int sample);
 
+/// The draw at given coordinates.
+/// @param normal n_columns standard normal values
+/// @param random for Spatial::stratified alone, which draws inside the wall
+[[nodiscard]] WallDraw draw_at(const SamplePlan& plan, const Eigen::VectorXd& normal,
+                               uq::Stream& random);
+
 /// All values of a draw in one row, input by input.
 [[nodiscard]] std::vector<double> flattened(const WallDraw& draw);
+/// And back.
+[[nodiscard]] WallDraw unflattened(const SamplePlan& plan, const Eigen::VectorXd& row);
 
 } // namespace app

@@ -66,10 +66,8 @@ void refuse_unknown(const StudyFile& file)
 /// A field whose value is a distribution holds its mean.
 void read_value(const Key& key, const std::string& text, Study& study)
 {
-    if (key.kind == Kind::text) {
-        key.text(study) = text;
-    } else if (auto random = parse_random(key, text)) {
-        key.field.set(study, {uq::mean(random->marginal)});
+    if (auto random = parse_random(key, text)) {
+        key.field.set(study, {random->mean});
         study.random.push_back(std::move(*random));
     } else {
         key.field.set(study, parse_value(key, text));

@@ -67,6 +67,7 @@ enum class Varies {
 struct RandomInput {
     std::string key;       ///< "joint.friction_angle"
     uq::Marginal marginal; ///< in SI, cut off at the range of the key
+    double mean = 0.0;     ///< of the distribution as given, before that cut
     double cut = 0.0;      ///< probability outside that range before the cut [-]
     Varies varies = Varies::by_wall;
 };
@@ -101,6 +102,20 @@ struct UqInput {
     std::string pearson; ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
 };
 
+enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity };
+
+enum class WallResponse { peak_force, ultimate_displacement, ultimate_drift };
+
+/// For the verb reliability: the probability that a response falls to a demand or below.
+struct ReliabilityInput {
+    ReliabilityMethod method = ReliabilityMethod::monte_carlo;
+    WallResponse response = WallResponse::peak_force;
+    std::string demand;       ///< "40 kN", "15 mm", or a drift in percent: "1.2"
+    int budget = 1000;        ///< evaluations at most, >= 1
+    double target_cov = 0.10; ///< stop once the probability is known as well [-]
+    dem::Fidelity cheap = dem::Fidelity::rigid; ///< of the cheap model
+};
+
 struct Study {
     dem::WallGeometry wall;
     dem::Elastic stone;
@@ -115,6 +130,7 @@ struct Study {
     dem::SolverOptions solver;
     OutputInput output;
     UqInput uq;
+    ReliabilityInput reliability;
     std::vector<RandomInput> random; ///< in the order of the keys; the fields hold their means
     StudyFile source;                ///< what was given
 };

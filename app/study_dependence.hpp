@@ -2,14 +2,15 @@
 /// Correlation between the random inputs of a study: uq.pearson.
 
 #include "app/study.hpp"
+#include "uq/inputs.hpp"
 
-#include <Eigen/Core>
+#include <optional>
 
 namespace app {
 
-/// Lower factor of the correlation of the inputs' standard normal coordinates (Nataf); empty if all
-/// are independent.
-/// @throws ConfigError if uq.pearson names what is no random input, or cannot be had
-[[nodiscard]] Eigen::MatrixXd mixing_of(const Study& study);
+/// The inputs with their correlation through the normal copula; nothing if all are independent.
+/// @throws ConfigError if uq.pearson names what is no random input, or cannot be had; in a spatial study
+/// also if it joins inputs that do not vary over the same joints
+[[nodiscard]] std::optional<uq::Joint> dependence_of(const Study& study);
 
 } // namespace app

@@ -3,13 +3,14 @@
 
 #include "app/study.hpp"
 
+#include <string>
 #include <type_traits>
 #include <vector>
 
 namespace app {
 
 /// Values in SI. A single number is a list of one; counts, choices and yes/no are whole
-/// numbers.
+/// numbers; a text is the list of its characters.
 struct Field {
     std::vector<double> (*get)(const Study&) = nullptr;
     void (*set)(Study&, const std::vector<double>&) = nullptr;
@@ -30,6 +31,8 @@ template <auto... Path> std::vector<double> get_field(const Study& study)
     const auto& field = follow<Path...>(study);
     if constexpr (std::is_same_v<decltype(field), const std::vector<double>&>) {
         return field;
+    } else if constexpr (std::is_same_v<decltype(field), const std::string&>) {
+        return {field.begin(), field.end()};
     } else {
         return {static_cast<double>(field)};
     }
@@ -40,6 +43,8 @@ template <auto... Path> void set_field(Study& study, const std::vector<double>& 
     using Value = std::remove_reference_t<decltype(follow<Path...>(study))>;
     if constexpr (std::is_same_v<Value, std::vector<double>>) {
         follow<Path...>(study) = values;
+    } else if constexpr (std::is_same_v<Value, std::string>) {
+        follow<Path...>(study).assign(values.begin(), values.end());
     } else {
         follow<Path...>(study) = static_cast<Value>(values.front());
     }

@@ -27,6 +27,8 @@ std::string identity_text(const Study& study)
     for (const Key& key : study_keys()) {
         if (!is_used(key, study)) continue;
         if (std::find(kFree.begin(), kFree.end(), key.name) != kFree.end()) continue;
+        const std::string_view section = section_of(key.name);
+        if (section == "reliability" || section == "fragility") continue;
         const std::string value = value_of(key, study);
         if (!value.empty()) text += std::string(key.name) + " = " + value + "\n";
     }

@@ -45,6 +45,15 @@ constexpr std::array kDesigns = {named("lhs", uq::DesignKind::latin_random),
                                  named("lhs_optimised", uq::DesignKind::latin_optimised),
                                  named("monte_carlo", uq::DesignKind::monte_carlo),
                                  named("sobol", uq::DesignKind::sobol)};
+constexpr std::array kMethods = {named("monte_carlo", ReliabilityMethod::monte_carlo),
+                                 named("form", ReliabilityMethod::form),
+                                 named("importance", ReliabilityMethod::importance),
+                                 named("subset", ReliabilityMethod::subset),
+                                 named("multi_fidelity", ReliabilityMethod::multi_fidelity)};
+constexpr std::array kWallResponses = {
+    named("peak_force", WallResponse::peak_force),
+    named("ultimate_displacement", WallResponse::ultimate_displacement),
+    named("ultimate_drift", WallResponse::ultimate_drift)};
 constexpr std::array kSpatial = {
     named("none", Spatial::none), named("independent", Spatial::independent),
     named("stratified", Spatial::stratified), named("correlated", Spatial::correlated)};
@@ -363,7 +372,27 @@ constexpr std::array kKeys = {
     Key{.name = "uq.pearson", .kind = Kind::text,
         .derived = {"none"},
         .meaning = "correlated variables: joint.friction_angle joint.stiffness_factor 0.3, ...",
-        .text = [](Study& s) -> std::string& { return s.uq.pearson; }},
+        .field = kAt<&Study::uq, &UqInput::pearson>},
+
+    Key{.name = "reliability.method", .kind = Kind::word, .names = kMethods,
+        .meaning = "form: design point, FORM and SORM; importance: sampling around it; subset: small probabilities",
+        .field = kAt<&Study::reliability, &ReliabilityInput::method>},
+    Key{.name = "reliability.response", .kind = Kind::word, .names = kWallResponses,
+        .meaning = "that is to fall to the demand or below; ultimate: 80 % of the peak",
+        .field = kAt<&Study::reliability, &ReliabilityInput::response>},
+    Key{.name = "reliability.demand", .kind = Kind::text,
+        .derived = {"must be given for reliability"},
+        .meaning = "40 kN, 15 mm, or 1.2 for a drift of 1.2 %",
+        .field = kAt<&Study::reliability, &ReliabilityInput::demand>},
+    Key{.name = "reliability.budget", .kind = Kind::count, .range = {'[', 10, 1e8, ']'},
+        .meaning = "walls at most; subset: per level; multi_fidelity: their cost",
+        .field = kAt<&Study::reliability, &ReliabilityInput::budget>},
+    Key{.name = "reliability.target_cov", .range = {'(', 0, 10, ']'},
+        .meaning = "stops once the probability has this coefficient of variation",
+        .field = kAt<&Study::reliability, &ReliabilityInput::target_cov>},
+    Key{.name = "reliability.cheap", .kind = Kind::word, .names = kFidelities,
+        .meaning = "fidelity of the cheap model of multi_fidelity",
+        .field = kAt<&Study::reliability, &ReliabilityInput::cheap>},
 };
 // clang-format on
 

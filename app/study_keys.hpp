@@ -54,7 +54,6 @@ struct Key {
     Varies varies = Varies::never; ///< otherwise a distribution is a value too
     std::string_view meaning = ""; ///< one line, with its source
     Field field = {};
-    std::string& (*text)(Study&) = nullptr; ///< of Kind::text, in place of the field
 };
 
 /// Section by section.

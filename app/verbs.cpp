@@ -13,6 +13,7 @@ constexpr std::array<Options, 6> kPush = {"out", "set", "threads", "quiet", "sam
 constexpr std::array<Options, 7> kStudy = {"out",   "set",   "threads",     "quiet",
                                            "shard", "slurm", "rerun-failed"};
 constexpr std::array<Options, 3> kSample = {"out", "set", "quiet"};
+constexpr std::array<Options, 5> kReliability = {"out", "set", "threads", "quiet", "level"};
 constexpr std::array<Options, 2> kMerge = {"partial", "quiet"};
 
 constexpr std::size_t kMany = 1'000'000;
@@ -26,6 +27,10 @@ constexpr std::array kRules = {
              ".h5", 1, 1, kStudy, "drystone study configs/quick.ini"},
     VerbRule{Verb::sample, "sample", "STUDY.ini", "the samples alone, as a table",
              OutKind::file, ".csv", 1, 1, kSample, "drystone sample configs/quick.ini"},
+    VerbRule{Verb::reliability, "reliability", "STUDY.ini",
+             "the probability that a response falls to a demand, and what it depends on",
+             OutKind::folder, "", 1, 1, kReliability,
+             "drystone reliability configs/reliability.ini"},
     VerbRule{Verb::merge, "merge", "OUT.h5 SHARD.h5...", "shards of one study into one file",
              OutKind::first_word, "", 2, kMany, kMerge,
              "drystone merge runs/paper.h5 runs/paper_*.h5"},

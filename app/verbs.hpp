@@ -6,7 +6,7 @@
 
 namespace app {
 
-enum class Verb { help, version, push, study, sample, merge };
+enum class Verb { help, version, push, study, sample, merge, reliability };
 
 /// What --out names.
 enum class OutKind {

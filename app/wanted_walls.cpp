@@ -10,9 +10,7 @@
 #include <algorithm>
 
 namespace app {
-namespace {
 
-/// @return index of the level given as text
 int level_of(const Study& study, const std::string& text)
 {
     const std::vector<double>& all = study.load.vertical_stress;
@@ -30,8 +28,6 @@ int level_of(const Study& study, const std::string& text)
     }
     throw ConfigError("drystone", 0, "--level", in_quotes(text) + " is none of " + levels);
 }
-
-} // namespace
 
 StudySource study_source(const Command& command)
 {

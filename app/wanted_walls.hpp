@@ -20,6 +20,10 @@ struct StudySource {
 /// @throws ConfigError, StoreError
 [[nodiscard]] StudySource study_source(const Command& command);
 
+/// Index of the level given as text, such as "0.75 MPa"; the only one if the text is empty.
+/// @throws ConfigError about --level
+[[nodiscard]] int level_of(const Study& study, const std::string& text);
+
 struct WantedWall {
     int level = 0;
     WallDraw draw; ///< empty: the numbers of the study

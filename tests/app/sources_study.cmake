@@ -1,0 +1,3 @@
+set(TEST_APP_STUDY_SOURCES
+    app/test_sample_plan.cpp
+    app/test_study_runner.cpp)

@@ -1,0 +1,240 @@
+#include "app/config_error.hpp"
+#include "app/sample_plan.hpp"
+#include "app/study_scenes.hpp"
+#include "app/wall_sites.hpp"
+#include "dem/layout.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+using app::SamplePlan;
+using app::Study;
+using app::WallDraw;
+using study_scenes::study;
+
+namespace {
+
+dem::Layout layout_of(const Study& s) { return dem::lay_out(s.wall, s.beam.height); }
+
+SamplePlan plan_of(const Study& s, std::vector<std::uint32_t> sizes = {})
+{
+    if (sizes.empty()) sizes = {static_cast<std::uint32_t>(s.uq.samples)};
+    return sample_plan(s, layout_of(s), sizes);
+}
+
+double mean_of(const SamplePlan& plan, std::size_t input, int level)
+{
+    double sum = 0.0;
+    const auto n = static_cast<int>(plan.design.front().rows());
+    for (int i = 0; i < n; ++i) sum += app::draw(plan, level, i).values[input].front();
+    return sum / n;
+}
+
+} // namespace
+
+TEST_CASE("sample plan: means of 50 samples are those of Table 5 within 0.2 %, each variable "
+          "and level",
+          "[app][sample_plan]")
+{
+    const Study s = study("samples = 50\ndesign = lhs_centred"); // as configs/paper.ini
+    const SamplePlan plan = plan_of(s);
+    const double deg = std::numbers::pi / 180.0;
+    const std::vector<double> table5 = {31.8 * deg, 1.0, 3.7e6, 35.0 * deg, 1.0};
+    REQUIRE(plan.inputs.size() == table5.size());
+    for (int level = 0; level < 2; ++level)
+        for (std::size_t i = 0; i < table5.size(); ++i) {
+            INFO(plan.inputs[i].key);
+            CHECK(mean_of(plan, i, level) == Approx(table5[i]).epsilon(2e-3));
+        }
+}
+
+TEST_CASE("sample plan: levels have samples of their own, unless shared", "[app][sample_plan]")
+{
+    const SamplePlan own = plan_of(study("samples = 8"));
+    CHECK(app::draw(own, 0, 3).values != app::draw(own, 1, 3).values);
+    const SamplePlan shared = plan_of(study("samples = 8\nshared = yes"));
+    CHECK(app::draw(shared, 0, 3).values == app::draw(shared, 1, 3).values);
+}
+
+TEST_CASE("sample plan: a level has the same samples alone and among others",
+          "[app][sample_plan]")
+{
+    std::string one = study_scenes::kSmall;
+    one.replace(one.find("0.50, 1.00 MPa"), 14, "1.00 MPa");
+    one.replace(one.find("768, 1057 MPa"), 13, "1057 MPa");
+    const SamplePlan both = plan_of(study("samples = 8")),
+                     alone = plan_of(study("samples = 8", one));
+    CHECK(app::draw(both, 1, 5).values == app::draw(alone, 0, 5).values);
+}
+
+TEST_CASE("sample plan: a field of correlation 0 is the independent case, of correlation 1 the "
+          "non-spatial one, to the bit",
+          "[app][sample_plan]")
+{
+    const std::string field = "samples = 6\nspatial = correlated\nkernel = all\n";
+    const SamplePlan zero = plan_of(study(field + "group_correlation = 0"));
+    const SamplePlan independent = plan_of(study("samples = 6\nspatial = independent"));
+    const SamplePlan one = plan_of(study(field + "group_correlation = 1"));
+    const SamplePlan none = plan_of(study("samples = 6"));
+    for (int i = 0; i < 6; ++i) {
+        CHECK(app::draw(zero, 0, i).values == app::draw(independent, 0, i).values);
+        const WallDraw a = app::draw(one, 0, i), b = app::draw(none, 0, i);
+        for (std::size_t v = 0; v < b.values.size(); ++v)
+            for (const double x : a.values[v]) CHECK(x == b.values[v].front());
+    }
+}
+
+TEST_CASE(
+    "sample plan: stratified draws fill one stratum of the marginal by each joint of a wall",
+    "[app][sample_plan]")
+{
+    const SamplePlan plan = plan_of(study("samples = 3\nspatial = stratified"));
+    const WallDraw d = app::draw(plan, 1, 2);
+    for (std::size_t v = 0; v < d.values.size(); ++v) {
+        const std::size_t n = d.values[v].size();
+        REQUIRE(n > 1);
+        std::set<long> strata;
+        for (const double x : d.values[v])
+            strata.insert(std::lround(
+                std::floor(uq::cdf(plan.inputs[v].marginal, x) * static_cast<double>(n))));
+        CHECK(strata.size() == n);
+    }
+    CHECK(app::draw(plan, 1, 1).values != d.values);
+}
+
+TEST_CASE("sample plan: near joints are alike in a field, far ones less", "[app][sample_plan]")
+{
+    const Study s = study("samples = 300\nspatial = correlated\nkernel = exponential\n"
+                          "correlation_length = 0.2 m\ndesign = monte_carlo");
+    const SamplePlan plan = plan_of(s);
+    const auto sites = app::joint_sites(layout_of(s));
+    const auto correlation = [&](std::size_t a,
+                                 std::size_t b) { // of the stiffness factor: normal
+        double ab = 0.0;
+        for (int i = 0; i < 300; ++i) {
+            const std::vector<double> x = app::draw(plan, 0, i).values[1];
+            ab += (x[a] - 1.0) * (x[b] - 1.0) / (0.25 * 0.25) / 300.0;
+        }
+        return ab;
+    };
+    for (const std::size_t b : {std::size_t{1}, sites.size() - 1}) {
+        const double d = std::hypot(sites[0].x - sites[b].x, sites[0].z - sites[b].z);
+        const double rho = std::exp(-d / 0.2);
+        CHECK(std::abs(correlation(0, b) - rho) < 4.0 * std::sqrt((1.0 + rho * rho) / 300.0));
+    }
+}
+
+TEST_CASE("sample plan: what a field lacks is said", "[app][sample_plan]")
+{
+    const auto complaint = [](const std::string& uq) {
+        try {
+            plan_of(study("samples = 6\nspatial = correlated\n" + uq));
+        } catch (const app::ConfigError& e) {
+            return std::string(e.what());
+        }
+        return std::string("none");
+    };
+    CHECK(complaint("kernel = matern").find("uq.correlation_length: missing") !=
+          std::string::npos);
+    CHECK(complaint("correlation_length = 1, 2 m").find("takes one") != std::string::npos);
+    CHECK(complaint("kernel = all\ncorrelation_length = 1 m").find("no meaning") !=
+          std::string::npos);
+}
+
+TEST_CASE("sample plan: values that follow from random ones follow their draw",
+          "[app][sample_plan]")
+{
+    for (const char* spatial : {"none", "independent"}) {
+        const Study s = study(std::string("samples = 4\nspatial = ") + spatial);
+        const dem::Layout layout = layout_of(s);
+        const WallDraw d = app::draw(plan_of(s), 0, 2);
+        const dem::WallMaterials w = app::wall_materials(s, layout, 0, d);
+        for (std::size_t k = 0; k < w.cracks.size(); ++k) {
+            CHECK(w.cracks[k].ft == d.values[2][k % d.values[2].size()]);
+            CHECK(w.cracks[k].cohesion == w.cracks[k].ft);
+            CHECK(w.cracks[k].tan_phi_res == w.cracks[k].tan_phi);
+        }
+        for (std::size_t k = 0; k < w.joints.size(); ++k) {
+            const std::size_t at = k % d.values[0].size();
+            CHECK(w.joints[k].tan_phi == std::tan(d.values[0][at]));
+            CHECK(w.joints[k].kn ==
+                  Approx(d.values[1][at] * joint_material(s, 0).kn).epsilon(1e-14));
+        }
+    }
+}
+
+TEST_CASE("sample plan: sites of joints and cracks are where Fig. 13 has them",
+          "[app][wall_sites]")
+{
+    dem::WallGeometry wall;
+    wall.length = 1.0;
+    wall.courses = 10;
+    wall.course_height = 0.1;
+    wall.unit_length = 0.2;
+    wall.thickness = 0.2;
+    const dem::Layout layout = dem::lay_out(wall, 0.1);
+    const auto joints = app::joint_sites(layout), cracks = app::crack_sites(layout);
+    REQUIRE(joints.size() == 135);
+    REQUIRE(cracks.size() == 45);
+    CHECK(joints[0].x == Approx(0.2)); // first head joint of the bottom course
+    CHECK(joints[0].z == Approx(0.05));
+    CHECK(joints[4].x == Approx(0.05)); // first piece of the bed joint above it
+    CHECK(joints[4].z == Approx(0.1));
+    CHECK(cracks[0].x == Approx(0.1));
+    CHECK(cracks[0].course == 1);
+    CHECK(cracks[0].unit != cracks[1].unit);
+}
+
+TEST_CASE(
+    "sample plan: correlated inputs have their correlation, and a Latin hypercube stays one",
+    "[app][sample_plan]")
+{
+    const std::string pair = "pearson = joint.friction_angle joint.stiffness_factor 0.6\n";
+    const SamplePlan plan = plan_of(study("samples = 400\n" + pair));
+    double xy = 0.0, xx = 0.0, yy = 0.0;
+    std::set<long> strata;
+    const double mean = uq::mean(plan.inputs[0].marginal);
+    for (int i = 0; i < 400; ++i) {
+        const WallDraw d = app::draw(plan, 0, i);
+        const double x = d.values[0].front() - mean, y = d.values[1].front() - 1.0;
+        xy += x * y, xx += x * x, yy += y * y;
+        strata.insert(std::lround(
+            std::floor(uq::cdf(plan.inputs[0].marginal, d.values[0].front()) * 400.0)));
+    }
+    CHECK(xy / std::sqrt(xx * yy) == Approx(0.6).margin(0.02));
+    CHECK(strata.size() == 400);
+    const SamplePlan grown = plan_of(study("samples = 60\n" + pair), {40, 60});
+    const SamplePlan small = plan_of(study("samples = 40\n" + pair));
+    CHECK(app::draw(grown, 0, 39).values == app::draw(small, 0, 39).values);
+}
+
+TEST_CASE("sample plan: correlations that cannot be are refused", "[app][sample_plan]")
+{
+    const auto complaint = [](const std::string& uq) {
+        try {
+            plan_of(study("samples = 20\n" + uq));
+        } catch (const app::ConfigError& e) {
+            return std::string(e.what());
+        }
+        return std::string("none");
+    };
+    const std::string a = "joint.friction_angle", b = "joint.stiffness_factor",
+                      c = "unit.friction_angle";
+    CHECK(complaint("pearson = " + a + " " + b + " 1.2").find("uq.pearson") !=
+          std::string::npos);
+    CHECK(complaint("pearson = " + a + " joint.stifness_factor 0.2").find("did you mean") !=
+          std::string::npos);
+    CHECK(complaint("pearson = " + a + " " + b).find("two inputs and their correlation") !=
+          std::string::npos);
+    CHECK(complaint("pearson = " + a + " " + b + " 0.9, " + b + " " + c + " 0.9, " + a + " " +
+                    c + " -0.9")
+              .find("nearest") != std::string::npos);
+    CHECK(complaint("spatial = independent\npearson = " + a + " " + c + " 0.5")
+              .find("same joints") != std::string::npos);
+}

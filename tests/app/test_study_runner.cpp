@@ -1,0 +1,114 @@
+#include "app/pushed_wall.hpp"
+#include "app/study_columns.hpp"
+#include "app/study_file_head.hpp"
+#include "app/study_runner.hpp"
+#include "app/study_scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+using app::Study;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that is gone with its test.
+struct File {
+    fs::path path =
+        fs::temp_directory_path() /
+        ("drystone_runner_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".h5");
+    ~File()
+    {
+        for (const char* end : {"", ".journal", ".lock"}) fs::remove(path.string() + end);
+    }
+};
+
+struct Ran {
+    dem::Model model;
+    app::SamplePlan plan;
+    std::vector<app::WallRow> rows;
+};
+
+Ran run(const Study& s, int threads = 2)
+{
+    const File file;
+    Ran r{app::model_of(s), {}, {}};
+    const std::vector<std::uint32_t> sizes = {app::samples_of(s)};
+    r.plan = sample_plan(s, r.model.layout, sizes);
+    app::Store store(file.path, app::head_of(s, r.plan, sizes));
+    app::run_walls(s, r.model, r.plan, pending_walls(store, {}, false), threads, store, {});
+    store.compact();
+    app::StoreReader(file.path).for_each_row(
+        [&](const app::WallRow& row) { r.rows.push_back(row); });
+    return r;
+}
+
+} // namespace
+
+TEST_CASE("study runner: a stored wall pushed again alone has the same curve, to the bit",
+          "[app][study_runner]")
+{
+    const Study s =
+        study_scenes::study(GENERATE("samples = 5", "samples = 5\nspatial = stratified"));
+    const Ran r = run(s);
+    REQUIRE(r.rows.size() == 10);
+    for (const std::size_t i : {std::size_t{2}, std::size_t{9}}) {
+        const app::WallRow& row = r.rows[i];
+        const int level = static_cast<int>(row.key.level);
+        const app::WallDraw d = app::draw(r.plan, level, static_cast<int>(row.key.sample));
+        const app::PushedWall w = app::push_wall(s, level, d, {});
+        CHECK(row.inputs == app::flattened(d));
+        CHECK(row.curve.displacement == w.displacement);
+        CHECK(row.curve.force == w.force);
+        CHECK(row.responses[app::column_of(app::response_columns(), "peak_force")] ==
+              w.peak->force);
+    }
+}
+
+TEST_CASE("study runner: a study without distributions is one wall per level",
+          "[app][study_runner]")
+{
+    std::string text = study_scenes::kSmall;
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"normal(mean 31.8 deg, cov 0.20)", "31.8 deg"},
+             {"normal(mean 1, cov 0.25)", "1"},
+             {"lognormal(mean 3.7 MPa, cov 0.30)", "3.7 MPa"},
+             {"normal(mean 35 deg, cov 0.20)", "35 deg"},
+             {"normal(mean 1, cov 0.25)", "1"}})
+        text.replace(text.find(from), from.size(), to);
+    const Ran r = run(study_scenes::study("samples = 50", text));
+    CHECK(r.rows.size() == 2);
+}
+
+TEST_CASE("study runner: a wall that fails is kept with its inputs and its reason",
+          "[app][study_runner]")
+{
+    const std::string text = std::string(study_scenes::kSmall) + "energy_tolerance = 1e-14\n";
+    const Ran r = run(study_scenes::study("samples = 2", text));
+    REQUIRE(r.rows.size() == 4);
+    for (const app::WallRow& row : r.rows) {
+        CHECK(row.status != app::kWallOk);
+        CHECK(row.reason == "the energy ledger does not close at any step tried");
+        CHECK(row.inputs.size() == 5);
+        CHECK(row.curve.force.empty());
+        for (const double x : row.responses) CHECK(x != x); // not defined
+        CHECK(row.counts[app::column_of(app::count_columns(), "mode")] == -1);
+    }
+}
+
+TEST_CASE("study runner: shards share out the walls of a study, each to one of them",
+          "[app][study_runner]")
+{
+    app::StoreHead head;
+    head.levels = {{0.5e6, 7}, {1e6, 5}};
+    std::vector<app::WallKey> all;
+    for (int i = 0; i < 5; ++i)
+        for (const app::WallKey key : app::walls_of(head, {i, 5})) all.push_back(key);
+    std::sort(all.begin(), all.end());
+    CHECK(all.size() == 12);
+    CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+}

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# test_slurm.sh PROGRAM COMPARE   a study as an array of four shards on a real Slurm cluster of two nodes on
+# this machine; one node is killed while it works and its shards requeued; merged, the study has the same
+# bits as run at once. Skipped (77) without Slurm or root.
+set -euo pipefail
+
+program=$1 compare=$2
+here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+# shellcheck source=tests/slurm/cluster.sh
+source "$here/cluster.sh"
+slurm_ready || exit 77
+
+work=$(mktemp -d)
+trap 'stop_cluster; rm -rf -- "$work"' EXIT
+study=$here/../study/small.ini
+size=(--set uq.samples=400)
+
+"$program" study "$study" --out "$work/whole.h5" --quiet "${size[@]}" >/dev/null
+"$program" study "$study" --out "$work/array.h5" "${size[@]}" --threads 1 --shard '*/4' \
+    --slurm "$work/array.sh" --quiet
+start_cluster "$work/cluster" || { echo "the cluster did not start"; exit 1; }
+bash "$work/array.sh"
+for _ in {1..200}; do # until a shard on the first node has walls
+    squeue -h -t R -o %N | grep -q n1 && compgen -G "$work/array_*.h5.journal" >/dev/null && break
+    sleep 0.1
+done
+kill_node 1
+echo "node 1 killed; running before: $(squeue -h -t R | wc -l)"
+sleep 12 # longer than SlurmdTimeout: the controller gives the node up and requeues
+start_node 1
+for _ in {1..240}; do
+    [[ -n $(squeue -h) ]] || break
+    sleep 0.5
+done
+[[ -z $(squeue -h) ]] || { squeue; tail -n 5 "$work"/array.h5.logs/*; exit 1; }
+grep -h requeue -i "$work/cluster/slurmctld.log" | tail -n 3
+cat "$work"/array.h5.logs/merge.log
+"$compare" "$work/whole.h5" "$work/array.h5"
+grep -qi "requeu" "$work/cluster/slurmctld.log" || { echo "nothing was requeued"; exit 1; }
