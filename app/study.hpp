@@ -89,6 +89,14 @@ enum class FieldKernel {
     all          ///< the same of the whole wall
 };
 
+/// What a stopping rule looks at.
+enum class StopQuantity {
+    none,                  ///< no rule: uq.samples
+    peak_force,            ///< its mean, relative
+    ultimate_displacement, ///< its mean, relative; bounds count as they are
+    mixed_share            ///< share of walls in mixed mode
+};
+
 struct UqInput {
     uq::DesignKind design = uq::DesignKind::latin_random;
     int samples = 50;       ///< walls per stress level, >= 1
@@ -99,7 +107,10 @@ struct UqInput {
     std::vector<double> correlation_length; ///< [m]; two for exponential_l1: along x and z
     double matern_nu = 1.5;                 ///< smoothness [-]
     double group_correlation = 0.5;         ///< [-], in [0, 1]
-    std::string pearson; ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
+    StopQuantity stop = StopQuantity::none;
+    double stop_half_width = 0.05; ///< of the 95 % interval [-], > 0
+    int most_samples = 1000;       ///< at which the rule gives up
+    std::string pearson;           ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
 };
 
 enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity };

@@ -8,6 +8,7 @@
 #include "app/slurm_command.hpp"
 #include "app/study_file_head.hpp"
 #include "app/study_runner.hpp"
+#include "app/study_stopping.hpp"
 #include "app/study_summary.hpp"
 
 #include <filesystem>
@@ -62,27 +63,78 @@ bool run(const Study& study, const Command& command, const SamplePlan& plan,
 
 } // namespace
 
+namespace {
+
+/// One process at work on a study.
+struct Work {
+    const Study& study;
+    const Command& command;
+    fs::path file;
+    dem::Model model;
+};
+
+/// Brings the file to the last of `sizes`. @return whether it ran to the end
+bool work_on(const Work& w, const std::vector<std::uint32_t>& sizes)
+{
+    const SamplePlan plan = sample_plan(w.study, w.model.layout, sizes);
+    StoreHead head = head_of(w.study, plan, sizes);
+    head.shard = static_cast<std::uint32_t>(w.command.shard.index);
+    head.shards = static_cast<std::uint32_t>(w.command.shard.count);
+    head.sessions = {this_session(w.command.threads)};
+    Store store(w.file, head);
+    const bool whole = run(w.study, w.command, plan, w.model, store);
+    store.compact();
+    return whole;
+}
+
+/// Adds samples until the rule of the study is content, if it has one.
+bool work_until_enough(const Work& w, std::string& remark)
+{
+    std::vector<std::uint32_t> sizes = design_sizes(w.study, w.file);
+    bool whole = work_on(w, sizes);
+    if (w.study.uq.stop == StopQuantity::none || w.study.random.empty()) return whole;
+    while (whole) {
+        const StoppingState state = stopping_state(w.study, w.file);
+        remark = state.remark;
+        if (state.next <= sizes.back()) break;
+        sizes.push_back(state.next);
+        whole = work_on(w, sizes);
+    }
+    return whole;
+}
+
+void check_stop(const Study& study, Shard shard)
+{
+    if (study.uq.stop != StopQuantity::none && shard.count > 1)
+        throw error_at(study.source, "uq.stop",
+                       "a shard cannot tell when the study is enough; give uq.samples");
+}
+
+void write_summary(const fs::path& file, const Table& table)
+{
+    const fs::path stem = file.parent_path() / (file.stem().string() + "_summary");
+    write_file(stem.string() + ".csv", as_csv(table));
+    write_file(stem.string() + ".md", as_markdown(table));
+    write_file(stem.string() + ".tex", as_latex(table));
+}
+
+} // namespace
+
 int study_command(const Command& command)
 {
     const Study study =
         read_study(with_overrides(read_study_file(command.study), command.overrides));
     if (!command.script.empty()) return write_slurm_script(study, command);
-    const fs::path file = shard_file(command.out, command.shard);
-    const std::vector<std::uint32_t> sizes = design_sizes(study, file);
-    const dem::Model model = model_of(study);
-    const SamplePlan plan = sample_plan(study, model.layout, sizes);
-    StoreHead head = head_of(study, plan, sizes);
-    head.shard = static_cast<std::uint32_t>(command.shard.index);
-    head.shards = static_cast<std::uint32_t>(command.shard.count);
-    head.sessions = {this_session(command.threads)};
-    if (file.has_parent_path()) make_folder(file.parent_path());
+    check_stop(study, command.shard);
+    const Work work{study, command, shard_file(command.out, command.shard), model_of(study)};
+    if (work.file.has_parent_path()) make_folder(work.file.parent_path());
     catch_interrupts();
-    Store store(file, head);
-    const bool whole = run(study, command, plan, model, store);
-    store.compact();
-    const StudySummary summary = summarise(file);
-    std::cout << as_text(summary.table) << summary.remarks << "written to " << file.string()
-              << '\n';
+    std::string remark;
+    const bool whole = work_until_enough(work, remark);
+    const StudySummary summary = summarise(work.file);
+    if (command.shard.count == 1) write_summary(work.file, summary.table);
+    std::cout << as_text(summary.table) << summary.remarks << remark << "written to "
+              << work.file.string() << '\n';
     if (!whole)
         std::cerr << "drystone: interrupted; the same command goes on where it stopped\n";
     return whole && summary.failed == 0 ? 0 : 1;

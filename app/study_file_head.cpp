@@ -17,6 +17,9 @@ std::vector<std::uint32_t> design_sizes(const Study& study, const std::filesyste
     std::vector<std::uint32_t> sizes;
     if (std::filesystem::exists(file)) sizes = read_head(file).design_sizes;
     if (sizes.empty() || samples > sizes.back()) sizes.push_back(samples);
+    const bool rule = study.uq.stop != StopQuantity::none;
+    if (!rule && samples < sizes.back())
+        sizes = {samples}; // fewer than there are: refused later
     return sizes;
 }
 
@@ -26,7 +29,7 @@ StoreHead head_of(const Study& study, const SamplePlan& plan, std::vector<std::u
     head.configuration = effective_configuration(study);
     head.identity = identity_text(study);
     for (const double stress : study.load.vertical_stress)
-        head.levels.push_back({stress, samples_of(study)});
+        head.levels.push_back({stress, sizes.back()});
     head.design_sizes = std::move(sizes);
     head.seed = study.uq.seed;
     head.inputs = input_columns(plan);

@@ -10,7 +10,8 @@ namespace app {
 namespace {
 
 /// Of no consequence for a wall.
-constexpr std::array<std::string_view, 2> kFree = {"uq.samples", "output.snapshot_every"};
+constexpr std::array<std::string_view, 5> kFree = {
+    "uq.samples", "uq.stop", "uq.stop_half_width", "uq.most_samples", "output.snapshot_every"};
 
 std::string value_of(const Key& key, const Study& study)
 {

@@ -57,6 +57,10 @@ constexpr std::array kWallResponses = {
 constexpr std::array kSpatial = {
     named("none", Spatial::none), named("independent", Spatial::independent),
     named("stratified", Spatial::stratified), named("correlated", Spatial::correlated)};
+constexpr std::array kStops = {
+    named("none", StopQuantity::none), named("peak_force", StopQuantity::peak_force),
+    named("ultimate_displacement", StopQuantity::ultimate_displacement),
+    named("mixed_share", StopQuantity::mixed_share)};
 constexpr std::array kKernels = {named("exponential", FieldKernel::exponential),
                                  named("squared_exponential", FieldKernel::squared_exponential),
                                  named("exponential_l1", FieldKernel::exponential_l1),
@@ -369,6 +373,15 @@ constexpr std::array kKeys = {
     Key{.name = "uq.group_correlation", .range = {'[', 0, 1, ']'}, .used = Used::with_fields,
         .meaning = "between joints of one group, kernels same_course, same_unit, all",
         .field = kAt<&Study::uq, &UqInput::group_correlation>},
+    Key{.name = "uq.stop", .kind = Kind::word, .names = kStops,
+        .meaning = "adds walls until the 95 % interval of this mean, or share, is narrow enough at every level",
+        .field = kAt<&Study::uq, &UqInput::stop>},
+    Key{.name = "uq.stop_half_width", .range = {'(', 0, 1, ']'},
+        .meaning = "of that interval, as a share of the mean; of mixed_share as it is",
+        .field = kAt<&Study::uq, &UqInput::stop_half_width>},
+    Key{.name = "uq.most_samples", .kind = Kind::count, .range = {'[', 1, 1e7, ']'},
+        .meaning = "at which the rule gives up",
+        .field = kAt<&Study::uq, &UqInput::most_samples>},
     Key{.name = "uq.pearson", .kind = Kind::text,
         .derived = {"none"},
         .meaning = "correlated variables: joint.friction_angle joint.stiffness_factor 0.3, ...",
