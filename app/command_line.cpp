@@ -24,7 +24,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr std::array<std::string_view, 2> kLaterVerbs = {"fragility", "report"};
+constexpr std::array<std::string_view, 1> kLaterVerbs = {"fragility"};
 
 constexpr const char* kExitCodes = "\nExit codes: 0 done, 1 failed, 2 error in the input.\n";
 
@@ -60,6 +60,8 @@ po::options_description options()
         "study: write a job array of shards (--shard */N, or as many as needed), run nothing");
     add("rerun-failed", "study: run walls that failed again");
     add("partial", "merge: although walls are missing");
+    add("walls", text("N"),
+        "report: how many walls can be looked at (default: all, of large studies a choice)");
     add("help,h", "help, after a verb on that verb");
     add("version", "name and version");
     return all;
@@ -174,12 +176,15 @@ void take(const po::option& option, Command& command, std::vector<std::string>& 
         command.rerun_failed = true;
     } else if (name == "partial") {
         command.partial = true;
+    } else if (name == "walls") {
+        command.walls = parse_whole("--walls", option.value.front(), 0, 1e6);
     }
 }
 
 void refuse_doubled(const std::vector<po::option>& given)
 {
-    for (const char* const name : {"out", "threads", "sample", "level", "shard", "slurm"}) {
+    for (const char* const name :
+         {"out", "threads", "sample", "level", "shard", "slurm", "walls"}) {
         const auto times = std::count_if(given.begin(), given.end(), [&](const po::option& o) {
             return o.string_key == name;
         });

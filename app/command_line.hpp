@@ -30,6 +30,7 @@ struct Command {
     std::string script;        ///< write a job array to this file instead of running
     bool rerun_failed = false; ///< run failed walls again
     bool partial = false;      ///< merge although walls are missing
+    std::optional<int> walls;  ///< report: how many can be looked at, >= 0
 };
 
 /// @param arguments without the name of the program

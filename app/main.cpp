@@ -4,6 +4,7 @@
 #include "app/config_error.hpp"
 #include "app/merge_command.hpp"
 #include "app/push_command.hpp"
+#include "app/report_command.hpp"
 #include "app/reliability_command.hpp"
 #include "app/sample_command.hpp"
 #include "app/study_command.hpp"
@@ -34,6 +35,8 @@ int run(const std::vector<std::string>& arguments)
         return app::sample_command(command);
     case app::Verb::reliability:
         return app::reliability_command(command);
+    case app::Verb::report:
+        return app::report_command(command);
     case app::Verb::merge:
         return app::merge_command(command);
     }

@@ -14,6 +14,7 @@ constexpr std::array<Options, 7> kStudy = {"out",   "set",   "threads",     "qui
                                            "shard", "slurm", "rerun-failed"};
 constexpr std::array<Options, 3> kSample = {"out", "set", "quiet"};
 constexpr std::array<Options, 5> kReliability = {"out", "set", "threads", "quiet", "level"};
+constexpr std::array<Options, 4> kReport = {"out", "walls", "threads", "quiet"};
 constexpr std::array<Options, 2> kMerge = {"partial", "quiet"};
 
 constexpr std::size_t kMany = 1'000'000;
@@ -31,6 +32,8 @@ constexpr std::array kRules = {
              "the probability that a response falls to a demand, and what it depends on",
              OutKind::folder, "", 1, 1, kReliability,
              "drystone reliability configs/reliability.ini"},
+    VerbRule{Verb::report, "report", "FILE.h5", "one page for a browser from a study's file",
+             OutKind::file, ".html", 1, 1, kReport, "drystone report runs/quick.h5"},
     VerbRule{Verb::merge, "merge", "OUT.h5 SHARD.h5...", "shards of one study into one file",
              OutKind::first_word, "", 2, kMany, kMerge,
              "drystone merge runs/paper.h5 runs/paper_*.h5"},

@@ -6,7 +6,7 @@
 
 namespace app {
 
-enum class Verb { help, version, push, study, sample, merge, reliability };
+enum class Verb { help, version, push, study, sample, report, merge, reliability };
 
 /// What --out names.
 enum class OutKind {

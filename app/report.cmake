@@ -1,0 +1,31 @@
+# The page: files of report/ become arrays of bytes in report_assets.cpp, so that the program needs no file beside it.
+set(report_modules format.js data.js chart.js capacity.js wall.js statistics.js tables.js main.js)
+set(report_files page.html style.css vendor/uPlot.min.css vendor/uPlot.iife.min.js vendor/uPlot.LICENSE
+    ${report_modules})
+list(TRANSFORM report_files PREPEND ${PROJECT_SOURCE_DIR}/report/)
+set(report_assets ${PROJECT_BINARY_DIR}/generated/app/report_assets.cpp)
+string(REPLACE ";" "," modules "${report_modules}")
+add_custom_command(
+    OUTPUT ${report_assets}
+    COMMAND ${CMAKE_COMMAND} -D FOLDER=${PROJECT_SOURCE_DIR}/report -D MODULES=${modules} -D OUT=${report_assets}
+            -P ${PROJECT_SOURCE_DIR}/report/embed.cmake
+    DEPENDS ${report_files} ${PROJECT_SOURCE_DIR}/report/embed.cmake
+    VERBATIM)
+
+drystone_library(app_report
+    ${report_assets}
+    report_bytes.cpp
+    report_command.cpp
+    report_configuration.cpp
+    report_curves.cpp
+    report_data.cpp
+    report_film.cpp
+    report_fragility.cpp
+    report_inputs.cpp
+    report_overview.cpp
+    report_page.cpp
+    report_replay.cpp
+    report_study.cpp
+    report_tables.cpp)
+target_include_directories(drystone_app_report PUBLIC ${PROJECT_BINARY_DIR}/generated)
+target_link_libraries(drystone_app_report PUBLIC drystone_app_study nlohmann_json::nlohmann_json PRIVATE ZLIB::ZLIB)

@@ -1,0 +1,123 @@
+#include "app/report_curves.hpp"
+
+#include "app/report_bytes.hpp"
+#include "uq/estimate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double largest_displacement(const ReportStudy& study)
+{
+    double largest = 0.0;
+    for (const ReportWall& w : study.walls)
+        if (!w.row.curve.displacement.empty())
+            largest = std::max(largest, w.row.curve.displacement.back());
+    return largest;
+}
+
+double largest_force(const ReportStudy& study)
+{
+    double largest = 0.0;
+    for (const ReportWall& w : study.walls)
+        for (const double f : w.row.curve.force) largest = std::max(largest, std::abs(f));
+    return largest;
+}
+
+/// Forces at one displacement of the curves that go so far [kN].
+std::vector<double> forces_at(const std::vector<std::vector<double>>& curves, std::size_t i)
+{
+    std::vector<double> forces;
+    for (const auto& c : curves)
+        if (i < c.size()) forces.push_back(1e-3 * c[i]);
+    return forces;
+}
+
+Json mean_curve(const std::vector<std::vector<double>>& curves)
+{
+    Json mean = Json::array(), lower = Json::array(), upper = Json::array();
+    const auto rounded = [](double kn) { return std::round(kn * 1e3) / 1e3; };
+    for (std::size_t i = 0; i < kMeanPoints; ++i) {
+        const std::vector<double> f = forces_at(curves, i);
+        if (f.size() < 2 || static_cast<double>(f.size()) <
+                                kMeanNeedsShare * static_cast<double>(curves.size()))
+            break;
+        const uq::Estimate e = uq::estimate_mean(f);
+        mean.push_back(rounded(e.value));
+        lower.push_back(rounded(e.interval.lower));
+        upper.push_back(rounded(e.interval.upper));
+    }
+    return {{"mean", mean}, {"lower", lower}, {"upper", upper}};
+}
+
+} // namespace
+
+std::vector<double> evenly(const WallCurve& curve, double step, std::size_t points)
+{
+    const auto& d = curve.displacement;
+    std::vector<double> forces;
+    if (d.empty()) return forces;
+    std::size_t next = 0; // first point at or beyond x
+    for (std::size_t i = 0; i < points; ++i) {
+        const double x = static_cast<double>(i) * step;
+        if (x > d.back() * (1.0 + 1e-12)) break;
+        while (next + 1 < d.size() && d[next] < x) ++next;
+        const double x0 = next > 0 ? d[next - 1] : 0.0, x1 = d[next];
+        const double f0 = next > 0 ? curve.force[next - 1] : 0.0, f1 = curve.force[next];
+        const double t = x1 > x0 ? std::clamp((x - x0) / (x1 - x0), 0.0, 1.0) : 1.0;
+        forces.push_back(f0 + t * (f1 - f0));
+    }
+    return forces;
+}
+
+Json curves_json(const ReportStudy& study, std::size_t most)
+{
+    const double step = largest_displacement(study) / static_cast<double>(kCurvePoints - 1);
+    const double force_step = std::max(largest_force(study), 1.0) / 32000.0;
+    std::vector<double> all;
+    Json counts = Json::array();
+    const std::size_t n = std::min(most, study.walls.size());
+    for (std::size_t i = 0; i < n; ++i) {
+        std::vector<double> f;
+        if (step > 0.0) f = evenly(study.walls[i].row.curve, step, kCurvePoints);
+        counts.push_back(f.size());
+        f.resize(kCurvePoints, f.empty() ? 0.0 : f.back());
+        all.insert(all.end(), f.begin(), f.end());
+    }
+    const auto bytes = differences(all, kCurvePoints, force_step, 1);
+    return {{"step", step},
+            {"points", kCurvePoints},
+            {"force_step", force_step},
+            {"counts", counts},
+            {"data", base64(deflated(bytes))}};
+}
+
+Json mean_curves_json(const ReportStudy& study)
+{
+    Json means = Json::array();
+    const double step = largest_displacement(study) / static_cast<double>(kMeanPoints - 1);
+    if (!(step > 0.0)) return means;
+    for (std::size_t level = 0; level < study.head.levels.size(); ++level)
+        for (const char* const mode : {"all", "rocking", "mixed"}) {
+            std::vector<std::vector<double>> curves;
+            for (const ReportWall* w : study.sound(level))
+                if (mode[0] == 'a' || w->rocking == (mode[0] == 'r'))
+                    curves.push_back(evenly(w->row.curve, step, kMeanPoints));
+            if (curves.size() < 2) continue;
+            Json mean = mean_curve(curves);
+            mean["level"] = level;
+            mean["mode"] = mode;
+            mean["walls"] = curves.size();
+            mean["step"] = step;
+            means.push_back(mean);
+        }
+    return means;
+}
+
+} // namespace app

@@ -1,0 +1,34 @@
+#pragma once
+/// Capacity curves for the page: of each wall, and their means.
+
+#include "app/report_study.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace app {
+
+constexpr std::size_t kCurvePoints = 601; ///< evenly from 0 to the largest displacement
+constexpr std::size_t kMeanPoints = 301;  ///< of the means, likewise
+constexpr double kMeanNeedsShare =
+    0.9; ///< of the walls of a mean that are still pushed there [-]
+
+/// Forces of a curve at i * step, straight between its points and from the origin to the first; fewer
+/// than `points` where it ends before. Empty for a curve without points.
+/// @param curve displacements never decreasing
+[[nodiscard]] std::vector<double> evenly(const WallCurve& curve, double step,
+                                         std::size_t points);
+
+/// {"step": [m], "points", "force_step": [N], "counts": points of each wall, "data": base64 of a zlib
+/// stream of differences() of order 1, one series of `points` for each wall}; walls in the order
+/// of ReportStudy::walls, those after the first `most` with none.
+[[nodiscard]] nlohmann::ordered_json curves_json(const ReportStudy& study, std::size_t most);
+
+/// Mean force of the walls of one stress, and of each mode of it, with 95 % intervals of the mean, in
+/// kN: [{"level", "mode": "all" | "rocking" | "mixed", "walls", "step", "mean", "lower", "upper"}]. Ends
+/// where fewer than kMeanNeedsShare of the walls go on: the rest are not a fair sample.
+[[nodiscard]] nlohmann::ordered_json mean_curves_json(const ReportStudy& study);
+
+} // namespace app

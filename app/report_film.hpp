@@ -1,0 +1,40 @@
+#pragma once
+/// The motion of a wall, small enough that a page carries hundreds of them.
+
+#include "dem/layout.hpp"
+#include "dem/snapshot.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// What all walls of a study have in common: blocks and faces, lengths in metres.
+[[nodiscard]] nlohmann::ordered_json wall_geometry(const dem::Layout& layout);
+
+constexpr double kFilmStep = 1e-5; ///< displacements are rounded to this [m]
+
+/// Displacement of a block as an affine map of its undeformed rectangle, by least squares over its
+/// four corners: at (xi, zeta) in [-1, 1]^2 it is a + b xi + c zeta.
+struct BlockMotion {
+    dem::Point a, b, c; ///< [m]
+};
+/// @throws std::invalid_argument for a block without outline
+[[nodiscard]] BlockMotion block_motion(const dem::BlockState& block);
+
+/// Frames of one wall.
+struct Film {
+    int frames = 0;
+    double step = kFilmStep; ///< of displacements [m]; larger where the wall comes down
+    /// Base64 of a zlib stream of differences() of: displacement of the load line, a series over the
+    /// frames (order 2); of each of ax az bx bz cx cz of each block, such a series (order 2); mean
+    /// damage of each unit crack in steps of 1/255, such a series (order 1).
+    std::string data;
+};
+/// @param frames at least one, all of the same wall
+[[nodiscard]] Film film_of(std::span<const dem::Snapshot> frames);
+
+} // namespace app

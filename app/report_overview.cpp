@@ -1,0 +1,149 @@
+#include "app/report_overview.hpp"
+
+#include "app/number_text.hpp"
+#include "fragility/binomial.hpp"
+#include "uq/estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace app {
+namespace {
+
+std::string count_of(std::size_t n, const std::string& one)
+{
+    return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+}
+
+std::string percent(double share) { return fixed(100.0 * share, 0); }
+
+std::string listed_keys(const ReportStudy& study)
+{
+    std::string text;
+    for (std::size_t i = 0; i < study.inputs.size(); ++i) {
+        const ReportInput& input = study.inputs[i];
+        if (i > 0) text += i + 1 == study.inputs.size() ? " and " : ", ";
+        text += input.key;
+        if (input.count > 1) text += " (one value per joint)";
+    }
+    return text;
+}
+
+std::string wall_text(const Study& study)
+{
+    const double height = study.wall.courses * study.wall.course_height;
+    return "a wall of " + fixed(study.wall.length, 2) + " m x " + fixed(height, 2) + " m x " +
+           fixed(study.wall.thickness, 2) + " m in " +
+           count_of(static_cast<std::size_t>(study.wall.courses), "course") +
+           ", pushed sideways at a height of " + fixed(study.load.height, 2) + " m up to " +
+           fixed(study.load.max_displacement * 1e3, 0) + " mm";
+}
+
+std::vector<std::string> what_was_run(const ReportStudy& study)
+{
+    const std::size_t levels = study.head.levels.size();
+    std::string first =
+        count_of(study.walls.size(), "wall") + " under " +
+        (levels == 1 ? "one vertical stress" : std::to_string(levels) + " vertical stresses");
+    first += levels > 1
+                 ? " from " + study.stress_text(0) + " to " + study.stress_text(levels - 1)
+                 : ", " + study.stress_text(0);
+    if (study.study) first += ": " + wall_text(*study.study);
+    std::vector<std::string> text = {first + "."};
+    if (!study.inputs.empty())
+        text.push_back("Drawn at random: " + listed_keys(study) +
+                       ". Everything else is the "
+                       "same in all walls of a stress.");
+    return text;
+}
+
+std::string level_text(const ReportStudy& study, std::size_t level)
+{
+    const auto walls = study.sound(level);
+    if (walls.empty()) return study.stress_text(level) + ": no wall gave a result.";
+    std::vector<double> peaks;
+    double rocking = 0.0;
+    std::size_t came_down = 0;
+    for (const ReportWall* w : walls) {
+        if (std::isfinite(w->peak)) peaks.push_back(w->peak * 1e-3);
+        rocking += w->rocking ? 1.0 : 0.0;
+        came_down += w->reading == fragility::Reading::observed ? 1 : 0;
+    }
+    std::string text = study.stress_text(level) + ": ";
+    if (peaks.size() >= 2) {
+        const uq::Estimate e = uq::estimate_mean(peaks);
+        text += "mean peak force " + fixed(e.value, 1) + " kN [" + fixed(e.interval.lower, 1) +
+                ", " + fixed(e.interval.upper, 1) + "], single walls between " +
+                fixed(*std::min_element(peaks.begin(), peaks.end()), 1) + " and " +
+                fixed(*std::max_element(peaks.begin(), peaks.end()), 1) + " kN; ";
+    } else if (!peaks.empty()) {
+        text += "peak force " + fixed(peaks.front(), 1) + " kN; ";
+    }
+    std::size_t failed = 0;
+    for (const ReportWall& w : study.walls)
+        failed += w.failed && w.row.key.level == level ? 1 : 0;
+    const fragility::Share s = fragility::share(rocking, static_cast<double>(walls.size()),
+                                                static_cast<double>(failed));
+    return text + percent(s.value) + " % rocked [" + percent(s.bounds.lower) + ", " +
+           percent(s.bounds.upper) + "]; " + std::to_string(came_down) + " of " +
+           std::to_string(walls.size()) + " lost a fifth of their peak before the push ended.";
+}
+
+/// "2 walls failed: ... (0.75 MPa sample 17, ...)" for each reason.
+void add_failures(const ReportStudy& study, std::vector<std::string>& text)
+{
+    constexpr std::size_t kNamed = 12;
+    std::map<std::string, std::vector<WallKey>> why;
+    for (const ReportWall& w : study.walls)
+        if (w.failed) why[w.row.reason].push_back(w.row.key);
+    if (why.empty()) text.push_back("No wall failed.");
+    for (const auto& [reason, walls] : why) {
+        std::string line = count_of(walls.size(), "wall") + " failed: " + reason + " (";
+        for (std::size_t i = 0; i < std::min(kNamed, walls.size()); ++i)
+            line += (i > 0 ? ", " : "") + study.stress_text(walls[i].level) + " sample " +
+                    std::to_string(walls[i].sample);
+        line += walls.size() > kNamed ? ", and more in the table of walls)" : ")";
+        text.push_back(line + ". They are in no mean; shares are given as if each could have "
+                              "been of any mode.");
+    }
+    if (study.missing > 0)
+        text.push_back(count_of(study.missing, "wall") + " of the study " +
+                       (study.missing == 1 ? "is" : "are") +
+                       " not in the file: it is not finished, or a shard.");
+}
+
+std::vector<std::string> how_sure(const ReportStudy& study)
+{
+    std::vector<std::string> text;
+    add_failures(study, text);
+    std::size_t censored = 0, sound = 0;
+    for (const ReportWall& w : study.walls) {
+        sound += w.failed ? 0 : 1;
+        censored += w.reading == fragility::Reading::censored ? 1 : 0;
+    }
+    if (censored > 0)
+        text.push_back(
+            std::to_string(censored) + " of " + count_of(sound, "wall") +
+            " still carried more than 80 % of their peak when their push ended. Their "
+            "ultimate displacement is only known to be larger (censored): it counts as "
+            "that in the fits, and in no mean.");
+    text.push_back(
+        "In brackets: 95 % intervals, as of independent samples. They hold the chance of "
+        "the draw, not the error of the model.");
+    return text;
+}
+
+} // namespace
+
+Overview overview(const ReportStudy& study)
+{
+    Overview o;
+    o.run = what_was_run(study);
+    for (std::size_t level = 0; level < study.head.levels.size(); ++level)
+        o.found.push_back(level_text(study, level));
+    o.sure = how_sure(study);
+    return o;
+}
+
+} // namespace app

@@ -1,0 +1,22 @@
+#pragma once
+/// The page: everything in one HTML file.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace app {
+
+/// Text between tags, and in attributes in double quotes.
+[[nodiscard]] std::string html_text(std::string_view text);
+
+/// JSON that may stand inside <script>: no "<", numbers that are not finite become null, bytes that
+/// are not UTF-8 the replacement character.
+[[nodiscard]] std::string script_json(const nlohmann::ordered_json& data);
+
+/// @param title any text
+[[nodiscard]] std::string report_page(const std::string& title,
+                                      const nlohmann::ordered_json& data);
+
+} // namespace app

@@ -1,0 +1,149 @@
+#include "app/report_study.hpp"
+
+#include "app/number_text.hpp"
+#include "app/report_configuration.hpp"
+#include "app/store_reader.hpp"
+#include "app/study_columns.hpp"
+#include "dem/mechanism.hpp"
+
+#include <exception>
+#include <numbers>
+#include <string_view>
+
+namespace app {
+namespace {
+
+struct Columns {
+    std::size_t peak, peak_at, ultimate, last, mode, reading, cracked;
+};
+
+Columns columns_of(const StoreHead& head)
+{
+    const auto response = [&](std::string_view n) { return column_of(head.responses, n); };
+    const auto count = [&](std::string_view n) { return column_of(head.counts, n); };
+    return {response("peak_force"),
+            response("peak_displacement"),
+            response("ultimate_displacement"),
+            response("last_displacement"),
+            count("mode"),
+            count("ultimate_reading"),
+            count("cracked_units")};
+}
+
+ReportWall wall_of(const WallRow& row, const Columns& c)
+{
+    ReportWall w;
+    w.row = row;
+    w.failed = row.status != kWallOk;
+    w.rocking = row.counts[c.mode] == static_cast<std::int64_t>(dem::FailureMode::rocking);
+    w.peak = row.responses[c.peak];
+    w.peak_at = row.responses[c.peak_at];
+    w.ultimate = row.responses[c.ultimate];
+    w.last = row.responses[c.last];
+    w.cracked = static_cast<int>(row.counts[c.cracked]);
+    if (!w.failed) w.reading = static_cast<fragility::Reading>(row.counts[c.reading]);
+    return w;
+}
+
+void set_shown_unit(ReportInput& input, const std::string& stored)
+{
+    input.unit = stored;
+    const bool modulus = input.key.ends_with("modulus");
+    if (stored == "rad") {
+        input.unit = "deg";
+        input.scale = 180.0 / std::numbers::pi;
+    } else if (stored == "Pa") {
+        input.unit = modulus ? "GPa" : "MPa";
+        input.scale = modulus ? 1e-9 : 1e-6;
+    }
+}
+
+/// Columns "key", or "key.1", "key.2", ... next to each other.
+std::vector<ReportInput> inputs_of(const std::vector<Column>& columns)
+{
+    std::vector<ReportInput> inputs;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::string& name = columns[i].name;
+        const std::size_t dot = name.rfind('.');
+        const bool numbered =
+            dot + 1 < name.size() &&
+            name.find_first_not_of("0123456789", dot + 1) == std::string::npos;
+        const std::string key = numbered ? name.substr(0, dot) : name;
+        if (numbered && !inputs.empty() && inputs.back().key == key) {
+            ++inputs.back().count;
+            continue;
+        }
+        ReportInput input;
+        input.key = key;
+        input.first = i;
+        set_shown_unit(input, columns[i].unit);
+        inputs.push_back(input);
+    }
+    return inputs;
+}
+
+/// What only the study file knows. One of another version may not be readable: the rest of the
+/// report does without.
+void add_configuration(ReportStudy& r)
+{
+    try {
+        r.study = read_configuration(r.name, r.head.configuration);
+    } catch (const std::exception& e) {
+        r.no_study = e.what();
+        return;
+    }
+    r.height = r.study->load.height;
+    double from = 0.0;
+    for (const double to : push_plan(*r.study).targets) {
+        if (to < from) r.pushed_one_way = false;
+        from = to;
+    }
+    for (ReportInput& input : r.inputs)
+        for (const RandomInput& random : r.study->random)
+            if (random.key == input.key) input.marginal = random.marginal;
+}
+
+} // namespace
+
+double ReportInput::of(const WallRow& wall) const
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) sum += wall.inputs[first + i];
+    return scale * sum / static_cast<double>(count);
+}
+
+std::vector<const ReportWall*> ReportStudy::sound(std::size_t level) const
+{
+    std::vector<const ReportWall*> found;
+    for (const ReportWall& w : walls)
+        if (w.row.key.level == level && !w.failed) found.push_back(&w);
+    return found;
+}
+
+double ReportStudy::stress(std::size_t level) const
+{
+    return head.levels[level].vertical_stress * 1e-6;
+}
+
+std::string ReportStudy::stress_text(std::size_t level) const
+{
+    const std::string two = fixed(stress(level), 2);
+    const std::string all = number(stress(level), 12);
+    return (number(std::stod(two), 12) == all ? two : all) + " MPa";
+}
+
+ReportStudy read_report_study(const std::filesystem::path& file)
+{
+    StoreReader reader(file);
+    ReportStudy r;
+    r.name = file.stem().string();
+    r.head = reader.head();
+    r.inputs = inputs_of(r.head.inputs);
+    const Columns columns = columns_of(r.head);
+    reader.for_each_row([&](const WallRow& row) { r.walls.push_back(wall_of(row, columns)); });
+    r.missing = missing_walls(r.head, reader.statuses()).size();
+    add_configuration(r);
+    return r;
+}
+
+} // namespace app

@@ -1,0 +1,195 @@
+// Capacity curves: all walls of a stress, or the means of all stresses.
+import { element, choice, fixed, figures, words, colours, levelColour } from './format.js';
+import { chart, key, placeTip, dashOf } from './chart.js';
+
+const kSvg = 'http://www.w3.org/2000/svg';
+
+export function wallName(data, w) {
+    return `${data.levels[data.walls[w].level].name}, sample ${data.walls[w].sample}`;
+}
+
+/** What a wall was and did, in lines. */
+export function wallText(data, w) {
+    const wall = data.walls[w];
+    const ultimate = { observed: `ultimate at ${fixed(wall.ultimate)} mm`, censored: `no ultimate up to ${fixed(wall.ultimate)} mm`, none: 'no ultimate' };
+    const lines = [
+        wallName(data, w),
+        wall.mode === 'failed' ? `failed: ${wall.reason}` : `${wall.mode}, peak ${fixed(wall.peak)} kN, ${ultimate[wall.reading]}`,
+        ...data.inputs.map((input, i) => `${input.count > 1 ? 'mean ' : ''}${words(input.key)} ${figures(wall.inputs[i])} ${input.unit === '-' ? '' : input.unit}`),
+    ];
+    return lines.join('\n');
+}
+
+/** Lines over a chart: the wall under the cursor and the one chosen, with its place on the way. */
+function overlay(u) {
+    const svg = document.createElementNS(kSvg, 'svg');
+    svg.setAttribute('class', 'overlay');
+    svg.setAttribute('aria-hidden', 'true');
+    const line = (c) => svg.appendChild(element('polyline', { class: c, fill: 'none' }));
+    const parts = { chosen: line('chosen'), hovered: line('hovered'), dot: svg.appendChild(element('circle', { r: 6, class: 'dot', visibility: 'hidden' })) };
+    u.over.append(svg);
+    return parts;
+}
+
+function pointsOf(u, x, forces) {
+    const points = [];
+    forces.forEach((f, i) => f !== null && points.push(`${u.valToPos(x[i], 'x').toFixed(1)},${u.valToPos(f, 'y').toFixed(1)}`));
+    return points.join(' ');
+}
+
+export class Capacity {
+    /** chosen(w): a wall was clicked. */
+    constructor(data, curves, host, chosen) {
+        Object.assign(this, { data, curves, chosen, level: 0, wall: null, at: null, drawn: null });
+        const options = [...data.levels.map((l, i) => ({ value: i, text: l.name })), { value: 'means', text: 'means' }];
+        this.picker = choice('Stress', options, 0, (level) => this.show(level));
+        this.plot = element('div', { class: 'plot', tabindex: 0, role: 'group', 'aria-label': 'Capacity curves. Arrow keys go from wall to wall by peak force, Enter chooses one.' });
+        this.legend = element('div', {});
+        this.spoken = element('p', { class: 'spoken', 'aria-live': 'polite' });
+        host.append(this.picker.row, this.plot, this.legend, this.spoken);
+        this.plot.addEventListener('keydown', (e) => this.key(e));
+        this.show(0);
+    }
+
+    show(level) {
+        this.level = level;
+        this.drawn?.remove();
+        this.hovered = null;
+        if (level === 'means') this.drawMeans();
+        else this.drawWalls(level);
+        this.refresh();
+    }
+
+    /** Walls of the level by peak force. */
+    members() {
+        const walls = this.data.walls.map((wall, w) => w).filter((w) => this.data.walls[w].level === this.level && this.curves.forces[w]?.[1] !== null);
+        return walls.sort((a, b) => this.data.walls[a].peak - this.data.walls[b].peak);
+    }
+
+    drawWalls(level) {
+        const walls = this.members();
+        const thin = walls.length > 100 ? 0.35 : 0.6;
+        const series = walls.map((w) => ({ data: this.curves.forces[w], colour: colours[this.data.walls[w].mode], width: 1, alpha: thin }));
+        const means = this.data.means.filter((m) => m.level === level && m.mode !== 'all');
+        for (const m of means) series.push(this.meanSeries(m, colours[m.mode], [], `mean of ${m.walls} ${m.mode} walls, 95 %`));
+        this.walls = walls;
+        this.drawn = this.plotChart(series, `Force against displacement of ${walls.length} walls under ${this.data.levels[level].name}`);
+        const keys = ['rocking', 'mixed', 'failed'].filter((mode) => walls.some((w) => this.data.walls[w].mode === mode));
+        this.legend.replaceChildren(key([...keys.map((m) => ({ label: `${m} wall`, colour: colours[m], width: 1 })), ...series.filter((s) => s.label)]));
+        this.watch();
+    }
+
+    drawMeans() {
+        this.walls = [];
+        const shown = this.data.means.filter((m) => m.mode !== 'all' && m.walls >= 2);
+        const series = shown.map((m) =>
+            this.meanSeries(m, levelColour(m.level), m.mode === 'rocking' ? [] : [7, 4], `${this.data.levels[m.level].name}, ${m.walls} ${m.mode}`),
+        );
+        this.drawn = this.plotChart(series, 'Mean force against displacement of each stress and mode, with 95 % intervals of the mean');
+        this.legend.replaceChildren(key(series));
+    }
+
+    /** The mean on the displacements of the chart. */
+    meanSeries(m, colour, dash, label) {
+        const spread = (values) => this.curves.x.map((x) => interpolate(values, x / (m.step * 1e3)));
+        return { label, colour, dash, width: 2.5, data: spread(m.mean), band: [spread(m.lower), spread(m.upper)] };
+    }
+
+    plotChart(series, label) {
+        const top = Math.max(...series.flatMap((s) => [...(s.data ?? []), ...(s.band?.[1] ?? [])].filter((f) => f !== null)), 1);
+        const drawn = chart(this.plot, {
+            label, series, x: this.curves.x, height: 400, xLabel: 'displacement [mm]', yLabel: 'horizontal force [kN]',
+            yRange: [0, top * 1.05], xRange: [0, this.curves.x.at(-1)],
+            draw: () => this.refresh(),
+        });
+        this.parts = overlay(drawn.u);
+        this.tip = drawn.u.over.querySelector('.tip');
+        return drawn;
+    }
+
+    watch() {
+        const { u } = this.drawn;
+        u.over.addEventListener('mousemove', (e) => this.hover(this.nearest(u, e)));
+        u.over.addEventListener('mouseleave', () => this.hover(null));
+        u.over.addEventListener('click', (e) => {
+            const w = this.nearest(u, e);
+            if (w !== null) this.chosen(w);
+        });
+    }
+
+    /** The wall whose curve is nearest to the cursor, within 30 px. */
+    nearest(u, event) {
+        const box = u.over.getBoundingClientRect();
+        const [left, top] = [event.clientX - box.left, event.clientY - box.top];
+        const i = u.posToIdx(left);
+        let best = null;
+        let distance = 30;
+        for (const w of this.walls) {
+            const f = this.curves.forces[w][i];
+            if (f === null) continue;
+            const d = Math.abs(u.valToPos(f, 'y') - top);
+            if (d < distance) [best, distance] = [w, d];
+        }
+        this.pointer = { left, top };
+        return best;
+    }
+
+    hover(w) {
+        this.hovered = w;
+        this.refresh();
+        if (w === null) return void (this.tip.hidden = true);
+        placeTip(this.drawn.u, this.tip, wallText(this.data, w), this.pointer.left, this.pointer.top);
+    }
+
+    key(e) {
+        if (!this.walls.length) return;
+        const here = this.walls.indexOf(this.hovered ?? this.wall);
+        const step = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[e.key];
+        if (step) {
+            const next = this.walls[(here + step + this.walls.length) % this.walls.length];
+            const { u } = this.drawn;
+            const peak = this.data.walls[next];
+            this.pointer = { left: u.valToPos(peak.peak_at ?? 0, 'x'), top: u.valToPos(peak.peak ?? 0, 'y') };
+            this.hover(next);
+            this.spoken.textContent = wallText(this.data, next);
+        } else if ((e.key === 'Enter' || e.key === ' ') && this.hovered !== null) this.chosen(this.hovered);
+        else return;
+        e.preventDefault();
+    }
+
+    /** The wall that is shown, at displacement d [mm]. */
+    mark(wall, d) {
+        this.wall = wall;
+        this.at = d;
+        const level = this.data.walls[wall].level;
+        if (this.level !== level && this.level !== 'means') this.picker.set(level);
+        else this.refresh();
+    }
+
+    force(wall, d) {
+        return interpolate(this.curves.forces[wall], d / this.curves.x[1]);
+    }
+
+    refresh() {
+        if (!this.drawn || !this.parts) return;
+        const { u } = this.drawn;
+        const line = (w) => (w === null || w === undefined || !this.walls.includes(w) ? '' : pointsOf(u, this.curves.x, this.curves.forces[w]));
+        this.parts.hovered.setAttribute('points', line(this.hovered));
+        this.parts.chosen.setAttribute('points', line(this.wall));
+        const f = this.wall !== null && this.walls.includes(this.wall) ? this.force(this.wall, this.at) : null;
+        this.parts.dot.setAttribute('visibility', f === null ? 'hidden' : 'visible');
+        if (f === null) return;
+        this.parts.dot.setAttribute('cx', u.valToPos(this.at, 'x'));
+        this.parts.dot.setAttribute('cy', u.valToPos(f, 'y'));
+    }
+}
+
+/** Between entries i and i + 1 of a list; null where one is missing. */
+export function interpolate(values, t) {
+    const i = Math.max(0, Math.min(values.length - 1, Math.floor(t + 1e-9)));
+    if (t > values.length - 1 + 1e-6) return null;
+    const a = values[i];
+    const b = values[Math.min(values.length - 1, i + 1)];
+    if (a === null || a === undefined) return null;
+    return b === null || b === undefined ? a : a + (t - i) * (b - a);
+}

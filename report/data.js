@@ -1,0 +1,49 @@
+// From the text in the page to numbers.
+
+export async function inflate(base64) {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** Undoes differences() of app/report_bytes.hpp: `count` numbers from byte `from`, in steps. */
+export function sums(bytes, from, count, length, order) {
+    const v = new Int16Array(count);
+    for (let i = 0; i < count; ++i) v[i] = bytes[from + i] | (bytes[from + count + i] << 8);
+    for (let pass = 0; pass < order; ++pass)
+        for (let i = 0; i < count; ++i) if (i % length !== 0) v[i] += v[i - 1];
+    return v;
+}
+
+/** Forces in kN, one list for each wall; null where a wall is not pushed any more. */
+export async function readCurves(curves) {
+    const n = curves.points;
+    const steps = sums(await inflate(curves.data), 0, n * curves.counts.length, n, 1);
+    const x = Array.from({ length: n }, (_, i) => i * curves.step * 1e3);
+    const forces = curves.counts.map((count, w) =>
+        Array.from({ length: n }, (_, i) => (i < count ? steps[w * n + i] * curves.force_step * 1e-3 : null)),
+    );
+    return { x, forces };
+}
+
+/** Motion of one wall: displacement of the load [m], six numbers of each block [m], damage of each crack. */
+export async function readFilm(film, geometry) {
+    const bytes = await inflate(film.data);
+    const n = film.frames;
+    const blocks = geometry.blocks.length;
+    const cracks = geometry.faces.filter((f) => f[0] === 'crack').length;
+    const drive = sums(bytes, 0, n, n, 2);
+    const motion = sums(bytes, 2 * n, 6 * blocks * n, n, 2);
+    const damage = sums(bytes, 2 * n + 12 * blocks * n, cracks * n, n, 1);
+    const at = (series, t) => {
+        const i = Math.min(n - 1, Math.floor(t));
+        const j = Math.min(n - 1, i + 1);
+        return series[0][series[1] + i] + (t - i) * (series[0][series[1] + j] - series[0][series[1] + i]);
+    };
+    return {
+        frames: n,
+        displacement: (t) => at([drive, 0], t) * film.step,
+        motion: (block, k, t) => at([motion, (k * blocks + block) * n], t) * film.step,
+        damage: (crack, t) => at([damage, crack * n], t) / 255,
+    };
+}

@@ -1,0 +1,60 @@
+// Builds the page from its data.
+import { element, section, words } from './format.js';
+import { readCurves } from './data.js';
+import { Capacity } from './capacity.js';
+import { WallView } from './wall.js';
+import { fragility, modes, histograms, running, sensitivity } from './statistics.js';
+import { table, provenance } from './tables.js';
+
+const note = (text) => element('p', { class: 'note' }, text);
+
+function overview(data) {
+    const list = (title, lines) => element('div', {}, element('h3', {}, title), element('ul', {}, ...lines.map((l) => element('li', {}, l))));
+    section('overview', 'Overview', list('What was run', data.overview.run), list('What came out', data.overview.found), list('How sure', data.overview.sure), table(data.tables[0]));
+}
+
+async function curvesAndWall(data) {
+    const left = element('div', { class: 'curves' });
+    const right = element('div', { class: 'view', id: 'wall' });
+    section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right),
+        note('Click a curve to see its wall. Mean curves end where fewer than nine tenths of the walls go on.'),
+        note(data.films.note));
+    let view = null;
+    let capacity = null;
+    if (data.curves) {
+        const curves = await readCurves(data.curves);
+        capacity = new Capacity(data, curves, left, async (w) => {
+            await view?.open(w);
+            if (view && matchMedia('(max-width: 900px)').matches) right.scrollIntoView();
+        });
+    } else left.append(note('The push turns back: curves are in the file of the study.'));
+    if (!data.films.films.length) return;
+    view = new WallView(data, right, capacity);
+    await view.open(data.films.films[0].wall);
+}
+
+function statistics(data) {
+    fragility(data, section('fragility', 'Fragility', note('Probability that a wall has come down to 80 % of its peak force: shares of the modes times a lognormal fit of each mode.')));
+    document.getElementById('fragility').append(table(data.tables[1]));
+    modes(data, section('modes', 'Failure modes'));
+    const inputs = section('inputs', 'Inputs', note('Values drawn for all walls, and the distribution they were drawn from, cut at what is physically possible.'));
+    if (data.histograms.length) histograms(data, inputs);
+    else inputs.append(element('p', {}, 'Nothing was random.'));
+    running(data, section('running', 'Running means', note('How far the mean of the first walls is from the prescribed mean; of the peak force, from the mean of all.')));
+    sensitivity(data, section('sensitivity', 'Sensitivity', note('How strongly a response rises (blue, right) or falls (orange, left) with each input; lines: 95 % intervals. Ultimate displacement: of the walls in which it was observed.')));
+}
+
+async function start() {
+    const data = JSON.parse(document.getElementById('data').textContent);
+    overview(data);
+    await curvesAndWall(data);
+    statistics(data);
+    section('walls', 'All walls', table(data.tables[2]));
+    provenance(data, section('provenance', 'Provenance'));
+    document.documentElement.dataset.ready = 'yes';
+}
+
+start().catch((error) => {
+    document.getElementById('main').append(element('p', { role: 'alert' }, `This page could not be drawn: ${error.message}`));
+    throw error;
+});

@@ -1,0 +1,151 @@
+// Fragility, modes, inputs, running means, sensitivity.
+import { element, choice, fixed, figures, words, levelColour, colours } from './format.js';
+import { chart, key, drawIntervals, dashOf } from './chart.js';
+
+const plot = () => element('div', { class: 'plot' });
+
+/** Values of one list at all of x, by steps or straight lines; null outside. */
+function resample(x, from, values, stepped) {
+    return x.map((v) => {
+        let i = from.findLastIndex((f) => f <= v);
+        if (i < 0 || (i === from.length - 1 && v > from[i])) return null;
+        if (stepped || i === from.length - 1) return values[Math.min(i, values.length - 1)];
+        return values[i] + ((v - from[i]) / (from[i + 1] - from[i])) * (values[i + 1] - values[i]);
+    });
+}
+
+export function fragility(data, host) {
+    if (!data.fragility.length) return host.append(element('p', {}, 'No wall has an ultimate displacement, or is known to have none.'));
+    const where = plot();
+    const legend = element('div', {});
+    const fits = element('ul', { class: 'notes' });
+    let drawn;
+    const show = (chosen) => {
+        drawn?.remove();
+        const curves = chosen === 'all' ? data.fragility : data.fragility.filter((c) => c.level === chosen);
+        const x = [0, ...curves[0].drift];
+        const series = curves.flatMap((c) => fragilitySeries(data, c, x, chosen !== 'all'));
+        drawn = chart(where, { label: `Probability of the ultimate limit state against drift, ${chosen === 'all' ? 'all stresses' : data.levels[chosen].name}`, x, series, xLabel: 'drift [%]', yLabel: 'probability', yRange: [0, 1], height: 360, tip: (i) => tipText(series, x, i) });
+        legend.replaceChildren(key(series));
+        fits.replaceChildren(...curves.flatMap((c) => c.fits.map((f) => element('li', {}, `${data.levels[c.level].name}, ${f}`))));
+    };
+    const options = [{ value: 'all', text: 'all' }, ...data.fragility.map((c) => ({ value: c.level, text: data.levels[c.level].name }))];
+    host.append(choice('Stress', options, 'all', show).row, where, legend, fits);
+    show('all');
+}
+
+function fragilitySeries(data, c, x, alone) {
+    const colour = levelColour(c.level);
+    const name = data.levels[c.level].name;
+    const series = [{ label: alone ? `${name}: fitted, with 95 % band` : name, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: alone ? [[0, ...c.lower], [0, ...c.upper]] : undefined }];
+    if (!alone) return series;
+    if (c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'if all walls of modes without a fit failed too', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
+    if (c.steps.length) {
+        const at = [0, ...c.steps.map((s) => s[0]), c.known_to];
+        const p = [0, ...c.steps.map((s) => s[1]), c.steps.at(-1)[1]];
+        series.push({ label: 'share of the walls (Kaplan-Meier)', colour: '#222222', width: 1.2, data: resample(x, at, p, true) });
+    }
+    return series;
+}
+
+function tipText(series, x, i) {
+    return [`drift ${fixed(x[i], 2)} %`, ...series.filter((s) => s.label && s.data[i] !== null).map((s) => `${s.label}: ${fixed(s.data[i], 2)}`)].join('\n');
+}
+
+export function modes(data, host) {
+    const levels = data.modes.levels;
+    const model = data.modes.model;
+    if (!levels.length) return host.append(element('p', {}, 'No wall gave a result.'));
+    const x = [...new Set([...(model?.stress ?? []), ...levels.map((l) => l.stress)])].sort((a, b) => a - b);
+    const on = (values) => resample(x, model.stress, values, false);
+    const series = [];
+    if (model) series.push({ label: 'logistic regression, 95 % band', colour: colours.rocking, data: on(model.value), band: [on(model.lower), on(model.upper)] });
+    series.push({ label: 'share of rocking walls, 95 % interval (failed walls counted either way)', colour: '#222222', points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.value ?? null) });
+    const where = plot();
+    host.append(where, key(series), element('p', { class: 'note' }, data.modes.note));
+    const [low, high] = [x[0], x.at(-1)];
+    const room = (high - low || 1) * 0.06;
+    chart(where, {
+        label: 'Share of rocking walls against vertical stress', x, series, xLabel: 'vertical stress [MPa]', yLabel: 'share rocking', yRange: [-0.02, 1.02], xRange: [low - room, high + room], height: 320,
+        draw: (u) => drawIntervals(u, levels.map((l) => ({ x: l.stress, lower: l.lower, upper: l.upper })), '#222222'),
+        tip: (i) => {
+            const l = levels.find((k) => k.stress === x[i]);
+            return l ? `${figures(l.stress)} MPa, ${l.walls} walls\nrocking ${fixed(100 * l.value, 0)} % [${fixed(100 * l.lower, 0)}, ${fixed(100 * l.upper, 0)}]` : `${fixed(x[i], 2)} MPa`;
+        },
+    });
+}
+
+export function histograms(data, host) {
+    const grid = element('div', { class: 'small' });
+    host.append(grid);
+    for (const h of data.histograms) {
+        const where = plot();
+        const unit = h.unit === '-' ? '' : ` [${h.unit}]`;
+        const facts = [`${h.values} values`, h.sampled && `drawn: ${h.sampled}`, h.prescribed && `prescribed: ${h.prescribed}`].filter(Boolean).join('; ');
+        grid.append(element('figure', {}, element('h3', {}, words(h.key)), where, element('figcaption', {}, facts)));
+        if (!h.edges) continue;
+        const tiny = 1e-6 * (h.edges.at(-1) - h.edges[0]);
+        const x = [...new Set([...(h.x ?? []), ...h.edges.flatMap((e) => [e - tiny, e + tiny])])].sort((a, b) => a - b);
+        const bars = x.map((v) => (v < h.edges[0] || v > h.edges.at(-1) ? 0 : h.density[Math.min(h.density.length - 1, h.edges.findLastIndex((e) => e <= v))]));
+        const series = [{ label: 'drawn', colour: '#56B4E9', fill: '#56B4E955', width: 1, data: bars }];
+        if (h.x) series.push({ label: 'prescribed', colour: '#D55E00', data: resample(x, h.x, h.pdf, false), spanGaps: true });
+        chart(where, { label: `Histogram of ${words(h.key)}; ${facts}`, x, series, xLabel: words(h.key).split(': ').at(-1) + unit, yLabel: 'density', height: 230 });
+    }
+    host.append(key([{ label: 'drawn', colour: '#56B4E9', band: true }, { label: 'prescribed', colour: '#D55E00' }]));
+}
+
+export function running(data, host) {
+    if (!data.running.length) return host.append(element('p', {}, 'Too few walls.'));
+    const where = plot();
+    const legend = element('div', {});
+    let drawn;
+    const show = (level) => {
+        drawn?.remove();
+        const lines = data.running.filter((r) => r.level === level);
+        if (!lines.length) return;
+        const n = Math.max(...lines.map((r) => r.error.length));
+        const x = Array.from({ length: n }, (_, i) => i + 1);
+        const padded = (v) => x.map((_, i) => v[i - (n - v.length)] ?? null);
+        const series = lines.map((r, i) => ({ label: words(r.key), colour: levelColour(i), dash: dashOf(i), data: padded(r.error) }));
+        const peak = lines.find((r) => r.key === 'peak force');
+        if (peak) series.unshift({ label: 'peak force: 95 % band of independent samples', colour: '#767676', width: 0, band: [padded(peak.band.map((b) => -b)), padded(peak.band)] });
+        const most = Math.max(...series.flatMap((s) => (s.data ?? []).slice(Math.min(4, n - 1)).map((v) => Math.abs(v ?? 0))), 1);
+        drawn = chart(where, { label: `Error of the mean after a number of walls, ${data.levels[level].name}`, x, series, xLabel: 'walls', yLabel: 'error of the mean [%]', height: 320, yRange: [-1.15 * most, 1.15 * most] });
+        legend.replaceChildren(key(series));
+    };
+    const first = data.running[0].level;
+    const options = data.levels.map((l, i) => ({ value: i, text: l.name }));
+    host.append(choice('Stress', options, first, show).row, where, legend);
+    show(first);
+}
+
+/** Bars to both sides of zero, longest first, with intervals. */
+function tornado(bars, measure) {
+    const rows = bars.filter((b) => b[measure]).sort((a, b) => Math.abs(b[measure][0]) - Math.abs(a[measure][0]));
+    const at = (v) => 50 + 48 * Math.max(-1, Math.min(1, v));
+    return element('table', { class: 'tornado' }, element('tbody', {}, ...rows.map((b) => {
+        const [v, low, high] = b[measure];
+        const svg = element('svg', { viewBox: '0 0 100 10', preserveAspectRatio: 'none', 'aria-hidden': 'true' },
+            element('rect', { x: Math.min(at(0), at(v)), y: 2, width: Math.abs(at(v) - at(0)), height: 6, fill: v < 0 ? colours.mixed : colours.rocking }),
+            element('line', { x1: at(low), x2: at(high), y1: 5, y2: 5, stroke: '#222', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke' }),
+            element('line', { x1: 50, x2: 50, y1: 0, y2: 10, stroke: '#999', 'stroke-width': 1, 'vector-effect': 'non-scaling-stroke' }));
+        return element('tr', {}, element('th', { scope: 'row' }, words(b.key)), element('td', { class: 'bar' }, svg), element('td', {}, `${fixed(v, 2)} [${fixed(low, 2)}, ${fixed(high, 2)}]`));
+    })));
+}
+
+export function sensitivity(data, host) {
+    if (!data.inputs.length) return host.append(element('p', {}, 'Nothing was random.'));
+    const where = element('div', { class: 'pair' });
+    const state = { level: 0, measure: 'spearman' };
+    const show = () => {
+        const parts = data.sensitivity.filter((s) => s.level === state.level);
+        where.replaceChildren(...parts.map((s) => element('figure', {},
+            element('h3', {}, `${s.response}, ${s.walls} walls`),
+            s.bars.length ? tornado(s.bars, state.measure) : element('p', {}, `Too few walls: ${data.inputs.length + 5} are needed.`))));
+    };
+    host.append(
+        choice('Stress', data.levels.map((l, i) => ({ value: i, text: l.name })), 0, (v) => ((state.level = v), show())).row,
+        choice('Measure', [{ value: 'spearman', text: 'rank correlation' }, { value: 'prcc', text: 'partial rank correlation' }], 'spearman', (v) => ((state.measure = v), show())).row,
+        where);
+    show();
+}

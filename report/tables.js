@@ -1,0 +1,51 @@
+// Tables that can be copied, and where the numbers come from.
+import { element } from './format.js';
+
+/** To the clipboard, also where a page from a file may not use it directly. */
+async function copy(text) {
+    try {
+        await navigator.clipboard.writeText(text);
+        return true;
+    } catch {
+        const area = element('textarea', { class: 'aside', 'aria-hidden': 'true' });
+        area.value = text;
+        document.body.append(area);
+        area.select();
+        const done = document.execCommand('copy');
+        area.remove();
+        return done;
+    }
+}
+
+function copyButtons(forms, name) {
+    const said = element('span', { class: 'said', role: 'status' });
+    const button = ([label, text]) =>
+        element('button', { type: 'button', 'aria-label': `Copy ${name} as ${label}`, onclick: async () => {
+            said.textContent = (await copy(text)) ? `copied as ${label}` : 'the browser does not allow copying';
+        } }, label);
+    return element('div', { class: 'copy' }, element('span', { class: 'label' }, 'Copy as'), ...forms.map(button), said);
+}
+
+export function table(t) {
+    const cells = (name, row) => row.map((c) => element(name, name === 'th' ? { scope: 'col' } : {}, c));
+    const body = element('table', {},
+        element('thead', {}, element('tr', {}, ...cells('th', t.head))),
+        element('tbody', {}, ...t.rows.map((row) => element('tr', {}, ...cells('td', row)))));
+    const forms = [['text', t.text], ['CSV', t.csv], ['Markdown', t.markdown], ['LaTeX', t.latex]];
+    const content = [element('p', { class: 'note' }, t.caption), copyButtons(forms, `the table ${t.title}`),
+        element('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': t.title }, body)];
+    if (t.rows.length <= 30) return element('div', { id: `table-${t.id}` }, element('h3', {}, t.title), ...content);
+    return element('details', { id: `table-${t.id}` }, element('summary', {}, `${t.title}: ${t.rows.length} rows`), ...content);
+}
+
+export function provenance(data, host) {
+    const p = data.provenance;
+    const item = (name, value) => [element('dt', {}, name), element('dd', {}, value)];
+    const list = element('dl', {},
+        ...item('Page by', `Drystone ${p.version}`),
+        ...item('Seed', p.seed),
+        ...item('Samples', `${p.design_sizes.join(', then ')} per stress`),
+        ...(p.shards > 1 ? item('Shard', `${p.shard} of ${p.shards}`) : []),
+        ...p.sessions.flatMap((s, i) => item(`Session ${i + 1}`, `${s.started}, Drystone ${s.version} on ${s.machine}; ${s.build}; ${s.settings}`)));
+    host.append(list, element('details', {}, element('summary', {}, 'Complete study file'), copyButtons([['text', p.configuration]], 'the study file'), element('pre', { tabindex: 0 }, p.configuration)));
+}

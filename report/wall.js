@@ -1,0 +1,218 @@
+// The wall itself, deformed, from preload to end.
+import { element, choice, fixed } from './format.js';
+import { readFilm } from './data.js';
+import { wallName, wallText } from './capacity.js';
+
+const kStones = ['#e9e2d3', '#e2d9c6', '#efe9dd'];
+const kMarks = { opening: '#0072B2', slip: '#E69F00', damage: '#A50F5A' };
+const kThreshold = 1e-4; // openings and slips up to this are not marked [m]
+const kSeconds = 6; // of a film
+
+/** Blocks and faces as SVG, in millimetres, z upwards. */
+class Drawing {
+    constructor(geometry, height) {
+        this.geometry = geometry;
+        const xs = geometry.blocks.flatMap((b) => [b[0], b[2]]);
+        const zs = geometry.blocks.flatMap((b) => [b[1], b[3]]);
+        this.size = { x0: Math.min(...xs), x1: Math.max(...xs), z1: Math.max(...zs), height };
+        const m = 0.17 * this.size.z1;
+        const box = [this.size.x0 - 1.25 * m, -this.size.z1 - 0.7 * m, this.size.x1 - this.size.x0 + 2.75 * m, this.size.z1 + 1.1 * m].map((v) => v * 1e3);
+        this.svg = element('svg', { viewBox: box.join(' '), role: 'img', class: 'wall' });
+        const group = (c) => this.svg.appendChild(element('g', { class: c }));
+        this.ghosts = group('ghosts');
+        for (const b of geometry.blocks) this.ghosts.append(element('rect', { x: b[0] * 1e3, y: -b[3] * 1e3, width: (b[2] - b[0]) * 1e3, height: (b[3] - b[1]) * 1e3 }));
+        this.svg.append(element('line', { class: 'ground', x1: box[0], x2: box[0] + box[2], y1: 0, y2: 0 }));
+        const stones = group('stones');
+        this.blocks = geometry.blocks.map((b) => stones.appendChild(element('polygon', { fill: b[4] === 0 ? '#c9ccd1' : kStones[b[5] % 3] })));
+        const marks = group('marks');
+        this.faces = geometry.faces.map(() => ({ gap: marks.appendChild(element('polygon')), line: marks.appendChild(element('line')) }));
+        this.arrow = this.svg.appendChild(element('path', { class: 'load' }));
+        this.load = this.svg.appendChild(element('text', { class: 'load', 'text-anchor': 'start' }));
+        const crack = { n: 0 };
+        this.crackOf = geometry.faces.map((f) => (f[0] === 'crack' ? crack.n++ : -1));
+    }
+
+    /** Displacement of a point of a block [m]. */
+    moved(film, block, x, z, t) {
+        if (block < 0) return [0, 0];
+        const b = this.geometry.blocks[block];
+        const xi = (2 * x - b[0] - b[2]) / (b[2] - b[0]);
+        const zeta = (2 * z - b[1] - b[3]) / (b[3] - b[1]);
+        const u = (k) => film.motion(block, k, t) + xi * film.motion(block, k + 2, t) + zeta * film.motion(block, k + 4, t);
+        return [u(0), u(1)];
+    }
+
+    /** What the two sides of a face do at its two ends. */
+    state(film, i, t) {
+        const [kind, , a, b, x0, z0, x1, z1] = this.geometry.faces[i];
+        const level = Math.abs(z1 - z0) < Math.abs(x1 - x0);
+        const ends = [[x0, z0], [x1, z1]].map(([x, z]) => {
+            const ua = this.moved(film, a, x, z, t);
+            const ub = this.moved(film, b, x, z, t);
+            const d = [ub[0] - ua[0], ub[1] - ua[1]];
+            return { x, z, ua, ub, opening: level ? d[1] : d[0], slip: level ? d[0] : d[1] };
+        });
+        const slip = Math.max(...ends.map((e) => Math.abs(e.slip)));
+        return { kind, ends, opening: Math.max(...ends.map((e) => e.opening)), slip, damage: this.crackOf[i] < 0 ? 0 : film.damage(this.crackOf[i], t) };
+    }
+
+    /** Largest opening and slip at the end of a film [m]. */
+    largest(film) {
+        const states = this.geometry.faces.map((f, i) => this.state(film, i, film.frames - 1));
+        const most = (k) => Math.max(2 * kThreshold, ...states.map((s) => s[k]));
+        return { opening: most('opening'), slip: most('slip'), damage: 1 };
+    }
+
+    draw(film, t, scale, shown, largest, force) {
+        const px = (x, z, u) => `${((x + scale * u[0]) * 1e3).toFixed(1)},${(-(z + scale * u[1]) * 1e3).toFixed(1)}`;
+        this.geometry.blocks.forEach((b, i) => {
+            const corner = (x, z) => px(x, z, this.moved(film, i, x, z, t));
+            this.blocks[i].setAttribute('points', [corner(b[0], b[1]), corner(b[2], b[1]), corner(b[2], b[3]), corner(b[0], b[3])].join(' '));
+        });
+        this.faces.forEach((f, i) => this.drawFace(f, this.state(film, i, t), px, shown, largest));
+        this.drawLoad(film, t, scale, force);
+    }
+
+    drawFace(face, s, px, shown, largest) {
+        const wants = (k) => shown === 'all' || shown === k;
+        const open = wants('opening') && s.opening > kThreshold;
+        face.gap.setAttribute('visibility', open ? 'visible' : 'hidden');
+        if (open) {
+            const [p, q] = s.ends;
+            face.gap.setAttribute('points', [px(p.x, p.z, p.ua), px(q.x, q.z, q.ua), px(q.x, q.z, q.ub), px(p.x, p.z, p.ub)].join(' '));
+            face.gap.setAttribute('fill', kMarks.opening);
+            face.gap.setAttribute('fill-opacity', (0.25 + 0.6 * Math.min(1, s.opening / largest.opening)).toFixed(2));
+            face.gap.setAttribute('stroke', kMarks.opening);
+        }
+        const crack = s.kind === 'crack';
+        const what = crack && wants('damage') && s.damage > 0.004 ? 'damage' : !crack && wants('slip') && s.slip > kThreshold && s.opening < Math.max(kThreshold, s.slip) ? 'slip' : null;
+        face.line.setAttribute('visibility', what ? 'visible' : 'hidden');
+        if (!what) return;
+        const share = Math.min(1, s[what] / largest[what]);
+        const ends = s.ends.map((e) => px(e.x, e.z, [(e.ua[0] + e.ub[0]) / 2, (e.ua[1] + e.ub[1]) / 2]).split(','));
+        ['x1', 'y1'].forEach((k, j) => face.line.setAttribute(k, ends[0][j]));
+        ['x2', 'y2'].forEach((k, j) => face.line.setAttribute(k, ends[1][j]));
+        face.line.setAttribute('stroke', kMarks[what]);
+        face.line.setAttribute('stroke-width', (4 + 10 * share).toFixed(1));
+        face.line.setAttribute('stroke-opacity', (what === 'damage' ? 0.35 + 0.65 * share : 0.55 + 0.45 * share).toFixed(2));
+        face.line.setAttribute('stroke-dasharray', what === 'damage' && s.damage < 0.999 ? '14 8' : 'none');
+    }
+
+    drawLoad(film, t, scale, force) {
+        const beam = this.geometry.blocks.findIndex((b) => b[4] === 0);
+        const b = this.geometry.blocks[beam];
+        const u = this.moved(film, beam, b[0], b[3], t);
+        const tip = [(b[0] + scale * u[0]) * 1e3 - 12, -(this.size.height + scale * u[1]) * 1e3];
+        const length = 60 + 90 * (force?.share ?? 0);
+        this.arrow.setAttribute('d', `M${tip[0] - length} ${tip[1]}H${tip[0] - 30}M${tip[0]} ${tip[1]}l-34 -16v32z`);
+        this.load.textContent = force ? `${fixed(force.value)} kN` : '';
+        this.load.setAttribute('x', tip[0] - length);
+        this.load.setAttribute('y', tip[1] - 28);
+    }
+}
+
+export class WallView {
+    /** capacity: where curve and place are marked; null without curves. */
+    constructor(data, host, capacity) {
+        Object.assign(this, { data, capacity, t: 0, scale: 5, shown: 'all', film: null, playing: false });
+        this.films = data.films.films;
+        this.byWall = new Map(this.films.map((f) => [f.wall, f]));
+        this.drawing = new Drawing(data.films.geometry, data.height);
+        this.still = matchMedia('(prefers-reduced-motion: reduce)');
+        host.append(this.controls(), element('figure', {}, this.drawing.svg, (this.caption = element('figcaption', {}))), this.legend());
+    }
+
+    controls() {
+        const slider = (label, attributes, input) => {
+            const range = element('input', { type: 'range', ...attributes, oninput: () => input(Number(range.value)) });
+            return { range, row: element('label', { class: 'slider' }, element('span', {}, label), range) };
+        };
+        this.picker = element('select', { id: 'wall-choice', onchange: () => this.open(Number(this.picker.value)) });
+        this.data.levels.forEach((level, l) => {
+            const walls = this.films.map((f) => f.wall).filter((w) => this.data.walls[w]?.level === l);
+            const options = walls.map((w) => element('option', { value: w }, `${wallName(this.data, w)}, ${this.data.walls[w].mode}`));
+            this.picker.append(element('optgroup', { label: level.name }, ...options));
+        });
+        this.button = element('button', { type: 'button', class: 'play', onclick: () => this.play(!this.playing) }, 'Play');
+        this.place = slider('Push', { min: 0, max: 1, step: 0.001, value: 0, id: 'push' }, (t) => (this.play(false), this.go(t * (this.film.frames - 1))));
+        this.zoom = slider('Magnified', { min: 0, max: 1, step: 0.01, id: 'magnification' }, (v) => ((this.scale = 100 ** v), this.draw()));
+        this.factor = element('output', { for: 'magnification' });
+        this.zoom.row.append(this.factor);
+        const colour = choice('Joints', ['all', 'opening', 'slip', 'damage'].map((v) => ({ value: v, text: v })), 'all', (v) => ((this.shown = v), this.draw()));
+        return element('div', { class: 'controls' },
+            element('label', { class: 'pick', for: 'wall-choice' }, element('span', {}, 'Wall'), this.picker),
+            element('div', { class: 'push' }, this.button, this.place.row),
+            this.zoom.row, colour.row);
+    }
+
+    legend() {
+        this.keys = element('ul', { class: 'key' });
+        return this.keys;
+    }
+
+    async open(wall) {
+        const stored = this.byWall.get(wall);
+        this.play(false);
+        if (!stored) {
+            this.caption.textContent = `${wallName(this.data, wall)} is not among the walls of this page.`;
+            return;
+        }
+        this.film = await readFilm(stored, this.data.films.geometry);
+        this.wall = wall;
+        this.picker.value = String(wall);
+        this.largest = this.drawing.largest(this.film);
+        const end = Math.max(1e-6, ...[...this.data.films.geometry.blocks.keys()].map((b) => Math.hypot(this.film.motion(b, 0, this.film.frames - 1), this.film.motion(b, 1, this.film.frames - 1))));
+        this.scale = Math.max(1, Math.min(100, Math.floor((0.16 * this.drawing.size.z1) / end)));
+        this.zoom.range.value = Math.log(this.scale) / Math.log(100);
+        this.describe();
+        this.go(this.film.frames - 1);
+    }
+
+    describe() {
+        this.drawing.svg.setAttribute('aria-label', `Deformed wall. ${wallText(this.data, this.wall).replaceAll('\n', ', ')}`);
+        const item = (k, text) => element('li', {}, element('svg', { width: 28, height: 12, 'aria-hidden': 'true' }, element('rect', { x: 0, y: k === 'opening' ? 0 : 3, width: 28, height: k === 'opening' ? 12 : 6, fill: kMarks[k], opacity: k === 'opening' ? 0.6 : 1 })), text);
+        const mm = (v) => fixed(v * 1e3, 1);
+        this.keys.replaceChildren(
+            item('opening', `open joint, up to ${mm(this.largest.opening)} mm`),
+            item('slip', `slip, up to ${mm(this.largest.slip)} mm`),
+            item('damage', 'crack in a unit; dashed: not through'));
+    }
+
+    /** To frame t, between frames too. */
+    go(t) {
+        this.t = Math.max(0, Math.min(this.film.frames - 1, t));
+        this.place.range.value = this.film.frames > 1 ? this.t / (this.film.frames - 1) : 0;
+        this.draw();
+    }
+
+    draw() {
+        if (!this.film) return;
+        const d = this.film.displacement(this.t) * 1e3;
+        const f = this.capacity?.force(this.wall, d) ?? null;
+        const force = f === null ? null : { value: f, share: Math.max(0, f / (this.data.walls[this.wall].peak || 1)) };
+        this.drawing.draw(this.film, this.t, this.scale, this.shown, this.largest, force);
+        this.factor.textContent = `${fixed(this.scale, this.scale < 10 ? 1 : 0)} times`;
+        const drift = fixed(d / (10 * this.data.height), 2);
+        this.caption.textContent = `${wallName(this.data, this.wall)}: ${fixed(d, 1)} mm, drift ${drift} %${f === null ? '' : `, ${fixed(f)} kN`}`;
+        this.place.range.setAttribute('aria-valuetext', this.caption.textContent);
+        this.capacity?.mark(this.wall, d);
+    }
+
+    play(on) {
+        this.playing = on && this.film !== null;
+        this.button.textContent = this.playing ? 'Pause' : 'Play';
+        if (!this.playing) return;
+        if (this.t >= this.film.frames - 1) this.go(0);
+        const [begin, from] = [performance.now(), this.t];
+        const step = (now) => {
+            if (!this.playing) return;
+            const t = from + ((now - begin) / 1e3) * ((this.film.frames - 1) / kSeconds);
+            // without smooth motion where the reader asked for less of it: ten still pictures
+            const still = Math.floor((t * 10) / (this.film.frames - 1)) * ((this.film.frames - 1) / 10);
+            this.go(this.still.matches ? still : t);
+            if (t >= this.film.frames - 1) return this.play(false);
+            requestAnimationFrame(step);
+        };
+        requestAnimationFrame(step);
+    }
+}
