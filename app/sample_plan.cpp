@@ -6,9 +6,8 @@
 #include "app/wall_sites.hpp"
 #include "uq/field.hpp"
 #include "uq/iman_conover.hpp"
+#include "uq/normal_quantile.hpp"
 #include "uq/stream.hpp"
-
-#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <bit>
@@ -102,7 +101,7 @@ std::vector<double> stratified(int n, uq::Stream& random)
     for (std::size_t i = stratum.size() - 1; i > 0; --i) // Fisher-Yates
         std::swap(stratum[i], stratum[random.below(i + 1)]);
     std::vector<double> z;
-    for (const int s : stratum) z.push_back(gsl_cdf_ugaussian_Pinv((s + random.uniform()) / n));
+    for (const int s : stratum) z.push_back(uq::normal_quantile((s + random.uniform()) / n));
     return z;
 }
 
@@ -173,7 +172,7 @@ WallDraw draw(const SamplePlan& plan, int level, int sample)
 {
     const auto l = static_cast<std::size_t>(level);
     const Eigen::VectorXd normal =
-        plan.design[l].row(sample).transpose().unaryExpr(&gsl_cdf_ugaussian_Pinv);
+        plan.design[l].row(sample).transpose().unaryExpr(&uq::normal_quantile);
     uq::Stream random(plan.seeds[l], static_cast<std::uint64_t>(sample), uq::Purpose::field);
     return draw_at(plan, normal, random);
 }

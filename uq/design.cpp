@@ -27,9 +27,11 @@ Place place_of(DesignKind kind)
 Eigen::MatrixXd independent(const Design& design, std::int64_t first, std::int64_t last)
 {
     Eigen::MatrixXd u(last - first, design.d);
+    std::vector<double> row(static_cast<std::size_t>(design.d));
     for (std::int64_t i = first; i < last; ++i) {
         Stream stream(design.seed, static_cast<std::uint64_t>(i), Purpose::monte_carlo);
-        for (int j = 0; j < design.d; ++j) u(i - first, j) = stream.uniform();
+        stream.fill_uniform(row);
+        u.row(i - first) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), design.d);
     }
     return u;
 }

@@ -1,7 +1,8 @@
 #include "uq/estimate_critical.hpp"
 
+#include "uq/normal_quantile.hpp"
+
 #include <boost/math/distributions/students_t.hpp>
-#include <gsl/gsl_cdf.h>
 
 #include <stdexcept>
 #include <string>
@@ -18,7 +19,7 @@ void check_confidence(double confidence)
 double normal_factor(double confidence)
 {
     check_confidence(confidence);
-    return gsl_cdf_ugaussian_Qinv(0.5 * (1.0 - confidence));
+    return upper_normal_quantile(0.5 * (1.0 - confidence));
 }
 
 double student_factor(double confidence, double freedom)

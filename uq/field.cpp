@@ -1,9 +1,8 @@
 #include "uq/field.hpp"
 
 #include "uq/field_product.hpp"
+#include "uq/normal_quantile.hpp"
 #include "uq/stream.hpp"
-
-#include <gsl/gsl_cdf.h>
 
 #include <stdexcept>
 #include <string>
@@ -20,6 +19,11 @@ void check_coordinates(const Eigen::MatrixXd& z, Eigen::Index needed)
     if (!z.allFinite()) throw std::invalid_argument("a coordinate of the field is not finite");
 }
 
+std::span<double> entries(Eigen::MatrixXd& z)
+{
+    return {z.data(), static_cast<std::size_t>(z.size())};
+}
+
 } // namespace
 
 Eigen::MatrixXd field_coordinates(std::uint64_t seed, std::span<const std::uint64_t> id,
@@ -27,10 +31,13 @@ Eigen::MatrixXd field_coordinates(std::uint64_t seed, std::span<const std::uint6
 {
     if (count < 0) throw std::invalid_argument("number of coordinates is negative");
     Eigen::MatrixXd z(static_cast<Eigen::Index>(id.size()), count);
+    std::vector<double> row(static_cast<std::size_t>(count));
     for (Eigen::Index i = 0; i < z.rows(); ++i) {
         Stream stream(seed, id[static_cast<std::size_t>(i)], Purpose::field);
-        for (Eigen::Index j = 0; j < count; ++j) z(i, j) = stream.normal();
+        stream.fill_uniform(row);
+        z.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), count);
     }
+    to_normal_quantiles(entries(z));
     return z;
 }
 
@@ -43,7 +50,9 @@ Eigen::MatrixXd normal_coordinates(const Eigen::MatrixXd& unit_cube)
                                             std::to_string(j) + ") of the design is " +
                                             std::to_string(unit_cube(i, j)) +
                                             ", must be in (0, 1)");
-    return unit_cube.unaryExpr([](double u) { return gsl_cdf_ugaussian_Pinv(u); });
+    Eigen::MatrixXd z = unit_cube;
+    to_normal_quantiles(entries(z));
+    return z;
 }
 
 Eigen::MatrixXd realise(const FieldBasis& basis, const Eigen::MatrixXd& z)

@@ -1,7 +1,8 @@
 #include "uq/iman_conover.hpp"
 
+#include "uq/normal_quantile.hpp"
+
 #include <Eigen/Cholesky>
-#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,7 +40,7 @@ Eigen::MatrixXd normal_scores(const Eigen::MatrixXd& x)
     for (Eigen::Index j = 0; j < x.cols(); ++j) {
         double rank = 0.0;
         for (const Eigen::Index i : order(x.col(j)))
-            scores(i, j) = gsl_cdf_ugaussian_Pinv(++rank / (n + 1.0));
+            scores(i, j) = normal_quantile(++rank / (n + 1.0));
     }
     return scores;
 }

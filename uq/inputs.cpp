@@ -3,9 +3,9 @@
 #include "uq/correlation_matrix.hpp"
 #include "uq/iman_conover.hpp"
 #include "uq/nataf.hpp"
+#include "uq/normal_quantile.hpp"
 
 #include <Eigen/Cholesky>
-#include <gsl/gsl_cdf.h>
 
 #include <cstddef>
 #include <span>
@@ -148,10 +148,9 @@ Eigen::MatrixXd sample(const Joint& j, const Design& design, std::int64_t first,
         to_physical(j, x);
         return x;
     }
-    for (Eigen::Index i = 0; i < x.rows(); ++i) {
-        const Eigen::VectorXd z = x.row(i).transpose().unaryExpr(&gsl_cdf_ugaussian_Pinv);
-        x.row(i) = from_standard_normal(j, z).transpose();
-    }
+    to_normal_quantiles({x.data(), index(x.size())});
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+        x.row(i) = from_standard_normal(j, x.row(i).transpose()).transpose();
     return x;
 }
 

@@ -1,5 +1,7 @@
 #include "uq/marginal_shape.hpp"
 
+#include "uq/normal_quantile.hpp"
+
 #include <gsl/gsl_cdf.h>
 
 #include <cmath>
@@ -31,7 +33,7 @@ double falling(const Triangular& s, double q)
 
 } // namespace
 
-// Normal. GSL: Cody 1969 for the tails, Wichura 1988 (AS 241) for their inverses.
+// Normal. GSL for the tails: Cody 1969.
 
 Range support(const Normal&) { return {-kInfinity, kInfinity}; }
 double density(const Normal& s, double x) { return normal_density((x - s.mean) / s.sd) / s.sd; }
@@ -43,8 +45,8 @@ double upper_tail(const Normal& s, double x)
 {
     return gsl_cdf_ugaussian_Q((x - s.mean) / s.sd);
 }
-double at_lower(const Normal& s, double p) { return s.mean + s.sd * gsl_cdf_ugaussian_Pinv(p); }
-double at_upper(const Normal& s, double q) { return s.mean + s.sd * gsl_cdf_ugaussian_Qinv(q); }
+double at_lower(const Normal& s, double p) { return s.mean + s.sd * normal_quantile(p); }
+double at_upper(const Normal& s, double q) { return s.mean + s.sd * upper_normal_quantile(q); }
 
 // Lognormal: the normal of ln x.
 

@@ -1,6 +1,7 @@
 #include "uq/quantile_estimate.hpp"
 
 #include "uq/estimate_critical.hpp"
+#include "uq/normal_quantile.hpp"
 
 #include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -166,7 +167,7 @@ double tolerance_factor(int n, double p, double confidence)
     check_confidence(confidence);
     if (n < 2) throw std::invalid_argument("a tolerance factor needs n >= 2");
     const double root = std::sqrt(static_cast<double>(n));
-    const boost::math::non_central_t t(n - 1.0, root * gsl_cdf_ugaussian_Pinv(p));
+    const boost::math::non_central_t t(n - 1.0, root * normal_quantile(p));
     return boost::math::quantile(t, confidence) / root;
 }
 

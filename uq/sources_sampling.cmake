@@ -14,6 +14,7 @@ set(UQ_SAMPLING_SOURCES
     marginal_special.cpp
     marginal_steps.cpp
     nataf.cpp
+    normal_quantile.cpp
     normal_rule.cpp
     sobol.cpp
     stream.cpp)

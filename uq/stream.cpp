@@ -1,7 +1,8 @@
 #include "uq/stream.hpp"
 
+#include "uq/normal_quantile.hpp"
+
 #include <Random123/philox.h>
-#include <gsl/gsl_cdf.h>
 
 namespace uq {
 
@@ -15,6 +16,9 @@ std::array<std::uint64_t, 4> block(std::array<std::uint64_t, 2> key, std::uint64
     const auto out = r123::Philox4x64{}(counter, k);
     return {out[0], out[1], out[2], out[3]};
 }
+
+/// (k + 1/2) / 2^52 of the upper 52 bits
+double unit(std::uint64_t bits) { return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52; }
 
 } // namespace
 
@@ -37,7 +41,18 @@ std::uint64_t Stream::bits()
     return buffer_[4 - left_--];
 }
 
-double Stream::uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
+double Stream::uniform() { return unit(bits()); }
+
+void Stream::fill_uniform(std::span<double> u)
+{
+    std::size_t i = 0;
+    while (i < u.size() && left_ > 0) u[i++] = uniform();
+    for (; i + 4 <= u.size(); i += 4) { // whole blocks: no buffer between them
+        const auto four = block(key_, sample_, block_++);
+        for (std::size_t k = 0; k < 4; ++k) u[i + k] = unit(four[k]);
+    }
+    while (i < u.size()) u[i++] = uniform();
+}
 
 std::uint64_t Stream::below(std::uint64_t n)
 {
@@ -51,7 +66,7 @@ std::uint64_t Stream::below(std::uint64_t n)
     return static_cast<std::uint64_t>(product >> 64);
 }
 
-double Stream::normal() { return gsl_cdf_ugaussian_Pinv(uniform()); }
+double Stream::normal() { return normal_quantile(uniform()); }
 
 std::uint64_t replicate_seed(std::uint64_t seed, std::uint64_t r)
 {

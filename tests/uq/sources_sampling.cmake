@@ -8,5 +8,6 @@ set(TEST_UQ_SAMPLING_SOURCES
     uq/test_latin_annealing.cpp
     uq/test_marginal.cpp
     uq/test_nataf.cpp
+    uq/test_normal_quantile.cpp
     uq/test_sobol.cpp
     uq/test_stream.cpp)

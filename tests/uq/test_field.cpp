@@ -81,6 +81,18 @@ TEST_CASE("field: the blocked product is the product, for all sizes", "[uq][fiel
     CHECK((g - z * basis.map.transpose()).cwiseAbs().maxCoeff() < 2e-15 * 6.0);
 }
 
+TEST_CASE("field: coordinates of a sample are the normals of its own stream, in order",
+          "[uq][field]")
+{
+    const std::vector<std::uint64_t> id{0, 17, 4};
+    const Eigen::MatrixXd z = field_coordinates(3, id, 301);
+    for (std::size_t i = 0; i < id.size(); ++i) {
+        Stream stream(3, id[i], Purpose::field);
+        for (Eigen::Index j = 0; j < 301; ++j)
+            REQUIRE(z(static_cast<Eigen::Index>(i), j) == stream.normal());
+    }
+}
+
 TEST_CASE("field: a sample is the same alone and in a batch, to the bit", "[uq][field]")
 {
     const FieldBasis basis =

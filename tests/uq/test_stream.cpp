@@ -1,5 +1,7 @@
 #include "uq/stream.hpp"
 
+#include "uq/normal_quantile.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -50,6 +52,19 @@ TEST_CASE("stream: uniform is inside (0, 1) and its mean and variance are 1/2 an
     }
     CHECK(std::abs(sum / n - 0.5) < 4.0 * std::sqrt(1.0 / 12.0 / n));
     CHECK(std::abs(squares / n - 1.0 / 12.0) < 4.0 * std::sqrt(1.0 / 180.0 / n));
+}
+
+TEST_CASE("stream: many uniforms at once are those read one by one, wherever they start",
+          "[uq][stream]")
+{
+    const std::size_t before = GENERATE(0u, 1u, 2u, 3u, 4u, 5u), n = GENERATE(0u, 1u, 4u, 11u);
+    Stream one(1, 2, Purpose::field), many(1, 2, Purpose::field);
+    for (std::size_t i = 0; i < before; ++i) CHECK(one.uniform() == many.uniform());
+    std::vector<double> u(n);
+    many.fill_uniform(u);
+    for (const double x : u) CHECK(x == one.uniform());
+    CHECK(many.bits() == one.bits()); // and both go on alike
+    CHECK(many.normal() == uq::normal_quantile(one.uniform()));
 }
 
 TEST_CASE("stream: below(n) gives each of 0 .. n - 1 equally often", "[uq][stream]")
