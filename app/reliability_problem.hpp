@@ -14,11 +14,11 @@ namespace app {
 
 struct ReliabilityProblem {
     uq::LimitState event;
-    std::string words;                 ///< "peak force <= 40 kN under 0.5 MPa"
-    std::vector<std::string> inputs;   ///< names of the columns of x, with unit
-    std::vector<std::string> normal;   ///< names of the columns of u
-    std::vector<uq::CheapModel> cheap; ///< for multi_fidelity
-    double dear_cost = 0.0;            ///< of an evaluation; 0: to be measured
+    std::string words;               ///< "peak force <= 40 kN under 0.5 MPa"
+    std::vector<std::string> inputs; ///< names of the columns of x, with unit
+    std::vector<std::string> normal; ///< names of the columns of u
+    std::vector<uq::CheapModel>
+        cheap; ///< for multi_fidelity; cost relative to the event's model
     ReliabilityMethod method = ReliabilityMethod::monte_carlo;
     int budget = 1000;
     double target_cov = 0.1;

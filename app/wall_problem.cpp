@@ -62,6 +62,13 @@ Study cheaper(const Study& study)
     return cheap;
 }
 
+/// Of a wall, relative: modes move through the contact points in every step.
+double cost_of(const Study& study)
+{
+    const dem::Model m = model_of(study);
+    return static_cast<double>(m.n_modes) * study.discretisation.contact_points;
+}
+
 } // namespace
 
 ReliabilityProblem wall_problem(const Study& given, const Command& command)
@@ -101,8 +108,10 @@ ReliabilityProblem wall_problem(const Study& given, const Command& command)
     p.target_cov = study.reliability.target_cov;
     p.seed = study.uq.seed;
     if (p.method == ReliabilityMethod::multi_fidelity) {
+        const Study low = cheaper(study);
         uq::CheapModel cheap;
-        cheap.model = wall_model(cheaper(study), plan, level, command.threads);
+        cheap.model = wall_model(low, plan, level, command.threads);
+        cheap.cost = cost_of(low) / cost_of(study);
         cheap.response = p.event.response;
         cheap.threshold = p.event.threshold;
         p.cheap.push_back(cheap);

@@ -80,6 +80,28 @@ most_steps = 1000000
 [output]
 record_every = 0.1 mm
 snapshot_every = 0 mm
+curves = single
+[uq]
+design = sobol
+samples = 7
+seed = 3
+shared = yes
+spatial = correlated
+kernel = exponential_l1
+correlation_length = 0.4, 0.2 m
+matern_nu = 2.5
+group_correlation = 0.3
+stop = peak_force
+stop_half_width = 0.02
+most_samples = 500
+pearson = joint.friction_angle joint.stiffness_factor 0.3
+[reliability]
+method = form
+response = ultimate_drift
+demand = 1.2
+budget = 500
+target_cov = 0.05
+cheap = simple
 )";
 
 inline app::Study read(const std::string& text, const std::vector<std::string>& overrides = {})

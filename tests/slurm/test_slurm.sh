@@ -13,7 +13,7 @@ slurm_ready || exit 77
 work=$(mktemp -d)
 trap 'stop_cluster; rm -rf -- "$work"' EXIT
 study=$here/../study/small.ini
-size=(--set uq.samples=400)
+size=(--set uq.samples=1200)
 
 "$program" study "$study" --out "$work/whole.h5" --quiet "${size[@]}" >/dev/null
 "$program" study "$study" --out "$work/array.h5" "${size[@]}" --threads 1 --shard '*/4' \
