@@ -147,7 +147,7 @@ void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
     o.quantity = uq::Quantity::probability;
     o.dear_cost = 1.0;
     o.budget = p.budget;
-    o.pilot = std::max<std::size_t>(20, static_cast<std::size_t>(p.budget) / 10);
+    o.pilot = std::max<std::size_t>(20, static_cast<std::size_t>(p.budget) / 4);
     o.seed = p.seed;
     const uq::MultiFidelityResult r = uq::multi_fidelity(p.event, p.cheap, o);
     take(r.dear, a);

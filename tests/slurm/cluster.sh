@@ -45,10 +45,14 @@ CONF
 start_node() { slurmd -N "n$1" -f "$SLURM_CONF"; }
 
 kill_node() { # $1: number; the node and all its jobs die at once
-    local pid
-    pid=$(cat "$cluster/slurmd.n$1.pid")
-    pkill -KILL -f "slurmstepd.*spool.n$1" || :
-    kill -KILL "$pid"
+    local job process
+    for job in $(squeue -h -t R -w "n$1" -o %A); do pkill -KILL -f "^slurmstepd: .$job\\." || :; done
+    kill -KILL "$(cat "$cluster/slurmd.n$1.pid")"
+    for process in /proc/[0-9]*; do
+        if tr '\0' '\n' 2>/dev/null <"$process/environ" | grep -qx "SLURMD_NODENAME=n$1"; then
+            kill -KILL "${process#/proc/}" 2>/dev/null || :
+        fi
+    done
 }
 
 start_cluster() { # $1: directory
@@ -77,7 +81,7 @@ start_cluster() { # $1: directory
 
 stop_cluster() {
     local file
-    pkill -KILL -f "slurmstepd.*$cluster" || :
+    pkill -KILL -f "^slurmstepd: " || :
     for file in "$cluster"/*.pid; do
         [[ ! -e $file ]] || kill -KILL "$(cat "$file")" 2>/dev/null || :
     done

@@ -30,10 +30,14 @@ sleep 12 # longer than SlurmdTimeout: the controller gives the node up and reque
 start_node 1
 for _ in {1..240}; do
     [[ -n $(squeue -h) ]] || break
+    # requeued jobs wait two minutes; not here
+    for job in $(squeue -h -t PD -O JobID,Reason | awk '$2 == "BeginTime" {print $1}'); do
+        requeued=$((${requeued-0} + 1))
+        scontrol update "JobId=$job" StartTime=now || :
+    done
     sleep 0.5
 done
 [[ -z $(squeue -h) ]] || { squeue; tail -n 5 "$work"/array.h5.logs/*; exit 1; }
-grep -h requeue -i "$work/cluster/slurmctld.log" | tail -n 3
 cat "$work"/array.h5.logs/merge.log
 "$compare" "$work/whole.h5" "$work/array.h5"
-grep -qi "requeu" "$work/cluster/slurmctld.log" || { echo "nothing was requeued"; exit 1; }
+((${requeued-0} > 0)) || { echo "nothing was requeued"; exit 1; }
