@@ -13,10 +13,10 @@ TEST_CASE("correlation_matrix: the nearest to Higham's examples", "[uq][correlat
 {
     Eigen::MatrixXd a(3, 3), b(4, 4), nearest_a(3, 3);
     a << 1, 1, 0, 1, 1, 1, 0, 1, 1;
-    nearest_a << 1, 0.7607, 0.1573, 0.7607, 1, 0.7607, 0.1573, 0.7607, 1; // Higham 2002, p. 334
+    nearest_a << 1, 0.7607, 0.1573, 0.7607, 1, 0.7607, 0.1573, 0.7607, 1; // Higham 2002
     CHECK((nearest_correlation(a, 0.0) - nearest_a).cwiseAbs().maxCoeff() < 0.5e-4);
     b << 2, -1, 0, 0, -1, 2, -1, 0, 0, -1, 2, -1, 0, 0, -1, 2;
-    Eigen::MatrixXd nearest_b(4, 4); // Higham 2002, p. 340
+    Eigen::MatrixXd nearest_b(4, 4); // Higham 2002
     nearest_b << 1, -0.8084, 0.1916, 0.1068, -0.8084, 1, -0.6562, 0.1916, 0.1916, -0.6562, 1,
         -0.8084, 0.1068, 0.1916, -0.8084, 1;
     CHECK((nearest_correlation(b, 0.0) - nearest_b).cwiseAbs().maxCoeff() < 0.5e-4);

@@ -54,6 +54,20 @@ TEST_CASE("correlation: Pearson and Spearman of small samples by hand",
     CHECK(pearson(x, cube)->value < 0.97);
 }
 
+TEST_CASE("correlation: error and interval are those of atanh r with n - 3, Spearman's wider",
+          "[uq][correlation_measures]")
+{
+    const Eigen::VectorXd x{{1.0, 2.0, 3.0, 4.0, 5.0}}, y{{2.0, 1.0, 4.0, 3.0, 5.0}};
+    const double z = std::atanh(0.8), factor = 1.9599639845400545;
+    const auto agrees = [&](const Estimate& e, double z_error) {
+        CHECK(e.std_error == near(0.36 * z_error, 1e-14));
+        CHECK(e.interval.lower == near(std::tanh(z - factor * z_error), 1e-13));
+        CHECK(e.interval.upper == near(std::tanh(z + factor * z_error), 1e-13));
+    };
+    agrees(*pearson(x, y), std::sqrt(1.0 / 2.0));           // Fisher 1921
+    agrees(*spearman(x, y), std::sqrt((1.0 + 0.32) / 2.0)); // Bonett and Wright 2000
+}
+
 TEST_CASE("correlation: of normal pairs, Spearman tends to 6 / pi asin(rho / 2)",
           "[uq][correlation_measures]")
 {

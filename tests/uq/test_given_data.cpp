@@ -2,6 +2,7 @@
 
 #include "tests/uq/latin_scene.hpp"
 #include "tests/uq/sensitivity_scenes.hpp"
+#include "uq/field.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -10,6 +11,28 @@
 #include <stdexcept>
 
 using namespace uq;
+
+namespace {
+
+/// Standard error reported over that seen in 600 studies of a response of the first of two inputs
+/// and normal noise from the second.
+double error_ratio(double (*effect)(double), double noise)
+{
+    const int studies = 600, n = 1000;
+    double sum = 0.0, squares = 0.0, reported = 0.0;
+    for (std::uint64_t k = 0; k < studies; ++k) {
+        const Eigen::MatrixXd u = scenes::monte_carlo(n, 2, 500 + k);
+        Eigen::VectorXd y = noise * normal_coordinates(u.col(1));
+        for (Eigen::Index i = 0; i < n; ++i) y[i] += effect(u(i, 0));
+        const Estimate e = *given_data_first_order(u.col(0), y)[0];
+        sum += e.value / studies;
+        squares += e.value * e.value / studies;
+        reported += e.std_error * e.std_error / studies;
+    }
+    return std::sqrt(reported / (squares - sum * sum));
+}
+
+} // namespace
 
 TEST_CASE("given data: Ishigami and g-function within error bars", "[uq][given_data]")
 {
@@ -58,6 +81,20 @@ TEST_CASE(
         }
         CHECK(std::sqrt(rms[0] / rms[1]) == Approx(2.0).epsilon(0.15));
     }
+}
+
+TEST_CASE("given data: neighbours share a response, and only that goes into the standard error",
+          "[uq][given_data]")
+{
+    // Index 3/4 with the same square everywhere: without the covariance of neighbours 1.4.
+    const auto sides = [](double u) { return u < 0.5 ? -1.0 : 1.0; };
+    CHECK(error_ratio(sides, std::sqrt(1.0 / 3.0)) == Approx(1.0).margin(0.12));
+    // Index 1/2 from a tenth of the samples: with what all share through the level 1.4.
+    const auto ends = [](double u) {
+        const double size = std::sqrt(10.0);
+        return u < 0.05 ? -size : u > 0.95 ? size : 0.0;
+    };
+    CHECK(error_ratio(ends, 1.0) == Approx(1.0).margin(0.12));
 }
 
 TEST_CASE("given data: all of the variance from one input, none from another",

@@ -71,6 +71,23 @@ TEST_CASE("nataf: the squares of the coefficients are the variance, cut shapes t
     CHECK(hermite_coefficients({Constant{2.0}}).size() == 0);
 }
 
+TEST_CASE("nataf: what 1000 coefficients leave out close to rho_z = 1 is what the header says",
+          "[uq][nataf]")
+{
+    const Eigen::VectorXd coin = hermite_coefficients({Empirical{{0.0, 1.0}}});
+    const auto left_out = [&](double rho_z) {
+        return 2.0 / std::numbers::pi * std::asin(rho_z) -
+               pearson_of_normals(coin, coin, rho_z);
+    };
+    CHECK(left_out(0.99) == near(3.0e-8, 0.1));
+    CHECK(left_out(0.999) == near(1.4e-3, 0.1));
+    CHECK(left_out(1.0) == near(1.6e-2, 0.1));
+    CHECK(hermite_coefficients({Empirical{{0.0, 1.0}}}).size() == 1000);
+    for (const double mode : {0.0, 0.2, 0.5, 1.0})
+        CHECK(std::abs(hermite_coefficients({Triangular{0.0, mode, 1.0}}).squaredNorm() - 1.0) <
+              1e-9);
+}
+
 TEST_CASE("nataf: what marginals cannot attain is refused with what they can", "[uq][nataf]")
 {
     CHECK_THROWS_WITH(solved(lognormal(1.0), lognormal(1.0), -0.6),

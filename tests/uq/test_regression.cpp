@@ -69,6 +69,17 @@ TEST_CASE("regression: with one input it is the correlation, on values and ranks
     CHECK(k.inputs[0].partial.value == near(s, 1e-13));
 }
 
+TEST_CASE("regression: errors of a partial coefficient are Fisher's with n - 3 less the others",
+          "[uq][regression]")
+{
+    const Eigen::MatrixXd x = normal_inputs(7, 12, 4);
+    const RegressionCoefficient c = regress(x.leftCols(3), linear(x))->inputs[0];
+    const double r = c.partial.value, z_error = 1.0 / std::sqrt(12.0 - 3.0 - 2.0);
+    CHECK(c.partial.std_error == near((1.0 - r * r) * z_error, 1e-14));
+    CHECK(c.partial.interval.lower ==
+          near(std::tanh(std::atanh(r) - 1.9599639845400545 * z_error), 1e-12));
+}
+
 TEST_CASE("regression: ranks see a monotonic response that is not linear whole",
           "[uq][regression]")
 {
