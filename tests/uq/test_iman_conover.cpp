@@ -154,6 +154,18 @@ TEST_CASE("iman_conover: columns keep their values, the first with its scores ke
     }
 }
 
+TEST_CASE(
+    "iman_conover: scores are quantiles of rank / (n + 1), equal values in the order of rows",
+    "[uq][iman_conover]")
+{
+    const Eigen::MatrixXd s = normal_scores(Eigen::Vector3d(5.0, -1.0, 5.0));
+    CHECK(s(0, 0) == 0.0);
+    CHECK(s(1, 0) == Approx(-0.6744897501960817).epsilon(1e-15));
+    CHECK(s(2, 0) == Approx(0.6744897501960817).epsilon(1e-15));
+    const Eigen::VectorXd equal = normal_scores(Eigen::MatrixXd::Ones(100, 1));
+    for (Eigen::Index i = 1; i < 100; ++i) CHECK(equal[i - 1] < equal[i]);
+}
+
 TEST_CASE("iman_conover: too few rows, or columns in one order, are refused",
           "[uq][iman_conover]")
 {

@@ -102,6 +102,29 @@ TEST_CASE("latin: growing to a multiple is always Latin", "[uq][latin]")
     CHECK(filling(u.topRows(49), 49).most == 1);
 }
 
+TEST_CASE("latin: growths to different sizes fill their empty strata in orders of their own",
+          "[uq][latin]")
+{
+    // One row on 4 strata and two on 5 leave three empty either way.
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Constant(1, 20, 0.01);
+    Eigen::MatrixXd two(2, 20);
+    two << one, Eigen::MatrixXd::Constant(1, 20, 0.25);
+    const auto a = grow_latin(one, 4, 1, Place::centred).u.bottomRows(3).eval();
+    const auto b = grow_latin(two, 5, 1, Place::centred).u.bottomRows(3).eval();
+    int alike = 0;
+    for (Eigen::Index j = 0; j < 20; ++j)
+        alike += (a(0, j) < a(1, j)) == (b(0, j) < b(1, j)) &&
+                 (a(1, j) < a(2, j)) == (b(1, j) < b(2, j)) &&
+                 (a(0, j) < a(2, j)) == (b(0, j) < b(2, j));
+    CHECK(alike < 12); // 1 in 6 by chance
+}
+
+TEST_CASE("latin: of three rows in one stratum two are too many", "[uq][latin]")
+{
+    const Eigen::Vector4d u(0.1, 0.15, 0.2, 0.9);
+    CHECK(doubled_strata(u) == std::vector<std::int64_t>{2});
+}
+
 TEST_CASE("latin: what is grown fits, whatever it is", "[uq][latin]")
 {
     const Eigen::MatrixXd mc = unit_cube({DesignKind::monte_carlo, {40}, 3, 9});

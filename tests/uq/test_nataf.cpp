@@ -39,6 +39,14 @@ TEST_CASE("nataf: normal images of two lognormals, by the closed form", "[uq][na
                              rho_z) == near(std::expm1(rho_z * product) / (v1 * v2), 1e-12));
 }
 
+TEST_CASE("nataf: a lognormal whose variance lies 14 deviations out", "[uq][nataf]")
+{
+    const Eigen::VectorXd a = hermite_coefficients(lognormal(1000.0));
+    CHECK(a.squaredNorm() == near(1.0, 1e-13));
+    CHECK(pearson_of_normals(a, a, 0.1) ==
+          near(std::expm1(0.1 * std::log1p(1e6)) / 1e6, 1e-12));
+}
+
 TEST_CASE("nataf: normal with lognormal, normal with normal, uniform with uniform",
           "[uq][nataf]")
 {
