@@ -7,6 +7,7 @@
 #include "fragility/curve_reading.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,27 @@ struct LimitState {
 /// reported as the rules give them.
 /// @throws std::invalid_argument as check() and for shares out of range
 [[nodiscard]] std::vector<LimitState> read_limit_states(const Curve& curve, LimitStateSet set,
+                                                        const LimitStateOptions& options = {});
+
+/// A limit state of the user: weights times displacements of the curve, or a share of the peak
+/// force, or a cap on the displacement; with a cap beside another rule, whichever comes first.
+struct UserLimitState {
+    std::string name;
+    double yield = 0.0;         ///< weight of d_y [-], >= 0
+    double peak = 0.0;          ///< weight of the displacement at the peak [-], >= 0
+    double ultimate = 0.0;      ///< weight of d_u [-], >= 0
+    std::optional<double> rise; ///< first rise to this share of the peak force [-], in (0, 1]
+    std::optional<double> drop; ///< drop to this share after the peak [-], in (0, 1)
+    std::optional<double> at_most; ///< [length], > 0
+};
+
+/// Only the weights, only `rise` or only `drop`, or none of them and `at_most`. A sum is censored
+/// where a part is: at the sum of what the parts are known to exceed.
+/// @return names refer to `states`
+/// @throws std::invalid_argument as check(), for shares out of range, and for a state without rule or
+/// with several, naming it
+[[nodiscard]] std::vector<LimitState> read_limit_states(const Curve& curve,
+                                                        std::span<const UserLimitState> states,
                                                         const LimitStateOptions& options = {});
 
 /// "paper", "ntc", "ec8", as in study files.
