@@ -24,8 +24,6 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr std::array<std::string_view, 1> kLaterVerbs = {"fragility"};
-
 constexpr const char* kExitCodes = "\nExit codes: 0 done, 1 failed, 2 error in the input.\n";
 
 [[noreturn]] void refuse(std::string_view what, const std::string& why)
@@ -59,6 +57,10 @@ po::options_description options()
     add("slurm", text("FILE"),
         "study: write a job array of shards (--shard */N, or as many as needed), run nothing");
     add("rerun-failed", "study: run walls that failed again");
+    add("drift", text("COLUMN"), "fragility of a table: its column of drifts; may be repeated");
+    add("censored", text("COLUMN"),
+        "fragility of a table: 1 or yes where the drift is only a lower bound");
+    add("group", text("COLUMN"), "fragility of a table: whose rows belong together");
     add("partial", "merge: although walls are missing");
     add("walls", text("N"),
         "report: how many walls can be looked at (default: all, of large studies a choice)");
@@ -174,6 +176,12 @@ void take(const po::option& option, Command& command, std::vector<std::string>& 
         command.quiet = true;
     } else if (name == "rerun-failed") {
         command.rerun_failed = true;
+    } else if (name == "drift") {
+        command.drift.push_back(option.value.front());
+    } else if (name == "censored") {
+        command.censored = option.value.front();
+    } else if (name == "group") {
+        command.group = option.value.front();
     } else if (name == "partial") {
         command.partial = true;
     } else if (name == "walls") {
@@ -183,8 +191,8 @@ void take(const po::option& option, Command& command, std::vector<std::string>& 
 
 void refuse_doubled(const std::vector<po::option>& given)
 {
-    for (const char* const name :
-         {"out", "threads", "sample", "level", "shard", "slurm", "walls"}) {
+    for (const char* const name : {"out", "threads", "sample", "level", "shard", "slurm",
+                                   "walls", "censored", "group"}) {
         const auto times = std::count_if(given.begin(), given.end(), [&](const po::option& o) {
             return o.string_key == name;
         });
@@ -201,9 +209,6 @@ bool has(const std::vector<po::option>& given, const char* name)
 std::string known_verb(const std::string& word)
 {
     if (word == "help" || word == "version" || find_verb(word) != nullptr) return word;
-    if (std::find(kLaterVerbs.begin(), kLaterVerbs.end(), word) != kLaterVerbs.end()) {
-        refuse(word, "not in this version; \"drystone help\" lists what is");
-    }
     std::vector<std::string_view> names;
     for (const VerbRule& r : verb_rules()) names.push_back(r.name);
     names.insert(names.end(), {"help", "version"});

@@ -27,10 +27,12 @@ struct Command {
     std::optional<int> sample;          ///< of a study, >= 0
     std::string level; ///< vertical stress of that sample as written; empty: the only one
     Shard shard;
-    std::string script;        ///< write a job array to this file instead of running
-    bool rerun_failed = false; ///< run failed walls again
-    bool partial = false;      ///< merge although walls are missing
-    std::optional<int> walls;  ///< report: how many can be looked at, >= 0
+    std::string script;             ///< write a job array to this file instead of running
+    bool rerun_failed = false;      ///< run failed walls again
+    bool partial = false;           ///< merge although walls are missing
+    std::vector<std::string> drift; ///< fragility: columns of a table
+    std::string censored, group;    ///< fragility: columns of a table; empty: none
+    std::optional<int> walls;       ///< report: how many can be looked at, >= 0
 };
 
 /// @param arguments without the name of the program

@@ -2,10 +2,11 @@
 
 #include "app/command_line.hpp"
 #include "app/config_error.hpp"
+#include "app/fragility_command.hpp"
 #include "app/merge_command.hpp"
 #include "app/push_command.hpp"
-#include "app/report_command.hpp"
 #include "app/reliability_command.hpp"
+#include "app/report_command.hpp"
 #include "app/sample_command.hpp"
 #include "app/study_command.hpp"
 #include "app/version.hpp"
@@ -37,6 +38,8 @@ int run(const std::vector<std::string>& arguments)
         return app::reliability_command(command);
     case app::Verb::report:
         return app::report_command(command);
+    case app::Verb::fragility:
+        return app::fragility_command(command);
     case app::Verb::merge:
         return app::merge_command(command);
     }

@@ -28,9 +28,6 @@ void refuse_unknown_section(const StudyFile& file, int line, std::string_view se
 {
     const std::string_view path = line > 0 ? std::string_view(file.path) : "--set";
     const std::string shown = "[" + std::string(section) + "]";
-    if (section == "fragility") {
-        throw ConfigError(path, line, shown, "not read by this version; remove the section");
-    }
     const auto names = section_names();
     if (std::find(names.begin(), names.end(), section) == names.end()) {
         throw ConfigError(path, line, shown, "unknown section; " + suggestion(section, names));

@@ -3,9 +3,13 @@
 /// fellows.
 
 #include "app/study_file.hpp"
+#include "dem/mechanism.hpp"
 #include "dem/push.hpp"
 #include "dem/solver_options.hpp"
 #include "dem/wall.hpp"
+#include "fragility/bilinear.hpp"
+#include "fragility/curve_reading.hpp"
+#include "fragility/law.hpp"
 #include "uq/design.hpp"
 #include "uq/marginal.hpp"
 
@@ -127,6 +131,20 @@ struct ReliabilityInput {
     dem::Fidelity cheap = dem::Fidelity::rigid; ///< of the cheap model
 };
 
+/// For the verb fragility. Moves no wall.
+struct FragilityInput {
+    std::string limit_states = "paper, ntc"; ///< sets: paper, ntc, ec8, user
+    std::string user_states;                 ///< "slight: 0.7 yield; severe: drop 0.5; ..."
+    fragility::Crossing crossing = fragility::Crossing::first; ///< of the ultimate share
+    double ultimate_share = fragility::kUltimateShare;         ///< of the peak [-], in (0, 1)
+    double bilinear_share = fragility::kBilinearShare;         ///< of the peak [-], in (0, 1]
+    fragility::Law law = fragility::Law::lognormal;
+    double confidence = 0.95; ///< of intervals [-], in (0, 1)
+    int bootstrap = 1000;     ///< samples behind p-values and bootstrap bands, >= 0; 0: none
+    double sliding_share = dem::ModeThresholds{}.sliding_share; ///< of the mode, [-]
+    int cracked_units = dem::ModeThresholds{}.cracked_units;    ///< of the mode
+};
+
 struct Study {
     dem::WallGeometry wall;
     dem::Elastic stone;
@@ -142,6 +160,7 @@ struct Study {
     OutputInput output;
     UqInput uq;
     ReliabilityInput reliability;
+    FragilityInput fragility;
     std::vector<RandomInput> random; ///< in the order of the keys; the fields hold their means
     StudyFile source;                ///< what was given
 };

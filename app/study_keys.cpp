@@ -68,6 +68,11 @@ constexpr std::array kKernels = {named("exponential", FieldKernel::exponential),
                                  named("same_course", FieldKernel::same_course),
                                  named("same_unit", FieldKernel::same_unit),
                                  named("all", FieldKernel::all)};
+constexpr std::array kCrossings = {named("first", fragility::Crossing::first),
+                                   named("last", fragility::Crossing::last)};
+constexpr std::array kDriftLaws = {
+    named("lognormal", fragility::Law::lognormal), named("normal", fragility::Law::normal),
+    named("weibull", fragility::Law::weibull), named("gamma", fragility::Law::gamma)};
 constexpr std::array kModes = {named("all", 0), named("rigid", 3)};
 
 void derive_shear_stiffness(Study& s)
@@ -406,6 +411,38 @@ constexpr std::array kKeys = {
     Key{.name = "reliability.cheap", .kind = Kind::word, .names = kFidelities,
         .meaning = "fidelity of the cheap model of multi_fidelity",
         .field = kAt<&Study::reliability, &ReliabilityInput::cheap>},
+
+    Key{.name = "fragility.limit_states", .kind = Kind::text,
+        .meaning = "sets, one or more of paper, ntc, ec8, user (docs/fragility.md)",
+        .field = kAt<&Study::fragility, &FragilityInput::limit_states>},
+    Key{.name = "fragility.user_states", .kind = Kind::text,
+        .derived = {"none"},
+        .meaning = "of the set user: slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate; near: ultimate or 1.0 %",
+        .field = kAt<&Study::fragility, &FragilityInput::user_states>},
+    Key{.name = "fragility.crossing", .kind = Kind::word, .names = kCrossings,
+        .meaning = "which fall to ultimate_share counts on a jerky curve",
+        .field = kAt<&Study::fragility, &FragilityInput::crossing>},
+    Key{.name = "fragility.ultimate_share", .range = {'(', 0, 1, ')'},
+        .meaning = "of the peak force, at the ultimate displacement (paper, section 4.2)",
+        .field = kAt<&Study::fragility, &FragilityInput::ultimate_share>},
+    Key{.name = "fragility.bilinear_share", .range = {'(', 0, 1, ']'},
+        .meaning = "of the peak force, through which the bilinear rises (Circolare 7/2019, C7.3.4.2)",
+        .field = kAt<&Study::fragility, &FragilityInput::bilinear_share>},
+    Key{.name = "fragility.law", .kind = Kind::word, .names = kDriftLaws,
+        .meaning = "of limit drifts",
+        .field = kAt<&Study::fragility, &FragilityInput::law>},
+    Key{.name = "fragility.confidence", .range = {'(', 0, 1, ')'},
+        .meaning = "of all intervals",
+        .field = kAt<&Study::fragility, &FragilityInput::confidence>},
+    Key{.name = "fragility.bootstrap", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
+        .meaning = "samples behind the p-values of fits; 0 none",
+        .field = kAt<&Study::fragility, &FragilityInput::bootstrap>},
+    Key{.name = "fragility.sliding_share", .range = {'(', 0, 1, ')'},
+        .meaning = "slip of bed joints / displacement from which a wall is of mixed mode",
+        .field = kAt<&Study::fragility, &FragilityInput::sliding_share>},
+    Key{.name = "fragility.cracked_units", .kind = Kind::count, .range = {'[', 1, 1e6, ']'},
+        .meaning = "units cracked through from which a wall is of mixed mode",
+        .field = kAt<&Study::fragility, &FragilityInput::cracked_units>},
 };
 // clang-format on
 

@@ -15,6 +15,8 @@ constexpr std::array<Options, 7> kStudy = {"out",   "set",   "threads",     "qui
 constexpr std::array<Options, 3> kSample = {"out", "set", "quiet"};
 constexpr std::array<Options, 5> kReliability = {"out", "set", "threads", "quiet", "level"};
 constexpr std::array<Options, 4> kReport = {"out", "walls", "threads", "quiet"};
+constexpr std::array<Options, 6> kFragility = {"out",   "set",      "quiet",
+                                               "drift", "censored", "group"};
 constexpr std::array<Options, 2> kMerge = {"partial", "quiet"};
 
 constexpr std::size_t kMany = 1'000'000;
@@ -32,6 +34,9 @@ constexpr std::array kRules = {
              "the probability that a response falls to a demand, and what it depends on",
              OutKind::folder, "", 1, 1, kReliability,
              "drystone reliability configs/reliability.ini"},
+    VerbRule{Verb::fragility, "fragility", "FILE.h5|FILE.csv",
+             "limit drifts, fragility curves, modes: of a study, or of a table of drifts",
+             OutKind::folder, "", 1, 1, kFragility, "drystone fragility runs/quick.h5"},
     VerbRule{Verb::report, "report", "FILE.h5", "one page for a browser from a study's file",
              OutKind::file, ".html", 1, 1, kReport, "drystone report runs/quick.h5"},
     VerbRule{Verb::merge, "merge", "OUT.h5 SHARD.h5...", "shards of one study into one file",

@@ -6,7 +6,17 @@
 
 namespace app {
 
-enum class Verb { help, version, push, study, sample, report, merge, reliability };
+enum class Verb {
+    help,
+    version,
+    push,
+    study,
+    sample,
+    fragility,
+    report,
+    merge,
+    reliability
+};
 
 /// What --out names.
 enum class OutKind {

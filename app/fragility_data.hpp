@@ -1,0 +1,69 @@
+#pragma once
+/// Limit drifts of walls in groups (vertical stresses, or groups of a table): what fragility is
+/// computed from, whoever ran the walls.
+
+#include "fragility/law.hpp"
+#include "fragility/observation.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct DriftState {
+    std::string set;  ///< "ntc"; empty: of a table
+    std::string name; ///< "SLV", or the column
+    std::string rule; ///< how it is read
+};
+
+struct DriftWall {
+    int mode = -1; ///< index in DriftData::modes; -1: no modes
+    /// One per limit state [unit of the data]; nothing: not defined on this curve.
+    std::vector<std::optional<fragility::Observation>> limits;
+};
+
+struct DriftGroup {
+    std::string name;             ///< "0.75 MPa"
+    std::optional<double> stress; ///< [MPa]
+    std::vector<DriftWall> walls; ///< that gave a result
+    std::size_t failed = 0;       ///< ran and gave none
+    std::size_t missing = 0;      ///< not run yet
+};
+
+/// How numbers are made of the data.
+struct DriftOptions {
+    fragility::Law law = fragility::Law::lognormal;
+    double confidence = 0.95;     ///< in (0, 1)
+    std::size_t bootstrap = 1000; ///< samples behind p-values; 0: none
+    std::uint64_t seed = 1;       ///< of these
+};
+
+struct DriftData {
+    std::string source;     ///< of captions: "paper.h5, 250 walls"
+    std::string drift;      ///< what the drift is
+    std::string unit = "%"; ///< of the drifts; empty: not said
+    double percent = 1.0;   ///< drift in % per unit; 0: unknown
+    std::string group_head; ///< of the first column: "stress [MPa]"
+    std::vector<DriftState> states;
+    std::vector<std::string> modes; ///< "rocking", "mixed"
+    std::vector<DriftGroup> groups;
+    DriftOptions options;
+};
+
+/// Observations of one limit state: of all walls of a group, or of one mode.
+[[nodiscard]] std::vector<fragility::Observation> limits_of(const DriftGroup& group,
+                                                            std::size_t state, int mode = -1);
+
+/// "drift [%]", "drift" without unit
+[[nodiscard]] std::string drift_head(const DriftData& data, const std::string& what);
+
+/// Name of a group in a table's first column.
+[[nodiscard]] std::string group_cell(const DriftGroup& group);
+
+/// "n walls gave a result, 2 failed, 10 not run; ..." of all groups, for captions.
+[[nodiscard]] std::string counts_text(const DriftData& data);
+
+} // namespace app

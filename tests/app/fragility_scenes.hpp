@@ -1,0 +1,27 @@
+#pragma once
+/// Drifts and studies for the tables of fragility, without running a wall.
+
+#include "app/fragility_data.hpp"
+#include "app/study_walls.hpp"
+#include "app/table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace scenes {
+
+/// One group per list of drifts; negative values: right-censored at their magnitude.
+[[nodiscard]] app::DriftData drifts(const std::vector<std::vector<double>>& groups);
+
+/// n walls of each of two stresses; friction angle 20 to 44 deg in turns, mixed below 32 deg with a drop at
+/// 15 mm and more, rocking above, stopped at 28 mm.
+[[nodiscard]] app::StudyWalls study_walls(std::size_t n);
+
+/// Cell of a row by the name of its column; fails without one.
+[[nodiscard]] std::string cell(const app::Table& table, std::size_t row,
+                               const std::string& head);
+
+/// No cell reads nan or inf, in any case.
+[[nodiscard]] bool sound(const app::Table& table);
+
+} // namespace scenes

@@ -1,0 +1,106 @@
+#include "app/fragility_modes.hpp"
+
+#include "app/fragility_scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+
+using scenes::cell;
+
+TEST_CASE("fragility modes: shares add up, and bounds count failed walls either way",
+          "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(8);
+    walls.levels[0].failed = 2;
+    const app::Table t = app::mode_table(walls);
+    REQUIRE(t.rows.size() == 4);
+    CHECK(std::stoi(cell(t, 0, "walls of it")) + std::stoi(cell(t, 1, "walls of it")) == 8);
+    // 20 to 30 deg: 6 mixed of 8; the others 32 and 34 deg rock
+    CHECK(cell(t, 1, "walls of it") == "6");
+    CHECK(cell(t, 1, "share [%]") == "75.0 [40.9, 92.9]"); // Wilson
+    CHECK(cell(t, 1, "Clopper-Pearson [%]") == "34.9 to 96.8");
+    const std::string with_failed = cell(t, 1, "with failed walls [%]");
+    CHECK(std::stod(with_failed) < 40.9);
+    CHECK(std::stod(with_failed.substr(with_failed.find("to") + 2)) > 92.9);
+}
+
+TEST_CASE("fragility modes: a mode that does not occur has the share 0 with an upper bound",
+          "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(10);
+    for (app::StudyWall& w : walls.levels[0].walls) w.mode = app::kRocking;
+    const app::Table t = app::mode_table(walls);
+    CHECK(cell(t, 1, "share [%]").starts_with("0.0 [0.0, 27.8]"));
+    CHECK(cell(t, 1, "Clopper-Pearson [%]") == "0.0 to 30.8"); // 1 - 0.025^(1/10)
+    const app::Table equal = app::equal_modes_table(walls);
+    CHECK(cell(equal, 0, "angle [deg]") == "all walls rocking: no such angle in the data");
+    CHECK(cell(equal, 0, "slope [1/deg]").empty());
+}
+
+TEST_CASE("fragility modes: the angle of equal modes lies between the modes",
+          "[app][fragility_modes]")
+{
+    const app::Table t = app::equal_modes_table(scenes::study_walls(60));
+    CHECK(scenes::sound(t));
+    const double angle = std::stod(cell(t, 0, "angle [deg]"));
+    CHECK(angle > 28.0);
+    CHECK(angle < 36.0);
+    CHECK(std::stod(cell(t, 0, "slope [1/deg]")) < 0.0);
+}
+
+TEST_CASE(
+    "fragility modes: angles that tell the modes apart without error keep a finite slope and "
+    "say so",
+    "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(26);
+    for (app::StudyWall& w : walls.levels[0].walls)
+        w.mode = w.inputs[0] < 32.0 ? app::kMixed : app::kRocking;
+    const app::Table t = app::equal_modes_table(walls);
+    CHECK(std::stod(cell(t, 0, "angle [deg]")) == Approx(31.0).margin(1.0));
+    CHECK(cell(t, 0, "note").starts_with("Firth's penalty"));
+}
+
+TEST_CASE(
+    "fragility modes: a mode that does not depend on the angle has no angle of equal modes",
+    "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(26);
+    for (app::StudyWall& w : walls.levels[0].walls)
+        w.mode = w.key.sample % 4 < 2 ? app::kMixed : app::kRocking;
+    const app::Table t = app::equal_modes_table(walls);
+    CHECK(cell(t, 0, "angle [deg]") == "not identifiable: the slope is not significant");
+    CHECK(cell(t, 0, "Fieller [deg]").empty());
+}
+
+TEST_CASE("fragility modes: without a random friction angle the table says so",
+          "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(10);
+    walls.inputs[0].key = "unit.friction_angle";
+    CHECK(cell(app::equal_modes_table(walls), 0, "angle [deg]") ==
+          "joint.friction_angle does not vary in this study");
+}
+
+TEST_CASE("fragility modes: thresholds move walls that slide, not walls whose load fell",
+          "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(10);
+    for (app::StudyLevel& level : walls.levels)
+        for (app::StudyWall& w : level.walls) {
+            w.dropped = false;
+            w.sliding_share = 0.28;
+        }
+    walls.levels[0].walls[0].dropped = true;
+    const app::Table t = app::threshold_table(walls);
+    REQUIRE(t.rows.size() == 21);
+    CHECK(cell(t, 0, "sliding share") == "0.25");
+    CHECK(cell(t, 0, "moved [%]") == "0.0");
+    for (std::size_t r = 0; r < t.rows.size(); ++r) {
+        const bool slides = std::stod(cell(t, r, "sliding share")) <= 0.28;
+        CHECK(cell(t, r, "mixed at 0.5 MPa [%]") == (slides ? "100" : "10"));
+        CHECK(cell(t, r, "moved [%]") == (slides ? "0.0" : "95.0"));
+    }
+}

@@ -1,0 +1,82 @@
+#include "app/fragility_states.hpp"
+
+#include "app/config_error.hpp"
+#include "app/study_scenes.hpp"
+#include "app/units.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+app::WantedStates wanted(const std::string& section)
+{
+    return app::wanted_states(
+        study_scenes::study("samples = 1\n[fragility]\n" + section + "\n"));
+}
+
+std::vector<std::string> names(const app::WantedStates& w)
+{
+    std::vector<std::string> all;
+    for (const app::StateName& s : app::state_names(w)) all.push_back(s.set + " " + s.name);
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("fragility states: sets are read in the order asked for, the user's last",
+          "[app][fragility_states]")
+{
+    CHECK(
+        names(wanted("limit_states = ec8, paper, user\nuser_states = mine: 0.7 yield")) ==
+        std::vector<std::string>{"ec8 DL", "ec8 SD", "ec8 NC", "paper ultimate", "user mine"});
+    CHECK(names(wanted("")) == std::vector<std::string>{"paper ultimate", "ntc SLO", "ntc SLD",
+                                                        "ntc SLV", "ntc SLC"});
+}
+
+TEST_CASE("fragility states: rules say the numbers that were used", "[app][fragility_states]")
+{
+    const auto w = wanted("limit_states = paper, user\nultimate_share = 0.7\ncrossing = last\n"
+                          "user_states = a: 0.5 yield + 0.5 ultimate; b: ultimate or 1.5 %");
+    const auto states = app::state_names(w);
+    REQUIRE(states.size() == 3);
+    CHECK(states[0].rule == "last drop to 70 % of the peak");
+    CHECK(states[1].rule == "0.5 d_y + 0.5 d_u");
+    CHECK(states[2].rule == "1 d_u, at most 1.5 % drift");
+}
+
+TEST_CASE("fragility states: a cap in percent is a displacement at the height of the load",
+          "[app][fragility_states]")
+{
+    const auto w = wanted("limit_states = user\nuser_states = cap: 2 %");
+    const std::vector<double> x = {0.0, 0.01, 0.03}, f = {0.0, 5.0, 5.0};
+    const auto limits = app::read_states({x, f}, w, 1.10);
+    REQUIRE(limits.size() == 1);
+    CHECK(limits[0].displacement == Approx(0.022).epsilon(1e-14));
+}
+
+TEST_CASE("fragility states: what is not a rule is refused with what is",
+          "[app][fragility_states]")
+{
+    const struct {
+        const char* text;
+        const char* message;
+    } cases[] = {{"0.7 yield", "is no limit state"},
+                 {"a: 0.7 yeld", "did you mean \"yield\"?"},
+                 {"a: -1 yield", "positive factor"},
+                 {"a: drop", "has no share"},
+                 {"a: drop 1.5", "must be in (0, 1)"},
+                 {"a: ultimate or peak", "only a drift may follow"},
+                 {"a: ultimate or 0 %", "out of range"},
+                 {"a: 1 yield; a: 2 yield", "given twice"},
+                 {"a: drop 0.5 + 1 yield", "more than one rule"},
+                 {"a:", "is not read off curves"}};
+    for (const auto& c : cases)
+        CHECK_THROWS_WITH(app::parse_user_states(c.text), Catch::Contains(c.message));
+    CHECK_THROWS_WITH(wanted("limit_states = papr"),
+                      Catch::Contains("study.ini:") &&
+                          Catch::Contains("did you mean \"paper\""));
+    CHECK_THROWS_AS(wanted("limit_states = user"), app::ConfigError);
+}

@@ -1,0 +1,143 @@
+#include "app/fragility_command.hpp"
+
+#include "app/config_error.hpp"
+#include "app/store.hpp"
+#include "app/store_reader.hpp"
+#include "app/study_columns.hpp"
+#include "app/study_file_head.hpp"
+#include "app/study_runner.hpp"
+#include "app/study_scenes.hpp"
+#include "app/study_walls.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct File {
+    fs::path path = fs::temp_directory_path() /
+                    ("drystone_fragility_" +
+                     std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".h5");
+    ~File()
+    {
+        for (const char* end : {"", ".journal", ".lock"}) fs::remove(path.string() + end);
+    }
+};
+
+/// A study of 3 walls under each of two stresses, of which `walls` were run.
+void run_study(const fs::path& path, std::size_t walls)
+{
+    const app::Study s = study_scenes::study("samples = 3");
+    const dem::Model model = app::model_of(s);
+    const std::vector<std::uint32_t> sizes = {3};
+    const app::SamplePlan plan = sample_plan(s, model.layout, sizes);
+    app::Store store(path, app::head_of(s, plan, sizes));
+    auto keys = pending_walls(store, {}, false);
+    keys.resize(walls);
+    app::run_walls(s, model, plan, keys, 2, store, {});
+    store.compact();
+}
+
+int run(const std::vector<std::string>& arguments)
+{
+    return app::fragility_command(app::parse_command_line(arguments));
+}
+
+} // namespace
+
+TEST_CASE(
+    "fragility of a study: modes and displacements are those of the store, drifts over the "
+    "height of the load",
+    "[app][fragility_study]")
+{
+    const File file;
+    run_study(file.path, 5);
+    const app::StudyWalls walls = app::read_study_walls(file.path, {});
+    CHECK(walls.height == Approx(0.5).epsilon(1e-14)); // 4 courses and the beam
+    CHECK(walls.levels[0].walls.size() + walls.levels[1].walls.size() == 5);
+    CHECK(walls.levels[1].missing == 1);
+    app::StoreReader reader(file.path);
+    const std::size_t mode = column_of(reader.head().counts, "mode");
+    for (const app::StudyLevel& level : walls.levels)
+        for (const app::StudyWall& w : level.walls) {
+            const auto row = reader.row(app::WallKey{
+                static_cast<std::uint32_t>(&level - walls.levels.data()), w.key.sample});
+            REQUIRE(row);
+            CHECK(w.mode == row->counts[mode]);
+            CHECK(w.limits[0].displacement == w.ultimate.displacement);
+            CHECK(w.limits[0].reading == w.ultimate.reading);
+            CHECK(w.inputs[0] == Approx(row->inputs[0] * walls.inputs[0].scale));
+        }
+    const auto data = app::drift_data(walls);
+    CHECK(data.groups[0].walls[0].limits[0]->lower ==
+          Approx(100.0 * walls.levels[0].walls[0].ultimate.displacement / 0.5).epsilon(1e-14));
+    CHECK(walls.inputs[0].unit == "deg");
+}
+
+TEST_CASE(
+    "fragility of a study: an unfinished one, or one without a wall, is written and says what "
+    "is missing",
+    "[app][fragility_study]")
+{
+    const std::size_t n = GENERATE(std::size_t{0}, std::size_t{4});
+    const File file;
+    run_study(file.path, n);
+    const auto output = app::study_output(app::read_study_walls(file.path, {}));
+    CHECK(output.remarks.find("walls of the study are not in this file") != std::string::npos);
+    CHECK(output.source.find(std::to_string(6 - n) + " not run yet") != std::string::npos);
+}
+
+TEST_CASE(
+    "fragility of a study: its file is read although a default follows from a rounded mean",
+    "[app][fragility_study]")
+{
+    const File file;
+    const app::Study s = study_scenes::study("samples = 1");
+    const dem::Model model = app::model_of(s);
+    const std::vector<std::uint32_t> sizes = {1};
+    app::StoreHead head = app::head_of(s, sample_plan(s, model.layout, sizes), sizes);
+    const std::size_t at = head.configuration.find("residual_friction_angle");
+    REQUIRE(at != std::string::npos);
+    const std::size_t end = head.configuration.find('\n', at);
+    head.configuration.replace(at, end - at, "residual_friction_angle = 89 deg  # default");
+    app::Store(file.path, head).compact();
+    CHECK(app::read_study_walls(file.path, {}).levels.size() == 2);
+}
+
+TEST_CASE("fragility of a study: only its own keys can be set", "[app][fragility_study]")
+{
+    const File file;
+    run_study(file.path, 0);
+    const std::vector<std::string> good = {"fragility.limit_states=ec8"}, bad = {"uq.seed=2"};
+    CHECK(app::read_study_walls(file.path, good).states.size() == 3);
+    CHECK_THROWS_AS(app::read_study_walls(file.path, bad), app::ConfigError);
+}
+
+TEST_CASE(
+    "fragility of a table: the command writes a folder, refuses what a study has and lacks",
+    "[app][fragility_study]")
+{
+    const fs::path folder = fs::temp_directory_path() / "drystone_fragility_table";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const std::string csv = (folder / "walls.csv").string(), out = (folder / "out").string();
+    std::ofstream(csv) << "drift [%],stopped,mode\n1.0,0,a\n2.0,1,a\n1.5,no,a\n0.8,0,b\n";
+    CHECK(run({"fragility", csv, "--drift", "drift", "--censored", "stopped", "--group", "mode",
+               "--set", "fragility.bootstrap=50", "--out", out}) == 0);
+    CHECK(fs::exists(folder / "out" / "performance_limits.csv"));
+    CHECK_THROWS_WITH(run({"fragility", csv, "--out", out}),
+                      Catch::Contains("--drift: missing"));
+    CHECK_THROWS_WITH(run({"fragility", "x.h5", "--drift", "d", "--out", out}),
+                      Catch::Contains("a study has none"));
+    CHECK_THROWS_WITH(run({"fragility", csv, "--drift", "drift", "--set",
+                           "fragility.crossing=last", "--out", out}),
+                      Catch::Contains("of a table only"));
+    fs::remove_all(folder);
+}

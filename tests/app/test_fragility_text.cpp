@@ -1,0 +1,41 @@
+#include "app/fragility_text.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+TEST_CASE(
+    "fragility text: bounds that the data do not give are words, values that are no numbers "
+    "are nothing",
+    "[app][fragility_text]")
+{
+    const double inf = std::numeric_limits<double>::infinity();
+    CHECK(app::with_interval(1.576, 1.4, inf, 2) == "1.58 [1.40, no limit]");
+    CHECK(app::with_interval(std::nan(""), 1.0, 2.0, 2).empty());
+    CHECK(app::with_error(16.24, 0.31, 1) == "16.2 +- 0.3");
+    CHECK(app::with_error(16.24, inf, 1) == "16.2");
+}
+
+TEST_CASE("fragility text: plain numbers have intervals and errors in columns of their own",
+          "[app][fragility_text]")
+{
+    const app::Table t{"c",
+                       {"n", "median [%]", "force [kN]"},
+                       {{"3", "1.58 [1.40, no limit]", "16.2 +- 0.3"},
+                        {"0", "not identifiable: median > 2", "12.0 (1 wall)"}}};
+    const app::Table p = app::plain_numbers(t);
+    CHECK(p.head == std::vector<std::string>{"n", "median [%]", "median lower [%]",
+                                             "median upper [%]", "force [kN]",
+                                             "force std error [kN]"});
+    CHECK(p.rows[0] == std::vector<std::string>{"3", "1.58", "1.40", "", "16.2", "0.3"});
+    CHECK(p.rows[1] == std::vector<std::string>{"0", "not identifiable: median > 2", "", "",
+                                                "12.0 (1 wall)", ""});
+}
+
+TEST_CASE("fragility text: names of files have no path in them", "[app][fragility_text]")
+{
+    CHECK(app::file_name("0.75 MPa") == "0.75_MPa");
+    CHECK(app::file_name("../x") == "_.._x");
+    CHECK(app::file_name("").size() == 1);
+}
