@@ -13,13 +13,12 @@ namespace {
 
 constexpr std::size_t kTableDrifts = 30;
 
-double largest_drift(const DriftData& data)
+double largest_drift(const DriftData& data, std::size_t state)
 {
     double largest = 0.0;
     for (const DriftGroup& g : data.groups)
         for (const DriftWall& w : g.walls)
-            for (const auto& limit : w.limits)
-                if (limit) largest = std::max(largest, limit->lower);
+            if (w.limits[state]) largest = std::max(largest, w.limits[state]->lower);
     return largest;
 }
 
@@ -61,9 +60,8 @@ void add_mixture(const DriftData& data, const DriftGroup& group, std::size_t sta
         t.rows.push_back(row);
         return;
     }
-    const auto mix = fragility::mixture_curve(modes, drifts, data.options.confidence);
     const int d = decimals_for(drifts.back());
-    for (const auto& p : mix.points) {
+    for (const auto& p : mixture_points(data, modes, drifts)) {
         Start cells = row;
         cells.push_back(fixed(p.drift, d));
         cells.push_back(with_interval(p.least, p.band, 4));
@@ -107,9 +105,21 @@ std::string no_mixture(const std::vector<fragility::ModeGroup>& modes)
     return {};
 }
 
-std::vector<double> drift_grid(const DriftData& data, std::size_t points)
+std::vector<fragility::MixturePoint>
+mixture_points(const DriftData& data, const std::vector<fragility::ModeGroup>& modes,
+               const std::vector<double>& drifts)
 {
-    const double largest = largest_drift(data);
+    auto points = fragility::mixture_curve(modes, drifts, data.options.confidence).points;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        points[i].band.lower = std::max(points[i].band.lower, points[i - 1].band.lower);
+    for (std::size_t i = points.size(); i-- > 1;)
+        points[i - 1].band.upper = std::min(points[i - 1].band.upper, points[i].band.upper);
+    return points;
+}
+
+std::vector<double> drift_grid(const DriftData& data, std::size_t state, std::size_t points)
+{
+    const double largest = largest_drift(data, state);
     std::vector<double> drifts;
     for (std::size_t i = 1; i <= points && largest > 0.0; ++i)
         drifts.push_back(largest * static_cast<double>(i) / static_cast<double>(points));
@@ -128,7 +138,7 @@ Table curve_table(const DriftData& data, std::size_t state)
         "of them as failed, \"at most\" as many as they allow.";
     t.head = {data.group_head,           "walls of",    "n",
               drift_head(data, "drift"), "probability", "at most"};
-    const std::vector<double> drifts = drift_grid(data, kTableDrifts);
+    const std::vector<double> drifts = drift_grid(data, state, kTableDrifts);
     if (drifts.empty()) return t;
     for (const DriftGroup& g : data.groups) {
         const Start start = {group_cell(g)};

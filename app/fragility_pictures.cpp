@@ -25,6 +25,14 @@ std::string title_of(const DriftState& s)
     return (s.set.empty() ? "" : s.set + " ") + s.name + ": " + s.rule;
 }
 
+/// Fits on a chart beside the name of a group.
+std::string short_title(const DriftState& s)
+{
+    constexpr std::size_t kMost = 50;
+    const std::string title = title_of(s);
+    return title.size() <= kMost ? title : title.substr(0, title.find(':'));
+}
+
 /// Horizontal pieces, up to where anything is known.
 Series steps(const std::vector<Observation>& limits, const std::string& name,
              const std::string& shade)
@@ -72,7 +80,7 @@ Chart empty_chart(const DriftData& data, const std::string& title)
 NamedPicture all_groups(const DriftData& data, std::size_t state,
                         const std::vector<double>& drifts)
 {
-    Chart c = empty_chart(data, title_of(data.states[state]));
+    Chart c = empty_chart(data, short_title(data.states[state]));
     for (std::size_t g = 0; g < data.groups.size(); ++g) {
         const auto limits = limits_of(data.groups[g], state);
         Series line = fitted(data, limits, drifts);
@@ -93,9 +101,8 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
 void add_mixture(const DriftData& data, const std::vector<fragility::ModeGroup>& modes,
                  const std::vector<double>& drifts, Chart& c)
 {
-    const auto mix = fragility::mixture_curve(modes, drifts, data.options.confidence);
     Series least, most, lower, upper;
-    for (const auto& p : mix.points) {
+    for (const auto& p : mixture_points(data, modes, drifts)) {
         for (Series* const s : {&least, &most, &lower, &upper}) s->x.push_back(p.drift);
         least.y.push_back(p.least);
         most.y.push_back(p.most);
@@ -118,7 +125,7 @@ NamedPicture one_group(const DriftData& data, std::size_t state, std::size_t g,
                        const std::vector<double>& drifts)
 {
     const DriftGroup& group = data.groups[g];
-    Chart c = empty_chart(data, group.name + ", " + title_of(data.states[state]));
+    Chart c = empty_chart(data, group.name + ", " + short_title(data.states[state]));
     auto modes = mode_groups(data, group, state);
     const auto all = limits_of(group, state);
     if (data.modes.empty() && !all.empty()) modes = {{all, data.options.law}};
@@ -145,9 +152,9 @@ NamedPicture one_group(const DriftData& data, std::size_t state, std::size_t g,
 std::vector<NamedPicture> curve_pictures(const DriftData& data)
 {
     std::vector<NamedPicture> pictures;
-    const std::vector<double> drifts = drift_grid(data, kChartDrifts);
-    if (drifts.empty()) return pictures;
     for (std::size_t s = 0; s < data.states.size(); ++s) {
+        const std::vector<double> drifts = drift_grid(data, s, kChartDrifts);
+        if (drifts.empty()) continue;
         pictures.push_back(all_groups(data, s, drifts));
         constexpr std::size_t kMostGroups = 12; // a picture of each
         for (std::size_t g = 0; g < data.groups.size() && g < kMostGroups; ++g)

@@ -125,6 +125,26 @@ TEST_CASE("fragility curves: the fitted curve is one half at the median, steps a
     CHECK(cell(curve, 14, "probability").starts_with("0.5000"));
 }
 
+TEST_CASE("fragility curves: neither a mixture nor its band falls with the drift",
+          "[app][fragility_curves]")
+{
+    app::DriftData data = scenes::drifts({{}});
+    data.modes = {"rocking", "mixed"};
+    for (int i = 0; i < 30; ++i) { // far apart: the tails are deep
+        const double spread = std::exp(0.1 * (i % 5 - 2));
+        data.groups[0].walls.push_back({i % 2, {fragility::observed((i % 2 + 0.1) * spread)}});
+    }
+    std::vector<double> drifts;
+    for (int i = 1; i <= 200; ++i) drifts.push_back(0.02 * i);
+    const auto points =
+        app::mixture_points(data, app::mode_groups(data, data.groups[0], 0), drifts);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        CHECK(points[i].least >= points[i - 1].least);
+        CHECK(points[i].band.lower >= points[i - 1].band.lower);
+        CHECK(points[i].band.upper >= points[i - 1].band.upper);
+    }
+}
+
 TEST_CASE("fragility curves: degenerate data give sentences and pictures that can be drawn",
           "[app][fragility_curves]")
 {
