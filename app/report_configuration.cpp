@@ -12,6 +12,12 @@ bool follows_from_others(const std::string& key)
     return known != nullptr && known->derived.apply != nullptr;
 }
 
+/// How results are read and what is asked of them: may be of another version.
+bool no_part_of_a_wall(std::string_view section)
+{
+    return section == "fragility" || section == "reliability";
+}
+
 } // namespace
 
 std::string without_derived(std::string_view configuration)
@@ -25,7 +31,8 @@ std::string without_derived(std::string_view configuration)
         if (words.starts_with('[')) section = words.substr(1, words.find(']') - 1);
         const std::string key =
             section + "." + std::string(trimmed(line.substr(0, line.find('='))));
-        const bool dropped = words.ends_with("# default") && follows_from_others(key);
+        const bool dropped = no_part_of_a_wall(section) ||
+                             (words.ends_with("# default") && follows_from_others(key));
         // an empty line in its place: lines keep their numbers
         kept += dropped ? "\n" : std::string(line) + "\n";
     }

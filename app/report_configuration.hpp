@@ -9,7 +9,8 @@
 namespace app {
 
 /// The configuration without the defaults that follow from other values: as written there they would
-/// be numbers given, and no longer follow what is drawn for a wall.
+/// be numbers given, and no longer follow what is drawn for a wall. Without the sections that say
+/// nothing of a wall (fragility, reliability), too.
 [[nodiscard]] std::string without_derived(std::string_view configuration);
 
 /// The study that wrote the configuration (effective_configuration).

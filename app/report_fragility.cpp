@@ -61,7 +61,7 @@ std::string fit_text(const fragility::ModeGroup& group, const fragility::Fit& fi
     const fragility::Interval m = fragility::wald_interval(fit, fragility::median());
     return text + "median drift " + fixed(std::exp(fit.law.location), 2) + " % [" +
            fixed(m.lower, 2) + ", " + fixed(m.upper, 2) + "], dispersion " +
-           fixed(fit.law.dispersion, 2) + " +- " + fixed(fit.dispersion_error, 2);
+           fixed(fit.law.dispersion, 2) + " ± " + fixed(fit.dispersion_error, 2);
 }
 
 Json kaplan_meier_json(const std::vector<Observation>& limits, Json& curve)
@@ -97,6 +97,9 @@ Json level_curve(const LevelWalls& walls, std::size_t level, double largest)
         c["upper"].push_back(rounded(p.band.upper));
     }
     c["steps"] = kaplan_meier_json(walls.all, c);
+    c["fitted"] = std::any_of(mix.fits.begin(), mix.fits.end(), [](const fragility::Fit& f) {
+        return f.outcome == fragility::FitOutcome::converged;
+    });
     c["fits"] = Json::array();
     for (std::size_t m = 0; m < groups.size(); ++m)
         c["fits"].push_back(fit_text(groups[m], mix.fits[m], names[m]));
@@ -153,6 +156,9 @@ std::string equal_text(const fragility::ModeModel& model, const fragility::ModeD
 {
     const auto e = fragility::equal_modes(model, data, 0, 1, 0, Eigen::VectorXd::Zero(1));
     if (!e.found) return "No stress at which both modes are equally likely: " + e.reason + ".";
+    const auto stress = data.covariates.col(0);
+    if (e.at < stress.minCoeff() || e.at > stress.maxCoeff())
+        return "Neither mode is overtaken by the other between the stresses studied.";
     return "Both modes are equally likely at " + fixed(e.at, 2) + " MPa " +
            interval_text(e.delta, 2) + ".";
 }
@@ -170,6 +176,34 @@ void add_model(Json& modes, const fragility::ModeData& data)
     modes["note"] = std::string("Line: logistic regression on the stress") +
                     (firth ? ", with Firth's penalty (" + model.reason + ")" : "") + ". " +
                     equal_text(model, data);
+}
+
+struct ModeCount {
+    double stress = 0.0; ///< [MPa]
+    double rocking = 0.0, walls = 0.0, failed = 0.0;
+};
+
+ModeCount mode_count(const ReportStudy& study, std::size_t level)
+{
+    ModeCount c{study.stress(level)};
+    for (const ReportWall& w : study.walls) {
+        if (w.row.key.level != level) continue;
+        (w.failed ? c.failed : c.walls) += 1.0;
+        if (!w.failed && w.rocking) c.rocking += 1.0;
+    }
+    return c;
+}
+
+fragility::ModeData mode_data(const std::vector<ModeCount>& counts)
+{
+    const auto n = static_cast<Eigen::Index>(counts.size());
+    fragility::ModeData data{Eigen::MatrixXd(n, 1), Eigen::MatrixXd(n, 2)};
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const ModeCount& c = counts[static_cast<std::size_t>(i)];
+        data.covariates(i, 0) = c.stress;
+        data.counts.row(i) << c.rocking, c.walls - c.rocking;
+    }
+    return data;
 }
 
 } // namespace
@@ -202,35 +236,20 @@ Table fragility_table(const ReportStudy& study)
 
 Json modes_json(const ReportStudy& study)
 {
-    Json modes = {{"levels", Json::array()}};
-    std::vector<std::array<double, 3>> rows;
+    Json modes = {{"levels", Json::array()}, {"note", ""}};
+    std::vector<ModeCount> counts;
     for (std::size_t level = 0; level < study.head.levels.size(); ++level) {
-        const auto walls = study.sound(level);
-        if (walls.empty()) continue;
-        const auto rocking =
-            std::count_if(walls.begin(), walls.end(), [](auto* w) { return w->rocking; });
-        std::size_t failed = 0;
-        for (const ReportWall& w : study.walls)
-            failed += w.failed && w.row.key.level == level ? 1 : 0;
-        const auto n = static_cast<double>(walls.size()), k = static_cast<double>(rocking);
-        const fragility::Share s = fragility::share(k, n, static_cast<double>(failed));
-        modes["levels"].push_back({{"stress", study.stress(level)},
+        const ModeCount c = mode_count(study, level);
+        if (c.walls == 0.0) continue;
+        const fragility::Share s = fragility::share(c.rocking, c.walls, c.failed);
+        modes["levels"].push_back({{"stress", c.stress},
                                    {"value", s.value},
                                    {"lower", s.bounds.lower},
                                    {"upper", s.bounds.upper},
-                                   {"walls", walls.size()}});
-        rows.push_back({study.stress(level), k, n - k});
+                                   {"walls", c.walls}});
+        counts.push_back(c);
     }
-    modes["note"] = "";
-    if (rows.size() < 2) return modes;
-    const auto n_rows = static_cast<Eigen::Index>(rows.size());
-    fragility::ModeData data{Eigen::MatrixXd(n_rows, 1), Eigen::MatrixXd(n_rows, 2)};
-    for (Eigen::Index i = 0; i < n_rows; ++i) {
-        const auto& row = rows[static_cast<std::size_t>(i)];
-        data.covariates(i, 0) = row[0];
-        data.counts.row(i) << row[1], row[2];
-    }
-    add_model(modes, data);
+    if (counts.size() >= 2) add_model(modes, mode_data(counts));
     return modes;
 }
 

@@ -15,7 +15,7 @@ namespace app {
 /// likelihood) and their shares; Kaplan-Meier steps beside it. Drifts in percent of the height of
 /// the load:
 /// [{"level", "drift": [...], "least", "most", "lower", "upper", "steps": [[drift, probability], ...],
-///   "known_to", "fits": text of each mode}]
+///   "known_to", "fits": text of each mode, "fitted": any of them}]
 [[nodiscard]] nlohmann::ordered_json fragility_json(const ReportStudy& study);
 
 /// Median and dispersion of the ultimate drift of each stress, all modes pooled.

@@ -33,7 +33,7 @@ std::string listed_keys(const ReportStudy& study)
 std::string wall_text(const Study& study)
 {
     const double height = study.wall.courses * study.wall.course_height;
-    return "a wall of " + fixed(study.wall.length, 2) + " m x " + fixed(height, 2) + " m x " +
+    return "a wall of " + fixed(study.wall.length, 2) + " m × " + fixed(height, 2) + " m × " +
            fixed(study.wall.thickness, 2) + " m in " +
            count_of(static_cast<std::size_t>(study.wall.courses), "course") +
            ", pushed sideways at a height of " + fixed(study.load.height, 2) + " m up to " +

@@ -2,6 +2,7 @@
 import { element, choice, fixed, figures, words, colours, levelColour } from './format.js';
 import { chart, key, placeTip, dashOf } from './chart.js';
 
+const kFewest = 5; // walls of a mean with an interval: that of fewer hides the chart
 const kSvg = 'http://www.w3.org/2000/svg';
 
 export function wallName(data, w) {
@@ -71,7 +72,7 @@ export class Capacity {
         const thin = walls.length > 100 ? 0.35 : 0.6;
         const series = walls.map((w) => ({ data: this.curves.forces[w], colour: colours[this.data.walls[w].mode], width: 1, alpha: thin }));
         const means = this.data.means.filter((m) => m.level === level && m.mode !== 'all');
-        for (const m of means) series.push(this.meanSeries(m, colours[m.mode], [], `mean of ${m.walls} ${m.mode} walls, 95 %`));
+        for (const m of means) series.push(this.meanSeries(m, colours[m.mode], [], `mean of ${m.walls} ${m.mode} walls`));
         this.walls = walls;
         this.drawn = this.plotChart(series, `Force against displacement of ${walls.length} walls under ${this.data.levels[level].name}`);
         const keys = ['rocking', 'mixed', 'failed'].filter((mode) => walls.some((w) => this.data.walls[w].mode === mode));
@@ -92,7 +93,8 @@ export class Capacity {
     /** The mean on the displacements of the chart. */
     meanSeries(m, colour, dash, label) {
         const spread = (values) => this.curves.x.map((x) => interpolate(values, x / (m.step * 1e3)));
-        return { label, colour, dash, width: 2.5, data: spread(m.mean), band: [spread(m.lower), spread(m.upper)] };
+        const sure = m.walls >= kFewest;
+        return { label: `${label}, ${sure ? '95 %' : 'no interval'}`, colour, dash, width: 2.5, data: spread(m.mean), band: sure ? [spread(m.lower), spread(m.upper)] : undefined };
     }
 
     plotChart(series, label) {
@@ -167,12 +169,16 @@ export class Capacity {
     }
 
     force(wall, d) {
-        return interpolate(this.curves.forces[wall], d / this.curves.x[1]);
+        const t = d / this.curves.x[1];
+        const forces = this.curves.forces[wall];
+        // the last point of a curve lies half an interval before its end
+        return interpolate(forces, t) ?? forces.findLast((f) => f !== null) ?? null;
     }
 
     refresh() {
         if (!this.drawn || !this.parts) return;
         const { u } = this.drawn;
+        if (!Number.isFinite(u.valToPos(0, 'x'))) return; // a new chart: it calls again when it is drawn
         const line = (w) => (w === null || w === undefined || !this.walls.includes(w) ? '' : pointsOf(u, this.curves.x, this.curves.forces[w]));
         this.parts.hovered.setAttribute('points', line(this.hovered));
         this.parts.chosen.setAttribute('points', line(this.wall));

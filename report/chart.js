@@ -28,6 +28,7 @@ function axes(options) {
         grid: { stroke: '#e6e6e6', width: 1 },
         ticks: { stroke: '#bbb', width: 1, size: 5 },
         values: (u, ticks) => ticks.map(figures),
+        ...(options.wholeX && label === options.xLabel ? { incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] } : {}),
     });
     return [{ ...axis(options.xLabel, 36), space: 55 }, { ...axis(options.yLabel, 52), space: 32 }];
 }
@@ -85,6 +86,7 @@ export function chart(host, options) {
             scales: { x: { time: false, ...range(options.xRange) }, y: range(options.yRange) },
             axes: axes(options),
             legend: { show: false },
+            pxAlign: false,
             cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
             hooks: {
                 draw: options.draw ? [options.draw] : [],

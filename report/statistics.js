@@ -26,7 +26,8 @@ export function fragility(data, host) {
         const x = [0, ...curves[0].drift];
         const series = curves.flatMap((c) => fragilitySeries(data, c, x, chosen !== 'all'));
         drawn = chart(where, { label: `Probability of the ultimate limit state against drift, ${chosen === 'all' ? 'all stresses' : data.levels[chosen].name}`, x, series, xLabel: 'drift [%]', yLabel: 'probability', yRange: [0, 1], height: 360, tip: (i) => tipText(series, x, i) });
-        legend.replaceChildren(key(series));
+        const without = curves.filter((c) => !c.fitted).map((c) => data.levels[c.level].name);
+        legend.replaceChildren(key(series), element('p', { class: 'note' }, without.length ? `No fit: ${without.join(', ')}.` : ''));
         fits.replaceChildren(...curves.flatMap((c) => c.fits.map((f) => element('li', {}, `${data.levels[c.level].name}, ${f}`))));
     };
     const options = [{ value: 'all', text: 'all' }, ...data.fragility.map((c) => ({ value: c.level, text: data.levels[c.level].name }))];
@@ -37,7 +38,9 @@ export function fragility(data, host) {
 function fragilitySeries(data, c, x, alone) {
     const colour = levelColour(c.level);
     const name = data.levels[c.level].name;
-    const series = [{ label: alone ? `${name}: fitted, with 95 % band` : name, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: alone ? [[0, ...c.lower], [0, ...c.upper]] : undefined }];
+    if (!alone && !c.fitted) return [];
+    const fitted = { label: alone ? `${name}: fitted, with 95 % band` : name, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: alone ? [[0, ...c.lower], [0, ...c.upper]] : undefined };
+    const series = c.fitted ? [fitted] : [];
     if (!alone) return series;
     if (c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'if all walls of modes without a fit failed too', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
     if (c.steps.length) {
@@ -110,7 +113,7 @@ export function running(data, host) {
         const peak = lines.find((r) => r.key === 'peak force');
         if (peak) series.unshift({ label: 'peak force: 95 % band of independent samples', colour: '#767676', width: 0, band: [padded(peak.band.map((b) => -b)), padded(peak.band)] });
         const most = Math.max(...series.flatMap((s) => (s.data ?? []).slice(Math.min(4, n - 1)).map((v) => Math.abs(v ?? 0))), 1);
-        drawn = chart(where, { label: `Error of the mean after a number of walls, ${data.levels[level].name}`, x, series, xLabel: 'walls', yLabel: 'error of the mean [%]', height: 320, yRange: [-1.15 * most, 1.15 * most] });
+        drawn = chart(where, { label: `Error of the mean after a number of walls, ${data.levels[level].name}`, x, series, xLabel: 'walls', wholeX: true, yLabel: 'error of the mean [%]', height: 320, yRange: [-1.15 * most, 1.15 * most] });
         legend.replaceChildren(key(series));
     };
     const first = data.running[0].level;
@@ -140,7 +143,7 @@ export function sensitivity(data, host) {
     const show = () => {
         const parts = data.sensitivity.filter((s) => s.level === state.level);
         where.replaceChildren(...parts.map((s) => element('figure', {},
-            element('h3', {}, `${s.response}, ${s.walls} walls`),
+            element('h3', {}, `${s.response}, ${s.walls} ${s.walls === 1 ? 'wall' : 'walls'}`),
             s.bars.length ? tornado(s.bars, state.measure) : element('p', {}, `Too few walls: ${data.inputs.length + 5} are needed.`))));
     };
     host.append(

@@ -53,13 +53,13 @@ class Drawing {
             return { x, z, ua, ub, opening: level ? d[1] : d[0], slip: level ? d[0] : d[1] };
         });
         const slip = Math.max(...ends.map((e) => Math.abs(e.slip)));
-        return { kind, ends, opening: Math.max(...ends.map((e) => e.opening)), slip, damage: this.crackOf[i] < 0 ? 0 : film.damage(this.crackOf[i], t) };
+        return { kind, ends, opening: Math.max(...ends.map((e) => e.opening)), slip, closed: Math.min(...ends.map((e) => e.opening)) <= kThreshold, damage: this.crackOf[i] < 0 ? 0 : film.damage(this.crackOf[i], t) };
     }
 
     /** Largest opening and slip at the end of a film [m]. */
     largest(film) {
         const states = this.geometry.faces.map((f, i) => this.state(film, i, film.frames - 1));
-        const most = (k) => Math.max(2 * kThreshold, ...states.map((s) => s[k]));
+        const most = (k) => Math.max(2 * kThreshold, ...states.map((s) => (k === 'opening' || s.closed ? s[k] : 0)));
         return { opening: most('opening'), slip: most('slip'), damage: 1 };
     }
 
@@ -85,7 +85,7 @@ class Drawing {
             face.gap.setAttribute('stroke', kMarks.opening);
         }
         const crack = s.kind === 'crack';
-        const what = crack && wants('damage') && s.damage > 0.004 ? 'damage' : !crack && wants('slip') && s.slip > kThreshold && s.opening < Math.max(kThreshold, s.slip) ? 'slip' : null;
+        const what = crack && wants('damage') && s.damage > 0.004 ? 'damage' : !crack && wants('slip') && s.slip > kThreshold && s.closed ? 'slip' : null;
         face.line.setAttribute('visibility', what ? 'visible' : 'hidden');
         if (!what) return;
         const share = Math.min(1, s[what] / largest[what]);
@@ -174,7 +174,7 @@ export class WallView {
         const mm = (v) => fixed(v * 1e3, 1);
         this.keys.replaceChildren(
             item('opening', `open joint, up to ${mm(this.largest.opening)} mm`),
-            item('slip', `slip, up to ${mm(this.largest.slip)} mm`),
+            item('slip', `slip of a closed joint, up to ${mm(this.largest.slip)} mm`),
             item('damage', 'crack in a unit; dashed: not through'));
     }
 

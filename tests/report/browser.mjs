@@ -82,9 +82,15 @@ export async function openPage(program, { width = 1280, height = 900, mobile = f
             return Buffer.from(data, 'base64');
         },
         async close() {
-            browser.kill('SIGKILL');
+            const late = setTimeout(() => browser.kill('SIGKILL'), 5000);
+            raw('Browser.close').catch(() => {});
             await ended;
-            rmSync(profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 100 });
+            clearTimeout(late);
+            try {
+                rmSync(profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
+            } catch {
+                // its helpers may write for a moment after it has ended
+            }
         },
     };
     return page;

@@ -1,0 +1,42 @@
+#pragma once
+/// A small study run into a file, for tests of its report.
+
+#include "app/study_file_head.hpp"
+#include "app/study_runner.hpp"
+#include "app/study_scenes.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace scenes {
+
+/// @param failures further walls that failed for this reason, or nothing
+inline void run_study(const std::filesystem::path& file, const std::string& uq,
+                      const std::string& reason = "")
+{
+    const app::Study study = study_scenes::study(uq);
+    const dem::Model model = app::model_of(study);
+    const std::vector<std::uint32_t> sizes = {app::samples_of(study)};
+    const app::SamplePlan plan = sample_plan(study, model.layout, sizes);
+    app::StoreHead head = head_of(study, plan, sizes);
+    head.sessions = {{"0.1.0", "a machine", "a build", "2 threads", "2026-01-01T00:00:00Z"}};
+    app::Store store(file, head);
+    std::vector<app::WallKey> walls = pending_walls(store, {}, false);
+    if (!reason.empty()) {
+        app::WallRow row;
+        row.key = walls.back();
+        row.status = 5;
+        row.reason = reason;
+        row.inputs.assign(head.inputs.size(), 1.0);
+        row.responses.assign(head.responses.size(), std::nan(""));
+        row.counts.assign(head.counts.size(), -1);
+        row.cost.assign(head.cost.size(), 0.0);
+        store.append({&row, 1});
+        walls.pop_back();
+    }
+    app::run_walls(study, model, plan, walls, 2, store, {});
+    store.compact();
+}
+
+} // namespace scenes

@@ -1,0 +1,9 @@
+drystone_tests(app_report
+    SOURCES
+        app/test_report_bytes.cpp
+        app/test_report_curves.cpp
+        app/test_report_film.cpp
+        app/test_report_page.cpp
+        app/test_report_study.cpp
+        scenes/snapshot_scenes.cpp
+    LIBRARIES drystone_app_report nlohmann_json::nlohmann_json ZLIB::ZLIB)

@@ -1,0 +1,74 @@
+#include "app/report_curves.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+app::ReportWall straight_wall(double stiffness, double last, bool rocking = true)
+{
+    app::ReportWall w;
+    w.rocking = rocking;
+    for (const double d : {0.0, 0.25 * last, last}) {
+        w.row.curve.displacement.push_back(d);
+        w.row.curve.force.push_back(stiffness * d);
+    }
+    return w;
+}
+
+} // namespace
+
+TEST_CASE(
+    "report curves: straight between points, from the origin to the first, none beyond the "
+    "last",
+    "[app][report_curves]")
+{
+    const app::WallCurve curve{{1.0, 2.0, 2.0, 4.0}, {10.0, 20.0, 12.0, 16.0}, {}};
+    CHECK(app::evenly(curve, 0.5, 20) == std::vector<double>{0, 5, 10, 15, 20, 13, 14, 15, 16});
+    CHECK(app::evenly({}, 0.5, 20).empty());
+}
+
+TEST_CASE(
+    "report curves: the mean of straight curves is the straight line of their mean, within "
+    "its interval",
+    "[app][report_curves]")
+{
+    app::ReportStudy study;
+    study.head.levels = {{1e6, 3}};
+    for (const double k : {1e6, 2e6, 6e6}) study.walls.push_back(straight_wall(k, 0.03));
+    const auto means = app::mean_curves_json(study);
+    REQUIRE(means.size() == 2); // all, rocking
+    CHECK(means[0]["mode"] == "all");
+    CHECK(means[1]["mode"] == "rocking");
+    CHECK(means[0]["mean"].size() == app::kMeanPoints);
+    CHECK(means[0]["mean"].back().get<double>() == Approx(90.0).epsilon(1e-5)); // kN
+    // Student, 2 degrees of freedom: 4.3027; s / sqrt(3) = 45.826
+    CHECK(means[0]["upper"].back().get<double>() ==
+          Approx(90.0 + 4.3027 * 45.826).epsilon(1e-4));
+}
+
+TEST_CASE("report curves: a mean ends where less than nine tenths of its walls go on",
+          "[app][report_curves]")
+{
+    app::ReportStudy study;
+    study.head.levels = {{1e6, 20}};
+    for (int i = 0; i < 20; ++i)
+        study.walls.push_back(straight_wall(1e6, i < 2 ? 0.01 : i < 3 ? 0.02 : 0.03));
+    const auto means = app::mean_curves_json(study);
+    const double step = means[0]["step"];
+    const auto points = static_cast<double>(means[0]["mean"].size());
+    CHECK((points - 1.0) * step == Approx(0.02)); // two of twenty may end, the third not
+}
+
+TEST_CASE("report curves: failed walls are in no mean", "[app][report_curves]")
+{
+    app::ReportStudy study;
+    study.head.levels = {{1e6, 3}};
+    for (const double k : {1e6, 2e6, 6e6}) study.walls.push_back(straight_wall(k, 0.03));
+    study.walls.back().failed = true;
+    CHECK(app::mean_curves_json(study)[0]["walls"] == 2);
+    CHECK(app::mean_curves_json(study)[0]["mean"].back().get<double>() == Approx(45.0));
+}

@@ -1,0 +1,124 @@
+#include "app/report_configuration.hpp"
+#include "app/report_data.hpp"
+#include "app/report_replay.hpp"
+#include "app/report_scene.hpp"
+#include "app/report_study.hpp"
+#include "app/study_identity.hpp"
+#include "scenes/temporary_folder.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <numeric>
+#include <string>
+#include <vector>
+
+TEST_CASE("report configuration: the stored study file reads back to the study that wrote it",
+          "[app][report_study]")
+{
+    const app::Study study = study_scenes::study("samples = 5");
+    const std::string text = app::effective_configuration(study);
+    CHECK(app::identity_text(app::read_configuration("s", text)) == app::identity_text(study));
+}
+
+TEST_CASE("report configuration: values that follow from drawn ones still follow them",
+          "[app][report_study]")
+{
+    const app::Study study = study_scenes::study("samples = 5");
+    const app::Study back = app::read_configuration("s", app::effective_configuration(study));
+    const dem::Layout layout = app::model_of(study).layout;
+    app::WallDraw draw;
+    for (const app::RandomInput& input : study.random)
+        draw.values.push_back({0.8 * input.mean});
+    const auto a = app::wall_materials(study, layout, 1, draw);
+    const auto b = app::wall_materials(back, layout, 1, draw);
+    CHECK(a.cracks.front().cohesion == b.cracks.front().cohesion);
+    CHECK(a.cracks.front().tan_phi == b.cracks.front().tan_phi);
+    CHECK(a.joints.front().ks == b.joints.front().ks);
+}
+
+TEST_CASE("report configuration: only defaults that follow from others are left out",
+          "[app][report_study]")
+{
+    CHECK(app::without_derived("[unit]\ncohesion = 1 MPa # default\nfriction_angle = 35 deg\n"
+                               "[load]\ngravity = 9.81 m/s2 # default\n") ==
+          "[unit]\n\nfriction_angle = 35 deg\n[load]\ngravity = 9.81 m/s2 # default\n");
+    CHECK(app::without_derived("[fragility]\na = 1\n[unit]\n") == "\n\n[unit]\n");
+    CHECK(app::without_derived("[unit]\ncohesion = 1 MPa\n") == "[unit]\ncohesion = 1 MPa\n");
+}
+
+TEST_CASE("report replay: walls are taken in turns from each stress and mode",
+          "[app][report_study]")
+{
+    app::ReportStudy study;
+    for (std::uint32_t level = 0; level < 2; ++level)
+        for (std::uint32_t sample = 0; sample < 10; ++sample) {
+            app::ReportWall w;
+            w.row.key = {level, sample};
+            w.rocking = sample == 7;
+            w.failed = sample == 0;
+            study.walls.push_back(w);
+        }
+    CHECK(app::walls_to_show(study, 4) == std::vector<std::size_t>{1, 7, 11, 17});
+    CHECK(app::walls_to_show(study, 7) == std::vector<std::size_t>{1, 2, 3, 7, 11, 12, 17});
+    CHECK(app::walls_to_show(study, 100).size() == 18);
+    CHECK(app::walls_to_show(study, 0).empty());
+}
+
+TEST_CASE("report replay: stored walls pushed again are those stored, to the bit",
+          "[app][report_study]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto file = folder.path / "small.h5";
+    scenes::run_study(file, GENERATE("samples = 3", "samples = 2\nspatial = independent"));
+    app::ReportStudy study = app::read_report_study(file);
+    REQUIRE(study.no_study.empty());
+    REQUIRE(study.inputs.size() == 5);
+    std::vector<std::size_t> walls(study.walls.size());
+    std::iota(walls.begin(), walls.end(), 0);
+    const app::Replay r = app::replay(study, walls, 2, {});
+    CHECK(r.different == 0);
+    REQUIRE(r.films.size() == walls.size());
+    CHECK(r.films.front().frames >= app::kFilmFrames);
+    study.walls.front().peak *= 1.0 + 1e-15;
+    study.walls.back().rocking = !study.walls.back().rocking;
+    CHECK(app::replay(study, walls, 2, {}).different == 2);
+}
+
+TEST_CASE("report data: failed walls are named with their reason, and in no mean",
+          "[app][report_study]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto file = folder.path / "small.h5";
+    scenes::run_study(file, "samples = 6", "</script> the numbers broke");
+    const app::ReportStudy study = app::read_report_study(file);
+    const auto data = app::report_data(study, {}, "note");
+    const std::string sure = data["overview"]["sure"].dump();
+    CHECK(sure.find("1 wall failed: </script> the numbers broke (1.00 MPa sample 5)") !=
+          std::string::npos);
+    CHECK(data["overview"]["run"][0].get<std::string>().starts_with(
+        "12 walls under 2 vertical stresses from 0.50 MPa to 1.00 MPa: a wall of 0.60 m"));
+    CHECK(data["walls"].back()["mode"] == "failed");
+    CHECK(data["walls"].back()["peak"].is_null());
+    CHECK(data["modes"]["levels"][1]["walls"] == 5);
+    CHECK(data["modes"]["levels"][0]["upper"] <= data["modes"]["levels"][1]["upper"]);
+    CHECK(data["tables"][0]["rows"][0][2] == "6");
+    CHECK(data["sensitivity"][0]["bars"].empty()); // 6 walls for 5 inputs
+}
+
+TEST_CASE("report data: bad numbers of the study file do not stop the page",
+          "[app][report_study]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto file = folder.path / "small.h5";
+    scenes::run_study(file, "samples = 1");
+    app::ReportStudy study = app::read_report_study(file);
+    study.study.reset();
+    study.no_study = "of another version";
+    for (app::ReportInput& input : study.inputs) input.marginal.reset();
+    const auto data = app::report_data(study, {}, "note");
+    CHECK(data["running"].empty());
+    CHECK(data["films"]["films"].empty());
+    study.walls.clear();
+    CHECK_NOTHROW(app::report_data(study, {}, ""));
+}

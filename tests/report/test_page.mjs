@@ -1,0 +1,183 @@
+// node test_page.mjs CHROMIUM FOLDER CLAIM: opens FOLDER/small.html and checks one claim. Exit 1 if it does not hold.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { openPage } from './browser.mjs';
+
+const [program, place, claim] = process.argv.slice(2);
+const folder = resolve(place);
+const claims = {};
+const small = `${folder}/small.html`;
+
+async function withPage(options, check, file = small) {
+    const page = await openPage(program, options);
+    try {
+        const seconds = await page.open(file);
+        await check(page, seconds);
+        assert.deepEqual(page.problems(), [], 'errors and warnings of the console');
+        assert.deepEqual(page.requests(), [`file://${file}`], 'requests');
+    } finally {
+        await page.close();
+    }
+}
+
+const outlines = `[...document.querySelectorAll('.wall .stones polygon')].map((p) => p.getAttribute('points')).join(' ')`;
+const caption = `document.querySelector('.view figcaption').textContent`;
+const press = (selector) => `document.querySelector(${JSON.stringify(selector)}).click()`;
+const button = (within, text) => `[...document.querySelectorAll('${within} button')].find((b) => b.textContent === '${text}')`;
+
+claims['opens within two seconds without error and without network'] = () =>
+    withPage({}, async (page, seconds) => {
+        assert.ok(seconds < 2, `${seconds} s`);
+        const sections = await page.evaluate(`[...document.querySelectorAll('section')].map((s) => s.id)`);
+        assert.deepEqual(sections, ['overview', 'curves', 'fragility', 'modes', 'inputs', 'running', 'sensitivity', 'walls', 'provenance']);
+        assert.equal(await page.evaluate(`document.querySelector('[role=alert]')`), null);
+    });
+
+claims['no number on the page is NaN or infinite and no value is undefined'] = () =>
+    withPage({}, async (page) => {
+        const text = await page.evaluate(`document.body.innerText + [...document.querySelectorAll('svg *')].flatMap((e) => [...e.attributes].map((a) => a.value)).join(' ')`);
+        assert.doesNotMatch(text, /\b(NaN|Infinity|undefined|null|inf|nan)\b/);
+        assert.doesNotMatch(await page.evaluate(`document.getElementById('data').textContent`), /NaN|Infinity/);
+    });
+
+claims['a click on a curve shows its wall'] = () =>
+    withPage({}, async (page) => {
+        const before = await page.evaluate(caption);
+        const box = await page.evaluate(`(() => { const o = document.querySelector('.curves .u-over'); o.scrollIntoView({block: 'center'}); const b = o.getBoundingClientRect(); return [b.x, b.y, b.width, b.height]; })()`);
+        await page.sleep(600);
+        const [x, y, w, h] = await page.evaluate(`(() => { const b = document.querySelector('.curves .u-over').getBoundingClientRect(); return [b.x, b.y, b.width, b.height]; })()`);
+        assert.ok(box[2] > 200 && w > 200);
+        let hovered = '';
+        for (let t = 0.05; t < 0.98 && !/sample [1-9]/.test(hovered); t += 0.03) {
+            await page.move(x + 0.7 * w, y + t * h);
+            hovered = await page.evaluate(`(() => { const t = document.querySelector('.curves .tip'); return t.hidden ? '' : t.textContent; })()`);
+            if (/sample [1-9]/.test(hovered)) await page.click(x + 0.7 * w, y + t * h);
+        }
+        assert.match(hovered, /friction angle [0-9.]+ deg/);
+        await page.until(`${caption} !== ${JSON.stringify(before)}`, 5);
+        const shown = await page.evaluate(caption);
+        assert.ok(shown.startsWith(hovered.split('\n')[0]), `${shown} after ${hovered}`);
+        assert.ok((await page.evaluate(`document.querySelector('.overlay .chosen').getAttribute('points')`)).length > 100);
+    });
+
+claims['the push can be scrubbed from rest to its end'] = () =>
+    withPage({}, async (page) => {
+        const at = async (v) => {
+            await page.evaluate(`(() => { const r = document.getElementById('push'); r.value = ${v}; r.dispatchEvent(new Event('input')); })()`);
+            return { text: await page.evaluate(caption), shape: await page.evaluate(outlines) };
+        };
+        const [rest, middle, end] = [await at(0), await at(0.5), await at(1)];
+        assert.match(rest.text, /: 0\.0 mm, drift 0\.00 %/);
+        assert.match(middle.text, /: 3\.0 mm/);
+        assert.match(end.text, /: 6\.0 mm, drift 1\.20 %, [1-9]/);
+        assert.notEqual(rest.shape, middle.shape);
+        assert.notEqual(middle.shape, end.shape);
+    });
+
+claims['play runs the film to its end and pause holds it'] = () =>
+    withPage({}, async (page) => {
+        await page.evaluate(press('.play'));
+        await page.sleep(700);
+        assert.equal(await page.evaluate(`document.querySelector('.play').textContent`), 'Pause');
+        const running = await page.evaluate(caption);
+        await page.sleep(500);
+        assert.notEqual(await page.evaluate(caption), running);
+        await page.evaluate(press('.play'));
+        const held = await page.evaluate(caption);
+        await page.sleep(400);
+        assert.equal(await page.evaluate(caption), held);
+        await page.evaluate(press('.play'));
+        await page.until(`document.querySelector('.play').textContent === 'Play'`, 15);
+        assert.match(await page.evaluate(caption), /: 6\.0 mm/);
+    });
+
+claims['where less motion is asked for play shows still pictures'] = () =>
+    withPage({ reducedMotion: true }, async (page) => {
+        await page.evaluate(`window.seen = new Set(); new MutationObserver(() => seen.add(${caption})).observe(document.querySelector('.view figcaption'), { childList: true, characterData: true, subtree: true })`);
+        await page.evaluate(press('.play'));
+        await page.until(`document.querySelector('.play').textContent === 'Play'`, 15);
+        const seen = await page.evaluate(`seen.size`);
+        assert.ok(seen >= 5 && seen <= 13, `${seen} pictures`);
+    });
+
+claims['magnification and joint colours change the picture'] = () =>
+    withPage({}, async (page) => {
+        const before = await page.evaluate(outlines);
+        await page.evaluate(`(() => { const r = document.getElementById('magnification'); r.value = 0; r.dispatchEvent(new Event('input')); })()`);
+        assert.notEqual(await page.evaluate(outlines), before);
+        assert.equal(await page.evaluate(`document.querySelector('.slider output').textContent`), '1.0 times');
+        const marks = `document.querySelectorAll('.wall .marks [visibility=visible]').length`;
+        const all = await page.evaluate(marks);
+        await page.evaluate(`${button('.controls', 'damage')}.click()`);
+        assert.ok((await page.evaluate(marks)) < all);
+    });
+
+claims['the keyboard walks from curve to curve and opens one'] = () =>
+    withPage({}, async (page) => {
+        await page.evaluate(`document.querySelector('.curves .plot').focus()`);
+        await page.press('ArrowRight');
+        await page.press('ArrowRight');
+        const spoken = await page.evaluate(`document.querySelector('.spoken').textContent`);
+        assert.match(spoken, /sample \d+\n(rocking|mixed), peak [0-9.]+ kN/);
+        await page.press('Enter');
+        await page.until(`${caption}.startsWith(${JSON.stringify(spoken.split('\n')[0])})`, 5);
+    });
+
+claims['tables are copied in four forms'] = () =>
+    withPage({}, async (page) => {
+        await page.evaluate(`navigator.clipboard.writeText = (t) => { window.copied = t; return Promise.resolve(); }`);
+        const copied = async (form) => {
+            await page.evaluate(`${button('#table-results', form)}.click()`);
+            await page.until(`document.querySelector('#table-results .said').textContent === 'copied as ${form}'`, 5);
+            return page.evaluate('copied');
+        };
+        assert.match(await copied('CSV'), /^stress \[MPa\],mode,walls,/);
+        assert.match(await copied('Markdown'), /\| *stress \[MPa\] \|/);
+        assert.match(await copied('LaTeX'), /\\begin\{table\}/);
+        assert.match(await copied('text'), /all +12 /);
+    });
+
+claims['charts of all stresses and of each can be chosen'] = () =>
+    withPage({}, async (page) => {
+        for (const id of ['curves', 'fragility', 'running', 'sensitivity'])
+            for (const b of await page.evaluate(`[...document.querySelectorAll('#${id} .choice button')].map((b, i) => i)`)) await page.evaluate(`document.querySelectorAll('#${id} .choice button')[${b}].click()`);
+        assert.equal(await page.evaluate(`document.querySelectorAll('#curves .u-wrap').length`), 1);
+    });
+
+claims['a phone shows the page without scrolling sideways'] = () =>
+    withPage({ width: 360, height: 740, mobile: true }, async (page) => {
+        const [wide, screen] = await page.evaluate(`[document.documentElement.scrollWidth, innerWidth]`);
+        assert.equal(screen, 360);
+        assert.ok(wide <= 360, `${wide} px`);
+    });
+
+claims['paper shows curves and tables and no buttons'] = () =>
+    withPage({}, async (page) => {
+        await page.send('Emulation.setEmulatedMedia', { media: 'print' });
+        assert.equal(await page.evaluate(`getComputedStyle(document.querySelector('.controls')).display`), 'none');
+        assert.notEqual(await page.evaluate(`getComputedStyle(document.querySelector('#table-results table')).display`), 'none');
+        const pdf = await page.pdf();
+        assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
+        const pages = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length;
+        assert.ok(pages >= 3 && pages <= 14, `${pages} pages`);
+    });
+
+claims['every control and picture has a name'] = () =>
+    withPage({}, async (page) => {
+        const nameless = await page.evaluate(`[...document.querySelectorAll('button, select, input, [role=img], [role=group], [role=region]')]
+            .filter((e) => !(e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.length)).map((e) => e.outerHTML.slice(0, 80))`);
+        assert.deepEqual(nameless, []);
+        const pale = await page.evaluate(`getComputedStyle(document.querySelector('.note')).color`);
+        assert.equal(pale, 'rgb(89, 89, 89)'); // 7:1 on white
+    });
+
+claims['a page of few walls says so and says which'] = () =>
+    withPage({}, async (page) => {
+        assert.equal(await page.evaluate(`document.querySelectorAll('#wall-choice option').length`), 3);
+        assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /3 of 24 walls can be looked at: taken in turns/);
+        assert.ok(readFileSync(`${folder}/few.html`).length < readFileSync(small).length);
+    }, `${folder}/few.html`);
+
+if (!claims[claim]) throw new Error(`no claim "${claim}"`);
+await claims[claim]();
