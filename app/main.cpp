@@ -2,6 +2,7 @@
 
 #include "app/command_line.hpp"
 #include "app/config_error.hpp"
+#include "app/curves_command.hpp"
 #include "app/fragility_command.hpp"
 #include "app/merge_command.hpp"
 #include "app/push_command.hpp"
@@ -40,6 +41,8 @@ int run(const std::vector<std::string>& arguments)
         return app::report_command(command);
     case app::Verb::fragility:
         return app::fragility_command(command);
+    case app::Verb::curves:
+        return app::curves_command(command);
     case app::Verb::merge:
         return app::merge_command(command);
     }

@@ -162,10 +162,13 @@ std::string effective_configuration(const Study& study)
             section = section_of(key.name);
             text += (text.empty() ? "[" : "\n[") + std::string(section) + "]\n";
         }
-        std::string line(name_in_section(key.name));
+        // Read as given, a value that follows from others would no longer follow their draws.
+        const bool follows = !study.random.empty() && is_derived(key, study);
+        std::string line((follows ? "# " : "") + std::string(name_in_section(key.name)));
         line.resize(std::max<std::size_t>(line.size(), 24), ' ');
         line += "= " + value;
-        const char* const mark = entry == nullptr   ? "# default"
+        const char* const mark = follows            ? "# default, follows the draws"
+                                 : entry == nullptr ? "# default"
                                  : entry->line == 0 ? "# --set"
                                                     : "";
         if (*mark != '\0') line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');

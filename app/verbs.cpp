@@ -17,6 +17,7 @@ constexpr std::array<Options, 5> kReliability = {"out", "set", "threads", "quiet
 constexpr std::array<Options, 4> kReport = {"out", "walls", "threads", "quiet"};
 constexpr std::array<Options, 6> kFragility = {"out",   "set",      "quiet",
                                                "drift", "censored", "group"};
+constexpr std::array<Options, 2> kCurves = {"out", "quiet"};
 constexpr std::array<Options, 2> kMerge = {"partial", "quiet"};
 
 constexpr std::size_t kMany = 1'000'000;
@@ -39,6 +40,8 @@ constexpr std::array kRules = {
              OutKind::folder, "", 1, 1, kFragility, "drystone fragility runs/quick.h5"},
     VerbRule{Verb::report, "report", "FILE.h5", "one page for a browser from a study's file",
              OutKind::file, ".html", 1, 1, kReport, "drystone report runs/quick.h5"},
+    VerbRule{Verb::curves, "curves", "FILE.h5", "all capacity curves of a study as one table",
+             OutKind::file, ".csv", 1, 1, kCurves, "drystone curves runs/quick.h5"},
     VerbRule{Verb::merge, "merge", "OUT.h5 SHARD.h5...", "shards of one study into one file",
              OutKind::first_word, "", 2, kMany, kMerge,
              "drystone merge runs/paper.h5 runs/paper_*.h5"},

@@ -15,7 +15,8 @@ enum class Verb {
     fragility,
     report,
     merge,
-    reliability
+    reliability,
+    curves
 };
 
 /// What --out names.

@@ -1,5 +1,6 @@
 #include "app/config_error.hpp"
 #include "app/sample_plan.hpp"
+#include "app/study_identity.hpp"
 #include "app/study_scenes.hpp"
 #include "app/wall_sites.hpp"
 #include "dem/layout.hpp"
@@ -237,4 +238,26 @@ TEST_CASE("sample plan: correlations that cannot be are refused", "[app][sample_
               .find("nearest") != std::string::npos);
     CHECK(complaint("spatial = independent\npearson = " + a + " " + c + " 0.5")
               .find("same joints") != std::string::npos);
+}
+
+TEST_CASE("sample plan: the configuration that a study keeps makes the same walls again",
+          "[app][sample_plan]")
+{
+    const Study s = study("samples = 4\nspatial = independent");
+    const Study again =
+        app::read_study(app::parse_study_text("kept.ini", effective_configuration(s)));
+    CHECK(identity_text(again) == identity_text(s));
+    const dem::Layout layout = layout_of(s);
+    for (int i = 0; i < 4; ++i) {
+        const dem::WallMaterials a = wall_materials(s, layout, 1, app::draw(plan_of(s), 1, i)),
+                                 b = wall_materials(again, layout, 1,
+                                                    app::draw(plan_of(again), 1, i));
+        for (std::size_t k = 0; k < a.cracks.size(); ++k) {
+            CHECK(a.cracks[k].kn == b.cracks[k].kn);
+            CHECK(a.cracks[k].cohesion == b.cracks[k].cohesion);
+            CHECK(a.cracks[k].tan_phi_res == b.cracks[k].tan_phi_res);
+        }
+        for (std::size_t k = 0; k < a.joints.size(); ++k)
+            CHECK(a.joints[k].ks == b.joints[k].ks);
+    }
 }

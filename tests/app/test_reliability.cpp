@@ -1,0 +1,152 @@
+#include "app/config_error.hpp"
+#include "app/reliability_answer.hpp"
+#include "app/reliability_problem.hpp"
+#include "app/study_scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+using app::ReliabilityAnswer;
+using app::ReliabilityProblem;
+
+namespace {
+
+app::Study reliability(const std::string& text, const std::string& uq = "")
+{
+    std::string all = study_scenes::kSmall;
+    return app::read_study(app::parse_study_text("study.ini", all + "[uq]\nseed = 2\n" + uq +
+                                                                  "[reliability]\n" + text));
+}
+
+app::Command at(const std::string& level)
+{
+    app::Command c;
+    c.level = level;
+    c.threads = 2;
+    return c;
+}
+
+std::string complaint(const std::string& text, const std::string& uq = "")
+{
+    try {
+        (void)wall_problem(reliability(text, uq), at("0.50 MPa"));
+    } catch (const app::ConfigError& e) {
+        return e.what();
+    }
+    return "none";
+}
+
+/// A program that answers r - s, as a shell script.
+struct Script {
+    std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                 ("drystone_model_" + std::to_string(getpid()) + ".sh");
+    Script()
+    {
+        std::ofstream(path) << R"(#!/bin/sh
+awk -F'[:,]' '/"r"/ {r = $2} /"s"/ {s = $2} END {printf "{\"responses\": {\"g\": %.17g}}\n", r - s}' "$1"
+)";
+        std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    }
+    ~Script() { std::filesystem::remove(path); }
+};
+
+app::StudyFile external(const Script& script, const std::string& more)
+{
+    return app::parse_study_text("external.ini", "[model]\ncommand = " + script.path.string() +
+                                                     " {input}\nresponses = g\n[variables]\n"
+                                                     "r = normal(mean 4, sd 1)\n"
+                                                     "s = normal(mean 2, sd 1)\n" +
+                                                     more);
+}
+
+} // namespace
+
+TEST_CASE("reliability: of another program, R - S has beta = sqrt 2 and equal shares",
+          "[app][reliability]")
+{
+    const Script script;
+    const app::StudyFile file = external(script, "[reliability]\nmethod = form\ndemand = 0\n");
+    REQUIRE(is_external(file));
+    std::vector<app::Evaluated> seen;
+    const ReliabilityAnswer a = answer(external_problem(file, at("")), seen);
+    REQUIRE(a.methods.front().probability);
+    CHECK(*a.methods.front().probability == Approx(7.864960352514e-2).epsilon(1e-7));
+    REQUIRE(a.shares.size() == 2);
+    CHECK(a.shares[0].value == Approx(0.5).margin(1e-6));
+    CHECK(seen.size() == a.evaluations);
+    CHECK(a.failed.empty());
+}
+
+TEST_CASE("reliability: faults of a study of another program are named", "[app][reliability]")
+{
+    const Script script;
+    const auto said = [&](const std::string& more) {
+        try {
+            (void)external_problem(external(script, more), at(""));
+        } catch (const app::ConfigError& e) {
+            return std::string(e.what());
+        }
+        return std::string("none");
+    };
+    CHECK(said("").find("reliability.demand: missing") != std::string::npos);
+    CHECK(said("[reliability]\ndemand = 0\nmethod = fom\n").find("none of monte_carlo") !=
+          std::string::npos);
+    CHECK(said("[reliability]\ndemand = 0\nresponse = h\n").find("none of model.responses") !=
+          std::string::npos);
+    CHECK(said("[wall]\ncourses = 10\n").find("wall.courses: unknown key") !=
+          std::string::npos);
+    CHECK(said("[reliability]\ndemand = 0\nevent = beyond\n").find("below or above") !=
+          std::string::npos);
+}
+
+TEST_CASE("reliability: Monte Carlo on the wall counts the walls at or below the demand",
+          "[app][reliability]")
+{
+    const app::Study s =
+        reliability("response = peak_force\ndemand = 34 kN\nbudget = 60\ntarget_cov = 0.001\n");
+    const ReliabilityProblem p = wall_problem(s, at("0.5"));
+    std::vector<app::Evaluated> seen;
+    const ReliabilityAnswer a = answer(p, seen);
+    REQUIRE(seen.size() == 60);
+    int below = 0;
+    for (const app::Evaluated& e : seen) below += e.response <= 34e3 ? 1 : 0;
+    CHECK(below > 5);
+    CHECK(below < 55);
+    CHECK(*a.methods.front().probability == Approx(below / 60.0).epsilon(1e-12));
+    REQUIRE(a.shares.size() == 5);
+    CHECK(a.shares.front().value > 0.5); // friction of the joints carries this wall
+}
+
+TEST_CASE("reliability: two fidelities of the wall agree with its dear samples",
+          "[app][reliability][slow]")
+{
+    const app::Study s =
+        reliability("method = multi_fidelity\ndemand = 34 kN\nbudget = 200\ncheap = rigid\n");
+    std::vector<app::Evaluated> seen;
+    const ReliabilityAnswer a = answer(wall_problem(s, at("0.5")), seen);
+    REQUIRE(a.methods.front().probability);
+    double below = 0.0;
+    for (const app::Evaluated& e : seen) below += e.response <= 34e3 ? 1.0 : 0.0;
+    const double n = static_cast<double>(seen.size()), share = below / n;
+    CHECK(std::abs(*a.methods.front().probability - share) <
+          4.0 * std::sqrt(share * (1.0 - share) / n));
+}
+
+TEST_CASE("reliability: what a wall cannot answer is refused", "[app][reliability]")
+{
+    CHECK(complaint("").find("reliability.demand: missing") != std::string::npos);
+    CHECK(complaint("demand = 40 mm\n").find("not a force") != std::string::npos);
+    CHECK(complaint("response = ultimate_displacement\ndemand = 5 mm\n")
+              .find("end of the push") != std::string::npos);
+    CHECK(complaint("method = multi_fidelity\ncheap = simple\ndemand = 30 kN\n")
+              .find("fidelity of the study itself") != std::string::npos);
+    CHECK(complaint("demand = 30 kN\n", "spatial = stratified\n").find("no coordinates") !=
+          std::string::npos);
+}
