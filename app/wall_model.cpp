@@ -58,7 +58,7 @@ uq::Model wall_model(const Study& study, const SamplePlan& plan, int level, int 
     push.snapshot_every = 0.0;
     push.snapshot_at_peak = push.energy_at_points = false;
     const auto shared =
-        std::make_shared<Shared>(study, plan, model_of(study), push, level, threads);
+        std::make_shared<Shared>(Shared{study, plan, model_of(study), push, level, threads});
     return [shared](const uq::Samples& samples) { return ask(*shared, samples); };
 }
 
