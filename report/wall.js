@@ -15,6 +15,7 @@ class Drawing {
         const xs = geometry.blocks.flatMap((b) => [b[0], b[2]]);
         const zs = geometry.blocks.flatMap((b) => [b[1], b[3]]);
         this.size = { x0: Math.min(...xs), x1: Math.max(...xs), z1: Math.max(...zs), height };
+        this.k = this.size.z1 / 1.1; // marks and arrow grow with the wall
         const m = 0.17 * this.size.z1;
         const box = [this.size.x0 - 1.25 * m, -this.size.z1 - 0.7 * m, this.size.x1 - this.size.x0 + 2.75 * m, this.size.z1 + 1.1 * m].map((v) => v * 1e3);
         this.svg = element('svg', { viewBox: box.join(' '), role: 'img', class: 'wall' });
@@ -26,8 +27,8 @@ class Drawing {
         this.blocks = geometry.blocks.map((b) => stones.appendChild(element('polygon', { fill: b[4] === 0 ? '#c9ccd1' : kStones[b[5] % 3] })));
         const marks = group('marks');
         this.faces = geometry.faces.map(() => ({ gap: marks.appendChild(element('polygon')), line: marks.appendChild(element('line')) }));
-        this.arrow = this.svg.appendChild(element('path', { class: 'load' }));
-        this.load = this.svg.appendChild(element('text', { class: 'load', 'text-anchor': 'start' }));
+        this.arrow = this.svg.appendChild(element('path', { class: 'load', 'stroke-width': 7 * this.k }));
+        this.load = this.svg.appendChild(element('text', { class: 'load', 'text-anchor': 'start', 'font-size': 42 * this.k }));
         const crack = { n: 0 };
         this.crackOf = geometry.faces.map((f) => (f[0] === 'crack' ? crack.n++ : -1));
     }
@@ -93,21 +94,21 @@ class Drawing {
         ['x1', 'y1'].forEach((k, j) => face.line.setAttribute(k, ends[0][j]));
         ['x2', 'y2'].forEach((k, j) => face.line.setAttribute(k, ends[1][j]));
         face.line.setAttribute('stroke', kMarks[what]);
-        face.line.setAttribute('stroke-width', (4 + 10 * share).toFixed(1));
+        face.line.setAttribute('stroke-width', (this.k * (4 + 10 * share)).toFixed(1));
         face.line.setAttribute('stroke-opacity', (what === 'damage' ? 0.35 + 0.65 * share : 0.55 + 0.45 * share).toFixed(2));
-        face.line.setAttribute('stroke-dasharray', what === 'damage' && s.damage < 0.999 ? '14 8' : 'none');
+        face.line.setAttribute('stroke-dasharray', what === 'damage' && s.damage < 0.999 ? `${14 * this.k} ${8 * this.k}` : 'none');
     }
 
     drawLoad(film, t, scale, force) {
         const beam = this.geometry.blocks.findIndex((b) => b[4] === 0);
         const b = this.geometry.blocks[beam];
         const u = this.moved(film, beam, b[0], b[3], t);
-        const tip = [(b[0] + scale * u[0]) * 1e3 - 12, -(this.size.height + scale * u[1]) * 1e3];
-        const length = 60 + 90 * (force?.share ?? 0);
-        this.arrow.setAttribute('d', `M${tip[0] - length} ${tip[1]}H${tip[0] - 30}M${tip[0]} ${tip[1]}l-34 -16v32z`);
+        const tip = [(b[0] + scale * u[0]) * 1e3 - 12 * this.k, -(this.size.height + scale * u[1]) * 1e3];
+        const length = this.k * (60 + 90 * (force?.share ?? 0));
+        this.arrow.setAttribute('d', `M${tip[0] - length} ${tip[1]}H${tip[0] - 30 * this.k}M${tip[0]} ${tip[1]}l${-34 * this.k} ${-16 * this.k}v${32 * this.k}z`);
         this.load.textContent = force ? `${fixed(force.value)} kN` : '';
         this.load.setAttribute('x', tip[0] - length);
-        this.load.setAttribute('y', tip[1] - 28);
+        this.load.setAttribute('y', tip[1] - 28 * this.k);
     }
 }
 
