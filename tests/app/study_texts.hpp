@@ -102,6 +102,17 @@ demand = 1.2
 budget = 500
 target_cov = 0.05
 cheap = simple
+[fragility]
+limit_states = ec8, user
+user_states = slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate
+crossing = last
+ultimate_share = 0.85
+bilinear_share = 0.7
+law = weibull
+confidence = 0.9
+bootstrap = 200
+sliding_share = 0.3
+cracked_units = 2
 )";
 
 inline app::Study read(const std::string& text, const std::vector<std::string>& overrides = {})
