@@ -132,7 +132,7 @@ Table mean_table(const StudyWalls& walls, int mode)
         "together, censored maximum likelihood. Standard errors are those of independent "
         "samples. Inputs with values per joint: mean over the joints.";
     t.head = {"stress [MPa]", "n", "share [%]"};
-    for (const WallInput& i : walls.inputs) t.head.push_back(i.key + " [" + i.unit + "]");
+    for (const StoredInput& i : walls.inputs) t.head.push_back(i.key + " [" + i.unit + "]");
     for (const char* const h : {"peak force [kN]", "displacement [mm]", "observed",
                                 "run ended [mm]", "censored", "median displacement [mm]"})
         t.head.emplace_back(h);

@@ -16,7 +16,6 @@ drystone_library(app_report
     ${report_assets}
     report_bytes.cpp
     report_command.cpp
-    report_configuration.cpp
     report_curves.cpp
     report_data.cpp
     report_film.cpp

@@ -1,6 +1,7 @@
 #include "app/report_curves.hpp"
 
 #include "app/report_bytes.hpp"
+#include "app/resampled_curve.hpp"
 #include "uq/estimate.hpp"
 
 #include <nlohmann/json.hpp>
@@ -58,24 +59,6 @@ Json mean_curve(const std::vector<std::vector<double>>& curves)
 
 } // namespace
 
-std::vector<double> evenly(const WallCurve& curve, double step, std::size_t points)
-{
-    const auto& d = curve.displacement;
-    std::vector<double> forces;
-    if (d.empty()) return forces;
-    std::size_t next = 0; // first point at or beyond x
-    for (std::size_t i = 0; i < points; ++i) {
-        const double x = static_cast<double>(i) * step;
-        if (x > d.back() * (1.0 + 1e-12)) break;
-        while (next + 1 < d.size() && d[next] < x) ++next;
-        const double x0 = next > 0 ? d[next - 1] : 0.0, x1 = d[next];
-        const double f0 = next > 0 ? curve.force[next - 1] : 0.0, f1 = curve.force[next];
-        const double t = x1 > x0 ? std::clamp((x - x0) / (x1 - x0), 0.0, 1.0) : 1.0;
-        forces.push_back(f0 + t * (f1 - f0));
-    }
-    return forces;
-}
-
 Json curves_json(const ReportStudy& study, std::size_t most)
 {
     const double step = largest_displacement(study) / static_cast<double>(kCurvePoints - 1);
@@ -85,7 +68,7 @@ Json curves_json(const ReportStudy& study, std::size_t most)
     const std::size_t n = std::min(most, study.walls.size());
     for (std::size_t i = 0; i < n; ++i) {
         std::vector<double> f;
-        if (step > 0.0) f = evenly(study.walls[i].row.curve, step, kCurvePoints);
+        if (step > 0.0) f = resampled(study.walls[i].row.curve, step, kCurvePoints);
         counts.push_back(f.size());
         f.resize(kCurvePoints, f.empty() ? 0.0 : f.back());
         all.insert(all.end(), f.begin(), f.end());
@@ -108,7 +91,7 @@ Json mean_curves_json(const ReportStudy& study)
             std::vector<std::vector<double>> curves;
             for (const ReportWall* w : study.sound(level))
                 if (mode[0] == 'a' || w->rocking == (mode[0] == 'r'))
-                    curves.push_back(evenly(w->row.curve, step, kMeanPoints));
+                    curves.push_back(resampled(w->row.curve, step, kMeanPoints));
             if (curves.size() < 2) continue;
             Json mean = mean_curve(curves);
             mean["level"] = level;

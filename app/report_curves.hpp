@@ -15,12 +15,6 @@ constexpr std::size_t kMeanPoints = 301;  ///< of the means, likewise
 constexpr double kMeanNeedsShare =
     0.9; ///< of the walls of a mean that are still pushed there [-]
 
-/// Forces of a curve at i * step, straight between its points and from the origin to the first; fewer
-/// than `points` where it ends before. Empty for a curve without points.
-/// @param curve displacements never decreasing
-[[nodiscard]] std::vector<double> evenly(const WallCurve& curve, double step,
-                                         std::size_t points);
-
 /// {"step": [m], "points", "force_step": [N], "counts": points of each wall, "data": base64 of a zlib
 /// stream of differences() of order 1, one series of `points` for each wall}; walls in the order
 /// of ReportStudy::walls, those after the first `most` with none.

@@ -36,7 +36,7 @@ Json levels_json(const ReportStudy& study)
 Json inputs_json(const ReportStudy& study)
 {
     Json inputs = Json::array();
-    for (const ReportInput& input : study.inputs)
+    for (const StoredInput& input : study.inputs)
         inputs.push_back({{"key", input.key}, {"unit", input.unit}, {"count", input.count}});
     return inputs;
 }
@@ -50,7 +50,8 @@ const char* reading_text(fragility::Reading reading)
 Json wall_json(const ReportStudy& study, const ReportWall& w)
 {
     Json inputs = Json::array();
-    for (const ReportInput& input : study.inputs) inputs.push_back(shown(input.of(w.row), 5));
+    for (const StoredInput& input : study.inputs)
+        inputs.push_back(shown(shown_value(input, w.row), 5));
     const bool none = w.reading == fragility::Reading::not_defined;
     return {{"level", w.row.key.level},
             {"sample", w.row.key.sample},

@@ -21,7 +21,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 double rounded(double x) { return std::isfinite(x) ? std::stod(number(x, 6)) : kNone; }
 
 /// Of all walls and joints, shown unit.
-std::vector<double> values_of(const ReportStudy& study, const ReportInput& input)
+std::vector<double> values_of(const ReportStudy& study, const StoredInput& input)
 {
     std::vector<double> values;
     for (const ReportWall& w : study.walls)
@@ -35,7 +35,7 @@ std::string moments_text(double mean, double sd)
     return "mean " + number(mean, 4) + ", sd " + number(sd, 3);
 }
 
-void add_density(Json& h, const ReportInput& input, double low, double high)
+void add_density(Json& h, const StoredInput& input, double low, double high)
 {
     if (!input.marginal || std::holds_alternative<uq::Constant>(input.marginal->shape) ||
         std::holds_alternative<uq::Empirical>(input.marginal->shape))
@@ -50,7 +50,7 @@ void add_density(Json& h, const ReportInput& input, double low, double high)
     }
 }
 
-Json histogram(const ReportStudy& study, const ReportInput& input)
+Json histogram(const ReportStudy& study, const StoredInput& input)
 {
     const std::vector<double> values = values_of(study, input);
     Json h = {{"key", input.key}, {"unit", input.unit}, {"values", values.size()}};
@@ -104,7 +104,7 @@ Samples samples_of(const ReportStudy& study, std::size_t level, bool ultimate)
     for (Eigen::Index i = 0; i < n; ++i) {
         const ReportWall& w = *walls[static_cast<std::size_t>(i)];
         for (Eigen::Index k = 0; k < d; ++k)
-            s.x(i, k) = study.inputs[static_cast<std::size_t>(k)].of(w.row);
+            s.x(i, k) = shown_value(study.inputs[static_cast<std::size_t>(k)], w.row);
         s.y(i) = ultimate ? w.ultimate : w.peak;
     }
     return s;
@@ -137,7 +137,7 @@ Json bars_of(const ReportStudy& study, const Samples& s)
 Json histograms_json(const ReportStudy& study)
 {
     Json all = Json::array();
-    for (const ReportInput& input : study.inputs) all.push_back(histogram(study, input));
+    for (const StoredInput& input : study.inputs) all.push_back(histogram(study, input));
     return all;
 }
 
@@ -153,10 +153,11 @@ Json running_json(const ReportStudy& study, std::size_t most)
             peaks.push_back(w.peak);
         }
         if (rows.size() < 3) continue;
-        for (const ReportInput& input : study.inputs) {
+        for (const StoredInput& input : study.inputs) {
             if (!input.marginal || uq::mean(*input.marginal) == 0.0) continue;
             std::vector<double> values;
-            for (const WallRow* row : rows) values.push_back(input.of(*row) / input.scale);
+            for (const WallRow* row : rows)
+                values.push_back(shown_value(input, *row) / input.scale);
             const double sd = uq::sd(*input.marginal);
             const uq::Prescribed prescribed{uq::mean(*input.marginal),
                                             input.count == 1 ? sd : uq::moments(values).sd};

@@ -22,7 +22,7 @@ std::string listed_keys(const ReportStudy& study)
 {
     std::string text;
     for (std::size_t i = 0; i < study.inputs.size(); ++i) {
-        const ReportInput& input = study.inputs[i];
+        const StoredInput& input = study.inputs[i];
         if (i > 0) text += i + 1 == study.inputs.size() ? " and " : ", ";
         text += input.key;
         if (input.count > 1) text += " (one value per joint)";

@@ -1,13 +1,11 @@
 #include "app/report_study.hpp"
 
 #include "app/number_text.hpp"
-#include "app/report_configuration.hpp"
 #include "app/store_reader.hpp"
 #include "app/study_columns.hpp"
 #include "dem/mechanism.hpp"
 
 #include <exception>
-#include <numbers>
 #include <string_view>
 
 namespace app {
@@ -45,49 +43,12 @@ ReportWall wall_of(const WallRow& row, const Columns& c)
     return w;
 }
 
-void set_shown_unit(ReportInput& input, const std::string& stored)
-{
-    input.unit = stored;
-    const bool modulus = input.key.ends_with("modulus");
-    if (stored == "rad") {
-        input.unit = "deg";
-        input.scale = 180.0 / std::numbers::pi;
-    } else if (stored == "Pa") {
-        input.unit = modulus ? "GPa" : "MPa";
-        input.scale = modulus ? 1e-9 : 1e-6;
-    }
-}
-
-/// Columns "key", or "key.1", "key.2", ... next to each other.
-std::vector<ReportInput> inputs_of(const std::vector<Column>& columns)
-{
-    std::vector<ReportInput> inputs;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        const std::string& name = columns[i].name;
-        const std::size_t dot = name.rfind('.');
-        const bool numbered =
-            dot + 1 < name.size() &&
-            name.find_first_not_of("0123456789", dot + 1) == std::string::npos;
-        const std::string key = numbered ? name.substr(0, dot) : name;
-        if (numbered && !inputs.empty() && inputs.back().key == key) {
-            ++inputs.back().count;
-            continue;
-        }
-        ReportInput input;
-        input.key = key;
-        input.first = i;
-        set_shown_unit(input, columns[i].unit);
-        inputs.push_back(input);
-    }
-    return inputs;
-}
-
 /// What only the study file knows. One of another version may not be readable: the rest of the
 /// report does without.
 void add_configuration(ReportStudy& r)
 {
     try {
-        r.study = read_configuration(r.name, r.head.configuration);
+        r.study = read_study(parse_study_text(r.name, r.head.configuration));
     } catch (const std::exception& e) {
         r.no_study = e.what();
         return;
@@ -98,19 +59,12 @@ void add_configuration(ReportStudy& r)
         if (to < from) r.pushed_one_way = false;
         from = to;
     }
-    for (ReportInput& input : r.inputs)
+    for (StoredInput& input : r.inputs)
         for (const RandomInput& random : r.study->random)
             if (random.key == input.key) input.marginal = random.marginal;
 }
 
 } // namespace
-
-double ReportInput::of(const WallRow& wall) const
-{
-    double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i) sum += wall.inputs[first + i];
-    return scale * sum / static_cast<double>(count);
-}
 
 std::vector<const ReportWall*> ReportStudy::sound(std::size_t level) const
 {
@@ -138,7 +92,7 @@ ReportStudy read_report_study(const std::filesystem::path& file)
     ReportStudy r;
     r.name = file.stem().string();
     r.head = reader.head();
-    r.inputs = inputs_of(r.head.inputs);
+    r.inputs = stored_inputs(r.head.inputs);
     const Columns columns = columns_of(r.head);
     reader.for_each_row([&](const WallRow& row) { r.walls.push_back(wall_of(row, columns)); });
     r.missing = missing_walls(r.head, reader.statuses()).size();

@@ -3,6 +3,7 @@
 
 #include "app/store_head.hpp"
 #include "app/store_row.hpp"
+#include "app/stored_input.hpp"
 #include "app/study.hpp"
 #include "fragility/curve_reading.hpp"
 
@@ -13,18 +14,6 @@
 #include <vector>
 
 namespace app {
-
-/// One random input.
-struct ReportInput {
-    std::string key;                  ///< "joint.friction_angle"
-    std::string unit;                 ///< shown: "deg", "MPa", "-", ...
-    double scale = 1.0;               ///< shown value = scale x stored value
-    std::size_t first = 0, count = 1; ///< columns of WallRow::inputs; count > 1: per joint ID
-    std::optional<uq::Marginal> marginal; ///< as prescribed, in SI; nothing: not known
-
-    /// Shown value of a wall: of one value per joint, their mean.
-    [[nodiscard]] double of(const WallRow& wall) const;
-};
 
 /// Numbers of one wall. NaN and not_defined: none.
 struct ReportWall {
@@ -40,7 +29,7 @@ struct ReportStudy {
     std::string name; ///< of the file, without folder and ending
     StoreHead head;
     std::vector<ReportWall> walls; ///< in the order of their keys
-    std::vector<ReportInput> inputs;
+    std::vector<StoredInput> inputs;
     std::size_t missing = 0;    ///< walls of the study that the file has not
     std::optional<Study> study; ///< read back from the stored configuration
     std::string no_study;       ///< why it cannot be

@@ -111,7 +111,7 @@ Table walls_table(const ReportStudy& study, std::size_t most)
                     std::to_string(study.walls.size()) +
                     " walls. \">\": not reached when the push ended.";
     t.head = {"stress [MPa]", "sample", "mode", "peak [kN]", "ultimate [mm]", "cracked units"};
-    for (const ReportInput& input : study.inputs)
+    for (const StoredInput& input : study.inputs)
         t.head.push_back((input.count > 1 ? "mean " : "") + input.key + " [" + input.unit +
                          "]");
     for (std::size_t i = 0; i < std::min(most, study.walls.size()); ++i) {
@@ -122,7 +122,8 @@ Table walls_table(const ReportStudy& study, std::size_t most)
                                         fixed(w.peak * 1e-3, 2),
                                         ultimate_text(w),
                                         w.failed ? "" : std::to_string(w.cracked)};
-        for (const ReportInput& input : study.inputs) row.push_back(number(input.of(w.row), 5));
+        for (const StoredInput& input : study.inputs)
+            row.push_back(number(shown_value(input, w.row), 5));
         t.rows.push_back(row);
     }
     return t;

@@ -1,6 +1,7 @@
 #include "app/study.hpp"
 
 #include "app/key_values.hpp"
+#include "app/number_text.hpp"
 #include "app/study_checks.hpp"
 #include "app/study_keys.hpp"
 #include "app/units.hpp"
@@ -149,6 +150,20 @@ std::vector<void (*)(Study&)> derivations(const Study& study, std::string_view s
     return all;
 }
 
+namespace {
+
+/// How often a draw would lie outside the range of its key, where it is cut off.
+std::string cut_text(const Key& key, const Study& study, bool first)
+{
+    for (const RandomInput& random : study.random)
+        if (random.key == key.name && random.cut > 0.0)
+            return std::string(first ? "" : ", ") + "a share of " + number(random.cut, 2) +
+                   " lies outside the range of this key and is cut off";
+    return "";
+}
+
+} // namespace
+
 std::string effective_configuration(const Study& study)
 {
     std::string text;
@@ -167,12 +182,13 @@ std::string effective_configuration(const Study& study)
         std::string line((follows ? "# " : "") + std::string(name_in_section(key.name)));
         line.resize(std::max<std::size_t>(line.size(), 24), ' ');
         line += "= " + value;
-        const char* const mark = follows            ? "# default, follows the draws"
-                                 : entry == nullptr ? "# default"
-                                 : entry->line == 0 ? "# --set"
-                                                    : "";
-        if (*mark != '\0') line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
-        text += line + mark + "\n";
+        std::string mark = follows            ? "default, follows the draws"
+                           : entry == nullptr ? "default"
+                           : entry->line == 0 ? "--set"
+                                              : "";
+        mark += cut_text(key, study, mark.empty());
+        if (!mark.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
+        text += line + (mark.empty() ? "" : "# ") + mark + "\n";
     }
     return text;
 }

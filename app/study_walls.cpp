@@ -2,15 +2,13 @@
 
 #include "app/config_error.hpp"
 #include "app/number_text.hpp"
+#include "app/resampled_curve.hpp"
 #include "app/store_reader.hpp"
 #include "app/study_columns.hpp"
-#include "app/study_keys.hpp"
-#include "app/words.hpp"
 #include "dem/mechanism.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 namespace app {
@@ -27,48 +25,6 @@ Columns columns_of(const StoreHead& head)
     return {response("peak_force"),     response("ultimate_displacement"),
             response("rotation_share"), response("sliding_share"),
             count("ultimate_reading"),  count("cracked_units")};
-}
-
-void set_unit(WallInput& input, const std::string& stored)
-{
-    const bool modulus = input.key.ends_with("modulus");
-    input.unit = stored;
-    if (stored == "rad") {
-        input.unit = "deg";
-        input.scale = 180.0 / std::numbers::pi;
-    } else if (stored == "Pa") {
-        input.unit = modulus ? "GPa" : "MPa";
-        input.scale = modulus ? 1e-9 : 1e-6;
-    }
-}
-
-/// Columns "key", or "key.1", "key.2", ... side by side.
-std::vector<WallInput> inputs_of(const std::vector<Column>& columns)
-{
-    std::vector<WallInput> inputs;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        const std::string& name = columns[i].name;
-        const std::size_t dot = name.rfind('.');
-        const bool numbered =
-            dot != std::string::npos && dot + 1 < name.size() &&
-            name.find_first_not_of("0123456789", dot + 1) == std::string::npos;
-        const std::string key = numbered ? name.substr(0, dot) : name;
-        if (numbered && !inputs.empty() && inputs.back().key == key) {
-            ++inputs.back().count;
-            continue;
-        }
-        WallInput input{key, "", 1.0, i, 1};
-        set_unit(input, columns[i].unit);
-        inputs.push_back(input);
-    }
-    return inputs;
-}
-
-double shown(const WallInput& input, const WallRow& row)
-{
-    double sum = 0.0;
-    for (std::size_t i = 0; i < input.count; ++i) sum += row.inputs[input.first + i];
-    return input.scale * sum / static_cast<double>(input.count);
 }
 
 /// Limit states that no curve of this study has.
@@ -94,7 +50,7 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row)
     const dem::Mechanism m{w.rotation_share, w.sliding_share, w.cracked_units, 0};
     w.mode =
         static_cast<int>(dem::failure_mode(m, w.dropped, {f.sliding_share, f.cracked_units}));
-    for (const WallInput& input : all.inputs) w.inputs.push_back(shown(input, row));
+    for (const StoredInput& input : all.inputs) w.inputs.push_back(shown_value(input, row));
     const fragility::Curve curve{row.curve.displacement, row.curve.force};
     const bool readable = all.pushed_one_way && !row.curve.displacement.empty();
     w.limits = readable ? read_states(curve, all.wanted, all.height)
@@ -102,26 +58,6 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row)
                                     all.pushed_one_way ? "no curve" : "the push turns back");
     if (readable) w.forces = resampled(row.curve, all.step, kCurveSteps + 1);
     return w;
-}
-
-/// The stored configuration without defaults that follow from other values: read back as numbers given
-/// they need not pass the checks (rounded means of distributions). Lines keep their numbers.
-std::string without_derived(std::string_view configuration)
-{
-    std::string kept, section;
-    while (!configuration.empty()) {
-        const std::size_t end = configuration.find('\n');
-        const std::string_view line = configuration.substr(0, end);
-        configuration.remove_prefix(end == line.npos ? configuration.size() : end + 1);
-        const std::string_view words = trimmed(line);
-        if (words.starts_with('[')) section = words.substr(1, words.find(']') - 1);
-        const Key* const key =
-            find_key(section + "." + std::string(trimmed(line.substr(0, line.find('=')))));
-        const bool derived =
-            words.ends_with("# default") && key != nullptr && key->derived.apply != nullptr;
-        kept += (derived ? std::string() : std::string(line)) + "\n";
-    }
-    return kept;
 }
 
 void check_overrides(std::span<const std::string> overrides)
@@ -157,23 +93,6 @@ void read_way(StudyWalls& walls)
 
 } // namespace
 
-std::vector<double> resampled(const WallCurve& curve, double step, std::size_t points)
-{
-    const auto& d = curve.displacement;
-    std::vector<double> forces;
-    std::size_t next = 0; // first point at or beyond x
-    for (std::size_t i = 0; i < points && !d.empty(); ++i) {
-        const double x = static_cast<double>(i) * step;
-        if (x > d.back() * (1.0 + 1e-9)) break;
-        while (next + 1 < d.size() && d[next] < x) ++next;
-        const double x0 = next > 0 ? d[next - 1] : 0.0, x1 = d[next];
-        const double f0 = next > 0 ? curve.force[next - 1] : 0.0, f1 = curve.force[next];
-        const double t = x1 > x0 ? std::clamp((x - x0) / (x1 - x0), 0.0, 1.0) : 1.0;
-        forces.push_back(f0 + t * (f1 - f0));
-    }
-    return forces;
-}
-
 StudyWalls read_study_walls(const std::filesystem::path& file,
                             std::span<const std::string> overrides)
 {
@@ -182,11 +101,11 @@ StudyWalls read_study_walls(const std::filesystem::path& file,
     const StoreHead& head = reader.head();
     StudyWalls walls;
     walls.name = file.filename().string();
-    walls.study = read_study(with_overrides(
-        parse_study_text(file.string(), without_derived(head.configuration)), overrides));
+    walls.study = read_study(
+        with_overrides(parse_study_text(file.string(), head.configuration), overrides));
     walls.wanted = wanted_states(walls.study);
     walls.states = state_names(walls.wanted);
-    walls.inputs = inputs_of(head.inputs);
+    walls.inputs = stored_inputs(head.inputs);
     walls.height = walls.study.load.height;
     walls.shared = walls.study.uq.shared && head.levels.size() > 1;
     read_way(walls);

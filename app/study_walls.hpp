@@ -4,6 +4,7 @@
 #include "app/fragility_data.hpp"
 #include "app/fragility_states.hpp"
 #include "app/store_row.hpp"
+#include "app/stored_input.hpp"
 #include "app/study.hpp"
 #include "fragility/curve_reading.hpp"
 
@@ -17,14 +18,6 @@ namespace app {
 
 constexpr int kRocking = 0, kMixed = 1;  ///< modes, in the order of dem::FailureMode
 constexpr std::size_t kCurveSteps = 120; ///< of the grid of displacements for mean curves
-
-/// A random input, in the unit it is shown in.
-struct WallInput {
-    std::string key;                  ///< "joint.friction_angle"
-    std::string unit;                 ///< "deg", "MPa", "-"
-    double scale = 1.0;               ///< shown = scale x stored
-    std::size_t first = 0, count = 1; ///< columns of the store; several: one per joint ID
-};
 
 /// A wall that gave results.
 struct StudyWall {
@@ -53,7 +46,7 @@ struct StudyWalls {
     Study study;
     WantedStates wanted;
     std::vector<StateName> states;
-    std::vector<WallInput> inputs;
+    std::vector<StoredInput> inputs;
     std::vector<StudyLevel> levels;
     double height = 1.0;        ///< of the load line [m]
     double step = 0.0;          ///< of StudyWall::forces [m]
@@ -69,9 +62,5 @@ struct StudyWalls {
 
 /// Drifts in percent of the height of the load line.
 [[nodiscard]] DriftData drift_data(const StudyWalls& walls);
-
-/// Force at 0, step, 2 step, ... as far as the curve goes, at most `points`.
-[[nodiscard]] std::vector<double> resampled(const WallCurve& curve, double step,
-                                            std::size_t points);
 
 } // namespace app

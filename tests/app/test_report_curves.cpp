@@ -1,4 +1,5 @@
 #include "app/report_curves.hpp"
+#include "app/resampled_curve.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -27,8 +28,9 @@ TEST_CASE(
     "[app][report_curves]")
 {
     const app::WallCurve curve{{1.0, 2.0, 2.0, 4.0}, {10.0, 20.0, 12.0, 16.0}, {}};
-    CHECK(app::evenly(curve, 0.5, 20) == std::vector<double>{0, 5, 10, 15, 20, 13, 14, 15, 16});
-    CHECK(app::evenly({}, 0.5, 20).empty());
+    CHECK(app::resampled(curve, 0.5, 20) ==
+          std::vector<double>{0, 5, 10, 15, 20, 13, 14, 15, 16});
+    CHECK(app::resampled({}, 0.5, 20).empty());
 }
 
 TEST_CASE(

@@ -1,4 +1,3 @@
-#include "app/report_configuration.hpp"
 #include "app/report_data.hpp"
 #include "app/report_replay.hpp"
 #include "app/report_scene.hpp"
@@ -18,14 +17,16 @@ TEST_CASE("report configuration: the stored study file reads back to the study t
 {
     const app::Study study = study_scenes::study("samples = 5");
     const std::string text = app::effective_configuration(study);
-    CHECK(app::identity_text(app::read_configuration("s", text)) == app::identity_text(study));
+    CHECK(app::identity_text(app::read_study(app::parse_study_text("s", text))) ==
+          app::identity_text(study));
 }
 
 TEST_CASE("report configuration: values that follow from drawn ones still follow them",
           "[app][report_study]")
 {
     const app::Study study = study_scenes::study("samples = 5");
-    const app::Study back = app::read_configuration("s", app::effective_configuration(study));
+    const app::Study back =
+        app::read_study(app::parse_study_text("s", app::effective_configuration(study)));
     const dem::Layout layout = app::model_of(study).layout;
     app::WallDraw draw;
     for (const app::RandomInput& input : study.random)
@@ -35,16 +36,6 @@ TEST_CASE("report configuration: values that follow from drawn ones still follow
     CHECK(a.cracks.front().cohesion == b.cracks.front().cohesion);
     CHECK(a.cracks.front().tan_phi == b.cracks.front().tan_phi);
     CHECK(a.joints.front().ks == b.joints.front().ks);
-}
-
-TEST_CASE("report configuration: only defaults that follow from others are left out",
-          "[app][report_study]")
-{
-    CHECK(app::without_derived("[unit]\ncohesion = 1 MPa # default\nfriction_angle = 35 deg\n"
-                               "[load]\ngravity = 9.81 m/s2 # default\n") ==
-          "[unit]\n\nfriction_angle = 35 deg\n[load]\ngravity = 9.81 m/s2 # default\n");
-    CHECK(app::without_derived("[fragility]\na = 1\n[unit]\n") == "\n\n[unit]\n");
-    CHECK(app::without_derived("[unit]\ncohesion = 1 MPa\n") == "[unit]\ncohesion = 1 MPa\n");
 }
 
 TEST_CASE("report replay: walls are taken in turns from each stress and mode",
@@ -115,7 +106,7 @@ TEST_CASE("report data: bad numbers of the study file do not stop the page",
     app::ReportStudy study = app::read_report_study(file);
     study.study.reset();
     study.no_study = "of another version";
-    for (app::ReportInput& input : study.inputs) input.marginal.reset();
+    for (app::StoredInput& input : study.inputs) input.marginal.reset();
     const auto data = app::report_data(study, {}, "note");
     CHECK(data["running"].empty());
     CHECK(data["films"]["films"].empty());
