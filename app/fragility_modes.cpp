@@ -1,6 +1,7 @@
 #include "app/fragility_modes.hpp"
 
 #include "app/fragility_text.hpp"
+#include "app/mode_rule.hpp"
 #include "app/number_text.hpp"
 #include "dem/mechanism.hpp"
 #include "fragility/binomial.hpp"
@@ -21,15 +22,22 @@ std::string stress_text(const StudyLevel& level) { return number(level.stress * 
 
 std::string rule_text(const StudyWalls& walls)
 {
-    const FragilityInput& f = walls.study.fragility;
-    return "Mixed: a unit cracked through (" + std::to_string(f.cracked_units) +
-           " or more), or the load fell to 80 % of the peak, or bed joints slid by " +
-           number(f.sliding_share, 6) + " or more of the displacement; else rocking";
+    return mode_rule_text(walls.study.fragility.mode);
 }
 
 std::string share_text(const fragility::Interval& i)
 {
     return fixed(100.0 * i.lower, 1) + " to " + fixed(100.0 * i.upper, 1);
+}
+
+/// How many walls of a level slid and did not crack.
+std::string slid_text(const StudyWalls& walls, const StudyLevel& level)
+{
+    return std::to_string(
+        std::count_if(level.walls.begin(), level.walls.end(), [&](const StudyWall& w) {
+            return slid_whole({w.rotation_share, w.sliding_share, w.cracked_units, 0},
+                              w.dropped, walls.study.fragility.mode);
+        }));
 }
 
 std::vector<std::string> mode_row(const StudyWalls& walls, const StudyLevel& level, int mode)
@@ -40,8 +48,10 @@ std::vector<std::string> mode_row(const StudyWalls& walls, const StudyLevel& lev
         static_cast<double>(std::count_if(level.walls.begin(), level.walls.end(),
                                           [&](const StudyWall& w) { return w.mode == mode; }));
     const auto failed = static_cast<double>(level.failed);
-    std::vector<std::string> row = {stress_text(level), kModes[static_cast<std::size_t>(mode)],
-                                    number(k, 9), number(n, 9), number(failed, 9)};
+    std::vector<std::string> row = {
+        stress_text(level), kModes[static_cast<std::size_t>(mode)],
+        number(k, 9),       mode == kRocking ? slid_text(walls, level) : "",
+        number(n, 9),       number(failed, 9)};
     if (n == 0.0) {
         row.insert(row.end(),
                    {"no wall gave a result", "", "", failed > 0.0 ? "0 to 100" : ""});
@@ -124,14 +134,14 @@ std::vector<std::string> equal_row(const StudyWalls& walls, const StudyLevel& le
 }
 
 struct ThresholdGrid {
-    std::vector<std::vector<double>> points; ///< sliding share, cracked units
+    std::vector<std::vector<double>> points; ///< rotation share, cracked units
 };
 
 ThresholdGrid grid_of(const FragilityInput& f)
 {
-    const std::vector<std::vector<double>> values = {{0.10, 0.15, 0.20, 0.25, 0.30, 0.40, 0.60},
-                                                     {1.0, 2.0, 3.0}};
-    ThresholdGrid grid{{{f.sliding_share, static_cast<double>(f.cracked_units)}}};
+    const std::vector<std::vector<double>> values = {{0.3, 0.4, 0.5, 0.6, 0.7},
+                                                     {0.0, 1.0, 2.0, 4.0}};
+    ThresholdGrid grid{{{f.mode.rotation_share, static_cast<double>(f.mode.cracked_units)}}};
     for (const auto& point : fragility::threshold_grid(values))
         if (point != grid.points.front()) grid.points.push_back(point);
     return grid;
@@ -142,13 +152,13 @@ std::vector<std::vector<double>> figures_of(const StudyLevel& level)
     std::vector<std::vector<double>> figures;
     for (const StudyWall& w : level.walls)
         figures.push_back(
-            {w.sliding_share, static_cast<double>(w.cracked_units), w.dropped ? 1.0 : 0.0});
+            {w.rotation_share, static_cast<double>(w.cracked_units), w.dropped ? 1.0 : 0.0});
     return figures;
 }
 
 int mode_of(std::span<const double> figures, std::span<const double> thresholds)
 {
-    const dem::Mechanism m{0.0, figures[0], static_cast<int>(figures[1]), 0};
+    const dem::Mechanism m{figures[0], 0.0, static_cast<int>(figures[1]), 0};
     return static_cast<int>(dem::failure_mode(
         m, figures[2] > 0.5, {thresholds[0], static_cast<int>(thresholds[1])}));
 }
@@ -168,6 +178,7 @@ Table mode_table(const StudyWalls& walls)
     t.head = {"stress [MPa]",
               "mode",
               "walls of it",
+              "that slid",
               "n",
               "failed",
               "share [%]",
@@ -212,7 +223,7 @@ Table threshold_table(const StudyWalls& walls)
                 "those used. A wall whose load fell to 80 % of its peak is mixed whatever the "
                 "thresholds. Moved: share of all walls whose mode changes. Failed walls are "
                 "left out.";
-    t.head = {"sliding share", "cracked units"};
+    t.head = {"rotation share", "cracked units"};
     std::vector<std::vector<double>> all;
     for (const StudyLevel& level : walls.levels) {
         t.head.push_back("mixed at " + stress_text(level) + " MPa [%]");

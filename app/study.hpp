@@ -141,8 +141,7 @@ struct FragilityInput {
     fragility::Law law = fragility::Law::lognormal;
     double confidence = 0.95; ///< of intervals [-], in (0, 1)
     int bootstrap = 1000;     ///< samples behind p-values and bootstrap bands, >= 0; 0: none
-    double sliding_share = dem::ModeThresholds{}.sliding_share; ///< of the mode, [-]
-    int cracked_units = dem::ModeThresholds{}.cracked_units;    ///< of the mode
+    dem::ModeThresholds mode;
 };
 
 struct Study {

@@ -8,6 +8,7 @@ namespace {
 using dem::Beam;
 using dem::Discretisation;
 using dem::Elastic;
+using Mode = dem::ModeThresholds;
 using dem::SolverOptions;
 using dem::WallGeometry;
 
@@ -437,12 +438,12 @@ constexpr std::array kKeys = {
     Key{.name = "fragility.bootstrap", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
         .meaning = "samples behind the p-values of fits; 0 none",
         .field = kAt<&Study::fragility, &FragilityInput::bootstrap>},
-    Key{.name = "fragility.sliding_share", .range = {'(', 0, 1, ')'},
-        .meaning = "slip of bed joints / displacement from which a wall is of mixed mode",
-        .field = kAt<&Study::fragility, &FragilityInput::sliding_share>},
-    Key{.name = "fragility.cracked_units", .kind = Kind::count, .range = {'[', 1, 1e6, ']'},
-        .meaning = "units cracked through from which a wall is of mixed mode",
-        .field = kAt<&Study::fragility, &FragilityInput::cracked_units>},
+    Key{.name = "fragility.rotation_share", .range = {'(', 0, 1, ')'},
+        .meaning = "rotation / displacement below which a cracked wall is of mixed mode",
+        .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::rotation_share>},
+    Key{.name = "fragility.cracked_units", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
+        .meaning = "units cracked through from which it counts as cracked; 0: sliding is enough",
+        .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::cracked_units>},
 };
 // clang-format on
 

@@ -48,8 +48,7 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row)
     w.ultimate = {defined ? row.responses[c.ultimate] : 0.0, reading, ""};
     w.dropped = reading == fragility::Reading::observed;
     const dem::Mechanism m{w.rotation_share, w.sliding_share, w.cracked_units, 0};
-    w.mode =
-        static_cast<int>(dem::failure_mode(m, w.dropped, {f.sliding_share, f.cracked_units}));
+    w.mode = static_cast<int>(dem::failure_mode(m, w.dropped, f.mode));
     for (const StoredInput& input : all.inputs) w.inputs.push_back(shown_value(input, row));
     const fragility::Curve curve{row.curve.displacement, row.curve.force};
     const bool readable = all.pushed_one_way && !row.curve.displacement.empty();

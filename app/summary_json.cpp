@@ -1,5 +1,6 @@
 #include "app/summary_json.hpp"
 
+#include "app/mode_rule.hpp"
 #include "app/version.hpp"
 
 #include <nlohmann/json.hpp>
@@ -86,11 +87,9 @@ Json mechanism(const PushedWall& w)
             {"cracked_units", w.mechanism.cracked_units},
             {"cracked_contacts", w.mechanism.cracked_contacts},
             {"snap_back_contacts", w.result.snap_back_contacts},
-            {"mode_rule", "mixed if a unit cracked through, or the load dropped to 80 % of its "
-                          "peak, or bed joints slid "
-                          "by the share of the displacement given; else rocking"},
+            {"mode_rule", mode_rule_text(t)},
             {"mode_thresholds",
-             {{"cracked_units", t.cracked_units}, {"sliding_share", t.sliding_share}}}};
+             {{"rotation_share", t.rotation_share}, {"cracked_units", t.cracked_units}}}};
 }
 
 /// Largest share of the work missing from the ledger at any point of the curve; NaN if any of

@@ -65,9 +65,9 @@ Mechanism mechanism(const Snapshot& wall, double height)
 
 FailureMode failure_mode(const Mechanism& m, bool load_dropped, const ModeThresholds& t)
 {
-    const bool mixed = load_dropped || m.cracked_units >= t.cracked_units ||
-                       std::abs(m.sliding_share) >= t.sliding_share;
-    return mixed ? FailureMode::mixed : FailureMode::rocking;
+    const bool cracked = m.cracked_units >= t.cracked_units;
+    const bool overturns = m.rotation_share >= t.rotation_share;
+    return load_dropped || (cracked && !overturns) ? FailureMode::mixed : FailureMode::rocking;
 }
 
 } // namespace dem

@@ -18,19 +18,22 @@ struct Mechanism {
 [[nodiscard]] Mechanism mechanism(const Snapshot& wall, double height);
 
 enum class FailureMode {
-    rocking, ///< rotation about the toe, joints open in steps, no unit breaks, the load is kept
-    mixed    ///< units crack or courses slide (diagonal shear)
+    rocking, ///< the wall overturns and keeps its load; also one that slides along a course whole
+    mixed    ///< diagonal shear: units crack and bed joints slide
 };
 
-/// Thresholds of the rule, the same for all stress levels. Free choices; docs/model.md has
-/// their effect.
+/// Thresholds of the rule, the same for all stress levels. Free choices: the paper tells the modes
+/// apart by inspection. docs/model.md has the grounds, docs/validation.md the effect.
 struct ModeThresholds {
-    double sliding_share = 0.25; ///< from here on a wall counts as sliding [-], in (0, 1)
-    int cracked_units = 1;       ///< from here on a wall counts as cracked, >= 1
+    double rotation_share = 0.5; ///< below it a wall does not overturn [-], in (0, 1)
+    int cracked_units =
+        1; ///< from here on a wall counts as cracked, >= 0; 0: sliding is enough
 };
 
-/// Mixed if units cracked through, or the load dropped (80 % rule), or the courses slid; else
-/// rocking.
+/// Mixed if the load dropped (80 % rule), or units cracked through and less than the given share of
+/// the displacement is rotation; else rocking (paper, section 4.2: "the mixed-mode involves the
+/// cracking in the units and sliding in the bed-joints", the drop "is not present in the rocking
+/// mechanism", rocking leaves "localized damage at the corners").
 [[nodiscard]] FailureMode failure_mode(const Mechanism& m, bool load_dropped,
                                        const ModeThresholds& t = {});
 

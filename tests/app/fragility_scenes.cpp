@@ -36,8 +36,8 @@ app::StudyWalls study_walls(std::size_t n)
     walls.study = study_scenes::study("samples = 8");
     walls.wanted = app::wanted_states(walls.study);
     walls.states = app::state_names(walls.wanted);
-    walls.inputs = {{"joint.friction_angle", "deg", 1.0, 0, 1},
-                    {"unit.tensile_strength", "MPa", 1.0, 1, 1}};
+    walls.inputs = {{"joint.friction_angle", "deg", 1.0, 0, 1, {}},
+                    {"unit.tensile_strength", "MPa", 1.0, 1, 1, {}}};
     walls.height = 1.1;
     walls.step = 0.030 / static_cast<double>(app::kCurveSteps);
     for (const double stress : {0.5e6, 1.0e6}) {
@@ -50,6 +50,7 @@ app::StudyWalls study_walls(std::size_t n)
             w.mode = mixed ? app::kMixed : app::kRocking;
             w.dropped = mixed;
             w.sliding_share = mixed ? 0.3 : 0.1;
+            w.rotation_share = 1.0 - w.sliding_share;
             w.inputs = {angle, 3.0 + 0.1 * static_cast<double>(i % 5)};
             w.peak_force = stress * 0.1 * (0.6 + 0.01 * angle);
             const double at = mixed ? 0.015 + 0.0002 * static_cast<double>(i) : 0.028;

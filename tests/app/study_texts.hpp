@@ -111,7 +111,7 @@ bilinear_share = 0.7
 law = weibull
 confidence = 0.9
 bootstrap = 200
-sliding_share = 0.3
+rotation_share = 0.4
 cracked_units = 2
 )";
 

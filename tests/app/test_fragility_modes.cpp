@@ -84,23 +84,52 @@ TEST_CASE("fragility modes: without a random friction angle the table says so",
           "joint.friction_angle does not vary in this study");
 }
 
-TEST_CASE("fragility modes: thresholds move walls that slide, not walls whose load fell",
+TEST_CASE("fragility modes: walls that slid whole count as rocking and are told apart",
+          "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(10);
+    for (app::StudyWall& w : walls.levels[1].walls) {
+        w.dropped = false;
+        w.cracked_units = 0;
+        w.rotation_share = 0.1;
+        w.mode = app::kRocking;
+    }
+    walls.levels[1].walls[0].cracked_units = 1;    // mixed
+    walls.levels[1].walls[1].rotation_share = 0.5; // overturns
+    const app::Table t = app::mode_table(walls);
+    CHECK(cell(t, 0, "that slid") == "0");
+    CHECK(cell(t, 2, "that slid") == "8");
+    CHECK(cell(t, 3, "that slid").empty());
+    CHECK(t.caption.find(
+              "a unit cracked through and less than 0.5 of the displacement is rotation") !=
+          std::string::npos);
+    walls.study.fragility.mode = {0.4, 0};
+    CHECK(app::mode_table(walls).caption.find("80 % of its peak, or less than 0.4") !=
+          std::string::npos);
+    CHECK(cell(app::mode_table(walls), 2, "that slid") == "0");
+    walls.study.fragility.mode = {0.4, 3};
+    CHECK(app::mode_table(walls).caption.find("3 units cracked through") != std::string::npos);
+}
+
+TEST_CASE("fragility modes: thresholds move walls that cracked, not walls whose load fell",
           "[app][fragility_modes]")
 {
     app::StudyWalls walls = scenes::study_walls(10);
     for (app::StudyLevel& level : walls.levels)
         for (app::StudyWall& w : level.walls) {
             w.dropped = false;
-            w.sliding_share = 0.28;
+            w.rotation_share = 0.45;
+            w.cracked_units = 2;
         }
     walls.levels[0].walls[0].dropped = true;
     const app::Table t = app::threshold_table(walls);
-    REQUIRE(t.rows.size() == 21);
-    CHECK(cell(t, 0, "sliding share") == "0.25");
+    REQUIRE(t.rows.size() == 20);
+    CHECK(cell(t, 0, "rotation share") == "0.5");
     CHECK(cell(t, 0, "moved [%]") == "0.0");
     for (std::size_t r = 0; r < t.rows.size(); ++r) {
-        const bool slides = std::stod(cell(t, r, "sliding share")) <= 0.28;
-        CHECK(cell(t, r, "mixed at 0.5 MPa [%]") == (slides ? "100" : "10"));
-        CHECK(cell(t, r, "moved [%]") == (slides ? "0.0" : "95.0"));
+        const bool mixed = std::stod(cell(t, r, "rotation share")) > 0.45 &&
+                           std::stoi(cell(t, r, "cracked units")) <= 2;
+        CHECK(cell(t, r, "mixed at 0.5 MPa [%]") == (mixed ? "100" : "10"));
+        CHECK(cell(t, r, "moved [%]") == (mixed ? "0.0" : "95.0"));
     }
 }
