@@ -210,9 +210,13 @@ dem::CrackMaterial crack_material(const Study& study, int level)
     const UnitInput& unit = study.unit;
     const double kn =
         unit.stiffness_factor * unit.stiffness_ratio * stiffness_of_level(study, level).kn;
+    const double ft = unit.snap_back == SnapBack::weakens
+                          ? std::min(unit.tensile_strength,
+                                     std::sqrt(2.0 * unit.fracture_energy * kn))
+                          : unit.tensile_strength;
     return {.kn = kn,
             .ks = dem::shear_stiffness(kn, study.stone.poisson_ratio),
-            .ft = unit.tensile_strength,
+            .ft = ft,
             .cohesion = unit.cohesion,
             .cohesion_res = std::min(unit.residual_cohesion, unit.cohesion),
             .tan_phi = std::tan(unit.friction_angle),

@@ -31,6 +31,12 @@ struct JointInput {
 };
 
 /// Potential cracks in units. Zero strength and zero energy where unit_cracks = no.
+/// What becomes of a crack that snaps back, f_T > sqrt(2 G k_n): where softening ends before it begins.
+enum class SnapBack {
+    breaks, ///< at f_T, at once; releases f_T^2/(2 k_n) > G
+    weakens ///< at sqrt(2 G k_n), at once; releases G
+};
+
 struct UnitInput {
     double stiffness_ratio = 10.0;        ///< xi = k_n of a crack / k_n of a joint [-], > 0
     double tensile_strength = 0.0;        ///< [Pa], >= 0
@@ -41,6 +47,7 @@ struct UnitInput {
     double residual_friction_angle = 0.0; ///< [rad], in [0, friction_angle]
     double stiffness_factor = 1.0;        ///< on k_n and k_s [-], > 0
     bool tension_reduces_shear = dem::CrackMaterial{}.tension_reduces_shear;
+    SnapBack snap_back = SnapBack::breaks;
 };
 
 struct LoadInput {

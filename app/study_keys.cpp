@@ -31,6 +31,8 @@ constexpr std::array kRotations = {named("free", dem::BeamRotation::free),
                                    named("fixed", dem::BeamRotation::fixed)};
 constexpr std::array kLaws = {named("coupled", dem::ContactLaw::coupled),
                               named("uncoupled", dem::ContactLaw::uncoupled)};
+constexpr std::array kSnapBacks = {named("breaks", SnapBack::breaks),
+                                   named("weakens", SnapBack::weakens)};
 constexpr std::array kFaceRules = {named("even", dem::FaceRule::even),
                                    named("lobatto", dem::FaceRule::lobatto)};
 constexpr std::array kDampings = {named("local", dem::Damping::local),
@@ -228,6 +230,10 @@ constexpr std::array kKeys = {
         .used = Used::with_cracks,
         .meaning = "tau_max = c - sigma tan(theta) in tension too (paper, Table 2, step 5), or c there",
         .field = kAt<&Study::unit, &UnitInput::tension_reduces_shear>},
+    Key{.name = "unit.snap_back", .kind = Kind::word, .names = kSnapBacks,
+        .used = Used::with_cracks,
+        .meaning = "where f_T > sqrt(2 G k_n) a crack breaks at f_T, or is weakened to that value",
+        .field = kAt<&Study::unit, &UnitInput::snap_back>},
 
     Key{.name = "beam.height", .unit = "m", .range = kHeight, .example = "0.10 m",
         .meaning = "of the loading beam on the wall",

@@ -42,6 +42,7 @@ residual_friction_angle = 33 deg
 stiffness_factor = 0.9
 contact_law = uncoupled
 tension_reduces_shear = no
+snap_back = weakens
 [beam]
 height = 0.20 m
 young_modulus = 25 GPa

@@ -55,6 +55,25 @@ TEST_CASE("study: a crack is xi times as stiff as a joint, whatever the factor o
     CHECK(app::crack_material(read_good(), 1).ks == 10 * kn / 2.4);
 }
 
+TEST_CASE("study: a crack that snaps back breaks at its strength, or at what its energy allows",
+          "[app][study]")
+{
+    const double kn = app::crack_material(read_good(), 1).kn;
+    const double most = std::sqrt(2.0 * 110.0 * kn); // u_ul = u_el
+    const auto strength = [](const char* rule, const std::string& given) {
+        return app::crack_material(read_good({std::string("unit.snap_back=") + rule,
+                                              "unit.tensile_strength=" + given,
+                                              "unit.fracture_energy=110 N/m"}),
+                                   1);
+    };
+    REQUIRE(most > 3e6);
+    REQUIRE(most < 9e6);
+    CHECK(strength("breaks", "9 MPa").ft == 9e6);
+    CHECK(strength("weakens", "9 MPa").ft == Approx(most).epsilon(1e-14));
+    CHECK(strength("weakens", "9 MPa").cohesion == 9e6);
+    CHECK(strength("weakens", "3 MPa").ft == 3e6);
+}
+
 TEST_CASE("study: every joint and crack ID has the material of the study", "[app][study]")
 {
     const app::Study study = read(study_texts::kEverything);

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# bash bench/validation.sh [WORK]   runs all walls behind docs/validation.md and writes it anew
+#
+# Half an hour of two cores; WORK (default runs/validation) keeps the files of the studies, so that a
+# second run only does what is missing. DRYSTONE_PROGRAM names another build. Optional:
+# DRYSTONE_TEST_CURVES, the folder of measured curves (bench/measured_walls.hpp), for docs/tests.
+set -euo pipefail
+cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
+work=${1:-runs/validation}
+mkdir -p -- "$work/effects"
+
+study() { # $1: file; $2: configuration; then key=value
+    local file=$work/$1.h5 config=$2 set=() override
+    for override in "${@:3}"; do set+=(--set "$override"); done
+    ./drystone study "$config" --out "$file" "${set[@]}" >/dev/null
+}
+
+effect() { # $1: name; then key=value: five stress levels, the same 50 samples each
+    study "effects/$1" configs/paper.ini "${@:2}"
+}
+
+# What the paper did, and the same with ten times the walls.
+study paper configs/paper.ini
+study spatial configs/paper_spatial.ini
+study large configs/paper.ini uq.samples=500
+study spatial_large configs/paper_spatial.ini uq.samples=500
+study spatial_independent configs/paper_spatial.ini uq.samples=500 uq.spatial=independent
+
+# What the paper leaves open, one at a time.
+effect load_height_1.05 load.height="1.05 m"
+effect load_height_1.15 beam.height="0.20 m" load.height="1.15 m"
+effect beam_0.20 beam.height="0.20 m" load.height="1.10 m"
+effect base_joint wall.base=joint
+effect first_course_fixed wall.courses=9 wall.first_course=shifted wall.base=joint wall.toe=free load.height="1.00 m"
+effect toe_free wall.toe=free
+effect beam_joint beam.interface=joint
+effect density_2000 stone.density="2000 kg/m3"
+effect density_2600 stone.density="2600 kg/m3"
+effect points_4 solver.contact_points=4
+effect points_7 solver.contact_points=7
+effect modes_6 solver.block_modes=6
+effect modes_all solver.fidelity=zones
+effect even_points solver.face_rule=even
+effect snap_back_weakens unit.snap_back=weakens
+effect uncoupled unit.contact_law=uncoupled
+effect strength_in_tension unit.tension_reduces_shear=no
+effect local_damping solver.damping=local
+effect local_damping_fast solver.damping=local solver.steps_per_mm=300 solver.unbalance_limit=0
+effect drive_fast solver.steps_per_mm=300
+effect drive_slow solver.steps_per_mm=3000
+effect modulus_768 joint.wall_modulus="566, 768, 768, 1057, 1202 MPa"
+effect modulus_1057 joint.wall_modulus="566, 768, 1057, 1057, 1202 MPa"
+effect push_28 load.max_displacement="28 mm"
+effect push_45 load.max_displacement="45 mm"
+
+# One wall each, mean values: Figures 6 and 7.
+./drystone push configs/levels.ini --out "$work/levels" >/dev/null
+./drystone push configs/uncoupled.ini --out "$work/uncoupled" >/dev/null
+
+build=build/$(DRYSTONE_BUILD_ONLY=1 ./drystone --preset 2>/dev/null || echo avx512)
+"$build/bench/validation" "$work" docs
