@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# bash bench/validation.sh [WORK]   runs all walls behind docs/validation.md and writes it anew
+# ./drystone validate [WORK]   runs all walls behind docs/validation.md and writes it anew
 #
-# Half an hour of two cores; WORK (default runs/validation) keeps the files of the studies, so that a
-# second run only does what is missing. DRYSTONE_PROGRAM names another build. Optional:
-# DRYSTONE_TEST_CURVES, the folder of measured curves (bench/measured_walls.hpp), for docs/tests.
+# WORK (default runs/validation) keeps the files of the studies, so that a second run only does what is
+# missing. DRYSTONE_TEST_CURVES, the folder of the measured curves (bench/measured_walls.hpp), if given:
+# docs/tests is written anew too.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 work=${1:-runs/validation}
@@ -12,7 +12,7 @@ mkdir -p -- "$work/effects"
 study() { # $1: file; $2: configuration; then key=value
     local file=$work/$1.h5 config=$2 set=() override
     for override in "${@:3}"; do set+=(--set "$override"); done
-    ./drystone study "$config" --out "$file" "${set[@]}" >/dev/null
+    "$DRYSTONE_PROGRAM" study "$config" --out "$file" "${set[@]}" >/dev/null
 }
 
 effect() { # $1: name; then key=value: five stress levels, the same 50 samples each
@@ -54,8 +54,10 @@ effect push_28 load.max_displacement="28 mm"
 effect push_45 load.max_displacement="45 mm"
 
 # One wall each, mean values: Figures 6 and 7.
-./drystone push configs/levels.ini --out "$work/levels" >/dev/null
-./drystone push configs/uncoupled.ini --out "$work/uncoupled" >/dev/null
+if [[ -n ${DRYSTONE_TEST_CURVES-} ]]; then
+    "$DRYSTONE_PROGRAM" push configs/levels.ini --out "$work/levels" >/dev/null
+    "$DRYSTONE_PROGRAM" push configs/uncoupled.ini --out "$work/uncoupled" >/dev/null
+    "$DRYSTONE_BENCH/compare_tests" "$work/levels" "$DRYSTONE_TEST_CURVES" docs/tests "$work/uncoupled"
+fi
 
-build=build/$(DRYSTONE_BUILD_ONLY=1 ./drystone --preset 2>/dev/null || echo avx512)
-"$build/bench/validation" "$work" docs
+"$DRYSTONE_BENCH/validation" "$work" docs

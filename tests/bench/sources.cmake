@@ -5,3 +5,7 @@ drystone_tests(bench
         scenes/paper_wall.cpp
         ../bench/work_count.cpp
     LIBRARIES drystone_dem)
+
+drystone_tests(validation
+    SOURCES app/fragility_scenes.cpp bench/test_validation.cpp
+    LIBRARIES drystone_validation)

@@ -1,0 +1,97 @@
+#include "bench/validation/level_statistics.hpp"
+
+#include "app/mode_rule.hpp"
+#include "uq/estimate.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+namespace bench {
+namespace {
+
+struct Values {
+    std::vector<double> friction, strength, peak, displacement, dropped;
+};
+
+ModeStatistics statistics(const Values& v)
+{
+    return {sample(v.friction), sample(v.strength), sample(v.peak), sample(v.displacement),
+            sample(v.dropped)};
+}
+
+/// Column of an input; the count of inputs where it is not random.
+std::size_t input_of(const app::StudyWalls& walls, std::string_view key)
+{
+    std::size_t i = 0;
+    while (i < walls.inputs.size() && walls.inputs[i].key != key) ++i;
+    return i;
+}
+
+} // namespace
+
+double Sample::std_error() const
+{
+    return n > 0 ? sd / std::sqrt(static_cast<double>(n)) : 0.0;
+}
+
+Sample sample(const std::vector<double>& values)
+{
+    if (values.empty()) return {};
+    if (values.size() == 1) return {1, values.front(), 0.0};
+    const uq::Moments m = uq::moments(values);
+    return {values.size(), m.mean, m.sd};
+}
+
+LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level,
+                                 const dem::ModeThresholds& mode)
+{
+    const app::StudyLevel& l = walls.levels.at(level);
+    const std::size_t friction = input_of(walls, "joint.friction_angle"),
+                      strength = input_of(walls, "unit.tensile_strength");
+    LevelStatistics s;
+    s.stress_MPa = l.stress * 1e-6;
+    s.walls = l.walls.size();
+    s.failed = l.failed;
+    Values modes[2];
+    std::vector<double> peaks, unslid;
+    for (const app::StudyWall& w : l.walls) {
+        const dem::Mechanism m{w.rotation_share, w.sliding_share, w.cracked_units, 0};
+        const bool rocks = dem::failure_mode(m, w.dropped, mode) == dem::FailureMode::rocking;
+        Values& v = modes[rocks ? 0 : 1];
+        if (friction < w.inputs.size()) v.friction.push_back(w.inputs[friction]);
+        if (strength < w.inputs.size()) v.strength.push_back(w.inputs[strength]);
+        v.peak.push_back(w.peak_force * 1e-3);
+        v.displacement.push_back(w.ultimate.displacement * 1e3);
+        if (w.dropped) v.dropped.push_back(w.ultimate.displacement * 1e3);
+        peaks.push_back(w.peak_force * 1e-3);
+        s.rocking_walls += rocks;
+        s.dropped_walls += w.dropped;
+        const bool slid = app::slid_whole(m, w.dropped, mode);
+        s.slid_walls += slid;
+        if (!slid) unslid.push_back(w.peak_force * 1e-3);
+    }
+    s.peak_kN = sample(peaks);
+    s.unslid_kN = sample(unslid);
+    s.rocking = statistics(modes[0]);
+    s.mixed = statistics(modes[1]);
+    return s;
+}
+
+Sample last_falls_mm(const app::StudyWalls& walls, std::size_t level)
+{
+    std::vector<double> falls;
+    for (const app::StudyWall& w : walls.levels.at(level).walls)
+        if (w.mode == app::kMixed) falls.push_back(w.limits.at(0).displacement * 1e3);
+    return sample(falls);
+}
+
+std::vector<LevelStatistics> level_statistics(const app::StudyWalls& walls)
+{
+    std::vector<LevelStatistics> all;
+    for (std::size_t l = 0; l < walls.levels.size(); ++l)
+        all.push_back(level_statistics(walls, l, walls.study.fragility.mode));
+    return all;
+}
+
+} // namespace bench

@@ -1,0 +1,45 @@
+#pragma once
+/// What the paper's tables show of one stress level, from our walls.
+
+#include "app/study_walls.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace bench {
+
+struct Sample {
+    std::size_t n = 0;
+    double mean = 0.0, sd = 0.0; ///< sd 0 for fewer than two
+    [[nodiscard]] double std_error() const;
+    [[nodiscard]] double cov() const { return mean != 0.0 ? sd / mean : 0.0; }
+};
+[[nodiscard]] Sample sample(const std::vector<double>& values);
+
+struct ModeStatistics {
+    Sample friction_deg, strength_MPa, peak_kN;
+    Sample
+        displacement_mm; ///< drop to 80 %; of a wall without, the end of its run, as the paper has it
+    Sample dropped_mm; ///< of the walls that dropped alone
+};
+
+struct LevelStatistics {
+    double stress_MPa = 0.0;
+    std::size_t walls = 0, rocking_walls = 0, dropped_walls = 0, slid_walls = 0, failed = 0;
+    Sample peak_kN;   ///< all walls
+    Sample unslid_kN; ///< without those that slid whole
+    ModeStatistics rocking, mixed;
+};
+
+/// @param mode thresholds of the rule that names modes
+[[nodiscard]] LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level,
+                                               const dem::ModeThresholds& mode);
+
+/// Last fall to 80 % of the peak, for good, of the walls of mixed mode; else the end of their run.
+/// @param walls read with fragility.crossing = last and fragility.limit_states = paper
+[[nodiscard]] Sample last_falls_mm(const app::StudyWalls& walls, std::size_t level);
+
+/// All levels, with the study's own thresholds.
+[[nodiscard]] std::vector<LevelStatistics> level_statistics(const app::StudyWalls& walls);
+
+} // namespace bench

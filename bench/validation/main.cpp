@@ -1,0 +1,149 @@
+/// The paper and the tests against our walls: writes DOCS/validation.md and its pictures from the files
+/// that bench/validation.sh leaves in WORK.
+///
+///   ./drystone validate           runs everything, then
+///   validation WORK DOCS
+
+#include "app/atomic_output.hpp"
+#include "app/fragility_means.hpp"
+#include "bench/machine.hpp"
+#include "bench/validation/effects.hpp"
+#include "bench/validation/paper_comparison.hpp"
+#include "bench/validation/pictures.hpp"
+#include "bench/validation/remarks.hpp"
+
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A page that grows, and its pictures.
+struct Page {
+    std::string text;
+    std::vector<app::NamedPicture> pictures;
+
+    void write(const std::string& paragraph) { text += paragraph + "\n\n"; }
+    void show(const app::Table& table) { text += app::as_markdown(table) + "\n"; }
+    void show(const std::vector<app::NamedPicture>& all)
+    {
+        for (const app::NamedPicture& p : all) {
+            text += "![" + p.title + "](validation/" + p.name + ".svg)\n";
+            pictures.push_back(p);
+        }
+        text += "\n";
+    }
+};
+
+void check_levels(const std::vector<bench::LevelStatistics>& levels, const fs::path& file)
+{
+    if (levels.size() != 5)
+        throw std::runtime_error(file.string() + ": not five stress levels");
+    for (const bench::LevelStatistics& l : levels)
+        if (l.walls == 0) throw std::runtime_error(file.string() + ": a level without walls");
+}
+
+/// The other reading of jerky curves, of each level.
+std::vector<bench::Sample> last_falls(const fs::path& work)
+{
+    const std::vector<std::string> last = {"fragility.crossing=last",
+                                           "fragility.limit_states=paper"};
+    const app::StudyWalls walls = app::read_study_walls(work / "large.h5", last);
+    std::vector<bench::Sample> falls;
+    for (std::size_t l = 0; l < walls.levels.size(); ++l)
+        falls.push_back(bench::last_falls_mm(walls, l));
+    return falls;
+}
+
+Page page_of(const fs::path& work)
+{
+    const auto read = [&](const char* name) { return app::read_study_walls(work / name, {}); };
+    const app::StudyWalls paper = read("paper.h5"), large = read("large.h5"),
+                          spatial = read("spatial.h5"),
+                          spatial_large = read("spatial_large.h5"),
+                          independent = read("spatial_independent.h5");
+    const bench::OurLevels ours{bench::level_statistics(paper), bench::level_statistics(large)};
+    check_levels(ours.same_size, work / "paper.h5");
+    check_levels(ours.large, work / "large.h5");
+    const app::Table effects = bench::effects_table(paper, work / "effects");
+
+    Page page;
+    page.write("# Validation: the paper and the tests against Drystone");
+    page.write("Written by `./drystone validate` on " + bench::machine_line() +
+               "; every number is read from the studies that command runs. Five stress levels, "
+               "one set "
+               "of choices for all of them ([model.md](model.md), section 6), fixed before the "
+               "comparison.");
+    page.write("## 1. One wall with mean values, and the tests");
+    page.write(bench::remarks_on_tests());
+    for (const char* stress : {"0.15", "0.50", "0.75", "1.00", "1.25"})
+        page.text += "![" + std::string(stress) + " MPa](tests/" + stress + "_MPa.svg)\n";
+    page.write(
+        "\nCounterpart of Fig. 6; numbers in [tests/comparison.md](tests/comparison.md). "
+        "Counterpart of Fig. 7, coupled against uncoupled law at 1.25 MPa:");
+    page.write("![laws](tests/laws.svg)");
+    page.show(bench::test_table(ours));
+    page.write("## 2. All walls");
+    page.show(bench::pooled_peaks(ours));
+    page.write("## 3. Modes");
+    page.show(bench::rocking_shares(ours));
+    page.show({bench::rocking_over_stress(ours.large)});
+    page.show(bench::rocking_table(ours));
+    page.show(bench::mixed_table(ours));
+    page.show(bench::mixed_displacements(ours));
+    page.write("## 4. Values per joint");
+    page.show(bench::spatial_table(ours.large[2],
+                                   bench::level_statistics(spatial_large).front(),
+                                   bench::level_statistics(independent).front()));
+    page.write("Counterpart of Fig. 14, 100 walls as in the paper:");
+    page.show(bench::all_curves(spatial, "fig14"));
+    page.write("## 5. What the paper leaves open");
+    page.show(effects);
+    page.write("## 6. Where we differ, and why");
+    page.write(bench::remarks_on_differences(ours, last_falls(work)));
+    page.write("## 7. The other figures");
+    page.write("Fig. 9, inputs of the 250 walls and their prescribed densities:");
+    page.show(bench::input_histograms(paper));
+    page.write("Fig. 10, error of the mean of each input:");
+    page.show({bench::running_errors(paper)});
+    page.write("Fig. 11, all 250 curves:");
+    page.show(bench::all_curves(paper, "fig11"));
+    page.write("Fig. 12, what the peak force depends on:");
+    page.show(bench::peaks_over_inputs(paper));
+    page.write("Fig. 15, mean force over drift of each mode, with 16 and 84 % of the walls:");
+    auto means = app::mean_curve_pictures(large);
+    for (app::NamedPicture& p : means) p.name = "fig15_" + p.name;
+    page.show(means);
+    return page;
+}
+
+int run(int argc, char** argv)
+{
+    if (argc != 3) {
+        std::cerr << "usage: validation WORK DOCS\n";
+        return 2;
+    }
+    const Page page = page_of(argv[1]); // everything is read before anything is written
+    const fs::path docs = argv[2];
+    app::make_folder(docs / "validation");
+    for (const app::NamedPicture& p : page.pictures)
+        app::write_file(docs / "validation" / (p.name + ".svg"), p.svg);
+    app::write_file(docs / "validation.md", page.text);
+    std::cerr << "wrote " << (docs / "validation.md").string() << " and "
+              << page.pictures.size() << " pictures\n";
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& e) {
+        std::cerr << "validation: " << e.what() << '\n';
+        return 1;
+    }
+}

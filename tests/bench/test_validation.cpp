@@ -1,0 +1,60 @@
+#include "app/fragility_scenes.hpp"
+#include "bench/validation/paper_comparison.hpp"
+#include "bench/validation/paper_tables.hpp"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("validation: interval of a difference of shares is Newcombe's", "[app][validation]")
+{
+    // Newcombe (1998), Statistics in Medicine 17, Table II, method 10
+    const auto a = bench::share_difference(56, 70, 48, 80);
+    CHECK(a.value == Approx(0.2).epsilon(1e-12));
+    CHECK(a.lower == Approx(0.0524).margin(5e-5));
+    CHECK(a.upper == Approx(0.3339).margin(5e-5));
+    const auto b = bench::share_difference(9, 10, 3, 10);
+    CHECK(b.lower == Approx(0.1705).margin(5e-5));
+    CHECK(b.upper == Approx(0.8090).margin(5e-5));
+    const auto c = bench::share_difference(5, 56, 0, 29);
+    CHECK(c.lower == Approx(-0.0381).margin(5e-5));
+    CHECK(c.upper == Approx(0.1926).margin(5e-5));
+}
+
+TEST_CASE("validation: the paper's tables agree with themselves", "[app][validation]")
+{
+    for (const bench::PaperLevel& p : bench::kPaperLevels) {
+        const double share = static_cast<double>(p.rocking_walls) / p.walls;
+        const double friction = share * p.rocking.friction_deg +
+                                (p.mixed ? (1.0 - share) * p.mixed->friction_deg : 0.0);
+        CHECK(friction == Approx(31.8).margin(0.25)); // Table 5
+    }
+    CHECK(bench::pooled_peak(bench::kPaperLevels[2]) == Approx(0.34 * 69.51 + 0.66 * 63.89));
+}
+
+TEST_CASE("validation: a level is told apart by the mode rule", "[app][validation]")
+{
+    app::StudyWalls walls = scenes::study_walls(10);
+    auto& level = walls.levels[0];
+    for (app::StudyWall& w : level.walls) {
+        w.dropped = false;
+        w.cracked_units = 1;
+        w.rotation_share = 0.45;
+        w.ultimate.displacement = 0.030;
+        w.ultimate.reading = fragility::Reading::censored;
+    }
+    level.walls[0].rotation_share = 0.9;
+    level.walls[1].cracked_units = 0;
+    level.walls[2].dropped = true;
+    level.walls[2].ultimate = {0.010, fragility::Reading::observed, ""};
+    const auto s = bench::level_statistics(walls, 0, {0.5, 1});
+    CHECK(s.walls == 10);
+    CHECK(s.rocking_walls == 2);
+    CHECK(s.slid_walls == 1);
+    CHECK(s.dropped_walls == 1);
+    CHECK(s.mixed.displacement_mm.mean == Approx((7 * 30.0 + 10.0) / 8));
+    CHECK(s.mixed.dropped_mm.n == 1);
+    CHECK(s.mixed.dropped_mm.mean == 10.0);
+    CHECK(s.rocking.friction_deg.mean ==
+          Approx(0.5 * (level.walls[0].inputs[0] + level.walls[1].inputs[0])));
+    CHECK(bench::level_statistics(walls, 0, {0.4, 1}).rocking_walls == 9);
+    CHECK(bench::level_statistics(walls, 0, {0.5, 0}).rocking_walls == 1);
+}
