@@ -86,6 +86,7 @@ add_custom_target(drystone ALL DEPENDS ${program})
 set(tested ${PROJECT_BINARY_DIR}/tested)
 add_custom_command(OUTPUT ${tested} COMMAND touch ${tested} VERBATIM)
 add_custom_target(test_program ALL DEPENDS ${tested})
+add_custom_target(validation DEPENDS ${program})
 enable_testing()
 add_test(NAME good COMMAND sh -c "exit 0")
 add_test(NAME fine COMMAND cat ${tested})
@@ -319,6 +320,19 @@ claim_an_unknown_preset_is_refused() {
     drystone exit 0
     expect_equal "the exit code" "$code" 1
     expect_text "$box/err" "drystone: configuring failed"
+}
+
+claim_validate_builds_first_and_hands_its_arguments_on() {
+    mkdir "$checkout/bench"
+    cat >"$checkout/bench/validation.sh" <<'SCRIPT'
+printf '<%s>\n' "$DRYSTONE_BENCH" "$@"
+"$DRYSTONE_PROGRAM" show built
+exit 3
+SCRIPT
+    drystone validate "my runs"
+    expect_equal "the exit code" "$code" 3
+    expect_equal "what the script saw" "$(cat "$box/out")" \
+        "$(printf '<%s>\n' "$checkout/build/release/bench" "my runs" built)"
 }
 
 claim_test_ends_with_the_count() {
