@@ -132,6 +132,8 @@ void take(const po::option& option, Command& command, std::vector<std::string>& 
         command.quiet = true;
     } else if (name == "rerun-failed") {
         command.rerun_failed = true;
+    } else if (name == "report") {
+        command.report = true;
     } else if (name == "drift") {
         command.drift.push_back(option.value.front());
     } else if (name == "censored") {
@@ -243,6 +245,8 @@ Command parse_command_line(const std::vector<std::string>& arguments)
     if (command.verb == Verb::help || command.verb == Verb::version) return command;
     const VerbRule& rule = rule_of(command.verb);
     refuse_foreign(rule, given);
+    if (command.report && (command.shard.count > 1 || !command.script.empty()))
+        refuse("--report", "not of a shard; merge the shards, then run fragility and report");
     set_out(rule, command);
     return command;
 }

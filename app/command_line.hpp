@@ -29,6 +29,7 @@ struct Command {
     Shard shard;
     std::string script;             ///< write a job array to this file instead of running
     bool rerun_failed = false;      ///< run failed walls again
+    bool report = false;            ///< study: then its tables and its page
     bool partial = false;           ///< merge although walls are missing
     std::vector<std::string> drift; ///< fragility: columns of a table
     std::string censored, group;    ///< fragility: columns of a table; empty: none

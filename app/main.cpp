@@ -4,6 +4,7 @@
 #include "app/config_error.hpp"
 #include "app/curves_command.hpp"
 #include "app/fragility_command.hpp"
+#include "app/interrupt.hpp"
 #include "app/merge_command.hpp"
 #include "app/push_command.hpp"
 #include "app/reliability_command.hpp"
@@ -12,12 +13,33 @@
 #include "app/study_command.hpp"
 #include "app/version.hpp"
 
+#include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
 
 namespace {
+
+/// Tables in the folder of the name of the file, the page beside it.
+int study_then_report(const app::Command& study)
+{
+    const int code = app::study_command(study); // 1 if walls failed: the tables count them
+    if (app::interrupted()) return code;
+    const std::filesystem::path file = study.out;
+    app::Command after;
+    after.words = {file.string()};
+    after.study = file.string();
+    after.threads = study.threads;
+    after.quiet = study.quiet;
+    after.verb = app::Verb::fragility;
+    after.out = (file.parent_path() / file.stem()).string();
+    const int tables = app::fragility_command(after);
+    after.verb = app::Verb::report;
+    after.out += ".html";
+    return std::max({code, tables, app::report_command(after)});
+}
 
 int run(const std::vector<std::string>& arguments)
 {
@@ -32,7 +54,7 @@ int run(const std::vector<std::string>& arguments)
     case app::Verb::push:
         return app::push_command(command);
     case app::Verb::study:
-        return app::study_command(command);
+        return command.report ? study_then_report(command) : app::study_command(command);
     case app::Verb::sample:
         return app::sample_command(command);
     case app::Verb::reliability:

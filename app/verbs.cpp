@@ -10,8 +10,8 @@ namespace {
 using Options = std::string_view;
 
 constexpr std::array<Options, 6> kPush = {"out", "set", "threads", "quiet", "sample", "level"};
-constexpr std::array<Options, 7> kStudy = {"out",   "set",   "threads",     "quiet",
-                                           "shard", "slurm", "rerun-failed"};
+constexpr std::array<Options, 8> kStudy = {"out",   "set",   "threads",      "quiet",
+                                           "shard", "slurm", "rerun-failed", "report"};
 constexpr std::array<Options, 3> kSample = {"out", "set", "quiet"};
 constexpr std::array<Options, 5> kReliability = {"out", "set", "threads", "quiet", "level"};
 constexpr std::array<Options, 4> kReport = {"out", "walls", "threads", "quiet"};

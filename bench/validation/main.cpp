@@ -102,7 +102,8 @@ Page page_of(const fs::path& work)
     page.write("## 5. What the paper leaves open");
     page.show(effects);
     page.write("## 6. Where we differ, and why");
-    page.write(bench::remarks_on_differences(ours, last_falls(work)));
+    page.write(bench::remarks_on_differences(ours, last_falls(work),
+                                             bench::level_statistics(spatial_large).front()));
     page.write("## 7. The other figures");
     page.write("Fig. 9, inputs of the 250 walls and their prescribed densities:");
     page.show(bench::input_histograms(paper));

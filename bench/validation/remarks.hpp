@@ -9,7 +9,9 @@ namespace bench {
 
 [[nodiscard]] std::string remarks_on_tests();
 /// @param last_falls of mixed-mode walls, a level each
+/// @param per_joint_walls at 0.75 MPa, stratified
 [[nodiscard]] std::string remarks_on_differences(const OurLevels& ours,
-                                                 const std::vector<Sample>& last_falls);
+                                                 const std::vector<Sample>& last_falls,
+                                                 const LevelStatistics& per_joint_walls);
 
 } // namespace bench

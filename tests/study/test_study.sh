@@ -121,6 +121,17 @@ claim_a_full_disk_is_said_and_survived() {
     "$compare" "$work/whole.h5" "$work/disk/s.h5"
 }
 
+claim_tables_and_page_follow_where_asked() {
+    local file
+    study small --set uq.samples=3 --report
+    for file in small/README.md small/table_6_rocking.md small/performance_limits.csv; do
+        [[ -s $work/$file ]] || fail "no $file"
+    done
+    grep -q '</html>' "$work/small.html" || fail "no page"
+    refused 2 "not of a shard" study part --shard 1/2 --report
+    refused 2 "not of a shard" study part --slurm "$work/job.sh" --report
+}
+
 claim_two_runs_on_one_file_are_refused() {
     "$program" study "$here/small.ini" --out "$work/one.h5" --set uq.samples=2000 --threads 1 --quiet >/dev/null 2>&1 &
     local first=$!
