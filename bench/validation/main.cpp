@@ -102,8 +102,12 @@ Page page_of(const fs::path& work)
     page.write("## 5. What the paper leaves open");
     page.show(effects);
     page.write("## 6. Where we differ, and why");
-    page.write(bench::remarks_on_differences(ours, last_falls(work),
-                                             bench::level_statistics(spatial_large).front()));
+    const fs::path changed = work / "effects";
+    page.write(bench::remarks_on_differences(
+        {ours, last_falls(work), bench::level_statistics(spatial_large).front(),
+         bench::with_choice(changed, "load_height_1.05"),
+         bench::with_choice(changed, "beam_0.20"), bench::with_choice(changed, "local_damping"),
+         bench::with_choice(changed, "local_damping_fast")}));
     page.write("## 7. The other figures");
     page.write("Fig. 9, inputs of the 250 walls and their prescribed densities:");
     page.show(bench::input_histograms(paper));

@@ -93,7 +93,7 @@ std::vector<app::NamedPicture> input_histograms(const app::StudyWalls& walls)
         c.y_label = "density";
         c.width = 420;
         c.height = 300;
-        c.series.push_back(outline(values, 20));
+        c.series.push_back(outline(values, 12));
         app::Series law{.name = "prescribed", .colour = "#111", .line = app::LineStyle::dashed};
         const auto [low, high] = std::minmax_element(values.begin(), values.end());
         for (int k = 0; k <= 100; ++k) {
@@ -115,7 +115,7 @@ app::NamedPicture running_errors(const app::StudyWalls& walls)
     c.title = "Error of the mean after j walls, " + stress_text(level.stress);
     c.x_label = "walls j";
     c.y_label = "error of the mean [%]";
-    c.horizontal = {{0.2, "+0.2 %"}, {-0.2, "-0.2 %"}};
+    c.horizontal = {{0.2, "0.2 %"}, {-0.2, ""}};
     for (std::size_t i = 0; i < walls.inputs.size(); ++i) {
         const app::RandomInput* const random = random_of(walls, walls.inputs[i].key);
         if (random == nullptr) continue;

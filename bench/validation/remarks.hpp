@@ -4,14 +4,20 @@
 #include "bench/validation/paper_comparison.hpp"
 
 #include <string>
+#include <vector>
 
 namespace bench {
 
+/// Levels of studies that the remarks are drawn from.
+struct Remarkable {
+    OurLevels ours;
+    std::vector<Sample> last_falls; ///< of mixed-mode walls, a level each
+    LevelStatistics per_joint;      ///< at 0.75 MPa, stratified
+    /// One choice changed each, same samples as ours.same_size.
+    std::vector<LevelStatistics> low_load, high_beam, local_damping, fast_local_damping;
+};
+
 [[nodiscard]] std::string remarks_on_tests();
-/// @param last_falls of mixed-mode walls, a level each
-/// @param per_joint_walls at 0.75 MPa, stratified
-[[nodiscard]] std::string remarks_on_differences(const OurLevels& ours,
-                                                 const std::vector<Sample>& last_falls,
-                                                 const LevelStatistics& per_joint_walls);
+[[nodiscard]] std::string remarks_on_differences(const Remarkable& r);
 
 } // namespace bench
