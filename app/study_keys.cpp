@@ -33,6 +33,8 @@ constexpr std::array kLaws = {named("coupled", dem::ContactLaw::coupled),
                               named("uncoupled", dem::ContactLaw::uncoupled)};
 constexpr std::array kSnapBacks = {named("breaks", SnapBack::breaks),
                                    named("weakens", SnapBack::weakens)};
+constexpr std::array kUnloadings = {named("secant", dem::Unloading::secant),
+                                    named("elastic", dem::Unloading::elastic)};
 constexpr std::array kFaceRules = {named("even", dem::FaceRule::even),
                                    named("lobatto", dem::FaceRule::lobatto)};
 constexpr std::array kDampings = {named("local", dem::Damping::local),
@@ -234,6 +236,10 @@ constexpr std::array kKeys = {
         .used = Used::with_cracks,
         .meaning = "where f_T > sqrt(2 G k_n) a crack breaks at f_T, or is weakened to that value",
         .field = kAt<&Study::unit, &UnitInput::snap_back>},
+    Key{.name = "unit.unloading", .kind = Kind::word, .names = kUnloadings,
+        .used = Used::with_cracks,
+        .meaning = "an open crack closes to the origin, or with k_n (paper, Table 1) and stays propped",
+        .field = kAt<&Study::solver, &SolverOptions::unloading>},
 
     Key{.name = "beam.height", .unit = "m", .range = kHeight, .example = "0.10 m",
         .meaning = "of the loading beam on the wall",

@@ -90,7 +90,7 @@ Stress update(DryLink& c, double du_n, double du_s)
 
 Stress update(CrackLink& c, double du_n, double du_s)
 {
-    c.state = dem::advance<dem::ContactLaw::coupled, double>(c.law, c.state, du_n, du_s).state;
+    c.state = dem::advance<dem::ContactLaw::coupled>(c.law, c.state, du_n, du_s).state;
     return {c.state.sigma, c.state.tau};
 }
 

@@ -7,7 +7,8 @@
 /// or misprinted:
 ///   - u_el = f_T / k_n (Table 2 prints f_T / u_n).
 ///   - Unloading in tension is secant to the origin: an open crack that closes is in contact
-///     again at u_n = 0. Plain increments of Table 1 would leave it propped open.
+///     again at u_n = 0. Plain increments of Table 1 leave it propped open, in contact at
+///     u_p = u_max - (1 - D) f_T/k_n: an option (Unloading).
 ///   - u_ul = 2 G / f_T <= u_el, that is f_T > sqrt(2 G k_n): the contact breaks at u_el and
 ///     releases f_T^2/(2 k_n) > G.
 ///   - The shear limit is checked with the damage known so far; a contact that reaches it gets
@@ -85,19 +86,21 @@ template <class Real> struct CrackLaw {
 };
 
 template <class Real> struct CrackState {
-    Real u_n;       ///< [m]
-    Real tau;       ///< [Pa]
-    Real sigma;     ///< [Pa]
-    Real u_max;     ///< largest opening so far, at least u_el [m]
-    Real bond;      ///< 1 - d_s: 1 intact, 0 once the shear limit was reached
-    Real secant;    ///< sigma / u_n in tension [Pa/m]
+    Real u_n;   ///< [m]
+    Real tau;   ///< [Pa]
+    Real sigma; ///< [Pa]
+    Real u_max; ///< opening from which it opens further: the largest so far, at least u_el [m]
+    Real bond;  ///< 1 - d_s: 1 intact, 0 once the shear limit was reached
+    Real unloading; ///< secant: sigma / u_n in tension [Pa/m]; elastic: u_p, free of stress [m]
     Real integrity; ///< what is left against slip, see Integrity [-]
 };
 
-template <class Real> [[nodiscard]] CrackState<Real> intact(const CrackLaw<Real>& law)
+template <Unloading kUnloading = Unloading::secant, class Real>
+[[nodiscard]] CrackState<Real> intact(const CrackLaw<Real>& law)
 {
     const Real zero(0.0), one(1.0);
-    return {zero, zero, zero, law.u_el, one, law.kn, one};
+    const Real unloading = kUnloading == Unloading::secant ? law.kn : zero;
+    return {zero, zero, zero, law.u_el, one, unloading, one};
 }
 
 /// 1 - d_t (Table 2, step 3), from the largest opening so far.
@@ -118,12 +121,37 @@ template <ContactLaw kLaw, class Real> struct Integrity {
     }
 };
 
-/// Normal stress: elastic in compression, secant below the largest opening.
-///   u_n <= 0: k_n u_n        u_n > 0: (1 - D) f_T u_n / u_max
-template <class Real>
-[[nodiscard]] Real crack_stress(const CrackLaw<Real>& law, Real secant, Real u_n)
+/// Normal stress up to u_max.
+///   secant    u_n <= 0: k_n u_n        u_n > 0: (1 - D) f_T u_n / u_max
+///   elastic   k_n (u_n - u_p)
+template <Unloading kUnloading, class Real>
+[[nodiscard]] Real crack_stress(const CrackLaw<Real>& law, Real unloading, Real u_n)
 {
-    return select(u_n > Real(0.0), secant, law.kn) * u_n;
+    if constexpr (kUnloading == Unloading::secant)
+        return select(u_n > Real(0.0), unloading, law.kn) * u_n;
+    else
+        return law.kn * (u_n - unloading);
+}
+
+/// CrackState::unloading after opening to u_max with the share 1 - D of the strength left.
+///   secant    (1 - D) f_T / u_max        elastic   u_p = u_max - (1 - D) f_T / k_n
+template <Unloading kUnloading, class Real>
+[[nodiscard]] Real unloading_from(const CrackLaw<Real>& law, Real u_max, Real left)
+{
+    if constexpr (kUnloading == Unloading::secant)
+        return left * (law.ft / u_max);
+    else
+        return u_max - left * law.u_el;
+}
+
+/// The same after a shear failure at u_n, which leaves no strength in tension.
+template <Unloading kUnloading, class Real>
+[[nodiscard]] Real unloading_of_broken(Real unloading, Real u_n)
+{
+    if constexpr (kUnloading == Unloading::secant)
+        return Real(0.0);
+    else
+        return max(unloading, u_n);
 }
 
 /// tau_max = c(D) - sigma tan(theta(D)), not below zero (Table 2, step 5).
@@ -148,20 +176,36 @@ template <class Real> struct ElasticTrial {
     bool holds;
 };
 
-template <class Real>
+template <Unloading kUnloading = Unloading::secant, class Real>
 [[nodiscard]] ElasticTrial<Real> try_elastic(const CrackLaw<Real>& law,
                                              const CrackState<Real>& s, Real du_n, Real du_s)
 {
     const Real u_n = s.u_n + du_n;
-    const Real sigma = crack_stress(law, s.secant, u_n);
+    const Real sigma = crack_stress<kUnloading>(law, s.unloading, u_n);
     const Real tau = multiply_add(law.ks, du_s, s.tau);
     const auto leaves = (u_n > s.u_max) | (abs(tau) > shear_strength(law, s.integrity, sigma));
     return {u_n, tau, sigma, !any(leaves)};
 }
 
+/// Lost in tension on the way from s to sigma and u_n.
+///   secant    work of sigma less the change of sigma u_n / 2: zero as long as sigma is
+///             proportional to u_n
+///   elastic   work of sigma on the change of u_p; sigma^2 / (2 k_n) is stored
+template <Unloading kUnloading, class Real, class Mask>
+[[nodiscard]] Real opening_loss(const CrackState<Real>& s, Real u_n, Real sigma, Real unloading,
+                                Mask opens)
+{
+    if constexpr (kUnloading == Unloading::secant) {
+        const Real changes = Real(0.5) * (s.sigma * u_n - sigma * s.u_n);
+        return select(opens, changes, select(unloading < s.unloading, changes, Real(0.0)));
+    } else {
+        return Real(0.5) * (s.sigma + sigma) * (unloading - s.unloading);
+    }
+}
+
 /// Potential crack in a unit (Table 2): linear softening in tension, brittle in shear. Where
 /// try_elastic holds it gives the same bits.
-template <ContactLaw kLaw, class Real>
+template <ContactLaw kLaw, Unloading kUnloading = Unloading::secant, class Real>
 [[nodiscard]] CrackUpdate<Real> advance(const CrackLaw<Real>& law, const CrackState<Real>& s,
                                         Real du_n, Real du_s)
 {
@@ -171,18 +215,22 @@ template <ContactLaw kLaw, class Real>
     const Real u_max = select(opens, u_n, s.u_max);
     const Real left = tension_left(law, u_max);
     const Integrity<kLaw, Real> before(left, s.bond);
-    const Real secant_trial = select(opens, before.normal * (law.ft / u_max), s.secant);
+    const Real unloading_trial =
+        select(opens, unloading_from<kUnloading>(law, u_max, before.normal), s.unloading);
     const Real integrity_trial = select(opens, before.shear, s.integrity);
-    const Real sigma_trial = crack_stress(law, secant_trial, u_n);
+    const Real sigma_trial = crack_stress<kUnloading>(law, unloading_trial, u_n);
     const Real tau_trial = multiply_add(law.ks, du_s, s.tau);
 
     const auto yields = abs(tau_trial) > shear_strength(law, integrity_trial, sigma_trial);
     const Real bond = select(yields, zero, s.bond);
     const Integrity<kLaw, Real> after(left, bond);
-    const Real secant =
-        kLaw == ContactLaw::coupled ? select(yields, zero, secant_trial) : secant_trial;
+    const Real unloading =
+        kLaw == ContactLaw::coupled
+            ? select(yields, unloading_of_broken<kUnloading>(unloading_trial, u_n),
+                     unloading_trial)
+            : unloading_trial;
     const Real integrity = select(yields, after.shear, integrity_trial);
-    const Real sigma = crack_stress(law, secant, u_n);
+    const Real sigma = crack_stress<kUnloading>(law, unloading, u_n);
     const Real limit = shear_strength(law, integrity, sigma);
     const Real tau = select(yields, max(-limit, min(limit, tau_trial)), tau_trial);
 
@@ -191,12 +239,13 @@ template <ContactLaw kLaw, class Real>
     // In the step that breaks the bond, what the residual strength would have taken is
     // friction, the rest fracture.
     const Real friction = select(bond < s.bond, min(shear_loss, abs(tau * slip)), shear_loss);
-    // Work of sigma less the change of sigma u_n / 2: zero as long as sigma is proportional to
-    // u_n.
-    const Real changes = Real(0.5) * (s.sigma * u_n - sigma * s.u_n);
-    const Real opening_loss = select(opens, changes, select(secant < s.secant, changes, zero));
-    return {{u_n, tau, sigma, u_max, bond, secant, integrity},
-            {friction, opening_loss + (shear_loss - friction)}};
+    const Real opening = opening_loss<kUnloading>(s, u_n, sigma, unloading, opens);
+    // Broken in shear and propped, it opens from u_p on; its d_t no longer matters.
+    constexpr bool kOpensAtProp =
+        kLaw == ContactLaw::coupled && kUnloading == Unloading::elastic;
+    const Real opens_from = kOpensAtProp ? select(yields, unloading, u_max) : u_max;
+    return {{u_n, tau, sigma, opens_from, bond, unloading, integrity},
+            {friction, opening + (shear_loss - friction)}};
 }
 
 /// D of Table 2.

@@ -26,6 +26,12 @@ enum class ContactLaw {
     uncoupled ///< tension and shear damage apart (Fig. 7)
 };
 
+/// A crack that opened and closes again.
+enum class Unloading {
+    secant, ///< to the origin: closed at u_n = 0
+    elastic ///< with k_n, by the increments of Table 1: propped at what did not spring back
+};
+
 struct Discretisation {
     int contact_points = 5; ///< per face of a half unit, >= 2
     FaceRule face_rule = FaceRule::lobatto;
@@ -56,6 +62,7 @@ enum class Fidelity {
 
 struct SolverOptions {
     ContactLaw law = ContactLaw::coupled;
+    Unloading unloading = Unloading::secant;
     Damping damping = Damping::combined;
     double damping_factor = 0.8; ///< gamma of Eq. 1 [-], in (0, 1)
     /// Of the step that is stable by the bound of block_element.hpp [-], > 0; above 1 the bound

@@ -103,7 +103,7 @@ template <class Real> void advance_tied(const StepTables& t, WallState<Real>& s)
     }
 }
 
-template <ContactLaw kLaw, class Real>
+template <ContactLaw kLaw, Unloading kUnloading, class Real>
 void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
 {
     for (const ContactRun& run : t.cracks) {
@@ -111,18 +111,28 @@ void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
         for (int k = run.first; k < run.first + run.count; ++k) {
             const Relative<Real> du(s, k);
             const CrackState<Real> before = crack_state(t, s, k);
-            const auto trial = try_elastic(law, before, du.normal, du.tangential);
+            const auto trial = try_elastic<kUnloading>(law, before, du.normal, du.tangential);
             if (trial.holds && shortcuts) {
                 set_contact(s, k, trial.u_n, trial.sigma, trial.tau);
                 continue;
             }
-            const auto [c, loss] = advance<kLaw>(law, before, du.normal, du.tangential);
+            const auto [c, loss] =
+                advance<kLaw, kUnloading>(law, before, du.normal, du.tangential);
             set_contact(s, k, c.u_n, c.sigma, c.tau);
-            s.cracks[k - t.first_crack] = {c.u_max, c.bond, c.secant, c.integrity};
+            s.cracks[k - t.first_crack] = {c.u_max, c.bond, c.unloading, c.integrity};
             s.friction = multiply_add(Real(t.area[k]), loss.friction, s.friction);
             s.fracture = multiply_add(Real(t.area[k]), loss.fracture, s.fracture);
         }
     }
+}
+
+template <ContactLaw kLaw, class Real>
+void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
+{
+    if (s.unloading == Unloading::secant)
+        advance_cracks<kLaw, Unloading::secant>(t, shortcuts, s);
+    else
+        advance_cracks<kLaw, Unloading::elastic>(t, shortcuts, s);
 }
 
 template <class Real>

@@ -112,18 +112,22 @@ void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
                const SolverOptions& options, int lane, WallState<Real>& s)
 {
     clear_lane(lane, s);
+    s.unloading = options.unloading;
     for (int j = 0; j < m.layout.n_joints; ++j) set_law(lane, w.joints[j], s.dry_laws[j]);
     set_law(lane, w.base_joint, s.dry_laws[m.layout.n_joints]);
     set_law(lane, w.beam_joint, s.dry_laws[m.layout.n_joints + 1]);
     set_law(lane, w.beam_joint, s.tied_laws[0]);
     for (int i = 0; i < m.layout.n_cracks; ++i) set_law(lane, w.cracks[i], s.crack_laws[i]);
     for (const ContactRun& run : t.cracks) {
-        const CrackState<Real> fresh = intact(s.crack_laws[run.law]);
+        const CrackLaw<Real>& law = s.crack_laws[run.law];
+        const CrackState<Real> fresh = s.unloading == Unloading::secant
+                                           ? intact<Unloading::secant>(law)
+                                           : intact<Unloading::elastic>(law);
         for (int k = run.first; k < run.first + run.count; ++k) {
             auto& memory = s.cracks[k - t.first_crack];
             set_lane(memory.u_max, lane, dem::lane(fresh.u_max, lane));
             set_lane(memory.bond, lane, dem::lane(fresh.bond, lane));
-            set_lane(memory.secant, lane, dem::lane(fresh.secant, lane));
+            set_lane(memory.unloading, lane, dem::lane(fresh.unloading, lane));
             set_lane(memory.integrity, lane, dem::lane(fresh.integrity, lane));
         }
     }
@@ -166,18 +170,21 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
         e.kinetic += 0.5 * at(s.v[i]) * at(s.v[i]) / at(s.inv_mass[i]);
         e.elastic += 0.5 * at(s.elasticity[i]) * at(s.q[i]) * at(s.q[i]);
     }
-    const auto contacts = [&](const std::vector<ContactRun>& runs, const auto& laws) {
+    // What springs back is all of u_n, or sigma / k_n where a crack stays propped.
+    const auto contacts = [&](const std::vector<ContactRun>& runs, const auto& laws,
+                              bool propped) {
         for (const ContactRun& run : runs) {
-            const double inv_ks = at(laws[run.law].inv_ks);
+            const double kn = at(laws[run.law].kn), inv_ks = at(laws[run.law].inv_ks);
             for (int k = run.first; k < run.first + run.count; ++k) {
                 const double sigma = at(s.stress[2 * k]), tau = at(s.stress[2 * k + 1]);
-                e.elastic += 0.5 * t.area[k] * (sigma * at(s.u_n[k]) + tau * tau * inv_ks);
+                const double springs_back = propped ? sigma / kn : at(s.u_n[k]);
+                e.elastic += 0.5 * t.area[k] * (sigma * springs_back + tau * tau * inv_ks);
             }
         }
     };
-    contacts(t.dry, s.dry_laws);
-    contacts(t.tied, s.tied_laws);
-    contacts(t.cracks, s.crack_laws);
+    contacts(t.dry, s.dry_laws, false);
+    contacts(t.tied, s.tied_laws, false);
+    contacts(t.cracks, s.crack_laws, s.unloading == Unloading::elastic);
     e.work = at(s.work);
     e.friction = at(s.friction);
     e.fracture = at(s.fracture);

@@ -23,9 +23,10 @@ template <class Real> struct WallState {
     std::vector<Real> u_n;         ///< by contact: opening [m]
     /// What a crack remembers besides (see CrackState).
     struct Memory {
-        Real u_max, bond, secant, integrity;
+        Real u_max, bond, unloading, integrity;
     };
-    std::vector<Memory> cracks; ///< by crack contact
+    std::vector<Memory> cracks;              ///< by crack contact
+    Unloading unloading = Unloading::secant; ///< of the cracks of all lanes
     std::vector<DryLaw<Real>> dry_laws, tied_laws;
     std::vector<CrackLaw<Real>> crack_laws;
     Real work{0.0}, friction{0.0}, fracture{0.0}, damping{0.0}; ///< energy so far [J]
@@ -62,10 +63,8 @@ template <class Real>
                                                   int contact)
 {
     const auto& memory = s.cracks[contact - t.first_crack];
-    return {s.u_n[contact],        s.stress[2 * contact + 1],
-            s.stress[2 * contact], memory.u_max,
-            memory.bond,           memory.secant,
-            memory.integrity};
+    return {s.u_n[contact], s.stress[2 * contact + 1], s.stress[2 * contact], memory.u_max,
+            memory.bond,    memory.unloading,          memory.integrity};
 }
 
 } // namespace dem

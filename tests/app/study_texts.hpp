@@ -43,6 +43,7 @@ stiffness_factor = 0.9
 contact_law = uncoupled
 tension_reduces_shear = no
 snap_back = weakens
+unloading = elastic
 [beam]
 height = 0.20 m
 young_modulus = 25 GPa

@@ -2,6 +2,7 @@
 set(TEST_DEM_UNIT_SOURCES
     dem/test_block_element.cpp
     dem/test_condensation.cpp
+    dem/test_crack_unloading.cpp
     dem/test_drive.cpp
     dem/test_elastic_trial.cpp
     dem/test_energy.cpp

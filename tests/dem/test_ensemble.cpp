@@ -153,6 +153,7 @@ TEST_CASE("ensemble: by a ramp, with local damping and the uncoupled law the bit
     o.preload_steps = 1000;
     o.damping = dem::Damping::local;
     o.law = dem::ContactLaw::uncoupled;
+    o.unloading = GENERATE(dem::Unloading::secant, dem::Unloading::elastic);
     const std::vector<WallMaterials> walls(a.walls.begin(), a.walls.begin() + kLanes + 3);
     const auto together = pushed(walls, workers(1), o);
     for (std::size_t i = 0; i < walls.size(); ++i)

@@ -59,6 +59,24 @@ TEST_CASE(
     CHECK(r.energy.work > r.energy.friction);
 }
 
+TEST_CASE("push: the ledger closes as well with cracks that stay propped, to and fro too",
+          "[dem][push]")
+{
+    const double stress = GENERATE(0.75, 1.25);
+    const auto law = GENERATE(dem::ContactLaw::coupled, dem::ContactLaw::uncoupled);
+    const scenes::Scene s = scenes::paper_wall(stress);
+    for (const dem::PushPlan& plan : {to({0.015}), to({0.008, -0.008, 0.0})}) {
+        dem::SolverOptions secant, elastic;
+        secant.law = elastic.law = law;
+        elastic.unloading = dem::Unloading::elastic;
+        const dem::PushResult a = pushed(s, plan, secant), b = pushed(s, plan, elastic);
+        CHECK(worst_residual(b) < 0.005);
+        CHECK(b.energy.fracture > 0.0);
+        CHECK(b.energy.elastic != a.energy.elastic); // cracks closed again on the way
+        CHECK(b.curve[10].force == Approx(a.curve[10].force).epsilon(1e-9)); // none open yet
+    }
+}
+
 TEST_CASE("push: the load on the beam comes down to the ground", "[dem][push]")
 {
     for (const dem::Base base : {dem::Base::fixed, dem::Base::joint}) {
