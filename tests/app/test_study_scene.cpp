@@ -74,6 +74,13 @@ TEST_CASE("study: a crack that snaps back breaks at its strength, or at what its
     CHECK(strength("weakens", "3 MPa").ft == 3e6);
 }
 
+TEST_CASE("study: an open crack closes to the origin unless the study says otherwise",
+          "[app][study]")
+{
+    CHECK(read_good().solver.unloading == dem::Unloading::secant);
+    CHECK(read_good({"unit.unloading=elastic"}).solver.unloading == dem::Unloading::elastic);
+}
+
 TEST_CASE("study: every joint and crack ID has the material of the study", "[app][study]")
 {
     const app::Study study = read(study_texts::kEverything);

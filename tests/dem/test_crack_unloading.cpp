@@ -2,6 +2,8 @@
 /// energy of each. The default, secant, is in test_contact_law.
 
 #include "crack_path.hpp"
+#include "dem/wall_state.hpp"
+#include "small_wall.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -222,4 +224,24 @@ TEST_CASE("crack unloading: what is put in is stored or accounted for, on any pa
             propped += ledger_closes<ContactLaw::uncoupled>(crack(ft), seed);
         }
     CHECK(propped > 20); // of 24
+}
+
+TEST_CASE(
+    "crack unloading: a wall stores sigma^2/(2 k_n) in a crack, however far it is propped",
+    "[dem][contact_law][energy]")
+{
+    const dem::Model m = small_wall::model();
+    const dem::StepTables t = dem::step_tables(m);
+    const dem::WallMaterials w = scenes::uniform(small_wall::scene(), m);
+    dem::SolverOptions o;
+    o.unloading = GENERATE(Unloading::secant, Unloading::elastic);
+    dem::WallState<double> s = dem::unloaded<double>(m, t, {&w, 1}, o);
+    REQUIRE(dem::energy_of(t, s, 0).elastic == 0.0);
+    const double kn = w.cracks[0].kn, prop = 1e-4; // [m]
+    const double sigma = GENERATE(1e6, -2e6);
+    const int k = t.first_crack;
+    s.u_n[k] = prop + sigma / kn;
+    s.stress[2 * k] = sigma;
+    const double u = o.unloading == Unloading::elastic ? sigma / kn : s.u_n[k];
+    CHECK(dem::energy_of(t, s, 0).elastic == Approx(0.5 * t.area[k] * sigma * u));
 }
