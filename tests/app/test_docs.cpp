@@ -9,8 +9,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -78,6 +80,22 @@ std::vector<std::string> commands(const fs::path& page)
     return found;
 }
 
+/// What links to the headings of a page look like: lower case, blanks as hyphens, no other signs.
+std::set<std::string> anchors(const fs::path& page)
+{
+    std::set<std::string> all;
+    for (const std::string& heading : matches(scenes::read_text(page), "\n#+ ([^\n]*)")) {
+        std::string anchor;
+        for (const unsigned char c : heading)
+            if (std::isalnum(c) != 0 || c == '_' || c == '-')
+                anchor += static_cast<char>(std::tolower(c));
+            else if (c == ' ')
+                anchor += '-';
+        all.insert(anchor);
+    }
+    return all;
+}
+
 } // namespace
 
 TEST_CASE("docs: every shipped study reads, and every value of it says where it is from",
@@ -114,14 +132,22 @@ TEST_CASE("docs: every command of every page is one, and its study reads", "[app
     CHECK(read > 20);
 }
 
-TEST_CASE("docs: every link leads to a file", "[app][docs]")
+TEST_CASE("docs: every link leads to a file, and to a heading of it", "[app][docs]")
 {
-    for (const fs::path& page : pages())
-        for (std::string link :
-             matches(scenes::read_text(page), R"(\]\(([^)#:]+)(?:#[^)]*)?\))")) {
+    std::size_t headings = 0;
+    for (const fs::path& page : pages()) {
+        const std::string text = scenes::read_text(page);
+        for (const std::string& link : matches(text, R"(\]\(([^):]+)\))")) {
             INFO(page.filename() << ": " << link);
-            CHECK(fs::exists(page.parent_path() / link));
+            const std::string file = link.substr(0, link.find('#'));
+            const fs::path target = file.empty() ? page : page.parent_path() / file;
+            REQUIRE(fs::exists(target));
+            if (file.size() == link.size()) continue;
+            CHECK(anchors(target).contains(link.substr(file.size() + 1)));
+            ++headings;
         }
+    }
+    CHECK(headings > 20);
 }
 
 TEST_CASE("docs: every test that the page of verification names is there", "[app][docs]")
