@@ -4,7 +4,7 @@
 # Exit code 0: all ran, 1: one did not.
 set -euo pipefail
 
-program=$1 page=$2
+program=$(readlink -f -- "$1") page=$(readlink -f -- "$2")
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
@@ -30,7 +30,7 @@ cheap() { # of $line
     add solver.steps_per_mm=100
     add "load.max_displacement=3 mm"
     case $line in
-        *" study "* | *" sample "*) add uq.samples=5 && add uq.most_samples=60 ;;
+        *" study "* | *" sample "*) add uq.samples=8 && add uq.most_samples=60 ;;
         *" reliability "*) line=${line/fidelity=rigid/fidelity=simple} && add reliability.cheap=rigid && add reliability.budget=60 ;;
     esac
 }
