@@ -41,7 +41,7 @@ while IFS= read -r line; do
     cheap
     printf '%s\n' "$line"
     code=0
-    DRYSTONE=$program bash -c "${line/.\/drystone/\"\$DRYSTONE\"}" >said 2>&1 </dev/null || code=$?
+    DRYSTONE=$program PATH=/usr/bin:$PATH bash -c "${line/.\/drystone/\"\$DRYSTONE\"}" >said 2>&1 </dev/null || code=$?
     ((code == 0)) || { cat said >&2; echo "exit code $code" >&2; exit 1; }
     ran=$((ran + 1))
 done <commands
