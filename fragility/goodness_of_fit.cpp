@@ -1,74 +1,68 @@
 #include "fragility/goodness_of_fit.hpp"
 
+#include "fragility/kaplan_meier.hpp"
 #include "fragility/resampling.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 namespace fragility {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Ordered {
-    std::vector<double> values; ///< observed, ascending
-    double n = 0.0;             ///< of all
-    double limit = kInfinity;   ///< common right-censoring value
+/// Where the fitted distribution is at a value: F and 1 - F, each with all its digits.
+struct Fitted {
+    double below, above;
 };
 
-std::optional<Ordered> ordered(std::span<const Observation> data, bool positive)
+double times_log(double factor, double x) { return factor == 0.0 ? 0.0 : factor * std::log(x); }
+
+/// Adds what lies between two values, where the empirical share is constant:
+///   int (a - z)^2 dz,   int (a - z)^2 / (z (1 - z)) dz
+void add_between(Distances& d, double share, const Fitted& from, const Fitted& to)
 {
-    Ordered x;
-    x.n = static_cast<double>(data.size());
+    d.kolmogorov_smirnov = std::max(
+        {d.kolmogorov_smirnov, std::abs(share - from.below), std::abs(share - to.below)});
+    d.cramer_von_mises +=
+        (std::pow(to.below - share, 3) - std::pow(from.below - share, 3)) / 3.0;
+    const auto whole = [&](const Fitted& z) {
+        return times_log(share * share, z.below) -
+               times_log((1.0 - share) * (1.0 - share), z.above) - z.below;
+    };
+    d.anderson_darling += whole(to) - whole(from);
+}
+
+bool can_be_judged(std::span<const Observation> data, bool positive)
+{
+    bool any = false;
     for (const Observation& o : data) {
         const Censoring kind = censoring(o, positive);
         if (o.weight != 1.0 || kind == Censoring::left || kind == Censoring::interval)
-            return std::nullopt;
-        if (kind == Censoring::none) {
-            x.values.push_back(o.lower);
-        } else {
-            if (x.limit < kInfinity && x.limit != o.lower) return std::nullopt;
-            x.limit = o.lower;
-        }
+            return false;
+        any = any || kind == Censoring::none;
     }
-    std::ranges::sort(x.values);
-    if (x.values.empty() || x.values.back() > x.limit) return std::nullopt;
-    return x;
+    return any;
 }
 
 } // namespace
 
 std::optional<Distances> distances(const Distribution& law, std::span<const Observation> data)
 {
-    const auto x = ordered(data, positive(law.law));
-    if (!x) return std::nullopt;
-    const double n = x->n;
-    const double r = static_cast<double>(x->values.size());
-    const double t = x->limit < kInfinity ? cdf(law, x->limit) : 1.0;
+    if (!can_be_judged(data, positive(law.law))) return std::nullopt;
+    const KaplanMeier km = kaplan_meier(data);
+    const auto fitted = [&](double x) { return Fitted{cdf(law, x), survival(law, x)}; };
     Distances d;
-    double logs = 0.0;
-    for (std::size_t i = 0; i < x->values.size(); ++i) {
-        const double k = static_cast<double>(i); // values below
-        const double z = cdf(law, x->values[i]);
-        const double above = survival(law, x->values[i]);
-        d.kolmogorov_smirnov =
-            std::max(d.kolmogorov_smirnov, std::max((k + 1.0) / n - z, z - k / n));
-        d.cramer_von_mises += std::pow(z - (k + 0.5) / n, 2);
-        logs += (2.0 * k + 1.0) * (std::log(z) - std::log(above)) + 2.0 * n * std::log(above);
+    Fitted from{0.0, 1.0};
+    double share = 0.0;
+    for (const KaplanMeierStep& step : km.steps) {
+        const Fitted to = fitted(step.at);
+        add_between(d, share, from, to);
+        from = to;
+        share = step.probability;
     }
-    d.cramer_von_mises += r / (12.0 * n * n);
-    d.anderson_darling = -logs / n;
-    if (r == n) {
-        d.anderson_darling -= n;
-        return d;
-    }
-    const double rest = x->limit < kInfinity ? survival(law, x->limit) : 0.0;
-    d.kolmogorov_smirnov = std::max(d.kolmogorov_smirnov, std::abs(t - r / n));
-    d.cramer_von_mises += n / 3.0 * std::pow(t - r / n, 3);
-    d.anderson_darling -=
-        ((r - n) * (r - n) * std::log(rest) - r * r * std::log(t) + n * n * t) / n;
+    add_between(d, share, from, share < 1.0 ? fitted(km.end) : Fitted{1.0, 0.0});
+    const double n = static_cast<double>(data.size());
+    d.cramer_von_mises *= n;
+    d.anderson_darling *= n;
     return d;
 }
 
@@ -82,7 +76,7 @@ GoodnessOfFit goodness_of_fit(const Fit& f, std::span<const Observation> data,
     }
     const auto found = distances(f.law, data);
     if (!found) {
-        g.reason = "only for observed values, right-censored at most at one common value";
+        g.reason = "only for values that are observed or right-censored";
         return g;
     }
     g.distance = *found;

@@ -10,15 +10,16 @@
 
 namespace fragility {
 
-/// Distances between empirical and fitted distribution. Data right-censored at one common value
-/// are judged up to there (Pettitt and Stephens 1976, Biometrika 63, 291-298).
+/// Distances between empirical and fitted distribution, up to the highest value of all. With
+/// right-censored values the empirical distribution is Kaplan and Meier's; stopped at one common
+/// value this is Pettitt and Stephens (1976, Biometrika 63, 291-298).
 struct Distances {
     double kolmogorov_smirnov = 0.0; ///< D: largest difference
     double cramer_von_mises = 0.0;   ///< W^2: n times the mean squared difference
     double anderson_darling = 0.0;   ///< A^2: the same, weighed by 1 / (F (1 - F))
 };
 
-/// Nothing for data with other censoring, or of weights other than 1.
+/// Nothing for data with other censoring, of weights other than 1, or without an observed value.
 [[nodiscard]] std::optional<Distances> distances(const Distribution& law,
                                                  std::span<const Observation> data);
 
