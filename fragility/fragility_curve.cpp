@@ -63,9 +63,14 @@ ModeAt mode_at(const ModeGroup& mode, const Fit& f, double drift, double confide
         return {s.probability, s.probability, s.gradient.dot(f.covariance * s.gradient)};
     }
     if (mode.limits.empty() || drift <= 0.0) return {};
-    const LowerBound bound = lower_bound(mode.limits, confidence);
-    const bool known = bound.walls_at > 0.0 && drift <= bound.at;
-    return {0.0, known ? bound.probability_below : 1.0, 0.0};
+    double failed = 0.0, n = 0.0;
+    for (const Observation& o : mode.limits) {
+        n += o.weight;
+        if (o.upper <= drift) failed += o.weight;
+    }
+    const double least = failed / n;
+    return {least, std::max(least, reached_at_most(mode.limits, drift, confidence).at_most),
+            least * (1.0 - least) / n};
 }
 
 MixturePoint mixture_point(std::span<const ModeGroup> modes, const Mixture& m, double n,
@@ -98,6 +103,15 @@ double least_at(std::span<const double> shares, std::span<const Fit> fits, doubl
     for (std::size_t k = 0; k < fits.size(); ++k)
         if (fits[k].outcome == FitOutcome::converged) p += shares[k] * cdf(fits[k].law, drift);
     return p;
+}
+
+/// The probability does not fall, so that the bounds at all drifts before and beyond hold too.
+void never_fall(std::vector<MixturePoint>& points)
+{
+    for (std::size_t i = 1; i < points.size(); ++i)
+        points[i].band.lower = std::max(points[i].band.lower, points[i - 1].band.lower);
+    for (std::size_t i = points.size(); i-- > 1;)
+        points[i - 1].band.upper = std::min(points[i - 1].band.upper, points[i].band.upper);
 }
 
 std::vector<ModeGroup> redrawn(std::span<const ModeGroup> modes, const RandomBits& bits,
@@ -158,10 +172,13 @@ Mixture mixture_curve(std::span<const ModeGroup> modes, std::span<const double> 
                       double confidence)
 {
     check(drifts, confidence);
+    if (!std::ranges::is_sorted(drifts))
+        throw std::invalid_argument("fragility curve: drifts of a mixture must not fall");
     double n = 0.0;
     Mixture m = mixture_of(modes, n);
     for (const double drift : drifts)
         m.points.push_back(mixture_point(modes, m, n, drift, confidence));
+    never_fall(m.points);
     return m;
 }
 

@@ -28,9 +28,9 @@ struct ModeGroup {
     Law law = Law::lognormal;
 };
 
-/// P = sum of shares times curves. A mode without a fit (all its walls stood) is only known not
-/// to have failed up to where they stood: `least` takes none of its walls as failed, `most` the
-/// upper confidence bound of lower_bound() up to that drift, and all of them beyond it.
+/// P = sum of shares times curves. Of a mode without a fit (too few of its walls, or none, reached
+/// the limit state) only so much is known: `least` counts the share of its walls that had, `most`
+/// as many as reached_at_most() allows at that drift, all of them where nobody stood.
 struct MixturePoint {
     double drift;
     double least, most; ///< [-], equal where all modes have fits
@@ -44,7 +44,10 @@ struct Mixture {
     std::vector<MixturePoint> points;
 };
 
-/// @throws std::invalid_argument without walls, or for data that are not numbers
+/// Neither the curve nor its band falls: a band is cut where those at neighbouring drifts are
+/// sharper, as the delta method makes them in far tails.
+/// @param drifts ascending
+/// @throws std::invalid_argument without walls, for data that are not numbers or drifts that fall
 [[nodiscard]] Mixture mixture_curve(std::span<const ModeGroup> modes,
                                     std::span<const double> drifts, double confidence = 0.95);
 

@@ -100,6 +100,38 @@ TEST_CASE("mixture: walls that stood bound the curve from both sides",
     CHECK(m.points[3].std_error == near(std::sqrt(0.24 / 100.0), 1e-6));
 }
 
+TEST_CASE("mixture: where runs end apart, `most` is bounded by the walls that went on",
+          "[fragility][fragility_curve]")
+{
+    std::vector<ModeGroup> modes{first(60, 1.0), {{}, Law::lognormal}};
+    for (int i = 1; i <= 40; ++i) modes[1].limits.push_back(right_censored(0.001 * i));
+    const std::vector<double> drifts{0.0005, 0.0205, 0.0395, 0.041};
+    const double stood[] = {40.0, 20.0, 1.0};
+    const Mixture m = mixture_curve(modes, drifts);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double unknown = i < 3 ? 1.0 - std::pow(0.05, 1.0 / stood[i]) : 1.0;
+        CHECK(m.points[i].most == near(m.points[i].least + 0.4 * unknown));
+    }
+}
+
+TEST_CASE("mixture: walls that failed count in a mode that has too few for a fit",
+          "[fragility][fragility_curve]")
+{
+    std::vector<ModeGroup> modes{first(60, 1.0), stood(40, 0.028)};
+    modes[1].limits[0] = observed(0.02);
+    const std::vector<double> drifts{0.0199, 0.02, 10.0};
+    const Mixture m = mixture_curve(modes, drifts);
+    CHECK(m.fits[1].outcome == FitOutcome::too_few);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double mine = 0.6 * cdf(m.fits[0].law, drifts[i]);
+        CHECK(m.points[i].least == near(mine + (i == 0 ? 0.0 : 0.4 / 40.0)));
+    }
+    CHECK(m.points[1].most ==
+          near(0.6 * cdf(m.fits[0].law, 0.02) + 0.4 * binomial_upper_bound(1, 40)));
+    // 61 of 100 walls have failed far out
+    CHECK(m.points[2].std_error == near(std::sqrt(0.61 * 0.39 / 100.0), 1e-6));
+}
+
 TEST_CASE("mixture: bootstrap and delta method agree", "[fragility][fragility_curve]")
 {
     const std::vector<ModeGroup> modes{first(120, 0.018), first(80, 1.0)};
@@ -115,6 +147,27 @@ TEST_CASE("mixture: bootstrap and delta method agree", "[fragility][fragility_cu
         CHECK(b.bands[i].upper ==
               Approx(m.points[i].band.upper).margin(0.12 * width).epsilon(0));
     }
+}
+
+TEST_CASE("mixture: neither the curve nor its band falls with the drift",
+          "[fragility][fragility_curve]")
+{
+    std::vector<ModeGroup> modes(2);
+    for (int i = 0; i < 30; ++i) { // far apart: the tails are deep
+        const double spread = std::exp(0.1 * (i % 5 - 2));
+        modes[static_cast<std::size_t>(i % 2)].limits.push_back(
+            observed((i % 2 + 0.1) * spread));
+    }
+    std::vector<double> drifts;
+    for (int i = 1; i <= 200; ++i) drifts.push_back(0.02 * i);
+    const auto points = mixture_curve(modes, drifts).points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        CHECK(points[i].least >= points[i - 1].least);
+        CHECK(points[i].band.lower >= points[i - 1].band.lower);
+        CHECK(points[i].band.upper >= points[i - 1].band.upper);
+    }
+    std::swap(drifts[3], drifts[5]);
+    CHECK_THROWS_AS(mixture_curve(modes, drifts), std::invalid_argument);
 }
 
 TEST_CASE("mixture: data that are no numbers are refused", "[fragility][fragility_curve]")
@@ -158,7 +211,7 @@ TEST_CASE("performance limits: walls that stood give a bound and no number",
     CHECK(r.dispersion == 0.0);
     CHECK(r.censored_share == 1.0);
     CHECK(r.bound.median_above == 0.028);
-    CHECK(r.bound.probability_below == near(binomial_upper_bound(0, 50)));
+    CHECK(r.bound.strictly);
     CHECK_FALSE(performance_limits(Law::lognormal, {}).fitted);
     CHECK_FALSE(performance_limits(Law::lognormal, std::vector{observed(std::nan(""))}).fitted);
     CHECK_THROWS_AS(performance_limits(Law::lognormal, {}, 0.95, IntervalKind::bca),
