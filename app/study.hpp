@@ -147,7 +147,7 @@ struct FragilityInput {
     double bilinear_share = fragility::kBilinearShare;         ///< of the peak [-], in (0, 1]
     fragility::Law law = fragility::Law::lognormal;
     double confidence = 0.95; ///< of intervals [-], in (0, 1)
-    int bootstrap = 1000;     ///< samples behind p-values and bootstrap bands, >= 0; 0: none
+    int bootstrap = 1000;     ///< samples behind p-values, >= 0; 0: none
     dem::ModeThresholds mode;
 };
 
