@@ -1,6 +1,5 @@
 #include "fragility/fragility_curve.hpp"
 
-#include "fragility/bootstrap.hpp"
 #include "fragility/lower_bound.hpp"
 #include "fragility/standard_law.hpp"
 
@@ -97,14 +96,6 @@ MixturePoint mixture_point(std::span<const ModeGroup> modes, const Mixture& m, d
     return point;
 }
 
-double least_at(std::span<const double> shares, std::span<const Fit> fits, double drift)
-{
-    double p = 0.0;
-    for (std::size_t k = 0; k < fits.size(); ++k)
-        if (fits[k].outcome == FitOutcome::converged) p += shares[k] * cdf(fits[k].law, drift);
-    return p;
-}
-
 /// The probability does not fall, so that the bounds at all drifts before and beyond hold too.
 void never_fall(std::vector<MixturePoint>& points)
 {
@@ -112,22 +103,6 @@ void never_fall(std::vector<MixturePoint>& points)
         points[i].band.lower = std::max(points[i].band.lower, points[i - 1].band.lower);
     for (std::size_t i = points.size(); i-- > 1;)
         points[i - 1].band.upper = std::min(points[i - 1].band.upper, points[i].band.upper);
-}
-
-std::vector<ModeGroup> redrawn(std::span<const ModeGroup> modes, const RandomBits& bits,
-                               std::uint64_t replicate)
-{
-    std::vector<std::pair<std::size_t, Observation>> walls;
-    std::vector<ModeGroup> drawn;
-    for (std::size_t k = 0; k < modes.size(); ++k) {
-        drawn.push_back({{}, modes[k].law});
-        for (const Observation& o : modes[k].limits) walls.emplace_back(k, o);
-    }
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-        const auto& [mode, o] = walls[below(bits(replicate, i), walls.size())];
-        drawn[mode].limits.push_back(o);
-    }
-    return drawn;
 }
 
 /// Shares and fits alone.
@@ -180,36 +155,6 @@ Mixture mixture_curve(std::span<const ModeGroup> modes, std::span<const double> 
         m.points.push_back(mixture_point(modes, m, n, drift, confidence));
     never_fall(m.points);
     return m;
-}
-
-BootstrapBand mixture_bootstrap(std::span<const ModeGroup> modes,
-                                std::span<const double> drifts, const RandomBits& bits,
-                                std::size_t replicates, double confidence)
-{
-    check(drifts, confidence);
-    double n = 0.0;
-    const Mixture whole = mixture_of(modes, n);
-    BootstrapBand band;
-    std::vector<std::vector<double>> values(drifts.size());
-    for (std::size_t r = 0; r < replicates; ++r) {
-        const Mixture m = mixture_of(redrawn(modes, bits, r), n);
-        bool sound = true;
-        for (std::size_t k = 0; k < m.fits.size(); ++k)
-            sound = sound && (m.fits[k].outcome == FitOutcome::converged ||
-                              whole.fits[k].outcome != FitOutcome::converged);
-        if (!sound) {
-            ++band.failed;
-            continue;
-        }
-        ++band.replicates;
-        for (std::size_t i = 0; i < drifts.size(); ++i)
-            values[i].push_back(least_at(m.shares, m.fits, drifts[i]));
-    }
-    if (band.replicates == 0)
-        throw std::invalid_argument("fragility curve: no resample could be fitted");
-    for (std::vector<double>& v : values)
-        band.bands.push_back(percentiles(std::move(v), confidence));
-    return band;
 }
 
 } // namespace fragility
