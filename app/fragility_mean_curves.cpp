@@ -2,6 +2,7 @@
 
 #include "app/chart_svg.hpp"
 #include "app/number_text.hpp"
+#include "app/resampled_curve.hpp"
 #include "fragility/bootstrap.hpp"
 
 #include <algorithm>
@@ -23,20 +24,26 @@ struct MeanPoint {
     std::size_t walls;
 };
 
-/// As far as all curves of the group go: a mean over those left would jump where one ends. Walls whose
-/// run was cut short after their drop would end it early: they count as far as they go, the point is
-/// kept while half of the walls are left.
-std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& level, int mode)
+std::vector<const StudyWall*> group_of(const StudyLevel& level, int mode)
 {
     std::vector<const StudyWall*> group;
     for (const StudyWall& w : level.walls)
         if ((mode == kAllModes || w.mode == mode) && !w.forces.empty()) group.push_back(&w);
+    return group;
+}
+
+/// As far as kMeanNeedsShare of the curves of the group go.
+std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& level, int mode)
+{
+    const auto group = group_of(level, mode);
     std::vector<MeanPoint> points;
     for (std::size_t i = 0; i <= kCurveSteps && !group.empty(); ++i) {
         std::vector<double> forces;
         for (const StudyWall* w : group)
             if (i < w->forces.size()) forces.push_back(w->forces[i] * 1e-3);
-        if (2 * forces.size() < group.size() || forces.empty()) break;
+        if (static_cast<double>(forces.size()) <
+            kMeanNeedsShare * static_cast<double>(group.size()))
+            break;
         std::sort(forces.begin(), forces.end());
         double sum = 0.0;
         for (const double f : forces) sum += f;
@@ -46,6 +53,33 @@ std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& le
                           fragility::sample_quantile(forces, 0.84), forces.size()});
     }
     return points;
+}
+
+/// Points of the curve of a full push; the last may lie a rounding short of the target.
+constexpr std::size_t kFullPush = kCurveSteps;
+
+/// Said where it applies: "At 0.5 MPa 31 of 50 runs ended early ..."
+std::string early_text(const StudyWalls& walls)
+{
+    std::string text;
+    for (const StudyLevel& level : walls.levels) {
+        const auto group = group_of(level, kAllModes);
+        const auto early = std::count_if(group.begin(), group.end(), [](const StudyWall* w) {
+            return w->forces.size() < kFullPush;
+        });
+        if (early == 0) continue;
+        text += (text.empty() ? " Runs that ended before the full push: " : ", ") +
+                std::to_string(early) + " of " + std::to_string(group.size()) + " at " +
+                number(level.stress * 1e-6, 12) + " MPa";
+    }
+    if (text.empty()) return text;
+    const double share = walls.study.load.stop_below;
+    if (share > 0.0)
+        text += " (load.stop_below ends a run once the force has fallen to " +
+                number(100.0 * share, 6) + " % of the peak)";
+    return text +
+           ". Where n is below its first value, walls have left, those that dropped "
+           "first: the mean there is that of the walls still pushed, above the mean of all.";
 }
 
 NamedPicture picture(const StudyWalls& walls, int mode)
@@ -74,7 +108,8 @@ NamedPicture picture(const StudyWalls& walls, int mode)
     }
     return {"mean_curves_" + what,
             "mean force over drift, " + (mode == kAllModes ? std::string("all") : what) +
-                " walls, per stress; dotted: 16 and 84 % of the walls",
+                " walls, per stress, while 90 % of them are pushed; dotted: 16 and 84 % of the "
+                "walls",
             line_chart(c)};
 }
 
@@ -88,8 +123,8 @@ Table mean_curve_table(const StudyWalls& walls)
         "16 and 84 % quantiles of the walls. Drift: displacement of the load line / its "
         "height, " +
         number(walls.height, 6) +
-        " m. Walls whose curve has ended are left out from there on (n); a curve ends "
-        "where less than half of its walls are left.";
+        " m. n: walls still pushed there; a mean ends where they are fewer than " +
+        number(100.0 * kMeanNeedsShare, 6) + " % of its walls." + early_text(walls);
     t.head = {"stress [MPa]",    "walls",     "drift [%]", "n",
               "mean force [kN]", "16 % [kN]", "84 % [kN]"};
     for (const StudyLevel& level : walls.levels)

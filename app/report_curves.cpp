@@ -1,7 +1,6 @@
 #include "app/report_curves.hpp"
 
 #include "app/report_bytes.hpp"
-#include "app/resampled_curve.hpp"
 #include "uq/estimate.hpp"
 
 #include <nlohmann/json.hpp>

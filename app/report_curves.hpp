@@ -2,6 +2,7 @@
 /// Capacity curves for the page: of each wall, and their means.
 
 #include "app/report_study.hpp"
+#include "app/resampled_curve.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -12,8 +13,6 @@ namespace app {
 
 constexpr std::size_t kCurvePoints = 601; ///< evenly from 0 to the largest displacement
 constexpr std::size_t kMeanPoints = 301;  ///< of the means, likewise
-constexpr double kMeanNeedsShare =
-    0.9; ///< of the walls of a mean that are still pushed there [-]
 
 /// {"step": [m], "points", "force_step": [N], "counts": points of each wall, "data": base64 of a zlib
 /// stream of differences() of order 1, one series of `points` for each wall}; walls in the order

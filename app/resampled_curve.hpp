@@ -8,6 +8,10 @@
 
 namespace app {
 
+/// A mean ends where fewer of its walls are still pushed [-]: those left are no fair sample, since walls
+/// whose force has dropped are the first to go.
+constexpr double kMeanNeedsShare = 0.9;
+
 /// Forces at 0, step, 2 step, ..., straight between the points of the curve and from the origin to the
 /// first; fewer than `points` where it ends before. Empty for a curve without points.
 /// @param curve displacements never decreasing

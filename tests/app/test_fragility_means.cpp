@@ -83,18 +83,26 @@ TEST_CASE("fragility means: the mean curve of equal curves is that curve, with n
     }
 }
 
-TEST_CASE("fragility means: a mean curve ends where half of its walls have ended",
-          "[app][fragility_means]")
+TEST_CASE(
+    "fragility means: a mean curve ends where fewer than 90 % of its walls are pushed, and "
+    "says that runs ended early",
+    "[app][fragility_means]")
 {
-    app::StudyWalls walls = scenes::study_walls(4);
+    app::StudyWalls walls = scenes::study_walls(20);
+    CHECK(app::mean_curve_table(walls).caption.find("ended before") == std::string::npos);
     for (app::StudyWall& w : walls.levels[0].walls) w.mode = app::kRocking;
-    for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}})
-        walls.levels[0].walls[i].forces.resize(41);
+    for (std::size_t i = 0; i < 3; ++i) walls.levels[0].walls[i].forces.resize(i < 2 ? 41 : 61);
+    walls.study.load.stop_below = 0.5;
     const app::Table t = app::mean_curve_table(walls);
     std::size_t rows = 0;
     while (rows < t.rows.size() && t.rows[rows][0] == "0.5" && t.rows[rows][1] == "rocking")
         ++rows;
-    CHECK(rows == 11); // steps 0, 4, ..., 40
+    CHECK(rows == 16); // steps 0, 4, ..., 60
+    CHECK(cell(t, 10, "n") == "20");
+    CHECK(cell(t, 11, "n") == "18");
+    CHECK(t.caption.find("3 of 20 at 0.5 MPa (load.stop_below ends a run once the force has "
+                         "fallen to 50 % of the peak)") != std::string::npos);
+    CHECK(t.caption.find("above the mean of all") != std::string::npos);
 }
 
 TEST_CASE(
