@@ -7,6 +7,7 @@
 #include "app/fragility_limits.hpp"
 #include "app/fragility_means.hpp"
 #include "app/fragility_modes.hpp"
+#include "app/fragility_text.hpp"
 #include "app/key_values.hpp"
 #include "app/text_file.hpp"
 #include "app/units.hpp"
@@ -107,6 +108,16 @@ void check_columns(const Command& command, bool study)
                           "missing; name the column of drifts in " + in_quotes(command.study));
 }
 
+/// For the tables shown without their captions.
+std::string mark_text(const FragilityOutput& output)
+{
+    for (const NamedTable& t : output.tables)
+        if (t.name == "performance_limits" &&
+            as_text(t.table).find(kExtrapolated) != std::string::npos)
+            return extrapolated_text("any wall of the row") + " (\"known to\")\n";
+    return {};
+}
+
 FragilityOutput output_of(const Command& command)
 {
     const bool study = is_study(command.study);
@@ -177,7 +188,7 @@ int fragility_command(const Command& command)
     for (const NamedTable& t : output.tables)
         if (t.name == "performance_limits" || t.name == "modes")
             std::cout << t.title << "\n" << as_text(t.table) << "\n";
-    std::cout << output.remarks << "written to " << command.out
+    std::cout << mark_text(output) << output.remarks << "written to " << command.out
               << ", README.md there lists all files\n";
     return 0;
 }

@@ -17,8 +17,7 @@ double largest_drift(const DriftData& data, std::size_t state)
 {
     double largest = 0.0;
     for (const DriftGroup& g : data.groups)
-        for (const DriftWall& w : g.walls)
-            if (w.limits[state]) largest = std::max(largest, w.limits[state]->lower);
+        largest = std::max(largest, known_to(limits_of(g, state)));
     return largest;
 }
 
@@ -38,9 +37,10 @@ void add_fit(const DriftData& data, const Start& start,
         return;
     }
     const int d = decimals_for(drifts.back());
+    const double end = known_to(limits);
     for (const auto& p : fragility::fragility_curve(fit, drifts, data.options.confidence)) {
         Start cells = row;
-        cells.push_back(fixed(p.drift, d));
+        cells.push_back(with_mark(p.drift, d, end));
         cells.push_back(with_interval(p.probability, p.band, 4));
         cells.emplace_back();
         t.rows.push_back(cells);
@@ -61,9 +61,11 @@ void add_mixture(const DriftData& data, const DriftGroup& group, std::size_t sta
         return;
     }
     const int d = decimals_for(drifts.back());
-    for (const auto& p : mixture_points(data, modes, drifts)) {
+    const double end = known_to(limits_of(group, state));
+    for (const auto& p :
+         fragility::mixture_curve(modes, drifts, data.options.confidence).points) {
         Start cells = row;
-        cells.push_back(fixed(p.drift, d));
+        cells.push_back(with_mark(p.drift, d, end));
         cells.push_back(with_interval(p.least, p.band, 4));
         cells.push_back(fixed(p.most, 4));
         t.rows.push_back(cells);
@@ -105,18 +107,6 @@ std::string no_mixture(const std::vector<fragility::ModeGroup>& modes)
     return {};
 }
 
-std::vector<fragility::MixturePoint>
-mixture_points(const DriftData& data, const std::vector<fragility::ModeGroup>& modes,
-               const std::vector<double>& drifts)
-{
-    auto points = fragility::mixture_curve(modes, drifts, data.options.confidence).points;
-    for (std::size_t i = 1; i < points.size(); ++i)
-        points[i].band.lower = std::max(points[i].band.lower, points[i - 1].band.lower);
-    for (std::size_t i = points.size(); i-- > 1;)
-        points[i - 1].band.upper = std::min(points[i - 1].band.upper, points[i].band.upper);
-    return points;
-}
-
 std::vector<double> drift_grid(const DriftData& data, std::size_t state, std::size_t points)
 {
     const double largest = largest_drift(data, state);
@@ -133,9 +123,13 @@ Table curve_table(const DriftData& data, std::size_t state)
         "Probability that " + state_text(data.states[state]) + " is reached at a drift. " +
         counts_text(data) + ". " + data.drift + ". " + std::string(name(data.options.law)) +
         " laws by censored maximum likelihood, " + percent_text(data.options.confidence) +
-        " bands by the delta method on the logit. Mixture: shares of the modes times "
-        "their curves; a mode whose walls all stood has no curve: the value counts none "
-        "of them as failed, \"at most\" as many as they allow.";
+        " bands by the delta method on the logit (of 50 walls, 95 % bands held the truth in 93 "
+        "to 98 of 100 synthetic studies). Mixture: shares of the modes times their curves. Of "
+        "a "
+        "mode that has no fit the probability counts the walls seen to reach it, \"at most\" "
+        "as "
+        "many as a bound without a law allows; the band holds both. " +
+        extrapolated_text("any of these walls") + ".";
     t.head = {data.group_head,           "walls of",    "n",
               drift_head(data, "drift"), "probability", "at most"};
     const std::vector<double> drifts = drift_grid(data, state, kTableDrifts);

@@ -28,12 +28,6 @@ mode_groups(const DriftData& data, const DriftGroup& group, std::size_t state);
 /// Why there is no mixture of these: values that their law does not have. Empty if there is one.
 [[nodiscard]] std::string no_mixture(const std::vector<fragility::ModeGroup>& modes);
 
-/// Mixture whose band, too, never falls with the drift: by the delta method alone it does in far tails,
-/// where the limits at neighbouring drifts are sharper.
-[[nodiscard]] std::vector<fragility::MixturePoint>
-mixture_points(const DriftData& data, const std::vector<fragility::ModeGroup>& modes,
-               const std::vector<double>& drifts);
-
 /// Name of the files of a limit state: "ntc_SLV".
 [[nodiscard]] std::string state_file(const DriftState& state);
 

@@ -29,9 +29,9 @@ std::string without_fit(const fragility::PerformanceLimits& limits, const DriftG
 {
     if (limits.n == 0.0)
         return group.walls.empty() ? "no wall gave a result" : "not defined on any curve";
-    if (!limits.bound.median_bounded) return "not identifiable";
-    const double above = limits.bound.median_above;
-    return "not identifiable: median > " + fixed(above, decimals_for(above));
+    const std::string bound =
+        median_bound(limits.bound, decimals_for(limits.bound.median_above));
+    return "not identifiable" + (bound.empty() ? "" : ": median " + bound);
 }
 
 void add_limits(const DriftData& data, const DriftGroup& group, std::size_t state, Table& t)
@@ -42,6 +42,8 @@ void add_limits(const DriftData& data, const DriftGroup& group, std::size_t stat
     auto row = with_start(group, data.states[state]);
     row.push_back(count_text(limits.n));
     row.push_back(limits.n > 0.0 ? fixed(100.0 * limits.censored_share, 0) : "");
+    const double end = known_to(observations);
+    row.push_back(limits.n > 0.0 ? rounded_down(end, decimals_for(end)) : "");
     if (!limits.fitted) {
         row.insert(row.end(),
                    {"", "", without_fit(limits, group), "", "", "", "", "", limits.reason});
@@ -49,7 +51,8 @@ void add_limits(const DriftData& data, const DriftGroup& group, std::size_t stat
         return;
     }
     for (const fragility::DriftLimit& d : limits.drifts)
-        row.push_back(with_interval(d.drift, d.interval, decimals_for(limits.drifts[2].drift)));
+        row.push_back(
+            with_interval(d.drift, d.interval, decimals_for(limits.drifts[2].drift), end));
     row.push_back(with_interval(limits.dispersion, limits.dispersion_interval, 2));
     row.push_back(fixed(limits.median_error, 3));
     row.push_back(fixed(limits.predictive_dispersion, 2));
@@ -65,9 +68,10 @@ std::string states_text(const DriftData& data)
     return text;
 }
 
-fragility::RandomBits bits_of(const DriftOptions& options, std::size_t fit)
+/// The same for all limit states of a group: equal drifts have equal p-values.
+fragility::RandomBits bits_of(const DriftOptions& options, std::size_t group)
 {
-    const std::uint64_t seed = uq::replicate_seed(options.seed, fit);
+    const std::uint64_t seed = uq::replicate_seed(options.seed, group);
     return [seed](std::uint64_t replicate, std::uint64_t draw) {
         return uq::bits(seed, replicate, uq::Purpose::bootstrap, draw);
     };
@@ -92,9 +96,8 @@ void add_fits(const DriftData& data, std::size_t g, std::size_t state, Table& t)
         t.rows.push_back(row);
         return;
     }
-    const auto good = fragility::goodness_of_fit(
-        fit, observations, bits_of(data.options, g * data.states.size() + state),
-        data.options.bootstrap);
+    const auto good = fragility::goodness_of_fit(fit, observations, bits_of(data.options, g),
+                                                 data.options.bootstrap);
     if (good.available) {
         row.insert(
             row.end(),
@@ -122,6 +125,20 @@ std::vector<double> asked_stresses(const DriftData& data)
     return asked;
 }
 
+/// Drift up to which walls were seen under this stress; between two levels, under either.
+double known_near(const DriftData& data, std::size_t state, double stress)
+{
+    const DriftGroup *below = nullptr, *above = nullptr;
+    for (const DriftGroup& g : data.groups) {
+        if (*g.stress <= stress && (!below || *g.stress > *below->stress)) below = &g;
+        if (*g.stress >= stress && (!above || *g.stress < *above->stress)) above = &g;
+    }
+    double end = 0.0;
+    for (const DriftGroup* const g : {below, above})
+        if (g) end = std::max(end, known_to(limits_of(*g, state)));
+    return end;
+}
+
 void add_model(const DriftData& data, std::size_t state, Table& t)
 {
     std::vector<fragility::StressedObservation> observations;
@@ -130,7 +147,7 @@ void add_model(const DriftData& data, std::size_t state, Table& t)
     const fragility::StressModel model = fragility::fit_stress_model(observations);
     const auto name = with_start({}, data.states[state])[1];
     if (model.outcome != fragility::FitOutcome::converged) {
-        t.rows.push_back({name, "", "", "no model: " + model.reason, "", "", ""});
+        t.rows.push_back({name, "", "", "no model: " + model.reason, "", "", "", ""});
         return;
     }
     const std::string order = std::to_string(model.median_terms.size() - 1) + ", " +
@@ -139,11 +156,13 @@ void add_model(const DriftData& data, std::size_t state, Table& t)
         const auto p = fragility::predict(model, stress, data.options.confidence);
         const auto at = fragility::at_stress(model, stress);
         const int d = decimals_for(p.median);
-        t.rows.push_back({name, order, number(stress, 6),
-                          with_interval(p.median, p.confidence, d),
-                          fixed(p.prediction.lower, d), fixed(p.prediction.upper, d),
-                          with_error(at.law.dispersion,
-                                     at.law.dispersion * std::sqrt(at.covariance(1, 1)), 2)});
+        const double end = known_near(data, state, stress);
+        t.rows.push_back(
+            {name, order, number(stress, 6), with_interval(p.median, p.confidence, d, end),
+             with_mark(p.prediction.lower, d, end), with_mark(p.prediction.upper, d, end),
+             rounded_down(end, decimals_for(end)),
+             with_error(at.law.dispersion, at.law.dispersion * std::sqrt(at.covariance(1, 1)),
+                        2)});
     }
 }
 
@@ -156,7 +175,7 @@ Table performance_table(const DriftData& data)
     t.caption =
         "Performance limits: drifts at which 5 to 95 % of the walls have reached a limit "
         "state. " +
-        counts_text(data) + ". " + data.drift + ". " + states_text(data) + ". " + law +
+        counts_text(data) + ". " + data.drift + ". " + states_text(data) + ". The " + law +
         " law of all modes together by maximum likelihood; walls that had not "
         "reached the limit state where their curve ends are right-censored there. n: "
         "walls on which the limit state is defined; brackets: " +
@@ -164,11 +183,14 @@ Table performance_table(const DriftData& data)
         " intervals by profile likelihood. Dispersion: wall to wall (of ln drift; normal "
         "law: of drift); statistical: standard error of ln median; predictive: both. "
         "Without a fit, a bound of the median without any law, one-sided at the same "
-        "confidence. Failed walls and walls not run are left out.";
+        "confidence (>: walls stood there; >=: they may just have reached it). " +
+        extrapolated_text("any wall of the row") +
+        " (\"known to\"): it hangs on the law. Failed walls and walls not run are left out.";
     t.head = {data.group_head,
               "limit state",
               "n",
               "censored [%]",
+              drift_head(data, "known to"),
               drift_head(data, "5 % drift"),
               drift_head(data, "16 % drift"),
               drift_head(data, "median drift"),
@@ -187,13 +209,15 @@ Table fit_table(const DriftData& data)
 {
     Table t;
     const std::string law(name(data.options.law));
-    t.caption = "Fit of laws to limit drifts. " + counts_text(data) +
-                ". AIC of four laws (least: best; differences below 2 say nothing). D "
-                "(Kolmogorov-Smirnov), W2 (Cramer-von Mises), A2 (Anderson-Darling) and their "
-                "p-values for the " +
-                law + " law, from " + std::to_string(data.options.bootstrap) +
-                " samples of the fitted law, refitted. Data right-censored at one common value "
-                "are judged up to there; with other censoring there is no test.";
+    t.caption =
+        "Fit of laws to limit drifts. " + counts_text(data) +
+        ". AIC of four laws (least: best; differences below 2 say nothing). D "
+        "(Kolmogorov-Smirnov), W2 (Cramer-von Mises), A2 (Anderson-Darling) and their "
+        "p-values for the " +
+        law + " law, from " + std::to_string(data.options.bootstrap) +
+        " samples of the fitted law, refitted, stopped as the walls were. Distances are "
+        "from the shares without a law (Kaplan and Meier), up to the largest drift of "
+        "any wall: of what lies beyond they say nothing.";
     t.head = {data.group_head, "limit state", "n",       "AIC lognormal", "AIC normal",
               "AIC Weibull",   "AIC gamma",   "D",       "p of D",        "W2",
               "p of W2",       "A2",          "p of A2", "note"};
@@ -212,13 +236,16 @@ Table stress_table(const DriftData& data)
         counts_text(data) + ". " + data.drift + ". Median with " +
         percent_text(data.options.confidence) +
         " confidence interval; a further wall lies between \"from\" and \"to\" with that "
-        "probability. Only between the lowest and the highest level.";
+        "probability. Only between the lowest and the highest level. " +
+        extrapolated_text("any wall at that stress (between levels: at the two beside it)") +
+        " (\"known to\"): where all walls stood, it comes from the other stresses alone.";
     t.head = {"limit state",
               "degrees",
               "stress [MPa]",
               drift_head(data, "median"),
               drift_head(data, "a wall from"),
               drift_head(data, "a wall to"),
+              drift_head(data, "known to"),
               "dispersion"};
     for (const DriftGroup& g : data.groups)
         if (!g.stress) return t;

@@ -24,6 +24,8 @@ namespace app {
 /// their medians (of the set, where one is missing): ID, Incomplete, Demand-Type, Demand-Unit, Demand-Offset, Demand-Directional,
 /// LS1-Family, LS1-Theta_0 (median [rad]), LS1-Theta_1 (dispersion), LS1-DamageStateWeights, ...
 /// Incomplete = 1 where a limit state has no fit, whose parameters are empty, or drifts no known unit.
+/// Notes (pelicun passes them over): the drift up to which walls were seen, beyond which the law is
+/// extrapolated.
 [[nodiscard]] std::string pelicun_csv(const DriftData& data);
 
 } // namespace app

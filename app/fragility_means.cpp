@@ -56,10 +56,10 @@ std::string median_cell(const StudyWalls& walls, const Displacements& d)
     const FragilityInput& f = walls.study.fragility;
     const auto limits = fragility::performance_limits(f.law, d.all, f.confidence);
     if (limits.fitted)
-        return with_interval(limits.drifts[2].drift, limits.drifts[2].interval, 1);
-    std::string text = "not identifiable";
-    if (limits.bound.median_bounded) text += ": > " + fixed(limits.bound.median_above, 1);
-    return text;
+        return with_interval(limits.drifts[2].drift, limits.drifts[2].interval, 1,
+                             known_to(d.all));
+    const std::string bound = median_bound(limits.bound, 1);
+    return "not identifiable" + (bound.empty() ? "" : ": " + bound);
 }
 
 std::vector<std::string> mean_row(const StudyWalls& walls, const StudyLevel& level, int mode)
@@ -129,7 +129,10 @@ Table mean_table(const StudyWalls& walls, int mode)
         "that was observed. Runs that ended before are right-censored: \"run ended\" is "
         "the mean of where they were stopped, a lower bound and no capacity (what the "
         "paper's Table 6 gives as displacement of rocking walls). Median: of both "
-        "together, censored maximum likelihood. Standard errors are those of independent "
+        "together, censored maximum likelihood, " +
+        std::string(name(walls.study.fragility.law)) + " law (" +
+        extrapolated_text("any of these walls") +
+        "); without a fit, a bound without any law. Standard errors are those of independent "
         "samples. Inputs with values per joint: mean over the joints.";
     t.head = {"stress [MPa]", "n", "share [%]"};
     for (const StoredInput& i : walls.inputs) t.head.push_back(i.key + " [" + i.unit + "]");

@@ -42,7 +42,10 @@ std::string index_text(const FragilityOutput& output)
     std::string text = "# Fragility: " + output.source + "\n\n";
     if (!output.remarks.empty()) text += output.remarks + "\n";
     text += "Each table is there as `.md` (with its caption), `.tex` and `.csv` (intervals in "
-            "columns of their own).\n\n| file | what it is |\n|:--|:--|\n";
+            "columns of their own). " +
+            std::string(kExtrapolated) +
+            " marks drifts beyond those at which walls were seen; in `.csv` and `.json` a "
+            "column \"extrapolated\" is 1 there.\n\n| file | what it is |\n|:--|:--|\n";
     for (const NamedTable& t : output.tables)
         text += "| [" + t.name + "](" + t.name + ".md) | " + t.title + " |\n";
     for (const NamedPicture& p : output.pictures)

@@ -16,6 +16,7 @@ constexpr std::size_t kMostStates = 4;
 
 struct Parameters {
     double median, dispersion;
+    double known_to; ///< drift up to which walls were seen [rad]
 };
 
 /// A lognormal fit of a limit state [rad]; nothing without.
@@ -26,7 +27,9 @@ std::optional<Parameters> parameters(const DriftData& data, const DriftGroup& gr
     const auto limits = limits_of(group, state);
     const auto fit = fragility::fit(fragility::Law::lognormal, limits);
     if (fit.outcome != fragility::FitOutcome::converged) return {};
-    return Parameters{std::exp(fit.law.location) * data.percent / 100.0, fit.law.dispersion};
+    const double radians = data.percent / 100.0;
+    return Parameters{std::exp(fit.law.location) * radians, fit.law.dispersion,
+                      known_to(limits) * radians};
 }
 
 std::vector<std::string> sets_of(const DriftData& data)
@@ -50,7 +53,20 @@ std::string head_line()
     for (std::size_t i = 1; i <= kMostStates; ++i)
         for (const char* const field : {"Family", "Theta_0", "Theta_1", "DamageStateWeights"})
             line += ",LS" + std::to_string(i) + "-" + field;
-    return line + "\n";
+    return line + ",Notes\n";
+}
+
+/// "LS1 known to 0.002 rad; LS2 known to 0.027 rad (median extrapolated)"
+std::string notes(const std::vector<std::optional<Parameters>>& found)
+{
+    std::string text;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!found[i]) continue;
+        text += (text.empty() ? "LS" : "; LS") + std::to_string(i + 1) + " known to " +
+                number(found[i]->known_to, 4) + " rad";
+        if (found[i]->median > found[i]->known_to) text += " (median extrapolated)";
+    }
+    return text;
 }
 
 /// Limit states of one set in one row, or in several where it has more than fit in one.
@@ -74,7 +90,7 @@ std::string line(const DriftData& data, const DriftGroup& group, const std::stri
             text += ",lognormal,,,";
         }
     }
-    return text + "\n";
+    return text + "," + notes(found) + "\n";
 }
 
 } // namespace

@@ -53,6 +53,20 @@ Series steps(const std::vector<Observation>& limits, const std::string& name,
     return s;
 }
 
+/// Two lines of one look: as far as walls were seen, and dashed beyond.
+std::vector<Series> parted(const Series& line, double end)
+{
+    std::vector<Series> parts{line, line};
+    parts[1].name.clear();
+    parts[1].line = LineStyle::dashed;
+    const auto seen = std::upper_bound(line.x.begin(), line.x.end(), end) - line.x.begin();
+    for (auto* const v : {&parts[0].x, &parts[0].y}) v->resize(static_cast<std::size_t>(seen));
+    const auto overlap = std::max<std::ptrdiff_t>(seen - 1, 0);
+    for (auto* const v : {&parts[1].x, &parts[1].y}) v->erase(v->begin(), v->begin() + overlap);
+    if (parts[1].x.size() < 2) parts.pop_back();
+    return parts;
+}
+
 /// Fitted curve from zero on; empty without a fit.
 Series fitted(const DriftData& data, const std::vector<Observation>& limits,
               const std::vector<double>& drifts)
@@ -87,14 +101,15 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
         const bool found = !line.x.empty();
         line.name = data.groups[g].name;
         line.colour = colour(g);
-        if (found) c.series.push_back(line);
+        if (found)
+            for (const Series& part : parted(line, known_to(limits))) c.series.push_back(part);
         if (!limits.empty())
             c.series.push_back(steps(limits, found ? "" : line.name + " (no fit)", colour(g)));
     }
     const std::string file = "curve_" + state_file(data.states[state]);
     return {file,
             "fragility curves of " + title_of(data.states[state]) +
-                ", all modes together; dotted: shares without a law",
+                ", all modes together, dashed where extrapolated; dotted: shares without a law",
             line_chart(c)};
 }
 
@@ -102,7 +117,8 @@ void add_mixture(const DriftData& data, const std::vector<fragility::ModeGroup>&
                  const std::vector<double>& drifts, Chart& c)
 {
     Series least, most, lower, upper;
-    for (const auto& p : mixture_points(data, modes, drifts)) {
+    for (const auto& p :
+         fragility::mixture_curve(modes, drifts, data.options.confidence).points) {
         for (Series* const s : {&least, &most, &lower, &upper}) s->x.push_back(p.drift);
         least.y.push_back(p.least);
         most.y.push_back(p.most);
@@ -131,11 +147,12 @@ NamedPicture one_group(const DriftData& data, std::size_t state, std::size_t g,
     if (data.modes.empty() && !all.empty()) modes = {{all, data.options.law}};
     if (no_mixture(modes).empty()) add_mixture(data, modes, drifts, c);
     for (std::size_t m = 0; m < data.modes.size(); ++m) {
-        Series line = fitted(data, limits_of(group, state, static_cast<int>(m)), drifts);
+        const auto limits = limits_of(group, state, static_cast<int>(m));
+        Series line = fitted(data, limits, drifts);
         if (line.x.empty()) continue;
         line.name = data.modes[m] + " walls alone";
         line.colour = colour(m + 1);
-        c.series.push_back(line);
+        for (const Series& part : parted(line, known_to(limits))) c.series.push_back(part);
     }
     Series shares = steps(all, "shares without a law", "#000000");
     shares.line = LineStyle::solid;
@@ -143,7 +160,7 @@ NamedPicture one_group(const DriftData& data, std::size_t state, std::size_t g,
     if (!all.empty()) c.series.push_back(shares);
     return {"curve_" + state_file(data.states[state]) + "_" + file_name(group.name),
             "fragility of " + data.states[state].name + ", " + group.name +
-                ": mixture over modes with band",
+                ": mixture over modes with band, modes dashed where extrapolated",
             line_chart(c)};
 }
 

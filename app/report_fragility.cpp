@@ -1,5 +1,6 @@
 #include "app/report_fragility.hpp"
 
+#include "app/fragility_text.hpp"
 #include "app/number_text.hpp"
 #include "fragility/binomial.hpp"
 #include "fragility/equal_modes.hpp"
@@ -59,8 +60,9 @@ std::string fit_text(const fragility::ModeGroup& group, const fragility::Fit& fi
     std::string text = std::string(mode) + ", " + std::to_string(n) + " walls: ";
     if (fit.outcome != fragility::FitOutcome::converged) return text + "no fit, " + fit.reason;
     const fragility::Interval m = fragility::wald_interval(fit, fragility::median());
-    return text + "median drift " + fixed(std::exp(fit.law.location), 2) + " % [" +
-           fixed(m.lower, 2) + ", " + fixed(m.upper, 2) + "], dispersion " +
+    const double median = std::exp(fit.law.location), end = known_to(group.limits);
+    return text + "median drift [%] " + with_interval(median, m, 2, end) +
+           (median > end ? " (extrapolated)" : "") + ", dispersion " +
            fixed(fit.law.dispersion, 2) + " ± " + fixed(fit.dispersion_error, 2);
 }
 
@@ -123,16 +125,12 @@ std::vector<std::string> table_row(const ReportStudy& study, std::size_t level)
     const auto limits = fragility::performance_limits(fragility::Law::lognormal, walls.all);
     if (limits.fitted) {
         for (const std::size_t k : {1u, 2u, 3u})
-            row.push_back(fixed(limits.drifts[k].drift, 2) + " " +
-                          interval_text(limits.drifts[k].interval, 2));
-        row.push_back(fixed(limits.dispersion, 2) + " " +
-                      interval_text(limits.dispersion_interval, 2));
+            row.push_back(with_interval(limits.drifts[k].drift, limits.drifts[k].interval, 2,
+                                        known_to(walls.all)));
+        row.push_back(with_interval(limits.dispersion, limits.dispersion_interval, 2));
         return row;
     }
-    const std::string bound = limits.bound.median_bounded
-                                  ? "above " + fixed(limits.bound.median_above, 2)
-                                  : std::string();
-    row.insert(row.end(), {"", bound, "", ""});
+    row.insert(row.end(), {"", median_bound(limits.bound, 2), "", ""});
     return row;
 }
 
@@ -225,8 +223,9 @@ Table fragility_table(const ReportStudy& study)
     Table t;
     t.caption = "Ultimate drift (first fall to 80 % of the peak), displacement / height of the "
                 "load, lognormal by censored maximum likelihood over all modes, 95 % intervals "
-                "by profile likelihood. Where nothing can be fitted: the median is above the "
-                "value given (95 %).";
+                "by profile likelihood. Where nothing can be fitted: a bound of the median "
+                "without any law (95 %, one-sided). " +
+                extrapolated_text("any wall of the row") + ".";
     t.head = {"stress [MPa]", "walls",    "observed",  "drift of 16 % of the walls [%]",
               "median [%]",   "84 % [%]", "dispersion"};
     for (std::size_t level = 0; level < study.head.levels.size(); ++level)

@@ -63,8 +63,13 @@ std::string as_latex(char c)
 
 std::string latex_cell(const std::string& text)
 {
+    constexpr std::string_view kDagger = "\u2020"; // classic LaTeX does not know the sign
     std::string escaped;
-    for (const char c : text) escaped += as_latex(c);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool dagger = text.compare(i, kDagger.size(), kDagger) == 0;
+        escaped += dagger ? "\\dag{}" : as_latex(text[i]);
+        if (dagger) i += kDagger.size() - 1;
+    }
     return escaped;
 }
 

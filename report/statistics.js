@@ -42,7 +42,7 @@ function fragilitySeries(data, c, x, alone) {
     const fitted = { label: alone ? `${name}: fitted, with 95 % band` : name, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: alone ? [[0, ...c.lower], [0, ...c.upper]] : undefined };
     const series = c.fitted ? [fitted] : [];
     if (!alone) return series;
-    if (c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'if all walls of modes without a fit failed too', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
+    if (c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'at most, of modes without a fit', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
     if (c.steps.length) {
         const at = [0, ...c.steps.map((s) => s[0]), c.known_to];
         const p = [0, ...c.steps.map((s) => s[1]), c.steps.at(-1)[1]];

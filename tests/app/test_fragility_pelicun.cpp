@@ -27,13 +27,14 @@ std::string cell(const app::Csv& csv, std::size_t row, const std::string& column
 TEST_CASE("pelicun: the head is that of its damage databases of four limit states",
           "[app][fragility_pelicun]")
 {
-    // first line of damage_DB_Hazus_EQ_story.csv of pelicun 3
+    // first line of damage_DB_Hazus_EQ_story.csv of pelicun 3, and a column it passes over: names
+    // with "LS" are limit states to it (DamageModel_DS._create_dmg_RVs)
     const std::string head =
         "ID,Incomplete,Demand-Type,Demand-Unit,Demand-Offset,Demand-Directional,"
         "LS1-Family,LS1-Theta_0,LS1-Theta_1,LS1-DamageStateWeights,"
         "LS2-Family,LS2-Theta_0,LS2-Theta_1,LS2-DamageStateWeights,"
         "LS3-Family,LS3-Theta_0,LS3-Theta_1,LS3-DamageStateWeights,"
-        "LS4-Family,LS4-Theta_0,LS4-Theta_1,LS4-DamageStateWeights\n";
+        "LS4-Family,LS4-Theta_0,LS4-Theta_1,LS4-DamageStateWeights,Notes\n";
     CHECK(app::pelicun_csv(scenes::drifts({{1.0}})).starts_with(head));
 }
 
@@ -53,6 +54,16 @@ TEST_CASE("pelicun: parameters are the median in radians and the dispersion of t
     CHECK(std::stod(cell(csv, 0, "LS1-Theta_1")) ==
           Approx(std::log(2.0) * std::sqrt(0.5)).epsilon(1e-5));
     CHECK(cell(csv, 0, "LS2-Family").empty());
+}
+
+TEST_CASE("pelicun: notes say how far walls were seen and which median lies beyond",
+          "[app][fragility_pelicun]")
+{
+    CHECK(cell(read(scenes::drifts({{1.0, 2.0, 4.0, 2.0}})), 0, "Notes") ==
+          "LS1 known to 0.04 rad");
+    const app::Csv csv = read(scenes::drifts({{1.0, 2.0, -2.5, -2.5, -2.5, -2.5, -2.5}}));
+    CHECK(std::stod(cell(csv, 0, "LS1-Theta_0")) > 0.025);
+    CHECK(cell(csv, 0, "Notes") == "LS1 known to 0.025 rad (median extrapolated)");
 }
 
 TEST_CASE("pelicun: what cannot be fitted is incomplete and has no parameters",

@@ -33,6 +33,36 @@ TEST_CASE("fragility text: plain numbers have intervals and errors in columns of
                                                 "12.0 (1 wall)", ""});
 }
 
+TEST_CASE(
+    "fragility text: numbers beyond the end of the walls are marked, and the mark is a column "
+    "of its own for programs",
+    "[app][fragility_text]")
+{
+    const std::string whole = app::with_interval(3.03, 1.97, 9.67, 2, 2.72);
+    CHECK(whole == "3.03† [1.97, 9.67†]");
+    CHECK(app::with_interval(2.11, 1.67, 2.87, 2, 2.72) == "2.11 [1.67, 2.87†]");
+    CHECK(app::with_mark(2.72, 2, 2.72) == "2.72");
+    const app::Table p = app::plain_numbers(
+        {"", {"95 % drift [%]"}, {{whole}, {"2.11 [1.67, 2.87†]"}, {"not identifiable"}}});
+    CHECK(p.head == std::vector<std::string>{"95 % drift [%]", "95 % drift extrapolated",
+                                             "95 % drift lower [%]", "95 % drift upper [%]"});
+    CHECK(p.rows[0] == std::vector<std::string>{"3.03", "1", "1.97", "9.67"});
+    CHECK(p.rows[1] == std::vector<std::string>{"2.11", "0", "1.67", "2.87"});
+    CHECK(p.rows[2] == std::vector<std::string>{"not identifiable", "", "", ""});
+    CHECK(app::as_latex({"", {"a"}, {{whole}}}).find("3.03\\dag{} [1.97") != std::string::npos);
+}
+
+TEST_CASE("fragility text: a lower bound is rounded down, and says whether it may be reached",
+          "[app][fragility_text]")
+{
+    CHECK(app::rounded_down(2.7259, 2) == "2.72");
+    CHECK(app::rounded_down(0.29, 2) == "0.29");
+    CHECK(app::rounded_down(2.5, 1) == "2.5");
+    CHECK(app::median_bound({0.95, true, 2.7259, true}, 2) == "> 2.72");
+    CHECK(app::median_bound({0.95, true, 2.7259, false}, 2) == ">= 2.72");
+    CHECK(app::median_bound({}, 2).empty());
+}
+
 TEST_CASE("fragility text: names of files have no path in them", "[app][fragility_text]")
 {
     CHECK(app::file_name("0.75 MPa") == "0.75_MPa");
