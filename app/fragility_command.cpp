@@ -43,6 +43,8 @@ std::string failures(const StudyWalls& walls)
             text += stress + ": " + std::to_string(level.missing) +
                     " walls of the study are not in this file\n";
     }
+    if (walls.shard)
+        text += walls.name + ": drystone merge puts the shards of a study together.\n";
     if (!walls.pushed_one_way)
         text += "The push of this study turns back: no limit state is defined on its curves.\n";
     if (walls.shared)

@@ -33,7 +33,7 @@ std::string counts_text(const DriftData& data)
     }
     std::string text = data.source + ": " + std::to_string(n) + " walls";
     if (failed > 0) text += ", " + std::to_string(failed) + " failed";
-    if (missing > 0) text += ", " + std::to_string(missing) + " not run yet";
+    if (missing > 0) text += ", " + std::to_string(missing) + " not in this file";
     return text;
 }
 

@@ -30,7 +30,7 @@ struct DriftGroup {
     std::optional<double> stress; ///< [MPa]
     std::vector<DriftWall> walls; ///< that gave a result
     std::size_t failed = 0;       ///< ran and gave none
-    std::size_t missing = 0;      ///< not run yet
+    std::size_t missing = 0;      ///< of the study, not in this file
 };
 
 /// How numbers are made of the data.

@@ -185,7 +185,8 @@ Table performance_table(const DriftData& data)
         "Without a fit, a bound of the median without any law, one-sided at the same "
         "confidence (>: walls stood there; >=: they may just have reached it). " +
         extrapolated_text("any wall of the row") +
-        " (\"known to\"): it hangs on the law. Failed walls and walls not run are left out.";
+        " (\"known to\"): it hangs on the law. Failed walls and walls not in this file are "
+        "left out.";
     t.head = {data.group_head,
               "limit state",
               "n",
@@ -231,7 +232,8 @@ Table stress_table(const DriftData& data)
     Table t;
     t.caption =
         "Limit drifts as functions of the vertical stress: one lognormal law, ln median "
-        "and ln dispersion polynomials of the stress (degrees of least AIC up to 2), "
+        "and ln dispersion polynomials of the stress (degrees, of median and dispersion: of "
+        "least AIC, up to 2), "
         "censored maximum likelihood over all levels. " +
         counts_text(data) + ". " + data.drift + ". Median with " +
         percent_text(data.options.confidence) +

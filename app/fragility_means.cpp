@@ -30,6 +30,15 @@ std::string mean_cell(const std::vector<double>& values, int decimals)
     return with_error(e.value, e.std_error, decimals);
 }
 
+/// Mean of where runs ended, a bound: it has no standard error.
+std::string ended_cell(const std::vector<double>& ends)
+{
+    if (ends.empty()) return {};
+    double sum = 0.0;
+    for (const double end : ends) sum += end;
+    return "> " + rounded_down(sum / static_cast<double>(ends.size()), 2);
+}
+
 /// Displacements of a mode, apart by whether they are the wall's or the end of its run [mm].
 struct Displacements {
     std::vector<double> observed, censored;
@@ -90,7 +99,7 @@ std::vector<std::string> mean_row(const StudyWalls& walls, const StudyLevel& lev
     const Displacements d = displacements(group);
     row.push_back(d.observed.empty() ? "none observed" : mean_cell(d.observed, 2));
     row.push_back(std::to_string(d.observed.size()));
-    row.push_back(d.censored.empty() ? "" : "> " + mean_cell(d.censored, 2));
+    row.push_back(ended_cell(d.censored));
     row.push_back(std::to_string(d.censored.size()));
     row.push_back(median_cell(walls, d));
     return row;
@@ -105,7 +114,7 @@ std::pair<std::string, std::string> both_cells(const StudyLevel& level, int mode
     for (const StudyWall* w : group) force.push_back(w->peak_force * 1e-3);
     const Displacements d = displacements(group);
     std::string displacement =
-        d.observed.empty() ? "> " + mean_cell(d.censored, 2) : mean_cell(d.observed, 2);
+        d.observed.empty() ? ended_cell(d.censored) : mean_cell(d.observed, 2);
     if (!d.observed.empty() && !d.censored.empty())
         displacement += ", " + std::to_string(d.censored.size()) + " censored";
     if (d.all.empty()) displacement = "not defined";

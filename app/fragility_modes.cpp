@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace app {
@@ -88,6 +89,15 @@ fragility::ModeData mode_data(const StudyLevel& level, std::size_t input)
     return data;
 }
 
+/// Bounds that no friction angle can have bound nothing.
+fragility::Interval physical(fragility::Interval i)
+{
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (!(i.lower > 0.0)) i.lower = -kInfinity;
+    if (!(i.upper < 90.0)) i.upper = kInfinity;
+    return i;
+}
+
 std::vector<std::string> equal_row(const StudyWalls& walls, const StudyLevel& level,
                                    std::size_t input)
 {
@@ -115,7 +125,7 @@ std::vector<std::string> equal_row(const StudyWalls& walls, const StudyLevel& le
     const bool firth = model.penalty == fragility::ModePenalty::firth;
     if (!equal.found) return sentence("none: " + equal.reason);
     const std::string slope = with_error(model.coefficients(0, 1), model.std_errors(0, 1), 3);
-    const fragility::Interval& i = firth ? equal.delta : equal.profile;
+    const fragility::Interval i = physical(firth ? equal.delta : equal.profile);
     if (std::isinf(i.lower) && std::isinf(i.upper)) {
         row.insert(row.end(),
                    {"not identifiable: the slope is not significant", slope, "", ""});
@@ -128,7 +138,7 @@ std::vector<std::string> equal_row(const StudyWalls& walls, const StudyLevel& le
         note += std::string(note.empty() ? "" : "; ") + "outside the angles of the walls";
     row.push_back(with_interval(equal.at, i, 1));
     row.push_back(slope);
-    row.push_back(with_interval(equal.at, equal.fieller, 1));
+    row.push_back(with_interval(equal.at, physical(equal.fieller), 1));
     row.push_back(note);
     return row;
 }
@@ -198,7 +208,9 @@ Table equal_modes_table(const StudyWalls& walls)
                 "logistic regression of the mode on the angle, for each vertical stress. " +
                 rule_text(walls) +
                 ". Brackets: " + percent_text(walls.study.fragility.confidence) +
-                " intervals by profile likelihood, beside them by Fieller's theorem. Slope: of "
+                " intervals by profile likelihood, beside them by Fieller's theorem (\"no "
+                "limit\": up to 0 or "
+                "90 deg). Slope: of "
                 "the log odds of mixed against rocking. Where angles tell the modes apart "
                 "without error, Firth's penalty keeps the slope finite. Values per joint: mean "
                 "over the joints of a wall. Failed walls are left out.";

@@ -100,6 +100,10 @@ StudyWalls read_study_walls(const std::filesystem::path& file,
     const StoreHead& head = reader.head();
     StudyWalls walls;
     walls.name = file.filename().string();
+    walls.shard = head.shards > 1;
+    if (walls.shard)
+        walls.name +=
+            ", shard " + std::to_string(head.shard + 1) + " of " + std::to_string(head.shards);
     walls.study = read_study(
         with_overrides(parse_study_text(file.string(), head.configuration), overrides));
     walls.wanted = wanted_states(walls.study);

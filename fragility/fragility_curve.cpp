@@ -72,6 +72,17 @@ ModeAt mode_at(const ModeGroup& mode, const Fit& f, double drift, double confide
             least * (1.0 - least) / n};
 }
 
+/// What is known at one drift if no mode has a fit: a bound of all walls together is sharper than those of
+/// their parts.
+MixturePoint unfitted_point(const ModeGroup& all, double drift, double confidence)
+{
+    const ModeAt at = mode_at(all, {}, drift, confidence);
+    MixturePoint point{drift, at.least, at.most, std::sqrt(at.variance), {}};
+    point.band = logit_band(at.least, 1.0 - at.least, point.std_error, confidence);
+    point.band.upper = std::max(point.band.upper, at.most);
+    return point;
+}
+
 MixturePoint mixture_point(std::span<const ModeGroup> modes, const Mixture& m, double n,
                            double drift, double confidence)
 {
@@ -151,8 +162,14 @@ Mixture mixture_curve(std::span<const ModeGroup> modes, std::span<const double> 
         throw std::invalid_argument("fragility curve: drifts of a mixture must not fall");
     double n = 0.0;
     Mixture m = mixture_of(modes, n);
+    const bool fitted = std::ranges::any_of(
+        m.fits, [](const Fit& f) { return f.outcome == FitOutcome::converged; });
+    ModeGroup all;
+    for (const ModeGroup& mode : modes)
+        all.limits.insert(all.limits.end(), mode.limits.begin(), mode.limits.end());
     for (const double drift : drifts)
-        m.points.push_back(mixture_point(modes, m, n, drift, confidence));
+        m.points.push_back(fitted ? mixture_point(modes, m, n, drift, confidence)
+                                  : unfitted_point(all, drift, confidence));
     never_fall(m.points);
     return m;
 }

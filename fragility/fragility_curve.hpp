@@ -28,7 +28,8 @@ struct ModeGroup {
 
 /// P = sum of shares times curves. Of a mode without a fit (too few of its walls, or none, reached
 /// the limit state) only so much is known: `least` counts the share of its walls that had, `most`
-/// as many as reached_at_most() allows at that drift, all of them where nobody stood.
+/// as many as reached_at_most() allows at that drift, all of them where nobody stood. If no mode
+/// has a fit, that is said of all walls together.
 struct MixturePoint {
     double drift;
     double least, most; ///< [-], equal where all modes have fits

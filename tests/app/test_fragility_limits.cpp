@@ -152,7 +152,7 @@ TEST_CASE("fragility limits: captions say rule, law, confidence, censoring and f
     data.groups[0].missing = 7;
     const std::string caption = app::performance_table(data).caption;
     for (const char* const part : {"drop to 80 % of the peak", "lognormal", "95 %", "censored",
-                                   "3 walls, 2 failed, 7 not run yet"})
+                                   "3 walls, 2 failed, 7 not in this file"})
         CHECK(caption.find(part) != std::string::npos);
 }
 

@@ -17,7 +17,7 @@ TEST_CASE(
     CHECK(scenes::sound(rocking));
     CHECK(cell(rocking, 0, "displacement [mm]") == "none observed");
     CHECK(cell(rocking, 0, "observed") == "0");
-    CHECK(cell(rocking, 0, "run ended [mm]") == "> 28.00 +- 0.00");
+    CHECK(cell(rocking, 0, "run ended [mm]") == "> 28.00");
     CHECK(cell(rocking, 0, "median displacement [mm]") == "not identifiable: > 28.0");
     app::StudyWalls both = scenes::study_walls(13);
     both.levels[0].walls[0].ultimate.reading = fragility::Reading::censored;

@@ -11,6 +11,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -31,16 +32,19 @@ struct File {
     }
 };
 
-/// A study of 3 walls under each of two stresses, of which `walls` were run.
-void run_study(const fs::path& path, std::size_t walls)
+/// A study of 3 walls under each of two stresses, or the first of its shards, of which `walls` were
+/// run, or as many as there are.
+void run_study(const fs::path& path, std::size_t walls, std::uint32_t shards = 1)
 {
     const app::Study s = study_scenes::study("samples = 3");
     const dem::Model model = app::model_of(s);
     const std::vector<std::uint32_t> sizes = {3};
     const app::SamplePlan plan = sample_plan(s, model.layout, sizes);
-    app::Store store(path, app::head_of(s, plan, sizes));
-    auto keys = pending_walls(store, {}, false);
-    keys.resize(walls);
+    app::StoreHead head = app::head_of(s, plan, sizes);
+    head.shards = shards;
+    app::Store store(path, head);
+    auto keys = pending_walls(store, {0, static_cast<int>(shards)}, false);
+    keys.resize(std::min(walls, keys.size()));
     app::run_walls(s, model, plan, keys, 2, store, {});
     store.compact();
 }
@@ -91,7 +95,36 @@ TEST_CASE(
     run_study(file.path, n);
     const auto output = app::study_output(app::read_study_walls(file.path, {}));
     CHECK(output.remarks.find("walls of the study are not in this file") != std::string::npos);
-    CHECK(output.source.find(std::to_string(6 - n) + " not run yet") != std::string::npos);
+    CHECK(output.source.find(std::to_string(6 - n) + " not in this file") != std::string::npos);
+}
+
+TEST_CASE("fragility of a study: a shard is read as it is, with the walls that the whole has",
+          "[app][fragility_study]")
+{
+    const File whole, part;
+    run_study(whole.path, 6);
+    run_study(part.path, 6, 4);
+    const app::StudyWalls all = app::read_study_walls(whole.path, {});
+    const app::StudyWalls shard = app::read_study_walls(part.path, {});
+    CHECK(shard.name.ends_with(", shard 1 of 4"));
+    std::size_t walls = 0;
+    for (std::size_t l = 0; l < 2; ++l) {
+        CHECK(shard.levels[l].walls.size() + shard.levels[l].missing == 3);
+        for (const app::StudyWall& w : shard.levels[l].walls) {
+            ++walls;
+            const auto same = std::find_if(
+                all.levels[l].walls.begin(), all.levels[l].walls.end(),
+                [&](const app::StudyWall& x) { return x.key.sample == w.key.sample; });
+            REQUIRE(same != all.levels[l].walls.end());
+            CHECK(w.peak_force == same->peak_force);
+            CHECK(w.inputs == same->inputs);
+        }
+    }
+    CHECK(walls == 2); // numbers 0 and 4 of 0 ... 5
+    const auto output = app::study_output(shard);
+    CHECK(output.source.find("shard 1 of 4: 2 walls, 4 not in this file") != std::string::npos);
+    CHECK(output.remarks.find("drystone merge") != std::string::npos);
+    CHECK(app::study_output(all).remarks.find("drystone merge") == std::string::npos);
 }
 
 TEST_CASE(

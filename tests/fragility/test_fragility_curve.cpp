@@ -115,6 +115,22 @@ TEST_CASE("mixture: where runs end apart, `most` is bounded by the walls that we
     }
 }
 
+TEST_CASE("mixture: if no mode has a fit, all walls together bound it",
+          "[fragility][fragility_curve]")
+{
+    std::vector<ModeGroup> modes{stood(39, 2.7), stood(11, 2.7)};
+    modes[1].limits[0] = observed(1.1);
+    const std::vector<double> drifts{1.0, 2.7, 2.8};
+    const Mixture m = mixture_curve(modes, drifts);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(m.points[i].least == near(i == 0 ? 0.0 : 0.02));
+        CHECK(m.points[i].most == near(binomial_upper_bound(i == 0 ? 0 : 1, 50)));
+        CHECK(m.points[i].band.upper >= m.points[i].most);
+    }
+    CHECK(m.points[0].band.upper == near(m.points[0].most));
+    CHECK(m.points[2].most == 1.0);
+}
+
 TEST_CASE("mixture: walls that failed count in a mode that has too few for a fit",
           "[fragility][fragility_curve]")
 {
