@@ -125,10 +125,8 @@ Table curve_table(const DriftData& data, std::size_t state)
         " laws by censored maximum likelihood, " + percent_text(data.options.confidence) +
         " bands by the delta method on the logit (of 50 walls, 95 % bands held the truth in 93 "
         "to 98 of 100 synthetic studies). Mixture: shares of the modes times their curves. Of "
-        "a "
-        "mode that has no fit the probability counts the walls seen to reach it, \"at most\" "
-        "as "
-        "many as a bound without a law allows; the band holds both. " +
+        "a mode that has no fit the probability counts the walls seen to reach it, \"at most\" "
+        "as many as a bound without a law allows; the band holds both. " +
         extrapolated_text("any of these walls") + ".";
     t.head = {data.group_head,           "walls of",    "n",
               drift_head(data, "drift"), "probability", "at most"};

@@ -233,8 +233,7 @@ Table stress_table(const DriftData& data)
     t.caption =
         "Limit drifts as functions of the vertical stress: one lognormal law, ln median "
         "and ln dispersion polynomials of the stress (degrees, of median and dispersion: of "
-        "least AIC, up to 2), "
-        "censored maximum likelihood over all levels. " +
+        "least AIC, up to 2), censored maximum likelihood over all levels. " +
         counts_text(data) + ". " + data.drift + ". Median with " +
         percent_text(data.options.confidence) +
         " confidence interval; a further wall lies between \"from\" and \"to\" with that "

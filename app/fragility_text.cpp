@@ -95,7 +95,10 @@ std::string extrapolated_text(const std::string& whose)
 
 std::string with_mark(double value, int decimals, double known_to)
 {
-    return fixed(value, decimals) + std::string(value > known_to ? kExtrapolated : "");
+    constexpr double kStep =
+        2e-3; // runs of one push end up to an interval of their curve apart
+    const bool beyond = value > known_to * (1.0 + kStep);
+    return fixed(value, decimals) + std::string(beyond ? kExtrapolated : "");
 }
 
 std::string with_interval(double value, double lower, double upper, int decimals,

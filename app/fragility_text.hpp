@@ -12,7 +12,7 @@
 
 namespace app {
 
-/// Beside a drift beyond `known_to`, the drift up to which walls were seen: the law alone says it.
+/// Beside a drift beyond the one up to which walls were seen: the law alone says it.
 constexpr std::string_view kExtrapolated = "\u2020"; // dagger
 
 /// Largest drift at which any of these walls reached the limit state or still stood [unit of the
@@ -24,7 +24,7 @@ constexpr std::string_view kExtrapolated = "\u2020"; // dagger
 
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
-/// "1.58", "3.03†"
+/// "1.58", "3.03†": beyond `known_to` by more than 0.2 %
 [[nodiscard]] std::string with_mark(double value, int decimals, double known_to);
 
 /// "1.58 [1.40, 1.80]", "2.11 [1.67, 2.87†]"; a bound that the data do not give is "no limit". Empty

@@ -42,7 +42,7 @@ struct StudyLevel {
 };
 
 struct StudyWalls {
-    std::string name; ///< of the file; of a shard with its number: "paper_1_of_4.h5, shard 1 of 4"
+    std::string name;   ///< of the file: "paper.h5", "part.h5, shard 1 of 4"
     bool shard = false; ///< the file holds a part of the study on purpose
     Study study;
     WantedStates wanted;

@@ -42,6 +42,8 @@ TEST_CASE(
     CHECK(whole == "3.03† [1.97, 9.67†]");
     CHECK(app::with_interval(2.11, 1.67, 2.87, 2, 2.72) == "2.11 [1.67, 2.87†]");
     CHECK(app::with_mark(2.72, 2, 2.72) == "2.72");
+    CHECK(app::with_mark(2.725, 3, 2.72) == "2.725"); // one interval of 0.05 mm of 30 mm
+    CHECK(app::with_mark(2.726, 3, 2.72) == "2.726†");
     const app::Table p = app::plain_numbers(
         {"", {"95 % drift [%]"}, {{whole}, {"2.11 [1.67, 2.87†]"}, {"not identifiable"}}});
     CHECK(p.head == std::vector<std::string>{"95 % drift [%]", "95 % drift extrapolated",
