@@ -21,6 +21,18 @@ double largest_drift(const DriftData& data, std::size_t state)
     return largest;
 }
 
+/// Where runs end together, the first of their ends: beyond it a few of them would stand for all.
+double grid_end(const DriftData& data, std::size_t state)
+{
+    const double largest = largest_drift(data, state);
+    double end = largest;
+    for (const DriftGroup& g : data.groups)
+        for (const fragility::Observation& o : limits_of(g, state))
+            if (o.lower < o.upper && o.lower >= largest * (1.0 - kEndsTogether))
+                end = std::min(end, o.lower);
+    return end;
+}
+
 /// First cells of a row of the table of curves.
 using Start = std::vector<std::string>;
 
@@ -109,7 +121,7 @@ std::string no_mixture(const std::vector<fragility::ModeGroup>& modes)
 
 std::vector<double> drift_grid(const DriftData& data, std::size_t state, std::size_t points)
 {
-    const double largest = largest_drift(data, state);
+    const double largest = grid_end(data, state);
     std::vector<double> drifts;
     for (std::size_t i = 1; i <= points && largest > 0.0; ++i)
         drifts.push_back(largest * static_cast<double>(i) / static_cast<double>(points));

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// Drifts at which curves are tabulated: evenly from zero to the largest drift of any wall
+/// Drifts at which curves are tabulated: evenly from zero to where the last runs end
 /// [unit of the data]; empty without walls.
 [[nodiscard]] std::vector<double> drift_grid(const DriftData& data, std::size_t state,
                                              std::size_t points);

@@ -95,9 +95,7 @@ std::string extrapolated_text(const std::string& whose)
 
 std::string with_mark(double value, int decimals, double known_to)
 {
-    constexpr double kStep =
-        2e-3; // runs of one push end up to an interval of their curve apart
-    const bool beyond = value > known_to * (1.0 + kStep);
+    const bool beyond = value > known_to * (1.0 + kEndsTogether);
     return fixed(value, decimals) + std::string(beyond ? kExtrapolated : "");
 }
 

@@ -22,6 +22,9 @@ constexpr std::string_view kExtrapolated = "\u2020"; // dagger
 /// What the mark of extrapolation means, for captions.
 [[nodiscard]] std::string extrapolated_text(const std::string& whose);
 
+/// Runs of one push end up to an interval of their curve apart [-]: as good as together.
+constexpr double kEndsTogether = 2e-3;
+
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
 /// "1.58", "3.03†": beyond `known_to` by more than 0.2 %

@@ -114,6 +114,17 @@ TEST_CASE("fragility limits: a stress whose walls all stood has a marked median 
     CHECK(cell(t, 6, "a wall from [%]").find("†") == std::string::npos);
 }
 
+TEST_CASE("fragility curves: drifts go to where all runs that end together still went",
+          "[app][fragility_curves]")
+{
+    const auto end = [](const std::vector<double>& walls) {
+        return app::drift_grid(scenes::drifts({walls}), 0, 30).back();
+    };
+    CHECK(end({1.0, -2.0, -2.7259, -2.7262, -2.7260}) == Approx(2.7259).epsilon(1e-12));
+    CHECK(end({1.0, -2.7, 2.7001}) == Approx(2.7).epsilon(1e-12));
+    CHECK(end({1.0, 2.6999, 2.7}) == Approx(2.7).epsilon(1e-12));
+}
+
 TEST_CASE("fragility curves: drifts beyond the walls of a stress are marked there alone",
           "[app][fragility_curves]")
 {
