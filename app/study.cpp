@@ -179,7 +179,11 @@ std::string effective_configuration(const Study& study)
         }
         // Read as given, a value that follows from others would no longer follow their draws.
         const bool follows = !study.random.empty() && is_derived(key, study);
-        std::string line((follows ? "# " : "") + std::string(name_in_section(key.name)));
+        // How results are read is no part of the walls: a later version reads them its own way.
+        const bool reading =
+            entry == nullptr && (section == "fragility" || section == "reliability");
+        std::string line((follows || reading ? "# " : "") +
+                         std::string(name_in_section(key.name)));
         line.resize(std::max<std::size_t>(line.size(), 24), ' ');
         line += "= " + value;
         std::string mark = follows            ? "default, follows the draws"
@@ -210,10 +214,10 @@ dem::CrackMaterial crack_material(const Study& study, int level)
     const UnitInput& unit = study.unit;
     const double kn =
         unit.stiffness_factor * unit.stiffness_ratio * stiffness_of_level(study, level).kn;
-    const double ft = unit.snap_back == SnapBack::weakens
-                          ? std::min(unit.tensile_strength,
-                                     std::sqrt(2.0 * unit.fracture_energy * kn))
-                          : unit.tensile_strength;
+    const double ft =
+        unit.snap_back == SnapBack::weakens
+            ? std::min(unit.tensile_strength, std::sqrt(2.0 * unit.fracture_energy * kn))
+            : unit.tensile_strength;
     return {.kn = kn,
             .ks = dem::shear_stiffness(kn, study.stone.poisson_ratio),
             .ft = ft,

@@ -53,6 +53,20 @@ TEST_CASE("study: the effective configuration has every key in use, defaults and
     CHECK(everything.find("# default") == std::string::npos);
 }
 
+TEST_CASE("study: settings of the reading are kept as comments unless given, cuts are told",
+          "[app][study]")
+{
+    const std::string text = app::effective_configuration(read_good(
+        {"fragility.confidence=0.9", "joint.friction_angle=normal(mean 31.8 deg, cov 0.6)"}));
+    CHECK(text.find("\n# crossing              = first") != std::string::npos);
+    CHECK(text.find("\nconfidence              = 0.9") != std::string::npos);
+    // P(angle < 0) = Phi(-1 / 0.6) = 0.0478
+    CHECK(text.find(
+              "# --set, a share of 0.048 lies outside the range of this key and is cut off") !=
+          std::string::npos);
+    CHECK(text.find("a share of") == text.rfind("a share of"));
+}
+
 TEST_CASE("study: what the solver leaves open is as the solver has it", "[app][study]")
 {
     const app::Study study = read_good();
