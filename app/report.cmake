@@ -15,6 +15,7 @@ add_custom_command(
 drystone_library(app_report
     ${report_assets}
     report_bytes.cpp
+    report_choice.cpp
     report_command.cpp
     report_curves.cpp
     report_data.cpp

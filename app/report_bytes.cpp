@@ -7,6 +7,19 @@
 #include <zlib.h>
 
 namespace app {
+namespace {
+
+// Films of the paper's walls, kB each and ms to deflate: level 4: 6.9, 0.5; 6: 6.7, 1.1; 9: 6.7, 5.1. Without
+// the fold of differences(): 4: 10.1, 0.8; 6: 9.5, 2.2; 9: 9.3, 24.
+constexpr int kLevel = 6;
+
+/// 0 -1 1 -2 2 ... become 0 1 2 3 4 ...
+std::uint16_t folded(std::uint16_t v)
+{
+    return static_cast<std::uint16_t>(v << 1 ^ (v >> 15 != 0 ? 0xffff : 0));
+}
+
+} // namespace
 
 std::string base64(std::span<const std::uint8_t> bytes)
 {
@@ -26,11 +39,18 @@ std::string base64(std::span<const std::uint8_t> bytes)
 
 std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes)
 {
-    uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-    std::vector<std::uint8_t> out(size);
-    if (compress2(out.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), 9) != Z_OK)
+    z_stream z{};
+    if (deflateInit2(&z, kLevel, Z_DEFLATED, 15, 8, Z_FILTERED) != Z_OK)
         throw std::runtime_error("report: no memory to compress");
-    out.resize(size);
+    std::vector<std::uint8_t> out(deflateBound(&z, static_cast<uLong>(bytes.size())));
+    z.next_in = const_cast<Bytef*>(bytes.data()); // only read
+    z.avail_in = static_cast<uInt>(bytes.size());
+    z.next_out = out.data();
+    z.avail_out = static_cast<uInt>(out.size());
+    const int outcome = deflate(&z, Z_FINISH);
+    out.resize(z.total_out);
+    deflateEnd(&z);
+    if (outcome != Z_STREAM_END) throw std::runtime_error("report: cannot compress");
     return out;
 }
 
@@ -51,8 +71,9 @@ std::vector<std::uint8_t> differences(std::span<const double> numbers, std::size
             if (i % length != 0) v[i] = static_cast<std::uint16_t>(v[i] - v[i - 1]);
     std::vector<std::uint8_t> bytes(2 * n);
     for (std::size_t i = 0; i < n; ++i) {
-        bytes[i] = static_cast<std::uint8_t>(v[i] & 0xff);
-        bytes[n + i] = static_cast<std::uint8_t>(v[i] >> 8);
+        const std::uint16_t f = folded(v[i]);
+        bytes[i] = static_cast<std::uint8_t>(f & 0xff);
+        bytes[n + i] = static_cast<std::uint8_t>(f >> 8);
     }
     return bytes;
 }

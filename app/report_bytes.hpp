@@ -14,8 +14,8 @@ namespace app {
 /// zlib stream (RFC 1950), what a browser reads as "deflate".
 [[nodiscard]] std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes);
 
-/// Numbers rounded to multiples of `step`, as 16 bits each, two's complement, high bytes after low
-/// bytes: of a smooth series nearly all of them are equal.
+/// Numbers rounded to multiples of `step`, as 16 bits each, high bytes after low bytes: of a smooth
+/// series nearly all of them are 0. Signs are folded in: 0 -1 1 -2 2 are written 0 1 2 3 4.
 ///   order 0: the numbers   1: differences from the one before   2: differences of these
 /// Series begin anew every `length` numbers. Arithmetic modulo 2^16, so that sums give back every
 /// number exactly; beyond +-32767 steps it is held at the end.

@@ -58,23 +58,23 @@ Json mean_curve(const std::vector<std::vector<double>>& curves)
 
 } // namespace
 
-Json curves_json(const ReportStudy& study, std::size_t most)
+Json curves_json(const ReportStudy& study, const std::vector<std::size_t>& listed)
 {
-    const double step = largest_displacement(study) / static_cast<double>(kCurvePoints - 1);
+    const std::size_t points = listed.size() > kManyWalls ? kFewCurvePoints : kCurvePoints;
+    const double step = largest_displacement(study) / static_cast<double>(points - 1);
     const double force_step = std::max(largest_force(study), 1.0) / 32000.0;
     std::vector<double> all;
     Json counts = Json::array();
-    const std::size_t n = std::min(most, study.walls.size());
-    for (std::size_t i = 0; i < n; ++i) {
+    for (const std::size_t i : listed) {
         std::vector<double> f;
-        if (step > 0.0) f = resampled(study.walls[i].row.curve, step, kCurvePoints);
+        if (step > 0.0) f = resampled(study.walls[i].row.curve, step, points);
         counts.push_back(f.size());
-        f.resize(kCurvePoints, f.empty() ? 0.0 : f.back());
+        f.resize(points, f.empty() ? 0.0 : f.back());
         all.insert(all.end(), f.begin(), f.end());
     }
-    const auto bytes = differences(all, kCurvePoints, force_step, 1);
+    const auto bytes = differences(all, points, force_step, 1);
     return {{"step", step},
-            {"points", kCurvePoints},
+            {"points", points},
             {"force_step", force_step},
             {"counts", counts},
             {"data", base64(deflated(bytes))}};

@@ -10,8 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 namespace app {
@@ -67,28 +67,11 @@ Json wall_json(const ReportStudy& study, const ReportWall& w)
             {"inputs", inputs}};
 }
 
-Json walls_json(const ReportStudy& study)
+Json walls_json(const ReportStudy& study, const std::vector<std::size_t>& listed)
 {
     Json walls = Json::array();
-    for (std::size_t i = 0; i < std::min(kMostCurves, study.walls.size()); ++i)
-        walls.push_back(wall_json(study, study.walls[i]));
+    for (const std::size_t i : listed) walls.push_back(wall_json(study, study.walls[i]));
     return walls;
-}
-
-Json films_json(const ReportStudy& study, const Replay& replay, const std::string& note)
-{
-    Json films = {{"note", note}, {"films", Json::array()}};
-    if (!study.study || replay.walls.empty()) return films;
-    films["geometry"] = wall_geometry(model_of(*study.study).layout);
-    films["different"] = replay.different;
-    for (std::size_t i = 0; i < replay.walls.size(); ++i) {
-        const Film& f = replay.films[i];
-        films["films"].push_back({{"wall", replay.walls[i]},
-                                  {"frames", f.frames},
-                                  {"step", f.step},
-                                  {"data", f.data}});
-    }
-    return films;
 }
 
 Json provenance_json(const ReportStudy& study)
@@ -107,11 +90,11 @@ Json provenance_json(const ReportStudy& study)
             {"unreadable", study.no_study},      {"sessions", sessions}};
 }
 
-Json tables_json(const ReportStudy& study)
+Json tables_json(const ReportStudy& study, const std::vector<std::size_t>& listed)
 {
     Json tables = {table_json("results", "Results by stress and mode", results_table(study)),
                    table_json("fragility", "Ultimate drift", fragility_table(study)),
-                   table_json("walls", "Walls", walls_table(study, kMostCurves))};
+                   table_json("walls", "Walls", walls_table(study, listed))};
     return tables;
 }
 
@@ -123,7 +106,7 @@ Json overview_json(const ReportStudy& study)
 
 } // namespace
 
-Json report_data(const ReportStudy& study, const Replay& replay, const std::string& note)
+Json report_data(const ReportStudy& study, const std::vector<std::size_t>& listed)
 {
     return {{"name", study.name},
             {"overview", overview_json(study)},
@@ -131,18 +114,35 @@ Json report_data(const ReportStudy& study, const Replay& replay, const std::stri
             {"inputs", inputs_json(study)},
             {"height", study.height},
             {"one_way", study.pushed_one_way},
-            {"walls", walls_json(study)},
-            {"stored_walls", study.walls.size()},
-            {"curves", study.pushed_one_way ? curves_json(study, kMostCurves) : Json(nullptr)},
+            {"walls", walls_json(study, listed)},
+            {"curves", study.pushed_one_way ? curves_json(study, listed) : Json(nullptr)},
             {"means", study.pushed_one_way ? mean_curves_json(study) : Json::array()},
-            {"films", films_json(study, replay, note)},
             {"fragility", fragility_json(study)},
             {"modes", modes_json(study)},
             {"histograms", histograms_json(study)},
-            {"running", running_json(study, kMostCurves)},
+            {"running", running_json(study)},
             {"sensitivity", sensitivity_json(study)},
-            {"tables", tables_json(study)},
+            {"tables", tables_json(study, listed)},
             {"provenance", provenance_json(study)}};
+}
+
+Json films_json(const ReportStudy& study, const std::vector<std::size_t>& listed,
+                const Replay& replay, const std::string& note)
+{
+    Json films = {{"note", note}, {"films", Json::array()}};
+    if (!study.study || replay.walls.empty()) return films;
+    films["geometry"] = wall_geometry(model_of(*study.study).layout);
+    std::map<std::size_t, const Film*> of_wall;
+    for (std::size_t i = 0; i < replay.walls.size(); ++i)
+        of_wall[replay.walls[i]] = &replay.films[i];
+    for (std::size_t w = 0; w < listed.size(); ++w) {
+        const auto film = of_wall.find(listed[w]);
+        if (film == of_wall.end()) continue;
+        const Film& f = *film->second;
+        films["films"].push_back(
+            {{"wall", w}, {"frames", f.frames}, {"step", f.step}, {"data", f.data}});
+    }
+    return films;
 }
 
 } // namespace app

@@ -1,5 +1,5 @@
 #pragma once
-/// All that the page shows, as one JSON value. Stresses in MPa, forces in kN and displacements in mm
+/// All that the page shows, as JSON. Stresses in MPa, forces in kN and displacements in mm
 /// unless a name says otherwise; numbers that are not defined are null.
 
 #include "app/report_replay.hpp"
@@ -7,15 +7,22 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace app {
 
-constexpr std::size_t kMostCurves = 2'000; ///< walls with a curve and a row in the page
+/// @param listed places in ReportStudy::walls, ascending: the page knows these, and calls them 0, 1, ...
+[[nodiscard]] nlohmann::ordered_json report_data(const ReportStudy& study,
+                                                 const std::vector<std::size_t>& listed);
 
-/// @param replay walls pushed again; may be empty
-/// @param replay_note which walls were chosen, or why there are none
-[[nodiscard]] nlohmann::ordered_json report_data(const ReportStudy& study, const Replay& replay,
-                                                 const std::string& replay_note);
+/// The walls that can be looked at: {"note", "films": [{"wall", "frames", "step", "data"}], "geometry"},
+/// without geometry where there are none.
+/// @param replay walls pushed again, all of them listed; may be empty
+/// @param note which walls were chosen, or why there are none
+[[nodiscard]] nlohmann::ordered_json films_json(const ReportStudy& study,
+                                                const std::vector<std::size_t>& listed,
+                                                const Replay& replay, const std::string& note);
 
 } // namespace app

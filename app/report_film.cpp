@@ -31,16 +31,41 @@ const char* kind_name(dem::FaceKind kind)
     return "base";
 }
 
-/// Displacement of the outline point nearest to a corner of the box.
-dem::Point corner(const dem::BlockState& block, double x, double z)
+/// Places in an outline of the points nearest to the corners of its box.
+struct Corners {
+    std::size_t lower_left, lower_right, upper_left, upper_right;
+};
+
+std::size_t nearest_point(const std::vector<dem::Point>& outline, double x, double z)
 {
-    std::size_t nearest = 0;
-    const auto away = [&](std::size_t i) {
-        return std::hypot(block.outline[i].x - x, block.outline[i].z - z);
+    const auto away = [&](dem::Point p) { return std::hypot(p.x - x, p.z - z); };
+    const auto nearest =
+        std::min_element(outline.begin(), outline.end(),
+                         [&](dem::Point p, dem::Point q) { return away(p) < away(q); });
+    return static_cast<std::size_t>(nearest - outline.begin());
+}
+
+Corners corners_of(const std::vector<dem::Point>& outline)
+{
+    if (outline.empty()) throw std::invalid_argument("a block without outline");
+    const auto [left, right] = std::minmax_element(
+        outline.begin(), outline.end(), [](dem::Point p, dem::Point q) { return p.x < q.x; });
+    const auto [low, high] = std::minmax_element(
+        outline.begin(), outline.end(), [](dem::Point p, dem::Point q) { return p.z < q.z; });
+    return {nearest_point(outline, left->x, low->z), nearest_point(outline, right->x, low->z),
+            nearest_point(outline, left->x, high->z),
+            nearest_point(outline, right->x, high->z)};
+}
+
+BlockMotion motion_of(const std::vector<dem::Point>& displacement, const Corners& at)
+{
+    const dem::Point ll = displacement.at(at.lower_left), rl = displacement.at(at.lower_right),
+                     lh = displacement.at(at.upper_left), rh = displacement.at(at.upper_right);
+    const auto combine = [&](double sll, double srl, double slh) {
+        return dem::Point{0.25 * (sll * ll.x + srl * rl.x + slh * lh.x + rh.x),
+                          0.25 * (sll * ll.z + srl * rl.z + slh * lh.z + rh.z)};
     };
-    for (std::size_t i = 1; i < block.outline.size(); ++i)
-        if (away(i) < away(nearest)) nearest = i;
-    return block.displacement.at(nearest);
+    return {combine(1, 1, 1), combine(-1, 1, -1), combine(-1, -1, 1)};
 }
 
 double mean_damage(const dem::FaceState& face)
@@ -69,12 +94,14 @@ std::vector<double> motions(std::span<const dem::Snapshot> frames)
 {
     const std::size_t n = frames.size(), blocks = frames.front().blocks.size();
     std::vector<double> series(6 * blocks * n);
-    for (std::size_t b = 0; b < blocks; ++b)
+    for (std::size_t b = 0; b < blocks; ++b) {
+        const Corners corners = corners_of(frames.front().blocks[b].outline);
         for (std::size_t t = 0; t < n; ++t) {
-            const BlockMotion m = block_motion(frames[t].blocks[b]);
+            const BlockMotion m = motion_of(frames[t].blocks[b].displacement, corners);
             const std::array<double, 6> values = {m.a.x, m.a.z, m.b.x, m.b.z, m.c.x, m.c.z};
             for (std::size_t k = 0; k < 6; ++k) series[(k * blocks + b) * n + t] = values[k];
         }
+    }
     return series;
 }
 
@@ -106,21 +133,7 @@ Json wall_geometry(const dem::Layout& layout)
 
 BlockMotion block_motion(const dem::BlockState& block)
 {
-    if (block.outline.empty()) throw std::invalid_argument("a block without outline");
-    const auto [left, right] =
-        std::minmax_element(block.outline.begin(), block.outline.end(),
-                            [](dem::Point p, dem::Point q) { return p.x < q.x; });
-    const auto [low, high] =
-        std::minmax_element(block.outline.begin(), block.outline.end(),
-                            [](dem::Point p, dem::Point q) { return p.z < q.z; });
-    const dem::Point ll = corner(block, left->x, low->z), rl = corner(block, right->x, low->z);
-    const dem::Point lh = corner(block, left->x, high->z),
-                     rh = corner(block, right->x, high->z);
-    const auto combine = [&](double sll, double srl, double slh) {
-        return dem::Point{0.25 * (sll * ll.x + srl * rl.x + slh * lh.x + rh.x),
-                          0.25 * (sll * ll.z + srl * rl.z + slh * lh.z + rh.z)};
-    };
-    return {combine(1, 1, 1), combine(-1, 1, -1), combine(-1, -1, 1)};
+    return motion_of(block.displacement, corners_of(block.outline));
 }
 
 Film film_of(std::span<const dem::Snapshot> frames)

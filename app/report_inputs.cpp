@@ -141,14 +141,14 @@ Json histograms_json(const ReportStudy& study)
     return all;
 }
 
-Json running_json(const ReportStudy& study, std::size_t most)
+Json running_json(const ReportStudy& study)
 {
     Json all = Json::array();
     for (std::size_t level = 0; level < study.head.levels.size(); ++level) {
         std::vector<const WallRow*> rows;
         std::vector<double> peaks;
         for (const ReportWall& w : study.walls) {
-            if (w.row.key.level != level || rows.size() >= most) continue;
+            if (w.row.key.level != level || rows.size() >= kMostRunning) continue;
             rows.push_back(&w.row);
             peaks.push_back(w.peak);
         }

@@ -13,10 +13,12 @@ namespace app {
 ///   "prescribed": "mean 31.8, sd 6.36", "sampled": "mean 31.8, sd 6.31"}]
 [[nodiscard]] nlohmann::ordered_json histograms_json(const ReportStudy& study);
 
+constexpr std::size_t kMostRunning = 2'000; ///< walls of a stress in its running means
+
 /// Error of the mean after j walls in percent, of each input against its prescribed mean and of the
 /// peak force against the mean of all, with 95 % bands of independent samples:
-/// [{"level", "key", "error": [...], "band": [...]}]. Walls beyond `most` are left out.
-[[nodiscard]] nlohmann::ordered_json running_json(const ReportStudy& study, std::size_t most);
+/// [{"level", "key", "error": [...], "band": [...]}].
+[[nodiscard]] nlohmann::ordered_json running_json(const ReportStudy& study);
 
 /// Rank correlation (Spearman) and partial rank correlation of the peak force and of the observed
 /// ultimate displacement with each input, 95 % intervals:

@@ -18,13 +18,21 @@ std::string count_of(std::size_t n, const std::string& one)
 
 std::string percent(double share) { return fixed(100.0 * share, 0); }
 
+/// "joint.friction_angle" as words.
+std::string words_of(std::string key)
+{
+    std::replace(key.begin(), key.end(), '_', ' ');
+    std::replace(key.begin(), key.end(), '.', ' ');
+    return key;
+}
+
 std::string listed_keys(const ReportStudy& study)
 {
     std::string text;
     for (std::size_t i = 0; i < study.inputs.size(); ++i) {
         const StoredInput& input = study.inputs[i];
         if (i > 0) text += i + 1 == study.inputs.size() ? " and " : ", ";
-        text += input.key;
+        text += words_of(input.key);
         if (input.count > 1) text += " (one value per joint)";
     }
     return text;
@@ -55,7 +63,45 @@ std::vector<std::string> what_was_run(const ReportStudy& study)
         text.push_back("Drawn at random: " + listed_keys(study) +
                        ". Everything else is the "
                        "same in all walls of a stress.");
+    else
+        text.push_back("Nothing was drawn at random.");
     return text;
+}
+
+struct LevelMeans {
+    double peak = 0.0, rocking = 0.0, came_down = 0.0; ///< [kN] [-] [-]
+};
+
+LevelMeans means_of(const std::vector<const ReportWall*>& walls)
+{
+    LevelMeans m;
+    for (const ReportWall* w : walls) {
+        m.peak += 1e-3 * w->peak;
+        m.rocking += w->rocking ? 1.0 : 0.0;
+        m.came_down += w->reading == fragility::Reading::observed ? 1.0 : 0.0;
+    }
+    const auto n = static_cast<double>(walls.size());
+    return {m.peak / n, m.rocking / n, m.came_down / n};
+}
+
+/// Lowest and highest stress side by side; nothing where one of them has no walls.
+std::vector<std::string> in_short(const ReportStudy& study)
+{
+    const std::size_t levels = study.head.levels.size();
+    std::size_t low = 0, high = 0;
+    for (std::size_t i = 1; i < levels; ++i) {
+        if (study.stress(i) < study.stress(low)) low = i;
+        if (study.stress(i) > study.stress(high)) high = i;
+    }
+    if (low == high || study.sound(low).empty() || study.sound(high).empty()) return {};
+    const LevelMeans a = means_of(study.sound(low)), b = means_of(study.sound(high));
+    if (!std::isfinite(a.peak) || !std::isfinite(b.peak)) return {};
+    return {"In short: from " + study.stress_text(low) + " to " + study.stress_text(high) +
+            ", the mean peak force goes from " + fixed(a.peak, 1) + " to " + fixed(b.peak, 1) +
+            " kN, the share of walls that rocked from " + percent(a.rocking) + " to " +
+            percent(b.rocking) + " %, and the share that lost a fifth of their peak force " +
+            "before the push ended from " + percent(a.came_down) + " to " +
+            percent(b.came_down) + " %."};
 }
 
 std::string level_text(const ReportStudy& study, std::size_t level)
@@ -140,6 +186,7 @@ Overview overview(const ReportStudy& study)
 {
     Overview o;
     o.run = what_was_run(study);
+    o.found = in_short(study);
     for (std::size_t level = 0; level < study.head.levels.size(); ++level)
         o.found.push_back(level_text(study, level));
     o.sure = how_sure(study);

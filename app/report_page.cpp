@@ -1,10 +1,13 @@
 #include "app/report_page.hpp"
 
 #include "app/report_assets.hpp"
+#include "app/report_bytes.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 namespace app {
 
@@ -48,7 +51,15 @@ std::string script_json(const nlohmann::ordered_json& data)
     return out;
 }
 
-std::string report_page(const std::string& title, const nlohmann::ordered_json& data)
+std::string packed(const nlohmann::ordered_json& data)
+{
+    const std::string text = script_json(data);
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    return base64(deflated(bytes));
+}
+
+std::string report_page(const std::string& title, const nlohmann::ordered_json& data,
+                        const nlohmann::ordered_json& films)
 {
     const auto content = [&](std::string_view name) -> std::string {
         if (name == "title") return html_text(title);
@@ -56,7 +67,8 @@ std::string report_page(const std::string& title, const nlohmann::ordered_json& 
         if (name == "chart_style") return std::string(chart_style());
         if (name == "chart_script") return std::string(chart_script());
         if (name == "script") return std::string(report_script());
-        if (name == "data") return script_json(data);
+        if (name == "data") return packed(data);
+        if (name == "films") return script_json(films);
         throw std::logic_error("report page: no content for " + std::string(name));
     };
     std::string_view rest = report_page_html();

@@ -5,9 +5,7 @@
 #include "app/wall_draw.hpp"
 #include "dem/ensemble.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -69,27 +67,6 @@ std::vector<dem::Snapshot> frames_of(dem::PushResult&& result)
 
 } // namespace
 
-std::vector<std::size_t> walls_to_show(const ReportStudy& study, std::size_t most)
-{
-    std::map<std::pair<std::uint32_t, bool>, std::vector<std::size_t>> groups;
-    for (std::size_t i = 0; i < study.walls.size(); ++i) {
-        const ReportWall& w = study.walls[i];
-        if (!w.failed) groups[{w.row.key.level, w.rocking}].push_back(i);
-    }
-    std::vector<std::size_t> chosen;
-    bool any = true;
-    for (std::size_t turn = 0; any && chosen.size() < most; ++turn) {
-        any = false;
-        for (const auto& [key, walls] : groups) {
-            if (turn >= walls.size() || chosen.size() >= most) continue;
-            chosen.push_back(walls[turn]);
-            any = true;
-        }
-    }
-    std::sort(chosen.begin(), chosen.end());
-    return chosen;
-}
-
 Replay replay(const ReportStudy& r, const std::vector<std::size_t>& walls, int threads,
               const std::function<void(double)>& seen)
 {
@@ -117,6 +94,19 @@ Replay replay(const ReportStudy& r, const std::vector<std::size_t>& walls, int t
     };
     dem::push_ensemble(model, ensemble, film_plan(study), study.solver, {threads});
     return all;
+}
+
+void keep_first(Replay& replay, std::size_t bytes)
+{
+    std::size_t kept = 0;
+    for (const Film& film : replay.films) {
+        const std::size_t size = film.data.size() + kFilmEntryBytes;
+        if (size > bytes) break;
+        bytes -= size;
+        ++kept;
+    }
+    replay.walls.resize(kept);
+    replay.films.resize(kept);
 }
 
 } // namespace app

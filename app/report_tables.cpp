@@ -102,19 +102,20 @@ Table results_table(const ReportStudy& study)
     return t;
 }
 
-Table walls_table(const ReportStudy& study, std::size_t most)
+Table walls_table(const ReportStudy& study, const std::vector<std::size_t>& listed)
 {
     Table t;
     t.caption = "Every wall. \">\": not reached when the push ended.";
-    if (study.walls.size() > most)
-        t.caption = "The first " + std::to_string(most) + " of " +
+    if (study.walls.size() > listed.size())
+        t.caption = std::to_string(listed.size()) + " of " +
                     std::to_string(study.walls.size()) +
-                    " walls. \">\": not reached when the push ended.";
+                    " walls, those of the lowest sample numbers under each stress. \">\": not "
+                    "reached when the push ended. drystone curves gives all.";
     t.head = {"stress [MPa]", "sample", "mode", "peak [kN]", "ultimate [mm]", "cracked units"};
     for (const StoredInput& input : study.inputs)
         t.head.push_back((input.count > 1 ? "mean " : "") + input.key + " [" + input.unit +
                          "]");
-    for (std::size_t i = 0; i < std::min(most, study.walls.size()); ++i) {
+    for (const std::size_t i : listed) {
         const ReportWall& w = study.walls[i];
         std::vector<std::string> row = {number(study.stress(w.row.key.level), 12),
                                         std::to_string(w.row.key.sample),

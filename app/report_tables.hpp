@@ -17,7 +17,9 @@ namespace app {
 /// Forces, displacements and shares of each stress, of all walls and of each mode.
 [[nodiscard]] Table results_table(const ReportStudy& study);
 
-/// One row per wall, failed ones with their reason. At most `most` walls.
-[[nodiscard]] Table walls_table(const ReportStudy& study, std::size_t most);
+/// One row per wall, failed ones with their reason.
+/// @param listed places in ReportStudy::walls
+[[nodiscard]] Table walls_table(const ReportStudy& study,
+                                const std::vector<std::size_t>& listed);
 
 } // namespace app

@@ -159,7 +159,7 @@ export class Capacity {
         e.preventDefault();
     }
 
-    /** The wall that is shown, at displacement d [mm]. */
+    /** The wall that is shown, at displacement d [mm]; null: the page has no film of it. */
     mark(wall, d) {
         this.wall = wall;
         this.at = d;
@@ -182,7 +182,7 @@ export class Capacity {
         const line = (w) => (w === null || w === undefined || !this.walls.includes(w) ? '' : pointsOf(u, this.curves.x, this.curves.forces[w]));
         this.parts.hovered.setAttribute('points', line(this.hovered));
         this.parts.chosen.setAttribute('points', line(this.wall));
-        const f = this.wall !== null && this.walls.includes(this.wall) ? this.force(this.wall, this.at) : null;
+        const f = this.at !== null && this.wall !== null && this.walls.includes(this.wall) ? this.force(this.wall, this.at) : null;
         this.parts.dot.setAttribute('visibility', f === null ? 'hidden' : 'visible');
         if (f === null) return;
         this.parts.dot.setAttribute('cx', u.valToPos(this.at, 'x'));

@@ -6,7 +6,7 @@ const charts = new Set();
 /** Swatch of a line, a band or a point. */
 function swatch(series) {
     const svg = element('svg', { width: 28, height: 12, 'aria-hidden': 'true' });
-    if (series.band) svg.append(element('rect', { x: 0, y: 1, width: 28, height: 10, fill: series.colour, opacity: 0.22 }));
+    if (series.band) svg.append(element('rect', { x: 0, y: 1, width: 28, height: 10, fill: series.colour, opacity: series.faint ? 0.12 : 0.22 }));
     const dash = (series.dash ?? []).join(' ');
     if (series.points) svg.append(element('circle', { cx: 14, cy: 6, r: 4, fill: series.colour }));
     else svg.append(element('line', { x1: 0, x2: 28, y1: 6, y2: 6, stroke: series.colour, 'stroke-width': series.width ?? 2, 'stroke-dasharray': dash }));
@@ -44,7 +44,7 @@ function layers(options) {
             const hidden = { stroke: 'transparent', width: 0, points: { show: false } };
             const lower = add(hidden, s.band[0]);
             const upper = add(hidden, s.band[1]);
-            bands.push({ series: [upper, lower], fill: `${s.colour}33` });
+            bands.push({ series: [upper, lower], fill: `${s.colour}${s.faint ? '1c' : '33'}` });
         }
         if (!s.data) continue;
         add(

@@ -9,7 +9,10 @@ export async function inflate(base64) {
 /** Undoes differences() of app/report_bytes.hpp: `count` numbers from byte `from`, in steps. */
 export function sums(bytes, from, count, length, order) {
     const v = new Int16Array(count);
-    for (let i = 0; i < count; ++i) v[i] = bytes[from + i] | (bytes[from + count + i] << 8);
+    for (let i = 0; i < count; ++i) {
+        const folded = bytes[from + i] | (bytes[from + count + i] << 8);
+        v[i] = (folded >> 1) ^ -(folded & 1);
+    }
     for (let pass = 0; pass < order; ++pass)
         for (let i = 0; i < count; ++i) if (i % length !== 0) v[i] += v[i - 1];
     return v;

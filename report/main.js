@@ -1,6 +1,6 @@
 // Builds the page from its data.
 import { element, section, words } from './format.js';
-import { readCurves } from './data.js';
+import { inflate, readCurves } from './data.js';
 import { Capacity } from './capacity.js';
 import { WallView } from './wall.js';
 import { fragility, modes, histograms, running, sensitivity } from './statistics.js';
@@ -45,7 +45,9 @@ function statistics(data) {
 }
 
 async function start() {
-    const data = JSON.parse(document.getElementById('data').textContent);
+    const text = (id) => document.getElementById(id).textContent;
+    const data = JSON.parse(new TextDecoder().decode(await inflate(text('data'))));
+    data.films = JSON.parse(text('films'));
     overview(data);
     await curvesAndWall(data);
     statistics(data);

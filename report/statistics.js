@@ -39,7 +39,7 @@ function fragilitySeries(data, c, x, alone) {
     const colour = levelColour(c.level);
     const name = data.levels[c.level].name;
     if (!alone && !c.fitted) return [];
-    const fitted = { label: alone ? `${name}: fitted, with 95 % band` : name, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: alone ? [[0, ...c.lower], [0, ...c.upper]] : undefined };
+    const fitted = { label: alone ? `${name}: fitted, with 95 % band` : `${name}, 95 % band`, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: [[0, ...c.lower], [0, ...c.upper]], faint: !alone };
     const series = c.fitted ? [fitted] : [];
     if (!alone) return series;
     if (c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'at most, of modes without a fit', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });

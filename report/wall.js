@@ -154,12 +154,10 @@ export class WallView {
     async open(wall) {
         const stored = this.byWall.get(wall);
         this.play(false);
-        if (!stored) {
-            this.caption.textContent = `${wallName(this.data, wall)} is not among the walls of this page.`;
-            return;
-        }
-        this.film = await readFilm(stored, this.data.films.geometry);
         this.wall = wall;
+        this.enable(stored !== undefined);
+        if (!stored) return this.without(wall);
+        this.film = await readFilm(stored, this.data.films.geometry);
         this.picker.value = String(wall);
         this.largest = this.drawing.largest(this.film);
         const end = Math.max(1e-6, ...[...this.data.films.geometry.blocks.keys()].map((b) => Math.hypot(this.film.motion(b, 0, this.film.frames - 1), this.film.motion(b, 1, this.film.frames - 1))));
@@ -167,6 +165,23 @@ export class WallView {
         this.zoom.range.value = Math.log(this.scale) / Math.log(100);
         this.describe();
         this.go(this.film.frames - 1);
+    }
+
+    /** A wall that the page has no room for, or that failed. */
+    without(wall) {
+        const { level, sample, mode, reason } = this.data.walls[wall];
+        const why = mode === 'failed' ? `failed: ${reason}.` : 'is not among the walls drawn on this page.';
+        this.film = null;
+        this.picker.value = '';
+        this.drawing.svg.setAttribute('aria-label', 'No wall is drawn.');
+        this.caption.replaceChildren(`${wallName(this.data, wall)} ${why} To push and draw it: `, element('code', {}, `drystone push ${this.data.file} --sample ${sample} --level ${this.data.levels[level].stress}`));
+        this.capacity?.mark(wall, null);
+    }
+
+    enable(on) {
+        for (const control of [this.button, this.place.range, this.zoom.range]) control.disabled = !on;
+        this.drawing.svg.classList.toggle('absent', !on);
+        this.keys.hidden = !on;
     }
 
     describe() {

@@ -24,8 +24,10 @@ std::vector<int> sums(const std::vector<std::uint8_t>& bytes, std::size_t length
 {
     const std::size_t n = bytes.size() / 2;
     std::vector<std::int16_t> v(n);
-    for (std::size_t i = 0; i < n; ++i)
-        v[i] = static_cast<std::int16_t>(bytes[i] | bytes[n + i] << 8);
+    for (std::size_t i = 0; i < n; ++i) {
+        const int folded = bytes[i] | bytes[n + i] << 8;
+        v[i] = static_cast<std::int16_t>(folded % 2 == 0 ? folded / 2 : -(folded + 1) / 2);
+    }
     for (int pass = 0; pass < order; ++pass)
         for (std::size_t i = 0; i < n; ++i)
             if (i % length != 0) v[i] = static_cast<std::int16_t>(v[i] + v[i - 1]);
@@ -85,8 +87,10 @@ TEST_CASE(
     const std::vector<std::uint8_t> bytes = app::differences(x, 10, 1.0, 2);
     for (std::size_t i = 0; i < x.size(); ++i) {
         if (i % 10 > 1) CHECK(bytes[i] == 0);
-        CHECK(bytes[x.size() + i] == (i % 10 == 1 ? 0xff : 0)); // 3 - 5 = -2
+        CHECK(bytes[x.size() + i] == 0);
     }
+    CHECK(bytes[0] == 10); // 5, and then 3 - 5 = -2
+    CHECK(bytes[1] == 3);
 }
 
 TEST_CASE("report bytes: what is too large stops at the end, what is no number is 0",
