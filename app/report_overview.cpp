@@ -38,14 +38,23 @@ std::string listed_keys(const ReportStudy& study)
     return text;
 }
 
+/// Where the push goes; targets [m].
+std::string way_text(const std::vector<double>& targets)
+{
+    const auto [low, high] = std::minmax_element(targets.begin(), targets.end());
+    const std::string farthest = number(1e3 * std::max(std::abs(*low), std::abs(*high)), 4);
+    if (*low < 0.0 && *high > 0.0) return " to and fro, at most " + farthest + " mm";
+    return " up to " + farthest + " mm";
+}
+
 std::string wall_text(const Study& study)
 {
     const double height = study.wall.courses * study.wall.course_height;
     return "a wall of " + fixed(study.wall.length, 2) + " m × " + fixed(height, 2) + " m × " +
            fixed(study.wall.thickness, 2) + " m in " +
            count_of(static_cast<std::size_t>(study.wall.courses), "course") +
-           ", pushed sideways at a height of " + fixed(study.load.height, 2) + " m up to " +
-           fixed(study.load.max_displacement * 1e3, 0) + " mm";
+           ", pushed sideways at a height of " + fixed(study.load.height, 2) + " m" +
+           way_text(push_plan(study).targets);
 }
 
 std::vector<std::string> what_was_run(const ReportStudy& study)
@@ -84,7 +93,7 @@ LevelMeans means_of(const std::vector<const ReportWall*>& walls)
     return {m.peak / n, m.rocking / n, m.came_down / n};
 }
 
-/// Lowest and highest stress side by side; nothing where one of them has no walls.
+/// Lowest and highest stress side by side; nothing where one of them has few walls.
 std::vector<std::string> in_short(const ReportStudy& study)
 {
     const std::size_t levels = study.head.levels.size();
@@ -93,7 +102,9 @@ std::vector<std::string> in_short(const ReportStudy& study)
         if (study.stress(i) < study.stress(low)) low = i;
         if (study.stress(i) > study.stress(high)) high = i;
     }
-    if (low == high || study.sound(low).empty() || study.sound(high).empty()) return {};
+    constexpr std::size_t kFewest = 5; // shares of fewer say nothing
+    if (low == high || study.sound(low).size() < kFewest || study.sound(high).size() < kFewest)
+        return {};
     const LevelMeans a = means_of(study.sound(low)), b = means_of(study.sound(high));
     if (!std::isfinite(a.peak) || !std::isfinite(b.peak)) return {};
     return {"In short: from " + study.stress_text(low) + " to " + study.stress_text(high) +
@@ -110,8 +121,9 @@ std::string level_text(const ReportStudy& study, std::size_t level)
     if (walls.empty()) return study.stress_text(level) + ": no wall gave a result.";
     std::vector<double> peaks;
     double rocking = 0.0;
-    std::size_t came_down = 0;
+    std::size_t came_down = 0, known = 0;
     for (const ReportWall* w : walls) {
+        known += w->reading == fragility::Reading::not_defined ? 0 : 1;
         if (std::isfinite(w->peak)) peaks.push_back(w->peak * 1e-3);
         rocking += w->rocking ? 1.0 : 0.0;
         came_down += w->reading == fragility::Reading::observed ? 1 : 0;
@@ -132,8 +144,10 @@ std::string level_text(const ReportStudy& study, std::size_t level)
     const fragility::Share s = fragility::share(rocking, static_cast<double>(walls.size()),
                                                 static_cast<double>(failed));
     return text + percent(s.value) + " % rocked [" + percent(s.bounds.lower) + ", " +
-           percent(s.bounds.upper) + "]; " + std::to_string(came_down) + " of " +
-           std::to_string(walls.size()) + " lost a fifth of their peak before the push ended.";
+           percent(s.bounds.upper) + "]" +
+           (known == 0 ? "."
+                       : "; " + std::to_string(came_down) + " of " + std::to_string(known) +
+                             " lost a fifth of their peak before the push ended.");
 }
 
 /// "2 walls failed: ... (0.75 MPa sample 17, ...)" for each reason.

@@ -63,20 +63,21 @@ export class Capacity {
 
     /** Walls of the level by peak force. */
     members() {
-        const walls = this.data.walls.map((wall, w) => w).filter((w) => this.data.walls[w].level === this.level && this.curves.forces[w]?.[1] !== null);
+        const walls = this.data.walls.map((wall, w) => w).filter((w) => this.data.walls[w].level === this.level && this.curves.counts[w] > 1);
         return walls.sort((a, b) => this.data.walls[a].peak - this.data.walls[b].peak);
     }
 
     drawWalls(level) {
         const walls = this.members();
         const thin = walls.length > 100 ? 0.35 : 0.6;
-        const series = walls.map((w) => ({ data: this.curves.forces[w], colour: colours[this.data.walls[w].mode], width: 1, alpha: thin }));
+        const series = walls.map((w) => ({ data: this.curves.forces(w), colour: colours[this.data.walls[w].mode], width: 1, alpha: thin }));
         const means = this.data.means.filter((m) => m.level === level && m.mode !== 'all');
         for (const m of means) series.push(this.meanSeries(m, colours[m.mode], [], `mean of ${m.walls} ${m.mode} walls`));
         this.walls = walls;
         this.drawn = this.plotChart(series, `Force against displacement of ${walls.length} walls under ${this.data.levels[level].name}`);
         const keys = ['rocking', 'mixed', 'failed'].filter((mode) => walls.some((w) => this.data.walls[w].mode === mode));
-        this.legend.replaceChildren(key([...keys.map((m) => ({ label: `${m} wall`, colour: colours[m], width: 1 })), ...series.filter((s) => s.label)]));
+        this.legend.replaceChildren(key([...keys.map((m) => ({ label: `${m} wall`, colour: colours[m], width: 1 })), ...series.filter((s) => s.label)]),
+            element('p', { class: 'note' }, walls.length ? '' : 'No wall under this stress gave a curve.'));
         this.watch();
     }
 
@@ -87,7 +88,7 @@ export class Capacity {
             this.meanSeries(m, levelColour(m.level), m.mode === 'rocking' ? [] : [7, 4], `${this.data.levels[m.level].name}, ${m.walls} ${m.mode}`),
         );
         this.drawn = this.plotChart(series, 'Mean force against displacement of each stress and mode, with 95 % intervals of the mean');
-        this.legend.replaceChildren(key(series));
+        this.legend.replaceChildren(key(series), element('p', { class: 'note' }, series.length ? '' : 'No means: they need two walls of a mode.'));
     }
 
     /** The mean on the displacements of the chart. */
@@ -98,7 +99,8 @@ export class Capacity {
     }
 
     plotChart(series, label) {
-        const top = Math.max(...series.flatMap((s) => [...(s.data ?? []), ...(s.band?.[1] ?? [])].filter((f) => f !== null)), 1);
+        const lines = series.flatMap((s) => [s.data, s.band?.[1]]).filter((values) => values);
+        const top = lines.reduce((most, values) => values.reduce((m, f) => Math.max(m, f ?? 0), most), 1);
         const drawn = chart(this.plot, {
             label, series, x: this.curves.x, height: 400, xLabel: 'displacement [mm]', yLabel: 'horizontal force [kN]',
             yRange: [0, top * 1.05], xRange: [0, this.curves.x.at(-1)],
@@ -127,7 +129,7 @@ export class Capacity {
         let best = null;
         let distance = 30;
         for (const w of this.walls) {
-            const f = this.curves.forces[w][i];
+            const f = this.curves.forces(w)[i];
             if (f === null) continue;
             const d = Math.abs(u.valToPos(f, 'y') - top);
             if (d < distance) [best, distance] = [w, d];
@@ -170,7 +172,7 @@ export class Capacity {
 
     force(wall, d) {
         const t = d / this.curves.x[1];
-        const forces = this.curves.forces[wall];
+        const forces = this.curves.forces(wall);
         // the last point of a curve lies half an interval before its end
         return interpolate(forces, t) ?? forces.findLast((f) => f !== null) ?? null;
     }
@@ -179,7 +181,7 @@ export class Capacity {
         if (!this.drawn || !this.parts) return;
         const { u } = this.drawn;
         if (!Number.isFinite(u.valToPos(0, 'x'))) return; // a new chart: it calls again when it is drawn
-        const line = (w) => (w === null || w === undefined || !this.walls.includes(w) ? '' : pointsOf(u, this.curves.x, this.curves.forces[w]));
+        const line = (w) => (w === null || w === undefined || !this.walls.includes(w) ? '' : pointsOf(u, this.curves.x, this.curves.forces(w)));
         this.parts.hovered.setAttribute('points', line(this.hovered));
         this.parts.chosen.setAttribute('points', line(this.wall));
         const f = this.at !== null && this.wall !== null && this.walls.includes(this.wall) ? this.force(this.wall, this.at) : null;

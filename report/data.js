@@ -1,7 +1,9 @@
 // From the text in the page to numbers.
 
 export async function inflate(base64) {
-    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const text = atob(base64);
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
     return new Uint8Array(await new Response(stream).arrayBuffer());
 }
@@ -18,15 +20,19 @@ export function sums(bytes, from, count, length, order) {
     return v;
 }
 
-/** Forces in kN, one list for each wall; null where a wall is not pushed any more. */
+/** Forces of a wall in kN, null where it is not pushed any more: force(w), a list on the displacements x [mm]. */
 export async function readCurves(curves) {
     const n = curves.points;
     const steps = sums(await inflate(curves.data), 0, n * curves.counts.length, n, 1);
     const x = Array.from({ length: n }, (_, i) => i * curves.step * 1e3);
-    const forces = curves.counts.map((count, w) =>
-        Array.from({ length: n }, (_, i) => (i < count ? steps[w * n + i] * curves.force_step * 1e-3 : null)),
-    );
-    return { x, forces };
+    const known = new Map();
+    const read = (w) => {
+        const forces = new Array(n).fill(null);
+        for (let i = 0; i < curves.counts[w]; ++i) forces[i] = steps[w * n + i] * curves.force_step * 1e-3;
+        known.set(w, forces);
+        return forces;
+    };
+    return { x, counts: curves.counts, forces: (w) => known.get(w) ?? read(w) };
 }
 
 /** Motion of one wall: displacement of the load [m], six numbers of each block [m], damage of each crack. */

@@ -17,7 +17,7 @@ async function curvesAndWall(data) {
     const left = element('div', { class: 'curves' });
     const right = element('div', { class: 'view', id: 'wall' });
     section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right),
-        note('Click a curve to see its wall. Bands: 95 % interval of the mean, of five walls or more; means end where fewer than nine tenths of their walls go on.'),
+        data.curves && note('Click a curve to see its wall. Bands: 95 % interval of the mean, of five walls or more; means end where fewer than nine tenths of their walls go on.'),
         note(data.films.note));
     let view = null;
     let capacity = null;

@@ -27,7 +27,8 @@ export function fragility(data, host) {
         const series = curves.flatMap((c) => fragilitySeries(data, c, x, chosen !== 'all'));
         drawn = chart(where, { label: `Probability of the ultimate limit state against drift, ${chosen === 'all' ? 'all stresses' : data.levels[chosen].name}`, x, series, xLabel: 'drift [%]', yLabel: 'probability', yRange: [0, 1], height: 360, tip: (i) => tipText(series, x, i) });
         const without = curves.filter((c) => !c.fitted).map((c) => data.levels[c.level].name);
-        legend.replaceChildren(key(series), element('p', { class: 'note' }, without.length ? `No fit: ${without.join(', ')}.` : ''));
+        const none = series.length ? '' : ' No wall is known to have come down.';
+        legend.replaceChildren(key(series), element('p', { class: 'note' }, without.length ? `No fit: ${without.join(', ')}.${none}` : ''));
         fits.replaceChildren(...curves.flatMap((c) => c.fits.map((f) => element('li', {}, `${data.levels[c.level].name}, ${f}`))));
     };
     const options = [{ value: 'all', text: 'all' }, ...data.fragility.map((c) => ({ value: c.level, text: data.levels[c.level].name }))];
@@ -38,15 +39,15 @@ export function fragility(data, host) {
 function fragilitySeries(data, c, x, alone) {
     const colour = levelColour(c.level);
     const name = data.levels[c.level].name;
-    if (!alone && !c.fitted) return [];
     const fitted = { label: alone ? `${name}: fitted, with 95 % band` : `${name}, 95 % band`, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: [[0, ...c.lower], [0, ...c.upper]], faint: !alone };
     const series = c.fitted ? [fitted] : [];
-    if (!alone) return series;
-    if (c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'at most, of modes without a fit', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
+    if (!alone && c.fitted) return series;
+    if (c.fitted && c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'at most, of modes without a fit', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
     if (c.steps.length) {
-        const at = [0, ...c.steps.map((s) => s[0]), c.known_to];
-        const p = [0, ...c.steps.map((s) => s[1]), c.steps.at(-1)[1]];
-        series.push({ label: 'share of the walls (Kaplan-Meier)', colour: '#222222', width: 1.2, data: resample(x, at, p, true) });
+        const last = c.steps.at(-1)[1];
+        const at = [0, ...c.steps.map((s) => s[0]), last === 1 ? x.at(-1) : c.known_to]; // all down: for good
+        const p = [0, ...c.steps.map((s) => s[1]), last];
+        series.push({ label: `${alone ? '' : `${name}: `}share of the walls (Kaplan-Meier)`, colour: alone ? '#222222' : colour, dash: alone ? [] : dashOf(c.level), width: 1.2, data: resample(x, at, p, true) });
     }
     return series;
 }
@@ -112,7 +113,7 @@ export function running(data, host) {
         const series = lines.map((r, i) => ({ label: words(r.key), colour: levelColour(i), dash: dashOf(i), data: padded(r.error) }));
         const peak = lines.find((r) => r.key === 'peak force');
         if (peak) series.unshift({ label: 'peak force: 95 % band of independent samples', colour: '#767676', width: 0, band: [padded(peak.band.map((b) => -b)), padded(peak.band)] });
-        const most = Math.max(...series.flatMap((s) => (s.data ?? []).slice(Math.min(4, n - 1)).map((v) => Math.abs(v ?? 0))), 1);
+        const most = Math.max(...series.flatMap((s) => (s.data ?? []).slice(Math.min(4, Math.floor(n / 10))).map((v) => Math.abs(v ?? 0))), 1);
         drawn = chart(where, { label: `Error of the mean after a number of walls, ${data.levels[level].name}`, x, series, xLabel: 'walls', wholeX: true, yLabel: 'error of the mean [%]', height: 320, yRange: [-1.15 * most, 1.15 * most] });
         legend.replaceChildren(key(series));
     };

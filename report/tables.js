@@ -28,14 +28,17 @@ function copyButtons(forms, name) {
 
 export function table(t) {
     const cells = (name, row) => row.map((c) => element(name, name === 'th' ? { scope: 'col' } : {}, c));
-    const body = element('table', {},
-        element('thead', {}, element('tr', {}, ...cells('th', t.head))),
-        element('tbody', {}, ...t.rows.map((row) => element('tr', {}, ...cells('td', row)))));
+    const rows = element('tbody', {});
+    const fill = () => rows.childElementCount || rows.append(...t.rows.map((row) => element('tr', {}, ...cells('td', row))));
+    const body = element('table', {}, element('thead', {}, element('tr', {}, ...cells('th', t.head))), rows);
     const forms = [['text', t.text], ['CSV', t.csv], ['Markdown', t.markdown], ['LaTeX', t.latex]];
     const content = [element('p', { class: 'note' }, t.caption), copyButtons(forms, `the table ${t.title}`),
         element('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': t.title }, body)];
-    if (t.rows.length <= 30) return element('div', { id: `table-${t.id}` }, element('h3', {}, t.title), ...content);
-    return element('details', { id: `table-${t.id}` }, element('summary', {}, `${t.title}: ${t.rows.length} rows`), ...content);
+    if (t.rows.length <= 30) {
+        fill();
+        return element('div', { id: `table-${t.id}` }, element('h3', {}, t.title), ...content);
+    }
+    return element('details', { id: `table-${t.id}`, ontoggle: fill }, element('summary', {}, `${t.title}: ${t.rows.length} rows`), ...content);
 }
 
 export function provenance(data, host) {

@@ -155,9 +155,11 @@ export class WallView {
         const stored = this.byWall.get(wall);
         this.play(false);
         this.wall = wall;
-        this.enable(stored !== undefined);
         if (!stored) return this.without(wall);
-        this.film = await readFilm(stored, this.data.films.geometry);
+        const film = await readFilm(stored, this.data.films.geometry);
+        if (this.wall !== wall) return; // another was chosen meanwhile
+        this.film = film;
+        this.enable(true);
         this.picker.value = String(wall);
         this.largest = this.drawing.largest(this.film);
         const end = Math.max(1e-6, ...[...this.data.films.geometry.blocks.keys()].map((b) => Math.hypot(this.film.motion(b, 0, this.film.frames - 1), this.film.motion(b, 1, this.film.frames - 1))));
@@ -172,6 +174,7 @@ export class WallView {
         const { level, sample, mode, reason } = this.data.walls[wall];
         const why = mode === 'failed' ? `failed: ${reason}.` : 'is not among the walls drawn on this page.';
         this.film = null;
+        this.enable(false);
         this.picker.value = '';
         this.drawing.svg.setAttribute('aria-label', 'No wall is drawn.');
         this.caption.replaceChildren(`${wallName(this.data, wall)} ${why} To push and draw it: `, element('code', {}, `drystone push ${this.data.file} --sample ${sample} --level ${this.data.levels[level].stress}`));

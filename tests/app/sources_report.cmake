@@ -1,8 +1,10 @@
 drystone_tests(app_report
     SOURCES
         app/test_report_bytes.cpp
+        app/test_report_choice.cpp
         app/test_report_curves.cpp
         app/test_report_film.cpp
+        app/test_report_overview.cpp
         app/test_report_page.cpp
         app/test_report_study.cpp
         scenes/snapshot_scenes.cpp

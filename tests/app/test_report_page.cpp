@@ -1,5 +1,6 @@
 #include "app/report_assets.hpp"
 #include "app/report_page.hpp"
+#include "scenes/base64_text.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -7,6 +8,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+
+#include <zlib.h>
 
 using Json = nlohmann::ordered_json;
 
@@ -28,10 +31,29 @@ TEST_CASE("report page: numbers that are none are null; bytes that are no text d
     CHECK(Json::parse(app::script_json({{"x", "a\xff"}}))["x"] == "a\xef\xbf\xbd");
 }
 
+TEST_CASE("report page: packed data unpack to the same JSON, without a NaN, in less room",
+          "[app][report_page]")
+{
+    Json data = {{"x", std::nan("")}, {"text", Json::array()}};
+    for (int i = 0; i < 200; ++i) data["text"].push_back("</script> the same again");
+    const std::string text = app::packed(data);
+    CHECK(text.find('<') == std::string::npos);
+    CHECK(text.size() < 600);
+    const auto bytes = scenes::bytes_of_base64(text);
+    std::string back(100'000, ' ');
+    uLongf size = back.size();
+    REQUIRE(uncompress(reinterpret_cast<Bytef*>(back.data()), &size, bytes.data(),
+                       bytes.size()) == Z_OK);
+    const Json read = Json::parse(back.substr(0, size));
+    CHECK(read["x"].is_null());
+    CHECK(read["text"] == data["text"]);
+}
+
 TEST_CASE("report page: a title is text, whatever it is", "[app][report_page]")
 {
     CHECK(app::html_text(R"(a<b>&"c")") == "a&lt;b&gt;&amp;&quot;c&quot;");
-    const std::string page = app::report_page("<script>alert(1)</script>", Json::object());
+    const std::string page =
+        app::report_page("<script>alert(1)</script>", Json::object(), Json::object());
     CHECK(page.find("<script>alert") == std::string::npos);
     CHECK(page.find("<title>&lt;script&gt;") != std::string::npos);
 }
@@ -39,7 +61,7 @@ TEST_CASE("report page: a title is text, whatever it is", "[app][report_page]")
 TEST_CASE("report page: every place of the page is filled, data are not read as places",
           "[app][report_page]")
 {
-    const std::string page = app::report_page("t", {{"x", "{{title}}"}});
+    const std::string page = app::report_page("t", Json::object(), {{"x", "{{title}}"}});
     CHECK(page.find("{\"x\":\"{{title}}\"}") != std::string::npos);
     CHECK(page.find("{{style}}") == std::string::npos);
     CHECK(page.find("{{data}}") == std::string::npos);
@@ -50,7 +72,7 @@ TEST_CASE("report page: the page asks for nothing from elsewhere and keeps the l
           "charts",
           "[app][report_page]")
 {
-    const std::string page = app::report_page("t", Json::object());
+    const std::string page = app::report_page("t", Json::object(), Json::object());
     for (const char* const asking : {"src=\"", "<link", "@import", "url(", "fetch(", "XMLHttp"})
         CHECK(page.find(asking) == std::string::npos);
     CHECK(page.find("default-src 'none'") != std::string::npos);

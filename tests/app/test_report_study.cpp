@@ -1,3 +1,4 @@
+#include "app/report_choice.hpp"
 #include "app/report_data.hpp"
 #include "app/report_replay.hpp"
 #include "app/report_scene.hpp"
@@ -38,24 +39,6 @@ TEST_CASE("report configuration: values that follow from drawn ones still follow
     CHECK(a.joints.front().ks == b.joints.front().ks);
 }
 
-TEST_CASE("report replay: walls are taken in turns from each stress and mode",
-          "[app][report_study]")
-{
-    app::ReportStudy study;
-    for (std::uint32_t level = 0; level < 2; ++level)
-        for (std::uint32_t sample = 0; sample < 10; ++sample) {
-            app::ReportWall w;
-            w.row.key = {level, sample};
-            w.rocking = sample == 7;
-            w.failed = sample == 0;
-            study.walls.push_back(w);
-        }
-    CHECK(app::walls_to_show(study, 4) == std::vector<std::size_t>{1, 7, 11, 17});
-    CHECK(app::walls_to_show(study, 7) == std::vector<std::size_t>{1, 2, 3, 7, 11, 12, 17});
-    CHECK(app::walls_to_show(study, 100).size() == 18);
-    CHECK(app::walls_to_show(study, 0).empty());
-}
-
 TEST_CASE("report replay: stored walls pushed again are those stored, to the bit",
           "[app][report_study]")
 {
@@ -83,7 +66,7 @@ TEST_CASE("report data: failed walls are named with their reason, and in no mean
     const auto file = folder.path / "small.h5";
     scenes::run_study(file, "samples = 6", "</script> the numbers broke");
     const app::ReportStudy study = app::read_report_study(file);
-    const auto data = app::report_data(study, {}, "note");
+    const auto data = app::report_data(study, app::walls_to_list(study, 100));
     const std::string sure = data["overview"]["sure"].dump();
     CHECK(sure.find("1 wall failed: </script> the numbers broke (1.00 MPa sample 5)") !=
           std::string::npos);
@@ -107,9 +90,10 @@ TEST_CASE("report data: bad numbers of the study file do not stop the page",
     study.study.reset();
     study.no_study = "of another version";
     for (app::StoredInput& input : study.inputs) input.marginal.reset();
-    const auto data = app::report_data(study, {}, "note");
+    const std::vector<std::size_t> listed = {0, 1};
+    const auto data = app::report_data(study, listed);
     CHECK(data["running"].empty());
-    CHECK(data["films"]["films"].empty());
+    CHECK(app::films_json(study, listed, {}, "note")["films"].empty());
     study.walls.clear();
-    CHECK_NOTHROW(app::report_data(study, {}, ""));
+    CHECK_NOTHROW(app::report_data(study, {}));
 }

@@ -1,6 +1,6 @@
 // node test_page.mjs CHROMIUM FOLDER CLAIM: opens FOLDER/small.html and checks one claim. Exit 1 if it does not hold.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { statSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { openPage } from './browser.mjs';
 
@@ -23,22 +23,28 @@ async function withPage(options, check, file = small) {
 
 const outlines = `[...document.querySelectorAll('.wall .stones polygon')].map((p) => p.getAttribute('points')).join(' ')`;
 const caption = `document.querySelector('.view figcaption').textContent`;
+const data = `(async () => {
+    const bytes = Uint8Array.from(atob(document.getElementById('data').textContent), (c) => c.charCodeAt(0));
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).text();
+})()`;
+const sections = `[...document.querySelectorAll('section')].map((s) => s.id)`;
+const kSections = ['overview', 'curves', 'fragility', 'modes', 'inputs', 'running', 'sensitivity', 'walls', 'provenance'];
+const visibleText = `document.body.innerText + [...document.querySelectorAll('svg *')].flatMap((e) => [...e.attributes].map((a) => a.value)).join(' ')`;
+const kNoNumber = /\b(NaN|Infinity|undefined|null|inf|nan)\b/;
 const press = (selector) => `document.querySelector(${JSON.stringify(selector)}).click()`;
 const button = (within, text) => `[...document.querySelectorAll('${within} button')].find((b) => b.textContent === '${text}')`;
 
 claims['opens within two seconds without error and without network'] = () =>
     withPage({}, async (page, seconds) => {
         assert.ok(seconds < 2, `${seconds} s`);
-        const sections = await page.evaluate(`[...document.querySelectorAll('section')].map((s) => s.id)`);
-        assert.deepEqual(sections, ['overview', 'curves', 'fragility', 'modes', 'inputs', 'running', 'sensitivity', 'walls', 'provenance']);
+        assert.deepEqual(await page.evaluate(sections), kSections);
         assert.equal(await page.evaluate(`document.querySelector('[role=alert]')`), null);
     });
 
 claims['no number on the page is NaN or infinite and no value is undefined'] = () =>
     withPage({}, async (page) => {
-        const text = await page.evaluate(`document.body.innerText + [...document.querySelectorAll('svg *')].flatMap((e) => [...e.attributes].map((a) => a.value)).join(' ')`);
-        assert.doesNotMatch(text, /\b(NaN|Infinity|undefined|null|inf|nan)\b/);
-        assert.doesNotMatch(await page.evaluate(`document.getElementById('data').textContent`), /NaN|Infinity/);
+        assert.doesNotMatch(await page.evaluate(visibleText), kNoNumber);
+        assert.doesNotMatch(await page.evaluate(data), /NaN|Infinity/);
     });
 
 claims['a click on a curve shows its wall'] = () =>
@@ -157,6 +163,8 @@ claims['paper shows curves and tables and no buttons'] = () =>
         await page.send('Emulation.setEmulatedMedia', { media: 'print' });
         assert.equal(await page.evaluate(`getComputedStyle(document.querySelector('.controls')).display`), 'none');
         assert.notEqual(await page.evaluate(`getComputedStyle(document.querySelector('#table-results table')).display`), 'none');
+        const named = await page.evaluate(`[...document.querySelectorAll('#fragility .choice button')].filter((b) => getComputedStyle(b).display !== 'none').map((b) => b.textContent)`);
+        assert.deepEqual(named, ['all']); // which stress a chart shows stays on paper
         const pdf = await page.pdf();
         assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
         const pages = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length;
@@ -175,9 +183,69 @@ claims['every control and picture has a name'] = () =>
 claims['a page of few walls says so and says which'] = () =>
     withPage({}, async (page) => {
         assert.equal(await page.evaluate(`document.querySelectorAll('#wall-choice option').length`), 3);
-        assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /3 of 24 walls can be looked at: taken in turns/);
-        assert.ok(readFileSync(`${folder}/few.html`).length < readFileSync(small).length);
+        assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /3 of 24 walls can be looked at, taken in turns/);
+        assert.ok(statSync(`${folder}/few.html`).size < statSync(small).size);
     }, `${folder}/few.html`);
+
+claims['a wall that the page has no room for is named with the command that draws it'] = () =>
+    withPage({}, async (page) => {
+        await page.evaluate(`document.querySelector('.curves .plot').focus()`);
+        for (let i = 0; i < 4; ++i) await page.press('ArrowRight'); // one of four is not among three
+        for (let i = 0; i < 4 && !/drystone push/.test(await page.evaluate(caption)); ++i) {
+            await page.press('ArrowRight');
+            await page.press('Enter');
+            await page.sleep(200);
+        }
+        const asked = await page.evaluate(`document.querySelector('.spoken').textContent.split('\\n')[0]`);
+        const [, stress, sample] = asked.match(/^([0-9.]+) MPa, sample (\d+)$/);
+        const said = await page.evaluate(caption);
+        assert.ok(said.startsWith(`${asked} is not among the walls`), said);
+        assert.ok(said.endsWith(`drystone push small.h5 --sample ${sample} --level ${Number(stress)}`), said);
+        assert.equal(await page.evaluate(`document.querySelector('.play').disabled && document.getElementById('push').disabled`), true);
+        await page.evaluate(`(() => { const s = document.getElementById('wall-choice'); s.selectedIndex = 0; s.dispatchEvent(new Event('change')); })()`);
+        await page.until(`!document.querySelector('.play').disabled`, 5);
+        await page.until(`/: 6\\.0 mm, drift/.test(${caption})`, 5);
+    }, `${folder}/few.html`);
+
+claims['a page of many walls stays under 5 MB, opens within two seconds and has walls of each stress'] = () =>
+    withPage({}, async (page, seconds) => {
+        const size = statSync(`${folder}/many.html`).size;
+        assert.ok(size < 5e6, `${size} bytes`);
+        assert.ok(seconds < 2, `${seconds} s`);
+        assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /[0-9]+ of 4400 walls can be looked at, taken in turns/);
+        assert.match(await page.evaluate(`document.getElementById('walls').textContent`), /4000 of 4400 walls, those of the lowest sample numbers/);
+        const films = await page.evaluate(`[...document.querySelectorAll('#wall-choice optgroup')].map((g) => g.children.length)`);
+        assert.equal(films.length, 2);
+        assert.ok(films.every((n) => n >= 300), `${films}`);
+        const curves = JSON.parse(await page.evaluate(data)).walls.filter((w) => w.level === 1);
+        assert.equal(curves.length, 2000);
+    }, `${folder}/many.html`);
+
+// what their overview says, and sections where nothing can be shown
+const others = {
+    one_stress: { overview: /6 walls under one vertical stress, 0\.50 MPa/ },
+    nothing_random: { overview: /Nothing was drawn at random/, inputs: /Nothing was random/, running: /Too few walls/, fragility: /No fit: 0\.50 MPa, 1\.00 MPa/ },
+    spatial: { overview: /one value per joint/ },
+    shard: { overview: /are not in the file: it is not finished, or a shard/, provenance: /1 of 3/ },
+    some_failed: { overview: /walls failed: solver\.most_steps were not enough/ },
+    all_failed: { overview: /no wall gave a result/, curves: /No wall under this stress gave a curve/, modes: /No wall gave a result/ },
+    cyclic: { overview: /to and fro, at most 3 mm/, curves: /The push turns back/ },
+};
+
+async function checkOther(page, said) {
+    assert.equal(await page.evaluate(`document.querySelector('[role=alert]')`), null);
+    assert.deepEqual(await page.evaluate(sections), kSections);
+    for (const [id, text] of Object.entries(said)) assert.match(await page.evaluate(`document.getElementById('${id}').innerText`), text);
+    const buttons = await page.evaluate(`document.querySelectorAll('main .choice button').length`);
+    for (let b = 0; b < buttons; ++b) {
+        await page.evaluate(`document.querySelectorAll('main .choice button')[${b}].click()`);
+        assert.doesNotMatch(await page.evaluate(visibleText), kNoNumber);
+    }
+}
+
+claims['pages of other studies open, say what they lack, and all their buttons work'] = async () => {
+    for (const [name, said] of Object.entries(others)) await withPage({}, (page) => checkOther(page, said), `${folder}/${name}.html`);
+};
 
 if (!claims[claim]) throw new Error(`no claim "${claim}"`);
 await claims[claim]();

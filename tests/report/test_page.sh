@@ -15,9 +15,28 @@ if [[ $1 == pages ]]; then
     drystone=$2 folder=$3
     rm -rf -- "$folder"
     mkdir -p -- "$folder"
-    "$drystone" study "$here/../study/small.ini" --set uq.samples=12 --out "$folder/small.h5" --quiet
-    "$drystone" report "$folder/small.h5" --out "$folder/small.html" --quiet
+    small=$here/../study/small.ini
+    # page NAME [options of study]: exit 1 of study is that of walls that failed, and of a push that turns back
+    page() {
+        local name=$1
+        shift
+        "$drystone" study "$folder/study.ini" --out "$folder/$name.h5" --quiet "$@" >"$folder/$name.txt" || [[ $? == 1 ]]
+        "$drystone" report "$folder/$name.h5" --out "$folder/$name.html" --quiet
+    }
+    cp -- "$small" "$folder/study.ini"
+    page small --set uq.samples=12
     "$drystone" report "$folder/small.h5" --out "$folder/few.html" --walls 3 --quiet
+    page one_stress --set uq.samples=6 --set load.vertical_stress="0.5 MPa" --set joint.wall_modulus="768 MPa"
+    page nothing_random --set uq.samples=1 --set joint.friction_angle="31.8 deg" \
+        --set joint.stiffness_factor=1 --set unit.tensile_strength="3.7 MPa"
+    page spatial --set uq.samples=4 --set uq.spatial=independent
+    page some_failed --set uq.samples=12 --set solver.most_steps=6600
+    page all_failed --set uq.samples=3 --set solver.most_steps=500
+    page many --set uq.samples=2200 --set load.max_displacement="0.5 mm"
+    "$drystone" study "$small" --out "$folder/part.h5" --quiet --set uq.samples=8 --shard 1/3 >"$folder/part.txt"
+    "$drystone" report "$folder/part_1_of_3.h5" --out "$folder/shard.html" --quiet
+    sed 's/^max_displacement.*/targets = 2, -2, 3 mm/' "$small" >"$folder/study.ini"
+    page cyclic --set uq.samples=3
 else
     folder=$2
     shift 2

@@ -1,0 +1,76 @@
+#include "app/report_fragility.hpp"
+#include "app/report_overview.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace {
+
+/// One wall that came down at `ultimate` [m], or stood up to there.
+app::ReportWall wall(std::uint32_t level, std::uint32_t sample, double peak, double ultimate,
+                     bool stood)
+{
+    app::ReportWall w;
+    w.row.key = {level, sample};
+    w.peak = peak;
+    w.ultimate = ultimate;
+    w.last = 0.03;
+    w.reading = stood ? fragility::Reading::censored : fragility::Reading::observed;
+    return w;
+}
+
+app::ReportStudy two_stresses(std::uint32_t samples)
+{
+    app::ReportStudy study;
+    study.head.levels = {{1e6, samples}, {5e5, samples}};
+    for (std::uint32_t i = 0; i < samples; ++i) {
+        study.walls.push_back(wall(0, i, 80e3, 0.005 + 0.002 * i, i % 2 == 0));
+        study.walls.push_back(wall(1, i, 40e3, 0.03, true));
+        study.walls.back().rocking = true;
+    }
+    return study;
+}
+
+} // namespace
+
+TEST_CASE("report overview: the lowest and the highest stress are set side by side, in words",
+          "[app][report_overview]")
+{
+    const auto found = app::overview(two_stresses(6)).found;
+    REQUIRE(found.size() == 3);
+    CHECK(found[0] ==
+          "In short: from 0.50 MPa to 1.00 MPa, the mean peak force goes from 40.0 to 80.0 kN, "
+          "the share of walls that rocked from 100 to 0 %, and the share that lost a fifth of "
+          "their peak force before the push ended from 0 to 50 %.");
+    CHECK(app::overview(two_stresses(4)).found.size() == 2); // shares of four say nothing
+}
+
+TEST_CASE("report overview: of walls without ultimate displacement no fall is spoken of",
+          "[app][report_overview]")
+{
+    app::ReportStudy study = two_stresses(4);
+    CHECK(app::overview(study).found[0].find("lost a fifth") != std::string::npos);
+    for (app::ReportWall& w : study.walls) w.reading = fragility::Reading::not_defined;
+    CHECK(app::overview(study).found[0].find("lost a fifth") == std::string::npos);
+}
+
+TEST_CASE("report fragility: neither curve nor band falls with the drift",
+          "[app][report_fragility]")
+{
+    app::ReportStudy study;
+    study.head.levels = {{1e6, 12}};
+    for (std::uint32_t i = 0; i < 12; ++i) // few and scattered: the band is widest near zero
+        study.walls.push_back(
+            wall(0, i, 80e3, i < 7 ? 0.004 * std::pow(1.4, i) : 0.03, i >= 7));
+    const auto curve = app::fragility_json(study)[0];
+    REQUIRE(curve["fitted"] == true);
+    for (const char* const line : {"least", "lower", "upper"}) {
+        const auto p = curve[line].get<std::vector<double>>();
+        for (std::size_t i = 1; i < p.size(); ++i) CHECK(p[i] >= p[i - 1]);
+    }
+}
