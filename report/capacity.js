@@ -69,10 +69,12 @@ export class Capacity {
 
     drawWalls(level) {
         const walls = this.members();
-        const thin = walls.length > 100 ? 0.35 : 0.6;
-        const series = walls.map((w) => ({ data: this.curves.forces(w), colour: colours[this.data.walls[w].mode], width: 1, alpha: thin }));
+        const mode = (w) => this.data.walls[w].mode;
+        const thin = (m) => Math.max(0.08, Math.min(0.6, 35 / walls.filter((w) => mode(w) === m).length));
+        const alpha = { rocking: thin('rocking'), mixed: thin('mixed'), failed: thin('failed') };
+        const series = walls.map((w) => ({ data: this.curves.forces(w), colour: colours[mode(w)], width: 1, alpha: alpha[mode(w)] }));
         const means = this.data.means.filter((m) => m.level === level && m.mode !== 'all');
-        for (const m of means) series.push(this.meanSeries(m, colours[m.mode], [], `mean of ${m.walls} ${m.mode} walls`));
+        for (const m of means) series.push({ ...this.meanSeries(m, colours[m.mode], [], `mean of ${m.walls} ${m.mode} walls`), halo: walls.length > 1 });
         this.walls = walls;
         this.drawn = this.plotChart(series, `Force against displacement of ${walls.length} walls under ${this.data.levels[level].name}`);
         const keys = ['rocking', 'mixed', 'failed'].filter((mode) => walls.some((w) => this.data.walls[w].mode === mode));

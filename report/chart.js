@@ -47,6 +47,7 @@ function layers(options) {
             bands.push({ series: [upper, lower], fill: `${s.colour}${s.faint ? '1c' : '33'}` });
         }
         if (!s.data) continue;
+        if (s.halo) add({ stroke: '#fff', width: s.width + 3, points: { show: false } }, s.data);
         add(
             {
                 label: s.label ?? '',
@@ -71,7 +72,7 @@ function widthOf(host) {
 
 /**
  * options: label (for those who cannot see it), x, series [{label, data, colour, width, dash, alpha, band: [lower, upper],
- * points, fill}], xLabel, yLabel, xRange, yRange, height, tip(index) -> text, draw(u)
+ * points, fill, halo}], xLabel, yLabel, xRange, yRange, height, tip(index) -> text, draw(u)
  */
 export function chart(host, options) {
     const { series, data, bands } = layers(options);

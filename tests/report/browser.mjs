@@ -34,6 +34,7 @@ export async function openPage(program, { width = 1280, height = 900, mobile = f
     const { sessionId } = await raw('Target.attachToTarget', { targetId, flatten: true });
     const send = (method, params) => raw(method, params, sessionId);
     for (const domain of ['Page', 'Runtime', 'Log', 'Network']) await send(`${domain}.enable`);
+    await send('Performance.enable', { timeDomain: 'threadTicks' });
     await send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: mobile ? 2 : 1, mobile });
     if (mobile) await send('Emulation.setTouchEmulationEnabled', { enabled: true });
     if (reducedMotion) await send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] });
@@ -64,6 +65,11 @@ export async function openPage(program, { width = 1280, height = 900, mobile = f
             await send('Page.navigate', { url: `file://${file}` });
             await page.until(`document.documentElement?.dataset.ready === 'yes' || document.querySelector('[role=alert]') !== null`);
             return (Date.now() - begin) / 1e3;
+        },
+        /** Processor seconds that the page's own thread has worked, whatever else the machine does. */
+        async worked() {
+            const { metrics } = await send('Performance.getMetrics');
+            return metrics.find((m) => m.name === 'TaskDuration').value;
         },
         async click(x, y) {
             for (const type of ['mouseMoved', 'mousePressed', 'mouseReleased']) await send('Input.dispatchMouseEvent', { type, x, y, button: type === 'mouseMoved' ? 'none' : 'left', clickCount: type === 'mouseMoved' ? 0 : 1 });

@@ -207,11 +207,15 @@ claims['a wall that the page has no room for is named with the command that draw
         await page.until(`/: 6\\.0 mm, drift/.test(${caption})`, 5);
     }, `${folder}/few.html`);
 
-claims['a page of many walls stays under 5 MB, opens within two seconds and has walls of each stress'] = () =>
-    withPage({}, async (page, seconds) => {
-        const size = statSync(`${folder}/many.html`).size;
-        assert.ok(size < 5e6, `${size} bytes`);
-        assert.ok(seconds < 2, `${seconds} s`);
+claims['a page of many walls stays under 5 MB and takes less than two seconds of a core to open'] = () =>
+    withPage({}, async (page) => {
+        assert.ok(statSync(`${folder}/many.html`).size < 5e6);
+        const seconds = await page.worked();
+        assert.ok(seconds > 0.05 && seconds < 2, `${seconds} s`);
+    }, `${folder}/many.html`);
+
+claims['a page of many walls has walls of each stress and says what it leaves out'] = () =>
+    withPage({}, async (page) => {
         assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /[0-9]+ of 4400 walls can be looked at, taken in turns/);
         assert.match(await page.evaluate(`document.getElementById('walls').textContent`), /4000 of 4400 walls, those of the lowest sample numbers/);
         const films = await page.evaluate(`[...document.querySelectorAll('#wall-choice optgroup')].map((g) => g.children.length)`);
