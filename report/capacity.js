@@ -3,6 +3,7 @@ import { element, choice, fixed, figures, words, colours, levelColour } from './
 import { chart, key, placeTip, dashOf } from './chart.js';
 
 const kFewest = 5; // walls of a mean with an interval: that of fewer hides the chart
+const modeDash = (mode) => (mode === 'rocking' ? [] : [7, 4]);
 const kSvg = 'http://www.w3.org/2000/svg';
 
 export function wallName(data, w) {
@@ -74,7 +75,7 @@ export class Capacity {
         const alpha = { rocking: thin('rocking'), mixed: thin('mixed'), failed: thin('failed') };
         const series = walls.map((w) => ({ data: this.curves.forces(w), colour: colours[mode(w)], width: 1, alpha: alpha[mode(w)] }));
         const means = this.data.means.filter((m) => m.level === level && m.mode !== 'all');
-        for (const m of means) series.push({ ...this.meanSeries(m, colours[m.mode], [], `mean of ${m.walls} ${m.mode} walls`), halo: walls.length > 1 });
+        for (const m of means) series.push({ ...this.meanSeries(m, colours[m.mode], modeDash(m.mode), `mean of ${m.walls} ${m.mode} walls`), halo: walls.length > 1 });
         this.walls = walls;
         this.drawn = this.plotChart(series, `Force against displacement of ${walls.length} walls under ${this.data.levels[level].name}`);
         const keys = ['rocking', 'mixed', 'failed'].filter((mode) => walls.some((w) => this.data.walls[w].mode === mode));
@@ -87,7 +88,7 @@ export class Capacity {
         this.walls = [];
         const shown = this.data.means.filter((m) => m.mode !== 'all' && m.walls >= 2);
         const series = shown.map((m) =>
-            this.meanSeries(m, levelColour(m.level), m.mode === 'rocking' ? [] : [7, 4], `${this.data.levels[m.level].name}, ${m.walls} ${m.mode}`),
+            this.meanSeries(m, levelColour(m.level), modeDash(m.mode), `${this.data.levels[m.level].name}, ${m.walls} ${m.mode}`),
         );
         this.drawn = this.plotChart(series, 'Mean force against displacement of each stress and mode, with 95 % intervals of the mean');
         this.legend.replaceChildren(key(series), element('p', { class: 'note' }, series.length ? '' : 'No means: they need two walls of a mode.'));

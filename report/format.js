@@ -53,4 +53,4 @@ export const colours = {
     levels: ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#806600', '#56B4E9', '#222222'],
 };
 export const levelColour = (i) => colours.levels[i % colours.levels.length];
-export const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [12, 4], [1, 2]];
+export const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [10, 3, 2, 3, 2, 3], [14, 6], [1, 2]];
