@@ -4,6 +4,7 @@
 #include "app/report_scene.hpp"
 #include "app/report_study.hpp"
 #include "app/study_identity.hpp"
+#include "fragility/binomial.hpp"
 #include "scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
@@ -75,7 +76,10 @@ TEST_CASE("report data: failed walls are named with their reason, and in no mean
     CHECK(data["walls"].back()["mode"] == "failed");
     CHECK(data["walls"].back()["peak"].is_null());
     CHECK(data["modes"]["levels"][1]["walls"] == 5);
-    CHECK(data["modes"]["levels"][0]["upper"] <= data["modes"]["levels"][1]["upper"]);
+    const auto& share = data["modes"]["levels"][1]; // wider than without the failed wall
+    const auto five = fragility::share(5.0 * share["value"].get<double>(), 5.0, 0.0);
+    CHECK(share["upper"].get<double>() - share["lower"].get<double>() >
+          five.bounds.upper - five.bounds.lower + 0.05);
     CHECK(data["tables"][0]["rows"][0][2] == "6");
     CHECK(data["sensitivity"][0]["bars"].empty()); // 6 walls for 5 inputs
 }
