@@ -42,6 +42,7 @@ effect modes_6 solver.block_modes=6
 effect modes_all solver.fidelity=zones
 effect even_points solver.face_rule=even
 effect snap_back_weakens unit.snap_back=weakens
+effect unloading_elastic unit.unloading=elastic
 effect uncoupled unit.contact_law=uncoupled
 effect strength_in_tension unit.tension_reduces_shear=no
 effect local_damping solver.damping=local

@@ -31,6 +31,7 @@ constexpr std::array kChoices = {
     Choice{"modes_6", "6 modes of a block (12)"},
     Choice{"modes_all", "all zones of a block (12 modes)"},
     Choice{"snap_back_weakens", "snap-back: crack weakened to what G allows (breaks at f_T)"},
+    Choice{"unloading_elastic", "a crack unloads elastically, propped open (secant to the origin)"},
     Choice{"uncoupled", "uncoupled contact law (coupled)"},
     Choice{"strength_in_tension", "shear strength not lowered by tension (lowered)"},
     Choice{"local_damping", "local damping (combined)"},
