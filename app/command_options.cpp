@@ -38,7 +38,8 @@ po::options_description command_options()
     add("slurm", text("FILE"),
         "study: write a job array of shards (--shard */N, or as many as needed), run nothing");
     add("rerun-failed", "study: run walls that failed again");
-    add("report", "study: when it is done, its tables (fragility) and its page (report) beside it");
+    add("report",
+        "study: when it is done, its tables (fragility) and its page (report) beside it");
     add("drift", text("COLUMN"), "fragility of a table: its column of drifts; may be repeated");
     add("censored", text("COLUMN"),
         "fragility of a table: 1 or yes where the drift is only a lower bound");

@@ -53,14 +53,14 @@ std::vector<std::string> cells(double stress, const Level& level)
     const std::size_t n = level.rocking + level.mixed;
     std::vector<std::string> row = {number(stress * 1e-6, 12), std::to_string(n),
                                     std::to_string(level.failed)};
-    if (n >= 2) {
-        const uq::Estimate mean = uq::estimate_mean(level.peak),
-                           sd = uq::estimate_sd(level.peak);
+    // A push that turns back has no reading: its walls are sound, their peaks are not defined.
+    const std::vector<double> peaks = uq::sound_values(level.peak).values;
+    if (peaks.size() >= 2) {
+        const uq::Estimate mean = uq::estimate_mean(peaks), sd = uq::estimate_sd(peaks);
         row.push_back(with_error(mean, 1e-3, 1));
         row.push_back(fixed(sd.value / mean.value, 2));
     } else {
-        row.push_back(n == 1 ? fixed(uq::sound_values(level.peak).values.front() * 1e-3, 1)
-                             : "");
+        row.push_back(peaks.empty() ? "" : fixed(peaks.front() * 1e-3, 1));
         row.push_back("");
     }
     if (n > 0) {

@@ -61,10 +61,10 @@ TEST_CASE("study: a crack that snaps back breaks at its strength, or at what its
     const double kn = app::crack_material(read_good(), 1).kn;
     const double most = std::sqrt(2.0 * 110.0 * kn); // u_ul = u_el
     const auto strength = [](const char* rule, const std::string& given) {
-        return app::crack_material(read_good({std::string("unit.snap_back=") + rule,
-                                              "unit.tensile_strength=" + given,
-                                              "unit.fracture_energy=110 N/m"}),
-                                   1);
+        return app::crack_material(
+            read_good({std::string("unit.snap_back=") + rule, "unit.tensile_strength=" + given,
+                       "unit.fracture_energy=110 N/m"}),
+            1);
     };
     REQUIRE(most > 3e6);
     REQUIRE(most < 9e6);

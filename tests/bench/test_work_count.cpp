@@ -51,7 +51,8 @@ dem::WallState<Counted> counted(const dem::WallState<double>& s)
     c.du = counted(s.du);
     c.stress = counted(s.stress);
     c.u_n = counted(s.u_n);
-    for (const auto& m : s.cracks) c.cracks.push_back({m.u_max, m.bond, m.unloading, m.integrity});
+    for (const auto& m : s.cracks)
+        c.cracks.push_back({m.u_max, m.bond, m.unloading, m.integrity});
     for (const auto& l : s.dry_laws) c.dry_laws.push_back({l.kn, l.ks, l.inv_ks, l.tan_phi});
     for (const auto& l : s.tied_laws) c.tied_laws.push_back({l.kn, l.ks, l.inv_ks, l.tan_phi});
     for (const auto& l : s.crack_laws)
