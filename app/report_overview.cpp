@@ -1,5 +1,6 @@
 #include "app/report_overview.hpp"
 
+#include "app/mode_rule.hpp"
 #include "app/number_text.hpp"
 #include "fragility/binomial.hpp"
 #include "uq/estimate.hpp"
@@ -121,11 +122,12 @@ std::string level_text(const ReportStudy& study, std::size_t level)
     if (walls.empty()) return study.stress_text(level) + ": no wall gave a result.";
     std::vector<double> peaks;
     double rocking = 0.0;
-    std::size_t came_down = 0, known = 0;
+    std::size_t came_down = 0, known = 0, slid = 0;
     for (const ReportWall* w : walls) {
         known += w->reading == fragility::Reading::not_defined ? 0 : 1;
         if (std::isfinite(w->peak)) peaks.push_back(w->peak * 1e-3);
         rocking += w->rocking ? 1.0 : 0.0;
+        slid += w->slid ? 1 : 0;
         came_down += w->reading == fragility::Reading::observed ? 1 : 0;
     }
     std::string text = study.stress_text(level) + ": ";
@@ -145,6 +147,7 @@ std::string level_text(const ReportStudy& study, std::size_t level)
                                                 static_cast<double>(failed));
     return text + percent(s.value) + " % rocked [" + percent(s.bounds.lower) + ", " +
            percent(s.bounds.upper) + "]" +
+           (slid > 0 ? ", counting " + std::to_string(slid) + " that slid whole" : "") +
            (known == 0 ? "."
                        : "; " + std::to_string(came_down) + " of " + std::to_string(known) +
                              " lost a fifth of their peak before the push ended.");
@@ -203,6 +206,7 @@ Overview overview(const ReportStudy& study)
     o.found = in_short(study);
     for (std::size_t level = 0; level < study.head.levels.size(); ++level)
         o.found.push_back(level_text(study, level));
+    o.found.push_back("How a wall failed: " + mode_rule_text({}) + ".");
     o.sure = how_sure(study);
     return o;
 }

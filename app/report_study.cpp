@@ -1,5 +1,6 @@
 #include "app/report_study.hpp"
 
+#include "app/mode_rule.hpp"
 #include "app/number_text.hpp"
 #include "app/store_reader.hpp"
 #include "app/study_columns.hpp"
@@ -12,7 +13,7 @@ namespace app {
 namespace {
 
 struct Columns {
-    std::size_t peak, peak_at, ultimate, last, mode, reading, cracked;
+    std::size_t peak, peak_at, ultimate, last, rotation, mode, reading, cracked;
 };
 
 Columns columns_of(const StoreHead& head)
@@ -23,6 +24,7 @@ Columns columns_of(const StoreHead& head)
             response("peak_displacement"),
             response("ultimate_displacement"),
             response("last_displacement"),
+            response("rotation_share"),
             count("mode"),
             count("ultimate_reading"),
             count("cracked_units")};
@@ -39,7 +41,11 @@ ReportWall wall_of(const WallRow& row, const Columns& c)
     w.ultimate = row.responses[c.ultimate];
     w.last = row.responses[c.last];
     w.cracked = static_cast<int>(row.counts[c.cracked]);
-    if (!w.failed) w.reading = static_cast<fragility::Reading>(row.counts[c.reading]);
+    if (w.failed) return w;
+    w.reading = static_cast<fragility::Reading>(row.counts[c.reading]);
+    // the thresholds of the stored mode
+    w.slid = slid_whole({row.responses[c.rotation], 0.0, w.cracked, 0},
+                        w.reading == fragility::Reading::observed, {});
     return w;
 }
 

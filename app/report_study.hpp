@@ -19,6 +19,7 @@ namespace app {
 struct ReportWall {
     WallRow row;
     bool failed = false, rocking = false;
+    bool slid = false; ///< whole, along a course; counted as rocking (app/mode_rule.hpp)
     double peak = 0.0, peak_at = 0.0;                             ///< [N] [m]
     double ultimate = 0.0, last = 0.0;                            ///< [m]
     fragility::Reading reading = fragility::Reading::not_defined; ///< of `ultimate`

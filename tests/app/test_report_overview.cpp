@@ -42,12 +42,23 @@ TEST_CASE("report overview: the lowest and the highest stress are set side by si
           "[app][report_overview]")
 {
     const auto found = app::overview(two_stresses(6)).found;
-    REQUIRE(found.size() == 3);
+    REQUIRE(found.size() == 4);
+    CHECK(found[3].starts_with(
+        "How a wall failed: Mixed: the load fell to 80 % of its peak, or a unit "));
     CHECK(found[0] ==
           "In short: from 0.50 MPa to 1.00 MPa, the mean peak force goes from 40.0 to 80.0 kN, "
           "the share of walls that rocked from 100 to 0 %, and the share that lost a fifth of "
           "their peak force before the push ended from 0 to 50 %.");
-    CHECK(app::overview(two_stresses(4)).found.size() == 2); // shares of four say nothing
+    CHECK(app::overview(two_stresses(4)).found.size() == 3); // shares of four say nothing
+}
+
+TEST_CASE("report overview: walls that slid whole are counted apart", "[app][report_overview]")
+{
+    app::ReportStudy study = two_stresses(6);
+    CHECK(app::overview(study).found[2].find("slid") == std::string::npos);
+    study.walls.back().slid = true;
+    CHECK(app::overview(study).found[2].find(
+              "100 % rocked [61, 100], counting 1 that slid whole;") != std::string::npos);
 }
 
 TEST_CASE("report overview: of walls without ultimate displacement no fall is spoken of",
