@@ -98,7 +98,7 @@ void write(const std::string& path)
     }
     bench::write_report(path,
                         {"Speed of fits",
-                         "build/release/bench/fragility_fits " + path,
+                         "build/avx512/bench/fragility_fits " + path,
                          "The observations are put on the axis of the law once; the search "
                          "is Newton's in location / dispersion and 1 / dispersion, where "
                          "the likelihood is concave (fragility/location_scale.hpp).",
