@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # ./drystone validate [WORK]   runs all walls behind docs/validation.md and writes it anew
 #
-# 23 min on two cores of an AMD EPYC with AVX-512. WORK (default runs/validation) keeps the files of the studies, so that a second run only does what is
-# missing. DRYSTONE_TEST_CURVES, the folder of the measured curves (bench/measured_walls.hpp), if given:
-# docs/tests is written anew too.
+# 23 min on two cores of an AMD EPYC with AVX-512. WORK (default runs/validation) keeps the files of the
+# studies, so that a second run only does what is missing. DRYSTONE_TEST_CURVES, the folder of the measured
+# curves (bench/measured_walls.hpp), if given: docs/tests is written anew too.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 work=${1:-runs/validation}
