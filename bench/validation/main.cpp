@@ -37,12 +37,16 @@ struct Page {
     }
 };
 
-void check_levels(const std::vector<bench::LevelStatistics>& levels, const fs::path& file)
+/// Captions and tables are written for these levels and sizes.
+void check_levels(const std::vector<bench::LevelStatistics>& levels, std::size_t walls,
+                  const fs::path& file)
 {
     if (levels.size() != 5)
         throw std::runtime_error(file.string() + ": not five stress levels");
     for (const bench::LevelStatistics& l : levels)
-        if (l.walls == 0) throw std::runtime_error(file.string() + ": a level without walls");
+        if (l.walls + l.failed != walls || l.walls == 0)
+            throw std::runtime_error(file.string() + ": not " + std::to_string(walls) +
+                                     " walls under each stress");
 }
 
 /// The other reading of jerky curves, of each level.
@@ -65,8 +69,8 @@ Page page_of(const fs::path& work)
                           spatial_large = read("spatial_large.h5"),
                           independent = read("spatial_independent.h5");
     const bench::OurLevels ours{bench::level_statistics(paper), bench::level_statistics(large)};
-    check_levels(ours.same_size, work / "paper.h5");
-    check_levels(ours.large, work / "large.h5");
+    check_levels(ours.same_size, 50, work / "paper.h5");
+    check_levels(ours.large, 500, work / "large.h5");
     const app::Table effects = bench::effects_table(paper, work / "effects");
 
     Page page;
@@ -77,7 +81,7 @@ Page page_of(const fs::path& work)
                "of choices for all of them ([model.md](model.md), section 6), fixed before the "
                "comparison.");
     page.write("## 1. One wall with mean values, and the tests");
-    page.write(bench::remarks_on_tests());
+    page.write(bench::remarks_on_tests(paper.study));
     for (const char* stress : {"0.15", "0.50", "0.75", "1.00", "1.25"})
         page.text += "![" + std::string(stress) + " MPa](tests/" + stress + "_MPa.svg)\n";
     page.write(

@@ -30,36 +30,39 @@ std::string percent(double ours, double paper)
 
 std::string verdict(bool holds) { return holds ? "yes" : "no"; }
 
-/// Paper, ours twice, the difference of both [%], and whether it stays below `most` [%].
+/// The paper's value and ours, twice; whether both of ours are of any wall.
+bool add_values(Row& row, double paper, const Sample& same, const Sample& large, int decimals)
+{
+    row.push_back(app::fixed(paper, decimals));
+    row.push_back(with_interval(same, decimals));
+    row.push_back(with_interval(large, decimals));
+    return same.n > 0 && large.n > 0;
+}
+
+/// Values, the difference of both [%], and whether it stays within `most` [%].
 void add_relative(Row& row, double paper, const Sample& same, const Sample& large, double most,
                   int decimals)
 {
-    row.push_back(app::fixed(paper, decimals));
-    row.push_back(with_interval(same, decimals));
-    row.push_back(with_interval(large, decimals));
-    if (same.n == 0 || large.n == 0) {
+    if (!add_values(row, paper, same, large, decimals)) {
         row.insert(row.end(), {"", "no such wall"});
         return;
     }
-    row.push_back(percent(same.mean, paper) + ", " + percent(large.mean, paper));
     const auto within = [&](const Sample& s) {
-        return std::abs(s.mean / paper - 1.0) <= most / 100.0;
+        return verdict(std::abs(s.mean / paper - 1.0) <= most / 100.0);
     };
-    row.push_back(verdict(within(same)) + ", " + verdict(within(large)));
+    row.push_back(percent(same.mean, paper) + ", " + percent(large.mean, paper));
+    row.push_back(within(same) + ", " + within(large));
 }
 
+/// Values, and whether both differences stay within `most`.
 void add_absolute(Row& row, double paper, const Sample& same, const Sample& large, double most,
                   int decimals)
 {
-    row.push_back(app::fixed(paper, decimals));
-    row.push_back(with_interval(same, decimals));
-    row.push_back(with_interval(large, decimals));
-    if (same.n == 0 || large.n == 0) {
-        row.push_back("no such wall");
-        return;
-    }
-    row.push_back(verdict(std::abs(same.mean - paper) <= most) + ", " +
-                  verdict(std::abs(large.mean - paper) <= most));
+    const bool any = add_values(row, paper, same, large, decimals);
+    const auto within = [&](const Sample& s) {
+        return verdict(std::abs(s.mean - paper) <= most);
+    };
+    row.push_back(any ? within(same) + ", " + within(large) : "no such wall");
 }
 
 std::string stress(const PaperLevel& p) { return app::fixed(p.stress_MPa, 2); }
@@ -72,8 +75,9 @@ std::string share_cell(std::size_t k, std::size_t n)
                               100.0 * i.lower, 100.0 * i.upper, 0);
 }
 
-const std::string kSizes = "Ours: " + std::string("[95 % intervals], with as many walls as the "
-                                                  "paper, then with 500 under each stress. ");
+const std::string kSizes =
+    "Ours: [95 % intervals], with as many walls as the paper, then with 500 "
+    "under each stress. ";
 
 } // namespace
 

@@ -17,7 +17,7 @@ struct Remarkable {
     std::vector<LevelStatistics> low_load, high_beam, local_damping, fast_local_damping;
 };
 
-[[nodiscard]] std::string remarks_on_tests();
+[[nodiscard]] std::string remarks_on_tests(const app::Study& study);
 [[nodiscard]] std::string remarks_on_differences(const Remarkable& r);
 
 } // namespace bench
