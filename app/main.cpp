@@ -1,16 +1,16 @@
 /// drystone VERB STUDY.ini [options].  Exit codes: 0 done, 1 failed, 2 your input.
 
-#include "app/command_line.hpp"
-#include "app/config_error.hpp"
-#include "app/curves_command.hpp"
-#include "app/fragility_command.hpp"
-#include "app/interrupt.hpp"
-#include "app/merge_command.hpp"
-#include "app/push_command.hpp"
-#include "app/reliability_command.hpp"
-#include "app/report_command.hpp"
-#include "app/sample_command.hpp"
-#include "app/study_command.hpp"
+#include "app/fragility/fragility_command.hpp"
+#include "app/input/command_line.hpp"
+#include "app/input/config_error.hpp"
+#include "app/push/push_command.hpp"
+#include "app/report/report_command.hpp"
+#include "app/study/curves_command.hpp"
+#include "app/study/interrupt.hpp"
+#include "app/study/merge_command.hpp"
+#include "app/study/reliability_command.hpp"
+#include "app/study/sample_command.hpp"
+#include "app/study/study_command.hpp"
 #include "app/version.hpp"
 
 #include <algorithm>

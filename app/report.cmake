@@ -14,18 +14,18 @@ add_custom_command(
 
 drystone_library(app_report
     ${report_assets}
-    report_bytes.cpp
-    report_choice.cpp
-    report_command.cpp
-    report_curves.cpp
-    report_data.cpp
-    report_film.cpp
-    report_fragility.cpp
-    report_inputs.cpp
-    report_overview.cpp
-    report_page.cpp
-    report_replay.cpp
-    report_study.cpp
-    report_tables.cpp)
+    report/report_bytes.cpp
+    report/report_choice.cpp
+    report/report_command.cpp
+    report/report_curves.cpp
+    report/report_data.cpp
+    report/report_film.cpp
+    report/report_fragility.cpp
+    report/report_inputs.cpp
+    report/report_overview.cpp
+    report/report_page.cpp
+    report/report_replay.cpp
+    report/report_study.cpp
+    report/report_tables.cpp)
 target_include_directories(drystone_app_report PUBLIC ${PROJECT_BINARY_DIR}/generated)
 target_link_libraries(drystone_app_report PUBLIC drystone_app_study nlohmann_json::nlohmann_json PRIVATE ZLIB::ZLIB)

@@ -2,9 +2,9 @@
 /// free choice of the discretisation and the solver, one at a time from the reference; and the
 /// effect of the modelling choices.
 
-#include "app/atomic_output.hpp"
-#include "app/number_text.hpp"
-#include "app/table.hpp"
+#include "app/input/number_text.hpp"
+#include "app/output/atomic_output.hpp"
+#include "app/output/table.hpp"
 #include "bench/sweep.hpp"
 
 #include <cmath>

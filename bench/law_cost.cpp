@@ -1,7 +1,7 @@
 #include "bench/law_cost.hpp"
 
-#include "app/number_text.hpp"
-#include "app/table.hpp"
+#include "app/input/number_text.hpp"
+#include "app/output/table.hpp"
 #include "dem/contact_law.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "bench/report.hpp"
 
-#include "app/atomic_output.hpp"
+#include "app/output/atomic_output.hpp"
 #include "bench/machine.hpp"
 
 namespace bench {

@@ -1,7 +1,7 @@
 #pragma once
 /// The three tables of scaling.cpp.
 
-#include "app/table.hpp"
+#include "app/output/table.hpp"
 
 namespace bench {
 

@@ -2,7 +2,7 @@
 /// outside the paper. Every wall must end as ok, collapsed, or failed with a reason; exit code 1
 /// if one does not. --only: one scene, wall by wall.
 
-#include "app/number_text.hpp"
+#include "app/input/number_text.hpp"
 #include "bench/report.hpp"
 #include "bench/stress_tables.hpp"
 

@@ -1,6 +1,6 @@
 #include "bench/stress_tables.hpp"
 
-#include "app/number_text.hpp"
+#include "app/input/number_text.hpp"
 #include "dem/stability_limit.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// What the stress campaign found, as tables.
 
-#include "app/table.hpp"
+#include "app/output/table.hpp"
 #include "bench/stress_run.hpp"
 
 #include <vector>

@@ -1,12 +1,12 @@
 /// Error of a mean against the number of samples, for each design. uq_convergence FOLDER
 #include "bench/uq_convergence.hpp"
 
-#include "app/atomic_output.hpp"
-#include "app/chart_svg.hpp"
+#include "app/output/atomic_output.hpp"
+#include "app/output/chart_svg.hpp"
 #include "bench/report.hpp"
-#include "uq/design.hpp"
-#include "uq/estimate.hpp"
-#include "uq/stream.hpp"
+#include "uq/designs/design.hpp"
+#include "uq/designs/stream.hpp"
+#include "uq/estimates/estimate.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -180,7 +180,7 @@ mechanisms; **indicator**, the share of walls on one side of a limit, as failure
 ![error of the mean against the number of samples](uq_convergence.svg)
 
 `s / sqrt(n)` is what one design says of its own error if its samples are taken for independent: true of Monte Carlo,
-far too large for the others. Their error is known from replicates (uq/replicate.hpp).
+far too large for the others. Their error is known from replicates (uq/estimates/replicate.hpp).
 
 A Latin hypercube takes away the error of the additive part of a response; what is left, interactions and
 jumps, falls like Monte Carlo's, so its slope is no constant. Slopes in the legend: smooth / indicator.)";

@@ -1,6 +1,6 @@
 #include "bench/uq_convergence.hpp"
 
-#include "uq/marginal.hpp"
+#include "uq/marginals/marginal.hpp"
 
 #include <gsl/gsl_cdf.h>
 

@@ -3,10 +3,10 @@
 #include "bench/uq_fields.hpp"
 
 #include "bench/report.hpp"
-#include "uq/field.hpp"
-#include "uq/field_marginal.hpp"
-#include "uq/karhunen.hpp"
-#include "uq/kernel.hpp"
+#include "uq/fields/field.hpp"
+#include "uq/fields/field_marginal.hpp"
+#include "uq/fields/karhunen.hpp"
+#include "uq/fields/kernel.hpp"
 
 #include <cstdio>
 #include <exception>

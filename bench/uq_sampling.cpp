@@ -3,12 +3,12 @@
 
 #include "bench/uq_sampling.hpp"
 
-#include "app/number_text.hpp"
+#include "app/input/number_text.hpp"
 #include "bench/machine.hpp"
 #include "bench/report.hpp"
-#include "uq/design_criteria.hpp"
-#include "uq/inputs.hpp"
-#include "uq/latin.hpp"
+#include "uq/designs/design_criteria.hpp"
+#include "uq/designs/inputs.hpp"
+#include "uq/designs/latin.hpp"
 
 #include <iostream>
 #include <string>

@@ -1,6 +1,6 @@
 #include "bench/uq_sampling.hpp"
 
-#include "uq/design_criteria.hpp"
+#include "uq/designs/design_criteria.hpp"
 
 #include <openturns/OT.hxx>
 #include <openturns/TBBImplementation.hxx>

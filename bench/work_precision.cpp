@@ -3,9 +3,9 @@
 
 #include "bench/work_precision.hpp"
 
-#include "app/atomic_output.hpp"
-#include "app/number_text.hpp"
-#include "app/table.hpp"
+#include "app/input/number_text.hpp"
+#include "app/output/atomic_output.hpp"
+#include "app/output/table.hpp"
 #include "bench/equal_error.hpp"
 #include "bench/machine.hpp"
 #include "bench/nodal_answer.hpp"

@@ -1,6 +1,6 @@
 #include "bench/work_precision.hpp"
 
-#include "app/chart_svg.hpp"
+#include "app/output/chart_svg.hpp"
 
 #include <algorithm>
 

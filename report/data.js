@@ -8,7 +8,7 @@ export async function inflate(base64) {
     return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** Undoes differences() of app/report_bytes.hpp: `count` numbers from byte `from`, in steps. */
+/** Undoes differences() of app/report/report_bytes.hpp: `count` numbers from byte `from`, in steps. */
 export function sums(bytes, from, count, length, order) {
     const v = new Int16Array(count);
     for (let i = 0; i < count; ++i) {

@@ -26,7 +26,7 @@ file(READ ${FOLDER}/vendor/uPlot.min.css chart_style)
 file(READ ${FOLDER}/vendor/uPlot.iife.min.js chart_script)
 file(READ ${FOLDER}/vendor/uPlot.LICENSE licence)
 
-file(WRITE ${OUT}.part "#include \"app/report_assets.hpp\"\n\nnamespace app {\n\n")
+file(WRITE ${OUT}.part "#include \"app/report/report_assets.hpp\"\n\nnamespace app {\n\n")
 put(report_page_html "${page}")
 put(report_style "${style}")
 put(report_script "${script}")

@@ -1,7 +1,7 @@
 #include "bench/validation/level_statistics.hpp"
 
-#include "app/mode_rule.hpp"
-#include "uq/estimate.hpp"
+#include "app/study/mode_rule.hpp"
+#include "uq/estimates/estimate.hpp"
 
 #include <cmath>
 #include <stdexcept>

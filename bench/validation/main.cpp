@@ -4,8 +4,8 @@
 ///   ./drystone validate           runs everything, then
 ///   validation WORK DOCS
 
-#include "app/atomic_output.hpp"
-#include "app/fragility_means.hpp"
+#include "app/fragility/fragility_means.hpp"
+#include "app/output/atomic_output.hpp"
 #include "bench/machine.hpp"
 #include "bench/validation/effects.hpp"
 #include "bench/validation/paper_comparison.hpp"

@@ -1,7 +1,7 @@
 #include "bench/validation/paper_comparison.hpp"
 
-#include "app/fragility_text.hpp"
-#include "app/number_text.hpp"
+#include "app/input/number_text.hpp"
+#include "app/study/fragility_text.hpp"
 #include "bench/validation/paper_tables.hpp"
 #include "fragility/binomial.hpp"
 

@@ -1,12 +1,12 @@
 #include "bench/validation/pictures.hpp"
 
-#include "app/chart_svg.hpp"
-#include "app/fragility_text.hpp"
-#include "app/number_text.hpp"
+#include "app/input/number_text.hpp"
+#include "app/output/chart_svg.hpp"
+#include "app/study/fragility_text.hpp"
 #include "bench/validation/paper_tables.hpp"
 #include "fragility/binomial.hpp"
-#include "uq/marginal.hpp"
-#include "uq/running_mean.hpp"
+#include "uq/estimates/running_mean.hpp"
+#include "uq/marginals/marginal.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 /// Counterparts of the paper's figures.
 
-#include "app/fragility_output.hpp"
-#include "app/study_walls.hpp"
+#include "app/fragility/fragility_output.hpp"
+#include "app/fragility/study_walls.hpp"
 #include "bench/validation/level_statistics.hpp"
 
 #include <vector>

@@ -1,9 +1,9 @@
 #pragma once
 /// Drifts and studies for the tables of fragility, without running a wall.
 
-#include "app/fragility_data.hpp"
-#include "app/study_walls.hpp"
-#include "app/table.hpp"
+#include "app/fragility/fragility_data.hpp"
+#include "app/fragility/study_walls.hpp"
+#include "app/output/table.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 /// A small study run into a file, for tests of its report.
 
-#include "app/study_file_head.hpp"
-#include "app/study_runner.hpp"
+#include "app/study/study_file_head.hpp"
+#include "app/study/study_runner.hpp"
 #include "app/study_scenes.hpp"
 
 #include <filesystem>

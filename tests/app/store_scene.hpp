@@ -2,7 +2,7 @@
 /// A small study to store: every number of a wall follows from its key, so that what is read back can be
 /// compared without keeping it.
 
-#include "app/store.hpp"
+#include "app/store/store.hpp"
 
 #include <cstdint>
 #include <filesystem>

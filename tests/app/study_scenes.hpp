@@ -1,7 +1,7 @@
 #pragma once
 /// Small studies with distributions.
 
-#include "app/study.hpp"
+#include "app/input/study.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 /// Studies that several tests read.
 
 #include "app/bad_input/cases.hpp"
-#include "app/study.hpp"
+#include "app/input/study.hpp"
 
 #include <string>
 #include <vector>

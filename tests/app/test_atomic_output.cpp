@@ -1,4 +1,4 @@
-#include "app/atomic_output.hpp"
+#include "app/output/atomic_output.hpp"
 
 #include "tests/scenes/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/axis_ticks.hpp"
+#include "app/output/axis_ticks.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,10 @@
 /// Every case of bad input, through the library: the exact message.
 
 #include "app/bad_input/cases.hpp"
-#include "app/command_line.hpp"
-#include "app/config_error.hpp"
-#include "app/study.hpp"
-#include "app/study_file.hpp"
+#include "app/input/command_line.hpp"
+#include "app/input/config_error.hpp"
+#include "app/input/study.hpp"
+#include "app/input/study_file.hpp"
 
 #include <catch2/catch.hpp>
 

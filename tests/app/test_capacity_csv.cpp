@@ -1,4 +1,4 @@
-#include "app/capacity_csv.hpp"
+#include "app/output/capacity_csv.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
-#include "app/chart_svg.hpp"
+#include "app/output/chart_svg.hpp"
 
-#include "app/chart_frame.hpp"
+#include "app/output/chart_frame.hpp"
 #include "tests/scenes/xml_tree.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
-#include "app/command_line.hpp"
+#include "app/input/command_line.hpp"
 
-#include "app/number_text.hpp"
-#include "app/study_keys.hpp"
+#include "app/input/number_text.hpp"
+#include "app/input/study_keys.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include "app/distribution_text.hpp"
-#include "app/units.hpp"
+#include "app/input/distribution_text.hpp"
+#include "app/input/units.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,8 +2,8 @@
 /// commands, links and tests that are named are there. tests/docs/test_cookbook.sh runs the
 /// recipes.
 
-#include "app/command_line.hpp"
-#include "app/study.hpp"
+#include "app/input/command_line.hpp"
+#include "app/input/study.hpp"
 #include "scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "app/drift_csv.hpp"
+#include "app/fragility/drift_csv.hpp"
 
 #include <catch2/catch.hpp>
 

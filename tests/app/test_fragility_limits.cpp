@@ -1,8 +1,8 @@
-#include "app/fragility_limits.hpp"
+#include "app/fragility/fragility_limits.hpp"
 
-#include "app/fragility_curves.hpp"
+#include "app/fragility/fragility_curves.hpp"
 #include "app/fragility_scenes.hpp"
-#include "app/fragility_text.hpp"
+#include "app/study/fragility_text.hpp"
 
 #include <catch2/catch.hpp>
 

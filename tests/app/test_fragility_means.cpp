@@ -1,6 +1,6 @@
-#include "app/fragility_means.hpp"
+#include "app/fragility/fragility_means.hpp"
 
-#include "app/fragility_inputs.hpp"
+#include "app/fragility/fragility_inputs.hpp"
 #include "app/fragility_scenes.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "app/fragility_modes.hpp"
+#include "app/fragility/fragility_modes.hpp"
 
 #include "app/fragility_scenes.hpp"
 

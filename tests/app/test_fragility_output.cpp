@@ -1,6 +1,6 @@
-#include "app/fragility_output.hpp"
+#include "app/fragility/fragility_output.hpp"
 
-#include "app/fragility_command.hpp"
+#include "app/fragility/fragility_command.hpp"
 #include "app/fragility_scenes.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-#include "app/drift_csv.hpp"
-#include "app/fragility_limits.hpp"
+#include "app/fragility/drift_csv.hpp"
+#include "app/fragility/fragility_limits.hpp"
 #include "app/fragility_scenes.hpp"
 
 #include <catch2/catch.hpp>

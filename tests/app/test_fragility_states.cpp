@@ -1,8 +1,8 @@
-#include "app/fragility_states.hpp"
+#include "app/fragility/fragility_states.hpp"
 
-#include "app/config_error.hpp"
+#include "app/input/config_error.hpp"
+#include "app/input/units.hpp"
 #include "app/study_scenes.hpp"
-#include "app/units.hpp"
 
 #include <catch2/catch.hpp>
 

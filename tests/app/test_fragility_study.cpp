@@ -1,13 +1,13 @@
-#include "app/fragility_command.hpp"
+#include "app/fragility/fragility_command.hpp"
 
-#include "app/config_error.hpp"
-#include "app/store.hpp"
-#include "app/store_reader.hpp"
-#include "app/study_columns.hpp"
-#include "app/study_file_head.hpp"
-#include "app/study_runner.hpp"
+#include "app/fragility/study_walls.hpp"
+#include "app/input/config_error.hpp"
+#include "app/store/store.hpp"
+#include "app/store/store_reader.hpp"
+#include "app/study/study_columns.hpp"
+#include "app/study/study_file_head.hpp"
+#include "app/study/study_runner.hpp"
 #include "app/study_scenes.hpp"
-#include "app/study_walls.hpp"
 
 #include <catch2/catch.hpp>
 

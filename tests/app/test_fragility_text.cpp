@@ -1,4 +1,4 @@
-#include "app/fragility_text.hpp"
+#include "app/study/fragility_text.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include "app/merge.hpp"
-#include "app/store.hpp"
+#include "app/store/merge.hpp"
+#include "app/store/store.hpp"
 
 #include "app/memory_folder.hpp"
 #include "app/store_scene.hpp"

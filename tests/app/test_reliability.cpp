@@ -1,6 +1,6 @@
-#include "app/config_error.hpp"
-#include "app/reliability_answer.hpp"
-#include "app/reliability_problem.hpp"
+#include "app/input/config_error.hpp"
+#include "app/study/reliability_answer.hpp"
+#include "app/study/reliability_problem.hpp"
 #include "app/study_scenes.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "app/report_bytes.hpp"
+#include "app/report/report_bytes.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include "app/report_choice.hpp"
-#include "app/report_replay.hpp"
+#include "app/report/report_choice.hpp"
+#include "app/report/report_replay.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include "app/report_curves.hpp"
-#include "app/resampled_curve.hpp"
+#include "app/report/report_curves.hpp"
+#include "app/study/resampled_curve.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "app/report_film.hpp"
+#include "app/report/report_film.hpp"
 #include "scenes/snapshot_scenes.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-#include "app/report_fragility.hpp"
-#include "app/report_overview.hpp"
+#include "app/report/report_fragility.hpp"
+#include "app/report/report_overview.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-#include "app/report_assets.hpp"
-#include "app/report_page.hpp"
+#include "app/report/report_assets.hpp"
+#include "app/report/report_page.hpp"
 #include "scenes/base64_text.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,8 +1,8 @@
-#include "app/config_error.hpp"
-#include "app/sample_plan.hpp"
-#include "app/study_identity.hpp"
+#include "app/input/config_error.hpp"
+#include "app/study/sample_plan.hpp"
+#include "app/study/study_identity.hpp"
+#include "app/study/wall_sites.hpp"
 #include "app/study_scenes.hpp"
-#include "app/wall_sites.hpp"
 #include "dem/layout.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "app/store.hpp"
+#include "app/store/store.hpp"
 
 #include "app/memory_folder.hpp"
 #include "app/store_scene.hpp"

@@ -1,5 +1,5 @@
-#include "app/store.hpp"
-#include "app/store_disk.hpp"
+#include "app/store/store.hpp"
+#include "app/store/store_disk.hpp"
 
 #include "app/child_process.hpp"
 #include "app/store_scene.hpp"

@@ -1,5 +1,5 @@
-#include "app/merge.hpp"
-#include "app/store.hpp"
+#include "app/store/merge.hpp"
+#include "app/store/store.hpp"
 
 #include "app/child_process.hpp"
 #include "app/store_scene.hpp"

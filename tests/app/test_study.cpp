@@ -1,6 +1,6 @@
-#include "app/study.hpp"
+#include "app/input/study.hpp"
 
-#include "app/study_keys.hpp"
+#include "app/input/study_keys.hpp"
 #include "app/study_texts.hpp"
 
 #include <catch2/catch.hpp>

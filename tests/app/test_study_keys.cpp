@@ -1,8 +1,8 @@
-#include "app/study_keys.hpp"
+#include "app/input/study_keys.hpp"
 
-#include "app/key_values.hpp"
+#include "app/input/key_values.hpp"
+#include "app/input/units.hpp"
 #include "app/study_texts.hpp"
-#include "app/units.hpp"
 
 #include <catch2/catch.hpp>
 

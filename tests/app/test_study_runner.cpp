@@ -1,7 +1,7 @@
-#include "app/pushed_wall.hpp"
-#include "app/study_columns.hpp"
-#include "app/study_file_head.hpp"
-#include "app/study_runner.hpp"
+#include "app/study/pushed_wall.hpp"
+#include "app/study/study_columns.hpp"
+#include "app/study/study_file_head.hpp"
+#include "app/study/study_runner.hpp"
 #include "app/study_scenes.hpp"
 
 #include <catch2/catch.hpp>

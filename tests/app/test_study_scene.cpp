@@ -1,6 +1,6 @@
 /// What a study hands to the solver.
 
-#include "app/study.hpp"
+#include "app/input/study.hpp"
 #include "app/study_texts.hpp"
 
 #include <catch2/catch.hpp>

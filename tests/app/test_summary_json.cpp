@@ -1,5 +1,5 @@
+#include "app/push/summary_json.hpp"
 #include "app/study_texts.hpp"
-#include "app/summary_json.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

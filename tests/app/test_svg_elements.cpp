@@ -1,4 +1,4 @@
-#include "app/svg_elements.hpp"
+#include "app/output/svg_elements.hpp"
 
 #include "tests/scenes/xml_tree.hpp"
 

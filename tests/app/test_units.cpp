@@ -1,4 +1,4 @@
-#include "app/units.hpp"
+#include "app/input/units.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
-#include "app/wall_svg.hpp"
+#include "app/output/wall_svg.hpp"
 
-#include "app/wall_body.hpp"
-#include "app/wall_legend.hpp"
-#include "app/wall_marks.hpp"
+#include "app/output/wall_body.hpp"
+#include "app/output/wall_legend.hpp"
+#include "app/output/wall_marks.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 #include "tests/scenes/xml_tree.hpp"
 

@@ -1,6 +1,6 @@
-#include "app/wall_view.hpp"
+#include "app/output/wall_view.hpp"
 
-#include "app/block_displacement.hpp"
+#include "app/output/block_displacement.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 
 #include <catch2/catch.hpp>

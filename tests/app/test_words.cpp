@@ -1,4 +1,4 @@
-#include "app/words.hpp"
+#include "app/input/words.hpp"
 
 #include <catch2/catch.hpp>
 

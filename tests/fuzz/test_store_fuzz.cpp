@@ -1,9 +1,9 @@
-#include "app/store.hpp"
+#include "app/store/store.hpp"
 
 #include "app/memory_folder.hpp"
 #include "app/store_scene.hpp"
 #include "tests/scenes/temporary_folder.hpp"
-#include "uq/stream.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
 

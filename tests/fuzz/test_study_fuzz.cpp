@@ -1,6 +1,6 @@
-#include "app/config_error.hpp"
-#include "app/study.hpp"
-#include "uq/stream.hpp"
+#include "app/input/config_error.hpp"
+#include "app/input/study.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 /// compare_stores A.h5 B.h5 [first N samples]: 0 if both hold the same walls with the same results, bit for
 /// bit; costs aside. With N: the walls of samples 0 .. N - 1 of A are those of B.
 
-#include "app/store_reader.hpp"
+#include "app/store/store_reader.hpp"
 
 #include <cstdlib>
 #include <iostream>

@@ -1,7 +1,7 @@
 #pragma once
 /// Sites the tests of fields share.
 
-#include "uq/kernel.hpp"
+#include "uq/fields/kernel.hpp"
 
 #include <vector>
 

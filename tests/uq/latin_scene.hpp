@@ -1,7 +1,7 @@
 #pragma once
 /// A plain Latin hypercube for the tests of estimates.
 
-#include "uq/stream.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Probabilities at given points, by the definitions in 420-digit arithmetic (mpmath 1.3).
 
-#include "uq/marginal.hpp"
+#include "uq/marginals/marginal.hpp"
 
 #include <limits>
 #include <vector>

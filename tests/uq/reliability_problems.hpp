@@ -1,8 +1,8 @@
 #pragma once
 /// Published limit states of structural reliability, as maps from standard normal variables.
 
-#include "uq/evaluate.hpp"
-#include "uq/limit_state.hpp"
+#include "uq/reliability/evaluate.hpp"
+#include "uq/reliability/limit_state.hpp"
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
-#include "uq/control_variate.hpp"
+#include "uq/reliability/control_variate.hpp"
 
-#include "uq/stream.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
 

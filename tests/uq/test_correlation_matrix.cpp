@@ -1,4 +1,4 @@
-#include "uq/correlation_matrix.hpp"
+#include "uq/designs/correlation_matrix.hpp"
 
 #include <catch2/catch.hpp>
 

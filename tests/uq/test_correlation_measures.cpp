@@ -1,6 +1,6 @@
-#include "uq/correlation_measures.hpp"
+#include "uq/sensitivity/correlation_measures.hpp"
 
-#include "uq/stream.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
 

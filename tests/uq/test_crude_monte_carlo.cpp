@@ -1,4 +1,4 @@
-#include "uq/crude_monte_carlo.hpp"
+#include "uq/reliability/crude_monte_carlo.hpp"
 
 #include "tests/uq/reliability_problems.hpp"
 

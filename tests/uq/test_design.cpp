@@ -1,4 +1,4 @@
-#include "uq/design.hpp"
+#include "uq/designs/design.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "uq/design_criteria.hpp"
+#include "uq/designs/design_criteria.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
-#include "uq/estimate.hpp"
+#include "uq/estimates/estimate.hpp"
 
 #include "tests/uq/nist_sets.hpp"
-#include "uq/estimate_critical.hpp"
-#include "uq/stream.hpp"
+#include "uq/designs/stream.hpp"
+#include "uq/estimates/estimate_critical.hpp"
 
 #include <catch2/catch.hpp>
 

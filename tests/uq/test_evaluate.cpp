@@ -1,4 +1,4 @@
-#include "uq/evaluate.hpp"
+#include "uq/reliability/evaluate.hpp"
 
 #include <catch2/catch.hpp>
 

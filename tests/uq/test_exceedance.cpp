@@ -1,4 +1,4 @@
-#include "uq/exceedance.hpp"
+#include "uq/reliability/exceedance.hpp"
 
 #include <catch2/catch.hpp>
 

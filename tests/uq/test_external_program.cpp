@@ -1,6 +1,6 @@
-#include "uq/external_program.hpp"
+#include "uq/reliability/external_program.hpp"
 
-#include "uq/evaluate.hpp"
+#include "uq/reliability/evaluate.hpp"
 
 #include <catch2/catch.hpp>
 

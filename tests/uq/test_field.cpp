@@ -1,9 +1,9 @@
-#include "uq/field.hpp"
+#include "uq/fields/field.hpp"
 
 #include "tests/uq/field_scenes.hpp"
-#include "uq/karhunen.hpp"
-#include "uq/kernel.hpp"
-#include "uq/stream.hpp"
+#include "uq/designs/stream.hpp"
+#include "uq/fields/karhunen.hpp"
+#include "uq/fields/kernel.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
-#include "uq/field_basis.hpp"
+#include "uq/fields/field_basis.hpp"
 
 #include "tests/uq/field_scenes.hpp"
-#include "uq/kernel.hpp"
+#include "uq/fields/kernel.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
-#include "uq/field_marginal.hpp"
+#include "uq/fields/field_marginal.hpp"
 
 #include "tests/uq/field_scenes.hpp"
-#include "uq/field.hpp"
-#include "uq/kernel.hpp"
+#include "uq/fields/field.hpp"
+#include "uq/fields/kernel.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "uq/form.hpp"
+#include "uq/reliability/form.hpp"
 
 #include "tests/uq/reliability_problems.hpp"
 

@@ -1,8 +1,8 @@
-#include "uq/given_data.hpp"
+#include "uq/sensitivity/given_data.hpp"
 
 #include "tests/uq/latin_scene.hpp"
 #include "tests/uq/sensitivity_scenes.hpp"
-#include "uq/field.hpp"
+#include "uq/fields/field.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -77,7 +77,8 @@ TEST_CASE(
                           << held / double(studies));
             CHECK(std::abs(bias) < 0.25 * std::sqrt(rms[size]));
             CHECK(std::sqrt(reported / rms[size]) == Approx(1.0).margin(0.15));
-            CHECK(held / double(studies) > (size == 0 ? 0.86 : 0.90)); // uq/given_data.hpp
+            CHECK(held / double(studies) >
+                  (size == 0 ? 0.86 : 0.90)); // uq/sensitivity/given_data.hpp
         }
         CHECK(std::sqrt(rms[0] / rms[1]) == Approx(2.0).epsilon(0.15));
     }

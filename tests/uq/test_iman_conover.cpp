@@ -1,4 +1,4 @@
-#include "uq/iman_conover.hpp"
+#include "uq/designs/iman_conover.hpp"
 
 #include <catch2/catch.hpp>
 

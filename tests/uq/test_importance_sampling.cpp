@@ -1,7 +1,7 @@
-#include "uq/importance_sampling.hpp"
+#include "uq/reliability/importance_sampling.hpp"
 
 #include "tests/uq/reliability_problems.hpp"
-#include "uq/form.hpp"
+#include "uq/reliability/form.hpp"
 
 #include <catch2/catch.hpp>
 #include <gsl/gsl_cdf.h>

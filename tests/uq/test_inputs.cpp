@@ -1,6 +1,6 @@
-#include "uq/inputs.hpp"
+#include "uq/designs/inputs.hpp"
 
-#include "uq/latin.hpp"
+#include "uq/designs/latin.hpp"
 
 #include <catch2/catch.hpp>
 

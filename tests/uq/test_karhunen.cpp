@@ -1,7 +1,7 @@
-#include "uq/karhunen.hpp"
+#include "uq/fields/karhunen.hpp"
 
 #include "tests/uq/field_scenes.hpp"
-#include "uq/kernel.hpp"
+#include "uq/fields/kernel.hpp"
 
 #include <catch2/catch.hpp>
 

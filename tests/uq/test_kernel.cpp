@@ -1,4 +1,4 @@
-#include "uq/kernel.hpp"
+#include "uq/fields/kernel.hpp"
 
 #include "tests/uq/field_scenes.hpp"
 

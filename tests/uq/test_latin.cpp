@@ -1,7 +1,7 @@
-#include "uq/latin.hpp"
+#include "uq/designs/latin.hpp"
 
-#include "uq/design.hpp"
-#include "uq/stream.hpp"
+#include "uq/designs/design.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
-#include "uq/latin_annealing.hpp"
+#include "uq/designs/latin_annealing.hpp"
 
-#include "uq/design.hpp"
-#include "uq/design_criteria.hpp"
-#include "uq/latin.hpp"
+#include "uq/designs/design.hpp"
+#include "uq/designs/design_criteria.hpp"
+#include "uq/designs/latin.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "uq/marginal.hpp"
+#include "uq/marginals/marginal.hpp"
 
 #include "tests/uq/marginal_reference.hpp"
 

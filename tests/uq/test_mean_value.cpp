@@ -1,6 +1,6 @@
-#include "uq/mean_value.hpp"
+#include "uq/reliability/mean_value.hpp"
 
-#include "uq/evaluate.hpp"
+#include "uq/reliability/evaluate.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
-#include "uq/multi_fidelity.hpp"
+#include "uq/reliability/multi_fidelity.hpp"
 
 #include "tests/uq/reliability_problems.hpp"
-#include "uq/crude_monte_carlo.hpp"
-#include "uq/evaluate.hpp"
+#include "uq/reliability/crude_monte_carlo.hpp"
+#include "uq/reliability/evaluate.hpp"
 
 #include <catch2/catch.hpp>
 #include <gsl/gsl_cdf.h>

@@ -1,4 +1,4 @@
-#include "uq/multi_fidelity_plan.hpp"
+#include "uq/reliability/multi_fidelity_plan.hpp"
 
 #include <catch2/catch.hpp>
 

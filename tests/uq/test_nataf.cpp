@@ -1,4 +1,4 @@
-#include "uq/nataf.hpp"
+#include "uq/designs/nataf.hpp"
 
 #include <catch2/catch.hpp>
 

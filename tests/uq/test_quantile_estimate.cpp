@@ -1,6 +1,6 @@
-#include "uq/quantile_estimate.hpp"
+#include "uq/estimates/quantile_estimate.hpp"
 
-#include "uq/stream.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
-#include "uq/regression.hpp"
+#include "uq/sensitivity/regression.hpp"
 
 #include "tests/uq/latin_scene.hpp"
 #include "tests/uq/sensitivity_scenes.hpp"
-#include "uq/correlation_measures.hpp"
+#include "uq/sensitivity/correlation_measures.hpp"
 
 #include <catch2/catch.hpp>
 

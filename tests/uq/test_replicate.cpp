@@ -1,4 +1,4 @@
-#include "uq/replicate.hpp"
+#include "uq/estimates/replicate.hpp"
 
 #include "tests/uq/latin_scene.hpp"
 

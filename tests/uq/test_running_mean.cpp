@@ -1,4 +1,4 @@
-#include "uq/running_mean.hpp"
+#include "uq/estimates/running_mean.hpp"
 
 #include "tests/uq/latin_scene.hpp"
 

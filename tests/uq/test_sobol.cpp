@@ -1,6 +1,6 @@
-#include "uq/sobol.hpp"
+#include "uq/designs/sobol.hpp"
 
-#include "uq/latin.hpp"
+#include "uq/designs/latin.hpp"
 
 #include <catch2/catch.hpp>
 

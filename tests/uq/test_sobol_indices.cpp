@@ -1,4 +1,4 @@
-#include "uq/sobol_indices.hpp"
+#include "uq/sensitivity/sobol_indices.hpp"
 
 #include "tests/uq/latin_scene.hpp"
 #include "tests/uq/sensitivity_scenes.hpp"

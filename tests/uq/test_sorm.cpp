@@ -1,4 +1,4 @@
-#include "uq/sorm.hpp"
+#include "uq/reliability/sorm.hpp"
 
 #include "tests/uq/reliability_problems.hpp"
 

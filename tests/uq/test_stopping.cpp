@@ -1,6 +1,6 @@
-#include "uq/stopping.hpp"
+#include "uq/estimates/stopping.hpp"
 
-#include "uq/stream.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
 

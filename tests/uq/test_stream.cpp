@@ -1,6 +1,6 @@
-#include "uq/stream.hpp"
+#include "uq/designs/stream.hpp"
 
-#include "uq/normal_quantile.hpp"
+#include "uq/marginals/normal_quantile.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "uq/subset_simulation.hpp"
+#include "uq/reliability/subset_simulation.hpp"
 
 #include "tests/uq/reliability_problems.hpp"
 

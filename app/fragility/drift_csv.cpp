@@ -1,0 +1,282 @@
+#include "app/fragility/drift_csv.hpp"
+
+#include "app/input/config_error.hpp"
+#include "app/input/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace app {
+namespace {
+
+/// Splits a text into records; what is left to check is whether they fit the head.
+class Splitter {
+  public:
+    Splitter(const std::string& path, std::string_view text, char separator)
+        : path_(path), text_(text), separator_(separator)
+    {
+    }
+
+    std::vector<CsvRow> records()
+    {
+        std::vector<CsvRow> all;
+        while (at_ < text_.size()) {
+            CsvRow row{{}, line_};
+            const std::size_t start = at_;
+            while (cell(row)) {
+            }
+            const bool blank =
+                row.cells.size() == 1 && row.cells[0].empty() && text_[start] != '"';
+            if (!blank) all.push_back(std::move(row));
+        }
+        return all;
+    }
+
+  private:
+    /// @return whether the record goes on
+    bool cell(CsvRow& row)
+    {
+        std::string content;
+        if (at_ < text_.size() && text_[at_] == '"') content = quoted();
+        while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n')
+            content += text_[at_++];
+        const bool more = at_ < text_.size() && text_[at_] == separator_;
+        if (!more && !content.empty() && content.back() == '\r') content.pop_back();
+        row.cells.push_back(std::move(content));
+        if (at_ < text_.size()) line_ += text_[at_++] == '\n' ? 1 : 0;
+        return more;
+    }
+
+    std::string quoted()
+    {
+        const int start = line_;
+        std::string content;
+        for (++at_; at_ < text_.size(); ++at_) {
+            if (text_[at_] == '"' && at_ + 1 < text_.size() && text_[at_ + 1] == '"') {
+                ++at_;
+            } else if (text_[at_] == '"') {
+                ++at_;
+                return content;
+            }
+            line_ += text_[at_] == '\n' ? 1 : 0;
+            content += text_[at_];
+        }
+        throw ConfigError(path_, start, "", "a quoted cell is not closed; add a \" at its end");
+    }
+
+    const std::string& path_;
+    std::string_view text_;
+    char separator_;
+    std::size_t at_ = 0;
+    int line_ = 1;
+};
+
+char separator_of(std::string_view text)
+{
+    const std::string_view head = text.substr(0, text.find('\n'));
+    char best = ',';
+    std::ptrdiff_t most = 0;
+    for (const char c : {',', ';', '\t'}) {
+        bool quoted = false;
+        std::ptrdiff_t n = 0;
+        for (const char h : head) {
+            if (h == '"') quoted = !quoted;
+            n += h == c && !quoted ? 1 : 0;
+        }
+        if (n > most) {
+            most = n;
+            best = c;
+        }
+    }
+    return best;
+}
+
+void check_head(const std::string& path, const CsvRow& head)
+{
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < head.cells.size(); ++i) {
+        const std::string& name = head.cells[i];
+        if (name.empty())
+            throw ConfigError(path, head.line, "",
+                              "column " + std::to_string(i + 1) + " has no name");
+        if (!names.insert(name).second)
+            throw ConfigError(path, head.line, "",
+                              "two columns are called " + in_quotes(name) + "; rename one");
+    }
+}
+
+/// Without its unit in brackets.
+std::string_view bare(std::string_view head) { return trimmed(head.substr(0, head.find('['))); }
+
+std::string unit_of(std::string_view head)
+{
+    const auto open = head.find('['), close = head.find(']', open);
+    if (open == std::string_view::npos || close == std::string_view::npos) return {};
+    return std::string(trimmed(head.substr(open + 1, close - open - 1)));
+}
+
+std::size_t find_column(const std::string& path, const Csv& csv, std::string_view name)
+{
+    std::vector<std::string_view> names(csv.head.begin(), csv.head.end());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name) return i;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (bare(names[i]) == name) found.push_back(i);
+    if (found.size() == 1) return found.front();
+    if (found.size() > 1)
+        throw ConfigError(path, 0, name, "several columns have this name; add the unit");
+    throw ConfigError(path, 0, name, "no such column; " + suggestion(name, names));
+}
+
+struct Place {
+    const std::string& path;
+    const CsvRow& row;
+    std::string_view column;
+};
+
+[[noreturn]] void refuse(const Place& at, const std::string& why)
+{
+    throw ConfigError(at.path, at.row.line, at.column, why);
+}
+
+double read_drift(const Place& at, std::string text, bool comma)
+{
+    if (text.empty()) refuse(at, "empty cell; write a drift, or take the row out");
+    if (comma) std::replace(text.begin(), text.end(), ',', '.');
+    double value = 0.0;
+    const char* first = text.data() + (text.front() == '+' ? 1 : 0);
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(first, last, value);
+    if (error != std::errc() || end != last) refuse(at, in_quotes(text) + " is not a number");
+    if (!std::isfinite(value)) refuse(at, in_quotes(text) + " is not a finite number");
+    if (value < 0.0) refuse(at, in_quotes(text) + " is negative; a drift is at least 0");
+    return value;
+}
+
+bool read_censored(const Place& at, std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
+        return static_cast<char>(c < 128 ? std::tolower(c) : c);
+    });
+    for (const char* const yes : {"1", "yes", "true", "censored"})
+        if (text == yes) return true;
+    for (const char* const no : {"0", "no", "false", "observed"})
+        if (text == no) return false;
+    refuse(at, in_quotes(text) + " does not say whether the value is a bound; write 1 or 0");
+}
+
+double percent_per_unit(const std::string& unit)
+{
+    if (unit == "%") return 1.0;
+    if (unit == "-" || unit == "rad" || unit == "m/m" || unit == "1") return 100.0;
+    if (unit == "permille" || unit == "‰" || unit == "mm/m" || unit == "mrad") return 0.1;
+    return 0.0;
+}
+
+/// Indices of the columns asked for.
+struct Indices {
+    std::vector<std::size_t> drift;
+    std::optional<std::size_t> censored, group;
+};
+
+DriftWall read_wall(const std::string& path, const Csv& csv, const Indices& columns,
+                    const CsvRow& row)
+{
+    DriftWall wall;
+    bool bound = false;
+    if (columns.censored)
+        bound = read_censored({path, row, csv.head[*columns.censored]},
+                              std::string(trimmed(row.cells[*columns.censored])));
+    for (const std::size_t c : columns.drift) {
+        const double d = read_drift({path, row, csv.head[c]},
+                                    std::string(trimmed(row.cells[c])), csv.separator != ',');
+        wall.limits.push_back(bound ? fragility::right_censored(d) : fragility::observed(d));
+    }
+    return wall;
+}
+
+std::string group_name(const std::string& path, const Csv& csv, const Indices& columns,
+                       const CsvRow& row)
+{
+    if (!columns.group) return "all";
+    const std::string name(trimmed(row.cells[*columns.group]));
+    if (name.empty())
+        refuse({path, row, csv.head[*columns.group]}, "empty cell; name its group");
+    return name;
+}
+
+/// Groups whose names are numbers are ordered by them.
+void sort_groups(std::vector<DriftGroup>& groups)
+{
+    std::vector<std::pair<double, DriftGroup>> keyed;
+    for (DriftGroup& g : groups) {
+        double key = 0.0;
+        const char* const last = g.name.data() + g.name.size();
+        const auto [end, error] = std::from_chars(g.name.data(), last, key);
+        if (error != std::errc() || end != last || !std::isfinite(key)) return;
+        keyed.emplace_back(key, g);
+    }
+    std::stable_sort(keyed.begin(), keyed.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = keyed[i].second;
+}
+
+} // namespace
+
+Csv parse_csv(const std::string& path, std::string_view text)
+{
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    Csv csv;
+    csv.separator = separator_of(text);
+    csv.rows = Splitter(path, text, csv.separator).records();
+    if (csv.rows.empty()) throw ConfigError(path, 0, "", "no head; name the columns in line 1");
+    for (std::string& name : csv.rows.front().cells) name = std::string(trimmed(name));
+    check_head(path, csv.rows.front());
+    csv.head = csv.rows.front().cells;
+    csv.rows.erase(csv.rows.begin());
+    for (const CsvRow& row : csv.rows)
+        if (row.cells.size() != csv.head.size())
+            throw ConfigError(path, row.line, "",
+                              std::to_string(row.cells.size()) + " cells, but the head has " +
+                                  std::to_string(csv.head.size()));
+    return csv;
+}
+
+DriftData drift_data(const std::string& path, const Csv& csv, const DriftColumns& columns)
+{
+    Indices at;
+    DriftData data;
+    for (const std::string& name : columns.drift) {
+        at.drift.push_back(find_column(path, csv, name));
+        const std::string& head = csv.head[at.drift.back()];
+        const std::string unit = unit_of(head);
+        if (!data.states.empty() && unit != data.unit)
+            throw ConfigError(path, 0, head, "columns of drift must have one unit");
+        data.unit = unit;
+        data.states.push_back({"", std::string(bare(head)), "column " + in_quotes(head)});
+    }
+    if (!columns.censored.empty()) at.censored = find_column(path, csv, columns.censored);
+    if (!columns.group.empty()) at.group = find_column(path, csv, columns.group);
+    data.percent = percent_per_unit(data.unit);
+    data.group_head = at.group ? csv.head[*at.group] : "group";
+    data.source = std::filesystem::path(path).filename().string();
+    data.drift = "Values as given in the table";
+    std::map<std::string, std::size_t> places;
+    for (const CsvRow& row : csv.rows) {
+        DriftWall wall = read_wall(path, csv, at, row);
+        const std::string name = group_name(path, csv, at, row);
+        const auto [place, fresh] = places.emplace(name, data.groups.size());
+        if (fresh) data.groups.push_back({name, {}, {}, 0, 0});
+        data.groups[place->second].walls.push_back(std::move(wall));
+    }
+    if (data.groups.empty()) data.groups.push_back({"all", {}, {}, 0, 0});
+    sort_groups(data.groups);
+    return data;
+}
+
+} // namespace app

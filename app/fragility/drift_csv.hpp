@@ -1,0 +1,48 @@
+#pragma once
+/// Anyone's table of drifts: RFC 4180, separated by commas, semicolons or tabs.
+
+#include "app/fragility/fragility_data.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+struct CsvRow {
+    std::vector<std::string> cells; ///< as many as the head
+    int line = 0;                   ///< where it starts, from 1
+};
+
+struct Csv {
+    std::vector<std::string> head; ///< without blanks at both ends
+    std::vector<CsvRow> rows;
+    char separator = ',';
+};
+
+/// Cells may be in double quotes, with "" for a quote and line breaks inside. Lines end in LF or
+/// CRLF; lines without any character and a byte order mark are passed over. The separator is the most
+/// frequent of comma, semicolon and tab in the head.
+/// @param path only names it
+/// @throws ConfigError naming the line: no head, columns without or with equal names, too few or too
+/// many cells, a quote that is not closed
+[[nodiscard]] Csv parse_csv(const std::string& path, std::string_view text);
+
+/// Columns of a table, by name: "drift" or, with its unit, "drift [%]".
+struct DriftColumns {
+    std::vector<std::string> drift; ///< one or more limit states
+    std::string censored;           ///< empty: all values are observed
+    std::string group;              ///< empty: one group
+};
+
+/// Drifts >= 0; in the column of censoring 1, yes, true, censored: the wall had not reached the limit state
+/// at this drift; 0, no, false, observed: it did. With semicolons or tabs 1,5 is read as 1.5.
+/// Units: those in brackets in the head, [%], [-], [rad], [permille], [mm], ...
+/// @throws ConfigError naming row and column: no such column; an empty cell, NaN, infinite or negative
+/// value, no number
+[[nodiscard]] DriftData drift_data(const std::string& path, const Csv& csv,
+                                   const DriftColumns& columns);
+
+} // namespace app

@@ -1,0 +1,198 @@
+#include "app/fragility/fragility_command.hpp"
+
+#include "app/fragility/drift_csv.hpp"
+#include "app/fragility/fragility_curves.hpp"
+#include "app/fragility/fragility_inputs.hpp"
+#include "app/fragility/fragility_limits.hpp"
+#include "app/fragility/fragility_means.hpp"
+#include "app/fragility/fragility_modes.hpp"
+#include "app/input/config_error.hpp"
+#include "app/input/key_values.hpp"
+#include "app/input/text_file.hpp"
+#include "app/input/units.hpp"
+#include "app/input/words.hpp"
+#include "app/study/fragility_text.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_pictures(FragilityOutput& output, std::vector<NamedPicture> pictures)
+{
+    std::move(pictures.begin(), pictures.end(), std::back_inserter(output.pictures));
+}
+
+/// "2 walls failed at 0.75 MPa: the energy ledger ..."
+std::string failures(const StudyWalls& walls)
+{
+    std::string text;
+    for (const StudyLevel& level : walls.levels) {
+        const std::string stress =
+            drift_data(walls)
+                .groups[static_cast<std::size_t>(&level - walls.levels.data())]
+                .name;
+        for (const auto& [reason, n] : level.reasons)
+            text += stress + ": " + std::to_string(n) + " failed: " + reason + "\n";
+        if (level.missing > 0)
+            text += stress + ": " + std::to_string(level.missing) +
+                    " walls of the study are not in this file\n";
+    }
+    if (walls.shard)
+        text += walls.name + ": drystone merge puts the shards of a study together.\n";
+    if (!walls.pushed_one_way)
+        text += "The push of this study turns back: no limit state is defined on its curves.\n";
+    if (walls.shared)
+        text +=
+            "All stresses share one design: walls of two stresses depend on each other, and "
+            "errors of the model over all stresses are too small.\n";
+    return text;
+}
+
+std::string read_file(const std::string& path)
+{
+    if (fs::is_directory(path)) throw ConfigError(path, 0, "", "is a directory; give a file");
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw ConfigError(path, 0, "", "cannot be read");
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    if (!is_text(text)) throw ConfigError(path, 0, "", "is no text in UTF-8");
+    return text;
+}
+
+/// fragility.key=value without a study; keys that need curves are refused.
+DriftOptions options_of(const std::vector<std::string>& overrides)
+{
+    Study study;
+    for (const std::string& o : overrides) {
+        const std::size_t equals = o.find('=');
+        const std::string name(trimmed(o.substr(0, equals)));
+        const bool known = name == "fragility.law" || name == "fragility.confidence" ||
+                           name == "fragility.bootstrap";
+        if (!known || equals == std::string::npos)
+            throw ConfigError("--set", 0, name,
+                              "of a table only fragility.law=..., fragility.confidence=... and "
+                              "fragility.bootstrap=... can be set");
+        const Key& key = *find_key(name);
+        try {
+            key.field.set(study,
+                          parse_value(key, trimmed(std::string_view(o).substr(equals + 1))));
+        } catch (const BadValue& bad) {
+            throw ConfigError("--set", 0, name, bad.what());
+        }
+    }
+    const FragilityInput& f = study.fragility;
+    return {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap), 1};
+}
+
+/// HDF5 files begin with these bytes.
+bool is_study(const std::string& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    std::string start(8, '\0');
+    in.read(start.data(), 8);
+    return start == "\x89HDF\r\n\x1a\n" || path.ends_with(".h5");
+}
+
+void check_columns(const Command& command, bool study)
+{
+    const bool any =
+        !command.drift.empty() || !command.censored.empty() || !command.group.empty();
+    if (study && any)
+        throw ConfigError("drystone", 0, "--drift, --censored, --group",
+                          "columns of a table; a study has none, leave them out");
+    if (!study && command.drift.empty())
+        throw ConfigError("drystone", 0, "--drift",
+                          "missing; name the column of drifts in " + in_quotes(command.study));
+}
+
+/// For the tables shown without their captions.
+std::string mark_text(const FragilityOutput& output)
+{
+    for (const NamedTable& t : output.tables)
+        if (t.name == "performance_limits" &&
+            as_text(t.table).find(kExtrapolated) != std::string::npos)
+            return extrapolated_text("any wall of the row") + " (\"known to\")\n";
+    return {};
+}
+
+FragilityOutput output_of(const Command& command)
+{
+    const bool study = is_study(command.study);
+    check_columns(command, study);
+    if (study) return study_output(read_study_walls(command.study, command.overrides));
+    const DriftOptions options = options_of(command.overrides);
+    DriftData data =
+        drift_data(command.study, parse_csv(command.study, read_file(command.study)),
+                   {command.drift, command.censored, command.group});
+    data.options = options;
+    return drift_output(data);
+}
+
+} // namespace
+
+FragilityOutput drift_output(const DriftData& data)
+{
+    FragilityOutput output;
+    output.source = counts_text(data);
+    output.tables.push_back(
+        {"performance_limits",
+         "drifts at which 5 to 95 % of the walls have reached a limit state",
+         performance_table(data)});
+    output.tables.push_back(
+        {"goodness_of_fit", "how well laws fit the limit drifts", fit_table(data)});
+    const Table model = stress_table(data);
+    if (!model.rows.empty())
+        output.tables.push_back({"stress_model",
+                                 "median and dispersion of limit drifts over vertical stress",
+                                 model});
+    for (NamedTable& t : curve_tables(data)) output.tables.push_back(std::move(t));
+    add_pictures(output, curve_pictures(data));
+    output.pelicun = pelicun_csv(data);
+    return output;
+}
+
+FragilityOutput study_output(const StudyWalls& walls)
+{
+    FragilityOutput output = drift_output(drift_data(walls));
+    output.remarks = failures(walls);
+    std::vector<NamedTable> tables = {
+        {"modes", "shares of the modes of failure per stress", mode_table(walls)},
+        {"table_6_rocking", "means of rocking walls (paper, Table 6)",
+         mean_table(walls, kRocking)},
+        {"table_7_mixed", "means of walls of mixed mode (paper, Table 7)",
+         mean_table(walls, kMixed)},
+        {"table_8_both_modes", "means of both modes side by side (paper, Table 8)",
+         both_modes_table(walls)},
+        {"equal_modes", "joint friction angle at which both modes are equally likely",
+         equal_modes_table(walls)},
+        {"mode_thresholds", "shares of the modes for other thresholds of their rule",
+         threshold_table(walls)},
+        {"mean_curves", "mean force over drift per mode and stress (paper, Fig. 15)",
+         mean_curve_table(walls)}};
+    if (!walls.inputs.empty())
+        tables.push_back({"inputs", "what force and displacement depend on (paper, Fig. 12)",
+                          input_table(walls)});
+    output.tables.insert(output.tables.begin() + 1, tables.begin(), tables.end());
+    add_pictures(output, mean_curve_pictures(walls));
+    add_pictures(output, input_pictures(walls));
+    return output;
+}
+
+int fragility_command(const Command& command)
+{
+    const FragilityOutput output = output_of(command);
+    write_output(command.out, output);
+    for (const NamedTable& t : output.tables)
+        if (t.name == "performance_limits" || t.name == "modes")
+            std::cout << t.title << "\n" << as_text(t.table) << "\n";
+    std::cout << mark_text(output) << output.remarks << "written to " << command.out
+              << ", README.md there lists all files\n";
+    return 0;
+}
+
+} // namespace app

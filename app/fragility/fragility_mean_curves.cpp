@@ -1,0 +1,156 @@
+#include "app/fragility/fragility_means.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/output/chart_svg.hpp"
+#include "app/study/resampled_curve.hpp"
+#include "fragility/bootstrap.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+constexpr std::array<const char*, 3> kGroups = {"rocking", "mixed", "all"};
+constexpr int kAllModes = 2;
+constexpr std::size_t kTableStep = 4; ///< of the grid of curves
+constexpr std::array<const char*, 7> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                 "#E69F00", "#56B4E9", "#000000"};
+
+/// Forces of the walls of a group at one step [kN].
+struct MeanPoint {
+    double drift; ///< [%]
+    double mean, low, high;
+    std::size_t walls;
+};
+
+std::vector<const StudyWall*> group_of(const StudyLevel& level, int mode)
+{
+    std::vector<const StudyWall*> group;
+    for (const StudyWall& w : level.walls)
+        if ((mode == kAllModes || w.mode == mode) && !w.forces.empty()) group.push_back(&w);
+    return group;
+}
+
+/// As far as kMeanNeedsShare of the curves of the group go.
+std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& level, int mode)
+{
+    const auto group = group_of(level, mode);
+    std::vector<MeanPoint> points;
+    for (std::size_t i = 0; i <= kCurveSteps && !group.empty(); ++i) {
+        std::vector<double> forces;
+        for (const StudyWall* w : group)
+            if (i < w->forces.size()) forces.push_back(w->forces[i] * 1e-3);
+        if (static_cast<double>(forces.size()) <
+            kMeanNeedsShare * static_cast<double>(group.size()))
+            break;
+        std::sort(forces.begin(), forces.end());
+        double sum = 0.0;
+        for (const double f : forces) sum += f;
+        points.push_back({100.0 * walls.step * static_cast<double>(i) / walls.height,
+                          sum / static_cast<double>(forces.size()),
+                          fragility::sample_quantile(forces, 0.16),
+                          fragility::sample_quantile(forces, 0.84), forces.size()});
+    }
+    return points;
+}
+
+/// Points of the curve of a full push; the last may lie a rounding short of the target.
+constexpr std::size_t kFullPush = kCurveSteps;
+
+/// Said where it applies: "At 0.5 MPa 31 of 50 runs ended early ..."
+std::string early_text(const StudyWalls& walls)
+{
+    std::string text;
+    for (const StudyLevel& level : walls.levels) {
+        const auto group = group_of(level, kAllModes);
+        const auto early = std::count_if(group.begin(), group.end(), [](const StudyWall* w) {
+            return w->forces.size() < kFullPush;
+        });
+        if (early == 0) continue;
+        text += (text.empty() ? " Runs that ended before the full push: " : ", ") +
+                std::to_string(early) + " of " + std::to_string(group.size()) + " at " +
+                number(level.stress * 1e-6, 12) + " MPa";
+    }
+    if (text.empty()) return text;
+    const double share = walls.study.load.stop_below;
+    if (share > 0.0)
+        text += " (load.stop_below ends a run once the force has fallen to " +
+                number(100.0 * share, 6) + " % of the peak)";
+    return text +
+           ". Where n is below its first value, walls have left, those that dropped "
+           "first: the mean there is that of the walls still pushed, above the mean of all.";
+}
+
+NamedPicture picture(const StudyWalls& walls, int mode)
+{
+    Chart c;
+    const std::string what = kGroups[static_cast<std::size_t>(mode)];
+    c.title = "Mean force over drift, " + (mode == kAllModes ? "all walls" : what + " walls");
+    c.x_label = "drift [%]";
+    c.y_label = "force [kN]";
+    for (std::size_t l = 0; l < walls.levels.size(); ++l) {
+        const auto points = mean_points(walls, walls.levels[l], mode);
+        if (points.empty()) continue;
+        Series mean, low, high;
+        for (const MeanPoint& p : points) {
+            for (Series* const s : {&mean, &low, &high}) s->x.push_back(p.drift);
+            mean.y.push_back(p.mean);
+            low.y.push_back(p.low);
+            high.y.push_back(p.high);
+        }
+        mean.name = number(walls.levels[l].stress * 1e-6, 6) + " MPa";
+        for (Series* const s : {&mean, &low, &high}) s->colour = kColours[l % kColours.size()];
+        low.line = high.line = LineStyle::dotted;
+        low.width = high.width = 1.0;
+        mean.width = 2.2;
+        c.series.insert(c.series.end(), {mean, low, high});
+    }
+    return {"mean_curves_" + what,
+            "mean force over drift, " + (mode == kAllModes ? std::string("all") : what) +
+                " walls, per stress, while 90 % of them are pushed; dotted: 16 and 84 % of the "
+                "walls",
+            line_chart(c)};
+}
+
+} // namespace
+
+Table mean_curve_table(const StudyWalls& walls)
+{
+    Table t;
+    t.caption =
+        "Mean force over drift per mode and vertical stress (the paper, Fig. 15), with "
+        "16 and 84 % quantiles of the walls. Drift: displacement of the load line / its "
+        "height, " +
+        number(walls.height, 6) +
+        " m. n: walls still pushed there; a mean ends where they are fewer than " +
+        number(100.0 * kMeanNeedsShare, 6) + " % of its walls." + early_text(walls);
+    t.head = {"stress [MPa]",    "walls",     "drift [%]", "n",
+              "mean force [kN]", "16 % [kN]", "84 % [kN]"};
+    for (const StudyLevel& level : walls.levels)
+        for (int mode = 0; mode <= kAllModes; ++mode) {
+            const auto points = mean_points(walls, level, mode);
+            for (std::size_t i = 0; i < points.size(); i += kTableStep)
+                t.rows.push_back({number(level.stress * 1e-6, 12),
+                                  kGroups[static_cast<std::size_t>(mode)],
+                                  fixed(points[i].drift, 3), std::to_string(points[i].walls),
+                                  fixed(points[i].mean, 3), fixed(points[i].low, 3),
+                                  fixed(points[i].high, 3)});
+        }
+    return t;
+}
+
+std::vector<NamedPicture> mean_curve_pictures(const StudyWalls& walls)
+{
+    std::vector<NamedPicture> pictures;
+    for (int mode = 0; mode <= kAllModes; ++mode) {
+        const bool any =
+            std::any_of(walls.levels.begin(), walls.levels.end(), [&](const StudyLevel& l) {
+                return !mean_points(walls, l, mode).empty();
+            });
+        if (any) pictures.push_back(picture(walls, mode));
+    }
+    return pictures;
+}
+
+} // namespace app

@@ -1,0 +1,86 @@
+#include "app/fragility/fragility_output.hpp"
+
+#include "app/output/atomic_output.hpp"
+#include "app/study/fragility_text.hpp"
+#include "app/version.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+Json cell_json(const std::string& cell)
+{
+    if (cell.empty()) return nullptr;
+    double value = 0.0;
+    const char* const last = cell.data() + cell.size();
+    const auto [end, error] = std::from_chars(cell.data(), last, value);
+    const bool number = error == std::errc() && end == last && std::isfinite(value);
+    return number ? Json(value) : Json(cell);
+}
+
+Json table_json(const NamedTable& named)
+{
+    const Table plain = plain_numbers(named.table);
+    Json rows = Json::array();
+    for (const auto& row : plain.rows) {
+        Json object = Json::object();
+        for (std::size_t c = 0; c < row.size(); ++c) object[plain.head[c]] = cell_json(row[c]);
+        rows.push_back(std::move(object));
+    }
+    return {{"title", named.title}, {"caption", named.table.caption}, {"rows", rows}};
+}
+
+std::string index_text(const FragilityOutput& output)
+{
+    std::string text = "# Fragility: " + output.source + "\n\n";
+    if (!output.remarks.empty()) text += output.remarks + "\n";
+    text += "Each table is there as `.md` (with its caption), `.tex` and `.csv` (intervals in "
+            "columns of their own). " +
+            std::string(kExtrapolated) +
+            " marks drifts beyond those at which walls were seen; in `.csv` and `.json` a "
+            "column \"extrapolated\" is 1 there.\n\n| file | what it is |\n|:--|:--|\n";
+    for (const NamedTable& t : output.tables)
+        text += "| [" + t.name + "](" + t.name + ".md) | " + t.title + " |\n";
+    for (const NamedPicture& p : output.pictures)
+        text += "| [" + p.name + ".svg](" + p.name + ".svg) | " + p.title + " |\n";
+    text += "| [fragility.json](fragility.json) | everything in the tables, as one object |\n";
+    text += "| [pelicun_fragility.csv](pelicun_fragility.csv) | damage model parameters for "
+            "pelicun; incomplete where no law could be fitted |\n";
+    return text;
+}
+
+} // namespace
+
+std::string fragility_json(const FragilityOutput& output)
+{
+    Json tables = Json::object();
+    for (const NamedTable& t : output.tables) tables[t.name] = table_json(t);
+    const Json all = {{"source", output.source},
+                      {"version", std::string(kVersion)},
+                      {"remarks", output.remarks},
+                      {"tables", tables}};
+    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_output(const fs::path& folder, const FragilityOutput& output)
+{
+    make_folder(folder);
+    for (const NamedTable& t : output.tables) {
+        write_file(folder / (t.name + ".csv"), as_csv(plain_numbers(t.table)));
+        write_file(folder / (t.name + ".md"), as_markdown(t.table));
+        write_file(folder / (t.name + ".tex"), as_latex(t.table));
+    }
+    for (const NamedPicture& p : output.pictures) write_file(folder / (p.name + ".svg"), p.svg);
+    write_file(folder / "fragility.json", fragility_json(output));
+    write_file(folder / "pelicun_fragility.csv", output.pelicun);
+    write_file(folder / "README.md", index_text(output));
+}
+
+} // namespace app

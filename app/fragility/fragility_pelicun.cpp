@@ -1,0 +1,121 @@
+#include "app/fragility/fragility_limits.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/study/fragility_text.hpp"
+#include "fragility/censored_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace app {
+namespace {
+
+constexpr std::size_t kMostStates = 4;
+
+struct Parameters {
+    double median, dispersion;
+    double known_to; ///< drift up to which walls were seen [rad]
+};
+
+/// A lognormal fit of a limit state [rad]; nothing without.
+std::optional<Parameters> parameters(const DriftData& data, const DriftGroup& group,
+                                     std::size_t state)
+{
+    if (!(data.percent > 0.0)) return {};
+    const auto limits = limits_of(group, state);
+    const auto fit = fragility::fit(fragility::Law::lognormal, limits);
+    if (fit.outcome != fragility::FitOutcome::converged) return {};
+    const double radians = data.percent / 100.0;
+    return Parameters{std::exp(fit.law.location) * radians, fit.law.dispersion,
+                      known_to(limits) * radians};
+}
+
+std::vector<std::string> sets_of(const DriftData& data)
+{
+    std::vector<std::string> sets;
+    for (const DriftState& s : data.states)
+        if (std::find(sets.begin(), sets.end(), s.set) == sets.end()) sets.push_back(s.set);
+    return sets;
+}
+
+std::string quoted(const std::string& text)
+{
+    std::string safe = file_name(text);
+    std::replace(safe.begin(), safe.end(), '-', '_'); // pelicun splits at hyphens
+    return safe;
+}
+
+std::string head_line()
+{
+    std::string line = "ID,Incomplete,Demand-Type,Demand-Unit,Demand-Offset,Demand-Directional";
+    for (std::size_t i = 1; i <= kMostStates; ++i)
+        for (const char* const field : {"Family", "Theta_0", "Theta_1", "DamageStateWeights"})
+            line += ",LS" + std::to_string(i) + "-" + field;
+    return line + ",Notes\n";
+}
+
+/// "LS1 known to 0.002 rad; LS2 known to 0.027 rad (median extrapolated)"
+std::string notes(const std::vector<std::optional<Parameters>>& found)
+{
+    std::string text;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!found[i]) continue;
+        text += (text.empty() ? "LS" : "; LS") + std::to_string(i + 1) + " known to " +
+                number(found[i]->known_to, 4) + " rad";
+        if (found[i]->median > found[i]->known_to) text += " (median extrapolated)";
+    }
+    return text;
+}
+
+/// Limit states of one set in one row, or in several where it has more than fit in one.
+std::string line(const DriftData& data, const DriftGroup& group, const std::string& id,
+                 const std::vector<std::size_t>& states)
+{
+    std::vector<std::optional<Parameters>> found;
+    for (const std::size_t s : states) found.push_back(parameters(data, group, s));
+    const bool whole = std::all_of(found.begin(), found.end(), [](auto& p) { return p; });
+    if (whole)
+        std::stable_sort(found.begin(), found.end(),
+                         [](const auto& a, const auto& b) { return a->median < b->median; });
+    std::string text = id + (whole ? ",0" : ",1") + ",Peak Interstory Drift Ratio,rad,0,1";
+    for (std::size_t i = 0; i < kMostStates; ++i) {
+        if (i >= states.size()) {
+            text += ",,,,";
+        } else if (found[i]) {
+            text += ",lognormal," + number(found[i]->median, 6) + "," +
+                    number(found[i]->dispersion, 6) + ",";
+        } else {
+            text += ",lognormal,,,";
+        }
+    }
+    return text + "," + notes(found) + "\n";
+}
+
+} // namespace
+
+std::string pelicun_csv(const DriftData& data)
+{
+    std::string text = head_line();
+    for (const std::string& set : sets_of(data))
+        for (const DriftGroup& group : data.groups) {
+            std::vector<std::size_t> states;
+            for (std::size_t s = 0; s < data.states.size(); ++s)
+                if (data.states[s].set == set) states.push_back(s);
+            std::size_t part = 0;
+            while (!states.empty()) {
+                const std::size_t n = std::min(kMostStates, states.size());
+                std::string id =
+                    "DRYSTONE." + (set.empty() ? "" : quoted(set) + ".") + quoted(group.name);
+                if (states.size() > kMostStates || part > 0)
+                    id += ".part" + std::to_string(++part);
+                text += line(data, group, id,
+                             {states.begin(), states.begin() + static_cast<std::ptrdiff_t>(n)});
+                states.erase(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(n));
+            }
+        }
+    return text;
+}
+
+} // namespace app

@@ -1,0 +1,184 @@
+#include "app/fragility/fragility_curves.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/output/chart_svg.hpp"
+#include "app/study/fragility_text.hpp"
+#include "fragility/fragility_curve.hpp"
+#include "fragility/kaplan_meier.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+using fragility::Observation;
+
+constexpr std::size_t kChartDrifts = 120;
+constexpr std::array<const char*, 7> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                 "#E69F00", "#56B4E9", "#000000"};
+
+std::string colour(std::size_t i) { return kColours[i % kColours.size()]; }
+
+std::string title_of(const DriftState& s)
+{
+    return (s.set.empty() ? "" : s.set + " ") + s.name + ": " + s.rule;
+}
+
+/// Fits on a chart beside the name of a group.
+std::string short_title(const DriftState& s)
+{
+    constexpr std::size_t kMost = 50;
+    const std::string title = title_of(s);
+    return title.size() <= kMost ? title : title.substr(0, title.find(':'));
+}
+
+/// Horizontal pieces, up to where anything is known.
+Series steps(const std::vector<Observation>& limits, const std::string& name,
+             const std::string& shade)
+{
+    Series s{name, {}, {}, shade, LineStyle::dotted, 1.4, false};
+    if (limits.empty()) return s;
+    const auto km = fragility::kaplan_meier(limits);
+    double last = 0.0;
+    s.x.push_back(0.0);
+    s.y.push_back(0.0);
+    for (const auto& step : km.steps) {
+        s.x.insert(s.x.end(), {step.at, step.at});
+        s.y.insert(s.y.end(), {last, step.probability});
+        last = step.probability;
+    }
+    s.x.push_back(km.end);
+    s.y.push_back(last);
+    return s;
+}
+
+/// Two lines of one look: as far as walls were seen, and dashed beyond.
+std::vector<Series> parted(const Series& line, double end)
+{
+    std::vector<Series> parts{line, line};
+    parts[1].name.clear();
+    parts[1].line = LineStyle::dashed;
+    const auto seen = std::upper_bound(line.x.begin(), line.x.end(), end) - line.x.begin();
+    for (auto* const v : {&parts[0].x, &parts[0].y}) v->resize(static_cast<std::size_t>(seen));
+    const auto overlap = std::max<std::ptrdiff_t>(seen - 1, 0);
+    for (auto* const v : {&parts[1].x, &parts[1].y}) v->erase(v->begin(), v->begin() + overlap);
+    if (parts[1].x.size() < 2) parts.pop_back();
+    return parts;
+}
+
+/// Fitted curve from zero on; empty without a fit.
+Series fitted(const DriftData& data, const std::vector<Observation>& limits,
+              const std::vector<double>& drifts)
+{
+    Series s;
+    const auto fit = fragility::fit(data.options.law, limits);
+    if (fit.outcome != fragility::FitOutcome::converged) return s;
+    for (const auto& p : fragility::fragility_curve(fit, drifts, data.options.confidence)) {
+        s.x.push_back(p.drift);
+        s.y.push_back(p.probability);
+    }
+    return s;
+}
+
+Chart empty_chart(const DriftData& data, const std::string& title)
+{
+    Chart c;
+    c.title = title;
+    c.x_label = drift_head(data, "drift");
+    c.y_label = "probability that it is reached";
+    c.series.push_back({"", {0.0, 0.0}, {0.0, 1.0}, "#ffffff", LineStyle::none, 0.1, false});
+    return c;
+}
+
+NamedPicture all_groups(const DriftData& data, std::size_t state,
+                        const std::vector<double>& drifts)
+{
+    Chart c = empty_chart(data, short_title(data.states[state]));
+    for (std::size_t g = 0; g < data.groups.size(); ++g) {
+        const auto limits = limits_of(data.groups[g], state);
+        Series line = fitted(data, limits, drifts);
+        const bool found = !line.x.empty();
+        line.name = data.groups[g].name;
+        line.colour = colour(g);
+        if (found)
+            for (const Series& part : parted(line, known_to(limits))) c.series.push_back(part);
+        if (!limits.empty())
+            c.series.push_back(steps(limits, found ? "" : line.name + " (no fit)", colour(g)));
+    }
+    const std::string file = "curve_" + state_file(data.states[state]);
+    return {file,
+            "fragility curves of " + title_of(data.states[state]) +
+                ", all modes together, dashed where extrapolated; dotted: shares without a law",
+            line_chart(c)};
+}
+
+void add_mixture(const DriftData& data, const std::vector<fragility::ModeGroup>& modes,
+                 const std::vector<double>& drifts, Chart& c)
+{
+    Series least, most, lower, upper;
+    for (const auto& p :
+         fragility::mixture_curve(modes, drifts, data.options.confidence).points) {
+        for (Series* const s : {&least, &most, &lower, &upper}) s->x.push_back(p.drift);
+        least.y.push_back(p.least);
+        most.y.push_back(p.most);
+        lower.y.push_back(p.band.lower);
+        upper.y.push_back(p.band.upper);
+    }
+    least.name = data.modes.empty() ? "all" : "all modes";
+    least.width = 2.4;
+    most.name = "at most";
+    most.line = LineStyle::dashed;
+    lower.name = upper.name = percent_text(data.options.confidence) + " band";
+    lower.line = upper.line = LineStyle::dotted;
+    lower.width = upper.width = 1.2;
+    for (Series* const s : {&least, &most, &lower, &upper}) s->colour = colour(0);
+    c.series.insert(c.series.end(), {least, lower, upper});
+    if (most.y != least.y) c.series.push_back(most);
+}
+
+NamedPicture one_group(const DriftData& data, std::size_t state, std::size_t g,
+                       const std::vector<double>& drifts)
+{
+    const DriftGroup& group = data.groups[g];
+    Chart c = empty_chart(data, group.name + ", " + short_title(data.states[state]));
+    auto modes = mode_groups(data, group, state);
+    const auto all = limits_of(group, state);
+    if (data.modes.empty() && !all.empty()) modes = {{all, data.options.law}};
+    if (no_mixture(modes).empty()) add_mixture(data, modes, drifts, c);
+    for (std::size_t m = 0; m < data.modes.size(); ++m) {
+        const auto limits = limits_of(group, state, static_cast<int>(m));
+        Series line = fitted(data, limits, drifts);
+        if (line.x.empty()) continue;
+        line.name = data.modes[m] + " walls alone";
+        line.colour = colour(m + 1);
+        for (const Series& part : parted(line, known_to(limits))) c.series.push_back(part);
+    }
+    Series shares = steps(all, "shares without a law", "#000000");
+    shares.line = LineStyle::solid;
+    shares.width = 1.0;
+    if (!all.empty()) c.series.push_back(shares);
+    return {"curve_" + state_file(data.states[state]) + "_" + file_name(group.name),
+            "fragility of " + data.states[state].name + ", " + group.name +
+                ": mixture over modes with band, modes dashed where extrapolated",
+            line_chart(c)};
+}
+
+} // namespace
+
+std::vector<NamedPicture> curve_pictures(const DriftData& data)
+{
+    std::vector<NamedPicture> pictures;
+    for (std::size_t s = 0; s < data.states.size(); ++s) {
+        const std::vector<double> drifts = drift_grid(data, s, kChartDrifts);
+        if (drifts.empty()) continue;
+        pictures.push_back(all_groups(data, s, drifts));
+        constexpr std::size_t kMostGroups = 12; // a picture of each
+        for (std::size_t g = 0; g < data.groups.size() && g < kMostGroups; ++g)
+            if (!limits_of(data.groups[g], s).empty())
+                pictures.push_back(one_group(data, s, g, drifts));
+    }
+    return pictures;
+}
+
+} // namespace app

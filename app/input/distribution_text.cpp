@@ -1,0 +1,221 @@
+#include "app/input/distribution_text.hpp"
+
+#include "app/input/units.hpp"
+#include "app/input/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace app {
+namespace {
+
+struct Parameter {
+    std::string_view name;
+    std::string_view value;
+};
+
+struct Call {
+    std::string_view text; ///< whole, for messages
+    std::string_view name;
+    std::vector<Parameter> parameters;
+};
+
+/// Names of the parameters in the order in which they are made into a shape.
+struct Form {
+    std::string_view name;
+    std::array<std::string_view, 4> parameters; ///< empty: no more
+    uq::Shape (*shape)(std::span<const double>);
+};
+
+double cov_of(double mean, double sd) { return sd / std::abs(mean); }
+
+// clang-format off
+constexpr std::array kForms = {
+    Form{"normal", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::normal_from_moments(p[0], p[1]); }},
+    Form{"normal", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::Normal{p[0], p[1]}; }},
+    Form{"lognormal", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::lognormal_from_moments(p[0], p[1]); }},
+    Form{"lognormal", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::lognormal_from_moments(p[0], cov_of(p[0], p[1])); }},
+    Form{"lognormal", {"median", "sigma_log"}, [](std::span<const double> p) -> uq::Shape { return uq::Lognormal{std::log(p[0]), p[1]}; }},
+    Form{"gumbel", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::gumbel_from_moments(p[0], p[1]); }},
+    Form{"gumbel", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::gumbel_from_moments(p[0], cov_of(p[0], p[1])); }},
+    Form{"gamma", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::gamma_from_moments(p[0], p[1]); }},
+    Form{"gamma", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::gamma_from_moments(p[0], cov_of(p[0], p[1])); }},
+    Form{"weibull", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::weibull_from_moments(p[0], p[1]); }},
+    Form{"weibull", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::weibull_from_moments(p[0], cov_of(p[0], p[1])); }},
+    Form{"weibull", {"shape", "scale"}, [](std::span<const double> p) -> uq::Shape { return uq::Weibull{p[0], p[1]}; }},
+    Form{"uniform", {"lower", "upper"}, [](std::span<const double> p) -> uq::Shape { return uq::Uniform{p[0], p[1]}; }},
+    Form{"triangular", {"lower", "mode", "upper"}, [](std::span<const double> p) -> uq::Shape { return uq::Triangular{p[0], p[1], p[2]}; }},
+    Form{"beta", {"mean", "cov", "lower", "upper"}, [](std::span<const double> p) -> uq::Shape { return uq::beta_from_moments(p[0], p[1], p[2], p[3]); }},
+    Form{"beta", {"mean", "sd", "lower", "upper"}, [](std::span<const double> p) -> uq::Shape { return uq::beta_from_moments(p[0], cov_of(p[0], p[1]), p[2], p[3]); }},
+};
+// clang-format on
+constexpr std::array<std::string_view, 3> kBare = {"cov", "sigma_log", "shape"};
+
+std::size_t count_of(const Form& f)
+{
+    return static_cast<std::size_t>(std::find(f.parameters.begin(), f.parameters.end(), "") -
+                                    f.parameters.begin());
+}
+
+std::string form_text(const Form& f)
+{
+    std::string text(f.name);
+    for (std::size_t i = 0; i < count_of(f); ++i)
+        text += (i == 0 ? "(" : ", ") + std::string(f.parameters[i]) + " ...";
+    return text + ")";
+}
+
+std::vector<std::string_view> form_names()
+{
+    std::vector<std::string_view> names;
+    for (const Form& f : kForms)
+        if (names.empty() || names.back() != f.name) names.push_back(f.name);
+    names.push_back("empirical");
+    return names;
+}
+
+std::string forms_of(std::string_view name)
+{
+    std::string text;
+    for (const Form& f : kForms)
+        if (f.name == name) text += (text.empty() ? "" : " or ") + form_text(f);
+    return text;
+}
+
+Parameter split_parameter(std::string_view text, std::string_view item)
+{
+    const std::size_t blank = item.find_first_of(" \t");
+    if (blank == std::string_view::npos)
+        throw BadValue(in_quotes(item) + " in " + in_quotes(text) +
+                       " has no value; write a name and a value, such as \"cov 0.30\"");
+    return {item.substr(0, blank), trimmed(item.substr(blank))};
+}
+
+Call split_call(std::string_view text)
+{
+    const std::size_t open = text.find('(');
+    if (!text.ends_with(')') || text.find('(', open + 1) != std::string_view::npos)
+        throw BadValue(in_quotes(text) +
+                       " is not a distribution; write one pair of brackets, such as "
+                       "\"normal(mean 31.8 deg, cov 0.20)\"");
+    return {text, trimmed(text.substr(0, open)), {}};
+}
+
+std::string_view inside(std::string_view text)
+{
+    const std::size_t open = text.find('(');
+    return trimmed(text.substr(open + 1, text.size() - open - 2));
+}
+
+std::vector<std::string_view> items(std::string_view list)
+{
+    std::vector<std::string_view> found;
+    for (std::size_t begin = 0, comma = 0; comma != std::string_view::npos; begin = comma + 1) {
+        comma = list.find(',', begin);
+        found.push_back(trimmed(list.substr(begin, comma - begin)));
+    }
+    return found;
+}
+
+/// Takes a parameter out of the call.
+std::optional<double> take(Call& call, std::string_view name, std::string_view unit)
+{
+    const auto is_it = [&](const Parameter& p) { return p.name == name; };
+    const auto found = std::find_if(call.parameters.begin(), call.parameters.end(), is_it);
+    if (found == call.parameters.end()) return {};
+    const bool bare = std::find(kBare.begin(), kBare.end(), name) != kBare.end();
+    const double value = parse_quantity(found->value, bare ? "" : unit);
+    call.parameters.erase(found);
+    if (std::find_if(call.parameters.begin(), call.parameters.end(), is_it) !=
+        call.parameters.end())
+        throw BadValue(in_quotes(name) + " is given twice in " + in_quotes(call.text) +
+                       "; keep one of them");
+    return value;
+}
+
+bool fits(const Form& f, const Call& call)
+{
+    if (f.name != call.name || count_of(f) != call.parameters.size()) return false;
+    return std::all_of(call.parameters.begin(), call.parameters.end(), [&](const Parameter& p) {
+        return std::find(f.parameters.begin(), f.parameters.end(), p.name) !=
+               f.parameters.end();
+    });
+}
+
+uq::Shape shape_of(Call& call, std::string_view unit)
+{
+    for (const Form& f : kForms) {
+        if (!fits(f, call)) continue;
+        std::vector<double> values;
+        for (std::size_t i = 0; i < count_of(f); ++i) {
+            const auto value = take(call, f.parameters[i], unit);
+            if (!value) break; // one name twice
+            values.push_back(*value);
+        }
+        if (values.size() == count_of(f)) return f.shape(values);
+    }
+    throw BadValue(in_quotes(call.text) + " has not the parameters of " +
+                   std::string(call.name) + "; write " + forms_of(call.name) +
+                   ", and from ..., to ... to cut it off");
+}
+
+uq::Marginal empirical(std::string_view text, std::string_view unit)
+{
+    uq::Empirical data{parse_quantities(inside(text), unit)};
+    std::sort(data.sorted.begin(), data.sorted.end());
+    return {data};
+}
+
+uq::Marginal marginal_of(std::string_view text, std::string_view unit)
+{
+    Call call = split_call(text);
+    const auto names = form_names();
+    if (std::find(names.begin(), names.end(), call.name) == names.end())
+        throw BadValue("unknown distribution " + in_quotes(call.name) + "; " +
+                       suggestion(call.name, names));
+    if (call.name == "empirical") return empirical(text, unit);
+    for (const std::string_view item : items(inside(text)))
+        call.parameters.push_back(split_parameter(text, item));
+    uq::Marginal m;
+    m.lower = take(call, "from", unit).value_or(m.lower);
+    m.upper = take(call, "to", unit).value_or(m.upper);
+    m.shape = shape_of(call, unit);
+    return m;
+}
+
+} // namespace
+
+bool is_distribution(std::string_view text)
+{
+    return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
+           text.find('(') != std::string_view::npos;
+}
+
+uq::Marginal parse_distribution(std::string_view text, std::string_view unit)
+{
+    try {
+        const uq::Marginal m = marginal_of(text, unit);
+        uq::check(m);
+        return m;
+    } catch (const std::invalid_argument& bad) {
+        throw BadValue(in_quotes(text) + ": " + bad.what());
+    }
+}
+
+std::string distribution_help()
+{
+    std::string text = "In place of the number of a material, a distribution:\n";
+    for (const Form& f : kForms) text += "  " + form_text(f) + "\n";
+    return text +
+           "  empirical(values)\n"
+           "each with \", from ..., to ...\" to cut it off. Quantities carry their unit; "
+           "cov, sigma_log and shape have none.\n";
+}
+
+} // namespace app

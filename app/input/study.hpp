@@ -1,0 +1,210 @@
+#pragma once
+/// A study: everything one run needs, in SI, each value checked against its range and its
+/// fellows.
+
+#include "app/input/study_file.hpp"
+#include "dem/mechanism.hpp"
+#include "dem/push.hpp"
+#include "dem/solver_options.hpp"
+#include "dem/wall.hpp"
+#include "fragility/bilinear.hpp"
+#include "fragility/curve_reading.hpp"
+#include "fragility/law.hpp"
+#include "uq/designs/design.hpp"
+#include "uq/marginals/marginal.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// Dry joints between units.
+struct JointInput {
+    std::vector<double> wall_modulus; ///< one per stress level [Pa], or empty
+    std::vector<double>
+        normal_stiffness; ///< one, or one per stress level [Pa/m]; empty: from wall_modulus
+    std::vector<double> shear_stiffness; ///< one, or one per stress level [Pa/m]
+    double friction_angle = 0.0;         ///< [rad], in [0, pi/2)
+    double stiffness_factor = 1.0;       ///< on k_n and k_s [-], > 0
+};
+
+/// Potential cracks in units. Zero strength and zero energy where unit_cracks = no.
+/// What becomes of a crack that snaps back, f_T > sqrt(2 G k_n): where softening ends before it begins.
+enum class SnapBack {
+    breaks, ///< at f_T, at once; releases f_T^2/(2 k_n) > G
+    weakens ///< at sqrt(2 G k_n), at once; releases G
+};
+
+struct UnitInput {
+    double stiffness_ratio = 10.0;        ///< xi = k_n of a crack / k_n of a joint [-], > 0
+    double tensile_strength = 0.0;        ///< [Pa], >= 0
+    double cohesion = 0.0;                ///< [Pa], >= 0
+    double residual_cohesion = 0.0;       ///< [Pa], in [0, cohesion]
+    double fracture_energy = 0.0;         ///< mode I [J/m2], >= 0
+    double friction_angle = 0.0;          ///< [rad], in [0, pi/2)
+    double residual_friction_angle = 0.0; ///< [rad], in [0, friction_angle]
+    double stiffness_factor = 1.0;        ///< on k_n and k_s [-], > 0
+    bool tension_reduces_shear = dem::CrackMaterial{}.tension_reduces_shear;
+    SnapBack snap_back = SnapBack::breaks;
+};
+
+struct LoadInput {
+    std::vector<double> vertical_stress; ///< stress levels [Pa], >= 0, at least one
+    double height = 0.0;                 ///< of the horizontal load above the floor [m]
+    double max_displacement = dem::PushPlan{}.targets.front(); ///< of the load line [m], > 0
+    std::vector<double>
+        targets; ///< displacements visited in order [m]; empty: max_displacement
+    double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
+    double stop_below = 0.0; ///< share of the peak [-], in [0, 1); 0: push on to the end
+};
+
+struct OutputInput {
+    double record_every = dem::PushPlan{}.record_every; ///< [m], > 0
+    double snapshot_every = 5e-4;                       ///< [m], >= 0; 0: only at both ends
+    bool single_precision_curves = false; ///< of a study's file: half the size, 7 digits
+};
+
+/// What has a value of its own where the study is spatial.
+enum class Varies {
+    never,    ///< a number, never a distribution
+    by_wall,  ///< one value per wall, in spatial studies too
+    by_joint, ///< one per joint ID
+    by_crack  ///< one per crack ID
+};
+
+/// A key whose value is a distribution.
+struct RandomInput {
+    std::string key;       ///< "joint.friction_angle"
+    uq::Marginal marginal; ///< in SI, cut off at the range of the key
+    double mean = 0.0;     ///< of the distribution as given, before that cut
+    double cut = 0.0;      ///< probability outside that range before the cut [-]
+    Varies varies = Varies::by_wall;
+};
+
+enum class Spatial {
+    none,        ///< one value per wall
+    independent, ///< one per joint, from a design over walls and joints
+    stratified,  ///< one per joint, a Latin hypercube over the joints inside each wall
+    correlated   ///< one per joint, a random field over the joints
+};
+
+enum class FieldKernel {
+    exponential,
+    squared_exponential,
+    exponential_l1,
+    matern,
+    same_course, ///< uq.group_correlation between joints of one course, 0 between courses
+    same_unit,   ///< the same of one unit
+    all          ///< the same of the whole wall
+};
+
+/// What a stopping rule looks at.
+enum class StopQuantity {
+    none,                  ///< no rule: uq.samples
+    peak_force,            ///< its mean, relative
+    ultimate_displacement, ///< its mean, relative; bounds count as they are
+    mixed_share            ///< share of walls in mixed mode
+};
+
+struct UqInput {
+    uq::DesignKind design = uq::DesignKind::latin_random;
+    int samples = 50;       ///< walls per stress level, >= 1
+    std::uint64_t seed = 1; ///< of the design
+    bool shared = false;    ///< the same samples under every stress level
+    Spatial spatial = Spatial::none;
+    FieldKernel kernel = FieldKernel::exponential;
+    std::vector<double> correlation_length; ///< [m]; two for exponential_l1: along x and z
+    double matern_nu = 1.5;                 ///< smoothness [-]
+    double group_correlation = 0.5;         ///< [-], in [0, 1]
+    StopQuantity stop = StopQuantity::none;
+    double stop_half_width = 0.05; ///< of the 95 % interval [-], > 0
+    int most_samples = 1000;       ///< at which the rule gives up
+    std::string pearson;           ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
+};
+
+enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity };
+
+enum class WallResponse { peak_force, ultimate_displacement, ultimate_drift };
+
+/// For the verb reliability: the probability that a response falls to a demand or below.
+struct ReliabilityInput {
+    ReliabilityMethod method = ReliabilityMethod::monte_carlo;
+    WallResponse response = WallResponse::peak_force;
+    std::string demand;       ///< "40 kN", "15 mm", or a drift in percent: "1.2"
+    int budget = 1000;        ///< evaluations at most, >= 1
+    double target_cov = 0.10; ///< stop once the probability is known as well [-]
+    dem::Fidelity cheap = dem::Fidelity::rigid; ///< of the cheap model
+};
+
+/// For the verb fragility. Moves no wall.
+struct FragilityInput {
+    std::string limit_states = "paper, ntc"; ///< sets: paper, ntc, ec8, user
+    std::string user_states;                 ///< "slight: 0.7 yield; severe: drop 0.5; ..."
+    fragility::Crossing crossing = fragility::Crossing::first; ///< of the ultimate share
+    double ultimate_share = fragility::kUltimateShare;         ///< of the peak [-], in (0, 1)
+    double bilinear_share = fragility::kBilinearShare;         ///< of the peak [-], in (0, 1]
+    fragility::Law law = fragility::Law::lognormal;
+    double confidence = 0.95; ///< of intervals [-], in (0, 1)
+    int bootstrap = 1000;     ///< samples behind p-values, >= 0; 0: none
+    dem::ModeThresholds mode;
+};
+
+struct Study {
+    dem::WallGeometry wall;
+    dem::Elastic stone;
+    JointInput joint;
+    UnitInput unit;
+    dem::Beam beam{.material = {.poisson_ratio = 0.2}}; // choice: concrete
+    double beam_friction_angle = 0.0; ///< [rad], used with BeamInterface::joint
+    double base_friction_angle = 0.0; ///< [rad], used with Base::joint
+    LoadInput load;
+    dem::Fidelity fidelity = dem::Fidelity::standard;
+    dem::Discretisation discretisation;
+    dem::SolverOptions solver;
+    OutputInput output;
+    UqInput uq;
+    ReliabilityInput reliability;
+    FragilityInput fragility;
+    std::vector<RandomInput> random; ///< in the order of the keys; the fields hold their means
+    StudyFile source;                ///< what was given
+};
+
+/// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at
+/// odds with another
+[[nodiscard]] Study read_study(const StudyFile& file);
+
+/// The rules for values that were not given and follow from others, of one section or, if it is
+/// empty, of all; to be applied in this order whenever the others change.
+[[nodiscard]] std::vector<void (*)(Study&)> derivations(const Study& study,
+                                                        std::string_view section = "");
+
+/// The study in full, as a study file that reads back to the same study; values that were not
+/// given are marked "# default", values given on the command line "# --set".
+[[nodiscard]] std::string effective_configuration(const Study& study);
+
+/// @param level index in study.load.vertical_stress
+[[nodiscard]] dem::Loads loads(const Study& study, int level);
+
+/// Joint by Eq. 2 or as given, times its factor.
+[[nodiscard]] dem::JointMaterial joint_material(const Study& study, int level);
+
+/// A residual value above the initial one, where draws make it so, counts as the initial one.
+/// Crack of xi times the stiffness of the joint before its factor, times its own factor: Table
+/// 5 of the paper varies the two factors independently.
+[[nodiscard]] dem::CrackMaterial crack_material(const Study& study, int level);
+
+/// The same material for every joint ID and every crack ID. Base and beam joints have no
+/// factor.
+[[nodiscard]] dem::WallMaterials materials(const Study& study, int level, int n_joints,
+                                           int n_cracks);
+
+/// One for all levels: modes and masses of the first level's stiffness, which sets the step, not the
+/// answer. Each wall brings its own stress.
+[[nodiscard]] dem::Model model_of(const Study& study);
+
+/// Without progress.
+[[nodiscard]] dem::PushPlan push_plan(const Study& study);
+
+} // namespace app

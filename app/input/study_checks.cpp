@@ -1,0 +1,205 @@
+#include "app/input/study_checks.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/input/units.hpp"
+#include "dem/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+namespace {
+
+[[noreturn]] void refuse(const Study& study, std::string_view key, const std::string& why)
+{
+    throw error_at(study.source, key, why);
+}
+
+std::string text(double si, std::string_view unit)
+{
+    return format_quantities(std::span(&si, 1), unit);
+}
+
+std::string level_text(const Study& study, std::size_t level)
+{
+    return "stress level " + std::to_string(level + 1) + " (" +
+           text(study.load.vertical_stress[level], "MPa") + ")";
+}
+
+void check_count(const Study& study, std::string_view key, std::size_t values)
+{
+    const std::size_t levels = study.load.vertical_stress.size();
+    if (values < levels) {
+        refuse(study, key,
+               level_text(study, values) + " has no value; write " + std::to_string(levels) +
+                   " values, one for each of load.vertical_stress");
+    }
+    if (values > levels) {
+        refuse(study, key,
+               "has " + std::to_string(values) + " values, load.vertical_stress " +
+                   std::to_string(levels) + "; write one for each stress level");
+    }
+}
+
+void check_levels_differ(const Study& study)
+{
+    std::vector<double> levels = study.load.vertical_stress;
+    std::sort(levels.begin(), levels.end());
+    const auto twice = std::adjacent_find(levels.begin(), levels.end());
+    if (twice != levels.end()) {
+        refuse(study, "load.vertical_stress",
+               text(*twice, "MPa") + " is given twice; keep one of them");
+    }
+}
+
+void check_wall_modulus(const Study& study, double modulus)
+{
+    constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
+    const double e = study.stone.young_modulus;
+    if (modulus >= e) {
+        refuse(study, "joint.wall_modulus",
+               text(modulus, "MPa") + " is not below stone.young_modulus, " + text(e, "GPa") +
+                   "; a wall with joints is softer than its stone (Eq. 2)");
+    }
+    const double kn = dem::joint_stiffness(study.wall.course_height, modulus, e);
+    if (!(kn >= kSoftest && kn <= kStiffest)) {
+        refuse(
+            study, "joint.wall_modulus",
+            text(modulus, "MPa") +
+                " makes the joint stiffness of Eq. 2 leave the range of 1 Pa/m to 1e+06 GPa/m");
+    }
+}
+
+void check_residuals(const Study& study)
+{
+    const UnitInput& u = study.unit;
+    if (u.residual_cohesion > u.cohesion) {
+        refuse(study, "unit.residual_cohesion",
+               "must be at most unit.cohesion, " + text(u.cohesion, "MPa"));
+    }
+    if (u.residual_friction_angle > u.friction_angle) {
+        refuse(study, "unit.residual_friction_angle",
+               "must be at most unit.friction_angle, " + text(u.friction_angle, "deg"));
+    }
+}
+
+/// No block and no piece of joint may be a sliver: its stiffness would be an accident of the
+/// sizes.
+void check_pieces(const Study& study)
+{
+    constexpr double kSmallest = 1e-3; // [m]
+    constexpr double kMostUnits = 1e5;
+    const dem::WallGeometry& wall = study.wall;
+    if (wall.length < wall.unit_length) {
+        refuse(study, "wall.length",
+               "must be at least one wall.unit_length, " + text(wall.unit_length, "m"));
+    }
+    if (wall.courses * (wall.length / wall.unit_length) > kMostUnits) {
+        refuse(study, "wall.unit_length", "makes a wall of more than 100000 units");
+    }
+    const std::string_view culprit =
+        find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
+    const auto refuse_piece = [&](const std::string& what, double length) {
+        refuse(study, culprit,
+               what + " would be " + number(std::round(length * 1e6) / 1e3, 17) +
+                   " mm long; choose wall.length, unit_length and bond so that none is below 1 "
+                   "mm");
+    };
+    const dem::Layout layout = dem::lay_out(wall, study.beam.height);
+    for (const dem::Block& b : layout.blocks) {
+        if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
+    }
+    for (const dem::Face& f : layout.faces) {
+        const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
+        if (length < kSmallest) refuse_piece("a piece of joint", length);
+    }
+}
+
+void check_load(const Study& study)
+{
+    constexpr double kRounding = 1e-9; // [m]
+    const double top = study.wall.courses * study.wall.course_height;
+    const double low = top - kRounding, high = top + study.beam.height + kRounding;
+    if (study.load.height < low || study.load.height > high) {
+        refuse(study, "load.height",
+               "must lie within the loading beam, from " + text(top, "m") + " to " +
+                   text(top + study.beam.height, "m"));
+    }
+    double previous = 0.0;
+    for (const double target : study.load.targets) {
+        if (target == previous) {
+            refuse(study, "load.targets",
+                   text(target, "mm") + " follows " + text(previous, "mm") +
+                       "; each target must differ from the one before, the first from 0 mm");
+        }
+        if (study.load.stop_below > 0.0 && target < previous) {
+            refuse(study, "load.stop_below",
+                   "needs a push that does not turn back; remove it, or let load.targets grow");
+        }
+        previous = target;
+    }
+}
+
+/// What is kept must be more than nothing and fit into memory.
+void check_output(const Study& study)
+{
+    constexpr double kMostPoints = 1e6, kMostSnapshots = 1e4;
+    double path = 0.0, previous = 0.0;
+    for (const double target : push_plan(study).targets) {
+        path += std::abs(target - previous);
+        previous = target;
+    }
+    const OutputInput& out = study.output;
+    if (out.record_every > path) {
+        refuse(study, "output.record_every",
+               "must be at most the path of the push, " + text(path, "mm"));
+    }
+    if (path / out.record_every > kMostPoints) {
+        refuse(study, "output.record_every", "makes more than 1000000 points; record fewer");
+    }
+    if (out.snapshot_every > 0.0 && path / out.snapshot_every > kMostSnapshots) {
+        refuse(study, "output.snapshot_every", "makes more than 10000 snapshots; keep fewer");
+    }
+}
+
+} // namespace
+
+void check_stiffness(const Study& study)
+{
+    const JointInput& joint = study.joint;
+    if (joint.wall_modulus.empty() && joint.normal_stiffness.empty()) {
+        refuse(study, "joint.wall_modulus",
+               "missing; write e.g. \"wall_modulus = 768 MPa\" or \"normal_stiffness = 8.08 "
+               "GPa/m\" under [joint]");
+    }
+    if (!joint.wall_modulus.empty() && !joint.normal_stiffness.empty()) {
+        refuse(study, "joint.normal_stiffness",
+               "given besides joint.wall_modulus, which gives it by Eq. 2; keep one of them");
+    }
+    check_levels_differ(study);
+    if (!joint.wall_modulus.empty()) {
+        check_count(study, "joint.wall_modulus", joint.wall_modulus.size());
+    }
+    if (joint.normal_stiffness.size() > 1) {
+        check_count(study, "joint.normal_stiffness", joint.normal_stiffness.size());
+    }
+    if (joint.shear_stiffness.size() > 1) {
+        check_count(study, "joint.shear_stiffness", joint.shear_stiffness.size());
+    }
+    for (const double modulus : joint.wall_modulus) check_wall_modulus(study, modulus);
+}
+
+void check_relations(const Study& study)
+{
+    check_residuals(study);
+    check_pieces(study);
+    check_load(study);
+    check_output(study);
+}
+
+} // namespace app

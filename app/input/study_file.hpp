@@ -1,0 +1,54 @@
+#pragma once
+/// A study file as text: sections, keys and values, each with its line. What they mean:
+/// app/input/study.
+
+#include "app/input/config_error.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// One `key = value` of a study.
+struct Entry {
+    std::string key;   ///< section.key
+    std::string value; ///< as written, without comment; not empty
+    int line = 0;      ///< from 1; 0: given with --set
+};
+
+struct SectionHeader {
+    std::string name;
+    int line = 0; ///< where it is first opened, from 1
+};
+
+struct StudyFile {
+    std::string path;
+    std::vector<Entry> entries; ///< in the order of the file, then of --set; keys differ
+    std::vector<SectionHeader> sections; ///< names differ
+    int last_line = 1;
+};
+
+/// Read an INI file: `[section]`, `key = value`, `# comment`. UTF-8, with or without byte order
+/// mark, lines ending in LF or CRLF.
+/// @throws ConfigError if the path cannot be read as such a text, or a key is empty or doubled
+[[nodiscard]] StudyFile read_study_file(const std::string& path);
+
+/// The same from a text; path only names it.
+[[nodiscard]] StudyFile parse_study_text(const std::string& path, std::string_view text);
+
+/// The file with the values of `section.key=value` put in place of its own.
+/// @throws ConfigError if an assignment is malformed, empty or doubled
+[[nodiscard]] StudyFile with_overrides(StudyFile file,
+                                       std::span<const std::string> assignments);
+
+/// nullptr if the key is not given.
+[[nodiscard]] const Entry* find_entry(const StudyFile& file, std::string_view key);
+
+/// An error about a key: where it is given, else where its section opens, else at the last
+/// line.
+[[nodiscard]] ConfigError error_at(const StudyFile& file, std::string_view key,
+                                   std::string_view why);
+
+} // namespace app

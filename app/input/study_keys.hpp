@@ -1,0 +1,73 @@
+#pragma once
+/// The table of all keys of a study. It drives reading, range checks, defaults, help and the
+/// effective configuration.
+
+#include "app/input/study.hpp"
+#include "app/input/study_field.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace app {
+
+enum class Kind {
+    number,
+    list,  ///< of numbers
+    count, ///< a whole number
+    word,  ///< one of Key::names and nothing else
+    text   ///< free text, read elsewhere
+};
+
+/// When a key has a meaning.
+enum class Used { always, with_cracks, with_base_joint, with_beam_joint, with_fields };
+
+/// Closed '[' ']' or open '(' ')' at either end, in the unit of the key.
+struct Range {
+    char left = '(';
+    double low = 0.0;
+    double high = 0.0;
+    char right = ')';
+};
+
+/// A word that stands for a value.
+struct Named {
+    std::string_view word;
+    double value = 0.0;
+};
+
+/// A default that follows from other values.
+struct Derived {
+    std::string_view rule;           ///< in words
+    void (*apply)(Study&) = nullptr; ///< nullptr: the rule says what else to give
+};
+
+struct Key {
+    std::string_view name; ///< section.key
+    Kind kind = Kind::number;
+    std::string_view unit = ""; ///< preferred; others of the same quantity are read as well
+    Range range = {};           ///< of numbers; named values are free of it
+    std::span<const Named> names = {}; ///< words in place of numbers
+    Used used = Used::always;
+    std::string_view example = ""; ///< of a key that must be given; empty: it has a default
+    Derived derived = {};          ///< empty: the default is the one of the field
+    Varies varies = Varies::never; ///< otherwise a distribution is a value too
+    std::string_view meaning = ""; ///< one line, with its source
+    Field field = {};
+};
+
+/// Section by section.
+[[nodiscard]] std::span<const Key> study_keys();
+
+/// "wall" of "wall.length"
+[[nodiscard]] std::string_view section_of(std::string_view key);
+
+/// "length" of "wall.length"
+[[nodiscard]] std::string_view name_in_section(std::string_view key);
+
+/// nullptr if there is none.
+[[nodiscard]] const Key* find_key(std::string_view name);
+
+[[nodiscard]] bool is_used(const Key& key, const Study& study);
+
+} // namespace app

@@ -1,0 +1,154 @@
+/// Random samples, reliability and fragility: keys of the study file.
+
+#include "app/input/study_key_table.hpp"
+
+#include <array>
+
+namespace app {
+namespace {
+
+using Mode = dem::ModeThresholds;
+
+constexpr std::array kYesNo = {named("yes", true), named("no", false)};
+constexpr std::array kFidelities = {
+    named("rigid", dem::Fidelity::rigid), named("simple", dem::Fidelity::simple),
+    named("standard", dem::Fidelity::standard), named("zones", dem::Fidelity::zones),
+    named("fine", dem::Fidelity::fine)};
+constexpr std::array kDesigns = {named("lhs", uq::DesignKind::latin_random),
+                                 named("lhs_centred", uq::DesignKind::latin_centred),
+                                 named("lhs_optimised", uq::DesignKind::latin_optimised),
+                                 named("monte_carlo", uq::DesignKind::monte_carlo),
+                                 named("sobol", uq::DesignKind::sobol)};
+constexpr std::array kMethods = {named("monte_carlo", ReliabilityMethod::monte_carlo),
+                                 named("form", ReliabilityMethod::form),
+                                 named("importance", ReliabilityMethod::importance),
+                                 named("subset", ReliabilityMethod::subset),
+                                 named("multi_fidelity", ReliabilityMethod::multi_fidelity)};
+constexpr std::array kWallResponses = {
+    named("peak_force", WallResponse::peak_force),
+    named("ultimate_displacement", WallResponse::ultimate_displacement),
+    named("ultimate_drift", WallResponse::ultimate_drift)};
+constexpr std::array kSpatial = {
+    named("none", Spatial::none), named("independent", Spatial::independent),
+    named("stratified", Spatial::stratified), named("correlated", Spatial::correlated)};
+constexpr std::array kStops = {
+    named("none", StopQuantity::none), named("peak_force", StopQuantity::peak_force),
+    named("ultimate_displacement", StopQuantity::ultimate_displacement),
+    named("mixed_share", StopQuantity::mixed_share)};
+constexpr std::array kKernels = {named("exponential", FieldKernel::exponential),
+                                 named("squared_exponential", FieldKernel::squared_exponential),
+                                 named("exponential_l1", FieldKernel::exponential_l1),
+                                 named("matern", FieldKernel::matern),
+                                 named("same_course", FieldKernel::same_course),
+                                 named("same_unit", FieldKernel::same_unit),
+                                 named("all", FieldKernel::all)};
+constexpr std::array kCrossings = {named("first", fragility::Crossing::first),
+                                   named("last", fragility::Crossing::last)};
+constexpr std::array kDriftLaws = {
+    named("lognormal", fragility::Law::lognormal), named("normal", fragility::Law::normal),
+    named("weibull", fragility::Law::weibull), named("gamma", fragility::Law::gamma)};
+
+// clang-format off
+constexpr std::array kKeys = {
+    Key{.name = "uq.design", .kind = Kind::word, .names = kDesigns,
+        .meaning = "how the samples are drawn; lhs: Latin hypercube",
+        .field = kAt<&Study::uq, &UqInput::design>},
+    Key{.name = "uq.samples", .kind = Kind::count, .range = {'[', 1, 1e7, ']'},
+        .meaning = "walls per stress level; a larger number adds walls and keeps the old",
+        .field = kAt<&Study::uq, &UqInput::samples>},
+    Key{.name = "uq.seed", .kind = Kind::count, .range = {'[', 0, 9e15, ']'},
+        .meaning = "another seed gives other samples",
+        .field = kAt<&Study::uq, &UqInput::seed>},
+    Key{.name = "uq.shared", .kind = Kind::word, .names = kYesNo,
+        .meaning = "the same samples under every stress level, or a design of its own for each (paper)",
+        .field = kAt<&Study::uq, &UqInput::shared>},
+    Key{.name = "uq.spatial", .kind = Kind::word, .names = kSpatial,
+        .meaning = "one value per wall, or per joint ID: independent, stratified in each wall, correlated",
+        .field = kAt<&Study::uq, &UqInput::spatial>},
+    Key{.name = "uq.kernel", .kind = Kind::word, .names = kKernels, .used = Used::with_fields,
+        .meaning = "correlation between joints by distance of their centres, or by group",
+        .field = kAt<&Study::uq, &UqInput::kernel>},
+    Key{.name = "uq.correlation_length", .kind = Kind::list, .unit = "m", .range = {'(', 0, 1e6, ']'},
+        .used = Used::with_fields,
+        .derived = {"must be given with kernels by distance"},
+        .meaning = "of kernels by distance; two values for exponential_l1, along x and z",
+        .field = kAt<&Study::uq, &UqInput::correlation_length>},
+    Key{.name = "uq.matern_nu", .range = {'[', 0.05, 50, ']'}, .used = Used::with_fields,
+        .meaning = "smoothness of the kernel matern",
+        .field = kAt<&Study::uq, &UqInput::matern_nu>},
+    Key{.name = "uq.group_correlation", .range = {'[', 0, 1, ']'}, .used = Used::with_fields,
+        .meaning = "between joints of one group, kernels same_course, same_unit, all",
+        .field = kAt<&Study::uq, &UqInput::group_correlation>},
+    Key{.name = "uq.stop", .kind = Kind::word, .names = kStops,
+        .meaning = "adds walls until the 95 % interval of this mean, or share, is narrow enough at every level",
+        .field = kAt<&Study::uq, &UqInput::stop>},
+    Key{.name = "uq.stop_half_width", .range = {'(', 0, 1, ']'},
+        .meaning = "of that interval, as a share of the mean; of mixed_share as it is",
+        .field = kAt<&Study::uq, &UqInput::stop_half_width>},
+    Key{.name = "uq.most_samples", .kind = Kind::count, .range = {'[', 1, 1e7, ']'},
+        .meaning = "at which the rule gives up",
+        .field = kAt<&Study::uq, &UqInput::most_samples>},
+    Key{.name = "uq.pearson", .kind = Kind::text,
+        .derived = {"none"},
+        .meaning = "correlated variables: joint.friction_angle joint.stiffness_factor 0.3, ...",
+        .field = kAt<&Study::uq, &UqInput::pearson>},
+
+    Key{.name = "reliability.method", .kind = Kind::word, .names = kMethods,
+        .meaning = "form: design point, FORM and SORM; importance: sampling around it; subset: small probabilities",
+        .field = kAt<&Study::reliability, &ReliabilityInput::method>},
+    Key{.name = "reliability.response", .kind = Kind::word, .names = kWallResponses,
+        .meaning = "that is to fall to the demand or below; ultimate: 80 % of the peak",
+        .field = kAt<&Study::reliability, &ReliabilityInput::response>},
+    Key{.name = "reliability.demand", .kind = Kind::text,
+        .derived = {"must be given for reliability"},
+        .meaning = "40 kN, 15 mm, or 1.2 for a drift of 1.2 %",
+        .field = kAt<&Study::reliability, &ReliabilityInput::demand>},
+    Key{.name = "reliability.budget", .kind = Kind::count, .range = {'[', 10, 1e8, ']'},
+        .meaning = "walls at most; subset: per level; multi_fidelity: their cost",
+        .field = kAt<&Study::reliability, &ReliabilityInput::budget>},
+    Key{.name = "reliability.target_cov", .range = {'(', 0, 10, ']'},
+        .meaning = "stops once the probability has this coefficient of variation",
+        .field = kAt<&Study::reliability, &ReliabilityInput::target_cov>},
+    Key{.name = "reliability.cheap", .kind = Kind::word, .names = kFidelities,
+        .meaning = "fidelity of the cheap model of multi_fidelity",
+        .field = kAt<&Study::reliability, &ReliabilityInput::cheap>},
+
+    Key{.name = "fragility.limit_states", .kind = Kind::text,
+        .meaning = "sets, one or more of paper, ntc, ec8, user (docs/fragility.md)",
+        .field = kAt<&Study::fragility, &FragilityInput::limit_states>},
+    Key{.name = "fragility.user_states", .kind = Kind::text,
+        .derived = {"none"},
+        .meaning = "of the set user: slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate; near: ultimate or 1.0 %",
+        .field = kAt<&Study::fragility, &FragilityInput::user_states>},
+    Key{.name = "fragility.crossing", .kind = Kind::word, .names = kCrossings,
+        .meaning = "which fall to ultimate_share counts on a jerky curve",
+        .field = kAt<&Study::fragility, &FragilityInput::crossing>},
+    Key{.name = "fragility.ultimate_share", .range = {'(', 0, 1, ')'},
+        .meaning = "of the peak force, at the ultimate displacement (paper, section 4.2)",
+        .field = kAt<&Study::fragility, &FragilityInput::ultimate_share>},
+    Key{.name = "fragility.bilinear_share", .range = {'(', 0, 1, ']'},
+        .meaning = "of the peak force, through which the bilinear rises (Circolare 7/2019, C7.3.4.2)",
+        .field = kAt<&Study::fragility, &FragilityInput::bilinear_share>},
+    Key{.name = "fragility.law", .kind = Kind::word, .names = kDriftLaws,
+        .meaning = "of limit drifts",
+        .field = kAt<&Study::fragility, &FragilityInput::law>},
+    Key{.name = "fragility.confidence", .range = {'(', 0, 1, ')'},
+        .meaning = "of all intervals",
+        .field = kAt<&Study::fragility, &FragilityInput::confidence>},
+    Key{.name = "fragility.bootstrap", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
+        .meaning = "samples behind the p-values of fits; 0 none",
+        .field = kAt<&Study::fragility, &FragilityInput::bootstrap>},
+    Key{.name = "fragility.rotation_share", .range = {'(', 0, 1, ')'},
+        .meaning = "rotation / displacement below which a cracked wall is of mixed mode",
+        .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::rotation_share>},
+    Key{.name = "fragility.cracked_units", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
+        .meaning = "units cracked through from which it counts as cracked; 0: sliding is enough",
+        .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::cracked_units>},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const Key> random_keys() { return kKeys; }
+
+} // namespace app

@@ -1,0 +1,140 @@
+/// Load, solver and output: keys of the study file.
+
+#include "app/input/study_key_table.hpp"
+
+#include <array>
+
+namespace app {
+namespace {
+
+using dem::Discretisation;
+using dem::SolverOptions;
+
+constexpr std::array kPrecisions = {named("double", false), named("single", true)};
+constexpr std::array kFaceRules = {named("even", dem::FaceRule::even),
+                                   named("lobatto", dem::FaceRule::lobatto)};
+constexpr std::array kDampings = {named("local", dem::Damping::local),
+                                  named("combined", dem::Damping::combined)};
+constexpr std::array kPreloads = {named("solved", dem::Preload::solved),
+                                  named("ramped", dem::Preload::ramped)};
+constexpr std::array kFidelities = {
+    named("rigid", dem::Fidelity::rigid), named("simple", dem::Fidelity::simple),
+    named("standard", dem::Fidelity::standard), named("zones", dem::Fidelity::zones),
+    named("fine", dem::Fidelity::fine)};
+constexpr std::array kModes = {named("all", 0), named("rigid", 3)};
+
+void derive_load_height(Study& s)
+{
+    s.load.height = s.wall.courses * s.wall.course_height + s.beam.height;
+}
+
+void derive_contact_points(Study& s)
+{
+    s.discretisation.contact_points = dem::discretisation_of(s.fidelity).contact_points;
+}
+
+void derive_block_modes(Study& s)
+{
+    s.discretisation.block_modes = dem::discretisation_of(s.fidelity).block_modes;
+}
+
+// The ends of the ranges are beyond any wall: they catch a wrong power of ten.
+constexpr Range kStrength{'[', 0, 1000, ']'};  // [MPa]
+constexpr Range kModeCount{'[', 3, 1000, ']'}; // [-]
+
+// clang-format off
+constexpr std::array kKeys = {
+    Key{.name = "load.vertical_stress", .kind = Kind::list, .unit = "MPa", .range = kStrength,
+        .example = "0.50 MPa",
+        .meaning = "stress levels, through the beam on length x thickness",
+        .field = kAt<&Study::load, &LoadInput::vertical_stress>},
+    Key{.name = "load.height", .unit = "m", .range = {'(', 0, 10010, ']'},
+        .derived = {"top of the beam", derive_load_height},
+        .meaning = "of the horizontal load above the floor, within the beam",
+        .field = kAt<&Study::load, &LoadInput::height>},
+    Key{.name = "load.max_displacement", .unit = "mm", .range = {'(', 0, 1000, ']'},
+        .meaning = "of the load line; targets replace it",
+        .field = kAt<&Study::load, &LoadInput::max_displacement>},
+    Key{.name = "load.targets", .kind = Kind::list, .unit = "mm", .range = {'[', -1000, 1000, ']'},
+        .derived = {"max_displacement"},
+        .meaning = "displacements visited in order; cyclic pushes change sign",
+        .field = kAt<&Study::load, &LoadInput::targets>},
+    Key{.name = "load.stop_below", .range = {'[', 0, 1, ')'},
+        .meaning = "ends the push once the force is below this share of the peak; 0 never",
+        .field = kAt<&Study::load, &LoadInput::stop_below>},
+    Key{.name = "load.gravity", .unit = "m/s2", .range = {'[', 0, 100, ']'},
+        .meaning = "acceleration of free fall",
+        .field = kAt<&Study::load, &LoadInput::gravity>},
+
+    Key{.name = "solver.fidelity", .kind = Kind::word, .names = kFidelities,
+        .meaning = "rung of the ladder from rigid blocks to fine zones (docs/bench/paper_walls.md)",
+        .field = kAt<&Study::fidelity>},
+    Key{.name = "solver.contact_points", .kind = Kind::count, .range = {'[', 2, 100, ']'},
+        .derived = {"of fidelity", derive_contact_points},
+        .meaning = "per face of a half unit",
+        .field = kAt<&Study::discretisation, &Discretisation::contact_points>},
+    Key{.name = "solver.face_rule", .kind = Kind::word, .names = kFaceRules,
+        .meaning = "contact points evenly spaced, or Gauss-Lobatto",
+        .field = kAt<&Study::discretisation, &Discretisation::face_rule>},
+    Key{.name = "solver.zones_per_interval", .kind = Kind::count, .range = {'[', 1, 100, ']'},
+        .meaning = "block zones between two contact points",
+        .field = kAt<&Study::discretisation, &Discretisation::zones_per_interval>},
+    Key{.name = "solver.block_modes", .kind = Kind::count, .range = kModeCount, .names = kModes,
+        .derived = {"of fidelity", derive_block_modes},
+        .meaning = "deformation modes of a block: rigid 3, simply deformable 6, ... all",
+        .field = kAt<&Study::discretisation, &Discretisation::block_modes>},
+    Key{.name = "solver.beam_modes", .kind = Kind::count, .range = kModeCount, .names = kModes,
+        .meaning = "deformation modes of the loading beam",
+        .field = kAt<&Study::discretisation, &Discretisation::beam_modes>},
+    Key{.name = "solver.damping", .kind = Kind::word, .names = kDampings,
+        .meaning = "local (paper, Eq. 1), or combined: no drag on steady motion",
+        .field = kAt<&Study::solver, &SolverOptions::damping>},
+    Key{.name = "solver.damping_factor", .range = {'(', 0, 1, ')'},
+        .meaning = "gamma of Eq. 1",
+        .field = kAt<&Study::solver, &SolverOptions::damping_factor>},
+    Key{.name = "solver.step_fraction", .range = {'(', 0, 1, ']'},
+        .meaning = "of the largest stable step",
+        .field = kAt<&Study::solver, &SolverOptions::step_fraction>},
+    Key{.name = "solver.steps_per_mm", .range = {'[', 1, 1e9, ']'},
+        .meaning = "explicit steps to a millimetre of the load line's way at full speed",
+        .field = kAt<&Study::solver, &SolverOptions::steps_per_mm>},
+    Key{.name = "solver.preload", .kind = Kind::word, .names = kPreloads,
+        .meaning = "the vertical load: from the static solution, or by a ramp",
+        .field = kAt<&Study::solver, &SolverOptions::preload>},
+    Key{.name = "solver.preload_steps", .kind = Kind::count, .range = {'[', 1, 1e12, ']'},
+        .meaning = "at most, to come to rest under the vertical load",
+        .field = kAt<&Study::solver, &SolverOptions::preload_steps>},
+    Key{.name = "solver.preload_unbalance", .range = {'(', 0, 1, ')'},
+        .meaning = "unbalanced / applied load at which the vertical load counts as carried",
+        .field = kAt<&Study::solver, &SolverOptions::preload_unbalance>},
+    Key{.name = "solver.unbalance_limit", .range = {'[', 0, 1, ']'},
+        .meaning = "|top - base shear| / vertical load above which the drive slows; 0 never",
+        .field = kAt<&Study::solver, &SolverOptions::unbalance_limit>},
+    Key{.name = "solver.min_speed", .range = {'(', 0, 1, ']'},
+        .meaning = "slowest drive, as a share of full speed",
+        .field = kAt<&Study::solver, &SolverOptions::min_speed>},
+
+    Key{.name = "solver.energy_tolerance", .range = {'(', 0, 1, ')'},
+        .meaning = "largest energy residual; beyond it the step is halved, in the end the wall failed",
+        .field = kAt<&Study::solver, &SolverOptions::energy_tolerance>},
+    Key{.name = "solver.most_steps", .kind = Kind::count, .range = {'[', 1, 1e12, ']'},
+        .meaning = "of one wall; a wall that needs more has failed",
+        .field = kAt<&Study::solver, &SolverOptions::most_steps>},
+
+    Key{.name = "output.record_every", .unit = "mm", .range = {'(', 0, 1000, ']'},
+        .meaning = "spacing of the points of the capacity curve",
+        .field = kAt<&Study::output, &OutputInput::record_every>},
+    Key{.name = "output.snapshot_every", .unit = "mm", .range = {'[', 0, 1000, ']'},
+        .meaning = "spacing of the ParaView series; 0 only both ends",
+        .field = kAt<&Study::output, &OutputInput::snapshot_every>},
+    Key{.name = "output.curves", .kind = Kind::word, .names = kPrecisions,
+        .meaning = "precision of the curves in the file of a study; single: half the size",
+        .field = kAt<&Study::output, &OutputInput::single_precision_curves>},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const Key> solver_keys() { return kKeys; }
+
+} // namespace app

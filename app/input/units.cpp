@@ -1,0 +1,223 @@
+#include "app/input/units.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/input/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <system_error>
+
+namespace app {
+namespace {
+
+/// value in SI = value * times / over; one of them is 1, so that "300 mm" is the double 0.3.
+struct Unit {
+    std::string_view name;
+    std::string_view quantity; ///< with its article, for messages
+    double times;
+    double over;
+};
+
+constexpr std::array kUnits = {
+    Unit{"m", "a length", 1, 1},
+    Unit{"cm", "a length", 1, 1e2},
+    Unit{"mm", "a length", 1, 1e3},
+    Unit{"Pa", "a stress", 1, 1},
+    Unit{"kPa", "a stress", 1e3, 1},
+    Unit{"MPa", "a stress", 1e6, 1},
+    Unit{"GPa", "a stress", 1e9, 1},
+    Unit{"N/mm2", "a stress", 1e6, 1},
+    Unit{"Pa/m", "a joint stiffness", 1, 1},
+    Unit{"kPa/m", "a joint stiffness", 1e3, 1},
+    Unit{"MPa/m", "a joint stiffness", 1e6, 1},
+    Unit{"GPa/m", "a joint stiffness", 1e9, 1},
+    Unit{"Pa/mm", "a joint stiffness", 1e3, 1},
+    Unit{"N/mm3", "a joint stiffness", 1e9, 1},
+    Unit{"kg/m3", "a density", 1, 1},
+    Unit{"N/m", "an energy per area", 1, 1},
+    Unit{"J/m2", "an energy per area", 1, 1},
+    Unit{"N/mm", "an energy per area", 1e3, 1},
+    Unit{"rad", "an angle", 1, 1},
+    Unit{"deg", "an angle", std::numbers::pi / 180, 1},
+    Unit{"N", "a force", 1, 1},
+    Unit{"kN", "a force", 1e3, 1},
+    Unit{"m/s2", "an acceleration", 1, 1},
+    Unit{"s", "a time", 1, 1},
+    Unit{"min", "a time", 60, 1},
+    Unit{"", "a number without unit", 1, 1},
+};
+
+const Unit& unit_named(std::string_view name)
+{
+    const auto found = std::find_if(kUnits.begin(), kUnits.end(),
+                                    [&](const Unit& u) { return u.name == name; });
+    assert(found != kUnits.end());
+    return *found;
+}
+
+double si_value(double value, const Unit& unit) { return value * unit.times / unit.over; }
+
+/// Names of the units of the same quantity, its SI unit first.
+std::vector<std::string_view> alternatives(const Unit& unit)
+{
+    std::vector<std::string_view> names;
+    for (const Unit& u : kUnits) {
+        if (u.quantity == unit.quantity) names.push_back(u.name);
+    }
+    return names;
+}
+
+std::string example(std::string_view number, const Unit& unit)
+{
+    return in_quotes(std::string(number) + (unit.name.empty() ? "" : " ") +
+                     std::string(unit.name));
+}
+
+[[noreturn]] void refuse_number(std::string_view text, const std::string& what,
+                                const Unit& unit)
+{
+    throw BadValue(in_quotes(text) + " is " + what + "; write " +
+                   (unit.name.empty() ? "a number" : "a number and its unit") + ", such as " +
+                   example("1", unit));
+}
+
+struct Parts {
+    double number = 0.0;
+    std::string_view number_text;
+    std::string_view unit;
+};
+
+/// "31.8 deg" -> 31.8, "31.8", "deg"
+Parts split(std::string_view text, const Unit& unit)
+{
+    const std::size_t sign = text.find_first_of("+-") == 0 ? 1 : 0;
+    if (text.find_first_of("0123456789.", sign) != sign) {
+        refuse_number(text, "not a finite number", unit); // also nan and inf
+    }
+    const std::string_view digits = text.substr(text.starts_with('+') ? 1 : 0);
+    Parts parts;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), parts.number);
+    if (error == std::errc::result_out_of_range) {
+        refuse_number(text, "beyond the range of a double", unit);
+    }
+    parts.number_text = text.substr(0, static_cast<std::size_t>(end - text.data()));
+    const std::string_view rest = text.substr(parts.number_text.size());
+    if (rest.starts_with('x') || rest.starts_with('X')) {
+        refuse_number(text, "not a decimal number", unit);
+    }
+    parts.unit = trimmed(rest);
+    if (parts.unit.find_first_of("0123456789.+-") == 0) {
+        refuse_number(text, "not one decimal number", unit);
+    }
+    return parts;
+}
+
+double in_si(const Parts& parts, const Unit& expected)
+{
+    const auto names = alternatives(expected);
+    if (std::find(names.begin(), names.end(), parts.unit) == names.end()) {
+        const std::string is = "unit " + in_quotes(parts.unit);
+        if (expected.name.empty()) {
+            throw BadValue(is + " where none belongs; write " + in_quotes(parts.number_text));
+        }
+        throw BadValue(is + " is not " + std::string(expected.quantity) + "; use " +
+                       listed(names));
+    }
+    const double value = si_value(parts.number, unit_named(parts.unit));
+    if (!std::isfinite(value)) {
+        refuse_number(parts.number_text, "beyond the range of a double", expected);
+    }
+    return value;
+}
+
+/// A comma ends an item of a list only before a blank, so that "0,15" is never read as 0
+/// and 15.
+std::vector<std::string_view> items(std::string_view text)
+{
+    std::vector<std::string_view> found;
+    for (std::size_t begin = 0, comma = 0; comma != std::string_view::npos; begin = comma + 1) {
+        comma = text.find(',', begin);
+        if (comma != std::string_view::npos && comma + 1 < text.size() &&
+            text[comma + 1] != ' ' && text[comma + 1] != '\t') {
+            std::string point(text), list(text);
+            point[comma] = '.';
+            list.insert(comma + 1, " ");
+            throw BadValue("comma inside " + in_quotes(text) + "; write a decimal point, " +
+                           in_quotes(point) + ", or a list with blanks, " + in_quotes(list));
+        }
+        found.push_back(trimmed(text.substr(begin, comma - begin)));
+        if (found.back().empty()) {
+            throw BadValue("empty place in the list " + in_quotes(text) +
+                           "; write a number between two commas");
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+std::vector<double> parse_quantities(std::string_view text, std::string_view unit)
+{
+    const Unit& expected = unit_named(unit);
+    std::vector<Parts> parts;
+    for (const std::string_view item : items(text)) parts.push_back(split(item, expected));
+    const auto is_bare = [](const Parts& p) { return p.unit.empty(); };
+    if (std::all_of(parts.begin(), parts.end() - 1, is_bare)) {
+        for (Parts& p : parts) p.unit = parts.back().unit;
+    }
+    if (!unit.empty() && std::any_of(parts.begin(), parts.end(), is_bare)) {
+        throw BadValue(is_bare(parts.back()) && is_bare(parts.front())
+                           ? "missing unit; write " + example(text, expected)
+                           : "missing unit in " + in_quotes(text) +
+                                 "; write it once at the end, or on each value");
+    }
+    std::vector<double> values;
+    for (const Parts& p : parts) values.push_back(in_si(p, expected));
+    return values;
+}
+
+double parse_quantity(std::string_view text, std::string_view unit)
+{
+    const std::vector<double> values = parse_quantities(text, unit);
+    if (values.size() != 1) {
+        throw BadValue(std::to_string(values.size()) +
+                       " values where one belongs; write one of them");
+    }
+    return values.front();
+}
+
+double parse_count(std::string_view text)
+{
+    constexpr double kLargest = 9007199254740992.0; // 2^53: above it a double skips integers
+    const double value = parse_quantity(text, "");
+    if (value != std::floor(value) || std::abs(value) > kLargest) {
+        throw BadValue(in_quotes(text) + " is not a whole number; write one, such as \"10\"");
+    }
+    return value;
+}
+
+double to_si(double value, std::string_view unit) { return si_value(value, unit_named(unit)); }
+
+std::string format_quantities(std::span<const double> si, std::string_view unit)
+{
+    const Unit& wanted = unit_named(unit);
+    const auto text_in = [&](const Unit& u) {
+        std::string text;
+        for (const double value : si) {
+            text += (text.empty() ? "" : ", ") + number(value * u.over / u.times, 17);
+        }
+        return text + (u.name.empty() ? "" : " ") + std::string(u.name);
+    };
+    const std::string text = text_in(wanted);
+    const std::vector<double> back = parse_quantities(text, unit);
+    if (std::equal(si.begin(), si.end(), back.begin(), back.end())) return text;
+    return text_in(unit_named(alternatives(wanted).front()));
+}
+
+} // namespace app

@@ -1,0 +1,83 @@
+#include "app/input/words.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace app {
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view kBlank = " \t\r";
+    const std::size_t first = text.find_first_not_of(kBlank);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+std::string in_quotes(std::string_view text)
+{
+    constexpr std::size_t kLongest = 60; // [bytes]
+    std::string shown(text.substr(0, kLongest));
+    if (text.size() > kLongest) {
+        while (!shown.empty() && (shown.back() & 0x80) != 0)
+            shown.pop_back(); // whole characters
+        shown += "...";
+    }
+    for (char& c : shown) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    }
+    return '"' + shown + '"';
+}
+
+std::string listed(std::span<const std::string_view> words)
+{
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+        text += words[i];
+    }
+    return text;
+}
+
+int edit_distance(std::string_view a, std::string_view b)
+{
+    std::vector<int> row(b.size() + 1); // distance of a[0, i) to each b[0, j)
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        int diagonal = row[0];
+        row[0] = static_cast<int>(i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const int replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+        }
+    }
+    return row.back();
+}
+
+std::string_view nearest_word(std::string_view wrong, std::span<const std::string_view> words)
+{
+    constexpr std::size_t kLongest = 100; // longer ones are no misprint of a word
+    if (wrong.size() > kLongest) return {};
+    std::string_view nearest;
+    int fewest = 0;
+    for (const std::string_view word : words) {
+        const int edits = edit_distance(wrong, word);
+        const bool near = 3 * edits <= static_cast<int>(word.size());
+        if (near && (nearest.empty() || edits < fewest)) {
+            nearest = word;
+            fewest = edits;
+        }
+    }
+    return nearest;
+}
+
+std::string suggestion(std::string_view wrong, std::span<const std::string_view> words)
+{
+    const std::string_view nearest = nearest_word(wrong, words);
+    if (nearest.empty()) return "use " + listed(words);
+    return "did you mean " + in_quotes(nearest) + "?";
+}
+
+} // namespace app

@@ -1,0 +1,75 @@
+#include "app/output/atomic_output.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <fcntl.h>
+#include <stdexcept>
+#include <string>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& what, const fs::path& path, const std::string& reason)
+{
+    throw std::runtime_error("cannot " + what + " '" + path.string() + "': " + reason);
+}
+
+std::string reason_of(int error) { return std::generic_category().message(error); }
+
+/// A name no other writer uses: processes differ by id, threads by the counter.
+fs::path temporary_beside(const fs::path& path)
+{
+    static std::atomic<unsigned> counter{0};
+    fs::path name = path;
+    name.replace_filename("." + path.filename().string() + "." + std::to_string(::getpid()) +
+                          "-" + std::to_string(counter++) + ".tmp");
+    return name;
+}
+
+/// 0, or the errno of what went wrong.
+int write_all(int file, std::string_view content)
+{
+    while (!content.empty()) {
+        const ssize_t written = ::write(file, content.data(), content.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+} // namespace
+
+void make_folder(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) fail("create folder", folder, error.message());
+}
+
+void write_file(const fs::path& path, std::string_view content)
+{
+    std::error_code ignored;
+    // renaming over a device would replace it: /dev/null, for root
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+        fail("write", path, "it exists and is not a regular file");
+
+    const fs::path temporary = temporary_beside(path);
+    const int file = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (file < 0) fail("write", path, reason_of(errno));
+    int error = write_all(file, content);
+    if (::close(file) != 0 && error == 0)
+        error = errno; // network disks report a full disk here
+    if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+    if (error == 0) return;
+    ::unlink(temporary.c_str());
+    fail("write", path, reason_of(error));
+}
+
+} // namespace app

@@ -1,0 +1,30 @@
+#include "app/output/capacity_csv.hpp"
+
+#include "app/input/number_text.hpp"
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace app {
+
+std::string capacity_csv(std::span<const double> displacement, std::span<const double> force,
+                         double height)
+{
+    if (displacement.size() != force.size())
+        throw std::invalid_argument(
+            "capacity curve: as many displacements as forces are needed");
+    if (!(height > 0.0))
+        throw std::invalid_argument(
+            "capacity curve: the height for the drift must be positive");
+
+    constexpr int kDigits = 9; // more than any run is accurate to; hides 0.30000000000000004
+    std::string table = "displacement_mm,drift_percent,force_kN\n";
+    for (std::size_t i = 0; i < displacement.size(); ++i) {
+        table += number(displacement[i] * 1e3, kDigits) + ',';
+        table += number(displacement[i] / height * 100.0, kDigits) + ',';
+        table += number(force[i] * 1e-3, kDigits) + '\n';
+    }
+    return table;
+}
+
+} // namespace app

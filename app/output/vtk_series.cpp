@@ -1,0 +1,154 @@
+#include "app/output/vtk_series.hpp"
+
+#include "app/output/atomic_output.hpp"
+#include "app/output/block_displacement.hpp"
+#include "app/output/vtk_grid.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <system_error>
+
+namespace app {
+
+namespace {
+
+std::vector<VtkArray> load_data(const dem::Snapshot& wall)
+{
+    std::vector<VtkArray> data = {vtk_reals("load_displacement"), vtk_reals("force")};
+    data[0].add(wall.displacement);
+    data[1].add(wall.force);
+    return data;
+}
+
+/// Between the two sides of a face.
+dem::Point middle_displacement(const dem::Snapshot& wall, const dem::FaceState& face,
+                               dem::Point at)
+{
+    const dem::Point a = displacement_at(wall, face.block_a, at);
+    const dem::Point b = displacement_at(wall, face.block_b, at);
+    return {0.5 * (a.x + b.x), 0.5 * (a.z + b.z)};
+}
+
+int kind_number(dem::FaceKind kind)
+{
+    switch (kind) {
+    case dem::FaceKind::bed_joint:
+        return 0;
+    case dem::FaceKind::head_joint:
+        return 1;
+    case dem::FaceKind::unit_crack:
+        return 2;
+    case dem::FaceKind::beam_joint:
+        return 3;
+    case dem::FaceKind::base_joint:
+        return 4;
+    }
+    return -1;
+}
+
+/// Way of the load line up to each snapshot [mm].
+std::vector<double> way_of_load(const std::vector<dem::Snapshot>& walls)
+{
+    std::vector<double> way;
+    double last = 0.0, sum = 0.0; // [m]
+    for (const dem::Snapshot& wall : walls) {
+        sum += std::abs(wall.displacement - last);
+        last = wall.displacement;
+        way.push_back(sum * 1e3);
+    }
+    return way;
+}
+
+std::string file_name(const std::string& stem, std::size_t index)
+{
+    const std::string digits = std::to_string(index);
+    return stem + '_' + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits +
+           ".vtu";
+}
+
+} // namespace
+
+std::string blocks_vtu(const dem::Snapshot& wall)
+{
+    VtkGrid grid;
+    VtkArray displacement = vtk_vectors("displacement");
+    VtkArray course = vtk_integers("course"), unit = vtk_integers("unit"),
+             index = vtk_integers("block");
+    for (const dem::BlockState& block : wall.blocks) {
+        index.add(index.tuples);
+        course.add(block.course);
+        unit.add(block.unit);
+        for (std::size_t i = 0; i < block.outline.size(); ++i) {
+            grid.add_point(block.outline[i]);
+            displacement.add(block.displacement.at(i));
+        }
+        grid.end_cell(kVtkPolygon);
+    }
+    grid.point_data = {displacement};
+    grid.cell_data = {course, unit, index};
+    grid.field_data = load_data(wall);
+    return vtu_text(grid);
+}
+
+std::string joints_vtu(const dem::Snapshot& wall)
+{
+    VtkGrid grid;
+    VtkArray displacement = vtk_vectors("displacement");
+    VtkArray opening = vtk_reals("opening"), slip = vtk_reals("slip"),
+             sigma = vtk_reals("sigma");
+    VtkArray tau = vtk_reals("tau"), damage = vtk_reals("damage"), area = vtk_reals("area");
+    VtkArray kind = vtk_integers("kind"), id = vtk_integers("id");
+    VtkArray block_a = vtk_integers("block_a"), block_b = vtk_integers("block_b");
+    VtkArray normal = vtk_vectors("normal");
+    for (const dem::FaceState& face : wall.faces) {
+        if (face.contacts.empty()) continue;
+        for (const dem::ContactState& c : face.contacts) {
+            grid.add_point(c.at);
+            displacement.add(middle_displacement(wall, face, c.at));
+            opening.add(c.opening);
+            slip.add(c.slip);
+            sigma.add(c.sigma);
+            tau.add(c.tau);
+            damage.add(c.damage);
+            area.add(c.area);
+        }
+        kind.add(kind_number(face.kind));
+        id.add(face.id);
+        block_a.add(face.block_a);
+        block_b.add(face.block_b);
+        normal.add(face.normal);
+        grid.end_cell(face.contacts.size() == 1 ? kVtkVertex : kVtkPolyLine);
+    }
+    grid.point_data = {displacement, opening, slip, sigma, tau, damage, area};
+    grid.cell_data = {kind, id, block_a, block_b, normal};
+    grid.field_data = load_data(wall);
+    return vtu_text(grid);
+}
+
+void write_vtk_series(const std::filesystem::path& folder,
+                      const std::vector<dem::Snapshot>& walls)
+{
+    make_folder(folder);
+    // an earlier series must not name files that this one is about to replace
+    for (const char* name : {"wall.pvd", "joints.pvd"}) {
+        std::error_code nothing_there;
+        std::filesystem::remove(folder / name, nothing_there);
+    }
+    const std::vector<double> way = way_of_load(walls);
+    std::vector<double> times;
+    std::vector<std::string> blocks, joints;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (i + 1 < walls.size() && way[i + 1] == way[i])
+            continue; // two at one time would overlap
+        blocks.push_back(file_name("wall", times.size()));
+        joints.push_back(file_name("joints", times.size()));
+        times.push_back(way[i]);
+        write_file(folder / blocks.back(), blocks_vtu(walls[i]));
+        write_file(folder / joints.back(), joints_vtu(walls[i]));
+    }
+    // last, so that they never name a file that is not there
+    write_file(folder / "wall.pvd", pvd_text(times, blocks));
+    write_file(folder / "joints.pvd", pvd_text(times, joints));
+}
+
+} // namespace app

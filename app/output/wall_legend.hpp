@@ -1,0 +1,20 @@
+#pragma once
+/// What the marks on a wall mean, and how large they are.
+
+#include "app/output/svg_elements.hpp"
+#include "app/output/wall_marks.hpp"
+
+#include <string>
+
+namespace app {
+
+inline constexpr double kWallLegendHeight = 56.0; // [px]
+
+/// Two rows of three entries, each a sample and what it stands for.
+/// @param mark_size WallView::mark_size
+/// @param widest_force compression of one face drawn with kThrustWidest [N]; 0: none in the
+/// picture
+[[nodiscard]] std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes& sizes,
+                                           double widest_force, double mark_size);
+
+} // namespace app

@@ -1,0 +1,46 @@
+#pragma once
+/// What a push did to the joints and units of a wall, drawn on it: openings, slips, cracks.
+/// Each function gives SVG elements.
+
+#include "app/output/svg_elements.hpp"
+#include "app/output/wall_view.hpp"
+#include "dem/snapshot.hpp"
+
+#include <string>
+
+namespace app {
+
+/// Sizes that marks share, so that two panels compare.
+struct MarkSizes {
+    double threshold = 5e-4;  ///< openings and slips up to this are not marked [m], > 0
+    double widest_slip = 0.0; ///< [m], drawn with kSlipWidest; > 0 if a slip is marked
+};
+
+inline constexpr const char* kCrackColour = "#c8102e";
+inline constexpr const char* kOpeningColour = "#2166ac";
+inline constexpr const char* kGapColour = "#6aa5d6"; // inside an opening
+inline constexpr const char* kSlipColour = "#e08214";
+inline constexpr double kSlipThinnest = 1.5, kSlipWidest = 7.0; // [px] at mark_size 1
+
+/// Largest slip of contacts that are marked as slipping [m]; 0 if there is none.
+[[nodiscard]] double largest_slip(const dem::Snapshot& wall, double threshold);
+
+/// Filled gaps of joints.
+[[nodiscard]] std::string draw_openings(const dem::Snapshot& wall, const WallView& view,
+                                        const MarkSizes& sizes);
+
+/// Lines along joints that slid while closed, wider with slip, with a pair of half-arrows on
+/// the larger ones.
+[[nodiscard]] std::string draw_slips(const dem::Snapshot& wall, const WallView& view,
+                                     const MarkSizes& sizes);
+
+/// Cracks through units: gap and solid line where every contact has D = 1, dashes over damaged
+/// contacts elsewhere.
+[[nodiscard]] std::string draw_cracks(const dem::Snapshot& wall, const WallView& view);
+
+/// Half-arrows on both sides of a joint through `at`: the side that `left` (unit vector,
+/// pixels) points to moves along `along` (unit vector, pixels), the other side against it.
+/// @param size WallView::mark_size
+[[nodiscard]] std::string half_arrows(Pixel at, Pixel along, Pixel left, double size);
+
+} // namespace app

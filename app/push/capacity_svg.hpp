@@ -1,0 +1,13 @@
+#pragma once
+/// Picture of one capacity curve.
+
+#include "app/study/pushed_wall.hpp"
+
+#include <string>
+
+namespace app {
+
+/// SVG: force against displacement and drift, the peak and the limit displacement marked.
+[[nodiscard]] std::string capacity_svg(const PushedWall& wall);
+
+} // namespace app

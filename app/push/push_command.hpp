@@ -1,0 +1,15 @@
+#pragma once
+/// `drystone push`: every stress level of a study file, one wall each.
+
+#include "app/input/command_line.hpp"
+
+namespace app {
+
+/// Writes, into command.out or a folder per stress level below it: capacity.csv, capacity.svg,
+/// summary.json, wall.svg, study.ini (the effective configuration) and series/*.pvd for
+/// ParaView. Several levels also give levels.csv, .md, .tex.
+/// @returns exit code: 0, or 1 if a wall's numbers broke
+/// @throws ConfigError before anything is written
+[[nodiscard]] int push_command(const Command& command);
+
+} // namespace app

@@ -1,0 +1,33 @@
+#pragma once
+/// Which walls of a study a page has room for.
+
+#include "app/report/report_study.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace app {
+
+constexpr std::size_t kMostListed = 4'000; ///< walls with a curve and a row in the page
+
+/// Walls that can be looked at where nothing else is asked for: as many as have, together, no more
+/// blocks than this, and at least kFewestFilmed. 316 walls of the paper are about 3 MB, and about a
+/// minute of one core to push.
+constexpr std::size_t kMostFilmedBlocks = 32'000;
+constexpr std::size_t kFewestFilmed = 10;
+
+/// And fewer where the page would be larger than this [bytes].
+constexpr std::size_t kMostPageBytes = 4'900'000;
+
+/// Places in ReportStudy::walls, ascending, of at most `most` walls: those of the lowest sample
+/// numbers, of each stress as many.
+[[nodiscard]] std::vector<std::size_t> walls_to_list(const ReportStudy& study,
+                                                     std::size_t most);
+
+/// Of the places `listed` those of at most `most` walls that gave results, in turns from each stress
+/// and mode in the order of the samples, so that rare modes are among them.
+[[nodiscard]] std::vector<std::size_t> walls_to_show(const ReportStudy& study,
+                                                     const std::vector<std::size_t>& listed,
+                                                     std::size_t most);
+
+} // namespace app

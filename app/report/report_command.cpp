@@ -1,0 +1,118 @@
+#include "app/report/report_command.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/output/atomic_output.hpp"
+#include "app/output/progress.hpp"
+#include "app/report/report_choice.hpp"
+#include "app/report/report_data.hpp"
+#include "app/report/report_page.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How many walls are shown: as asked for, else as many as kMostFilmedBlocks allows.
+std::size_t most_walls(const ReportStudy& study, const std::optional<int>& asked)
+{
+    if (asked) return static_cast<std::size_t>(*asked);
+    const std::size_t blocks = model_of(*study.study).layout.blocks.size();
+    return std::max(kFewestFilmed, kMostFilmedBlocks / std::max<std::size_t>(1, blocks));
+}
+
+std::string chosen_text(std::size_t shown, std::size_t sound)
+{
+    if (shown == 0) return "No wall was pushed again for this page.";
+    if (shown == sound) return "Every wall that gave a result can be looked at.";
+    return std::to_string(shown) + " of " + std::to_string(sound) +
+           " walls can be looked at, taken in turns from each stress and mode in the order of "
+           "the samples, to keep the page small. A click on the curve of another says how to "
+           "draw it; drystone report --walls N takes more.";
+}
+
+/// The page so far, and the listed walls.
+struct Draft {
+    const ReportStudy& study;
+    std::string title;
+    std::vector<std::size_t> listed; ///< as walls_to_list
+    Json data;
+
+    [[nodiscard]] std::string page(const Replay& replay, const std::string& note) const
+    {
+        return report_page(title, data, films_json(study, listed, replay, note));
+    }
+};
+
+Replay push_again(const ReportStudy& study, const std::vector<std::size_t>& walls,
+                  const Command& command)
+{
+    Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
+    const std::string what = "pushing " + std::to_string(walls.size()) + " walls again";
+    Replay all = replay(study, walls, command.threads,
+                        [&](double done) { progress.update(done, what); });
+    progress.finish(what);
+    return all;
+}
+
+/// What a page of kMostPageBytes has left for films.
+std::size_t room_for_films(const Draft& draft)
+{
+    const Json geometry = wall_geometry(model_of(*draft.study.study).layout);
+    const std::size_t rest =
+        draft.page({}, chosen_text(1, 2)).size() + geometry.dump().size() + 100;
+    return kMostPageBytes - std::min(rest, kMostPageBytes);
+}
+
+struct Shown {
+    Replay replay;
+    std::string note;
+};
+
+Shown show_walls(const Draft& draft, const Command& command)
+{
+    const ReportStudy& study = draft.study;
+    if (!study.study)
+        return {{},
+                "The walls cannot be pushed again: this version does not read the stored study "
+                "file (" +
+                    study.no_study + ")."};
+    const auto walls = walls_to_show(study, draft.listed, most_walls(study, command.walls));
+    if (walls.empty()) return {{}, chosen_text(0, 0)};
+    Shown shown{push_again(study, walls, command), {}};
+    if (!command.walls) keep_first(shown.replay, room_for_films(draft));
+    const auto sound = static_cast<std::size_t>(std::count_if(
+        study.walls.begin(), study.walls.end(), [](const auto& w) { return !w.failed; }));
+    shown.note = chosen_text(shown.replay.walls.size(), sound);
+    if (shown.replay.different > 0)
+        shown.note +=
+            " " + std::to_string(shown.replay.different) +
+            " of them came out otherwise than stored: the file was written by another "
+            "version of the program.";
+    return shown;
+}
+
+} // namespace
+
+int report_command(const Command& command)
+{
+    const std::filesystem::path file = command.words.front(), out = command.out;
+    const ReportStudy study = read_report_study(file);
+    Draft draft{study, "Drystone study " + study.name, walls_to_list(study, kMostListed), {}};
+    draft.data = report_data(study, draft.listed);
+    draft.data["file"] = file.filename().string();
+    const Shown shown = show_walls(draft, command);
+    const std::string page = draft.page(shown.replay, shown.note);
+    if (out.has_parent_path()) make_folder(out.parent_path());
+    write_file(out, page);
+    std::cout << shown.note << "\nwritten to " << out.string() << ", "
+              << fixed(static_cast<double>(page.size()) * 1e-6, 1) << " MB\n";
+    return 0;
+}
+
+} // namespace app

@@ -1,0 +1,16 @@
+#pragma once
+/// The study in sentences: what was run, what came out, how sure.
+
+#include "app/report/report_study.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct Overview {
+    std::vector<std::string> run, found, sure; ///< plain text
+};
+[[nodiscard]] Overview overview(const ReportStudy& study);
+
+} // namespace app

@@ -1,0 +1,86 @@
+#include "app/report/report_page.hpp"
+
+#include "app/report/report_assets.hpp"
+#include "app/report/report_bytes.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace app {
+
+std::string html_text(std::string_view text)
+{
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
+}
+
+std::string script_json(const nlohmann::ordered_json& data)
+{
+    // "<" only occurs inside strings of JSON; written so, "</script>" and "<!--" cannot occur
+    const std::string text =
+        data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    std::string out;
+    out.reserve(text.size());
+    for (const char c : text) {
+        if (c == '<')
+            out += "\\u003c";
+        else
+            out += c;
+    }
+    return out;
+}
+
+std::string packed(const nlohmann::ordered_json& data)
+{
+    const std::string text = script_json(data);
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    return base64(deflated(bytes));
+}
+
+std::string report_page(const std::string& title, const nlohmann::ordered_json& data,
+                        const nlohmann::ordered_json& films)
+{
+    const auto content = [&](std::string_view name) -> std::string {
+        if (name == "title") return html_text(title);
+        if (name == "style") return std::string(report_style());
+        if (name == "chart_style") return std::string(chart_style());
+        if (name == "chart_script") return std::string(chart_script());
+        if (name == "script") return std::string(report_script());
+        if (name == "data") return packed(data);
+        if (name == "films") return script_json(films);
+        throw std::logic_error("report page: no content for " + std::string(name));
+    };
+    std::string_view rest = report_page_html();
+    std::string page;
+    for (std::size_t at = rest.find("{{"); at != rest.npos; at = rest.find("{{")) {
+        const std::size_t end = rest.find("}}", at);
+        page += rest.substr(0, at);
+        page += content(rest.substr(at + 2, end - at - 2));
+        rest.remove_prefix(end + 2);
+    }
+    page += rest;
+    return page;
+}
+
+} // namespace app

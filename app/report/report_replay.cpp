@@ -1,0 +1,112 @@
+#include "app/report/report_replay.hpp"
+
+#include "app/study/pushed_wall.hpp"
+#include "app/study/study_columns.hpp"
+#include "app/study/wall_draw.hpp"
+#include "dem/ensemble.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace app {
+namespace {
+
+WallDraw stored_draw(const Study& study, const dem::Layout& layout, const WallRow& row)
+{
+    WallDraw draw;
+    std::size_t next = 0;
+    for (const RandomInput& input : study.random) {
+        const auto n =
+            static_cast<std::size_t>(values_per_wall(input, study.uq.spatial, layout));
+        if (next + n > row.inputs.size())
+            throw std::runtime_error("the stored values do not fit the stored configuration");
+        const auto begin = row.inputs.begin() + static_cast<std::ptrdiff_t>(next);
+        draw.values.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(n));
+        next += n;
+    }
+    return draw;
+}
+
+dem::PushPlan film_plan(const Study& study)
+{
+    dem::PushPlan plan = push_plan(study);
+    double way = 0.0, from = 0.0;
+    for (const double to : plan.targets) {
+        way += std::abs(to - from);
+        from = to;
+    }
+    plan.snapshot_every = way / kFilmFrames;
+    plan.snapshot_at_peak = false;
+    plan.energy_at_points = false;
+    return plan;
+}
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+bool same_as_stored(const ReportWall& stored, const PushedWall& wall)
+{
+    const WallRow row = row_of(stored.row.key, {}, wall);
+    const auto response = [&](const char* name) {
+        return row.responses[column_of(response_columns(), name)];
+    };
+    const bool rocking = wall.mode == dem::FailureMode::rocking;
+    return row.status == stored.row.status && same(response("peak_force"), stored.peak) &&
+           same(response("ultimate_displacement"), stored.ultimate) &&
+           rocking == stored.rocking;
+}
+
+std::vector<dem::Snapshot> frames_of(dem::PushResult&& result)
+{
+    std::vector<dem::Snapshot> frames = std::move(result.snapshots);
+    const bool whole =
+        !frames.empty() && frames.back().displacement == result.at_end.displacement;
+    if (!whole) frames.push_back(std::move(result.at_end));
+    return frames;
+}
+
+} // namespace
+
+Replay replay(const ReportStudy& r, const std::vector<std::size_t>& walls, int threads,
+              const std::function<void(double)>& seen)
+{
+    const Study& study = r.study.value();
+    const dem::Model model = model_of(study);
+    Replay all;
+    all.walls = walls;
+    all.films.resize(walls.size());
+    std::size_t done = 0;
+    dem::Ensemble ensemble;
+    ensemble.size = walls.size();
+    ensemble.wall = [&](std::size_t i) {
+        const WallRow& row = r.walls[walls[i]].row;
+        return wall_materials(study, model.layout, static_cast<int>(row.key.level),
+                              stored_draw(study, model.layout, row));
+    };
+    ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
+        const ReportWall& stored = r.walls[walls[i]];
+        PushedWall wall =
+            read_wall(study, static_cast<int>(stored.row.key.level), std::move(result));
+        all.different += same_as_stored(stored, wall) ? 0 : 1;
+        all.films[i] = film_of(frames_of(std::move(wall.result)));
+        ++done;
+        if (seen) seen(static_cast<double>(done) / static_cast<double>(walls.size()));
+    };
+    dem::push_ensemble(model, ensemble, film_plan(study), study.solver, {threads});
+    return all;
+}
+
+void keep_first(Replay& replay, std::size_t bytes)
+{
+    std::size_t kept = 0;
+    for (const Film& film : replay.films) {
+        const std::size_t size = film.data.size() + kFilmEntryBytes;
+        if (size > bytes) break;
+        bytes -= size;
+        ++kept;
+    }
+    replay.walls.resize(kept);
+    replay.films.resize(kept);
+}
+
+} // namespace app

@@ -1,0 +1,135 @@
+#include "app/store/store_disk.hpp"
+
+#include "app/store/store_error.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+#include <zlib.h>
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* remedy(int error)
+{
+    switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+        return "; make space there and run the same command again, it goes on";
+    case EFBIG:
+        return "; raise the limit of file sizes (ulimit -f) and run the same command again";
+    case EROFS:
+    case EACCES:
+    case EPERM:
+        return "; choose a folder that can be written, or change its permissions";
+    case ENOENT:
+        return "; make the folder first";
+    case EIO:
+        return "; the disk reports a fault: copy the file elsewhere and go on there";
+    case EMFILE:
+    case ENFILE:
+        return "; raise the number of open files (ulimit -n)";
+    default:
+        return "";
+    }
+}
+
+} // namespace
+
+OpenFile::OpenFile(OpenFile&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1))
+{
+}
+
+OpenFile& OpenFile::operator=(OpenFile&& other) noexcept
+{
+    if (this != &other) {
+        close();
+        descriptor_ = std::exchange(other.descriptor_, -1);
+    }
+    return *this;
+}
+
+void OpenFile::close()
+{
+    if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+}
+
+void disk_error(std::string_view what, const fs::path& path, int error)
+{
+    throw StoreError("cannot " + std::string(what) + " '" + path.string() +
+                     "': " + std::generic_category().message(error) + remedy(error));
+}
+
+OpenFile open_to_read(const fs::path& path)
+{
+    // O_NONBLOCK: a pipe of this name would wait for its writer
+    OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file.is_open()) {
+        if (errno == ENOENT) return file;
+        disk_error("open", path, errno);
+    }
+    struct stat about {};
+    if (::fstat(file.get(), &about) != 0) disk_error("read", path, errno);
+    if (!S_ISREG(about.st_mode))
+        throw StoreError("cannot read '" + path.string() + "': it is not a regular file");
+    return file;
+}
+
+std::uint64_t file_length(const OpenFile& file, const fs::path& path)
+{
+    struct stat about {};
+    if (::fstat(file.get(), &about) != 0) disk_error("read", path, errno);
+    return static_cast<std::uint64_t>(about.st_size);
+}
+
+std::size_t read_at(const OpenFile& file, const fs::path& path, void* data, std::size_t size,
+                    std::uint64_t offset)
+{
+    std::size_t done = 0;
+    while (done < size) {
+        const ssize_t n = ::pread(file.get(), static_cast<char*>(data) + done, size - done,
+                                  static_cast<off_t>(offset + done));
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) disk_error("read", path, errno);
+        if (n == 0) break;
+        done += static_cast<std::size_t>(n);
+    }
+    return done;
+}
+
+int write_at(int descriptor, const void* data, std::size_t size, std::uint64_t offset)
+{
+    std::size_t done = 0;
+    while (done < size) {
+        const ssize_t n = ::pwrite(descriptor, static_cast<const char*>(data) + done,
+                                   size - done, static_cast<off_t>(offset + done));
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return n < 0 ? errno : ENOSPC;
+        done += static_cast<std::size_t>(n);
+    }
+    return 0;
+}
+
+void sync_folder_of(const fs::path& path)
+{
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const OpenFile file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!file.is_open()) disk_error("open folder", folder, errno);
+    // some file systems cannot sync a folder and say EINVAL
+    if (::fsync(file.get()) != 0 && errno != EINVAL) disk_error("write folder", folder, errno);
+}
+
+std::uint32_t crc32_of(std::string_view bytes, std::uint32_t sum)
+{
+    return static_cast<std::uint32_t>(
+        ::crc32_z(sum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+} // namespace app

@@ -1,0 +1,25 @@
+#include "app/study/merge_command.hpp"
+
+#include "app/output/atomic_output.hpp"
+#include "app/store/merge.hpp"
+#include "app/study/study_summary.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace app {
+
+int merge_command(const Command& command)
+{
+    const std::filesystem::path out = command.words.front();
+    const std::vector<std::filesystem::path> shards(command.words.begin() + 1,
+                                                    command.words.end());
+    if (out.has_parent_path()) make_folder(out.parent_path());
+    merge(out, shards, {.partial = command.partial});
+    const StudySummary summary = summarise(out);
+    std::cout << as_text(summary.table) << summary.remarks << "written to " << out.string()
+              << '\n';
+    return summary.failed == 0 && summary.missing == 0 ? 0 : 1;
+}
+
+} // namespace app

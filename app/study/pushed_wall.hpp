@@ -1,0 +1,43 @@
+#pragma once
+/// One wall pushed, and what an engineer reads off it.
+
+#include "app/input/study.hpp"
+#include "app/study/wall_draw.hpp"
+#include "dem/mechanism.hpp"
+#include "dem/push.hpp"
+#include "fragility/limit_states.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct PushedWall {
+    double vertical_stress = 0.0; ///< [Pa]
+    dem::Loads loads;
+    dem::PushResult result;
+    dem::Mechanism mechanism;
+    dem::FailureMode mode = dem::FailureMode::rocking;
+    std::vector<double> displacement; ///< of the curve [m]
+    std::vector<double> force;        ///< [N]
+    /// Readings of the curve; empty for a push that turns back or whose numbers broke.
+    std::optional<fragility::Peak> peak;
+    std::optional<double> stiffness; ///< secant at fragility::kSecantShare of the peak [N/m]
+    fragility::LimitDisplacement ultimate;
+    std::vector<fragility::LimitState> limit_states; ///< of the sets paper, ntc, ec8
+    std::string no_reading;                          ///< why there are none
+};
+
+/// What is read off a result.
+/// @param level index in study.load.vertical_stress
+[[nodiscard]] PushedWall read_wall(const Study& study, int level, dem::PushResult result);
+
+/// @param draw random values of the wall; none: the numbers of the study
+/// @param level index in study.load.vertical_stress
+[[nodiscard]] PushedWall
+push_wall(const Study& study, int level, const WallDraw& draw,
+          std::function<void(double done, double displacement, double force)> progress);
+
+} // namespace app

@@ -1,0 +1,40 @@
+#pragma once
+/// The event whose probability is sought, ready for the methods of uq/.
+
+#include "app/input/command_line.hpp"
+#include "app/input/study.hpp"
+#include "uq/reliability/limit_state.hpp"
+#include "uq/reliability/multi_fidelity.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct ReliabilityProblem {
+    uq::LimitState event;
+    std::string words;               ///< "peak force <= 40 kN under 0.5 MPa"
+    std::vector<std::string> inputs; ///< names of the columns of x, with unit
+    std::vector<std::string> normal; ///< names of the columns of u
+    std::vector<uq::CheapModel>
+        cheap; ///< for multi_fidelity; cost relative to the event's model
+    ReliabilityMethod method = ReliabilityMethod::monte_carlo;
+    int budget = 1000;
+    double target_cov = 0.1;
+    std::uint64_t seed = 1;
+};
+
+/// From a study of walls: one level, the study's only one or --level.
+/// @throws ConfigError
+[[nodiscard]] ReliabilityProblem wall_problem(const Study& study, const Command& command);
+
+/// From a file with [model] command = ...: another program (docs/external_program.md).
+/// @throws ConfigError
+[[nodiscard]] ReliabilityProblem external_problem(const StudyFile& file,
+                                                  const Command& command);
+
+/// Whether a file has a section [model].
+[[nodiscard]] bool is_external(const StudyFile& file);
+
+} // namespace app

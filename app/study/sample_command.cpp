@@ -1,0 +1,60 @@
+#include "app/study/sample_command.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/output/atomic_output.hpp"
+#include "app/output/table.hpp"
+#include "app/study/sample_plan.hpp"
+#include "app/study/study_columns.hpp"
+#include "app/study/wanted_walls.hpp"
+#include "dem/layout.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace app {
+namespace {
+
+Table head_of(const SamplePlan& plan)
+{
+    Table t;
+    t.head = {"level", "vertical_stress [Pa]", "sample"};
+    for (const Column& c : input_columns(plan)) t.head.push_back(c.name + " [" + c.unit + "]");
+    return t;
+}
+
+std::vector<std::string> row(const Study& study, const SamplePlan& plan, int level, int sample)
+{
+    std::vector<std::string> cells = {
+        std::to_string(level),
+        number(study.load.vertical_stress[static_cast<std::size_t>(level)], 17),
+        std::to_string(sample)};
+    for (const double value : flattened(draw(plan, level, sample)))
+        cells.push_back(number(value, 17));
+    return cells;
+}
+
+} // namespace
+
+int sample_command(const Command& command)
+{
+    const StudySource source = study_source(command);
+    const Study& study = source.study;
+    if (study.random.empty())
+        throw error_at(study.source, "joint.friction_angle",
+                       "nothing to draw: no value of this study is a distribution; write e.g. "
+                       "\"friction_angle = normal(mean 31.8 deg, cov 0.20)\"");
+    const dem::Layout layout = dem::lay_out(study.wall, study.beam.height);
+    const SamplePlan plan = sample_plan(study, layout, source.sizes);
+    Table table = head_of(plan);
+    for (std::size_t level = 0; level < study.load.vertical_stress.size(); ++level)
+        for (std::uint32_t sample = 0; sample < source.sizes.back(); ++sample)
+            table.rows.push_back(
+                row(study, plan, static_cast<int>(level), static_cast<int>(sample)));
+    const std::filesystem::path file = command.out;
+    if (file.has_parent_path()) make_folder(file.parent_path());
+    write_file(file, as_csv(table));
+    std::cout << table.rows.size() << " samples written to " << command.out << '\n';
+    return 0;
+}
+
+} // namespace app

@@ -1,0 +1,14 @@
+#pragma once
+/// `drystone study STUDY.ini --slurm FILE`: a job array instead of a run.
+
+#include "app/input/command_line.hpp"
+#include "app/input/study.hpp"
+
+namespace app {
+
+/// Runs one register of walls to know what a wall takes.
+/// @return exit code
+/// @throws ConfigError
+[[nodiscard]] int write_slurm_script(const Study& study, const Command& command);
+
+} // namespace app

@@ -1,0 +1,54 @@
+#include "app/study/stored_input.hpp"
+
+#include <numbers>
+
+namespace app {
+namespace {
+
+void set_shown_unit(StoredInput& input, const std::string& stored)
+{
+    input.unit = stored;
+    const bool modulus = input.key.ends_with("modulus");
+    if (stored == "rad") {
+        input.unit = "deg";
+        input.scale = 180.0 / std::numbers::pi;
+    } else if (stored == "Pa") {
+        input.unit = modulus ? "GPa" : "MPa";
+        input.scale = modulus ? 1e-9 : 1e-6;
+    }
+}
+
+/// "joint.friction_angle" of "joint.friction_angle.17"
+std::string without_number(const std::string& name)
+{
+    const std::size_t dot = name.rfind('.');
+    const bool numbered = dot != std::string::npos && dot + 1 < name.size() &&
+                          name.find_first_not_of("0123456789", dot + 1) == std::string::npos;
+    return numbered ? name.substr(0, dot) : name;
+}
+
+} // namespace
+
+std::vector<StoredInput> stored_inputs(const std::vector<Column>& columns)
+{
+    std::vector<StoredInput> inputs;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::string key = without_number(columns[i].name);
+        if (!inputs.empty() && inputs.back().key == key) {
+            ++inputs.back().count;
+            continue;
+        }
+        inputs.push_back({key, "", 1.0, i, 1, {}});
+        set_shown_unit(inputs.back(), columns[i].unit);
+    }
+    return inputs;
+}
+
+double shown_value(const StoredInput& input, const WallRow& wall)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < input.count; ++i) sum += wall.inputs[input.first + i];
+    return input.scale * sum / static_cast<double>(input.count);
+}
+
+} // namespace app

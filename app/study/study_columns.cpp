@@ -1,0 +1,144 @@
+#include "app/study/study_columns.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace app {
+namespace {
+
+constexpr double kNotDefined = std::numeric_limits<double>::quiet_NaN();
+
+/// A column and how it is read off a wall.
+struct Response {
+    const char* name;
+    const char* unit;
+    const char* meaning;
+    double (*read)(const PushedWall&);
+};
+
+struct Count {
+    const char* name;
+    const char* unit;
+    const char* meaning;
+    std::int64_t (*read)(const PushedWall&);
+};
+
+bool is_defined(const fragility::LimitDisplacement& d)
+{
+    return d.reading != fragility::Reading::not_defined;
+}
+
+// clang-format off
+constexpr std::array kResponses = {
+    Response{"peak_force", "N", "largest horizontal load",
+        [](const PushedWall& w) { return w.peak ? w.peak->force : kNotDefined; }},
+    Response{"peak_displacement", "m", "of the load line at the first largest load",
+        [](const PushedWall& w) { return w.peak ? w.peak->displacement : kNotDefined; }},
+    Response{"secant_stiffness", "N/m", "at 30 % of the peak",
+        [](const PushedWall& w) { return w.stiffness.value_or(kNotDefined); }},
+    Response{"ultimate_displacement", "m", "where the force first comes down to 80 % of the peak; counts/ultimate_reading says if it is a bound",
+        [](const PushedWall& w) { return w.peak && is_defined(w.ultimate) ? w.ultimate.displacement : kNotDefined; }},
+    Response{"last_displacement", "m", "where the curve ends",
+        [](const PushedWall& w) { return w.displacement.empty() ? kNotDefined : w.displacement.back(); }},
+    Response{"settlement", "m", "of the beam under vertical load alone, positive down",
+        [](const PushedWall& w) { return w.result.settlement; }},
+    Response{"rotation_share", "-", "rotation of the beam x height / displacement: 1 for pure rocking",
+        [](const PushedWall& w) { return w.mechanism.rotation_share; }},
+    Response{"sliding_share", "-", "slip of the closed bed joints, summed over the courses / displacement",
+        [](const PushedWall& w) { return w.mechanism.sliding_share; }},
+    Response{"work", "J", "of all loads, at the end", [](const PushedWall& w) { return w.result.energy.work; }},
+    Response{"elastic_energy", "J", "of blocks and contacts, at the end", [](const PushedWall& w) { return w.result.energy.elastic; }},
+    Response{"friction_energy", "J", "lost in slip", [](const PushedWall& w) { return w.result.energy.friction; }},
+    Response{"fracture_energy", "J", "lost in cracks of units", [](const PushedWall& w) { return w.result.energy.fracture; }},
+    Response{"energy_residual", "-", "largest share of the work that the ledger misses, anywhere",
+        [](const PushedWall& w) { return w.result.residual; }},
+    Response{"step_fraction", "-", "step used, of the proven stable one",
+        [](const PushedWall& w) { return w.result.step_fraction; }},
+};
+
+constexpr std::array kCounts = {
+    Count{"outcome", "-", "0 reached target, 1 decided, 2 lost equilibrium, 3 not finite, 4 energy astray, 5 out of steps",
+        [](const PushedWall& w) { return static_cast<std::int64_t>(w.result.outcome); }},
+    Count{"mode", "-", "0 rocking, 1 mixed, -1 failed",
+        [](const PushedWall& w) { return dem::failed(w.result.outcome) ? std::int64_t{-1} : static_cast<std::int64_t>(w.mode); }},
+    Count{"ultimate_reading", "-", "0 observed, 1 right-censored, 2 not defined",
+        [](const PushedWall& w) { return static_cast<std::int64_t>(w.peak ? w.ultimate.reading : fragility::Reading::not_defined); }},
+    Count{"cracked_units", "-", "units cracked through", [](const PushedWall& w) { return std::int64_t{w.mechanism.cracked_units}; }},
+    Count{"cracked_contacts", "-", "contact points in units with D = 1", [](const PushedWall& w) { return std::int64_t{w.mechanism.cracked_contacts}; }},
+    Count{"snap_back_contacts", "-", "in units, that break at once", [](const PushedWall& w) { return std::int64_t{w.result.snap_back_contacts}; }},
+    Count{"settled", "-", "1: at rest under the vertical load before the push", [](const PushedWall& w) { return std::int64_t{w.result.settled}; }},
+    Count{"step_reductions", "-", "times the step was halved", [](const PushedWall& w) { return std::int64_t{w.result.step_reductions}; }},
+    Count{"steps", "-", "of the solver, those of steps given up included", [](const PushedWall& w) { return std::int64_t{w.result.cost.steps}; }},
+};
+// clang-format on
+
+std::string_view unit_of(const std::string& key)
+{
+    if (key.ends_with("angle")) return "rad";
+    if (key.ends_with("strength") || key.ends_with("cohesion") || key.ends_with("modulus"))
+        return "Pa";
+    if (key.ends_with("energy")) return "J/m2";
+    if (key.ends_with("density")) return "kg/m3";
+    return "-";
+}
+
+double finite_or_undefined(double x) { return std::isfinite(x) ? x : kNotDefined; }
+
+template <class Table> std::vector<Column> columns_of(const Table& table)
+{
+    std::vector<Column> columns;
+    for (const auto& c : table) columns.push_back({c.name, c.unit, c.meaning});
+    return columns;
+}
+
+} // namespace
+
+std::vector<Column> input_columns(const SamplePlan& plan)
+{
+    std::vector<Column> columns;
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+        const std::string& key = plan.inputs[i].key;
+        const std::string unit(unit_of(key));
+        if (plan.n_values[i] == 1) columns.push_back({key, unit, "of the whole wall"});
+        for (int id = 1; plan.n_values[i] > 1 && id <= plan.n_values[i]; ++id)
+            columns.push_back({key + "." + std::to_string(id), unit,
+                               plan.inputs[i].varies == Varies::by_joint ? "of this joint ID"
+                                                                         : "of this crack ID"});
+    }
+    return columns;
+}
+
+std::vector<Column> response_columns() { return columns_of(kResponses); }
+std::vector<Column> count_columns() { return columns_of(kCounts); }
+std::vector<Column> cost_columns()
+{
+    return {{"solver_seconds", "s", "of one core; walls that share a register share it"}};
+}
+
+WallRow row_of(WallKey key, const WallDraw& draw, const PushedWall& wall)
+{
+    const bool failed = dem::failed(wall.result.outcome);
+    WallRow row;
+    row.key = key;
+    row.status = failed ? 1 + static_cast<std::int32_t>(wall.result.outcome) : kWallOk;
+    row.reason = failed ? wall.no_reading : "";
+    row.inputs = flattened(draw);
+    for (const Response& r : kResponses)
+        row.responses.push_back(failed ? kNotDefined : finite_or_undefined(r.read(wall)));
+    for (const Count& c : kCounts) row.counts.push_back(c.read(wall));
+    row.cost = {wall.result.cost.seconds};
+    row.curve.displacement = wall.displacement;
+    row.curve.force = wall.force;
+    return row;
+}
+
+std::size_t column_of(const std::vector<Column>& columns, std::string_view name)
+{
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        if (columns[i].name == name) return i;
+    throw std::out_of_range("no column " + std::string(name));
+}
+
+} // namespace app

@@ -1,0 +1,83 @@
+#include "app/study/study_dependence.hpp"
+
+#include "app/input/units.hpp"
+#include "app/input/words.hpp"
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace app {
+namespace {
+
+[[noreturn]] void refuse(const Study& study, const std::string& why)
+{
+    throw error_at(study.source, "uq.pearson", why);
+}
+
+Eigen::Index input_named(const Study& study, const std::string& key)
+{
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < study.random.size(); ++i) {
+        if (study.random[i].key == key) return static_cast<Eigen::Index>(i);
+        names.push_back(study.random[i].key);
+    }
+    refuse(study, in_quotes(key) + " is no random input of this study; " +
+                      (names.empty() ? "there is none" : suggestion(key, names)));
+}
+
+void check_pair(const Study& study, Eigen::Index a, Eigen::Index b)
+{
+    if (a == b) refuse(study, "an input is paired with itself; name two");
+    const Varies va = study.random[static_cast<std::size_t>(a)].varies,
+                 vb = study.random[static_cast<std::size_t>(b)].varies;
+    if (study.uq.spatial == Spatial::stratified)
+        refuse(study,
+               "has no meaning with spatial = stratified; write independent or correlated");
+    if (study.uq.spatial != Spatial::none && va != vb)
+        refuse(study, "joins " + study.random[static_cast<std::size_t>(a)].key + " and " +
+                          study.random[static_cast<std::size_t>(b)].key +
+                          ", which do not vary over the same joints; write spatial = none");
+}
+
+/// "joint.friction_angle joint.stiffness_factor 0.3"
+void read_pair(const Study& study, const std::string& item, Eigen::MatrixXd& r)
+{
+    std::istringstream in(item);
+    std::string a, b, value, rest;
+    in >> a >> b >> value;
+    if (value.empty() || in >> rest)
+        refuse(study, in_quotes(trimmed(item)) +
+                          " is not two inputs and their correlation; write e.g. "
+                          "\"joint.friction_angle joint.stiffness_factor 0.3\"");
+    const Eigen::Index i = input_named(study, a), j = input_named(study, b);
+    check_pair(study, i, j);
+    if (r(i, j) != 0.0) refuse(study, a + " and " + b + " are given twice; keep one of them");
+    try {
+        r(i, j) = r(j, i) = parse_quantity(value, "");
+    } catch (const BadValue& bad) {
+        refuse(study, bad.what());
+    }
+}
+
+} // namespace
+
+std::optional<uq::Joint> dependence_of(const Study& study)
+{
+    if (study.uq.pearson.empty()) return {};
+    const auto n = static_cast<Eigen::Index>(study.random.size());
+    uq::Inputs inputs;
+    for (const RandomInput& r : study.random) inputs.variables.push_back({r.key, r.marginal});
+    inputs.dependence = {uq::DependenceKind::pearson, Eigen::MatrixXd::Identity(n, n)};
+    std::istringstream list(study.uq.pearson);
+    for (std::string item; std::getline(list, item, ',');)
+        read_pair(study, item, inputs.dependence.correlation);
+    try {
+        return uq::joint(inputs);
+    } catch (const std::invalid_argument& bad) {
+        refuse(study, bad.what());
+    }
+}
+
+} // namespace app

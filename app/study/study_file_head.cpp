@@ -1,0 +1,43 @@
+#include "app/study/study_file_head.hpp"
+
+#include "app/store/store_reader.hpp"
+#include "app/study/study_columns.hpp"
+#include "app/study/study_identity.hpp"
+
+namespace app {
+
+std::uint32_t samples_of(const Study& study)
+{
+    return study.random.empty() ? 1u : static_cast<std::uint32_t>(study.uq.samples);
+}
+
+std::vector<std::uint32_t> design_sizes(const Study& study, const std::filesystem::path& file)
+{
+    const std::uint32_t samples = samples_of(study);
+    std::vector<std::uint32_t> sizes;
+    if (std::filesystem::exists(file)) sizes = read_head(file).design_sizes;
+    if (sizes.empty() || samples > sizes.back()) sizes.push_back(samples);
+    const bool rule = study.uq.stop != StopQuantity::none;
+    if (!rule && samples < sizes.back())
+        sizes = {samples}; // fewer than there are: refused later
+    return sizes;
+}
+
+StoreHead head_of(const Study& study, const SamplePlan& plan, std::vector<std::uint32_t> sizes)
+{
+    StoreHead head;
+    head.configuration = effective_configuration(study);
+    head.identity = identity_text(study);
+    for (const double stress : study.load.vertical_stress)
+        head.levels.push_back({stress, sizes.back()});
+    head.design_sizes = std::move(sizes);
+    head.seed = study.uq.seed;
+    head.inputs = input_columns(plan);
+    head.responses = response_columns();
+    head.counts = count_columns();
+    head.cost = cost_columns();
+    head.single_precision_curves = study.output.single_precision_curves;
+    return head;
+}
+
+} // namespace app

@@ -1,0 +1,25 @@
+#pragma once
+/// The head of the file of a study.
+
+#include "app/input/study.hpp"
+#include "app/store/store_head.hpp"
+#include "app/study/sample_plan.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace app {
+
+/// Walls per stress level: 1 where nothing is random.
+[[nodiscard]] std::uint32_t samples_of(const Study& study);
+
+/// Sizes through which the design has grown: those in the file, if there is one, and the study's.
+/// @throws StoreError
+[[nodiscard]] std::vector<std::uint32_t> design_sizes(const Study& study,
+                                                      const std::filesystem::path& file);
+
+[[nodiscard]] StoreHead head_of(const Study& study, const SamplePlan& plan,
+                                std::vector<std::uint32_t> sizes);
+
+} // namespace app

@@ -1,0 +1,39 @@
+#include "app/study/study_identity.hpp"
+
+#include "app/input/key_values.hpp"
+#include "app/version.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+/// Of no consequence for a wall.
+constexpr std::array<std::string_view, 5> kFree = {
+    "uq.samples", "uq.stop", "uq.stop_half_width", "uq.most_samples", "output.snapshot_every"};
+
+std::string value_of(const Key& key, const Study& study)
+{
+    const bool random = std::any_of(study.random.begin(), study.random.end(),
+                                    [&](const RandomInput& r) { return r.key == key.name; });
+    return random ? find_entry(study.source, key.name)->value : value_text(key, study);
+}
+
+} // namespace
+
+std::string identity_text(const Study& study)
+{
+    std::string text = "drystone = " + std::string(kVersion) + "\n";
+    for (const Key& key : study_keys()) {
+        if (!is_used(key, study)) continue;
+        if (std::find(kFree.begin(), kFree.end(), key.name) != kFree.end()) continue;
+        const std::string_view section = section_of(key.name);
+        if (section == "reliability" || section == "fragility") continue;
+        const std::string value = value_of(key, study);
+        if (!value.empty()) text += std::string(key.name) + " = " + value + "\n";
+    }
+    return text;
+}
+
+} // namespace app

@@ -1,0 +1,110 @@
+#include "app/study/study_runner.hpp"
+
+#include "app/output/progress.hpp"
+#include "app/study/interrupt.hpp"
+#include "app/study/pushed_wall.hpp"
+#include "app/study/study_columns.hpp"
+#include "dem/ensemble.hpp"
+
+#include <utility>
+
+namespace app {
+namespace {
+
+/// Rows on their way into the file: together, but not for long.
+class RowBuffer {
+  public:
+    explicit RowBuffer(Store& store) : store_(store) {}
+    void add(WallRow row)
+    {
+        rows_.push_back(std::move(row));
+        if (rows_.size() >= kMost || steady_seconds() - last_ > kSeconds) flush();
+    }
+    void flush()
+    {
+        if (!rows_.empty()) store_.append(rows_);
+        rows_.clear();
+        last_ = steady_seconds();
+    }
+
+  private:
+    static constexpr std::size_t kMost = 256;
+    static constexpr double kSeconds = 0.2;
+    Store& store_;
+    std::vector<WallRow> rows_;
+    double last_ = steady_seconds();
+};
+
+dem::PushPlan study_plan(const Study& study)
+{
+    dem::PushPlan plan = push_plan(study);
+    plan.snapshot_every = 0.0;
+    plan.snapshot_at_peak = false;
+    plan.energy_at_points = false;
+    return plan;
+}
+
+} // namespace
+
+std::vector<WallKey> walls_of(const StoreHead& head, Shard shard)
+{
+    std::uint32_t most = 0;
+    for (const StoreLevel& level : head.levels) most = std::max(most, level.samples);
+    std::vector<WallKey> walls;
+    std::size_t number = 0;
+    for (std::uint32_t sample = 0; sample < most; ++sample)
+        for (std::uint32_t level = 0; level < head.levels.size(); ++level) {
+            if (sample >= head.levels[level].samples) continue;
+            const bool mine = number++ % static_cast<std::size_t>(shard.count) ==
+                              static_cast<std::size_t>(shard.index);
+            if (mine) walls.push_back({level, sample});
+        }
+    return walls;
+}
+
+std::vector<WallKey> pending_walls(const Store& store, Shard shard, bool rerun_failed)
+{
+    std::vector<WallKey> pending;
+    for (const WallKey key : walls_of(store.head(), shard)) {
+        const auto status = store.status(key);
+        if (!status || (rerun_failed && *status != kWallOk)) pending.push_back(key);
+    }
+    return pending;
+}
+
+RunProgress run_walls(const Study& study, const dem::Model& model, const SamplePlan& plan,
+                      const std::vector<WallKey>& walls, int threads, Store& store,
+                      const std::function<void(const RunProgress&)>& seen)
+{
+    RunProgress so_far;
+    so_far.all = walls.size();
+    RowBuffer rows(store);
+    const auto drawn = [&](std::size_t i) {
+        return draw(plan, static_cast<int>(walls[i].level), static_cast<int>(walls[i].sample));
+    };
+    dem::Ensemble ensemble;
+    ensemble.size = walls.size();
+    ensemble.wall = [&](std::size_t i) {
+        if (interrupted()) throw Interrupted();
+        return wall_materials(study, model.layout, static_cast<int>(walls[i].level), drawn(i));
+    };
+    ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
+        so_far.solver_seconds += result.cost.seconds;
+        so_far.failed += dem::failed(result.outcome) ? 1 : 0;
+        ++so_far.done;
+        const int level = static_cast<int>(walls[i].level);
+        rows.add(row_of(walls[i], drawn(i), read_wall(study, level, std::move(result))));
+        if (seen) seen(so_far);
+        if (interrupted()) throw Interrupted();
+    };
+    try {
+        dem::push_ensemble(model, ensemble, study_plan(study), study.solver, {threads});
+    } catch (...) {
+        rows.flush();
+        throw;
+    }
+    rows.flush();
+    return so_far;
+}
+
+} // namespace app

@@ -1,0 +1,36 @@
+#pragma once
+/// Runs the walls of a study that its file does not have yet.
+
+#include "app/input/command_line.hpp"
+#include "app/input/study.hpp"
+#include "app/store/store.hpp"
+#include "app/study/sample_plan.hpp"
+#include "dem/model.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace app {
+
+/// Walls of a part of a study, sample by sample under all levels, so that a study that is stopped
+/// has about as many of each.
+[[nodiscard]] std::vector<WallKey> walls_of(const StoreHead& head, Shard shard);
+
+/// Those that the store has not, and failed ones too if asked for.
+[[nodiscard]] std::vector<WallKey> pending_walls(const Store& store, Shard shard,
+                                                 bool rerun_failed);
+
+struct RunProgress {
+    std::size_t done = 0, failed = 0, all = 0; ///< walls of this run
+    double solver_seconds = 0.0;               ///< of one core
+};
+
+/// Every finished wall is in the file within a fraction of a second, whatever happens then.
+/// @param seen after each wall
+/// @throws StoreError if the disk refuses; Interrupted. Finished walls are kept.
+RunProgress run_walls(const Study& study, const dem::Model& model, const SamplePlan& plan,
+                      const std::vector<WallKey>& walls, int threads, Store& store,
+                      const std::function<void(const RunProgress&)>& seen);
+
+} // namespace app

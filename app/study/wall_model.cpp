@@ -1,0 +1,85 @@
+#include "app/study/wall_model.hpp"
+
+#include "app/study/pushed_wall.hpp"
+#include "dem/ensemble.hpp"
+
+#include <limits>
+#include <memory>
+
+namespace app {
+namespace {
+
+/// What all calls share; the model may outlive who made it.
+struct Shared {
+    Study study;
+    SamplePlan plan;
+    dem::Model model;
+    dem::PushPlan push;
+    int level, threads;
+};
+
+/// Why there is no answer; empty if there is.
+std::string answer(const PushedWall& w, Eigen::Ref<Eigen::RowVectorXd> y)
+{
+    if (!w.no_reading.empty()) return w.no_reading;
+    if (w.ultimate.reading == fragility::Reading::not_defined)
+        return std::string(w.ultimate.reason);
+    y << w.peak->force, w.ultimate.displacement, w.ultimate.displacement / w.loads.height;
+    return {};
+}
+
+uq::Responses ask(const Shared& s, const uq::Samples& samples)
+{
+    const Eigen::Index n = samples.x.rows();
+    uq::Responses r;
+    r.y = Eigen::MatrixXd::Constant(n, 3, std::numeric_limits<double>::quiet_NaN());
+    r.failure.resize(static_cast<std::size_t>(n));
+    dem::Ensemble ensemble;
+    ensemble.size = static_cast<std::size_t>(n);
+    ensemble.wall = [&](std::size_t i) {
+        const Eigen::VectorXd row = samples.x.row(static_cast<Eigen::Index>(i));
+        return wall_materials(s.study, s.model.layout, s.level, unflattened(s.plan, row));
+    };
+    ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
+        Eigen::RowVectorXd y(3);
+        const PushedWall w = read_wall(s.study, s.level, std::move(result));
+        r.failure[i] = answer(w, y);
+        if (r.failure[i].empty()) r.y.row(static_cast<Eigen::Index>(i)) = y;
+    };
+    dem::push_ensemble(s.model, ensemble, s.push, s.study.solver, {s.threads});
+    return r;
+}
+
+} // namespace
+
+uq::Model wall_model(const Study& study, const SamplePlan& plan, int level, int threads)
+{
+    dem::PushPlan push = push_plan(study);
+    push.snapshot_every = 0.0;
+    push.snapshot_at_peak = push.energy_at_points = false;
+    const auto shared =
+        std::make_shared<Shared>(Shared{study, plan, model_of(study), push, level, threads});
+    return [shared](const uq::Samples& samples) { return ask(*shared, samples); };
+}
+
+uq::Map wall_map(const Study& study, const SamplePlan& plan)
+{
+    if (plan.spatial == Spatial::stratified)
+        throw error_at(study.source, "uq.spatial",
+                       "stratified draws have no coordinates to search; write independent, "
+                       "correlated or none");
+    return [plan](const Eigen::MatrixXd& u) {
+        Eigen::MatrixXd x;
+        uq::Stream unused(0, 0, uq::Purpose::field);
+        for (Eigen::Index i = 0; i < u.rows(); ++i) {
+            const std::vector<double> row =
+                flattened(draw_at(plan, u.row(i).transpose(), unused));
+            if (i == 0) x.resize(u.rows(), static_cast<Eigen::Index>(row.size()));
+            x.row(i) = Eigen::Map<const Eigen::RowVectorXd>(
+                row.data(), static_cast<Eigen::Index>(row.size()));
+        }
+        return x;
+    };
+}
+
+} // namespace app

@@ -1,0 +1,23 @@
+#pragma once
+/// The wall of a study as a black box: random values in, responses out.
+
+#include "app/input/study.hpp"
+#include "app/study/sample_plan.hpp"
+#include "uq/reliability/black_box.hpp"
+#include "uq/reliability/limit_state.hpp"
+
+namespace app {
+
+/// Columns of the answer, as in WallResponse: peak force [N], ultimate displacement [m], ultimate drift
+/// [-]. Where the force never falls to 80 % of the peak, the ultimate displacement is the end of the push:
+/// a bound, good for demands below it.
+/// @param level index in study.load.vertical_stress
+/// @param threads >= 1
+[[nodiscard]] uq::Model wall_model(const Study& study, const SamplePlan& plan, int level,
+                                   int threads);
+
+/// Standard normal coordinates to the values of a wall.
+/// @throws ConfigError with Spatial::stratified, whose draws have no coordinates
+[[nodiscard]] uq::Map wall_map(const Study& study, const SamplePlan& plan);
+
+} // namespace app

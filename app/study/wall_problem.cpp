@@ -1,0 +1,122 @@
+#include "app/input/number_text.hpp"
+#include "app/input/units.hpp"
+#include "app/study/reliability_problem.hpp"
+#include "app/study/sample_plan.hpp"
+#include "app/study/study_columns.hpp"
+#include "app/study/wall_model.hpp"
+#include "app/study/wanted_walls.hpp"
+#include "dem/layout.hpp"
+
+namespace app {
+namespace {
+
+struct Demand {
+    double value; ///< SI
+    std::string words;
+};
+
+/// The demand in the unit of its response.
+Demand demand_of(const Study& study)
+{
+    const std::string& text = study.reliability.demand;
+    if (text.empty())
+        throw error_at(study.source, "reliability.demand",
+                       "missing; write e.g. \"demand = 40 kN\" under [reliability]");
+    try {
+        switch (study.reliability.response) {
+        case WallResponse::peak_force:
+            return {parse_quantity(text, "kN"), "peak force <= " + text};
+        case WallResponse::ultimate_displacement:
+            return {parse_quantity(text, "mm"), "ultimate displacement <= " + text};
+        case WallResponse::ultimate_drift:
+            return {parse_quantity(text, "") / 100.0, "ultimate drift <= " + text + " %"};
+        }
+    } catch (const BadValue& bad) {
+        throw error_at(study.source, "reliability.demand", bad.what());
+    }
+    return {};
+}
+
+/// A push that ends before the demand can never show it.
+void check_reached(const Study& study, const Demand& demand)
+{
+    double last = 0.0;
+    for (const double target : push_plan(study).targets) last = std::max(last, target);
+    const bool force = study.reliability.response == WallResponse::peak_force;
+    const bool drift = study.reliability.response == WallResponse::ultimate_drift;
+    if (!force && demand.value >= last / (drift ? study.load.height : 1.0))
+        throw error_at(study.source, "reliability.demand",
+                       "must be below the end of the push, load.max_displacement = " +
+                           number(last * 1e3, 12) + " mm");
+}
+
+Study cheaper(const Study& study)
+{
+    Study cheap = study;
+    cheap.fidelity = study.reliability.cheap;
+    cheap.discretisation.block_modes = dem::discretisation_of(cheap.fidelity).block_modes;
+    cheap.discretisation.contact_points = dem::discretisation_of(cheap.fidelity).contact_points;
+    if (cheap.discretisation == study.discretisation)
+        throw error_at(study.source, "reliability.cheap",
+                       "is the fidelity of the study itself; name a lower one");
+    return cheap;
+}
+
+/// Of a wall, relative: modes move through the contact points in every step.
+double cost_of(const Study& study)
+{
+    const dem::Model m = model_of(study);
+    return static_cast<double>(m.n_modes) * study.discretisation.contact_points;
+}
+
+} // namespace
+
+ReliabilityProblem wall_problem(const Study& given, const Command& command)
+{
+    Study study = given;
+    study.uq.design = uq::DesignKind::monte_carlo; // the methods draw their own samples
+    if (study.random.empty())
+        throw error_at(
+            study.source, "joint.friction_angle",
+            "no value of this study is a distribution; write e.g. \"friction_angle = "
+            "normal(mean 31.8 deg, cov 0.20)\"");
+    const int level = level_of(study, command.level);
+    const Demand demand = demand_of(study);
+    check_reached(study, demand);
+    const std::vector<std::uint32_t> one = {1};
+    const SamplePlan plan =
+        sample_plan(study, dem::lay_out(study.wall, study.beam.height), one);
+
+    ReliabilityProblem p;
+    p.event.model = wall_model(study, plan, level, command.threads);
+    p.event.to_physical = wall_map(study, plan);
+    p.event.dimension = plan.n_columns;
+    p.event.response = static_cast<Eigen::Index>(study.reliability.response);
+    p.event.threshold = demand.value;
+    const double stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
+    p.words = demand.words + " under " + number(stress * 1e-6, 12) + " MPa";
+    for (const Column& c : input_columns(plan))
+        p.inputs.push_back(c.name + " [" + c.unit + "]");
+    p.normal.resize(static_cast<std::size_t>(plan.n_columns));
+    for (std::size_t i = 0; i < plan.columns.size(); ++i)
+        for (std::size_t c = 0; c < plan.columns[i].size(); ++c)
+            p.normal[static_cast<std::size_t>(plan.columns[i][c])] =
+                plan.inputs[i].key +
+                (plan.columns[i].size() > 1 ? "." + std::to_string(c + 1) : "");
+    p.method = study.reliability.method;
+    p.budget = study.reliability.budget;
+    p.target_cov = study.reliability.target_cov;
+    p.seed = study.uq.seed;
+    if (p.method == ReliabilityMethod::multi_fidelity) {
+        const Study low = cheaper(study);
+        uq::CheapModel cheap;
+        cheap.model = wall_model(low, plan, level, command.threads);
+        cheap.cost = cost_of(low) / cost_of(study);
+        cheap.response = p.event.response;
+        cheap.threshold = p.event.threshold;
+        p.cheap.push_back(cheap);
+    }
+    return p;
+}
+
+} // namespace app

@@ -1,0 +1,71 @@
+#include "app/study/wanted_walls.hpp"
+
+#include "app/input/units.hpp"
+#include "app/input/words.hpp"
+#include "app/store/store_reader.hpp"
+#include "app/study/sample_plan.hpp"
+#include "app/study/study_file_head.hpp"
+#include "dem/layout.hpp"
+
+#include <algorithm>
+
+namespace app {
+
+int level_of(const Study& study, const std::string& text)
+{
+    const std::vector<double>& all = study.load.vertical_stress;
+    if (text.empty() && all.size() == 1) return 0;
+    const std::string levels = format_quantities(all, "MPa");
+    if (text.empty())
+        throw ConfigError("drystone", 0, "--level", "missing; write one of " + levels);
+    try {
+        const bool bare = text.find_first_not_of("0123456789.") == std::string::npos;
+        const double stress = parse_quantity(bare ? text + " MPa" : text, "MPa");
+        const auto found = std::find(all.begin(), all.end(), stress);
+        if (found != all.end()) return static_cast<int>(found - all.begin());
+    } catch (const BadValue& bad) {
+        throw ConfigError("drystone", 0, "--level", bad.what());
+    }
+    throw ConfigError("drystone", 0, "--level", in_quotes(text) + " is none of " + levels);
+}
+
+StudySource study_source(const Command& command)
+{
+    if (!command.study.ends_with(".h5")) {
+        const Study study =
+            read_study(with_overrides(read_study_file(command.study), command.overrides));
+        return {study, {samples_of(study)}};
+    }
+    const StoreHead head = read_head(command.study);
+    return {read_study(with_overrides(parse_study_text(command.study, head.configuration),
+                                      command.overrides)),
+            head.design_sizes};
+}
+
+std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& command)
+{
+    const Study& study = source.study;
+    if (!command.sample) {
+        if (!study.random.empty())
+            throw error_at(
+                study.source, study.random.front().key,
+                "is a distribution, but a push takes numbers; write --sample 0 for the "
+                "first wall of the study, or --set " +
+                    study.random.front().key + "=...");
+        std::vector<WantedWall> all;
+        for (std::size_t i = 0; i < study.load.vertical_stress.size(); ++i)
+            all.push_back({static_cast<int>(i), {}});
+        return all;
+    }
+    const int samples = static_cast<int>(source.sizes.back());
+    if (*command.sample >= samples)
+        throw ConfigError("drystone", 0, "--sample",
+                          std::to_string(*command.sample) + " is out of range; the study has " +
+                              std::to_string(samples) + " samples, from 0");
+    const int level = level_of(study, command.level);
+    const dem::Layout layout = dem::lay_out(study.wall, study.beam.height);
+    const SamplePlan plan = sample_plan(study, layout, source.sizes);
+    return {{level, draw(plan, level, *command.sample)}};
+}
+
+} // namespace app

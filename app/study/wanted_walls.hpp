@@ -1,0 +1,38 @@
+#pragma once
+/// Which walls a push is asked for.
+
+#include "app/input/command_line.hpp"
+#include "app/input/study.hpp"
+#include "app/study/wall_draw.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace app {
+
+struct StudySource {
+    Study study;
+    std::vector<std::uint32_t> sizes; ///< through which the design has grown
+};
+
+/// From a study file, or from the file of its results: the walls of a study that has grown can only be
+/// drawn again with the sizes that the latter keeps.
+/// @throws ConfigError, StoreError
+[[nodiscard]] StudySource study_source(const Command& command);
+
+/// Index of the level given as text, such as "0.75 MPa"; the only one if the text is empty.
+/// @throws ConfigError about --level
+[[nodiscard]] int level_of(const Study& study, const std::string& text);
+
+struct WantedWall {
+    int level = 0;
+    WallDraw draw; ///< empty: the numbers of the study
+};
+
+/// --sample and --level: that wall of a study with distributions. Without: the numbers of a study under
+/// all its levels.
+/// @throws ConfigError
+[[nodiscard]] std::vector<WantedWall> wanted_walls(const StudySource& source,
+                                                   const Command& command);
+
+} // namespace app

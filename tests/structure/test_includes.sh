@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# test_includes.sh ROOT   includes point one way: each folder of sources knows itself and those listed here, no others.
+# Exit code 0: so it is, 1: the lines that break it.
+set -euo pipefail
+cd -- "$1"
+
+declare -A knows=(
+    [dem]=""
+    [fragility]=""
+    [uq/marginals]=""
+    [uq/designs]="uq/marginals"
+    [uq/fields]="uq/marginals uq/designs"
+    [uq/estimates]="uq/marginals uq/designs"
+    [uq/sensitivity]="uq/marginals uq/designs uq/estimates"
+    [uq/reliability]="uq/marginals uq/designs uq/estimates"
+    [app/store]=""
+    [app/input]="dem fragility uq/marginals uq/designs"
+    [app/output]="dem fragility app/input"
+    [app/study]="dem fragility uq/ app app/store app/input app/output"
+    [app/push]="dem fragility app app/store app/input app/output app/study"
+    [app/report]="dem fragility uq/ app app/store app/input app/output app/study"
+    [app/fragility]="dem fragility uq/ app app/store app/input app/output app/study"
+)
+
+broken=0
+for folder in dem fragility uq uq/*/ app/*/; do
+    folder=${folder%/}
+    compgen -G "$folder/*.?pp" >/dev/null || continue
+    if [[ -z ${knows[$folder]+listed} ]]; then
+        echo "$folder: not listed in tests/structure/test_includes.sh"
+        broken=1
+        continue
+    fi
+    while IFS=: read -r file line text; do
+        to=$(dirname -- "$(cut -d '"' -f 2 <<<"$text")")
+        for known in "$folder" ${knows[$folder]}; do
+            [[ $to == "$known" || ($known == */ && $to == "$known"*) ]] && continue 2
+        done
+        echo "$file:$line: $folder must not know $to"
+        broken=1
+    done < <(grep -nE '^#include "' "$folder"/*.?pp)
+done
+exit "$broken"

@@ -1,0 +1,182 @@
+#include "uq/estimates/quantile_estimate.hpp"
+
+#include "uq/estimates/estimate_critical.hpp"
+#include "uq/marginals/normal_quantile.hpp"
+
+#include <boost/math/distributions/non_central_t.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/beta.hpp>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace uq {
+
+namespace {
+
+void check_probability(double p)
+{
+    if (!(p > 0.0 && p < 1.0))
+        throw std::invalid_argument("probability of a quantile is " + std::to_string(p) +
+                                    ", must be in (0, 1)");
+}
+
+/// Smallest k in 0 .. n with P(Binomial(n, p) <= k) >= level.
+std::size_t binomial_quantile(double level, std::size_t n, double p)
+{
+    std::size_t low = 0, high = n;
+    while (low < high) {
+        const std::size_t k = (low + high) / 2;
+        if (gsl_cdf_binomial_P(static_cast<unsigned>(k), p, static_cast<unsigned>(n)) >= level)
+            high = k;
+        else
+            low = k + 1;
+    }
+    return low;
+}
+
+/// With all = sound + failed values and B of them below the quantile, x_(l) is above it if
+/// B <= l - 1 and x_(u) below it if B >= u.
+Interval between_values(const std::vector<double>& sorted, std::size_t failed, double p,
+                        double confidence)
+{
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const std::size_t all = sorted.size() + failed;
+    const double tail = 0.5 * (1.0 - confidence);
+    std::size_t l = binomial_quantile(tail, all, p);                 // P(B <= l - 1) < tail
+    const std::size_t u = binomial_quantile(1.0 - tail, all, p) + 1; // P(B >= u) <= tail
+    l = l > failed ? l - failed : 0; // the failed ones are the lowest
+    return {l >= 1 ? sorted[l - 1] : -infinite, u <= sorted.size() ? sorted[u - 1] : infinite,
+            confidence};
+}
+
+double interpolated(const std::vector<double>& sorted, double p)
+{
+    const auto n = static_cast<double>(sorted.size());
+    const double place = std::clamp((n + 1.0 / 3.0) * p + 1.0 / 3.0, 1.0, n);
+    const auto below = static_cast<std::size_t>(place);
+    if (below >= sorted.size()) return sorted.back();
+    return sorted[below - 1] +
+           (place - static_cast<double>(below)) * (sorted[below] - sorted[below - 1]);
+}
+
+/// Of n sorted values: increments of the beta distribution with (n + 1) p and (n + 1) (1 - p),
+/// the law of the probability below the order statistic at the quantile.
+std::vector<double> beta_weights(std::size_t n, double p)
+{
+    const auto real = static_cast<double>(n);
+    std::vector<double> w(n);
+    double before = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double upto = boost::math::ibeta((real + 1.0) * p, (real + 1.0) * (1.0 - p),
+                                               static_cast<double>(i + 1) / real);
+        w[i] = upto - before;
+        before = upto;
+    }
+    return w;
+}
+
+struct Weighted {
+    double value, sd;
+};
+
+/// Mean and standard deviation under the weights (differences from a value lose no digits).
+Weighted weighted(const std::vector<double>& sorted, const std::vector<double>& w,
+                  double centre)
+{
+    double first = 0.0, second = 0.0;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const double d = sorted[i] - centre;
+        first += w[i] * d;
+        second += w[i] * d * d;
+    }
+    return {centre + first, std::sqrt(std::max(0.0, second - first * first))};
+}
+
+/// Standard error of the smoothed quantile: each value left out in turn (Harrell and Davis
+/// 1982).
+double jackknife_error(const std::vector<double>& sorted, double p, double centre)
+{
+    const std::size_t n = sorted.size();
+    const std::vector<double> w = beta_weights(n - 1, p);
+    double without = 0.0; // the value left out; begins with the first
+    for (std::size_t i = 1; i < n; ++i) without += w[i - 1] * (sorted[i] - centre);
+    double sum = without, squares = without * without;
+    for (std::size_t i = 1; i < n; ++i) {
+        without -= w[i - 1] * (sorted[i] - sorted[i - 1]);
+        sum += without;
+        squares += without * without;
+    }
+    const auto real = static_cast<double>(n);
+    return std::sqrt(std::max(0.0, squares - sum * sum / real) * (real - 1.0) / real);
+}
+
+} // namespace
+
+Estimate estimate_quantile(std::span<const double> y, double p, double confidence,
+                           QuantileKind kind)
+{
+    check_probability(p);
+    check_confidence(confidence);
+    SoundValues sound = sound_values(y);
+    std::vector<double>& sorted = sound.values;
+    if (sorted.size() < 2)
+        throw std::invalid_argument("at least 2 sound samples are needed, got " +
+                                    std::to_string(sorted.size()));
+    std::sort(sorted.begin(), sorted.end());
+    const double between = interpolated(sorted, p);
+    const Weighted all = weighted(sorted, beta_weights(sorted.size(), p), between);
+    const bool smooth = kind == QuantileKind::smoothed;
+    return {smooth ? all.value : between,
+            smooth ? jackknife_error(sorted, p, all.value) : all.sd, sorted.size(),
+            sound.failed, between_values(sorted, sound.failed, p, confidence)};
+}
+
+int wilks_sample_size(double p, double confidence, int order)
+{
+    check_probability(p);
+    check_confidence(confidence);
+    if (order < 1) throw std::invalid_argument("the order must be at least 1");
+    const auto enough = [&](int n) { // at least `order` of n above the quantile
+        return gsl_cdf_binomial_Q(static_cast<unsigned>(order - 1), 1.0 - p,
+                                  static_cast<unsigned>(n)) >= confidence;
+    };
+    int high = order;
+    while (!enough(high)) {
+        if (high > (1 << 28)) throw std::invalid_argument("the sample size is beyond 2^28");
+        high *= 2;
+    }
+    int low = order;
+    while (low < high) {
+        const int n = low + (high - low) / 2;
+        if (enough(n))
+            high = n;
+        else
+            low = n + 1;
+    }
+    return low;
+}
+
+double tolerance_factor(int n, double p, double confidence)
+{
+    check_probability(p);
+    check_confidence(confidence);
+    if (n < 2) throw std::invalid_argument("a tolerance factor needs n >= 2");
+    const double root = std::sqrt(static_cast<double>(n));
+    const boost::math::non_central_t t(n - 1.0, root * normal_quantile(p));
+    return boost::math::quantile(t, confidence) / root;
+}
+
+double prediction_factor(int n, double p)
+{
+    check_probability(p);
+    if (n < 2) throw std::invalid_argument("a prediction factor needs n >= 2");
+    return boost::math::quantile(boost::math::students_t(n - 1.0), p) *
+           std::sqrt(1.0 + 1.0 / n);
+}
+
+} // namespace uq

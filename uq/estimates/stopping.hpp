@@ -1,0 +1,62 @@
+#pragma once
+/// How many samples: until an interval is narrow enough.
+///
+/// Looking again and again and stopping at a narrow interval picks out samples whose spread
+/// came out small: the coverage of the last interval is a little below its confidence
+/// (tests/uq/test_stopping.cpp measures it). A larger `min_n` and growth in large steps keep
+/// that small.
+
+#include "uq/estimates/estimate.hpp"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace uq {
+
+enum class StoppingTarget { mean, quantile, probability_below };
+
+struct StoppingRule {
+    StoppingTarget target = StoppingTarget::mean;
+    double p = 0.5;           ///< of the quantile [-], in (0, 1)
+    double threshold = 0.0;   ///< of the probability, unit of the response
+    double half_width = 0.05; ///< > 0, the larger side of the interval is to be at most this
+    bool relative = true;     ///< of |value|; else in its unit
+    double confidence = kConfidence;
+    std::size_t min_n = 50;   ///< no look before, >= 2
+    std::size_t max_n = 1000; ///< >= min_n, failed samples included
+    double growth = 1.5;      ///< of the number of samples from look to look, > 1
+};
+
+enum class StopReason { not_yet, precise_enough, sample_limit };
+[[nodiscard]] std::string_view words(StopReason reason);
+
+struct StoppingDecision {
+    StopReason reason = StopReason::not_yet;
+    std::size_t next_n = 0;           ///< samples to have at the next look; 0: stop
+    std::optional<Estimate> estimate; ///< none before min_n or with fewer than 2 sound samples
+    /// The larger side of the interval, in the terms of the rule; infinite if it has no limit.
+    double half_width = 0.0;
+};
+
+/// @throws std::invalid_argument naming the setting of the rule that is out of range
+void check(const StoppingRule& rule);
+
+/// What the samples so far say. NaN: a failed sample.
+[[nodiscard]] StoppingDecision judge(const StoppingRule& rule, std::span<const double> y);
+
+struct StoppedSampling {
+    StoppingDecision decision;
+    std::vector<double> y;
+};
+
+/// Samples until the rule stops. `more(first, count)` answers samples first .. first + count -
+/// 1.
+/// @throws std::runtime_error if it returns another number of answers
+[[nodiscard]] StoppedSampling sample_until(
+    const StoppingRule& rule,
+    const std::function<std::vector<double>(std::size_t first, std::size_t count)>& more);
+
+} // namespace uq

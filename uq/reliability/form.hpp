@@ -1,0 +1,60 @@
+#pragma once
+/// First-order reliability: P = Phi(-beta), beta the distance from the origin to the design
+/// point.
+
+#include "uq/reliability/form_search.hpp"
+
+namespace uq {
+
+struct FormOptions {
+    SearchOptions search;
+    SearchMethod check = SearchMethod::slsqp; ///< second search: slsqp or cobyla
+    /// Starting points of both searches: the origin, then pairs u, -u of random direction.
+    int starts = 3;            ///< >= 1
+    double start_radius = 2.0; ///< of the random ones [standard deviations], > 0
+    double same_point = 1e-2;  ///< nearer points are one [standard deviations], > 0
+    std::uint64_t seed = 1;    ///< of the directions
+};
+
+enum class FormOutcome {
+    agreed,     ///< both searches found the same nearest point
+    one_search, ///< only one of them converged from any start
+    differ,     ///< their nearest points differ: there may be nearer ones
+    none        ///< no search converged: there is no answer
+};
+
+struct FormResult {
+    FormOutcome outcome = FormOutcome::none;
+    std::string reason;              ///< where not agreed
+    std::vector<DesignPoint> points; ///< all that were found, nearest first; empty if none
+    double distance = 0.0;           ///< between the nearest of both searches, if both have one
+    std::vector<Search> searches;    ///< in the order run
+    Ledger ledger;
+};
+
+/// @throws std::invalid_argument naming the option that is out of range
+[[nodiscard]] FormResult form(const LimitState& s, const FormOptions& o = {});
+
+/// Phi(-beta).
+[[nodiscard]] double probability(const DesignPoint& p);
+
+/// alpha_i^2: shares of the variance of the linearised limit state, of each u; they add up to
+/// 1.
+[[nodiscard]] Eigen::VectorXd importance_factors(const DesignPoint& p);
+
+/// First-order bounds of the union of all planes: the most probable one alone, and the sum
+/// (Cornell 1967). For design points with beta > 0 of one limit state; cut at 1.
+struct UnionBounds {
+    double lower, upper;
+};
+[[nodiscard]] UnionBounds union_bounds(const std::vector<DesignPoint>& points);
+
+/// d beta / d theta of a parameter theta of the map (a mean, a standard deviation, a
+/// correlation): (dg/dtheta at the design point) / |gradient| (Ditlevsen and Madsen 1996).
+/// @param below, above the map at theta - delta and theta + delta; two evaluations
+/// Nothing if one of them failed. @throws std::invalid_argument unless delta > 0
+[[nodiscard]] std::optional<double> beta_sensitivity(const LimitState& s, const DesignPoint& p,
+                                                     const Map& below, const Map& above,
+                                                     double delta, Ledger& ledger);
+
+} // namespace uq

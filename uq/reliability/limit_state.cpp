@@ -1,0 +1,44 @@
+#include "uq/reliability/limit_state.hpp"
+
+#include "uq/reliability/evaluate.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace uq {
+
+void check(const LimitState& s)
+{
+    const auto refuse = [](const std::string& why) {
+        throw std::invalid_argument("limit state: " + why);
+    };
+    if (!s.model) refuse("there is no model");
+    if (s.dimension < 1)
+        refuse("dimension is " + std::to_string(s.dimension) + ", must be at least 1");
+    if (s.response < 0)
+        refuse("response is " + std::to_string(s.response) + ", must be at least 0");
+    if (!std::isfinite(s.threshold)) refuse("threshold must be finite");
+}
+
+Eigen::VectorXd limit_values(const LimitState& s, const Eigen::MatrixXd& u, Ledger& ledger)
+{
+    const Eigen::Index n = u.rows();
+    if (n == 0) return {};
+    Samples samples{s.to_physical ? s.to_physical(u) : u,
+                    std::vector<std::uint64_t>(static_cast<std::size_t>(n))};
+    std::iota(samples.id.begin(), samples.id.end(),
+              static_cast<std::uint64_t>(ledger.evaluations));
+    const Responses r = evaluate(s.model, samples, s.response + 1);
+    ledger.evaluations += static_cast<std::size_t>(n);
+    ++ledger.batches;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        if (r.failure[row].empty()) continue;
+        ledger.failed.push_back({samples.id[row], samples.x.row(i), r.failure[row]});
+    }
+    const double sign = s.passing == Passing::at_or_below ? 1.0 : -1.0;
+    return sign * (r.y.col(s.response).array() - s.threshold);
+}
+
+} // namespace uq

@@ -1,0 +1,50 @@
+#pragma once
+/// A limit state over independent standard normal variables u: passed where g(u) <= 0.
+///
+/// "Passed" is the event whose probability is sought; "failed" is said only of evaluations that
+/// gave no answer.
+
+#include "uq/reliability/black_box.hpp"
+
+#include <cstddef>
+
+namespace uq {
+
+/// Rows u (n x d, independent standard normal) to rows x (n x k, physical units).
+using Map = std::function<Eigen::MatrixXd(const Eigen::MatrixXd& u)>;
+
+enum class Passing {
+    at_or_below, ///< g = response - threshold
+    at_or_above  ///< g = threshold - response
+};
+
+struct LimitState {
+    Model model;
+    Map to_physical;            ///< empty: x = u
+    Eigen::Index dimension = 0; ///< of u, >= 1
+    Eigen::Index response = 0;  ///< column of the answer
+    double threshold = 0.0;     ///< [unit of the response], finite
+    Passing passing = Passing::at_or_below;
+};
+
+/// @throws std::invalid_argument naming what is missing or out of range
+void check(const LimitState& s);
+
+struct FailedSample {
+    std::uint64_t id;  ///< its number in the analysis
+    Eigen::VectorXd x; ///< its parameters, physical units
+    std::string reason;
+};
+
+/// What an analysis asked of the model.
+struct Ledger {
+    std::size_t evaluations = 0; ///< samples asked for; the next has this number
+    std::size_t batches = 0;     ///< calls of the model
+    std::vector<FailedSample> failed;
+};
+
+/// g of each row of `u`, not a number where the evaluation failed; the ledger goes on.
+[[nodiscard]] Eigen::VectorXd limit_values(const LimitState& s, const Eigen::MatrixXd& u,
+                                           Ledger& ledger);
+
+} // namespace uq
