@@ -13,8 +13,10 @@ struct Remarkable {
     OurLevels ours;
     std::vector<Sample> last_falls; ///< of mixed-mode walls, a level each
     LevelStatistics per_joint;      ///< at 0.75 MPa, stratified
+    LevelStatistics rigid_limit;    ///< lowest stress, rigid blocks on joints that hardly give
     /// One choice changed each, same samples as ours.same_size.
-    std::vector<LevelStatistics> low_load, high_beam, local_damping, fast_local_damping;
+    std::vector<LevelStatistics> low_load, heavy_beam, weak_damping, strong_damping,
+        combined_damping;
 };
 
 [[nodiscard]] std::string remarks_on_tests(const app::Study& study);

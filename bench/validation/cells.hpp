@@ -1,0 +1,16 @@
+#pragma once
+/// Cells of the tables: a mean or a share with its interval of 95 %.
+
+#include "bench/validation/level_statistics.hpp"
+
+#include <string>
+
+namespace bench {
+
+/// "15.1 [14.4, 15.9]"
+[[nodiscard]] std::string with_interval(const Sample& s, int decimals);
+
+/// "32 [28, 36]": k of n [%], Wilson's interval.
+[[nodiscard]] std::string share_cell(std::size_t k, std::size_t n);
+
+} // namespace bench
