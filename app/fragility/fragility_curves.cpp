@@ -13,24 +13,15 @@ namespace {
 
 constexpr std::size_t kTableDrifts = 30;
 
-double largest_drift(const DriftData& data, std::size_t state)
-{
-    double largest = 0.0;
-    for (const DriftGroup& g : data.groups)
-        largest = std::max(largest, known_to(limits_of(g, state)));
-    return largest;
-}
-
-/// Where runs end together, the first of their ends: beyond it a few of them would stand for all.
+/// Where curves end: no further than the runs went.
 double grid_end(const DriftData& data, std::size_t state)
 {
-    const double largest = largest_drift(data, state);
-    double end = largest;
-    for (const DriftGroup& g : data.groups)
-        for (const fragility::Observation& o : limits_of(g, state))
-            if (o.lower < o.upper && o.lower >= largest * (1.0 - kEndsTogether))
-                end = std::min(end, o.lower);
-    return end;
+    std::vector<fragility::Observation> all;
+    for (const DriftGroup& g : data.groups) {
+        const auto limits = limits_of(g, state);
+        all.insert(all.end(), limits.begin(), limits.end());
+    }
+    return common_end(all);
 }
 
 /// First cells of a row of the table of curves.

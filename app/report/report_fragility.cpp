@@ -43,14 +43,6 @@ LevelWalls walls_of_level(const ReportStudy& study, std::size_t level)
     return walls;
 }
 
-double largest_drift(const ReportStudy& study)
-{
-    double largest = 0.0;
-    for (const ReportWall& w : study.walls)
-        if (!w.failed && std::isfinite(w.last)) largest = std::max(largest, w.last);
-    return 100.0 * largest / study.height;
-}
-
 double rounded(double p) { return std::round(p * 1e5) / 1e5; }
 
 std::string fit_text(const fragility::ModeGroup& group, const fragility::Fit& fit,
@@ -75,7 +67,8 @@ Json kaplan_meier_json(const std::vector<Observation>& limits, Json& curve)
     return steps;
 }
 
-Json level_curve(const LevelWalls& walls, std::size_t level, double largest)
+/// @param end of the axis: largest drift [%]
+Json level_curve(const LevelWalls& walls, std::size_t level, double end)
 {
     std::vector<fragility::ModeGroup> groups;
     std::vector<const char*> names;
@@ -86,7 +79,7 @@ Json level_curve(const LevelWalls& walls, std::size_t level, double largest)
         }
     std::vector<double> drifts;
     for (std::size_t i = 1; i <= kDrifts; ++i)
-        drifts.push_back(largest * static_cast<double>(i) / kDrifts);
+        drifts.push_back(end * static_cast<double>(i) / kDrifts);
     const fragility::Mixture mix = fragility::mixture_curve(groups, drifts);
     Json c = {{"level", level}};
     for (const char* const key : {"drift", "least", "most", "lower", "upper"})
@@ -209,12 +202,17 @@ fragility::ModeData mode_data(const std::vector<ModeCount>& counts)
 Json fragility_json(const ReportStudy& study)
 {
     Json curves = Json::array();
-    const double largest = largest_drift(study);
-    if (!(largest > 0.0)) return curves;
+    std::vector<LevelWalls> levels;
+    std::vector<Observation> all;
     for (std::size_t level = 0; level < study.head.levels.size(); ++level) {
-        const LevelWalls walls = walls_of_level(study, level);
-        if (!walls.all.empty()) curves.push_back(level_curve(walls, level, largest));
+        levels.push_back(walls_of_level(study, level));
+        all.insert(all.end(), levels.back().all.begin(), levels.back().all.end());
     }
+    const double end = common_end(all);
+    if (!(end > 0.0)) return curves;
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        if (!levels[level].all.empty())
+            curves.push_back(level_curve(levels[level], level, end));
     return curves;
 }
 

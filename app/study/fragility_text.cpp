@@ -87,6 +87,16 @@ double known_to(std::span<const fragility::Observation> limits)
     return end;
 }
 
+double common_end(std::span<const fragility::Observation> limits)
+{
+    const double largest = known_to(limits);
+    double end = largest;
+    for (const fragility::Observation& o : limits)
+        if (o.lower < o.upper && o.lower >= largest * (1.0 - kEndsTogether))
+            end = std::min(end, o.lower);
+    return end;
+}
+
 std::string extrapolated_text(const std::string& whose)
 {
     return std::string(kExtrapolated) + ": extrapolated, beyond the largest drift at which " +

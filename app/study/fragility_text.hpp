@@ -25,6 +25,10 @@ constexpr std::string_view kExtrapolated = "\u2020"; // dagger
 /// Runs of one push end up to an interval of their curve apart [-]: as good as together.
 constexpr double kEndsTogether = 2e-3;
 
+/// known_to, or where runs ended together there, the first of their ends: beyond it the few that went
+/// on would stand for all [unit of the data].
+[[nodiscard]] double common_end(std::span<const fragility::Observation> limits);
+
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
 /// "1.58", "3.03†": beyond `known_to` by more than 0.2 %

@@ -85,3 +85,21 @@ TEST_CASE("report fragility: neither curve nor band falls with the drift",
         for (std::size_t i = 1; i < p.size(); ++i) CHECK(p[i] >= p[i - 1]);
     }
 }
+
+TEST_CASE("report fragility: the band does not leap where the first of the runs ends",
+          "[app][report_fragility]")
+{
+    app::ReportStudy study;
+    study.head.levels = {{1e6, 24}};
+    study.height = 1.1;
+    for (std::uint32_t i = 0; i < 24; ++i) { // a dozen fall, a dozen rock to the end of the run
+        const bool rocks = i >= 12;
+        study.walls.push_back(
+            wall(0, i, 80e3, rocks ? 0.03 - 1e-7 * i : 0.01 + 1e-3 * i, rocks));
+        study.walls.back().rocking = rocks;
+    }
+    const auto upper = app::fragility_json(study)[0]["upper"].get<std::vector<double>>();
+    REQUIRE(upper.size() > 2);
+    const std::size_t last = upper.size() - 1;
+    CHECK(upper[last] - upper[last - 1] < 0.02);
+}
