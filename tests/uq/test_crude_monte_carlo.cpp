@@ -81,6 +81,7 @@ TEST_CASE("crude monte carlo: never passed is an upper bound, always passed a lo
     CHECK(always.outcome == SamplingOutcome::all_passed);
     CHECK(always.estimate.value == 1.0);
     CHECK(always.estimate.interval.lower == Approx(std::pow(0.025, 1.0 / 3000.0)));
+    CHECK(constant(0.0).estimate.value == 1.0); // on the limit is passed
 }
 
 TEST_CASE("crude monte carlo: failed samples are kept and widen the bounds",
