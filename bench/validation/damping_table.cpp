@@ -14,16 +14,11 @@ app::Table damping_table(const std::vector<LevelStatistics>& local,
         "The paper's damping, which the tables above have (local, Eq. 1), and the default "
         "of the program (combined, [model.md](model.md), section 4): the same 500 walls "
         "under each stress. [95 % intervals].";
-    t.head = {"stress [MPa]",
-              "peak, paper [kN]",
-              "local",
-              "combined",
-              "rocking, paper [%]",
-              "local",
-              "combined",
-              "mixed, displacement, paper [mm]",
-              "local",
-              "combined"};
+    t.head = {"stress [MPa]",        "peak, paper [kN]",
+              "peak, local",         "peak, combined",
+              "rocking, paper [%]",  "rocking, local",
+              "rocking, combined",   "mixed, displacement, paper [mm]",
+              "displacement, local", "displacement, combined"};
     const auto rocking = [](const LevelStatistics& s) {
         return share_cell(s.rocking_walls, s.walls);
     };

@@ -42,9 +42,8 @@ std::string lowest_stress(const Remarkable& r)
         missing += (l > 0 ? " / " : "") +
                    app::fixed(pooled_peak(kPaperLevels[l]) - r.ours.large[l].peak_kN.mean, 1);
     return "**Force at 0.15 MPa, " + percent(s.peak_kN.mean / paper) +
-           ": more than 5 %.** No solver gets much closer with this geometry: rigid blocks on "
-           "joints 30 times as stiff, which is as good as the limit analysis of the wall "
-           "([verification.md](verification.md#limit-analysis)), carry " +
+           ": more than 5 %.** No solver gets near with this geometry: even rigid blocks on "
+           "joints 30 times as stiff carry no more than " +
            kilonewton(limit) + ", " + percent(limit / paper) +
            ", and the joints of Eq. 2 give way under the toe. Mesh, damping and drive move the "
            "mean by less than 1 % unless the drive is far too fast (section 5). So the paper's "

@@ -1,22 +1,14 @@
 #include "uq/marginals/marginal.hpp"
 
 #include "uq/marginals/marginal_cut.hpp"
+#include "uq/marginals/marginal_refusal.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace uq {
 namespace {
-
-[[noreturn]] void refuse(const char* what, double value, const char* allowed)
-{
-    std::ostringstream text;
-    text.precision(17);
-    text << what << " is " << value << "; allowed: " << allowed;
-    throw std::invalid_argument(text.str());
-}
 
 void finite(const char* what, double value)
 {

@@ -1,26 +1,17 @@
 /// Parameters from mean and coefficient of variation.
 
 #include "uq/marginals/marginal.hpp"
+#include "uq/marginals/marginal_refusal.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/roots.hpp>
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 
 namespace uq {
 namespace {
-
-[[noreturn]] void refuse(const char* what, double value, const char* allowed)
-{
-    std::ostringstream text;
-    text.precision(17);
-    text << what << " is " << value << "; allowed: " << allowed;
-    throw std::invalid_argument(text.str());
-}
 
 void check_moments(const char* shape, double mean, double cov)
 {
