@@ -34,13 +34,13 @@ study rigid_limit configs/paper.ini load.vertical_stress="0.15 MPa" joint.wall_m
 
 # What the paper leaves open, one at a time.
 effect load_height_1.05 load.height="1.05 m"
-effect load_height_1.15 beam.height="0.20 m" load.height="1.15 m"
-effect beam_0.20 beam.height="0.20 m" load.height="1.10 m"
+effect load_height_1.15 beam.height="0.20 m" beam.density="3750 kg/m3" load.height="1.15 m"
+effect beam_0.20 beam.height="0.20 m" beam.density="3750 kg/m3" load.height="1.10 m"
 effect base_joint wall.base=joint
 effect first_course_fixed wall.courses=9 wall.first_course=shifted wall.base=joint wall.toe=free load.height="1.00 m"
 effect toe_free wall.toe=free
 effect beam_joint beam.interface=joint
-effect beam_heavy beam.density="7500 kg/m3"
+effect beam_light beam.density="2400 kg/m3"
 effect density_2000 stone.density="2000 kg/m3"
 effect density_2600 stone.density="2600 kg/m3"
 effect points_4 solver.contact_points=4

@@ -16,9 +16,10 @@ struct Choice {
 
 constexpr std::array kChoices = {
     Choice{"load_height_1.05", "load at 1.05 m, half the height of the beam (1.10 m)"},
-    Choice{"load_height_1.15", "load at 1.15 m, beam 0.20 m high"},
-    Choice{"beam_0.20", "beam 0.20 m high, load at its half height, 1.10 m (beam 0.10 m)"},
-    Choice{"beam_heavy", "beam of 1.5 kN (0.5 kN)"},
+    Choice{"load_height_1.15", "load at 1.15 m, beam as heavy and 0.20 m high"},
+    Choice{"beam_0.20",
+           "beam as heavy and 0.20 m high, load at its half height, 1.10 m (beam 0.10 m)"},
+    Choice{"beam_light", "beam of 0.5 kN, concrete (1.5 kN)"},
     Choice{"base_joint", "first course on a dry joint (clamped)"},
     Choice{"toe_free", "toe not held sideways (held)"},
     Choice{"first_course_fixed",

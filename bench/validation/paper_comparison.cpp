@@ -233,7 +233,7 @@ app::Table test_table(const OurLevels& ours)
     app::Table t;
     t.caption =
         "Mean peak force of all walls against the mean of the tests [kN]; in brackets the "
-        "error against the tests [%].";
+        "error against the tests [%]. Where the last column is above 3: section 6.";
     t.head = {"stress [MPa]", "tests", "paper", "ours, 500",
               "further off than the paper by [%]"};
     for (const TestMeans& test : kTestMeans) {

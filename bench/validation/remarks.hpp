@@ -15,7 +15,7 @@ struct Remarkable {
     LevelStatistics per_joint;      ///< at 0.75 MPa, stratified
     LevelStatistics rigid_limit;    ///< lowest stress, rigid blocks on joints that hardly give
     /// One choice changed each, same samples as ours.same_size.
-    std::vector<LevelStatistics> low_load, heavy_beam, weak_damping, strong_damping,
+    std::vector<LevelStatistics> low_load, light_beam, weak_damping, strong_damping,
         combined_damping;
 };
 

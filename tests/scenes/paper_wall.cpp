@@ -41,7 +41,7 @@ Scene paper_wall(double stress_mpa)
 {
     Scene s;
     s.stone = {15.5e9, 0.2, 2300.0};
-    s.beam.material = {30e9, 0.2, 2400.0};
+    s.beam.material = {30e9, 0.2, 7500.0};
     s.loads.vertical_stress = stress_mpa * 1e6;
     s.joint.kn = dem::joint_stiffness(0.10, wall_modulus(stress_mpa), s.stone.young_modulus);
     s.joint.ks = dem::shear_stiffness(s.joint.kn, s.stone.poisson_ratio);
