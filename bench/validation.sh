@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # ./drystone validate [WORK]   runs all walls behind docs/validation.md and writes it anew
 #
-# 35 min on two cores of an AMD EPYC with AVX-512. WORK (default runs/validation) keeps the files of the
+# 40 min on two cores of an AMD EPYC with AVX-512. WORK (default runs/validation) keeps the files of the
 # studies, so that a second run only does what is missing. DRYSTONE_TEST_CURVES, the folder of the measured
 # curves (bench/measured_walls.hpp), if given: docs/tests is written anew too.
 set -euo pipefail
@@ -26,6 +26,23 @@ study large configs/paper.ini uq.samples=500
 study large_combined configs/paper.ini uq.samples=500 solver.damping=combined
 study spatial_large configs/paper_spatial.ini uq.samples=500
 study spatial_independent configs/paper_spatial.ini uq.samples=500 uq.spatial=independent
+
+# Values per joint, one input at a time, the others at their means.
+mkdir -p -- "$work/joint"
+means=("joint.friction_angle=31.8 deg" "joint.stiffness_factor=1" "unit.tensile_strength=3.7 MPa"
+    "unit.friction_angle=35 deg" "unit.stiffness_factor=1")
+per_joint() { # $1: file; $2: the key that stays random; then key=value
+    local mean set=()
+    for mean in "${means[@]}"; do [[ ${mean%%=*} == "$2" ]] || set+=("$mean"); done
+    study "joint/$1" configs/paper_spatial.ini "${set[@]}" "${@:3}"
+}
+per_joint none none uq.samples=1
+per_joint joint_friction joint.friction_angle
+per_joint joint_stiffness joint.stiffness_factor
+per_joint unit_strength unit.tensile_strength
+per_joint unit_friction unit.friction_angle
+per_joint unit_stiffness unit.stiffness_factor
+study joint/more_scatter configs/paper_spatial.ini joint.friction_angle="normal(mean 31.8 deg, cov 0.30)"
 
 # As much as this geometry can carry under the lowest stress: rigid blocks on joints that hardly give.
 study rigid_limit configs/paper.ini load.vertical_stress="0.15 MPa" joint.wall_modulus="566 MPa" \

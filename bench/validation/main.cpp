@@ -9,6 +9,7 @@
 #include "bench/machine.hpp"
 #include "bench/validation/damping_table.hpp"
 #include "bench/validation/effects.hpp"
+#include "bench/validation/joint_inputs.hpp"
 #include "bench/validation/paper_comparison.hpp"
 #include "bench/validation/pictures.hpp"
 #include "bench/validation/remarks.hpp"
@@ -77,6 +78,7 @@ Page page_of(const fs::path& work)
     check_levels(combined, 5, 500, work / "large_combined.h5");
     const auto rigid = bench::level_statistics(read("rigid_limit.h5"));
     check_levels(rigid, 1, 500, work / "rigid_limit.h5");
+    const std::vector<bench::JointInput> joint_inputs = bench::joint_inputs(work);
     const app::Table effects = bench::effects_table(paper, work / "effects");
 
     Page page;
@@ -111,6 +113,7 @@ Page page_of(const fs::path& work)
     page.show(bench::spatial_table(ours.large[2],
                                    bench::level_statistics(spatial_large).front(),
                                    bench::level_statistics(independent).front()));
+    page.show(bench::joint_inputs_table(joint_inputs));
     page.write("Counterpart of Fig. 14, 100 walls as in the paper:");
     page.show(bench::all_curves(spatial, "fig14"));
     page.write("## 5. What the paper leaves open");
@@ -121,8 +124,8 @@ Page page_of(const fs::path& work)
         {ours, last_falls(work), bench::level_statistics(spatial_large).front(), rigid.front(),
          bench::with_choice(changed, "load_height_1.05"),
          bench::with_choice(changed, "beam_light"), bench::with_choice(changed, "damping_0.5"),
-         bench::with_choice(changed, "damping_0.95"),
-         bench::with_choice(changed, "combined")}));
+         bench::with_choice(changed, "damping_0.95"), bench::with_choice(changed, "combined"),
+         joint_inputs}));
     page.write("## 7. The other figures");
     page.write("Fig. 9, inputs of the 250 walls and their prescribed densities:");
     page.show(bench::input_histograms(paper));

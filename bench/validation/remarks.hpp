@@ -1,6 +1,7 @@
 #pragma once
 /// What the tables of the validation mean, in words, with their numbers.
 
+#include "bench/validation/joint_inputs.hpp"
 #include "bench/validation/paper_comparison.hpp"
 
 #include <string>
@@ -17,6 +18,7 @@ struct Remarkable {
     /// One choice changed each, same samples as ours.same_size.
     std::vector<LevelStatistics> low_load, light_beam, weak_damping, strong_damping,
         combined_damping;
+    std::vector<JointInput> joint_inputs;
 };
 
 [[nodiscard]] std::string remarks_on_tests(const app::Study& study);
