@@ -6,6 +6,7 @@
 #include "fragility/equal_modes.hpp"
 #include "fragility/fragility_curve.hpp"
 #include "fragility/kaplan_meier.hpp"
+#include "fragility/mode_lack_of_fit.hpp"
 #include "fragility/mode_model.hpp"
 #include "fragility/performance_limits.hpp"
 
@@ -24,6 +25,7 @@ using fragility::Observation;
 
 constexpr std::size_t kDrifts = 121;
 constexpr std::array<const char*, 2> kModeNames = {"rocking", "mixed"};
+constexpr double kDoubtful = 0.05; ///< p-value below which a line over the stress is not drawn
 
 struct LevelWalls {
     std::vector<Observation> all;
@@ -161,11 +163,22 @@ void add_model(Json& modes, const fragility::ModeData& data)
         modes["note"] = "No logistic regression: " + model.reason + ".";
         return;
     }
+    const fragility::LackOfFit f = fragility::lack_of_fit(model, data);
+    const std::string test = "deviance " + fixed(f.deviance, 1) + " on " +
+                             std::to_string(f.degrees) + " degrees of freedom, p " +
+                             (f.p_value < 0.001 ? "< 0.001" : "= " + fixed(f.p_value, 3));
+    if (f.p_value < kDoubtful) {
+        modes["note"] =
+            "No line: logistic regression on the stress does not fit these shares (" + test +
+            ").";
+        return;
+    }
     const auto stress = data.covariates.col(0);
     modes["model"] = model_json(model, stress.minCoeff(), stress.maxCoeff());
     const bool firth = model.penalty == fragility::ModePenalty::firth;
     modes["note"] = std::string("Line: logistic regression on the stress") +
-                    (firth ? ", with Firth's penalty (" + model.reason + ")" : "") + ". " +
+                    (firth ? ", with Firth's penalty (" + model.reason + ")" : "") +
+                    (f.degrees > 0 ? "; lack of fit: " + test : "") + ". " +
                     equal_text(model, data);
 }
 

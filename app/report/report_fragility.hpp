@@ -23,7 +23,8 @@ namespace app {
 
 /// Share of rocking walls of each stress with its interval, and a logistic regression on the stress:
 /// {"levels": [{"stress" [MPa], "value", "lower", "upper", "walls"}],
-///  "model": {"stress", "value", "lower", "upper"}, "note": text}; no "model" below two stresses.
+///  "model": {"stress", "value", "lower", "upper"}, "note": text}; no "model" below two stresses, or if it
+/// does not fit the shares, which the note says.
 [[nodiscard]] nlohmann::ordered_json modes_json(const ReportStudy& study);
 
 } // namespace app

@@ -6,6 +6,7 @@ drystone_tests(app_report
         app/test_report_film.cpp
         app/test_report_overview.cpp
         app/test_report_page.cpp
+        app/test_report_fragility.cpp
         app/test_report_study.cpp
         scenes/snapshot_scenes.cpp
     LIBRARIES drystone_app_report nlohmann_json::nlohmann_json ZLIB::ZLIB)
