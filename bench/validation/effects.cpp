@@ -109,11 +109,6 @@ std::vector<std::string> row(const char* name, const std::vector<LevelStatistics
 
 } // namespace
 
-std::vector<LevelStatistics> with_choice(const std::filesystem::path& folder, const char* name)
-{
-    return level_statistics(app::read_study_walls(folder / (std::string(name) + ".h5"), {}));
-}
-
 app::Table effects_table(const app::StudyWalls& base, const std::filesystem::path& folder)
 {
     app::Table t;
@@ -128,7 +123,8 @@ app::Table effects_table(const app::StudyWalls& base, const std::filesystem::pat
     t.head = {"choice", "peak force of all walls [%]", "rocking walls [points]",
               "displacement of mixed walls [mm]", "failed"};
     for (const Choice& c : kChoices)
-        t.rows.push_back(row(c.name, ours, with_choice(folder, c.file)));
+        t.rows.push_back(
+            row(c.name, ours, read_levels(folder / (std::string(c.file) + ".h5"))));
     for (const Rule& r : kRules) {
         std::vector<LevelStatistics> changed;
         for (std::size_t l = 0; l < base.levels.size(); ++l)

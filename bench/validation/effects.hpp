@@ -8,10 +8,6 @@
 
 namespace bench {
 
-/// Levels of the study with one choice changed, by the name of its file.
-[[nodiscard]] std::vector<LevelStatistics> with_choice(const std::filesystem::path& folder,
-                                                       const char* name);
-
 /// A row per choice whose study is in `folder` (bench/validation.sh), changes against the study with our
 /// choices; then the thresholds of the mode rule, read again from that study.
 /// @throws std::runtime_error naming a study that is missing

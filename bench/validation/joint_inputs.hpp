@@ -5,22 +5,21 @@
 #include "bench/validation/level_statistics.hpp"
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace bench {
 
-struct JointInput {
-    const char* name;
-    LevelStatistics walls;
+/// Walls under 0.75 MPa with values per joint (bench/validation.sh): of one input each, the others at
+/// their means.
+struct JointInputs {
+    LevelStatistics none; ///< one wall of mean values
+    LevelStatistics joint_friction, joint_stiffness, unit_strength, unit_friction,
+        unit_stiffness;
+    LevelStatistics all, more_scatter; ///< all five; with COV 0.30 of the friction of joints
 };
 
-/// The five inputs per joint under 0.75 MPa, one at a time and together, from `work`/joint.
-[[nodiscard]] std::vector<JointInput> joint_inputs(const std::filesystem::path& work);
+/// @throws std::runtime_error naming a study that is missing
+[[nodiscard]] JointInputs joint_inputs(const std::filesystem::path& work);
 
-[[nodiscard]] app::Table joint_inputs_table(const std::vector<JointInput>& inputs);
-
-/// The same in words.
-[[nodiscard]] std::string remark_on_joint_inputs(const std::vector<JointInput>& inputs);
+[[nodiscard]] app::Table joint_inputs_table(const JointInputs& inputs);
 
 } // namespace bench

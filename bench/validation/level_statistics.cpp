@@ -94,4 +94,9 @@ std::vector<LevelStatistics> level_statistics(const app::StudyWalls& walls)
     return all;
 }
 
+std::vector<LevelStatistics> read_levels(const std::filesystem::path& file)
+{
+    return level_statistics(app::read_study_walls(file, {}));
+}
+
 } // namespace bench

@@ -4,6 +4,7 @@
 #include "app/fragility/study_walls.hpp"
 
 #include <cstddef>
+#include <filesystem>
 #include <vector>
 
 namespace bench {
@@ -41,5 +42,9 @@ struct LevelStatistics {
 
 /// All levels, with the study's own thresholds.
 [[nodiscard]] std::vector<LevelStatistics> level_statistics(const app::StudyWalls& walls);
+
+/// The same of the study in a file.
+/// @throws app::StoreError as read_study_walls
+[[nodiscard]] std::vector<LevelStatistics> read_levels(const std::filesystem::path& file);
 
 } // namespace bench

@@ -74,11 +74,11 @@ Page page_of(const fs::path& work)
     const bench::OurLevels ours{bench::level_statistics(paper), bench::level_statistics(large)};
     check_levels(ours.same_size, 5, 50, work / "paper.h5");
     check_levels(ours.large, 5, 500, work / "large.h5");
-    const auto combined = bench::level_statistics(read("large_combined.h5"));
+    const auto combined = bench::read_levels(work / "large_combined.h5");
     check_levels(combined, 5, 500, work / "large_combined.h5");
-    const auto rigid = bench::level_statistics(read("rigid_limit.h5"));
+    const auto rigid = bench::read_levels(work / "rigid_limit.h5");
     check_levels(rigid, 1, 500, work / "rigid_limit.h5");
-    const std::vector<bench::JointInput> joint_inputs = bench::joint_inputs(work);
+    const bench::JointInputs joint_inputs = bench::joint_inputs(work);
     const app::Table effects = bench::effects_table(paper, work / "effects");
 
     Page page;
@@ -119,13 +119,13 @@ Page page_of(const fs::path& work)
     page.write("## 5. What the paper leaves open");
     page.show(effects);
     page.write("## 6. Where we differ, and why");
-    const fs::path changed = work / "effects";
+    const auto changed = [&](const char* file) {
+        return bench::read_levels(work / "effects" / file);
+    };
     page.write(bench::remarks_on_differences(
         {ours, last_falls(work), bench::level_statistics(spatial_large).front(), rigid.front(),
-         bench::with_choice(changed, "load_height_1.05"),
-         bench::with_choice(changed, "beam_light"), bench::with_choice(changed, "damping_0.5"),
-         bench::with_choice(changed, "damping_0.95"), bench::with_choice(changed, "combined"),
-         joint_inputs}));
+         changed("load_height_1.05.h5"), changed("beam_light.h5"), changed("damping_0.5.h5"),
+         changed("damping_0.95.h5"), changed("combined.h5"), joint_inputs}));
     page.write("## 7. The other figures");
     page.write("Fig. 9, inputs of the 250 walls and their prescribed densities:");
     page.show(bench::input_histograms(paper));

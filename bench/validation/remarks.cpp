@@ -123,16 +123,33 @@ std::string shares(const OurLevels& ours)
            ", 4 walls of 50.";
 }
 
+std::string joint_inputs_in_words(const JointInputs& inputs)
+{
+    const auto force = [](double kN) { return app::fixed(kN, 1) + " kN"; };
+    return "A wall of mean values carries " + force(inputs.none.peak_kN.mean) +
+           "; friction alone, per joint, " + force(inputs.joint_friction.peak_kN.mean) +
+           ", all five " + force(inputs.all.peak_kN.mean) + ", in the paper " +
+           force(pooled_peak(kPaperSpatial)) +
+           ". Friction that scatters half as much again would give " +
+           force(inputs.more_scatter.peak_kN.mean) + ", but with " +
+           share(inputs.more_scatter.rocking_walls, inputs.more_scatter.walls) +
+           " of rocking walls instead of " + share(inputs.all.rocking_walls, inputs.all.walls) +
+           " (paper: " +
+           share(static_cast<std::size_t>(kPaperSpatial.rocking_walls),
+                 static_cast<std::size_t>(kPaperSpatial.walls)) +
+           "). ";
+}
+
 std::string per_joint(const LevelStatistics& wall, const LevelStatistics& joint,
-                      const std::vector<JointInput>& inputs)
+                      const JointInputs& inputs)
 {
     const double paper = pooled_peak(kPaperSpatial) / pooled_peak(kPaperLevels[2]);
     return "**Values per joint.** As in the paper there are fewer rocking walls, lower forces "
            "and less scatter: the COV of the peak falls from " +
            app::fixed(wall.peak_kN.cov(), 3) + " to " + app::fixed(joint.peak_kN.cov(), 3) +
            ". The mean peak changes by " + percent(joint.peak_kN.mean / wall.peak_kN.mean) +
-           ", in the paper by " + percent(paper) + ". " + remark_on_joint_inputs(inputs) +
-           " What makes the paper's fall larger is not known to us. More walls of mixed mode "
+           ", in the paper by " + percent(paper) + ". " + joint_inputs_in_words(inputs) +
+           "What makes the paper's fall larger is not known to us. More walls of mixed mode "
            "keep 80 "
            "% of their peak to the end of the run, which lifts their mean displacement; of "
            "those that fell it is " +
