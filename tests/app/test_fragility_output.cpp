@@ -2,42 +2,23 @@
 
 #include "app/fragility/fragility_command.hpp"
 #include "app/fragility_scenes.hpp"
+#include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 
-namespace {
-
 namespace fs = std::filesystem;
-
-/// A folder that is gone with its test.
-struct Folder {
-    fs::path path =
-        fs::temp_directory_path() /
-        ("drystone_fragility_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
-    ~Folder() { fs::remove_all(path); }
-};
-
-std::string text_of(const fs::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-} // namespace
 
 TEST_CASE(
     "fragility output: every table is there as CSV, Markdown and LaTeX, and the index links "
     "every file",
     "[app][fragility_output]")
 {
-    const Folder folder;
+    const scenes::TemporaryFolder folder;
     const auto output = app::study_output(scenes::study_walls(30));
     app::write_output(folder.path, output);
     std::set<std::string> wanted = {"README.md", "fragility.json", "pelicun_fragility.csv"};
@@ -48,7 +29,7 @@ TEST_CASE(
     for (const auto& entry : fs::directory_iterator(folder.path))
         there.insert(entry.path().filename().string());
     CHECK(there == wanted);
-    const std::string index = text_of(folder.path / "README.md");
+    const std::string index = scenes::read_text(folder.path / "README.md");
     for (const app::NamedTable& t : output.tables)
         CHECK(index.find("](" + t.name + ".md)") != std::string::npos);
     for (const app::NamedPicture& p : output.pictures)
@@ -85,13 +66,13 @@ TEST_CASE(
     "[app][fragility_output]")
 {
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
-        const Folder folder;
+        const scenes::TemporaryFolder folder;
         const auto output = app::study_output(scenes::study_walls(n));
         app::write_output(folder.path, output);
         for (const app::NamedTable& t : output.tables) {
             CAPTURE(n, t.name);
             CHECK(scenes::sound(t.table));
         }
-        CHECK(nlohmann::json::accept(text_of(folder.path / "fragility.json")));
+        CHECK(nlohmann::json::accept(scenes::read_text(folder.path / "fragility.json")));
     }
 }

@@ -8,6 +8,7 @@
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_runner.hpp"
 #include "app/study_scenes.hpp"
+#include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -22,14 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A study's file in a folder of its own.
 struct File {
-    fs::path path = fs::temp_directory_path() /
-                    ("drystone_fragility_" +
-                     std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".h5");
-    ~File()
-    {
-        for (const char* end : {"", ".journal", ".lock"}) fs::remove(path.string() + end);
-    }
+    scenes::TemporaryFolder folder;
+    fs::path path = folder.path / "study.h5";
 };
 
 /// A study of 3 walls under each of two stresses, or the first of its shards, of which `walls` were
@@ -157,9 +154,8 @@ TEST_CASE(
     "fragility of a table: the command writes a folder, refuses what a study has and lacks",
     "[app][fragility_study]")
 {
-    const fs::path folder = fs::temp_directory_path() / "drystone_fragility_table";
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    const scenes::TemporaryFolder temporary;
+    const fs::path& folder = temporary.path;
     const std::string csv = (folder / "walls.csv").string(), out = (folder / "out").string();
     std::ofstream(csv) << "drift [%],stopped,mode\n1.0,0,a\n2.0,1,a\n1.5,no,a\n0.8,0,b\n";
     CHECK(run({"fragility", csv, "--drift", "drift", "--censored", "stopped", "--group", "mode",
@@ -172,5 +168,4 @@ TEST_CASE(
     CHECK_THROWS_WITH(run({"fragility", csv, "--drift", "drift", "--set",
                            "fragility.crossing=last", "--out", out}),
                       Catch::Contains("of a table only"));
-    fs::remove_all(folder);
 }

@@ -2,6 +2,7 @@
 #include "app/study/reliability_answer.hpp"
 #include "app/study/reliability_problem.hpp"
 #include "app/study_scenes.hpp"
+#include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -10,8 +11,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 using app::ReliabilityAnswer;
 using app::ReliabilityProblem;
@@ -45,8 +44,8 @@ std::string complaint(const std::string& text, const std::string& uq = "")
 
 /// A program that answers r - s, as a shell script.
 struct Script {
-    std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                 ("drystone_model_" + std::to_string(getpid()) + ".sh");
+    scenes::TemporaryFolder folder;
+    std::filesystem::path path = folder.path / "model.sh";
     Script()
     {
         std::ofstream(path) << R"(#!/bin/sh
@@ -54,7 +53,6 @@ awk -F'[:,]' '/"r"/ {r = $2} /"s"/ {s = $2} END {printf "{\"responses\": {\"g\":
 )";
         std::filesystem::permissions(path, std::filesystem::perms::owner_all);
     }
-    ~Script() { std::filesystem::remove(path); }
 };
 
 app::StudyFile external(const Script& script, const std::string& more)

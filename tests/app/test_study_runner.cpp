@@ -3,6 +3,7 @@
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_runner.hpp"
 #include "app/study_scenes.hpp"
+#include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -16,17 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that is gone with its test.
-struct File {
-    fs::path path =
-        fs::temp_directory_path() /
-        ("drystone_runner_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".h5");
-    ~File()
-    {
-        for (const char* end : {"", ".journal", ".lock"}) fs::remove(path.string() + end);
-    }
-};
-
 struct Ran {
     dem::Model model;
     app::SamplePlan plan;
@@ -35,14 +25,15 @@ struct Ran {
 
 Ran run(const Study& s, int threads = 2)
 {
-    const File file;
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "study.h5";
     Ran r{app::model_of(s), {}, {}};
     const std::vector<std::uint32_t> sizes = {app::samples_of(s)};
     r.plan = sample_plan(s, r.model.layout, sizes);
-    app::Store store(file.path, app::head_of(s, r.plan, sizes));
+    app::Store store(file, app::head_of(s, r.plan, sizes));
     app::run_walls(s, r.model, r.plan, pending_walls(store, {}, false), threads, store, {});
     store.compact();
-    app::StoreReader(file.path).for_each_row(
+    app::StoreReader(file).for_each_row(
         [&](const app::WallRow& row) { r.rows.push_back(row); });
     return r;
 }

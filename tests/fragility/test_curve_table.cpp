@@ -1,11 +1,11 @@
 #include "bench/curve_table.hpp"
 #include "bench/measured_walls.hpp"
+#include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,19 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, gone at the end of the test.
-struct TemporaryFolder {
-    fs::path path = fs::temp_directory_path() /
-                    ("drystone_curve_table_" + std::to_string(std::random_device{}()));
-
-    TemporaryFolder() { fs::create_directory(path); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder()
-    {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
+struct Folder : scenes::TemporaryFolder {
     fs::path file(const std::string& name, const std::string& text) const
     {
         std::ofstream(path / name) << text;
@@ -41,7 +29,7 @@ const std::string kHead = "displacement_mm,drift_percent,force_kN\n";
 TEST_CASE("curve table: columns are found by name, below any heading and above any units",
           "[fragility][curve_table]")
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     const fs::path file = folder.file("a.csv", "Test unit,SW.1\r\nforce,other,way\r\n"
                                                "[kN],[-],[mm]\r\n3,x,0.5\r\n2.5,,1\r\n");
     const bench::CurveTable t = bench::read_curve_table(file, "way", "force");
@@ -52,7 +40,7 @@ TEST_CASE("curve table: columns are found by name, below any heading and above a
 TEST_CASE("curve table: what cannot be read is named with its line", "[fragility][curve_table]")
 {
     using Catch::Matchers::Contains;
-    const TemporaryFolder folder;
+    const Folder folder;
     const auto refused = [&](const std::string& text, const std::string& why) {
         CHECK_THROWS_WITH(bench::read_capacity_curve(folder.file("a.csv", text)),
                           Contains(why));
@@ -83,7 +71,7 @@ TEST_CASE("curve table: points that go back are dropped, steps are kept",
 
 TEST_CASE("measured walls: a series is its own files, in order", "[fragility][measured_walls]")
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     const std::string text = "top_displacement,horizontal_force\n[mm],[kN]\n0,0\n1,2\n0.9,3\n";
     for (const char* name :
          {"FD_SW305_a.csv", "FD_SW302_a.csv", "FD_SW304_a.csv", "FD_SW301_a.csv",

@@ -60,6 +60,8 @@ export async function openPage(program, { width = 1280, height = 900, mobile = f
             for (const end = Date.now() + 1e3 * seconds; Date.now() < end; await sleep(50)) if (await page.evaluate(expression)) return;
             throw new Error(`not within ${seconds} s: ${expression}`);
         },
+        /** After the next picture. */
+        drawn: () => page.evaluate('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))'),
         async open(file) {
             const begin = Date.now();
             await send('Page.navigate', { url: `file://${file}` });

@@ -7,8 +7,10 @@
 #include <catch2/catch.hpp>
 #include <gsl/gsl_cdf.h>
 
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 using namespace uq;
 using Eigen::VectorXd;
@@ -163,21 +165,40 @@ TEST_CASE("multi-fidelity: failed samples of a cheap model do not bias", "[uq][m
 
 TEST_CASE("multi-fidelity: costs that are not given are measured", "[uq][multi_fidelity]")
 {
-    const auto busy = [](int n) {
-        return [n](const VectorXd& x) {
-            double sum = x(0);
-            for (int i = 0; i < n; ++i) sum += 1e-12 * std::sin(sum);
-            return sum;
+    double clock = 100.0; // [s], moved on by the models alone
+    const auto busy = [&clock](double seconds) {
+        return [&clock, seconds](const VectorXd& x) {
+            clock += seconds;
+            return x(0);
         };
     };
     MultiFidelityOptions o;
     o.dear_cost = 0.0;
     o.budget = 0.2; // [s]
+    o.now = [&clock] { return clock; };
     const MultiFidelityResult r =
-        multi_fidelity(problems::limit_state(2, busy(20000)), {cheap(busy(20), 0.0)}, o);
-    CHECK(r.cost(0) > 1e-5); // [s]: 20 000 sines
-    CHECK(r.cost(0) > 20.0 * r.cost(1));
+        multi_fidelity(problems::limit_state(2, busy(1e-3)), {cheap(busy(1e-6), 0.0)}, o);
+    CHECK(r.cost(0) == Approx(1e-3));
+    CHECK(r.cost(1) == Approx(1e-6));
     CHECK(r.plan.pays);
+    CHECK(r.spent == Approx(clock - 100.0));
+    CHECK(r.spent < 0.21);
+}
+
+TEST_CASE("multi-fidelity: a steady clock measures where no other is given",
+          "[uq][multi_fidelity]")
+{
+    const auto sleepy = [](const VectorXd& x) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return x(0);
+    };
+    MultiFidelityOptions o;
+    o.dear_cost = 0.0;
+    o.budget = 0.2; // [s]
+    const MultiFidelityResult r =
+        multi_fidelity(problems::limit_state(2, sleepy),
+                       {cheap([](const VectorXd& x) { return x(0); }, 0.0)}, o);
+    CHECK(r.cost(0) >= 1e-3);
 }
 
 TEST_CASE("multi-fidelity: the same seed gives the same bits", "[uq][multi_fidelity]")

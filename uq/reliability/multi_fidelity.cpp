@@ -12,6 +12,13 @@ namespace uq {
 
 namespace {
 
+double now(const MultiFidelityOptions& o)
+{
+    using namespace std::chrono;
+    if (o.now) return o.now();
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
 /// One model and what it has answered so far: samples 0 .. y.size() - 1.
 struct Asked {
     LimitState model;
@@ -23,11 +30,10 @@ struct Asked {
     {
         const auto known = static_cast<std::size_t>(y.size());
         if (n <= known) return;
-        const auto start = std::chrono::steady_clock::now();
+        const double start = now(o);
         Eigen::VectorXd more =
             limit_values(model, normal_rows(o.seed, known, n - known, model.dimension), ledger);
-        seconds +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        seconds += now(o) - start;
         if (o.quantity == Quantity::probability)
             for (double& v : more)
                 if (!std::isnan(v)) v = v <= 0.0 ? 1.0 : 0.0;

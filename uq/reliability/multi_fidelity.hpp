@@ -6,6 +6,7 @@
 #include "uq/reliability/limit_state.hpp"
 #include "uq/reliability/multi_fidelity_plan.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace uq {
@@ -31,6 +32,7 @@ struct MultiFidelityOptions {
     std::size_t pilot = 20;
     double confidence = 0.95;
     std::uint64_t seed = 1;
+    std::function<double()> now; ///< [s], for measured costs; empty: a steady clock
 };
 
 struct MultiFidelityResult {
