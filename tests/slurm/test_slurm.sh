@@ -20,7 +20,7 @@ size=(--set uq.samples=1200)
     --slurm "$work/array.sh" --quiet
 start_cluster "$work/cluster" || { echo "skipped: no Slurm cluster can be started on this machine"; exit 77; }
 bash "$work/array.sh"
-for _ in {1..200}; do # until a shard on the first node has walls
+for _ in {1..600}; do # until a shard on the first node has walls
     squeue -h -t R -o %N | grep -q n1 && compgen -G "$work/array_*.h5.journal" >/dev/null && break
     sleep 0.1
 done
@@ -28,7 +28,7 @@ kill_node 1
 echo "node 1 killed; running before: $(squeue -h -t R | wc -l)"
 sleep 12 # longer than SlurmdTimeout: the controller gives the node up and requeues
 start_node 1
-for _ in {1..240}; do
+for _ in {1..600}; do
     [[ -n $(squeue -h) ]] || break
     # requeued jobs wait two minutes; not here
     for job in $(squeue -h -t PD -O JobID,Reason | awk '$2 == "BeginTime" {print $1}'); do
