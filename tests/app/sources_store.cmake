@@ -6,6 +6,7 @@ set(TEST_APP_STORE_SOURCES
     app/test_store_journal.cpp
     app/test_store_kill.cpp
     app/test_store_memory.cpp
+    app/test_store_study.cpp
     fuzz/test_store_fuzz.cpp)
 
 drystone_tests(app_store

@@ -6,36 +6,19 @@
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <stdexcept>
 
 namespace fs = std::filesystem;
 using app::Store;
-using app::StoreError;
 using app::StoreReader;
 using Catch::Matchers::Contains;
 using scenes::check_rows;
 using scenes::store_head;
 using scenes::store_row;
 using scenes::store_rows;
-
-namespace {
-
-std::string refusal(const fs::path& file, const app::StoreHead& wanted)
-{
-    try {
-        const Store store(file, wanted);
-    } catch (const StoreError& error) {
-        return error.what();
-    }
-    return "not refused";
-}
-
-} // namespace
 
 TEST_CASE("store: walls come back bit for bit from the journal, from the file, and from both",
           "[app][store]")
@@ -203,102 +186,6 @@ TEST_CASE("store: a long reason is cut between characters", "[app][store]")
     store.append({&row, 1});
     const std::string reason = StoreReader(folder.path / "a.h5").row(std::size_t{0}).reason;
     CHECK(reason == row.reason.substr(0, 499));
-}
-
-TEST_CASE("store: the same study goes on, larger too, and keeps its history", "[app][store]")
-{
-    const scenes::MemoryFolder folder;
-    const fs::path file = folder.path / "a.h5";
-    {
-        Store store(file, store_head(4));
-        store.append(store_rows(0, 4));
-        if (GENERATE(false, true)) store.compact();
-    }
-    const auto untouched = fs::last_write_time(file);
-    app::StoreHead wanted = store_head(9);
-    wanted.configuration += "samples = 9\n";
-    wanted.sessions[0].machine = "another";
-    wanted.levels.push_back({2e6, 1});
-    Store store(file, wanted);
-    CHECK(store.size() == 12);
-    CHECK(fs::last_write_time(file) == untouched);
-    CHECK(app::read_head(file).levels == wanted.levels); // at once, not with the first wall
-    store.append(store_rows(4, 9));
-    store.compact();
-    CHECK(check_rows(file) == 27);
-    const app::StoreHead head = app::read_head(file);
-    CHECK(head.design_sizes == std::vector<std::uint32_t>{4, 9});
-    CHECK(head.configuration == wanted.configuration);
-    REQUIRE(head.sessions.size() == 2);
-    CHECK(head.sessions[1].machine == "another");
-}
-
-TEST_CASE("store: a finished study that is run again leaves its file as it is", "[app][store]")
-{
-    const scenes::MemoryFolder folder;
-    const fs::path file = folder.path / "a.h5";
-    {
-        Store store(file, store_head(2));
-        store.append(store_rows(0, 2));
-        store.compact();
-    }
-    const std::string before = scenes::read_text(file);
-    {
-        Store store(file, store_head(2));
-        store.compact();
-    }
-    CHECK(scenes::read_text(file) == before);
-    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
-}
-
-TEST_CASE("store: another study is refused and the difference is shown", "[app][store]")
-{
-    const scenes::MemoryFolder folder;
-    const fs::path file = folder.path / "a.h5";
-    {
-        Store store(file, store_head(4));
-        store.append(store_rows(0, 2));
-        if (GENERATE(false, true)) store.compact();
-    }
-    const std::string before = scenes::read_text(file);
-    app::StoreHead other = store_head(4);
-    other.identity = "length = 1\nfriction = normal(0.7, 0.2)\n";
-    CHECK_THAT(refusal(file, other), Contains("- friction = normal(0.6, 0.2)\n+ friction = "
-                                              "normal(0.7, 0.2)"));
-    CHECK_THAT(refusal(file, other), !Contains("length"));
-    CHECK_THAT(refusal(file, store_head(3)), Contains("has 4 samples at level 0, only 3"));
-    other = store_head(4);
-    other.seed = 1;
-    CHECK_THAT(refusal(file, other), Contains("seed 18446744073709551615, not 1"));
-    other = store_head(4);
-    other.shards = 2;
-    CHECK_THAT(refusal(file, other), Contains("shard 0 of 1, not 0 of 2"));
-    other = store_head(4);
-    other.responses[1].unit = "mm";
-    CHECK_THAT(refusal(file, other),
-               Contains("+ response ultimate_displacement [mm] at 80 % of it"));
-    other = store_head(4);
-    other.levels[1].vertical_stress = std::nextafter(0.5e6, 1e6);
-    CHECK_THAT(refusal(file, other), Contains("level 1 has another vertical stress"));
-    CHECK(scenes::read_text(file) == before);
-    CHECK(refusal(file, store_head(4)) == "not refused");
-}
-
-TEST_CASE("store: heads that make no sense are refused", "[app][store]")
-{
-    const scenes::MemoryFolder folder;
-    app::StoreHead head = store_head(4);
-    SECTION("name") { head.inputs[0].name = "a/b"; }
-    SECTION("no name") { head.counts[0].name = ""; }
-    SECTION("dots") { head.cost[0].name = ".."; }
-    SECTION("twice") { head.responses[0].name = head.responses[1].name; }
-    SECTION("force is there") { head.curve_columns[0].name = "force"; }
-    SECTION("shard") { head.shard = 1; }
-    SECTION("stress") { head.levels[0].vertical_stress = std::nan(""); }
-    SECTION("compression") { head.compression = 10; }
-    SECTION("design") { head.design_sizes = {4, 4}; }
-    CHECK_THROWS_AS(Store(folder.path / "a.h5", head), std::invalid_argument);
-    CHECK(fs::is_empty(folder.path));
 }
 
 TEST_CASE("store: a long journal is compacted by itself", "[app][store]")

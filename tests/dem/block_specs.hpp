@@ -109,4 +109,59 @@ inline dem::BlockSpec beam(const Mesh& mesh, bool rotation_fixed = false)
     return s;
 }
 
+constexpr Mesh kEven = {dem::FaceRule::even, 4, 2};
+constexpr Mesh kLobatto = {dem::FaceRule::lobatto, 5, 2};
+
+inline dem::BlockSpec with_modes(dem::BlockSpec spec, int modes)
+{
+    spec.modes = modes;
+    return spec;
+}
+
+inline std::vector<dem::BlockSpec> all_motions(const Mesh& mesh)
+{
+    return {half_unit(mesh),
+            stacked(mesh),
+            beam(mesh),
+            beam(mesh, true),
+            at_toe(mesh),
+            on_ground(mesh, dem::Motion::clamped_bottom),
+            on_ground(mesh, dem::Motion::clamped_bottom_held_right)};
+}
+
+inline std::vector<dem::BlockSpec> floating(const Mesh& mesh)
+{
+    return {half_unit(mesh), quarter_bond(mesh), stacked(mesh)};
+}
+
+inline dem::BlockSpec supported(dem::Motion motion, const Mesh& mesh)
+{
+    return motion == dem::Motion::held_right_corner ? at_toe(mesh) : on_ground(mesh, motion);
+}
+
+/// u = a + (b about `centre`), with u_x = b.x dx + c.x dz and u_z = b.z dx + c.z dz.
+inline Eigen::VectorXd linear_field(const std::vector<dem::Point>& points, dem::Point centre,
+                                    dem::Point a, dem::Point b = {}, dem::Point c = {})
+{
+    Eigen::VectorXd u(2 * static_cast<Eigen::Index>(points.size()));
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const double x = points[p].x - centre.x, z = points[p].z - centre.z;
+        u(2 * static_cast<Eigen::Index>(p)) = a.x + b.x * x + c.x * z;
+        u(2 * static_cast<Eigen::Index>(p) + 1) = a.z + b.z * x + c.z * z;
+    }
+    return u;
+}
+
+/// The part of u that the modes can follow.
+inline Eigen::VectorXd followed(const dem::BlockElement& e, const Eigen::MatrixXd& metric,
+                                const Eigen::VectorXd& u)
+{
+    return e.phi * (e.phi.transpose() * (metric * u));
+}
+
+inline double largest(const Eigen::MatrixXd& m)
+{
+    return m.size() > 0 ? m.cwiseAbs().maxCoeff() : 0.0;
+}
+
 } // namespace block_specs

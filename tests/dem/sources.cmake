@@ -1,6 +1,7 @@
 # Needs scenes/paper_wall.cpp.
 set(TEST_DEM_UNIT_SOURCES
     dem/test_block_element.cpp
+    dem/test_block_modes.cpp
     dem/test_condensation.cpp
     dem/test_crack_unloading.cpp
     dem/test_drive.cpp
@@ -11,6 +12,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_layout.cpp
     dem/test_mechanism.cpp
     dem/test_model.cpp
+    dem/test_model_elasticity.cpp
     dem/test_pack.cpp
     dem/test_port_matrix.cpp
     dem/test_recorder.cpp

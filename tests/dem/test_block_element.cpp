@@ -8,91 +8,23 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
-
+using block_specs::all_motions;
+using block_specs::floating;
+using block_specs::followed;
+using block_specs::kEven;
+using block_specs::kLobatto;
+using block_specs::largest;
+using block_specs::linear_field;
 using block_specs::Mesh;
+using block_specs::supported;
+using block_specs::with_modes;
 using dem::BlockElement;
 using dem::BlockSpec;
-using dem::FaceRule;
 using dem::Motion;
 using dem::Point;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-const Mesh kEven = {FaceRule::even, 4, 2};
-const Mesh kLobatto = {FaceRule::lobatto, 5, 2};
-
-BlockSpec with_modes(BlockSpec spec, int modes)
-{
-    spec.modes = modes;
-    return spec;
-}
-
-std::vector<BlockSpec> all_motions(const Mesh& mesh)
-{
-    return {block_specs::half_unit(mesh),
-            block_specs::stacked(mesh),
-            block_specs::beam(mesh),
-            block_specs::beam(mesh, true),
-            block_specs::at_toe(mesh),
-            block_specs::on_ground(mesh, Motion::clamped_bottom),
-            block_specs::on_ground(mesh, Motion::clamped_bottom_held_right)};
-}
-
-std::vector<BlockSpec> floating(const Mesh& mesh)
-{
-    return {block_specs::half_unit(mesh), block_specs::quarter_bond(mesh),
-            block_specs::stacked(mesh)};
-}
-
-BlockSpec supported(Motion motion, const Mesh& mesh)
-{
-    return motion == Motion::held_right_corner ? block_specs::at_toe(mesh)
-                                               : block_specs::on_ground(mesh, motion);
-}
-
-/// u = a + (b about `centre`), with u_x = b.x dx + c.x dz and u_z = b.z dx + c.z dz.
-VectorXd linear_field(const std::vector<Point>& points, Point centre, Point a, Point b = {},
-                      Point c = {})
-{
-    VectorXd u(2 * static_cast<Index>(points.size()));
-    for (std::size_t p = 0; p < points.size(); ++p) {
-        const double x = points[p].x - centre.x, z = points[p].z - centre.z;
-        u(2 * static_cast<Index>(p)) = a.x + b.x * x + c.x * z;
-        u(2 * static_cast<Index>(p) + 1) = a.z + b.z * x + c.z * z;
-    }
-    return u;
-}
-
-/// The part of u that the modes can follow.
-VectorXd followed(const BlockElement& e, const MatrixXd& metric, const VectorXd& u)
-{
-    return e.phi * (e.phi.transpose() * (metric * u));
-}
-
-double largest(const MatrixXd& m) { return m.size() > 0 ? m.cwiseAbs().maxCoeff() : 0.0; }
-
-} // namespace
-
-TEST_CASE(
-    "block element: modes are orthogonal in the contacts' stiffness and in the block's own",
-    "[dem][block_element]")
-{
-    const Mesh mesh = GENERATE(as<Mesh>{}, kEven, kLobatto);
-    const int modes = GENERATE(0, 3, 4, 6, 12);
-    for (const BlockSpec& spec : all_motions(mesh)) {
-        const dem::Condensed c = dem::condense(spec);
-        const BlockElement e = dem::block_element(with_modes(spec, modes));
-        const MatrixXd metric = dem::contact_metric(spec, c);
-        CHECK(largest(e.phi.transpose() * metric * e.phi -
-                      MatrixXd::Identity(e.phi.cols(), e.phi.cols())) < 1e-10);
-        const MatrixXd stiffness = e.phi.transpose() * c.stiffness * e.phi;
-        const MatrixXd expected = e.lambda.asDiagonal();
-        CHECK(largest(stiffness - expected) < 1e-9 * std::max(1.0, largest(e.lambda)));
-        if (e.lambda.size() > 0) CHECK(e.lambda.minCoeff() >= 0.0);
-    }
-}
 
 TEST_CASE("block element: the contact metric is the stiffness of the contacts with their other "
           "side held",
@@ -190,116 +122,6 @@ TEST_CASE("block element: a block whose corner is held sideways lifts and turns 
         CHECK(largest(followed(e, metric, u) - u) < 1e-9 * largest(u));
     CHECK(e.lambda(1) < 1e-9);
     if (modes != 3) CHECK(e.lambda(2) > 1e-3);
-}
-
-TEST_CASE("block element: six modes of a supported block follow every linear field its support "
-          "lets pass",
-          "[dem][block_element]")
-{
-    const Motion motion = GENERATE(Motion::clamped_bottom, Motion::clamped_bottom_held_right,
-                                   Motion::held_right_corner);
-    const BlockSpec spec =
-        with_modes(supported(motion, GENERATE(as<Mesh>{}, kEven, kLobatto)), GENERATE(6, 9, 0));
-    const BlockElement e = dem::block_element(spec);
-    const MatrixXd metric = dem::contact_metric(spec, dem::condense(spec));
-    const Point corner{spec.width, 0.0};
-    std::vector<VectorXd> fields = {
-        linear_field(e.points, corner, {}, {}, {0, 1})}; // stretched upwards
-    if (motion != Motion::clamped_bottom_held_right)
-        fields.push_back(linear_field(e.points, corner, {}, {}, {1, 0}));
-    if (motion == Motion::held_right_corner)
-        fields.push_back(linear_field(e.points, corner, {}, {1, 0}));
-    for (const VectorXd& u : fields)
-        CHECK(largest(followed(e, metric, u) - u) < 1e-9 * largest(u));
-}
-
-TEST_CASE("block element: six modes carry a uniform stress exactly", "[dem][block_element]")
-{
-    const Mesh mesh = GENERATE(as<Mesh>{}, kEven, kLobatto);
-    const int modes = GENERATE(6, 7, 12, 0);
-    const auto [b, c] = GENERATE(table<Point, Point>(
-        {{{1, 0}, {0, 0}}, {{0, 0}, {0, 1}}, {{0, 0}, {1, 0}}, {{0.3, 2}, {1, -2}}}));
-    for (const BlockSpec& spec : floating(mesh)) {
-        const dem::Condensed con = dem::condense(spec);
-        const BlockElement e = dem::block_element(with_modes(spec, modes));
-        const VectorXd u = linear_field(con.points, {}, {}, b, c), f = con.stiffness * u;
-        // Loaded by f, the modes take the strain of u: the same forces, the same work.
-        VectorXd q = e.phi.transpose() * f;
-        for (Index i = 0; i < q.size(); ++i) q(i) = e.lambda(i) > 0 ? q(i) / e.lambda(i) : 0.0;
-        const VectorXd answer = e.phi * q;
-        CHECK(answer.dot(f) == Approx(u.dot(f)).epsilon(1e-10));
-        CHECK(largest(con.stiffness * answer - f) < 1e-9 * largest(f));
-    }
-}
-
-TEST_CASE("block element: all modes together are the condensed stiffness",
-          "[dem][block_element]")
-{
-    const Mesh mesh = GENERATE(as<Mesh>{}, kEven, kLobatto);
-    for (const BlockSpec& spec : floating(mesh)) {
-        const dem::Condensed c = dem::condense(spec);
-        const BlockElement e = dem::block_element(spec);
-        REQUIRE(e.phi.cols() == e.phi.rows());
-        const MatrixXd metric = dem::contact_metric(spec, c), to_points = metric * e.phi;
-        const MatrixXd stiffness = to_points * e.lambda.asDiagonal() * to_points.transpose();
-        CHECK(largest(stiffness - c.stiffness) < 1e-10 * largest(c.stiffness));
-    }
-}
-
-TEST_CASE("block element: fewer modes are stiffer, step by step", "[dem][block_element]")
-{
-    const Mesh mesh = GENERATE(as<Mesh>{}, kEven, kLobatto);
-    for (const BlockSpec& spec : all_motions(mesh)) {
-        const Index points = static_cast<Index>(dem::condense(spec).points.size());
-        VectorXd f(2 * points); // any load
-        for (Index i = 0; i < f.size(); ++i)
-            f(i) = std::sin(1.0 + 7.0 * static_cast<double>(i));
-        const auto work = [&](int modes) { // done by f on the block on its contacts
-            const BlockElement e = dem::block_element(with_modes(spec, modes));
-            return ((e.phi.transpose() * f).array().square() / (e.lambda.array() + 1.0)).sum();
-        };
-        double before = 0.0;
-        const double all = work(0);
-        for (const int modes : {3, 4, 5, 6, 8, 12, 16}) {
-            const double now = work(modes);
-            CHECK(now >= before * (1 - 1e-12));
-            CHECK(now <= all * (1 + 1e-12));
-            before = now;
-        }
-        CHECK(work(5) < work(12));
-        CHECK(work(12) < all);
-    }
-}
-
-TEST_CASE("block element: modes kept are nested: what few can do, more can",
-          "[dem][block_element]")
-{
-    for (const BlockSpec& spec : floating(kEven)) {
-        const MatrixXd metric = dem::contact_metric(spec, dem::condense(spec));
-        for (const auto& [few, more] : {std::pair{3, 4}, {4, 6}, {6, 9}, {9, 0}}) {
-            const BlockElement a = dem::block_element(with_modes(spec, few)),
-                               b = dem::block_element(with_modes(spec, more));
-            for (Index i = 0; i < a.phi.cols(); ++i)
-                CHECK(largest(followed(b, metric, a.phi.col(i)) - a.phi.col(i)) <
-                      1e-9 * largest(a.phi.col(i)));
-        }
-    }
-}
-
-TEST_CASE("block element: beyond the linear fields the softest modes are kept",
-          "[dem][block_element]")
-{
-    const int modes = 14;
-    for (const BlockSpec& spec : all_motions(GENERATE(as<Mesh>{}, kEven, kLobatto))) {
-        const MatrixXd metric = dem::contact_metric(spec, dem::condense(spec));
-        const BlockElement all = dem::block_element(spec),
-                           few = dem::block_element(with_modes(spec, modes));
-        for (Index i = 0; i < modes - 8; ++i) { // at most eight are linear fields
-            const VectorXd missed = all.phi.col(i) - followed(few, metric, all.phi.col(i));
-            CHECK(missed.dot(metric * missed) <
-                  0.01 * (1 + 1e-9)); // of 1: nearly spanned by the linear fields
-        }
-    }
 }
 
 TEST_CASE("block element: body forces and top pressure have the resultants of the block",
