@@ -22,10 +22,15 @@
 
 namespace {
 
-/// Tables in the folder of the name of the file, the page beside it.
+/// Tables in the folder of the name of the file, the page beside it. Walls are filmed while they are
+/// pushed.
 int study_then_report(const app::Command& study)
 {
-    const int code = app::study_command(study); // 1 if walls failed: the tables count them
+    app::FilmShelf films;
+    const int code = app::study_command( // 1 if walls failed: the tables count them
+        study, [&](app::WallKey key, bool rocking, std::vector<dem::Snapshot>&& frames) {
+            films.put(key, rocking, frames);
+        });
     if (app::interrupted()) return code;
     const std::filesystem::path file = study.out;
     app::Command after;
@@ -38,7 +43,7 @@ int study_then_report(const app::Command& study)
     const int tables = app::fragility_command(after);
     after.verb = app::Verb::report;
     after.out += ".html";
-    return std::max({code, tables, app::report_command(after)});
+    return std::max({code, tables, app::report_command(after, films)});
 }
 
 int run(const std::vector<std::string>& arguments)

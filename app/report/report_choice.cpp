@@ -28,6 +28,11 @@ std::vector<std::size_t> in_turns(const Groups& groups, std::size_t most)
 
 } // namespace
 
+std::size_t walls_in_page(std::size_t blocks)
+{
+    return std::max(kFewestFilmed, kMostFilmedBlocks / std::max<std::size_t>(1, blocks));
+}
+
 std::vector<std::size_t> walls_to_list(const ReportStudy& study, std::size_t most)
 {
     Groups groups;

@@ -16,6 +16,9 @@ constexpr std::size_t kMostListed = 4'000; ///< walls with a curve and a row in 
 constexpr std::size_t kMostFilmedBlocks = 32'000;
 constexpr std::size_t kFewestFilmed = 10;
 
+/// @param blocks of a wall, the beam too
+[[nodiscard]] std::size_t walls_in_page(std::size_t blocks);
+
 /// And fewer where the page would be larger than this [bytes].
 constexpr std::size_t kMostPageBytes = 4'900'000;
 

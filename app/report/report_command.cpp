@@ -22,8 +22,7 @@ using Json = nlohmann::ordered_json;
 std::size_t most_walls(const ReportStudy& study, const std::optional<int>& asked)
 {
     if (asked) return static_cast<std::size_t>(*asked);
-    const std::size_t blocks = model_of(*study.study).layout.blocks.size();
-    return std::max(kFewestFilmed, kMostFilmedBlocks / std::max<std::size_t>(1, blocks));
+    return walls_in_page(model_of(*study.study).layout.blocks.size());
 }
 
 std::string chosen_text(std::size_t shown, std::size_t sound)
@@ -49,14 +48,20 @@ struct Draft {
     }
 };
 
-Replay push_again(const ReportStudy& study, const std::vector<std::size_t>& walls,
-                  const Command& command)
+/// Films of walls, from the shelf or pushed again.
+Replay films_of(const ReportStudy& study, const std::vector<std::size_t>& walls,
+                const Command& command, const FilmShelf& shelf)
 {
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
-    const std::string what = "pushing " + std::to_string(walls.size()) + " walls again";
-    Replay all = replay(study, walls, command.threads,
-                        [&](double done) { progress.update(done, what); });
-    progress.finish(what);
+    const auto what = [](std::size_t n) {
+        return "pushing " + std::to_string(n) + " walls again";
+    };
+    Replay all =
+        replay(study, walls, command.threads, shelf, [&](std::size_t done, std::size_t wanted) {
+            progress.update(static_cast<double>(done) / static_cast<double>(wanted),
+                            what(wanted));
+        });
+    progress.finish(what(all.pushed));
     return all;
 }
 
@@ -74,7 +79,7 @@ struct Shown {
     std::string note;
 };
 
-Shown show_walls(const Draft& draft, const Command& command)
+Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& shelf)
 {
     const ReportStudy& study = draft.study;
     if (!study.study)
@@ -84,7 +89,7 @@ Shown show_walls(const Draft& draft, const Command& command)
                     study.no_study + ")."};
     const auto walls = walls_to_show(study, draft.listed, most_walls(study, command.walls));
     if (walls.empty()) return {{}, chosen_text(0, 0)};
-    Shown shown{push_again(study, walls, command), {}};
+    Shown shown{films_of(study, walls, command, shelf), {}};
     if (!command.walls) keep_first(shown.replay, room_for_films(draft));
     const auto sound = static_cast<std::size_t>(std::count_if(
         study.walls.begin(), study.walls.end(), [](const auto& w) { return !w.failed; }));
@@ -99,14 +104,14 @@ Shown show_walls(const Draft& draft, const Command& command)
 
 } // namespace
 
-int report_command(const Command& command)
+int report_command(const Command& command, const FilmShelf& shelf)
 {
     const std::filesystem::path file = command.words.front(), out = command.out;
     const ReportStudy study = read_report_study(file);
     Draft draft{study, "Drystone study " + study.name, walls_to_list(study, kMostListed), {}};
     draft.data = report_data(study, draft.listed);
     draft.data["file"] = file.filename().string();
-    const Shown shown = show_walls(draft, command);
+    const Shown shown = show_walls(draft, command, shelf);
     const std::string page = draft.page(shown.replay, shown.note);
     if (out.has_parent_path()) make_folder(out.parent_path());
     write_file(out, page);

@@ -2,11 +2,13 @@
 /// `drystone report`: one page from a study's file.
 
 #include "app/input/command_line.hpp"
+#include "app/report/film_shelf.hpp"
 
 namespace app {
 
+/// @param shelf films of walls that need not be pushed again
 /// @return exit code 0
 /// @throws StoreError; ConfigError; std::runtime_error if the page cannot be written
-[[nodiscard]] int report_command(const Command& command);
+[[nodiscard]] int report_command(const Command& command, const FilmShelf& shelf = {});
 
 } // namespace app

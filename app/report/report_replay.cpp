@@ -3,6 +3,7 @@
 #include "app/study/pushed_wall.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/wall_draw.hpp"
+#include "app/study/wall_frames.hpp"
 #include "dem/ensemble.hpp"
 
 #include <cmath>
@@ -28,20 +29,6 @@ WallDraw stored_draw(const Study& study, const dem::Layout& layout, const WallRo
     return draw;
 }
 
-dem::PushPlan film_plan(const Study& study)
-{
-    dem::PushPlan plan = push_plan(study);
-    double way = 0.0, from = 0.0;
-    for (const double to : plan.targets) {
-        way += std::abs(to - from);
-        from = to;
-    }
-    plan.snapshot_every = way / kFilmFrames;
-    plan.snapshot_at_peak = false;
-    plan.energy_at_points = false;
-    return plan;
-}
-
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 bool same_as_stored(const ReportWall& stored, const PushedWall& wall)
@@ -56,43 +43,48 @@ bool same_as_stored(const ReportWall& stored, const PushedWall& wall)
            rocking == stored.rocking;
 }
 
-std::vector<dem::Snapshot> frames_of(dem::PushResult&& result)
+/// Pushes the walls at places `missing` of `all` and puts their films there.
+void push_missing(const ReportStudy& r, const std::vector<std::size_t>& missing, int threads,
+                  Replay& all, const std::function<void(std::size_t, std::size_t)>& seen)
 {
-    std::vector<dem::Snapshot> frames = std::move(result.snapshots);
-    const bool whole =
-        !frames.empty() && frames.back().displacement == result.at_end.displacement;
-    if (!whole) frames.push_back(std::move(result.at_end));
-    return frames;
+    const Study& study = r.study.value();
+    const dem::Model model = model_of(study);
+    dem::Ensemble ensemble;
+    ensemble.size = missing.size();
+    ensemble.wall = [&](std::size_t i) {
+        const WallRow& row = r.walls[all.walls[missing[i]]].row;
+        return wall_materials(study, model.layout, static_cast<int>(row.key.level),
+                              stored_draw(study, model.layout, row));
+    };
+    ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
+        const ReportWall& stored = r.walls[all.walls[missing[i]]];
+        PushedWall wall =
+            read_wall(study, static_cast<int>(stored.row.key.level), std::move(result));
+        all.different += same_as_stored(stored, wall) ? 0 : 1;
+        all.films[missing[i]] = film_of(frames_of(std::move(wall.result)));
+        ++all.pushed;
+        if (seen) seen(all.pushed, missing.size());
+    };
+    dem::push_ensemble(model, ensemble, filmed_plan(study), study.solver, {threads});
 }
 
 } // namespace
 
 Replay replay(const ReportStudy& r, const std::vector<std::size_t>& walls, int threads,
-              const std::function<void(double)>& seen)
+              const FilmShelf& shelf, const std::function<void(std::size_t, std::size_t)>& seen)
 {
-    const Study& study = r.study.value();
-    const dem::Model model = model_of(study);
     Replay all;
     all.walls = walls;
     all.films.resize(walls.size());
-    std::size_t done = 0;
-    dem::Ensemble ensemble;
-    ensemble.size = walls.size();
-    ensemble.wall = [&](std::size_t i) {
-        const WallRow& row = r.walls[walls[i]].row;
-        return wall_materials(study, model.layout, static_cast<int>(row.key.level),
-                              stored_draw(study, model.layout, row));
-    };
-    ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
-        const ReportWall& stored = r.walls[walls[i]];
-        PushedWall wall =
-            read_wall(study, static_cast<int>(stored.row.key.level), std::move(result));
-        all.different += same_as_stored(stored, wall) ? 0 : 1;
-        all.films[i] = film_of(frames_of(std::move(wall.result)));
-        ++done;
-        if (seen) seen(static_cast<double>(done) / static_cast<double>(walls.size()));
-    };
-    dem::push_ensemble(model, ensemble, film_plan(study), study.solver, {threads});
+    std::vector<std::size_t> missing; // places in `walls`
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        const Film* const film = shelf.find(r.walls[walls[i]].row.key);
+        if (film != nullptr)
+            all.films[i] = *film;
+        else
+            missing.push_back(i);
+    }
+    if (!missing.empty()) push_missing(r, missing, threads, all, seen);
     return all;
 }
 

@@ -39,39 +39,37 @@ std::string progress_text(const RunProgress& p, double seconds)
            fixed(static_cast<double>(p.done) / std::max(seconds, 1e-9), 1) + " walls/s";
 }
 
-/// @return whether it ran to the end
-bool run(const Study& study, const Command& command, const SamplePlan& plan,
-         const dem::Model& model, Store& store)
-{
-    const std::vector<WallKey> walls =
-        pending_walls(store, command.shard, command.rerun_failed);
-    Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
-    const double start = steady_seconds();
-    RunProgress last;
-    try {
-        last = run_walls(
-            study, model, plan, walls, command.threads, store, [&](const RunProgress& p) {
-                progress.update(static_cast<double>(p.done) / static_cast<double>(p.all),
-                                progress_text(p, steady_seconds() - start));
-            });
-    } catch (const Interrupted&) {
-        return false;
-    }
-    progress.finish(progress_text(last, steady_seconds() - start));
-    return true;
-}
-
-} // namespace
-
-namespace {
-
 /// One process at work on a study.
 struct Work {
     const Study& study;
     const Command& command;
     fs::path file;
     dem::Model model;
+    FrameTaker frames;
 };
+
+/// @return whether it ran to the end
+bool run(const Work& w, const SamplePlan& plan, Store& store)
+{
+    const std::vector<WallKey> walls =
+        pending_walls(store, w.command.shard, w.command.rerun_failed);
+    Progress progress(std::cerr, stderr_progress(w.command.quiet), steady_seconds);
+    const double start = steady_seconds();
+    RunProgress last;
+    try {
+        last = run_walls(
+            w.study, w.model, plan, walls, w.command.threads, store,
+            [&](const RunProgress& p) {
+                progress.update(static_cast<double>(p.done) / static_cast<double>(p.all),
+                                progress_text(p, steady_seconds() - start));
+            },
+            w.frames);
+    } catch (const Interrupted&) {
+        return false;
+    }
+    progress.finish(progress_text(last, steady_seconds() - start));
+    return true;
+}
 
 /// Brings the file to the last of `sizes`. @return whether it ran to the end
 bool work_on(const Work& w, const std::vector<std::uint32_t>& sizes)
@@ -82,7 +80,7 @@ bool work_on(const Work& w, const std::vector<std::uint32_t>& sizes)
     head.shards = static_cast<std::uint32_t>(w.command.shard.count);
     head.sessions = {this_session(w.command.threads)};
     Store store(w.file, head);
-    const bool whole = run(w.study, w.command, plan, w.model, store);
+    const bool whole = run(w, plan, store);
     store.compact();
     return whole;
 }
@@ -120,13 +118,14 @@ void write_summary(const fs::path& file, const Table& table)
 
 } // namespace
 
-int study_command(const Command& command)
+int study_command(const Command& command, const FrameTaker& frames)
 {
     const Study study =
         read_study(with_overrides(read_study_file(command.study), command.overrides));
     if (!command.script.empty()) return write_slurm_script(study, command);
     check_stop(study, command.shard);
-    const Work work{study, command, shard_file(command.out, command.shard), model_of(study)};
+    const Work work{study, command, shard_file(command.out, command.shard), model_of(study),
+                    frames};
     if (work.file.has_parent_path()) make_folder(work.file.parent_path());
     catch_interrupts();
     std::string remark;

@@ -35,15 +35,6 @@ class RowBuffer {
     double last_ = steady_seconds();
 };
 
-dem::PushPlan study_plan(const Study& study)
-{
-    dem::PushPlan plan = push_plan(study);
-    plan.snapshot_every = 0.0;
-    plan.snapshot_at_peak = false;
-    plan.energy_at_points = false;
-    return plan;
-}
-
 } // namespace
 
 std::vector<WallKey> walls_of(const StoreHead& head, Shard shard)
@@ -74,7 +65,8 @@ std::vector<WallKey> pending_walls(const Store& store, Shard shard, bool rerun_f
 
 RunProgress run_walls(const Study& study, const dem::Model& model, const SamplePlan& plan,
                       const std::vector<WallKey>& walls, int threads, Store& store,
-                      const std::function<void(const RunProgress&)>& seen)
+                      const std::function<void(const RunProgress&)>& seen,
+                      const FrameTaker& frames)
 {
     RunProgress so_far;
     so_far.all = walls.size();
@@ -92,13 +84,17 @@ RunProgress run_walls(const Study& study, const dem::Model& model, const SampleP
         so_far.solver_seconds += result.cost.seconds;
         so_far.failed += dem::failed(result.outcome) ? 1 : 0;
         ++so_far.done;
-        const int level = static_cast<int>(walls[i].level);
-        rows.add(row_of(walls[i], drawn(i), read_wall(study, level, std::move(result))));
+        PushedWall wall = read_wall(study, static_cast<int>(walls[i].level), std::move(result));
+        rows.add(row_of(walls[i], drawn(i), wall));
+        if (frames && !dem::failed(wall.result.outcome))
+            frames(walls[i], wall.mode == dem::FailureMode::rocking,
+                   frames_of(std::move(wall.result)));
         if (seen) seen(so_far);
         if (interrupted()) throw Interrupted();
     };
     try {
-        dem::push_ensemble(model, ensemble, study_plan(study), study.solver, {threads});
+        const dem::PushPlan plan_of_walls = frames ? filmed_plan(study) : bare_plan(study);
+        dem::push_ensemble(model, ensemble, plan_of_walls, study.solver, {threads});
     } catch (...) {
         rows.flush();
         throw;

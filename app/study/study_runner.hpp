@@ -5,6 +5,7 @@
 #include "app/input/study.hpp"
 #include "app/store/store.hpp"
 #include "app/study/sample_plan.hpp"
+#include "app/study/wall_frames.hpp"
 #include "dem/model.hpp"
 
 #include <cstddef>
@@ -28,9 +29,11 @@ struct RunProgress {
 
 /// Every finished wall is in the file within a fraction of a second, whatever happens then.
 /// @param seen after each wall
+/// @param frames of each wall that gives a result, in no order
 /// @throws StoreError if the disk refuses; Interrupted. Finished walls are kept.
 RunProgress run_walls(const Study& study, const dem::Model& model, const SamplePlan& plan,
                       const std::vector<WallKey>& walls, int threads, Store& store,
-                      const std::function<void(const RunProgress&)>& seen);
+                      const std::function<void(const RunProgress&)>& seen,
+                      const FrameTaker& frames = {});
 
 } // namespace app

@@ -13,7 +13,7 @@ namespace scenes {
 
 /// @param failures further walls that failed for this reason, or nothing
 inline void run_study(const std::filesystem::path& file, const std::string& uq,
-                      const std::string& reason = "")
+                      const std::string& reason = "", const app::FrameTaker& frames = {})
 {
     const app::Study study = study_scenes::study(uq);
     const dem::Model model = app::model_of(study);
@@ -35,7 +35,7 @@ inline void run_study(const std::filesystem::path& file, const std::string& uq,
         store.append({&row, 1});
         walls.pop_back();
     }
-    app::run_walls(study, model, plan, walls, 2, store, {});
+    app::run_walls(study, model, plan, walls, 2, store, {}, frames);
     store.compact();
 }
 

@@ -1,5 +1,6 @@
 drystone_tests(app_report
     SOURCES
+        app/test_film_shelf.cpp
         app/test_report_bytes.cpp
         app/test_report_choice.cpp
         app/test_report_curves.cpp

@@ -51,13 +51,44 @@ TEST_CASE("report replay: stored walls pushed again are those stored, to the bit
     REQUIRE(study.inputs.size() == 5);
     std::vector<std::size_t> walls(study.walls.size());
     std::iota(walls.begin(), walls.end(), 0);
-    const app::Replay r = app::replay(study, walls, 2, {});
+    const app::Replay r = app::replay(study, walls, 2, {}, {});
     CHECK(r.different == 0);
     REQUIRE(r.films.size() == walls.size());
-    CHECK(r.films.front().frames >= app::kFilmFrames);
+    CHECK(r.films.front().frames == app::kFilmFrames + 1);
     study.walls.front().peak *= 1.0 + 1e-15;
     study.walls.back().rocking = !study.walls.back().rocking;
-    CHECK(app::replay(study, walls, 2, {}).different == 2);
+    CHECK(app::replay(study, walls, 2, {}, {}).different == 2);
+}
+
+TEST_CASE(
+    "report replay: walls filmed while the study ran are not pushed again, and their films "
+    "are the same to the bit",
+    "[app][report_study]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto file = folder.path / "small.h5", bare = folder.path / "bare.h5";
+    app::FilmShelf all, one;
+    scenes::run_study(file, "samples = 3", "",
+                      [&](app::WallKey key, bool rocking, auto&& frames) {
+                          all.put(key, rocking, frames);
+                          if (key == app::WallKey{1, 2}) one.put(key, rocking, frames);
+                      });
+    scenes::run_study(bare, "samples = 3");
+    const app::ReportStudy study = app::read_report_study(file),
+                           unfilmed = app::read_report_study(bare);
+    const std::vector<std::size_t> walls = {5, 0, 3, 2, 1, 4};
+    const app::Replay pushed = app::replay(study, walls, 2, {}, {}),
+                      kept = app::replay(study, walls, 2, all, {}),
+                      mixed = app::replay(study, walls, 2, one, {});
+    CHECK(pushed.pushed == 6);
+    CHECK(kept.pushed == 0);
+    CHECK(mixed.pushed == 5);
+    REQUIRE(study.walls.size() == unfilmed.walls.size());
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        CHECK(study.walls[i].peak == unfilmed.walls[i].peak);
+        CHECK(kept.films[i].data == pushed.films[i].data);
+        CHECK(mixed.films[i].data == pushed.films[i].data);
+    }
 }
 
 TEST_CASE("report data: failed walls are named with their reason, and in no mean",

@@ -139,6 +139,9 @@ claim_tables_and_page_follow_where_asked() {
         [[ -s $work/$file ]] || fail "no $file"
     done
     grep -q '</html>' "$work/small.html" || fail "no page"
+    study small --set uq.samples=5 --report # walls filmed while they are pushed, and three from before
+    "$program" report "$work/small.h5" --out "$work/again.html" --quiet # all of them pushed again
+    cmp "$work/small.html" "$work/again.html" || fail "another page"
     refused 2 "not of a shard" study part --shard 1/2 --report
     refused 2 "not of a shard" study part --slurm "$work/job.sh" --report
 }

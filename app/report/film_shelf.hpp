@@ -1,0 +1,32 @@
+#pragma once
+/// Films of the walls of a run, at hand for the page that follows it.
+
+#include "app/report/report_film.hpp"
+#include "app/store/store_row.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+
+namespace app {
+
+/// Of each stress and mode it keeps the films of the lowest sample numbers, as many as a page could
+/// have room for: those that walls_to_show can choose.
+class FilmShelf {
+  public:
+    /// A wall that is there already is replaced.
+    void put(WallKey key, bool rocking, std::span<const dem::Snapshot> frames);
+
+    /// nullptr: not here
+    [[nodiscard]] const Film* find(WallKey key) const;
+
+    [[nodiscard]] std::size_t size() const;
+
+  private:
+    using Samples = std::map<std::uint32_t, Film>;
+    std::map<std::pair<std::uint32_t, bool>, Samples> films_; ///< by level and rocking
+};
+
+} // namespace app

@@ -1,0 +1,28 @@
+#pragma once
+/// Pictures of a wall along its push, for a film.
+
+#include "app/input/study.hpp"
+#include "app/store/store_row.hpp"
+#include "dem/push.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace app {
+
+constexpr int kFilmFrames = 60; ///< evenly over the way, and the wall before the push
+
+/// A push of a study's wall: readings alone, no pictures.
+[[nodiscard]] dem::PushPlan bare_plan(const Study& study);
+
+/// The same with the frames of a film: the numbers are the same, to the bit.
+[[nodiscard]] dem::PushPlan filmed_plan(const Study& study);
+
+/// Of a filmed push: the snapshots, and the end where none is there.
+[[nodiscard]] std::vector<dem::Snapshot> frames_of(dem::PushResult&& result);
+
+/// Takes the frames of a wall that gave a result.
+using FrameTaker =
+    std::function<void(WallKey key, bool rocking, std::vector<dem::Snapshot>&& frames)>;
+
+} // namespace app
