@@ -28,9 +28,7 @@ int study_then_report(const app::Command& study)
 {
     app::FilmShelf films;
     const int code = app::study_command( // 1 if walls failed: the tables count them
-        study, [&](app::WallKey key, bool rocking, std::vector<dem::Snapshot>&& frames) {
-            films.put(key, rocking, frames);
-        });
+        study, [&](auto key, bool rocking, auto frames) { films.put(key, rocking, frames); });
     if (app::interrupted()) return code;
     const std::filesystem::path file = study.out;
     app::Command after;

@@ -8,13 +8,11 @@ namespace app {
 
 void FilmShelf::put(WallKey key, bool rocking, std::span<const dem::Snapshot> frames)
 {
-    films_[{key.level, !rocking}].erase(key.sample);
     Samples& samples = films_[{key.level, rocking}];
     const std::size_t most = walls_in_page(frames.front().blocks.size());
-    const bool full = samples.size() >= most && !samples.contains(key.sample);
-    if (full && key.sample > samples.rbegin()->first) return;
-    if (full) samples.erase(std::prev(samples.end()));
+    if (samples.size() >= most && key.sample > samples.rbegin()->first) return;
     samples[key.sample] = film_of(frames);
+    if (samples.size() > most) samples.erase(std::prev(samples.end()));
 }
 
 const Film* FilmShelf::find(WallKey key) const
@@ -26,13 +24,6 @@ const Film* FilmShelf::find(WallKey key) const
         if (film != group->second.end()) return &film->second;
     }
     return nullptr;
-}
-
-std::size_t FilmShelf::size() const
-{
-    std::size_t n = 0;
-    for (const auto& [group, samples] : films_) n += samples.size();
-    return n;
 }
 
 } // namespace app

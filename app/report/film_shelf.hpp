@@ -4,7 +4,6 @@
 #include "app/report/report_film.hpp"
 #include "app/store/store_row.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -16,13 +15,11 @@ namespace app {
 /// have room for: those that walls_to_show can choose.
 class FilmShelf {
   public:
-    /// A wall that is there already is replaced.
+    /// Each wall once.
     void put(WallKey key, bool rocking, std::span<const dem::Snapshot> frames);
 
     /// nullptr: not here
     [[nodiscard]] const Film* find(WallKey key) const;
-
-    [[nodiscard]] std::size_t size() const;
 
   private:
     using Samples = std::map<std::uint32_t, Film>;

@@ -6,6 +6,7 @@
 #include "dem/push.hpp"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace app {
@@ -23,6 +24,6 @@ constexpr int kFilmFrames = 60; ///< evenly over the way, and the wall before th
 
 /// Takes the frames of a wall that gave a result.
 using FrameTaker =
-    std::function<void(WallKey key, bool rocking, std::vector<dem::Snapshot>&& frames)>;
+    std::function<void(WallKey key, bool rocking, std::span<const dem::Snapshot> frames)>;
 
 } // namespace app

@@ -22,24 +22,9 @@ TEST_CASE("film shelf: it keeps the lowest sample numbers of each stress and mod
         shelf.put({0, sample}, true, frames);
         shelf.put({1, sample}, sample % 2 == 0, frames);
     }
-    CHECK(shelf.size() == 3 * most);
     for (std::uint32_t sample = 0; sample < 3 * most; ++sample) {
         CHECK((shelf.find({0, sample}) != nullptr) == (sample < most));
         CHECK((shelf.find({1, sample}) != nullptr) == (sample < 2 * most));
     }
     CHECK(shelf.find({2, 0}) == nullptr);
-}
-
-TEST_CASE("film shelf: a wall that comes again is there once, as it came last",
-          "[app][film_shelf]")
-{
-    const std::vector<dem::Snapshot> rest = {scenes::wall_at_rest()},
-                                     end = {scenes::stair_step_rocking(0.02)};
-    app::FilmShelf shelf;
-    shelf.put({0, 3}, true, rest);
-    const std::string first = shelf.find({0, 3})->data;
-    shelf.put({0, 3}, false, end);
-    CHECK(shelf.size() == 1);
-    CHECK(shelf.find({0, 3})->data == app::film_of(end).data);
-    CHECK(shelf.find({0, 3})->data != first);
 }

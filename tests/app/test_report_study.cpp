@@ -69,7 +69,7 @@ TEST_CASE(
     const auto file = folder.path / "small.h5", bare = folder.path / "bare.h5";
     app::FilmShelf all, one;
     scenes::run_study(file, "samples = 3", "",
-                      [&](app::WallKey key, bool rocking, auto&& frames) {
+                      [&](app::WallKey key, bool rocking, auto frames) {
                           all.put(key, rocking, frames);
                           if (key == app::WallKey{1, 2}) one.put(key, rocking, frames);
                       });

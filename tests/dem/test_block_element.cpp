@@ -8,16 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-using block_specs::all_motions;
-using block_specs::floating;
-using block_specs::followed;
-using block_specs::kEven;
-using block_specs::kLobatto;
-using block_specs::largest;
-using block_specs::linear_field;
-using block_specs::Mesh;
-using block_specs::supported;
-using block_specs::with_modes;
+using namespace block_specs;
 using dem::BlockElement;
 using dem::BlockSpec;
 using dem::Motion;
@@ -30,11 +21,11 @@ TEST_CASE("block element: the contact metric is the stiffness of the contacts wi
           "side held",
           "[dem][block_element]")
 {
-    const BlockSpec spec = block_specs::half_unit(GENERATE(as<Mesh>{}, kEven, kLobatto));
+    const BlockSpec spec = half_unit(GENERATE(as<Mesh>{}, kEven, kLobatto));
     const dem::Condensed c = dem::condense(spec);
     const MatrixXd metric = dem::contact_metric(spec, c);
-    const double w = spec.width, h = spec.height, t = spec.thickness, kn = block_specs::kJoint,
-                 crack = block_specs::kCrack;
+    const double w = spec.width, h = spec.height, t = spec.thickness, kn = kJoint,
+                 crack = kCrack;
     // Two bed joints, a head joint and a crack, whole faces: work of uniform motions.
     const VectorXd right = linear_field(c.points, {}, {1, 0}),
                    up = linear_field(c.points, {}, {0, 1});
@@ -68,8 +59,8 @@ TEST_CASE("block element: a driven beam lifts, and turns about its load line unl
 {
     const int modes = GENERATE(0, 3, 6, 15);
     const bool fixed = GENERATE(false, true);
-    BlockSpec spec = with_modes(block_specs::beam(kEven, fixed), modes);
-    spec.load_height = GENERATE(0.0, 0.03, block_specs::kHeight);
+    BlockSpec spec = with_modes(beam(kEven, fixed), modes);
+    spec.load_height = GENERATE(0.0, 0.03, kHeight);
     const BlockElement e = dem::block_element(spec);
     const MatrixXd metric = dem::contact_metric(spec, dem::condense(spec));
     const VectorXd up = linear_field(e.points, {}, {0, 1});
@@ -112,8 +103,7 @@ TEST_CASE("block element: a block whose corner is held sideways lifts and turns 
           "[dem][block_element]")
 {
     const int modes = GENERATE(0, 3, 4, 5, 6, 12);
-    const BlockSpec spec =
-        with_modes(block_specs::at_toe(GENERATE(as<Mesh>{}, kEven, kLobatto)), modes);
+    const BlockSpec spec = with_modes(at_toe(GENERATE(as<Mesh>{}, kEven, kLobatto)), modes);
     const BlockElement e = dem::block_element(spec);
     const MatrixXd metric = dem::contact_metric(spec, dem::condense(spec));
     const Point corner{spec.width, 0.0};
@@ -157,7 +147,7 @@ TEST_CASE("block element: a uniform stress under a top pressure is carried witho
 {
     // Pressure on top, reaction on the bottom face: work of both on any mode is that of the
     // strain energy.
-    BlockSpec spec = block_specs::half_unit(kEven);
+    BlockSpec spec = half_unit(kEven);
     spec.material.poisson_ratio = 0.0;
     spec.edges.erase(spec.edges.begin() + 1); // nothing on top: the beam
     const dem::Condensed c = dem::condense(spec);
@@ -194,7 +184,7 @@ TEST_CASE("block element: points on the outline move as the contact points they 
 
 TEST_CASE("block element: contact points are found by their place", "[dem][block_element]")
 {
-    const BlockElement e = dem::block_element(block_specs::quarter_bond(kLobatto));
+    const BlockElement e = dem::block_element(quarter_bond(kLobatto));
     for (std::size_t p = 0; p < e.points.size(); ++p)
         CHECK(dem::find_point(e, e.points[p]) == static_cast<int>(p));
     CHECK(dem::find_point(e, {e.points[3].x + 1e-9, e.points[3].z - 1e-9}) ==

@@ -10,16 +10,7 @@
 #include <utility>
 #include <vector>
 
-using block_specs::all_motions;
-using block_specs::floating;
-using block_specs::followed;
-using block_specs::kEven;
-using block_specs::kLobatto;
-using block_specs::largest;
-using block_specs::linear_field;
-using block_specs::Mesh;
-using block_specs::supported;
-using block_specs::with_modes;
+using namespace block_specs;
 using dem::BlockElement;
 using dem::BlockSpec;
 using dem::Motion;
