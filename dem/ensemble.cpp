@@ -38,9 +38,8 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
     std::atomic<std::size_t> waiting{0};
     std::mutex one_at_a_time;
     std::exception_ptr trouble;
-    const auto stop = [&](std::exception_ptr what) {
-        waiting = ensemble.size; // no more walls
-        const std::lock_guard lock(one_at_a_time);
+    const auto stop = [&](std::exception_ptr what) { // called under the lock
+        waiting = ensemble.size;                     // no more walls
         if (!trouble) trouble = std::move(what);
     };
     const auto next = [&]() -> std::optional<NumberedWall> {
@@ -52,7 +51,13 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
     };
     const auto done = [&](std::size_t number, PushResult&& result) {
         const std::lock_guard lock(one_at_a_time);
-        if (!trouble) ensemble.done(number, std::move(result));
+        if (trouble) std::rethrow_exception(trouble); // this thread's walls are left too
+        try {
+            ensemble.done(number, std::move(result));
+        } catch (...) {
+            stop(std::current_exception()); // before another thread's turn
+            throw;
+        }
     };
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const int threads = workers.threads > 0 ? workers.threads : static_cast<int>(cores);
@@ -62,6 +67,7 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
         try {
             run(task, workers, most_lanes, next, done);
         } catch (...) {
+            const std::lock_guard lock(one_at_a_time);
             stop(std::current_exception());
         }
     };

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -264,6 +266,22 @@ TEST_CASE("ensemble: what wall() or done() throw reaches the caller and stops th
         CHECK_THROWS_WITH(c.run(threads), "full");
         CHECK(c.came == enough); // nothing is delivered after it
         CHECK(c.asked <= enough + 2 * most);
+    }
+}
+
+TEST_CASE(
+    "ensemble: nothing is delivered after done() threw, though results wait for their turn",
+    "[dem][ensemble]")
+{
+    for (int repeat = 0; repeat < 20; ++repeat) {
+        Counted c(100);
+        c.ensemble.done = [&](std::size_t, PushResult&&) {
+            ++c.came;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5)); // others queue meanwhile
+            throw std::runtime_error("full");
+        };
+        CHECK_THROWS_WITH(c.run(8), "full");
+        CHECK(c.came == 1);
     }
 }
 
