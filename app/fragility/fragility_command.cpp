@@ -11,6 +11,7 @@
 #include "app/input/text_file.hpp"
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
+#include "app/store/store_seal.hpp"
 #include "app/study/fragility_text.hpp"
 
 #include <algorithm>
@@ -89,13 +90,10 @@ DriftOptions options_of(const std::vector<std::string>& overrides)
     return {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap), 1};
 }
 
-/// HDF5 files begin with these bytes.
+/// A missing or damaged FILE.h5 is a study too: its reader says what is wrong with it.
 bool is_study(const std::string& path)
 {
-    std::ifstream in(path, std::ios::binary);
-    std::string start(8, '\0');
-    in.read(start.data(), 8);
-    return start == "\x89HDF\r\n\x1a\n" || path.ends_with(".h5");
+    return path.ends_with(".h5") || begins_as_study(path);
 }
 
 void check_columns(const Command& command, bool study)

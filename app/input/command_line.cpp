@@ -103,6 +103,24 @@ void check_out(const VerbRule& rule, const std::string& out)
     }
 }
 
+/// What would be written over a file that is read, over a study's, or over what the same run writes.
+void check_out_file(const VerbRule& rule, const Command& command)
+{
+    namespace fs = std::filesystem;
+    if (rule.out != OutKind::file) return;
+    const fs::path out = command.out;
+    const auto say = [&](const std::string& why, std::string_view extension) {
+        refuse("--out", in_quotes(command.out) + why + "; write " +
+                            in_quotes(fs::path(out).replace_extension(extension).string()));
+    };
+    std::error_code ignored;
+    if (fs::equivalent(out, command.study, ignored)) say(" is read", rule.extension);
+    if (rule.extension != ".h5" && out.extension() == ".h5")
+        say(" is the name of a study's file", rule.extension);
+    if (command.report && (!out.has_extension() || out.extension() == ".html"))
+        say(" is the name of the tables' folder or of the page", rule.extension);
+}
+
 /// Sort one option into the command; words without -- are kept apart.
 void take(const po::option& option, Command& command, std::vector<std::string>& words)
 {
@@ -220,6 +238,7 @@ void set_out(const VerbRule& rule, Command& command)
         command.out = (fs::path("runs") / fs::path(command.study).stem()).string() +
                       std::string(rule.extension);
     check_out(rule, command.out);
+    check_out_file(rule, command);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,6 +69,14 @@ void check_beginning(const fs::path& path, std::string_view beginning)
 }
 
 } // namespace
+
+bool begins_as_study(const fs::path& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    std::string beginning(kTitle.size(), '\0');
+    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    return beginning == kTitle;
+}
 
 void write_seal(const OpenFile& file, const fs::path& path)
 {

@@ -142,6 +142,9 @@ claim_tables_and_page_follow_where_asked() {
     study small --set uq.samples=5 --report # walls filmed while they are pushed, and three from before
     "$program" report "$work/small.h5" --out "$work/again.html" --quiet # all of them pushed again
     cmp "$work/small.html" "$work/again.html" || fail "another page"
+    "$program" study "$here/small.ini" --out "$work/other.hdf5" --set uq.samples=2 --report --quiet >/dev/null 2>&1 ||
+        fail "the name of a study's file need not end in .h5"
+    [[ -s $work/other/README.md && -s $work/other.html ]] || fail "no tables or page of other.hdf5"
     refused 2 "not of a shard" study part --shard 1/2 --report
     refused 2 "not of a shard" study part --slurm "$work/job.sh" --report
 }
