@@ -43,6 +43,7 @@ per_joint unit_strength unit.tensile_strength
 per_joint unit_friction unit.friction_angle
 per_joint unit_stiffness unit.stiffness_factor
 study joint/more_scatter configs/paper_spatial.ini joint.friction_angle="normal(mean 31.8 deg, cov 0.30)"
+study joint/by_course configs/paper_spatial.ini uq.spatial=correlated uq.kernel=same_course uq.group_correlation=1
 
 # As much as this geometry can carry under the lowest stress: rigid blocks on joints that hardly give.
 study rigid_limit configs/paper.ini load.vertical_stress="0.15 MPa" joint.wall_modulus="566 MPa" \

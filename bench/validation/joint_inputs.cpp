@@ -17,7 +17,8 @@ JointInputs joint_inputs(const std::filesystem::path& work)
             read("joint/unit_friction.h5"),
             read("joint/unit_stiffness.h5"),
             read("spatial.h5"),
-            read("joint/more_scatter.h5")};
+            read("joint/more_scatter.h5"),
+            read("joint/by_course.h5")};
 }
 
 app::Table joint_inputs_table(const JointInputs& inputs)
@@ -43,6 +44,7 @@ app::Table joint_inputs_table(const JointInputs& inputs)
     add("stiffness of units", inputs.unit_stiffness);
     add("all five", inputs.all);
     add("all five, friction of joints with COV 0.30 (0.20)", inputs.more_scatter);
+    add("all five, each the same along a course", inputs.by_course);
     return t;
 }
 

@@ -15,6 +15,7 @@ struct JointInputs {
     LevelStatistics joint_friction, joint_stiffness, unit_strength, unit_friction,
         unit_stiffness;
     LevelStatistics all, more_scatter; ///< all five; with COV 0.30 of the friction of joints
+    LevelStatistics by_course;         ///< all five, each the same along a course
 };
 
 /// @throws std::runtime_error naming a study that is missing

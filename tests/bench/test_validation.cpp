@@ -72,10 +72,10 @@ TEST_CASE("validation: inputs one at a time, each in its row", "[app][validation
         s.mixed.displacement_mm = {s.walls, mean - 40.0, 6.0};
         return s;
     };
-    const bench::JointInputs inputs{walls(), walls(), walls(), walls(),
+    const bench::JointInputs inputs{walls(), walls(), walls(), walls(), walls(),
                                     walls(), walls(), walls(), walls()};
     const app::Table t = bench::joint_inputs_table(inputs);
-    REQUIRE(t.rows.size() == 8);
+    REQUIRE(t.rows.size() == 9);
     CHECK(t.rows[0] ==
           std::vector<std::string>{"none: mean values, one wall", "", "60.00", "", "20.0"});
     CHECK(t.rows[1] == std::vector<std::string>{"friction of joints", "11 [6, 19]",
