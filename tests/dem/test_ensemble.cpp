@@ -253,8 +253,7 @@ TEST_CASE("ensemble: what wall() or done() throw reaches the caller and stops th
             return alone().walls[0];
         };
         CHECK_THROWS_WITH(c.run(threads), "no wall 5");
-        CHECK(c.asked <= 6 + 2 * most);
-        CHECK(c.came <= 6 + most);
+        CHECK(c.asked < static_cast<int>(many)); // other threads go on until they hear of it
     }
     SECTION("done()")
     {
