@@ -114,7 +114,8 @@ void check_out_file(const VerbRule& rule, const Command& command)
                             in_quotes(fs::path(out).replace_extension(extension).string()));
     };
     std::error_code ignored;
-    if (fs::equivalent(out, command.study, ignored)) say(" is read", rule.extension);
+    if (fs::equivalent(out, command.study, ignored))
+        say(" is the file that is read", rule.extension);
     if (rule.extension != ".h5" && out.extension() == ".h5")
         say(" is the name of a study's file", rule.extension);
     if (command.report && (!out.has_extension() || out.extension() == ".html"))

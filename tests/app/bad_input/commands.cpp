@@ -43,7 +43,7 @@ const std::vector<BadCommand> kCommands = {
     {"--out under a file", {"push", "study.ini", "--out", "study.ini/runs/a"},
         "drystone: --out: \"study.ini\" is a file; give a directory"},
     {"--out that is the study file", {"study", "study.ini", "--out", "./study.ini"},
-        "drystone: --out: \"./study.ini\" is read; write \"./study.h5\""},
+        "drystone: --out: \"./study.ini\" is the file that is read; write \"./study.h5\""},
     {"--out that would be another study", {"report", "a.h5", "--out", "b.h5"},
         "drystone: --out: \"b.h5\" is the name of a study's file; write \"b.html\""},
     {"--out that the tables need", {"study", "study.ini", "--report", "--out", "a"},
