@@ -38,10 +38,6 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
     std::atomic<std::size_t> waiting{0};
     std::mutex one_at_a_time;
     std::exception_ptr trouble;
-    const auto stop = [&](std::exception_ptr what) { // called under the lock
-        waiting = ensemble.size;                     // no more walls
-        if (!trouble) trouble = std::move(what);
-    };
     const auto next = [&]() -> std::optional<NumberedWall> {
         const std::size_t number = waiting++;
         if (number >= ensemble.size) return {};
@@ -51,11 +47,12 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
     };
     const auto done = [&](std::size_t number, PushResult&& result) {
         const std::lock_guard lock(one_at_a_time);
-        if (trouble) std::rethrow_exception(trouble); // this thread's walls are left too
+        if (trouble)
+            std::rethrow_exception(trouble); // another thread's: this one's walls are left too
         try {
             ensemble.done(number, std::move(result));
         } catch (...) {
-            stop(std::current_exception()); // before another thread's turn
+            trouble = std::current_exception(); // before another thread's turn
             throw;
         }
     };
@@ -68,7 +65,7 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
             run(task, workers, most_lanes, next, done);
         } catch (...) {
             const std::lock_guard lock(one_at_a_time);
-            stop(std::current_exception());
+            if (!trouble) trouble = std::current_exception();
         }
     };
     {

@@ -17,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1a\n"; ///< any HDF5 file without a user block
 constexpr std::string_view kTitle = "drystone study, HDF5 from byte 512\nlayout ";
 
 std::string seal_text(std::uint64_t length, std::uint32_t sum)
@@ -50,7 +51,7 @@ std::uint32_t sum_of_rest(const OpenFile& file, const fs::path& path)
 void check_beginning(const fs::path& path, std::string_view beginning)
 {
     if (beginning.empty()) refuse(path, "is empty; remove it and run the study again");
-    if (beginning.starts_with("\x89HDF\r\n"))
+    if (beginning.starts_with(kHdf5))
         refuse(path, "is an HDF5 file, but not of a study: the first 512 bytes that say so are "
                      "missing (h5repack drops them)");
     if (!beginning.starts_with(kTitle))
@@ -75,7 +76,7 @@ bool begins_as_study(const fs::path& path)
     std::ifstream in(path, std::ios::binary);
     std::string beginning(kTitle.size(), '\0');
     in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-    return beginning == kTitle;
+    return beginning == kTitle || beginning.starts_with(kHdf5);
 }
 
 void write_seal(const OpenFile& file, const fs::path& path)

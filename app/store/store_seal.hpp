@@ -15,7 +15,8 @@ constexpr std::uint64_t kSealBytes = 512; ///< the least user block of HDF5
 /// Sums bytes 512 to the end and writes the seal. Throws StoreError.
 void write_seal(const OpenFile& file, const std::filesystem::path& path);
 
-/// Whether the file begins as a study's, damaged or not.
+/// Whether the file begins as a study's, damaged or not, or as another HDF5 file: what
+/// check_seal() has something to say about.
 [[nodiscard]] bool begins_as_study(const std::filesystem::path& path);
 
 /// Throws StoreError if the file is not as it was sealed: another layout, damaged, cut, changed by

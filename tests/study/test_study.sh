@@ -145,6 +145,8 @@ claim_tables_and_page_follow_where_asked() {
     "$program" study "$here/small.ini" --out "$work/other.hdf5" --set uq.samples=2 --report --quiet >/dev/null 2>&1 ||
         fail "the name of a study's file need not end in .h5"
     [[ -s $work/other/README.md && -s $work/other.html ]] || fail "no tables or page of other.hdf5"
+    tail -c +513 "$work/other.hdf5" >"$work/foreign.hdf5" # as h5repack leaves it
+    refused 1 "not of a study" "$program" fragility "$work/foreign.hdf5"
     refused 2 "not of a shard" study part --shard 1/2 --report
     refused 2 "not of a shard" study part --slurm "$work/job.sh" --report
 }
