@@ -1,8 +1,8 @@
 #include "app/report/report_replay.hpp"
 
+#include "app/sampling/wall_draw.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/study/study_columns.hpp"
-#include "app/study/wall_draw.hpp"
 #include "app/study/wall_frames.hpp"
 #include "dem/ensemble.hpp"
 

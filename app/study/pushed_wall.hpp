@@ -2,7 +2,7 @@
 /// One wall pushed, and what an engineer reads off it.
 
 #include "app/input/study.hpp"
-#include "app/study/wall_draw.hpp"
+#include "app/sampling/wall_draw.hpp"
 #include "dem/mechanism.hpp"
 #include "dem/push.hpp"
 #include "fragility/limit_states.hpp"

@@ -3,7 +3,7 @@
 #include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"
-#include "app/study/sample_plan.hpp"
+#include "app/sampling/sample_plan.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "dem/layout.hpp"

@@ -2,7 +2,7 @@
 
 #include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
-#include "app/study/sample_plan.hpp"
+#include "app/sampling/sample_plan.hpp"
 #include "app/study/shard_script.hpp"
 #include "app/study/study_file_head.hpp"
 #include "dem/ensemble.hpp"

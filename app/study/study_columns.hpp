@@ -1,10 +1,10 @@
 #pragma once
 /// What a study keeps of a wall: names of the numbers, and the row of one wall.
 
+#include "app/sampling/sample_plan.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
 #include "app/study/pushed_wall.hpp"
-#include "app/study/sample_plan.hpp"
 
 #include <cstdint>
 #include <string_view>

@@ -2,8 +2,8 @@
 /// The head of the file of a study.
 
 #include "app/input/study.hpp"
+#include "app/sampling/sample_plan.hpp"
 #include "app/store/store_head.hpp"
-#include "app/study/sample_plan.hpp"
 
 #include <cstdint>
 #include <filesystem>

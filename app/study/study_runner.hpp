@@ -3,8 +3,8 @@
 
 #include "app/input/command_line.hpp"
 #include "app/input/study.hpp"
+#include "app/sampling/sample_plan.hpp"
 #include "app/store/store.hpp"
-#include "app/study/sample_plan.hpp"
 #include "app/study/wall_frames.hpp"
 #include "dem/model.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
+#include "app/sampling/sample_plan.hpp"
 #include "app/store/store_reader.hpp"
-#include "app/study/sample_plan.hpp"
 #include "app/study/study_file_head.hpp"
 #include "dem/layout.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "app/input/command_line.hpp"
 #include "app/input/study.hpp"
-#include "app/study/wall_draw.hpp"
+#include "app/sampling/wall_draw.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "app/input/config_error.hpp"
-#include "app/study/reliability_answer.hpp"
-#include "app/study/reliability_problem.hpp"
+#include "app/reliability/event.hpp"
+#include "app/reliability/methods.hpp"
 #include "app/study_scenes.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/input/config_error.hpp"
-#include "app/study/sample_plan.hpp"
+#include "app/sampling/sample_plan.hpp"
+#include "app/sampling/wall_sites.hpp"
 #include "app/study/study_identity.hpp"
-#include "app/study/wall_sites.hpp"
 #include "app/study_scenes.hpp"
 #include "dem/layout.hpp"
 

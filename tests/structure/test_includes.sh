@@ -16,10 +16,12 @@ declare -A knows=(
     [app/store]=""
     [app/input]="dem fragility uq/marginals uq/designs"
     [app/output]="dem fragility app/input"
-    [app/study]="dem fragility uq/ app app/store app/input app/output"
-    [app/push]="dem fragility app app/store app/input app/output app/study"
-    [app/report]="dem fragility uq/ app app/store app/input app/output app/study"
-    [app/fragility]="dem fragility uq/ app app/store app/input app/output app/study"
+    [app/sampling]="dem uq/ app/input"
+    [app/study]="dem fragility uq/ app app/store app/input app/output app/sampling"
+    [app/reliability]="dem fragility uq/ app app/input app/output app/store app/sampling app/study"
+    [app/push]="dem fragility app app/store app/input app/output app/sampling app/study"
+    [app/report]="dem fragility uq/ app app/store app/input app/output app/sampling app/study"
+    [app/fragility]="dem fragility uq/ app app/store app/input app/output app/sampling app/study"
 )
 
 broken=0

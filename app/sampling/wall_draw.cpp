@@ -1,4 +1,4 @@
-#include "app/study/wall_draw.hpp"
+#include "app/sampling/wall_draw.hpp"
 
 #include "app/input/study_keys.hpp"
 

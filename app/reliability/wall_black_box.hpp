@@ -2,7 +2,7 @@
 /// The wall of a study as a black box: random values in, responses out.
 
 #include "app/input/study.hpp"
-#include "app/study/sample_plan.hpp"
+#include "app/sampling/sample_plan.hpp"
 #include "uq/reliability/black_box.hpp"
 #include "uq/reliability/limit_state.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/study/wall_model.hpp"
+#include "app/reliability/wall_black_box.hpp"
 
 #include "app/study/pushed_wall.hpp"
 #include "dem/ensemble.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// The methods of uq/ applied to a problem, and what they found in one form.
 
-#include "app/study/reliability_problem.hpp"
+#include "app/reliability/event.hpp"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 /// From a study to the random values of each of its walls.
 
 #include "app/input/study.hpp"
-#include "app/study/wall_draw.hpp"
+#include "app/sampling/wall_draw.hpp"
 #include "uq/designs/stream.hpp"
 #include "uq/fields/field_basis.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/study/wall_sites.hpp"
+#include "app/sampling/wall_sites.hpp"
 
 namespace app {
 namespace {

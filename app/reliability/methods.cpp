@@ -1,4 +1,4 @@
-#include "app/study/reliability_answer.hpp"
+#include "app/reliability/methods.hpp"
 
 #include "uq/reliability/crude_monte_carlo.hpp"
 #include "uq/reliability/exceedance.hpp"

@@ -2,7 +2,7 @@
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
-#include "app/study/reliability_problem.hpp"
+#include "app/reliability/event.hpp"
 #include "uq/designs/inputs.hpp"
 #include "uq/reliability/external_program.hpp"
 

@@ -1,9 +1,9 @@
-#include "app/study/reliability_command.hpp"
+#include "app/reliability/reliability_command.hpp"
 
 #include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"
-#include "app/study/reliability_answer.hpp"
+#include "app/reliability/methods.hpp"
 #include "app/study/wanted_walls.hpp"
 
 #include <gsl/gsl_cdf.h>

@@ -1,9 +1,9 @@
 #include "app/input/number_text.hpp"
 #include "app/input/units.hpp"
-#include "app/study/reliability_problem.hpp"
-#include "app/study/sample_plan.hpp"
+#include "app/reliability/event.hpp"
+#include "app/reliability/wall_black_box.hpp"
+#include "app/sampling/sample_plan.hpp"
 #include "app/study/study_columns.hpp"
-#include "app/study/wall_model.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "dem/layout.hpp"
 

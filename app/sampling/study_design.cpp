@@ -1,4 +1,4 @@
-#include "app/study/study_design.hpp"
+#include "app/sampling/study_design.hpp"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "app/study/study_kernel.hpp"
+#include "app/sampling/study_kernel.hpp"
 
 namespace app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/study/study_dependence.hpp"
+#include "app/sampling/study_dependence.hpp"
 
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
