@@ -4,7 +4,7 @@
 #include "app/fragility/fragility_data.hpp"
 #include "app/fragility/fragility_output.hpp"
 #include "app/fragility/study_walls.hpp"
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 
 namespace app {
 

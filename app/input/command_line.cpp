@@ -1,8 +1,7 @@
 #include "app/input/command_line.hpp"
 
-#include "app/input/command_options.hpp"
 #include "app/input/config_error.hpp"
-#include "app/input/number_text.hpp"
+#include "app/input/option.hpp"
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
 
@@ -10,14 +9,13 @@
 #include <boost/program_options/parsers.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <filesystem>
 #include <system_error>
 
 namespace app {
 namespace {
 
+namespace fs = std::filesystem;
 namespace po = boost::program_options;
 
 [[noreturn]] void refuse(std::string_view what, const std::string& why)
@@ -25,21 +23,21 @@ namespace po = boost::program_options;
     throw ConfigError("drystone", 0, what, why);
 }
 
-[[noreturn]] void refuse_unknown_option(const std::string& token)
+[[noreturn]] void refuse_unknown_option(const std::string& token, const Verb* verb)
 {
     std::vector<std::string> names;
-    const po::options_description all = command_options();
-    for (const auto& option : all.options()) names.push_back("--" + option->long_name());
+    for (const Option& o : options())
+        if (verb == nullptr || takes(*verb, o)) names.push_back("--" + o.name);
     const std::vector<std::string_view> views(names.begin(), names.end());
     const std::string name = token.substr(0, token.find('='));
     refuse(name, "unknown option; " + suggestion(name, views));
 }
 
-/// Boost splits the arguments; what it refuses is said in our words.
+/// Boost divides the arguments; what it refuses is said in our words.
 std::vector<po::option> split(const std::vector<std::string>& arguments)
 {
     namespace style = po::command_line_style;
-    const po::options_description all = command_options();
+    const po::options_description all = described(nullptr);
     try {
         return po::command_line_parser(arguments)
             .options(all)
@@ -54,45 +52,82 @@ std::vector<po::option> split(const std::vector<std::string>& arguments)
     }
 }
 
-int parse_whole(const std::string& option, const std::string& text, double least, double most)
+const Verb& known_verb(std::span<const Verb> verbs, const std::string& word)
 {
-    double n = 0.0;
+    if (const Verb* verb = find_verb(verbs, word)) return *verb;
+    std::vector<std::string_view> names;
+    for (const Verb& v : verbs) names.push_back(v.name);
+    refuse(word, "unknown verb; " + suggestion(word, names));
+}
+
+void apply(const Option& option, const po::option& given, Command& command)
+{
+    const std::string name = "--" + option.name;
+    const bool next_option =
+        given.original_tokens.size() > 1 && given.value.front().starts_with("--");
+    if (next_option) refuse(name, "missing value; write one after it");
     try {
-        n = parse_count(text);
+        option.apply(command, given.value.empty() ? "" : given.value.front());
     } catch (const BadValue& bad) {
-        refuse(option, bad.what());
+        refuse(name, bad.what());
     }
-    if (n < least || n > most)
-        refuse(option, in_quotes(text) + " is out of range; must be in [" + number(least, 12) +
-                           ", " + number(most, 12) + "]");
-    return static_cast<int>(n);
 }
 
-constexpr double kMostShards = 100'000;
-
-Shard parse_shard(const std::string& text)
+/// Options whose `apply` is missing ask for another verb; see asked_verb.
+void apply_all(const Verb& verb, const std::vector<po::option>& given, Command& command)
 {
-    const std::size_t slash = text.find('/');
-    if (slash == std::string::npos)
-        refuse("--shard", in_quotes(text) + " is not a part of a whole; write e.g. \"3/16\"");
-    Shard s;
-    s.count = parse_whole("--shard", text.substr(slash + 1), 1, kMostShards);
-    if (text.substr(0, slash) != "*")
-        s.index = parse_whole("--shard", text.substr(0, slash), 1, s.count) - 1;
-    return s;
+    for (auto g = given.begin(); g != given.end(); ++g) {
+        const Option* option = find_option(g->string_key);
+        if (g->string_key.empty() || option->apply == nullptr) continue;
+        const bool twice = std::any_of(given.begin(), g, [&](const po::option& before) {
+            return before.string_key == option->name;
+        });
+        if (twice && !option->repeats)
+            refuse("--" + option->name, "given twice; keep one of them");
+        apply(*option, *g, command);
+        if (!takes(verb, *option))
+            refuse("--" + option->name,
+                   "not an option of " + std::string(verb.name) + "; leave it out");
+    }
 }
 
-/// Folders on the way are made by who writes into them.
-void check_out(const VerbRule& rule, const std::string& out)
+/// The verb that is written, or help or version where an option asks for them.
+const Verb& asked_verb(std::span<const Verb> verbs, const std::vector<po::option>& given,
+                       std::vector<std::string>& words)
 {
-    namespace fs = std::filesystem;
+    for (const char* const name : {"help", "version"}) {
+        const bool asked = std::any_of(given.begin(), given.end(),
+                                       [&](const auto& g) { return g.string_key == name; });
+        if (!asked) continue;
+        words.resize(std::min<std::size_t>(words.size(), name == std::string("help") ? 1 : 0));
+        return known_verb(verbs, name);
+    }
+    if (words.empty())
+        refuse("", "missing verb; write \"drystone push STUDY.ini\", or \"drystone help\"");
+    const Verb& verb = known_verb(verbs, words.front());
+    words.erase(words.begin());
+    return verb;
+}
+
+void check_words(const Verb& verb, const std::vector<std::string>& words)
+{
+    if (words.size() < verb.least)
+        refuse(verb.name, "missing " + std::string(verb.words) + "; write \"" +
+                              std::string(verb.example) + "\"");
+    if (words.size() > verb.most)
+        refuse(in_quotes(words[verb.most]), "unexpected argument; leave it out");
+}
+
+/// Missing folders on the way are made when the first file is written into them.
+void check_out(const Verb& verb, const std::string& out)
+{
     std::error_code ignored;
     fs::path path = fs::path(out).lexically_normal();
-    if (rule.out != OutKind::folder) {
+    if (verb.out != OutKind::folder) {
         if (fs::is_directory(path, ignored))
             refuse("--out",
                    in_quotes(out) + " is a directory; give a file, such as " +
-                       in_quotes((path / "name").string() + std::string(rule.extension)));
+                       in_quotes((path / "name").string() + std::string(verb.extension)));
         path = path.parent_path();
     }
     while (!path.empty() && !fs::exists(path, ignored) && path != path.parent_path()) {
@@ -103,11 +138,9 @@ void check_out(const VerbRule& rule, const std::string& out)
     }
 }
 
-/// What would be written over a file that is read, over a study's, or over what the same run writes.
-void check_out_file(const VerbRule& rule, const Command& command)
+/// Refuses a name whose file is read, belongs to a study, or is written by the same run.
+void check_out_file(const Verb& verb, const Command& command)
 {
-    namespace fs = std::filesystem;
-    if (rule.out != OutKind::file) return;
     const fs::path out = command.out;
     const auto say = [&](const std::string& why, std::string_view extension) {
         refuse("--out", in_quotes(command.out) + why + "; write " +
@@ -115,159 +148,74 @@ void check_out_file(const VerbRule& rule, const Command& command)
     };
     std::error_code ignored;
     if (fs::equivalent(out, command.study, ignored))
-        say(" is the file that is read", rule.extension);
-    if (rule.extension != ".h5" && out.extension() == ".h5")
-        say(" is the name of a study's file", rule.extension);
+        say(" is the file that is read", verb.extension);
+    if (verb.extension != ".h5" && out.extension() == ".h5")
+        say(" is the name of a study's file", verb.extension);
     if (command.report && (!out.has_extension() || out.extension() == ".html"))
-        say(" is the name of the tables' folder or of the page", rule.extension);
+        say(" is the name of the tables' folder or of the page", verb.extension);
 }
 
-/// Sort one option into the command; words without -- are kept apart.
-void take(const po::option& option, Command& command, std::vector<std::string>& words)
+/// A folder of results may hold a file named like the one that is read, and would replace it.
+void check_out_folder(const Command& command)
 {
-    if (option.unregistered) refuse_unknown_option(option.original_tokens.front());
-    const bool next_option =
-        option.original_tokens.size() > 1 && option.value.front().starts_with("--");
-    if (next_option) refuse("--" + option.string_key, "missing value; write one after it");
-    const std::string& name = option.string_key;
-    if (name.empty()) {
-        words.push_back(option.value.front());
-    } else if (name == "set") {
-        command.overrides.push_back(option.value.front());
-    } else if (name == "out") {
-        command.out = option.value.front();
-        if (command.out.empty()) refuse("--out", "missing value; write one after it");
-    } else if (name == "threads") {
-        command.threads = parse_whole("--threads", option.value.front(), 1, 1024);
-    } else if (name == "sample") {
-        command.sample = parse_whole("--sample", option.value.front(), 0, 1e9);
-    } else if (name == "level") {
-        command.level = option.value.front();
-    } else if (name == "shard") {
-        command.shard = parse_shard(option.value.front());
-    } else if (name == "slurm") {
-        command.script = option.value.front();
-    } else if (name == "quiet") {
-        command.quiet = true;
-    } else if (name == "rerun-failed") {
-        command.rerun_failed = true;
-    } else if (name == "report") {
-        command.report = true;
-    } else if (name == "drift") {
-        command.drift.push_back(option.value.front());
-    } else if (name == "censored") {
-        command.censored = option.value.front();
-    } else if (name == "group") {
-        command.group = option.value.front();
-    } else if (name == "partial") {
-        command.partial = true;
-    } else if (name == "walls") {
-        command.walls = parse_whole("--walls", option.value.front(), 0, 1e6);
-    }
+    const fs::path study = command.study;
+    const fs::path folder = study.has_parent_path() ? study.parent_path() : fs::path(".");
+    std::error_code ignored;
+    if (study.extension() != ".h5" && fs::equivalent(folder, command.out, ignored))
+        refuse("--out", in_quotes(command.out) +
+                            " is the folder of the file that is read, which could be "
+                            "overwritten; give another folder");
 }
 
-void refuse_doubled(const std::vector<po::option>& given)
+void set_out(const Verb& verb, Command& command)
 {
-    for (const char* const name : {"out", "threads", "sample", "level", "shard", "slurm",
-                                   "walls", "censored", "group"}) {
-        const auto times = std::count_if(given.begin(), given.end(), [&](const po::option& o) {
-            return o.string_key == name;
-        });
-        if (times > 1) refuse("--" + std::string(name), "given twice; keep one of them");
-    }
-}
-
-bool has(const std::vector<po::option>& given, const char* name)
-{
-    return std::any_of(given.begin(), given.end(),
-                       [&](const po::option& o) { return o.string_key == name; });
-}
-
-std::string known_verb(const std::string& word)
-{
-    if (word == "help" || word == "version" || find_verb(word) != nullptr) return word;
-    std::vector<std::string_view> names;
-    for (const VerbRule& r : verb_rules()) names.push_back(r.name);
-    names.insert(names.end(), {"help", "version"});
-    refuse(word, "unknown verb; " + suggestion(word, names));
-}
-
-[[noreturn]] void refuse_extra(const std::string& word)
-{
-    refuse(in_quotes(word), "one word too many; leave it out");
-}
-
-void read_verb_words(const VerbRule& rule, const std::vector<std::string>& words,
-                     Command& command)
-{
-    command.verb = rule.verb;
-    command.words.assign(words.begin() + 1, words.end());
-    if (command.words.size() < rule.least)
-        refuse(rule.name, "missing " + std::string(rule.words) + "; write \"" +
-                              std::string(rule.example) + "\"");
-    if (command.words.size() > rule.most) refuse_extra(command.words[rule.most]);
-    command.study = command.words.front();
-}
-
-/// VERB and what follows it.
-void read_words(const std::vector<std::string>& words, Command& command)
-{
-    if (words.empty()) {
-        refuse("", "missing verb; write \"drystone push STUDY.ini\", or \"drystone help\"");
-    }
-    const std::string verb = known_verb(words.front());
-    if (const VerbRule* rule = find_verb(verb)) return read_verb_words(*rule, words, command);
-    const std::size_t most = verb == "version" ? 1 : 2;
-    if (words.size() > most) refuse_extra(words[most]);
-    command.verb = verb == "version" ? Verb::version : Verb::help;
-    if (words.size() == 2) command.topic = known_verb(words[1]);
-}
-
-void refuse_foreign(const VerbRule& rule, const std::vector<po::option>& given)
-{
-    for (const po::option& o : given)
-        if (!o.string_key.empty() && !takes(rule, o.string_key))
-            refuse("--" + o.string_key,
-                   "not an option of " + std::string(rule.name) + "; leave it out");
-}
-
-void set_out(const VerbRule& rule, Command& command)
-{
-    namespace fs = std::filesystem;
-    if (rule.out == OutKind::first_word) command.out = command.words.front();
+    if (verb.out == OutKind::none) return;
+    if (verb.out == OutKind::first_word) command.out = command.words.front();
     if (command.out.empty())
         command.out = (fs::path("runs") / fs::path(command.study).stem()).string() +
-                      std::string(rule.extension);
-    check_out(rule, command.out);
-    check_out_file(rule, command);
+                      std::string(verb.extension);
+    check_out(verb, command.out);
+    if (verb.out == OutKind::file) check_out_file(verb, command);
+    if (verb.out == OutKind::folder) check_out_folder(command);
+}
+
+void check_study_options(const Command& command)
+{
+    const bool script = !command.script.empty();
+    if (command.report && (command.shard.count > 1 || script))
+        refuse("--report",
+               "a shard has no report; merge the shards, then run fragility and report");
+    std::error_code ignored;
+    if (script && fs::equivalent(command.script, command.study, ignored))
+        refuse("--slurm", in_quotes(command.script) +
+                              " is the file that is read; give the script another name");
+    if (script && command.rerun_failed)
+        refuse("--rerun-failed", "not an option of --slurm; leave it out");
 }
 
 } // namespace
 
-Command parse_command_line(const std::vector<std::string>& arguments)
+Command parse_command_line(std::span<const Verb> verbs,
+                           const std::vector<std::string>& arguments)
 {
+    const std::vector<po::option> given = split(arguments);
     Command command;
     command.threads = default_threads();
-    std::vector<std::string> words;
-    const std::vector<po::option> given = split(arguments);
-    refuse_doubled(given);
-    for (const po::option& option : given) take(option, command, words);
-
-    if (has(given, "help")) {
-        if (!words.empty()) command.topic = known_verb(words.front());
-        return command;
-    }
-    if (has(given, "version")) {
-        command.verb = Verb::version;
-        return command;
-    }
-    read_words(words, command);
-    if (command.verb == Verb::help || command.verb == Verb::version) return command;
-    const VerbRule& rule = rule_of(command.verb);
-    refuse_foreign(rule, given);
-    if (command.report && (command.shard.count > 1 || !command.script.empty()))
-        refuse("--report", "not of a shard; merge the shards, then run fragility and report");
-    set_out(rule, command);
+    for (const po::option& g : given)
+        if (g.string_key.empty() && !g.unregistered) command.words.push_back(g.value.front());
+    for (const po::option& g : given)
+        if (g.unregistered)
+            refuse_unknown_option(
+                g.original_tokens.front(),
+                command.words.empty() ? nullptr : find_verb(verbs, command.words.front()));
+    const Verb& verb = asked_verb(verbs, given, command.words);
+    command.verb = &verb;
+    check_words(verb, command.words);
+    if (verb.out == OutKind::none) return command;
+    command.study = command.words.front();
+    apply_all(verb, given, command);
+    check_study_options(command);
+    set_out(verb, command);
     return command;
 }
 

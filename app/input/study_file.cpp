@@ -3,9 +3,6 @@
 #include "app/input/text_file.hpp"
 #include "app/input/words.hpp"
 
-#include <boost/program_options/options_description.hpp>
-#include <boost/program_options/parsers.hpp>
-
 #include <algorithm>
 #include <sstream>
 
@@ -24,10 +21,10 @@ std::string_view without_comment(std::string_view line)
     return trimmed(line.substr(0, line.find('#')));
 }
 
-/// Boost says neither the line of a value nor what is wrong with a line: both are found here.
-class LineCheck {
+/// Reads one line after the other into the entries and sections of a file.
+class LineReader {
   public:
-    explicit LineCheck(StudyFile& file) : file_(file) {}
+    explicit LineReader(StudyFile& file) : file_(file) {}
 
     void next(std::string_view raw)
     {
@@ -76,7 +73,7 @@ class LineCheck {
             refuse(key, "given twice, first on line " + std::to_string(first->line) +
                             "; keep one of them");
         }
-        file_.entries.push_back({key, "", line_}); // its value is Boost's to read
+        file_.entries.push_back({key, std::string(value), line_});
     }
 
     StudyFile& file_;
@@ -93,18 +90,12 @@ StudyFile parse_study_text(const std::string& path, std::string_view text)
         throw ConfigError(path, 0, "", "is not UTF-8 text; save the study as plain text");
     }
     StudyFile file{path, {}, {}, 0};
-    LineCheck check(file);
+    LineReader reader(file);
     std::istringstream lines{std::string(text)};
-    for (std::string line; std::getline(lines, line); ++file.last_line) check.next(line);
+    for (std::string line; std::getline(lines, line); ++file.last_line) reader.next(line);
     if (file.entries.empty()) {
         throw ConfigError(path, std::max(1, file.last_line), "",
                           "no key in the file; configs/wall.ini shows a complete study");
-    }
-    namespace po = boost::program_options;
-    std::istringstream input{std::string(text)};
-    const auto parsed = po::parse_config_file(input, po::options_description(), true);
-    for (std::size_t i = 0; i < file.entries.size(); ++i) {
-        file.entries[i].value = parsed.options.at(i).value.at(0);
     }
     return file;
 }
@@ -131,6 +122,11 @@ StudyFile with_overrides(StudyFile file, std::span<const std::string> assignment
         const std::string value(trimmed(std::string_view(text).substr(equals + 1)));
         if (value.empty()) {
             throw ConfigError("--set", 0, key, "empty value; write one after the =");
+        }
+        if (value.find_first_of("#\n\r") != std::string::npos) {
+            throw ConfigError("--set", 0, key,
+                              in_quotes(value) + " has a # or a line break, which a study file "
+                                                 "cannot keep in a value; leave it out");
         }
         const auto given = std::find_if(file.entries.begin(), file.entries.end(),
                                         [&](const Entry& e) { return e.key == key; });

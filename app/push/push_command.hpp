@@ -1,7 +1,7 @@
 #pragma once
 /// `drystone push`: every stress level of a study file, one wall each.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The event whose probability is sought, ready for the methods of uq/.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 #include "app/input/study.hpp"
 #include "uq/reliability/limit_state.hpp"
 #include "uq/reliability/multi_fidelity.hpp"

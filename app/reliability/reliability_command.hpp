@@ -1,7 +1,7 @@
 #pragma once
 /// `drystone reliability`: the probability of an event, with its doubt and what it depends on.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 
 namespace app {
 

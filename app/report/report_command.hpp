@@ -1,7 +1,7 @@
 #pragma once
 /// `drystone report`: one page from a study's file.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 #include "app/report/film_shelf.hpp"
 
 namespace app {

@@ -1,7 +1,7 @@
 #pragma once
 /// `drystone curves`: all capacity curves of a study as one CSV.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// `drystone merge`: shards of one study into one file.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// `drystone sample`: the samples of a study as a table, without running a wall.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// A job array for Slurm that runs the shards of a study and merges them.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// `drystone study STUDY.ini --slurm FILE`: a job array instead of a run.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 #include "app/input/study.hpp"
 
 namespace app {

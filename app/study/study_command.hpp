@@ -1,7 +1,7 @@
 #pragma once
 /// `drystone study`: all walls of a study into one file.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 #include "app/study/wall_frames.hpp"
 
 namespace app {

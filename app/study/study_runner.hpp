@@ -1,7 +1,7 @@
 #pragma once
 /// Runs the walls of a study that its file does not have yet.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 #include "app/input/study.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store.hpp"

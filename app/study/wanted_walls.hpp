@@ -1,7 +1,7 @@
 #pragma once
 /// Which walls a push is asked for.
 
-#include "app/input/command_line.hpp"
+#include "app/input/command.hpp"
 #include "app/input/study.hpp"
 #include "app/sampling/wall_draw.hpp"
 

@@ -11,4 +11,4 @@ drystone_tests(app_fragility
         app/test_fragility_study.cpp
         app/test_fragility_text.cpp
         fragility/test_user_limit_states.cpp
-    LIBRARIES drystone_app_fragility nlohmann_json::nlohmann_json)
+    LIBRARIES drystone_app_fragility drystone_app_verbs nlohmann_json::nlohmann_json)

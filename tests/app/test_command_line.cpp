@@ -1,16 +1,30 @@
 #include "app/input/command_line.hpp"
 
 #include "app/input/number_text.hpp"
+#include "app/input/option.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/verbs.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
-using app::parse_command_line;
-using app::Verb;
 using Words = std::vector<std::string>;
+
+namespace {
+
+app::Command parse(const Words& words) { return app::parse_command_line(app::verbs(), words); }
+
+std::string help(const char* verb) { return app::help_text(app::verbs(), verb); }
+
+bool has(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
 
 TEST_CASE("command line: a push takes its study, output directory and options in any order",
           "[app][command_line]")
@@ -20,8 +34,8 @@ TEST_CASE("command line: a push takes its study, output directory and options in
                        "--set=load.height=1 m", "--threads", "3", "--quiet"},
                  Words{"--quiet", "--threads=3", "push", "--set", "wall.courses=9",
                        "a/wall.ini", "--set", "load.height=1 m", "--out=runs/x"});
-    const app::Command command = parse_command_line(words);
-    CHECK(command.verb == Verb::push);
+    const app::Command command = parse(words);
+    CHECK(command.verb->name == "push");
     CHECK(command.study == "a/wall.ini");
     CHECK(command.out == "runs/x");
     CHECK(command.overrides == Words{"wall.courses=9", "load.height=1 m"});
@@ -31,7 +45,7 @@ TEST_CASE("command line: a push takes its study, output directory and options in
 
 TEST_CASE("command line: what is not said has a default", "[app][command_line]")
 {
-    const app::Command command = parse_command_line({"push", "configs/wall.ini"});
+    const app::Command command = parse({"push", "configs/wall.ini"});
     CHECK(command.out == "runs/wall");
     CHECK(command.overrides.empty());
     CHECK(command.threads >= 1);
@@ -40,29 +54,51 @@ TEST_CASE("command line: what is not said has a default", "[app][command_line]")
 
 TEST_CASE("command line: help and version are verbs and options", "[app][command_line]")
 {
-    CHECK(parse_command_line({"help"}).verb == Verb::help);
-    CHECK(parse_command_line({"--help"}).verb == Verb::help);
-    CHECK(parse_command_line({"-h"}).topic.empty());
-    CHECK(parse_command_line({"version"}).verb == Verb::version);
-    CHECK(parse_command_line({"--version"}).verb == Verb::version);
+    CHECK(parse({"help"}).verb->name == "help");
+    CHECK(parse({"--help"}).verb->name == "help");
+    CHECK(parse({"-h"}).words.empty());
+    CHECK(parse({"version"}).verb->name == "version");
+    CHECK(parse({"--version"}).verb->name == "version");
     const Words words = GENERATE(Words{"push", "--help"}, Words{"--help", "push"},
                                  Words{"help", "push"}, Words{"push", "wall.ini", "-h"});
-    CHECK(parse_command_line(words).verb == Verb::help);
-    CHECK(parse_command_line(words).topic == "push");
+    CHECK(parse(words).verb->name == "help");
+    CHECK(parse(words).words == Words{"push"});
 }
 
-TEST_CASE("command line: the help of push lists every key of a study with its true default",
+TEST_CASE("command line: the help of a verb lists the keys that it reads, with true defaults",
           "[app][command_line]")
 {
-    const std::string help = app::help_text("push");
-    for (const app::Key& key : app::study_keys()) {
-        INFO(key.name);
-        CHECK(help.find("\n  " + std::string(app::name_in_section(key.name)) + " ") !=
-              std::string::npos);
-        CHECK(help.find("\n      " + std::string(key.meaning) + "\n") != std::string::npos);
-    }
+    for (const app::Verb& verb : app::verbs())
+        for (const app::Key& key : app::study_keys()) {
+            INFO(verb.name << ": " << key.name);
+            const bool reads = app::is_listed(app::section_of(key.name), verb.sections);
+            CHECK(has(help(verb.name.data()), "\n      " + std::string(key.meaning) + "\n") ==
+                  reads);
+        }
     const std::string steps = app::number(dem::SolverOptions{}.steps_per_mm, 12);
-    CHECK(help.find("steps_per_mm              " + steps + " ") != std::string::npos);
-    CHECK(help.find("max_displacement          30 mm ") != std::string::npos);
-    CHECK(app::help_text("").find("[solver]") == std::string::npos);
+    CHECK(has(help("push"), "steps_per_mm              " + steps + " "));
+    CHECK(has(help("push"), "max_displacement          30 mm "));
+    CHECK_FALSE(has(help(""), "[solver]"));
+}
+
+TEST_CASE("command line: the help of a verb lists its options and no others",
+          "[app][command_line]")
+{
+    for (const app::Verb& verb : app::verbs())
+        for (const app::Option& option : app::options()) {
+            INFO(verb.name << " --" << option.name);
+            CHECK(has(help(verb.name.data()), "--" + option.name + " ") ==
+                  app::takes(verb, option));
+        }
+}
+
+TEST_CASE("command line: the verbs that an option names are verbs", "[app][command_line]")
+{
+    for (const app::Option& option : app::options()) {
+        std::istringstream verbs(option.verbs);
+        for (std::string name; verbs >> name;) {
+            INFO("--" << option.name);
+            CHECK(app::find_verb(app::verbs(), name) != nullptr);
+        }
+    }
 }

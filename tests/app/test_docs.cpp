@@ -4,6 +4,7 @@
 
 #include "app/input/command_line.hpp"
 #include "app/input/study.hpp"
+#include "app/verbs.hpp"
 #include "scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
@@ -122,7 +123,7 @@ TEST_CASE("docs: every command of every page is one, and its study reads", "[app
             const std::vector<std::string> all = words(line);
             if (all.front() == "test" || all.back() == "--help") continue;
             app::Command command;
-            REQUIRE_NOTHROW(command = app::parse_command_line(all));
+            REQUIRE_NOTHROW(command = app::parse_command_line(app::verbs(), all));
             if (!command.study.starts_with("configs/")) continue;
             const std::string study = (kRoot / command.study).string();
             CHECK_NOTHROW(app::read_study(

@@ -1,6 +1,7 @@
 #include "app/fragility/fragility_command.hpp"
 
 #include "app/fragility/study_walls.hpp"
+#include "app/input/command_line.hpp"
 #include "app/input/config_error.hpp"
 #include "app/store/store.hpp"
 #include "app/store/store_reader.hpp"
@@ -8,6 +9,7 @@
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_runner.hpp"
 #include "app/study_scenes.hpp"
+#include "app/verbs.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
@@ -48,7 +50,7 @@ void run_study(const fs::path& path, std::size_t walls, std::uint32_t shards = 1
 
 int run(const std::vector<std::string>& arguments)
 {
-    return app::fragility_command(app::parse_command_line(arguments));
+    return app::fragility_command(app::parse_command_line(app::verbs(), arguments));
 }
 
 } // namespace

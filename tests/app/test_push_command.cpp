@@ -27,7 +27,6 @@ Written push(const std::string& study, const fs::path& out, std::vector<std::str
              int threads = 1)
 {
     app::Command command;
-    command.verb = app::Verb::push;
     command.study = std::string(DRYSTONE_SOURCE_DIR) + "/configs/" + study;
     command.out = out.string();
     command.overrides = std::move(overrides);

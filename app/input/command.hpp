@@ -1,0 +1,37 @@
+#pragma once
+/// What one command line asks for.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct Verb;
+
+/// Part `index` (from 0) of a study that is divided into `count` parts.
+struct Shard {
+    int index = 0, count = 1;
+};
+
+struct Command {
+    const Verb* verb = nullptr;
+    std::vector<std::string> words;     ///< all words after the verb
+    std::string study;                  ///< the first of them: the file that is read
+    std::string out;                    ///< output directory or file; it may not exist yet
+    std::vector<std::string> overrides; ///< section.key=value, in order
+    int threads = 1;                    ///< >= 1
+    bool quiet = false;                 ///< no progress is shown
+    std::optional<int> sample;          ///< one wall of a study, >= 0
+    std::string level; ///< the vertical stress as written; empty: the study has only one
+    Shard shard;
+    std::string script;             ///< a job array is written to this file, nothing is run
+    bool rerun_failed = false;      ///< failed walls are run again
+    bool report = false;            ///< tables and page follow the study
+    bool partial = false;           ///< shards are merged although walls are missing
+    std::vector<std::string> drift; ///< columns of a table
+    std::string censored, group;    ///< columns of a table; empty: none
+    std::optional<int> walls;       ///< number of walls that a page shows, >= 0
+};
+
+} // namespace app

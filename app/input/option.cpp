@@ -1,0 +1,135 @@
+#include "app/input/option.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/input/units.hpp"
+#include "app/input/verb.hpp"
+#include "app/input/words.hpp"
+
+#include <boost/program_options/value_semantic.hpp>
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+namespace app {
+namespace {
+
+namespace po = boost::program_options;
+
+int whole_number(const std::string& text, double least, double most)
+{
+    const double n = parse_count(text);
+    if (n < least || n > most)
+        throw BadValue(in_quotes(text) + " is out of range; must be in [" + number(least, 12) +
+                       ", " + number(most, 12) + "]");
+    return static_cast<int>(n);
+}
+
+/// "3/16", or "*/16" for the number of shards alone.
+Shard shard_of(const std::string& text)
+{
+    constexpr double kMostShards = 100'000;
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos)
+        throw BadValue(in_quotes(text) + " is not a part of a whole; write e.g. \"3/16\"");
+    Shard s;
+    s.count = whole_number(text.substr(slash + 1), 1, kMostShards);
+    if (text.substr(0, slash) != "*")
+        s.index = whole_number(text.substr(0, slash), 1, s.count) - 1;
+    return s;
+}
+
+/// For options that take any text but none.
+std::string some_text(const std::string& text)
+{
+    if (text.empty()) throw BadValue("missing value; write one after it");
+    return text;
+}
+
+using Text = const std::string&;
+
+// clang-format off
+std::vector<Option> table()
+{
+    return {
+        {"out", "PATH", "output directory or file (default: runs/<name of the file that is read>)",
+         "push study sample reliability fragility report curves", false,
+         [](Command& c, Text v) { c.out = some_text(v); }},
+        {"set", "section.key=value", "value in place of the one in the study file; may be repeated",
+         "push study sample reliability fragility", true,
+         [](Command& c, Text v) { c.overrides.push_back(v); }},
+        {"threads", "N", "number of threads (default: " + std::to_string(default_threads()) + ", all of this machine)",
+         "push study reliability report", false,
+         [](Command& c, Text v) { c.threads = whole_number(v, 1, 1024); }},
+        {"quiet", "", "no progress on stderr (default: progress)",
+         "push study sample reliability fragility report curves merge", false,
+         [](Command& c, Text) { c.quiet = true; }},
+        {"sample", "K", "wall K, from 0, of a study with distributions", "push", false,
+         [](Command& c, Text v) { c.sample = whole_number(v, 0, 1e9); }},
+        {"level", "STRESS", "vertical stress, such as \"0.75 MPa\", where the study has several", "push reliability", false,
+         [](Command& c, Text v) { c.level = v; }},
+        {"shard", "I/N", "part I of N, I from 1; each part is written to a file of its own", "study", false,
+         [](Command& c, Text v) { c.shard = shard_of(v); }},
+        {"slurm", "FILE", "write a job array of shards (--shard */N, or as many as needed) and run nothing", "study", false,
+         [](Command& c, Text v) { c.script = some_text(v); }},
+        {"rerun-failed", "", "run walls that failed again", "study", false,
+         [](Command& c, Text) { c.rerun_failed = true; }},
+        {"report", "", "when the study is done, write its tables (fragility) and its page (report) beside it", "study", false,
+         [](Command& c, Text) { c.report = true; }},
+        {"drift", "COLUMN", "column of drifts in a table; may be repeated", "fragility", true,
+         [](Command& c, Text v) { c.drift.push_back(v); }},
+        {"censored", "COLUMN", "column of a table that says 1 or yes where the drift is only a lower bound", "fragility", false,
+         [](Command& c, Text v) { c.censored = v; }},
+        {"group", "COLUMN", "column of a table that says which rows belong together", "fragility", false,
+         [](Command& c, Text v) { c.group = v; }},
+        {"partial", "", "merge although walls are missing", "merge", false,
+         [](Command& c, Text) { c.partial = true; }},
+        {"walls", "N", "number of walls that can be looked at (default: all; a choice if the study is large)", "report", false,
+         [](Command& c, Text v) { c.walls = whole_number(v, 0, 1e6); }},
+        {"help", "", "this text; after a verb, the help of that verb", "", true, nullptr},
+        {"version", "", "name and version of the program", "", true, nullptr},
+    };
+}
+// clang-format on
+
+} // namespace
+
+int default_threads()
+{
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+std::span<const Option> options()
+{
+    static const std::vector<Option> all = table();
+    return all;
+}
+
+const Option* find_option(std::string_view name)
+{
+    for (const Option& o : options())
+        if (o.name == name) return &o;
+    return nullptr;
+}
+
+bool takes(const Verb& verb, const Option& option)
+{
+    return option.verbs.empty() || is_listed(verb.name, option.verbs);
+}
+
+po::options_description described(const Verb* verb)
+{
+    po::options_description all("Options", 96);
+    for (const Option& o : options()) {
+        if (verb != nullptr && !takes(*verb, o)) continue;
+        const std::string name = o.name == "help" ? "help,h" : o.name;
+        if (o.value_name.empty())
+            all.add_options()(name.c_str(), o.meaning.c_str());
+        else
+            all.add_options()(name.c_str(), po::value<std::string>()->value_name(o.value_name),
+                              o.meaning.c_str());
+    }
+    return all;
+}
+
+} // namespace app

@@ -1,0 +1,142 @@
+#include "app/verbs.hpp"
+
+#include "app/fragility/fragility_command.hpp"
+#include "app/input/command_line.hpp"
+#include "app/push/push_command.hpp"
+#include "app/reliability/reliability_command.hpp"
+#include "app/report/report_command.hpp"
+#include "app/study/curves_command.hpp"
+#include "app/study/interrupt.hpp"
+#include "app/study/merge_command.hpp"
+#include "app/study/sample_command.hpp"
+#include "app/study/study_command.hpp"
+#include "app/version.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+
+namespace app {
+namespace {
+
+/// Tables in the folder of the name of the file, the page beside it. Walls are filmed while they
+/// are pushed.
+int study_then_report(const Command& study)
+{
+    FilmShelf films;
+    const int code = study_command( // 1 if walls failed: the tables count them
+        study, [&](auto key, bool rocking, auto frames) { films.put(key, rocking, frames); });
+    if (interrupted()) return code;
+    const std::filesystem::path file = study.out;
+    Command after;
+    after.words = {file.string()};
+    after.study = file.string();
+    after.threads = study.threads;
+    after.quiet = study.quiet;
+    after.out = (file.parent_path() / file.stem()).string();
+    const int tables = fragility_command(after);
+    after.out += ".html";
+    return std::max({code, tables, report_command(after, films)});
+}
+
+int run_study(const Command& command)
+{
+    return command.report ? study_then_report(command) : study_command(command);
+}
+
+int run_report(const Command& command) { return report_command(command); }
+
+int run_help(const Command& command)
+{
+    std::cout << help_text(verbs(), command.words.empty() ? "" : command.words.front());
+    return 0;
+}
+
+int run_version(const Command&)
+{
+    std::cout << "drystone " << kVersion << '\n';
+    return 0;
+}
+
+constexpr std::size_t kMany = 1'000'000;
+
+constexpr std::array kVerbs = {
+    Verb{.name = "push",
+         .words = "STUDY.ini",
+         .meaning = "push one wall: capacity curve, summary, pictures",
+         .example = "drystone push configs/wall.ini",
+         .sections = "wall stone joint unit beam base load solver output uq fragility",
+         .run = push_command},
+    Verb{.name = "study",
+         .words = "STUDY.ini",
+         .meaning = "push samples x stress levels into one file; an interrupted study resumes",
+         .example = "drystone study configs/quick.ini",
+         .out = OutKind::file,
+         .extension = ".h5",
+         .sections = "wall stone joint unit beam base load solver output uq fragility",
+         .run = run_study},
+    Verb{.name = "sample",
+         .words = "STUDY.ini",
+         .meaning = "write the samples alone, as a table",
+         .example = "drystone sample configs/quick.ini",
+         .out = OutKind::file,
+         .extension = ".csv",
+         .sections = "wall stone joint unit beam base load uq",
+         .run = sample_command},
+    Verb{.name = "reliability",
+         .words = "STUDY.ini",
+         .meaning = "the probability that a response falls to a demand, and what it depends on",
+         .example = "drystone reliability configs/reliability.ini",
+         .sections = "wall stone joint unit beam base load solver uq reliability",
+         .run = reliability_command},
+    Verb{.name = "fragility",
+         .words = "FILE.h5|FILE.csv",
+         .meaning =
+             "limit drifts, fragility curves and modes of a study, or of a table of drifts",
+         .example = "drystone fragility runs/quick.h5",
+         .sections = "fragility",
+         .run = fragility_command},
+    Verb{.name = "report",
+         .words = "FILE.h5",
+         .meaning = "one page for a browser from a study's file",
+         .example = "drystone report runs/quick.h5",
+         .out = OutKind::file,
+         .extension = ".html",
+         .run = run_report},
+    Verb{.name = "curves",
+         .words = "FILE.h5",
+         .meaning = "all capacity curves of a study as one table",
+         .example = "drystone curves runs/quick.h5",
+         .out = OutKind::file,
+         .extension = ".csv",
+         .run = curves_command},
+    Verb{.name = "merge",
+         .words = "OUT.h5 SHARD.h5...",
+         .meaning = "merge the shards of one study into one file",
+         .example = "drystone merge runs/paper.h5 runs/paper_*.h5",
+         .out = OutKind::first_word,
+         .least = 2,
+         .most = kMany,
+         .run = merge_command},
+    Verb{.name = "help",
+         .words = "[VERB]",
+         .meaning = "this text, or the options and keys of a verb",
+         .example = "drystone help push",
+         .out = OutKind::none,
+         .least = 0,
+         .run = run_help},
+    Verb{.name = "version",
+         .meaning = "name and version",
+         .example = "drystone version",
+         .out = OutKind::none,
+         .least = 0,
+         .most = 0,
+         .run = run_version},
+};
+
+} // namespace
+
+std::span<const Verb> verbs() { return kVerbs; }
+
+} // namespace app
