@@ -1,7 +1,7 @@
 #include "bench/core_speed.hpp"
 
 #include "bench/shortest.hpp"
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
 
 #include <vector>
 

@@ -5,8 +5,8 @@
 #include "bench/nodal_scheme.hpp"
 #include "scenes/paper_wall.hpp"
 
-#include "dem/ensemble.hpp"
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
+#include "dem/solver/ensemble.hpp"
 
 #include <cmath>
 #include <iostream>

@@ -2,7 +2,7 @@
 
 #include "app/input/number_text.hpp"
 #include "app/output/table.hpp"
-#include "dem/contact_law.hpp"
+#include "dem/contact/contact_law.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "bench/machine.hpp"
 
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
 
 #include <cctype>
 #include <fstream>

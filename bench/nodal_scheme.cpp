@@ -1,11 +1,11 @@
 #include "bench/nodal_scheme.hpp"
 
-#include "dem/core_clock.hpp"
+#include "dem/solver/thread_time.hpp"
 
 #include "bench/nodal_wall.hpp"
-#include "dem/contact_law.hpp"
-#include "dem/pack.hpp"
-#include "dem/recorder.hpp"
+#include "dem/contact/contact_law.hpp"
+#include "dem/contact/pack.hpp"
+#include "dem/solver/recorder.hpp"
 
 #include <Eigen/Dense>
 
@@ -216,7 +216,7 @@ NodalPush push_nodes(const dem::Model& model, const dem::WallMaterials& material
                      const NodalOptions& options)
 {
     check(options);
-    const double start = dem::core_seconds();
+    const double start = dem::thread_seconds();
     // Damping adds up to gamma |F| to a force that opposes the motion, hence 1 + gamma.
     const double f = options.step_fraction;
     NodalWall n = unloaded_nodes(model, materials, (1.0 + options.damping_factor) / (f * f));
@@ -227,7 +227,7 @@ NodalPush push_nodes(const dem::Model& model, const dem::WallMaterials& material
         run<dem::Damping::combined>(options, n, r);
     const std::size_t contacts = n.dry.size() + n.cracks.size() + n.tied.size();
     r.cost.contact_updates = r.cost.steps * static_cast<long long>(contacts);
-    r.cost.seconds = dem::core_seconds() - start;
+    r.cost.seconds = dem::thread_seconds() - start;
     return r;
 }
 

@@ -11,13 +11,13 @@
 /// Mech. Eng. 25:35),
 ///   m_i = (1 + gamma)/f^2 (sum_j |K_ij| + 2 sum_contacts k)/4.
 /// The bound is close: the paper's wall at 0.50 MPa is unstable at f = 1.2.
-/// The loading beam stays in its modes, as in dem/step.hpp: its motion is prescribed along its
+/// The loading beam stays in its modes, as in dem/solver/step.hpp: its motion is prescribed along its
 /// load line.
 
-#include "dem/model.hpp"
-#include "dem/push.hpp"
-#include "dem/solver_options.hpp"
-#include "dem/wall.hpp"
+#include "dem/block/model.hpp"
+#include "dem/scene/wall.hpp"
+#include "dem/solver/push.hpp"
+#include "dem/solver/solver_options.hpp"
 
 #include <vector>
 

@@ -114,7 +114,7 @@ void place_stone(const dem::Model& m, const dem::WallMaterials& w, double mass_f
     n.last_force = n.u;
 }
 
-/// Modal masses by the bound of dem/block_element.hpp.
+/// Modal masses by the bound of dem/block/block_element.hpp.
 void place_beam(const dem::Model& m, const dem::WallMaterials& w, double mass_factor,
                 ModalBeam& beam)
 {

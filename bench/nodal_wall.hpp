@@ -2,9 +2,9 @@
 /// A wall for the nodal scheme: stiffness, loads and scaled masses of its nodes, its contacts,
 /// and where they are.
 
-#include "dem/contact_law.hpp"
-#include "dem/model.hpp"
-#include "dem/wall.hpp"
+#include "dem/block/model.hpp"
+#include "dem/contact/contact_law.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,6 @@
 #include "bench/pushed_walls.hpp"
 
-#include "dem/static_start.hpp"
+#include "dem/solver/static_start.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,7 +1,8 @@
 #pragma once
 /// Walls at rest under their load, then pushed for a number of steps: what a kernel is timed on.
 
-#include "dem/step.hpp"
+#include "dem/block/discretisation.hpp"
+#include "dem/solver/step.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <cstddef>

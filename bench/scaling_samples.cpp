@@ -2,7 +2,7 @@
 #include "bench/machine.hpp"
 #include "bench/scaling_parts.hpp"
 #include "bench/shortest.hpp"
-#include "dem/ensemble.hpp"
+#include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "app/input/number_text.hpp"
 #include "bench/scaling_parts.hpp"
 #include "bench/shortest.hpp"
-#include "dem/ensemble.hpp"
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
+#include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <algorithm>

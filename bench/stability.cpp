@@ -187,9 +187,10 @@ bench::Report report_of(const std::vector<SceneReport>& scenes, const Request& r
     r.sections = {
         {"limit", "The step used",
          "Largest eigenvalue of M^-1 K, all contacts closed, sticking and uncracked "
-         "(`dem/stability_limit`): wall of the paper at 0.50 MPa, default settings. The bound "
+         "(`dem/solver/stability_limit`): wall of the paper at 0.50 MPa, default settings. The "
+         "bound "
          "that "
-         "sets the masses is proven (`dem/block_element.hpp`), and it is sharp.",
+         "sets the masses is proven (`dem/block/block_element.hpp`), and it is sharp.",
          bench::limit_table()},
         {"outcomes", "Outcomes", "", bench::outcome_table(scenes)},
         {"reductions", "Step too large: halved, and the wall pushed anew",

@@ -1,7 +1,7 @@
 #include "bench/stress_run.hpp"
 
-#include "dem/core_clock.hpp"
-#include "dem/stability_limit.hpp"
+#include "dem/solver/stability_limit.hpp"
+#include "dem/solver/thread_time.hpp"
 
 #include <cmath>
 #include <exception>
@@ -120,7 +120,7 @@ void run(const StressScene& s, SceneReport& report)
 
 SceneReport run_stress_scene(std::uint64_t seed, std::uint64_t number)
 {
-    const double start = dem::core_seconds();
+    const double start = dem::thread_seconds();
     SceneReport report;
     report.number = number;
     report.scene = stress_scene(seed, number);
@@ -129,7 +129,7 @@ SceneReport run_stress_scene(std::uint64_t seed, std::uint64_t number)
     } catch (const std::exception& e) {
         report.broken_rules.push_back(std::string("exception: ") + e.what());
     }
-    report.seconds = dem::core_seconds() - start;
+    report.seconds = dem::thread_seconds() - start;
     return report;
 }
 

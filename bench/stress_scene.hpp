@@ -1,7 +1,8 @@
 #pragma once
 /// Scenes drawn far outside the paper, to see what breaks.
 
-#include "dem/ensemble.hpp"
+#include "dem/block/discretisation.hpp"
+#include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "bench/stress_tables.hpp"
 
 #include "app/input/number_text.hpp"
-#include "dem/stability_limit.hpp"
+#include "dem/solver/stability_limit.hpp"
 
 #include <algorithm>
 #include <array>

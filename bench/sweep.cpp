@@ -1,6 +1,6 @@
 #include "bench/sweep.hpp"
 
-#include "dem/mechanism.hpp"
+#include "dem/scene/mechanism.hpp"
 #include "fragility/curve_reading.hpp"
 
 #include <cmath>

@@ -1,7 +1,8 @@
 #pragma once
 /// Many pushes of the paper's wall, read the same way, as ensembles.
 
-#include "dem/ensemble.hpp"
+#include "dem/block/discretisation.hpp"
+#include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <vector>

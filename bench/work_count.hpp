@@ -2,13 +2,13 @@
 /// What one step of one wall costs in arithmetic and in memory traffic, counted from the tables
 /// and the source, not measured.
 
-#include "dem/step_tables.hpp"
+#include "dem/solver/step_tables.hpp"
 
 #include <cstddef>
 
 namespace bench {
 
-/// Operations on Reals of dem/step.cpp and dem/contact_law.hpp as written: sums, products,
+/// Operations on Reals of dem/solver/step.cpp and dem/contact/contact_law.hpp as written: sums, products,
 /// multiply-adds, signs, comparisons and selections, one each. The path taken by nearly all:
 /// combined damping, cracks that hold. tests/bench/test_work_count.cpp counts them with a number
 /// that counts.

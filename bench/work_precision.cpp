@@ -10,7 +10,7 @@
 #include "bench/machine.hpp"
 #include "bench/nodal_answer.hpp"
 #include "bench/sweep.hpp"
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 #pragma once
 /// Cost against error over every setting that trades one for the other.
 
-#include "dem/ensemble.hpp"
-#include "dem/solver_options.hpp"
+#include "dem/block/discretisation.hpp"
+#include "dem/solver/ensemble.hpp"
+#include "dem/solver/solver_options.hpp"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
-#include "dem/mechanism.hpp"
+#include "dem/scene/mechanism.hpp"
 #include "fragility/binomial.hpp"
 #include "fragility/equal_modes.hpp"
 #include "fragility/mode_sensitivity.hpp"

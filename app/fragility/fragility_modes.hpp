@@ -15,7 +15,7 @@ namespace app {
 /// on it.
 [[nodiscard]] Table equal_modes_table(const StudyWalls& walls);
 
-/// Share of mixed mode for other thresholds of dem/mechanism.hpp.
+/// Share of mixed mode for other thresholds of dem/scene/mechanism.hpp.
 [[nodiscard]] Table threshold_table(const StudyWalls& walls);
 
 } // namespace app

@@ -5,7 +5,7 @@
 #include "app/store/store_reader.hpp"
 #include "app/study/resampled_curve.hpp"
 #include "app/study/study_columns.hpp"
-#include "dem/mechanism.hpp"
+#include "dem/scene/mechanism.hpp"
 
 #include <algorithm>
 #include <cmath>

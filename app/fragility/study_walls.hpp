@@ -22,8 +22,8 @@ constexpr std::size_t kCurveSteps = 120; ///< of the grid of displacements for m
 /// A wall that gave results.
 struct StudyWall {
     WallKey key;
-    int mode = kRocking;                              ///< by the rule of dem/mechanism.hpp
-    bool dropped = false;                             ///< the load fell to 80 % of the peak
+    int mode = kRocking;  ///< by the rule of dem/scene/mechanism.hpp
+    bool dropped = false; ///< the load fell to 80 % of the peak
     double rotation_share = 0.0, sliding_share = 0.0; ///< [-]
     int cracked_units = 0;
     double peak_force = 0.0;               ///< [N]

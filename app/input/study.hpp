@@ -3,10 +3,11 @@
 /// fellows.
 
 #include "app/input/study_file.hpp"
-#include "dem/mechanism.hpp"
-#include "dem/push.hpp"
-#include "dem/solver_options.hpp"
-#include "dem/wall.hpp"
+#include "dem/block/discretisation.hpp"
+#include "dem/scene/mechanism.hpp"
+#include "dem/scene/wall.hpp"
+#include "dem/solver/push.hpp"
+#include "dem/solver/solver_options.hpp"
 #include "fragility/bilinear.hpp"
 #include "fragility/curve_reading.hpp"
 #include "fragility/law.hpp"

@@ -2,7 +2,7 @@
 
 #include "app/input/number_text.hpp"
 #include "app/input/units.hpp"
-#include "dem/layout.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// How far a block moved at a contact.
 
-#include "dem/snapshot.hpp"
+#include "dem/scene/snapshot.hpp"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// An unstructured grid as VTK XML text.
 
-#include "dem/snapshot.hpp"
+#include "dem/scene/snapshot.hpp"
 
 #include <string>
 #include <vector>

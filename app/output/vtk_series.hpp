@@ -1,7 +1,7 @@
 #pragma once
 /// A push as a time series for ParaView: blocks in wall.pvd, joints in joints.pvd.
 
-#include "dem/snapshot.hpp"
+#include "dem/scene/snapshot.hpp"
 
 #include <filesystem>
 #include <string>

@@ -4,7 +4,7 @@
 
 #include "app/output/svg_elements.hpp"
 #include "app/output/wall_view.hpp"
-#include "dem/snapshot.hpp"
+#include "dem/scene/snapshot.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 /// Picture of a wall at its peak and at the end of the push: what opened, slid and cracked, and
 /// where the thrust runs.
 
-#include "dem/snapshot.hpp"
+#include "dem/scene/snapshot.hpp"
 
 #include <string>
 

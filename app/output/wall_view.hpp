@@ -2,7 +2,7 @@
 /// From a deformed wall to pixels.
 
 #include "app/output/svg_elements.hpp"
-#include "dem/snapshot.hpp"
+#include "dem/scene/snapshot.hpp"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #include "app/reliability/wall_black_box.hpp"
 
 #include "app/study/pushed_wall.hpp"
-#include "dem/ensemble.hpp"
+#include "dem/solver/ensemble.hpp"
 
 #include <limits>
 #include <memory>

@@ -4,7 +4,7 @@
 #include "app/store/store_reader.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/study_columns.hpp"
-#include "dem/mechanism.hpp"
+#include "dem/scene/mechanism.hpp"
 
 #include <exception>
 #include <string_view>

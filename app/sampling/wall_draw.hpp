@@ -2,7 +2,7 @@
 /// The random values of one wall, and the wall that they make.
 
 #include "app/input/study.hpp"
-#include "dem/layout.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <vector>
 

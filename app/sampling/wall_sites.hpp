@@ -1,7 +1,7 @@
 #pragma once
 /// Where the joints and cracks of a wall are, for random fields over their IDs.
 
-#include "dem/layout.hpp"
+#include "dem/scene/layout.hpp"
 #include "uq/fields/field_site.hpp"
 
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// The rule that names failure modes, in words.
 
-#include "dem/mechanism.hpp"
+#include "dem/scene/mechanism.hpp"
 
 #include <string>
 

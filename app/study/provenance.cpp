@@ -1,7 +1,7 @@
 #include "app/study/provenance.hpp"
 
 #include "app/version.hpp"
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
 
 #include <ctime>
 #include <fstream>

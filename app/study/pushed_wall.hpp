@@ -3,8 +3,8 @@
 
 #include "app/input/study.hpp"
 #include "app/sampling/wall_draw.hpp"
-#include "dem/mechanism.hpp"
-#include "dem/push.hpp"
+#include "dem/scene/mechanism.hpp"
+#include "dem/solver/push.hpp"
 #include "fragility/limit_states.hpp"
 
 #include <functional>

@@ -5,8 +5,8 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/shard_script.hpp"
 #include "app/study/study_file_head.hpp"
-#include "dem/ensemble.hpp"
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
+#include "dem/solver/ensemble.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include "app/input/number_text.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/study_columns.hpp"
-#include "dem/mechanism.hpp"
+#include "dem/scene/mechanism.hpp"
 #include "uq/estimates/stopping.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "app/input/study.hpp"
 #include "app/store/store_row.hpp"
-#include "dem/push.hpp"
+#include "dem/solver/push.hpp"
 
 #include <functional>
 #include <span>

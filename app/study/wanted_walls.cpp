@@ -5,7 +5,7 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/study_file_head.hpp"
-#include "dem/layout.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include "app/sampling/wall_sites.hpp"
 #include "app/study/study_identity.hpp"
 #include "app/study_scenes.hpp"
-#include "dem/layout.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 /// A number that counts what is done with it: the laws and the step written for it do what they do
 /// for doubles, and say how much that was.
 
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "bench/counting_number.hpp"
 #include "bench/work_count.hpp"
-#include "dem/static_start.hpp"
-#include "dem/step.cpp" // NOLINT: for one more kind of number
+#include "dem/solver/static_start.hpp"
+#include "dem/solver/step.cpp" // NOLINT: for one more kind of number
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>

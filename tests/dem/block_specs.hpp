@@ -1,7 +1,7 @@
 #pragma once
 /// Blocks as the wall makes them, for tests of their stiffness and modes.
 
-#include "dem/block_element.hpp"
+#include "dem/block/block_element.hpp"
 
 #include <vector>
 

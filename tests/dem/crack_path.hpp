@@ -1,8 +1,8 @@
 #pragma once
 /// The crack of Table 4 at one contact, moved along a path of openings and slips.
 
-#include "dem/contact_law.hpp"
-#include "dem/wall.hpp"
+#include "dem/contact/contact_law.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <algorithm>
 #include <cmath>

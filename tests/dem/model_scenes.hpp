@@ -1,7 +1,7 @@
 #pragma once
 /// A wall of few blocks and its contacts, for tests of the model.
 
-#include "dem/model.hpp"
+#include "dem/block/model.hpp"
 #include "scenes/paper_wall.hpp"
 
 namespace model_scenes {

@@ -2,7 +2,8 @@
 /// A wall small enough to be pushed many times in a test: three units long, cheap blocks.
 
 #include "bits.hpp"
-#include "dem/push.hpp"
+#include "dem/block/discretisation.hpp"
+#include "dem/solver/push.hpp"
 #include "scenes/paper_wall.hpp"
 
 namespace small_wall {

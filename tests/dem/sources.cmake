@@ -14,7 +14,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_model.cpp
     dem/test_model_elasticity.cpp
     dem/test_pack.cpp
-    dem/test_port_matrix.cpp
+    dem/test_contact_operator.cpp
     dem/test_recorder.cpp
     dem/test_run_outcomes.cpp
     dem/test_stability_limit.cpp

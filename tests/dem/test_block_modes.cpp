@@ -1,7 +1,7 @@
 #include "block_specs.hpp"
-#include "dem/block_element.hpp"
-#include "dem/block_modes.hpp"
-#include "dem/condensation.hpp"
+#include "dem/block/block_element.hpp"
+#include "dem/block/block_modes.hpp"
+#include "dem/block/condensation.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 #include "block_specs.hpp"
-#include "dem/condensation.hpp"
+#include "dem/block/condensation.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "dem/drive.hpp"
+#include "dem/solver/drive.hpp"
 
 #include <catch2/catch.hpp>
 

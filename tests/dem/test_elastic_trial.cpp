@@ -1,8 +1,8 @@
 /// The short way through the law of a crack: where it may be taken it gives the same bits.
 
 #include "bits.hpp"
-#include "dem/contact_law.hpp"
-#include "dem/wall.hpp"
+#include "dem/contact/contact_law.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "dem/energy.hpp"
+#include "dem/solver/energy.hpp"
 
 #include <catch2/catch.hpp>
 

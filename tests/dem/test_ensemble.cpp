@@ -1,5 +1,5 @@
-#include "dem/ensemble.hpp"
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
+#include "dem/solver/ensemble.hpp"
 #include "small_wall.hpp"
 
 #include <catch2/catch.hpp>

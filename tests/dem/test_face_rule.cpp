@@ -1,4 +1,4 @@
-#include "dem/face_rule.hpp"
+#include "dem/block/face_rule.hpp"
 
 #include <catch2/catch.hpp>
 

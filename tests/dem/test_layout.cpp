@@ -1,4 +1,4 @@
-#include "dem/layout.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "dem/mechanism.hpp"
+#include "dem/scene/mechanism.hpp"
 #include "scenes/snapshot_scenes.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "dem/push.hpp"
+#include "dem/solver/push.hpp"
 #include "model_scenes.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -2,7 +2,7 @@
 /// what dem::push says.
 
 #include "bench/nodal_scheme.hpp"
-#include "dem/mechanism.hpp"
+#include "dem/scene/mechanism.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>

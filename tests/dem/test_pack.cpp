@@ -1,5 +1,5 @@
 #include "bits.hpp"
-#include "dem/pack.hpp"
+#include "dem/contact/pack.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 /// The pushed wall of the paper as a whole: what must hold whatever the numbers are.
 
-#include "dem/mechanism.hpp"
-#include "dem/step.hpp"
+#include "dem/scene/mechanism.hpp"
+#include "dem/solver/step.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>

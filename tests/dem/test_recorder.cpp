@@ -1,4 +1,4 @@
-#include "dem/recorder.hpp"
+#include "dem/solver/recorder.hpp"
 
 #include <catch2/catch.hpp>
 

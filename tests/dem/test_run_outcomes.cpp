@@ -1,4 +1,4 @@
-#include "dem/ensemble.hpp"
+#include "dem/solver/ensemble.hpp"
 #include "small_wall.hpp"
 
 #include <catch2/catch.hpp>

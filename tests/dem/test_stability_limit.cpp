@@ -1,6 +1,6 @@
-#include "dem/stability_limit.hpp"
-#include "dem/static_start.hpp"
-#include "dem/step.hpp"
+#include "dem/solver/stability_limit.hpp"
+#include "dem/solver/static_start.hpp"
+#include "dem/solver/step.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>

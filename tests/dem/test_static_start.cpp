@@ -1,5 +1,5 @@
-#include "dem/static_start.hpp"
-#include "dem/step.hpp"
+#include "dem/solver/static_start.hpp"
+#include "dem/solver/step.hpp"
 #include "small_wall.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "dem/step_tables.hpp"
+#include "dem/solver/step_tables.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "dem/wall.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 /// What a run makes of a step that is too large, and of a wall that comes down.
 
-#include "dem/ensemble.hpp"
-#include "dem/stability_limit.hpp"
+#include "dem/solver/ensemble.hpp"
+#include "dem/solver/stability_limit.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>

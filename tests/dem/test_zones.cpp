@@ -1,4 +1,4 @@
-#include "dem/zones.hpp"
+#include "dem/block/zones.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>

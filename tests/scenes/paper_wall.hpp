@@ -1,7 +1,8 @@
 #pragma once
 /// The wall of the paper as tests and benchmarks use it.
 
-#include "dem/push.hpp"
+#include "dem/block/discretisation.hpp"
+#include "dem/solver/push.hpp"
 
 #include <cstdint>
 

@@ -5,7 +5,10 @@ set -euo pipefail
 cd -- "$1"
 
 declare -A knows=(
-    [dem]=""
+    [dem/scene]=""
+    [dem/block]="dem/scene"
+    [dem/contact]=""
+    [dem/solver]="dem/scene dem/block dem/contact"
     [fragility]=""
     [uq/marginals]=""
     [uq/designs]="uq/marginals"
@@ -14,18 +17,18 @@ declare -A knows=(
     [uq/sensitivity]="uq/marginals uq/designs uq/estimates"
     [uq/reliability]="uq/marginals uq/designs uq/estimates"
     [app/store]=""
-    [app/input]="dem fragility uq/marginals uq/designs"
-    [app/output]="dem fragility app/input"
-    [app/sampling]="dem uq/ app/input"
-    [app/study]="dem fragility uq/ app app/store app/input app/output app/sampling"
-    [app/reliability]="dem fragility uq/ app app/input app/output app/store app/sampling app/study"
-    [app/push]="dem fragility app app/store app/input app/output app/sampling app/study"
-    [app/report]="dem fragility uq/ app app/store app/input app/output app/sampling app/study"
-    [app/fragility]="dem fragility uq/ app app/store app/input app/output app/sampling app/study"
+    [app/input]="dem/ fragility uq/marginals uq/designs"
+    [app/output]="dem/ fragility app/input"
+    [app/sampling]="dem/ uq/ app/input"
+    [app/study]="dem/ fragility uq/ app app/store app/input app/output app/sampling"
+    [app/reliability]="dem/ fragility uq/ app app/input app/output app/store app/sampling app/study"
+    [app/push]="dem/ fragility app app/store app/input app/output app/sampling app/study"
+    [app/report]="dem/ fragility uq/ app app/store app/input app/output app/sampling app/study"
+    [app/fragility]="dem/ fragility uq/ app app/store app/input app/output app/sampling app/study"
 )
 
 broken=0
-for folder in dem fragility uq uq/*/ app/*/; do
+for folder in dem dem/*/ fragility uq uq/*/ app/*/; do
     folder=${folder%/}
     compgen -G "$folder/*.?pp" >/dev/null || continue
     if [[ -z ${knows[$folder]+listed} ]]; then

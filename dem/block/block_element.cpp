@@ -1,0 +1,66 @@
+#include "dem/block/block_element.hpp"
+
+#include "dem/block/block_modes.hpp"
+#include "dem/block/condensation.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace dem {
+
+namespace {
+
+Eigen::VectorXd modal_load(const Condensed& c, const Eigen::MatrixXd& phi,
+                           const Eigen::VectorXd& nodal)
+{
+    return phi.transpose() * condense_load(c, nodal);
+}
+
+Eigen::VectorXd body_force(const ZoneGrid& grid, double thickness, int direction)
+{
+    const Eigen::VectorXd area = nodal_areas(grid);
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(2 * grid.nodes());
+    for (int n = 0; n < grid.nodes(); ++n) f(2 * n + direction) = area(n) * thickness;
+    return f;
+}
+
+Eigen::VectorXd top_pressure(const ZoneGrid& grid, double thickness)
+{
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(2 * grid.nodes());
+    const int top = static_cast<int>(grid.z.size()) - 1;
+    for (int i = 0; i + 1 < static_cast<int>(grid.x.size()); ++i) {
+        const double half = 0.5 * (grid.x[i + 1] - grid.x[i]) * thickness;
+        f(2 * grid.node(i, top) + 1) -= half;
+        f(2 * grid.node(i + 1, top) + 1) -= half;
+    }
+    return f;
+}
+
+} // namespace
+
+BlockElement block_element(const BlockSpec& spec)
+{
+    const Condensed c = condense(spec);
+    const BlockModes modes = block_modes(spec, c);
+
+    BlockElement e;
+    e.points = c.points;
+    e.phi = modes.phi;
+    e.lambda = modes.lambda;
+    e.weight = -modal_load(c, e.phi, body_force(c.grid, spec.thickness, 1));
+    e.sway = modal_load(c, e.phi, body_force(c.grid, spec.thickness, 0));
+    e.top_load = modal_load(c, e.phi, top_pressure(c.grid, spec.thickness));
+    e.outline = c.outline;
+    e.outline_phi = c.outline_from_points * e.phi;
+    return e;
+}
+
+int find_point(const BlockElement& element, Point at)
+{
+    for (std::size_t p = 0; p < element.points.size(); ++p)
+        if (same_place(element.points[p], at)) return static_cast<int>(p);
+    assert(false && "contact point not on the block's boundary");
+    return -1;
+}
+
+} // namespace dem

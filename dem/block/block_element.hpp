@@ -1,0 +1,39 @@
+#pragma once
+/// A deformable block, condensed to its contact points and written in its own modes.
+///
+/// The zones of a block are eliminated statically onto the contact points of its faces (its
+/// edge runs between them as face_rule.hpp says), which leaves K u_c. The modes solve K phi =
+/// lambda C phi, C being the stiffness of the block's own contacts with their other side held:
+/// phi^T C phi = 1, phi^T K phi = lambda. In a wall a contact feels two blocks, k (u_b - u_a)^2
+/// <= 2 k u_a^2 + 2 k u_b^2, so a mode of fictitious mass (lambda + 2)/4 or more is stable at a
+/// unit time step whatever its neighbours do: no mode is slower than it has to be, and the
+/// bound is a proof.
+
+#include "dem/block/block_spec.hpp"
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace dem {
+
+/// What the solver and the pictures need of a block; shared by all blocks of the same spec.
+/// Rows of phi: x and z of each contact point in turn; columns: modes.
+struct BlockElement {
+    std::vector<Point> points;   ///< contact points [m]
+    Eigen::MatrixXd phi;         ///< 2 points x modes [m per sqrt(J)]
+    Eigen::VectorXd lambda;      ///< elastic stiffness of each mode, >= 0 [-]
+    Eigen::VectorXd weight;      ///< modal load of a unit body force acting downwards [N/m3]
+    Eigen::VectorXd sway;        ///< modal load of a unit body force acting to the right
+    Eigen::VectorXd top_load;    ///< modal load of a unit pressure on the top [Pa]
+    std::vector<Point> outline;  ///< boundary [m], counter-clockwise from the lower left
+    Eigen::MatrixXd outline_phi; ///< 2 outline points x modes
+};
+
+[[nodiscard]] BlockElement block_element(const BlockSpec& spec);
+
+/// Edge points of the block in the order of BlockElement::points, for finding a contact's
+/// point.
+[[nodiscard]] int find_point(const BlockElement& element, Point at);
+
+} // namespace dem

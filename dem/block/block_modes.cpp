@@ -1,0 +1,189 @@
+#include "dem/block/block_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dem {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Displacements (u_x, u_z) at the contact points of a field linear in x and z: u = a + b x + c
+/// z, about `centre`.
+VectorXd linear_field(const std::vector<Point>& points, Point centre, Point a, Point b, Point c)
+{
+    VectorXd u(2 * static_cast<Index>(points.size()));
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const double x = points[p].x - centre.x, z = points[p].z - centre.z;
+        u(2 * static_cast<Index>(p)) = a.x + b.x * x + c.x * z;
+        u(2 * static_cast<Index>(p) + 1) = a.z + b.z * x + c.z * z;
+    }
+    return u;
+}
+
+MatrixXd columns(std::initializer_list<VectorXd> list)
+{
+    MatrixXd m(list.begin()->size(), static_cast<Index>(list.size()));
+    Index i = 0;
+    for (const VectorXd& v : list) m.col(i++) = v;
+    return m;
+}
+
+/// Appends to `basis` what is new in `candidates`, C-orthonormal, until it has `wanted`
+/// columns.
+void extend_basis(const MatrixXd& c, const MatrixXd& candidates, Index wanted, MatrixXd& basis)
+{
+    for (Index k = 0; k < candidates.cols() && basis.cols() < wanted; ++k) {
+        VectorXd v = candidates.col(k);
+        v /= std::sqrt(v.dot(c * v));
+        for (int twice = 0; twice < 2; ++twice)
+            if (basis.cols() > 0) v -= basis * (basis.transpose() * (c * v));
+        const double left = v.dot(c * v);
+        if (left < 0.01) continue; // already spanned but for a tenth of its amplitude
+        basis.conservativeResize(v.size(), basis.cols() + 1);
+        basis.col(basis.cols() - 1) = v / std::sqrt(left);
+    }
+}
+
+/// Eigenvectors of K phi = lambda C phi, softest first.
+MatrixXd eigenvectors(const MatrixXd& k, const MatrixXd& c)
+{
+    return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(k, c).eigenvectors();
+}
+
+/// Best modes in the span of `basis` (Rayleigh-Ritz).
+BlockModes ritz(const MatrixXd& k, const MatrixXd& c, const MatrixXd& basis)
+{
+    if (basis.cols() == 0) return {basis, VectorXd(0)};
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
+        basis.transpose() * k * basis, basis.transpose() * c * basis);
+    return {basis * solver.eigenvectors(), solver.eigenvalues()};
+}
+
+BlockModes joined(const BlockModes& a, const BlockModes& b)
+{
+    BlockModes m;
+    m.phi.resize(std::max(a.phi.rows(), b.phi.rows()), a.phi.cols() + b.phi.cols());
+    m.phi << a.phi, b.phi;
+    m.lambda.resize(a.lambda.size() + b.lambda.size());
+    m.lambda << a.lambda, b.lambda;
+    return m;
+}
+
+MatrixXd rigid_motions(const BlockSpec& spec, const std::vector<Point>& points)
+{
+    const Point centre{0.5 * spec.width, 0.5 * spec.height};
+    return columns({linear_field(points, centre, {1, 0}, {}, {}),
+                    linear_field(points, centre, {0, 1}, {}, {}),
+                    linear_field(points, centre, {}, {0, -1}, {1, 0})});
+}
+
+/// Rigid motions left to the driven beam: up, and turning about its load line.
+MatrixXd driven_motions(const BlockSpec& spec, const std::vector<Point>& points)
+{
+    const Point line{0.5 * spec.width, spec.load_height};
+    const VectorXd up = linear_field(points, line, {0, 1}, {}, {});
+    if (spec.rotation_fixed) return columns({up});
+    return columns({up, linear_field(points, line, {}, {0, -1}, {1, 0})});
+}
+
+MatrixXd strains(const BlockSpec& spec, const std::vector<Point>& points)
+{
+    const Point centre{0.5 * spec.width, 0.5 * spec.height};
+    return columns({linear_field(points, centre, {}, {1, 0}, {}),
+                    linear_field(points, centre, {}, {}, {0, 1}),
+                    linear_field(points, centre, {}, {0, 1}, {1, 0})});
+}
+
+/// A block no support touches: rigid motions and deformations apart, so that the former have no
+/// elastic force at all.
+BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const MatrixXd& c)
+{
+    const MatrixXd& k = con.stiffness;
+    const Index all = k.rows();
+    const Index wanted = spec.modes > 0 ? std::min<Index>(spec.modes, all) : all;
+    MatrixXd rigid(all, 0);
+    extend_basis(c, rigid_motions(spec, con.points), 3, rigid);
+    MatrixXd basis = rigid;
+    if (wanted > 3 && wanted < all) extend_basis(c, strains(spec, con.points), wanted, basis);
+    if (basis.cols() < wanted) extend_basis(c, eigenvectors(k, c), wanted, basis);
+    const BlockModes elastic = ritz(k, c, basis.rightCols(basis.cols() - rigid.cols()));
+    MatrixXd moving = rigid;
+    if (spec.motion == Motion::driven) {
+        moving.resize(all, 0);
+        extend_basis(c, driven_motions(spec, con.points), 2, moving);
+    }
+    return joined({moving, VectorXd::Zero(moving.cols())}, elastic);
+}
+
+/// Linear fields that a support lets pass, about the lower right corner.
+MatrixXd supported_fields(const BlockSpec& spec, const std::vector<Point>& points)
+{
+    const Point corner{spec.width, 0.0};
+    const auto field = [&](Point a, Point b, Point c) {
+        return linear_field(points, corner, a, b, c);
+    };
+    const VectorXd shear = field({}, {}, {1, 0}), stretch = field({}, {}, {0, 1});
+    if (spec.motion == Motion::clamped_bottom) return columns({shear, stretch});
+    if (spec.motion == Motion::clamped_bottom_held_right) return columns({stretch});
+    return columns({field({0, 1}, {}, {}), field({}, {0, -1}, {1, 0}), shear, stretch,
+                    field({}, {1, 0}, {})});
+}
+
+/// Modes of a block on a support: rows of held displacements stay zero.
+BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const MatrixXd& c)
+{
+    std::vector<Index> open;
+    for (std::size_t i = 0; i < con.held.size(); ++i)
+        if (!con.held[i]) open.push_back(static_cast<Index>(i));
+    const MatrixXd k_open = con.stiffness(open, open), c_open = c(open, open);
+    const Index all = static_cast<Index>(open.size());
+    const bool hinged = spec.motion == Motion::held_right_corner; // still turns and lifts
+    const Index wanted =
+        spec.modes > 0 ? std::min<Index>(spec.modes - (hinged ? 1 : 3), all) : all;
+    MatrixXd basis(all, 0);
+    if (wanted < all)
+        extend_basis(c_open, supported_fields(spec, con.points)(open, Eigen::all), wanted,
+                     basis);
+    extend_basis(c_open, eigenvectors(k_open, c_open), wanted, basis);
+    const BlockModes m = ritz(k_open, c_open, basis);
+    BlockModes full{MatrixXd::Zero(con.stiffness.rows(), m.phi.cols()), m.lambda.cwiseMax(0.0)};
+    for (Index i = 0; i < all; ++i) full.phi.row(open[i]) = m.phi.row(i);
+    return full;
+}
+
+} // namespace
+
+MatrixXd contact_metric(const BlockSpec& spec, const Condensed& con)
+{
+    MatrixXd c = MatrixXd::Zero(con.stiffness.rows(), con.stiffness.cols());
+    for (const BlockEdge& e : spec.edges) {
+        const double dx = e.to.x - e.from.x, dz = e.to.z - e.from.z,
+                     length = std::hypot(dx, dz);
+        const Eigen::Vector2d t(dx / length, dz / length), n(t.y(), -t.x());
+        const Eigen::Matrix2d stiffness = e.kn * n * n.transpose() + e.ks * t * t.transpose();
+        for (std::size_t i = 0; i < e.points.position.size(); ++i) {
+            const double s = e.points.position[i];
+            const Point at{e.from.x + s * dx, e.from.z + s * dz};
+            const auto p = std::find_if(con.points.begin(), con.points.end(),
+                                        [at](Point q) { return same_place(at, q); }) -
+                           con.points.begin();
+            c.block<2, 2>(2 * p, 2 * p) +=
+                e.points.weight[i] * length * spec.thickness * stiffness;
+        }
+    }
+    return c;
+}
+
+BlockModes block_modes(const BlockSpec& spec, const Condensed& c)
+{
+    const MatrixXd metric = contact_metric(spec, c);
+    const bool supported = spec.motion != Motion::free && spec.motion != Motion::driven;
+    return supported ? supported_modes(spec, c, metric) : floating_modes(spec, c, metric);
+}
+
+} // namespace dem

@@ -1,0 +1,221 @@
+#include "dem/block/condensation.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace dem {
+
+namespace {
+
+constexpr double kSamePlace = 1e-7; // [m]
+
+bool same(double a, double b) { return std::abs(a - b) < kSamePlace; }
+
+bool is_vertical(const BlockEdge& e) { return same(e.from.x, e.to.x); }
+
+Point along(const BlockEdge& e, double s)
+{
+    return {e.from.x + s * (e.to.x - e.from.x), e.from.z + s * (e.to.z - e.from.z)};
+}
+
+/// Zone lines in one direction: through the zone corners of the edges, evenly where there are
+/// none.
+std::vector<double> grid_lines(const BlockSpec& spec, bool vertical)
+{
+    const double size = vertical ? spec.height : spec.width;
+    std::vector<double> lines{0.0, size};
+    for (const BlockEdge& e : spec.edges)
+        if (is_vertical(e) == vertical)
+            for (const double s : edge_nodes(e.points, spec.zones_per_interval))
+                lines.push_back(vertical ? along(e, s).z : along(e, s).x);
+    std::sort(lines.begin(), lines.end());
+    lines.erase(std::unique(lines.begin(), lines.end(), same), lines.end());
+    if (lines.size() > 2) return lines;
+    const int n = std::max(1, static_cast<int>(std::ceil(size / spec.zone_size - 1e-9)));
+    lines.resize(n + 1);
+    for (int i = 0; i <= n; ++i) lines[i] = size * i / n;
+    return lines;
+}
+
+std::vector<Point> contact_points(const BlockSpec& spec)
+{
+    std::vector<Point> points;
+    for (const BlockEdge& e : spec.edges)
+        for (const double s : e.points.position) {
+            const Point p = along(e, s);
+            if (std::none_of(points.begin(), points.end(),
+                             [p](Point q) { return same_place(p, q); }))
+                points.push_back(p);
+        }
+    return points;
+}
+
+int index_of(const std::vector<Point>& points, Point at)
+{
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (same_place(points[i], at)) return static_cast<int>(i);
+    assert(false);
+    return -1;
+}
+
+bool bottom_is_clamped(Motion m)
+{
+    return m == Motion::clamped_bottom || m == Motion::clamped_bottom_held_right;
+}
+
+/// Whether the support prescribes a displacement of zero at p; direction 0: x, 1: z.
+bool is_held(const BlockSpec& spec, Point p, int direction)
+{
+    if (bottom_is_clamped(spec.motion) && same(p.z, 0.0)) return true;
+    if (direction != 0 || !same(p.x, spec.width)) return false;
+    return spec.motion == Motion::clamped_bottom_held_right ||
+           (spec.motion == Motion::held_right_corner && same(p.z, 0.0));
+}
+
+/// Where a node gets its displacement from.
+enum class Source : char { inside, edge, held };
+
+struct Trace {
+    std::vector<Source> source; ///< of each degree of freedom of the grid
+    Eigen::MatrixXd n;          ///< displacement of edge nodes from that of the points
+};
+
+/// Shapes at s of an edge that is straight between its own zone corners: lines of the grid that
+/// come from other edges must not bend it, or its areas would no longer be the integrals of its
+/// shapes.
+std::vector<double> straight_shapes(const BlockSpec& spec, const BlockEdge& e, double s)
+{
+    const std::vector<double> nodes = edge_nodes(e.points, spec.zones_per_interval);
+    std::size_t k = 0;
+    while (k + 2 < nodes.size() && nodes[k + 1] <= s) ++k;
+    std::vector<double> shape = edge_shapes(spec.face_rule, e.points, nodes[k]);
+    const std::vector<double> next = edge_shapes(spec.face_rule, e.points, nodes[k + 1]);
+    const double w = (s - nodes[k]) / (nodes[k + 1] - nodes[k]);
+    for (std::size_t i = 0; i < shape.size(); ++i) shape[i] += w * (next[i] - shape[i]);
+    return shape;
+}
+
+void trace_edge(const BlockSpec& spec, const BlockEdge& e, const std::vector<Point>& points,
+                int node, double s, Trace& t)
+{
+    const std::vector<double> shape = straight_shapes(spec, e, s);
+    for (int d = 0; d < 2; ++d) {
+        t.source[2 * node + d] = Source::edge;
+        t.n.row(2 * node + d).setZero(); // a corner lies on two edges; both say the same
+        for (std::size_t k = 0; k < shape.size(); ++k)
+            t.n(2 * node + d, 2 * index_of(points, along(e, e.points.position[k])) + d) =
+                shape[k];
+    }
+}
+
+Trace trace_nodes(const BlockSpec& spec, const ZoneGrid& grid, const std::vector<Point>& points)
+{
+    Trace t;
+    t.source.assign(2 * grid.nodes(), Source::inside);
+    t.n = Eigen::MatrixXd::Zero(2 * grid.nodes(), 2 * static_cast<Eigen::Index>(points.size()));
+    for (int j = 0; j < static_cast<int>(grid.z.size()); ++j)
+        for (int i = 0; i < static_cast<int>(grid.x.size()); ++i) {
+            const Point p{grid.x[i], grid.z[j]};
+            const int node = grid.node(i, j);
+            for (const BlockEdge& e : spec.edges) {
+                const bool on_line = is_vertical(e) ? same(p.x, e.from.x) : same(p.z, e.from.z);
+                const double s = is_vertical(e) ? (p.z - e.from.z) / (e.to.z - e.from.z)
+                                                : (p.x - e.from.x) / (e.to.x - e.from.x);
+                if (on_line && s > -1e-6 && s < 1 + 1e-6)
+                    trace_edge(spec, e, points, node, std::clamp(s, 0.0, 1.0), t);
+            }
+            for (int d = 0; d < 2; ++d)
+                if (is_held(spec, p, d) && t.source[2 * node + d] == Source::inside)
+                    t.source[2 * node + d] = Source::held;
+        }
+    return t;
+}
+
+/// Fills the rows of the inside: K_II u_I = -K_IE u_E.
+void solve_inside(const Eigen::SparseMatrix<double>& k, Trace& t)
+{
+    std::vector<int> number(t.source.size(), -1);
+    int inside = 0;
+    for (std::size_t i = 0; i < t.source.size(); ++i)
+        if (t.source[i] == Source::inside) number[i] = inside++;
+    if (inside == 0) return;
+
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int c = 0; c < k.outerSize(); ++c)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(k, c); it; ++it)
+            if (number[it.row()] >= 0 && number[c] >= 0)
+                entries.emplace_back(number[it.row()], number[c], it.value());
+    Eigen::SparseMatrix<double> k_inside(inside, inside);
+    k_inside.setFromTriplets(entries.begin(), entries.end());
+
+    const Eigen::MatrixXd pull = k * t.n; // inside rows of t.n are still zero
+    Eigen::MatrixXd rhs(inside, t.n.cols());
+    for (std::size_t i = 0; i < number.size(); ++i)
+        if (number[i] >= 0) rhs.row(number[i]) = -pull.row(static_cast<Eigen::Index>(i));
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(k_inside);
+    const Eigen::MatrixXd u = solver.solve(rhs);
+    for (std::size_t i = 0; i < number.size(); ++i)
+        if (number[i] >= 0) t.n.row(static_cast<Eigen::Index>(i)) = u.row(number[i]);
+}
+
+/// Boundary nodes, counter-clockwise from the lower left, that are corners or contact points.
+std::vector<int> outline_nodes(const ZoneGrid& grid, const std::vector<Point>& points)
+{
+    const int nx = static_cast<int>(grid.x.size()), nz = static_cast<int>(grid.z.size());
+    std::vector<int> ring;
+    for (int i = 0; i < nx - 1; ++i) ring.push_back(grid.node(i, 0));
+    for (int j = 0; j < nz - 1; ++j) ring.push_back(grid.node(nx - 1, j));
+    for (int i = nx - 1; i > 0; --i) ring.push_back(grid.node(i, nz - 1));
+    for (int j = nz - 1; j > 0; --j) ring.push_back(grid.node(0, j));
+    std::vector<int> kept;
+    for (const int n : ring) {
+        const int i = n % nx, j = n / nx;
+        const bool corner = (i == 0 || i == nx - 1) && (j == 0 || j == nz - 1);
+        const Point p{grid.x[i], grid.z[j]};
+        if (corner || std::any_of(points.begin(), points.end(),
+                                  [p](Point q) { return same_place(p, q); }))
+            kept.push_back(n);
+    }
+    return kept;
+}
+
+} // namespace
+
+bool same_place(Point a, Point b) { return same(a.x, b.x) && same(a.z, b.z); }
+
+Condensed condense(const BlockSpec& spec)
+{
+    Condensed c;
+    c.grid = {grid_lines(spec, false), grid_lines(spec, true)};
+    c.points = contact_points(spec);
+    const Eigen::SparseMatrix<double> k = grid_stiffness(c.grid, spec.thickness, spec.material);
+    Trace trace = trace_nodes(spec, c.grid, c.points);
+    solve_inside(k, trace);
+    c.nodes_from_points = trace.n;
+    const Eigen::MatrixXd forces = k * trace.n;
+    c.stiffness = trace.n.transpose() * forces;
+    c.stiffness = (0.5 * (c.stiffness + c.stiffness.transpose())).eval();
+    for (const Point p : c.points)
+        for (int d = 0; d < 2; ++d) c.held.push_back(is_held(spec, p, d));
+
+    const std::vector<int> outline = outline_nodes(c.grid, c.points);
+    const int nx = static_cast<int>(c.grid.x.size());
+    c.outline_from_points.resize(2 * static_cast<Eigen::Index>(outline.size()), trace.n.cols());
+    for (std::size_t o = 0; o < outline.size(); ++o) {
+        c.outline.push_back({c.grid.x[outline[o] % nx], c.grid.z[outline[o] / nx]});
+        for (int d = 0; d < 2; ++d)
+            c.outline_from_points.row(2 * static_cast<Eigen::Index>(o) + d) =
+                trace.n.row(2 * outline[o] + d);
+    }
+    return c;
+}
+
+Eigen::VectorXd condense_load(const Condensed& c, const Eigen::VectorXd& nodal)
+{
+    return c.nodes_from_points.transpose() * nodal;
+}
+
+} // namespace dem

@@ -1,0 +1,95 @@
+#pragma once
+/// A block in the wall: its modes on one side, its contacts on the other, one matrix for all
+/// lanes. A port is a contact as one of its two blocks sees it; it has two rows, normal and
+/// tangential, and is found in the arrays of contacts by an index.
+///   modal force += sum over ports of to_modes x (sigma, tau)
+///   relative displacement (du_n, du_s) of the contact += to_contacts x modal velocity
+
+#include "dem/contact/pack.hpp"
+
+#include <vector>
+
+namespace dem {
+
+/// T: double, or float for packs of float.
+template <class T> struct ContactOperator {
+    int ports = 0;
+    int modes = 0;
+    std::vector<T> to_modes;    ///< 2 ports x modes, row-major [m2 m/sqrt(J)]
+    std::vector<T> to_contacts; ///< modes x 2 ports, row-major [m/sqrt(J)]
+};
+
+namespace detail {
+
+/// kBlock sums at a time stay in registers. The order of each sum is that of its terms,
+/// whatever the block.
+template <int kBlock, class T, class Real>
+void gather_block(const ContactOperator<T>& a, const int* contact, const Real* stress,
+                  int first, Real* modal)
+{
+    Real sum[kBlock];
+#pragma GCC unroll 16
+    for (int j = 0; j < kBlock; ++j) sum[j] = Real(0.0);
+    const T* row = a.to_modes.data() + first;
+    for (int p = 0; p < a.ports; ++p) {
+        const Real sigma = stress[2 * contact[p]], tau = stress[2 * contact[p] + 1];
+#pragma GCC unroll 16
+        for (int j = 0; j < kBlock; ++j) sum[j] = multiply_add(Real(row[j]), sigma, sum[j]);
+        row += a.modes;
+#pragma GCC unroll 16
+        for (int j = 0; j < kBlock; ++j) sum[j] = multiply_add(Real(row[j]), tau, sum[j]);
+        row += a.modes;
+    }
+#pragma GCC unroll 16
+    for (int j = 0; j < kBlock; ++j) modal[first + j] = sum[j];
+}
+
+/// kPorts ports at a time.
+template <int kPorts, class T, class Real>
+void scatter_block(const ContactOperator<T>& a, const int* contact, const Real* velocity,
+                   int first, Real* du)
+{
+    constexpr int kBlock = 2 * kPorts;
+    Real sum[kBlock];
+#pragma GCC unroll 16
+    for (int j = 0; j < kBlock; ++j) sum[j] = Real(0.0);
+    const T* row = a.to_contacts.data() + static_cast<std::ptrdiff_t>(2) * first;
+    for (int i = 0; i < a.modes; ++i, row += 2 * a.ports) {
+        const Real v = velocity[i];
+#pragma GCC unroll 16
+        for (int j = 0; j < kBlock; ++j) sum[j] = multiply_add(Real(row[j]), v, sum[j]);
+    }
+#pragma GCC unroll 16
+    for (int p = 0; p < kPorts; ++p) {
+        Real* at = du + 2 * contact[first + p];
+        at[0] += sum[2 * p];
+        at[1] += sum[2 * p + 1];
+    }
+}
+
+} // namespace detail
+
+/// @param contact index of each port's contact;  stress: (sigma, tau) of each contact [Pa]
+template <class T, class Real>
+void gather(const ContactOperator<T>& a, const int* contact, const Real* stress, Real* modal)
+{
+    int j = 0;
+    for (; j + 16 <= a.modes; j += 16) detail::gather_block<16>(a, contact, stress, j, modal);
+    for (; j + 12 <= a.modes; j += 12) detail::gather_block<12>(a, contact, stress, j, modal);
+    for (; j + 8 <= a.modes; j += 8) detail::gather_block<8>(a, contact, stress, j, modal);
+    for (; j + 4 <= a.modes; j += 4) detail::gather_block<4>(a, contact, stress, j, modal);
+    for (; j + 2 <= a.modes; j += 2) detail::gather_block<2>(a, contact, stress, j, modal);
+    for (; j < a.modes; ++j) detail::gather_block<1>(a, contact, stress, j, modal);
+}
+
+/// @param du (normal, tangential) of each contact [m]
+template <class T, class Real>
+void scatter(const ContactOperator<T>& a, const int* contact, const Real* velocity, Real* du)
+{
+    int p = 0;
+    for (; p + 8 <= a.ports; p += 8) detail::scatter_block<8>(a, contact, velocity, p, du);
+    for (; p + 4 <= a.ports; p += 4) detail::scatter_block<4>(a, contact, velocity, p, du);
+    for (; p < a.ports; ++p) detail::scatter_block<1>(a, contact, velocity, p, du);
+}
+
+} // namespace dem

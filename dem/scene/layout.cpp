@@ -1,0 +1,112 @@
+#include "dem/scene/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem {
+
+namespace {
+
+constexpr double kSmallestPiece = 1e-6; // [m]; what is shorter is rounding of the sizes given
+
+bool is_shifted(const WallGeometry& wall, int course)
+{
+    return (course % 2 == 0) == (wall.first_course == FirstCourse::whole);
+}
+
+/// x of the unit boundaries of a course, both ends included.
+std::vector<double> unit_boundaries(const WallGeometry& wall, int course)
+{
+    const double start = is_shifted(wall, course) ? wall.bond_offset * wall.unit_length : 0.0;
+    std::vector<double> x{0.0};
+    if (start > kSmallestPiece && start < wall.length - kSmallestPiece) x.push_back(start);
+    for (int i = 1; start + i * wall.unit_length < wall.length - kSmallestPiece; ++i)
+        x.push_back(start + i * wall.unit_length);
+    x.push_back(wall.length);
+    return x;
+}
+
+void add_course(const WallGeometry& wall, int course, int& unit, Layout& layout)
+{
+    const double z0 = (course - 1) * wall.course_height, z1 = course * wall.course_height;
+    const std::vector<double> x = unit_boundaries(wall, course);
+    for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+        ++unit;
+        const bool whole = x[i + 1] - x[i] > wall.unit_length - kSmallestPiece;
+        const double middle = 0.5 * (x[i] + x[i + 1]);
+        if (whole && wall.cracks_in_units) {
+            layout.blocks.push_back({x[i], middle, z0, z1, course, unit});
+            layout.blocks.push_back({middle, x[i + 1], z0, z1, course, unit});
+        } else {
+            layout.blocks.push_back({x[i], x[i + 1], z0, z1, course, unit});
+        }
+    }
+}
+
+/// Cracks and head joints between neighbours of one course.
+void add_vertical_faces(int first, int last, Layout& layout)
+{
+    for (int b = first + 1; b < last; ++b) {
+        const Block& right = layout.blocks[b];
+        const bool same_unit = layout.blocks[b - 1].unit == right.unit;
+        const int id = same_unit ? ++layout.n_cracks : ++layout.n_joints;
+        layout.faces.push_back({same_unit ? FaceKind::unit_crack : FaceKind::head_joint,
+                                id,
+                                b - 1,
+                                b,
+                                {right.x0, right.z0},
+                                {right.x0, right.z1}});
+    }
+}
+
+/// Overlaps of the blocks [a0, a1) below with the blocks [b0, b1) above, at height z.
+void add_bed_faces(int a0, int a1, int b0, int b1, FaceKind kind, Layout& layout)
+{
+    for (int a = a0, b = b0; a < a1 && b < b1;) {
+        const Block &below = layout.blocks[a], &above = layout.blocks[b];
+        const double x0 = std::max(below.x0, above.x0), x1 = std::min(below.x1, above.x1);
+        if (x1 - x0 > kSmallestPiece) {
+            const int id = kind == FaceKind::bed_joint ? ++layout.n_joints : 0;
+            layout.faces.push_back({kind, id, a, b, {x0, above.z0}, {x1, above.z0}});
+        }
+        if (below.x1 < above.x1 + kSmallestPiece) ++a;
+        if (above.x1 < below.x1 + kSmallestPiece) ++b;
+    }
+}
+
+void add_base_faces(int last, Layout& layout)
+{
+    for (int b = 0; b < last; ++b) {
+        const Block& block = layout.blocks[b];
+        layout.faces.push_back(
+            {FaceKind::base_joint, 0, kGround, b, {block.x0, 0.0}, {block.x1, 0.0}});
+    }
+}
+
+} // namespace
+
+Layout lay_out(const WallGeometry& wall, double beam_height)
+{
+    Layout layout;
+    std::vector<int> first{0}; // first block of each course, and one past the last
+    int unit = 0;
+    for (int course = 1; course <= wall.courses; ++course) {
+        add_course(wall, course, unit, layout);
+        first.push_back(static_cast<int>(layout.blocks.size()));
+    }
+    const double top = wall.courses * wall.course_height;
+    layout.beam = static_cast<int>(layout.blocks.size());
+    layout.blocks.push_back({0.0, wall.length, top, top + beam_height, 0, 0});
+
+    if (wall.base == Base::joint) add_base_faces(first[1], layout);
+    for (int c = 0; c < wall.courses; ++c) {
+        add_vertical_faces(first[c], first[c + 1], layout);
+        const bool last = c + 1 == wall.courses;
+        add_bed_faces(first[c], first[c + 1], first[c + 1],
+                      last ? layout.beam + 1 : first[c + 2],
+                      last ? FaceKind::beam_joint : FaceKind::bed_joint, layout);
+    }
+    return layout;
+}
+
+} // namespace dem

@@ -1,0 +1,65 @@
+#pragma once
+/// The clock of one wall: vertical load first, then the load line visits the target
+/// displacements.
+
+#include "dem/solver/solver_options.hpp"
+
+#include <vector>
+
+namespace dem {
+
+class Drive {
+  public:
+    /// @param targets [m], visited in order
+    Drive(std::vector<double> targets, const SolverOptions& options);
+
+    /// Share of the vertical load that acts in the next step.
+    [[nodiscard]] double load_factor() const;
+
+    /// Advances by a step; returns the displacement of the load line in it [m]. Zero under
+    /// vertical load alone.
+    double advance();
+
+    /// Vertical load: to be called after each step, with the state of the wall.
+    /// @param unbalanced_ratio called only when it is time to look
+    template <class F> void settle(F unbalanced_ratio)
+    {
+        if (!settling_ || step_ % kLookEvery != 0 || step_ <= ramp_steps()) return;
+        settled_ = unbalanced_ratio() < options_.preload_unbalance;
+        settling_ = !settled_ && step_ < options_.preload_steps;
+    }
+
+    /// Push: to be called after each step. Slows the drive while the wall is out of balance.
+    /// @param unbalance |top force - base shear| / vertical load [-]
+    void feel(double unbalance);
+
+    [[nodiscard]] bool settling() const { return settling_; }
+    [[nodiscard]] bool settled() const { return settled_; } ///< at rest before the push
+    [[nodiscard]] bool finished() const { return !settling_ && target_ >= targets_.size(); }
+    [[nodiscard]] double position() const { return position_; }      ///< of the load line [m]
+    [[nodiscard]] double left() const { return path_ - travelled_; } ///< of the whole path [m]
+    [[nodiscard]] double done() const; ///< share of the whole path travelled [-]
+    [[nodiscard]] long long step_count() const { return step_; }
+
+  private:
+    static constexpr int kLookEvery = 50;
+    [[nodiscard]] long long ramp_steps() const
+    {
+        return options_.preload == Preload::solved ? 0 : options_.preload_steps / 4;
+    }
+
+    std::vector<double> targets_;
+    SolverOptions options_;
+    double full_speed_ = 0.0; ///< [m/step]
+    double path_ = 0.0;       ///< [m]
+    bool settling_ = true;
+    bool settled_ = false;
+    long long step_ = 0;
+    std::size_t target_ = 0;
+    double position_ = 0.0;
+    double travelled_ = 0.0;
+    double speed_ = 0.0;     ///< now [m/step]
+    double unbalance_ = 0.0; ///< smoothed
+};
+
+} // namespace dem

@@ -1,0 +1,51 @@
+#include "dem/solver/elastic_operator.hpp"
+
+#include <cstddef>
+
+namespace dem {
+
+void stretch(const StepTables& t, const std::vector<double>& q, std::vector<double>& du)
+{
+    du.assign(du.size(), 0.0);
+    for (const auto& b : t.blocks)
+        scatter(t.matrices[b.element], t.port_contact.data() + b.first_port,
+                q.data() + b.first_mode, du.data());
+}
+
+void elastic_stress(const StepTables& t, const WallState<double>& s,
+                    const std::vector<double>& du, std::vector<double>& stress)
+{
+    const auto fill = [&](const std::vector<ContactRun>& runs, const auto& laws) {
+        for (const ContactRun& run : runs)
+            for (int k = run.first; k < run.first + run.count; ++k) {
+                stress[2 * k] = laws[run.law].kn * du[2 * k];
+                stress[2 * k + 1] = laws[run.law].ks * du[2 * k + 1];
+            }
+    };
+    fill(t.dry, s.dry_laws);
+    fill(t.tied, s.tied_laws);
+    fill(t.cracks, s.crack_laws);
+}
+
+void apply_stiffness(const StepTables& t, const std::vector<double>& q, WallState<double>& s,
+                     std::vector<double>& kq)
+{
+    stretch(t, q, s.du);
+    elastic_stress(t, s, s.du, s.stress);
+    for (const auto& b : t.blocks) {
+        double* force = kq.data() + b.first_mode;
+        gather(t.matrices[b.element], t.port_contact.data() + b.first_port, s.stress.data(),
+               force);
+        for (int i = 0; i < b.modes; ++i)
+            force[i] = s.elasticity[b.first_mode + i] * q[b.first_mode + i] - force[i];
+    }
+}
+
+double dot(const std::vector<double>& a, const std::vector<double>& b)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+} // namespace dem

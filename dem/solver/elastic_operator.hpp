@@ -1,0 +1,23 @@
+#pragma once
+/// The wall as long as nothing opens, slips or cracks: its stiffness, without a matrix.
+
+#include "dem/solver/wall_state.hpp"
+
+#include <vector>
+
+namespace dem {
+
+/// Relative displacements (normal, tangential) of the contacts [m], from the modes.
+void stretch(const StepTables& tables, const std::vector<double>& q, std::vector<double>& du);
+
+/// (k_n du_n, k_s du_s) of all contacts [Pa].
+void elastic_stress(const StepTables& tables, const WallState<double>& state,
+                    const std::vector<double>& du, std::vector<double>& stress);
+
+/// K q of blocks and contacts. Displacements and stresses of the contacts are left in the state.
+void apply_stiffness(const StepTables& tables, const std::vector<double>& q,
+                     WallState<double>& state, std::vector<double>& kq);
+
+[[nodiscard]] double dot(const std::vector<double>& a, const std::vector<double>& b);
+
+} // namespace dem

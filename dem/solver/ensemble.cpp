@@ -1,0 +1,79 @@
+#include "dem/solver/ensemble.hpp"
+
+#include "dem/solver/batch.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace dem {
+
+namespace {
+
+using Next = std::function<std::optional<NumberedWall>()>;
+using Done = std::function<void(std::size_t, PushResult&&)>;
+
+void run(const Task& task, const Workers& workers, int most_lanes, const Next& next,
+         const Done& done)
+{
+    if (workers.precision == Precision::single_precision)
+        workers.scalar ? run_batch<float>(task, most_lanes, next, done)
+                       : run_batch<FloatPack>(task, most_lanes, next, done);
+    else
+        workers.scalar ? run_batch<double>(task, most_lanes, next, done)
+                       : run_batch<Pack>(task, most_lanes, next, done);
+}
+
+} // namespace
+
+void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan& plan,
+                   const SolverOptions& options, const Workers& workers)
+{
+    check(plan, options);
+    const StepTables tables = step_tables(model);
+    const Task task{model, tables, plan, options};
+    std::atomic<std::size_t> waiting{0};
+    std::mutex one_at_a_time;
+    std::exception_ptr trouble;
+    const auto next = [&]() -> std::optional<NumberedWall> {
+        const std::size_t number = waiting++;
+        if (number >= ensemble.size) return {};
+        NumberedWall wall{number, ensemble.wall(number)};
+        check(model, wall.materials);
+        return wall;
+    };
+    const auto done = [&](std::size_t number, PushResult&& result) {
+        const std::lock_guard lock(one_at_a_time);
+        if (trouble)
+            std::rethrow_exception(trouble); // another thread's: this one's walls are left too
+        try {
+            ensemble.done(number, std::move(result));
+        } catch (...) {
+            trouble = std::current_exception(); // before another thread's turn
+            throw;
+        }
+    };
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const int threads = workers.threads > 0 ? workers.threads : static_cast<int>(cores);
+    const int most_lanes = static_cast<int>(std::min<std::size_t>(
+        1000, (ensemble.size + threads - 1) / static_cast<std::size_t>(threads)));
+    const auto work = [&] {
+        try {
+            run(task, workers, most_lanes, next, done);
+        } catch (...) {
+            const std::lock_guard lock(one_at_a_time);
+            if (!trouble) trouble = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> team;
+        for (int t = 1; t < threads; ++t) team.emplace_back(work);
+        work();
+    }
+    if (trouble) std::rethrow_exception(trouble);
+}
+
+} // namespace dem

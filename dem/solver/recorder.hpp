@@ -1,0 +1,43 @@
+#pragma once
+/// Turns the steps of one wall into the points of its capacity curve.
+
+#include "dem/solver/curve_point.hpp"
+
+namespace dem {
+
+/// Sums over the steps since the last point.
+class Recorder {
+  public:
+    explicit Recorder(double every) : every_(every) {}
+
+    /// @param drive signed displacement of the step [m];  forces before and after the step [N]
+    void add(double drive, double force_before, double force_after, double base_shear)
+    {
+        const double way = drive < 0.0 ? -drive : drive;
+        const double mean = 0.5 * (force_before + force_after);
+        const double gap = force_after - base_shear;
+        way_ += way;
+        displacement_ += drive;
+        force_ += mean * way;
+        base_ += base_shear * way;
+        gap_ += (gap < 0.0 ? -gap : gap) * way;
+    }
+
+    [[nodiscard]] bool due() const { return way_ >= every_; }
+    [[nodiscard]] bool any() const { return way_ > 0.0; }
+
+    /// The point, and a new start. Only if any().
+    [[nodiscard]] CurvePoint take(double position, const Energy& energy)
+    {
+        const CurvePoint p{position - 0.5 * displacement_, force_ / way_, base_ / way_,
+                           gap_ / way_, energy};
+        *this = Recorder(every_);
+        return p;
+    }
+
+  private:
+    double every_;
+    double way_ = 0.0, displacement_ = 0.0, force_ = 0.0, base_ = 0.0, gap_ = 0.0;
+};
+
+} // namespace dem

@@ -1,0 +1,93 @@
+#include "dem/solver/static_start.hpp"
+
+#include "dem/solver/elastic_operator.hpp"
+
+#include <cstddef>
+
+namespace dem {
+
+namespace {
+
+using Vector = std::vector<double>;
+
+constexpr double kTolerance = 1e-8; // of the residual, in the norm of the preconditioner
+constexpr int kMostIterations = 5000;
+
+/// K q = load by conjugate gradients.
+bool solve(const StepTables& t, WallState<double>& s)
+{
+    const std::size_t n = s.q.size();
+    Vector r = s.load, z(n), p(n, 0.0), kp(n);
+    const auto precondition = [&] {
+        for (std::size_t i = 0; i < n; ++i) z[i] = s.inv_mass[i] * r[i];
+    };
+    precondition();
+    double rz = dot(r, z);
+    const double enough = kTolerance * kTolerance * rz;
+    for (int i = 0; i < kMostIterations && rz > enough; ++i) {
+        if (i == 0) p = z;
+        apply_stiffness(t, p, s, kp);
+        const double alpha = rz / dot(p, kp);
+        for (std::size_t m = 0; m < n; ++m) {
+            s.q[m] += alpha * p[m];
+            r[m] -= alpha * kp[m];
+        }
+        precondition();
+        const double next = dot(r, z), beta = next / rz;
+        rz = next;
+        for (std::size_t m = 0; m < n; ++m) p[m] = z[m] + beta * p[m];
+    }
+    return rz <= enough; // false for NaN as well
+}
+
+/// Dry joints carry no tension, and no more shear than friction allows.
+void cut_back(const StepTables& t, WallState<double>& s)
+{
+    for (const ContactRun& run : t.dry) {
+        const DryLaw<double>& law = s.dry_laws[run.law];
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const auto u =
+                advance(law, DryState<double>{0.0, 0.0}, s.du[2 * k], s.du[2 * k + 1]);
+            s.stress[2 * k] = u.sigma;
+            s.stress[2 * k + 1] = u.state.tau;
+        }
+    }
+}
+
+} // namespace
+
+bool solve_preload(const StepTables& t, WallState<double>& s)
+{
+    const bool solved = solve(t, s);
+    if (solved) {
+        stretch(t, s.q, s.du);
+        elastic_stress(t, s, s.du, s.stress);
+        cut_back(t, s);
+        for (int k = 0; k < t.n_contacts; ++k) s.u_n[k] = s.du[2 * k];
+    } else {
+        s.q.assign(s.q.size(), 0.0);
+        s.stress.assign(s.stress.size(), 0.0);
+    }
+    s.du.assign(s.du.size(), 0.0);
+    s.work = energy_of(t, s, 0).elastic;
+    return solved;
+}
+
+template <class Real>
+void copy_to_lane(const WallState<double>& wall, int lane, WallState<Real>& s)
+{
+    const auto copy = [lane](const Vector& from, std::vector<Real>& to) {
+        for (std::size_t i = 0; i < from.size(); ++i) set_lane(to[i], lane, from[i]);
+    };
+    copy(wall.q, s.q);
+    copy(wall.u_n, s.u_n);
+    copy(wall.stress, s.stress);
+    set_lane(s.work, lane, wall.work);
+}
+
+template void copy_to_lane(const WallState<double>&, int, WallState<double>&);
+template void copy_to_lane(const WallState<double>&, int, WallState<Pack>&);
+template void copy_to_lane(const WallState<double>&, int, WallState<float>&);
+template void copy_to_lane(const WallState<double>&, int, WallState<FloatPack>&);
+
+} // namespace dem

@@ -1,0 +1,194 @@
+#include "dem/solver/step.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace dem {
+
+namespace {
+
+/// |f| with the sign of x; 0 where x is 0.
+template <class Real> Real with_sign_of(Real size, Real x)
+{
+    const Real zero(0.0);
+    return select(x > zero, size, select(x < zero, -size, zero));
+}
+
+/// Damping force on a mode: Eq. 1 (local), or combined: half of it follows the change of the
+/// force, so that a body in steady motion, whose force does not change, is not dragged.
+template <Damping kDamping, class Real>
+Real damping_force(Real gamma, Real force, Real last_force, Real velocity)
+{
+    const Real size = gamma * abs(force);
+    if constexpr (kDamping == Damping::local) return -with_sign_of(size, velocity);
+    return Real(0.5) * (with_sign_of(size, force - last_force) - with_sign_of(size, velocity));
+}
+
+/// Modal forces, leapfrog with damping, relative displacements at the contacts in this step.
+template <Damping kDamping, class Real>
+void move_blocks(const StepTables& t, double damping_factor, const StepInput<Real>& in,
+                 WallState<Real>& s)
+{
+    const Real gamma(damping_factor), half(0.5);
+    Real lost = s.damping, work = s.work;
+    Real* force = s.block_force.data();
+    const auto& matrices = matrices_of<Number<Real>>(t);
+    for (const auto& b : t.blocks) {
+        const auto& matrix = matrices[b.element];
+        const int* contact = t.port_contact.data() + b.first_port;
+        gather(matrix, contact, s.stress.data(), force);
+        for (int i = 0; i < b.modes; ++i) {
+            const int m = b.first_mode + i;
+            const Real load = in.load_factor * s.load[m], before = s.v[m];
+            const Real total = force[i] + load - s.elasticity[m] * s.q[m];
+            const Real damping = damping_force<kDamping>(gamma, total, s.last_force[m], before);
+            const Real v = multiply_add(total + damping, s.inv_mass[m], before);
+            lost -= damping * (half * (before + v));
+            work = multiply_add(load, v, work);
+            s.q[m] += v;
+            s.v[m] = v;
+            s.last_force[m] = total;
+        }
+        scatter(matrix, contact, s.v.data() + b.first_mode, s.du.data());
+    }
+    s.damping = lost;
+    s.work = work;
+    for (const HorizontalShare& h : t.beam) s.du[h.row] += Real(h.factor) * in.drive;
+}
+
+/// Takes the relative displacement of a contact and leaves zero for the next step.
+template <class Real> struct Relative {
+    Real normal, tangential;
+    Relative(WallState<Real>& s, int contact)
+        : normal(s.du[2 * contact]), tangential(s.du[2 * contact + 1])
+    {
+        s.du[2 * contact] = s.du[2 * contact + 1] = Real(0.0);
+    }
+};
+
+template <class Real>
+void set_contact(WallState<Real>& s, int k, Real u_n, Real sigma, Real tau)
+{
+    s.u_n[k] = u_n;
+    s.stress[2 * k] = sigma;
+    s.stress[2 * k + 1] = tau;
+}
+
+template <class Real> void advance_dry(const StepTables& t, WallState<Real>& s)
+{
+    Real friction = s.friction;
+    for (const ContactRun& run : t.dry) {
+        const DryLaw<Real> law = s.dry_laws[run.law];
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const Relative<Real> du(s, k);
+            const DryState<Real> before{s.u_n[k], s.stress[2 * k + 1]};
+            const DryUpdate<Real> u = advance(law, before, du.normal, du.tangential);
+            set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
+            friction = multiply_add(Real(t.area[k]), u.friction, friction);
+        }
+    }
+    s.friction = friction;
+}
+
+template <class Real> void advance_tied(const StepTables& t, WallState<Real>& s)
+{
+    for (const ContactRun& run : t.tied) {
+        const DryLaw<Real>& law = s.tied_laws[run.law];
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const Relative<Real> du(s, k);
+            const Real u_n = s.u_n[k] + du.normal;
+            const Real tau = multiply_add(law.ks, du.tangential, s.stress[2 * k + 1]);
+            set_contact(s, k, u_n, law.kn * u_n, tau);
+        }
+    }
+}
+
+template <ContactLaw kLaw, Unloading kUnloading, class Real>
+void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
+{
+    for (const ContactRun& run : t.cracks) {
+        const CrackLaw<Real>& law = s.crack_laws[run.law];
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const Relative<Real> du(s, k);
+            const CrackState<Real> before = crack_state(t, s, k);
+            const auto trial = try_elastic<kUnloading>(law, before, du.normal, du.tangential);
+            if (trial.holds && shortcuts) {
+                set_contact(s, k, trial.u_n, trial.sigma, trial.tau);
+                continue;
+            }
+            const auto [c, loss] =
+                advance<kLaw, kUnloading>(law, before, du.normal, du.tangential);
+            set_contact(s, k, c.u_n, c.sigma, c.tau);
+            s.cracks[k - t.first_crack] = {c.u_max, c.bond, c.unloading, c.integrity};
+            s.friction = multiply_add(Real(t.area[k]), loss.friction, s.friction);
+            s.fracture = multiply_add(Real(t.area[k]), loss.fracture, s.fracture);
+        }
+    }
+}
+
+template <ContactLaw kLaw, class Real>
+void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
+{
+    if (s.unloading == Unloading::secant)
+        advance_cracks<kLaw, Unloading::secant>(t, shortcuts, s);
+    else
+        advance_cracks<kLaw, Unloading::elastic>(t, shortcuts, s);
+}
+
+template <class Real>
+Real horizontal_force(const std::vector<HorizontalShare>& shares, const WallState<Real>& s)
+{
+    Real sum(0.0);
+    for (const HorizontalShare& h : shares)
+        sum = multiply_add(Real(h.area * h.factor), s.stress[h.row], sum);
+    return sum;
+}
+
+} // namespace
+
+template <class Real>
+void step(const StepTables& t, const SolverOptions& options, const StepInput<Real>& in,
+          WallState<Real>& s)
+{
+    if (options.damping == Damping::local)
+        move_blocks<Damping::local>(t, options.damping_factor, in, s);
+    else
+        move_blocks<Damping::combined>(t, options.damping_factor, in, s);
+
+    advance_dry(t, s);
+    advance_tied(t, s);
+    if (options.law == ContactLaw::coupled)
+        advance_cracks<ContactLaw::coupled>(t, options.shortcuts, s);
+    else
+        advance_cracks<ContactLaw::uncoupled>(t, options.shortcuts, s);
+
+    const Real before = s.top_force;
+    s.top_force = horizontal_force(t.beam, s);
+    s.base_shear = -horizontal_force(t.ground, s);
+    s.work = multiply_add(Real(0.5) * (before + s.top_force), in.drive, s.work);
+}
+
+template <class Real> double unbalanced_ratio(const WallState<Real>& s, int lane)
+{
+    double forces = 0.0, loads = 0.0;
+    for (std::size_t i = 0; i < s.last_force.size(); ++i) {
+        forces += std::pow(dem::lane(s.last_force[i], lane), 2);
+        loads += std::pow(dem::lane(s.load[i], lane), 2);
+    }
+    return loads > 0.0 ? std::sqrt(forces / loads) : 0.0;
+}
+
+template void step(const StepTables&, const SolverOptions&, const StepInput<double>&,
+                   WallState<double>&);
+template double unbalanced_ratio(const WallState<double>&, int);
+template void step(const StepTables&, const SolverOptions&, const StepInput<Pack>&,
+                   WallState<Pack>&);
+template double unbalanced_ratio(const WallState<Pack>&, int);
+template void step(const StepTables&, const SolverOptions&, const StepInput<float>&,
+                   WallState<float>&);
+template double unbalanced_ratio(const WallState<float>&, int);
+template void step(const StepTables&, const SolverOptions&, const StepInput<FloatPack>&,
+                   WallState<FloatPack>&);
+template double unbalanced_ratio(const WallState<FloatPack>&, int);
+
+} // namespace dem

@@ -1,0 +1,24 @@
+#pragma once
+/// One explicit step of a batch of walls: forces -> motion of the blocks -> contacts -> forces.
+
+#include "dem/solver/solver_options.hpp"
+#include "dem/solver/wall_state.hpp"
+
+namespace dem {
+
+/// What the outside does to each wall during a step.
+template <class Real> struct StepInput {
+    Real load_factor{1.0}; ///< share of self-weight and vertical load acting [-]
+    Real drive{0.0};       ///< displacement of the load line in this step [m]
+};
+
+template <class Real>
+void step(const StepTables& tables, const SolverOptions& options, const StepInput<Real>& input,
+          WallState<Real>& state);
+
+/// sqrt(sum of squared modal forces / sum of squared modal loads), of one lane, at the last
+/// step [-].
+template <class Real>
+[[nodiscard]] double unbalanced_ratio(const WallState<Real>& state, int lane);
+
+} // namespace dem

@@ -1,0 +1,54 @@
+#pragma once
+/// What a step needs to know of the model: shared by all walls, made once.
+
+#include "dem/block/model.hpp"
+#include "dem/contact/contact_operator.hpp"
+
+#include <type_traits>
+#include <vector>
+
+namespace dem {
+
+/// Contacts of a face: one law, neighbours in the arrays.
+struct ContactRun {
+    int first = 0, count = 0;
+    int law = 0; ///< index in the arrays of laws
+};
+
+/// Share of a row of the contacts in a horizontal motion, and in the force that goes with it.
+struct HorizontalShare {
+    int row = 0;         ///< 2 contact + (0 normal, 1 tangential)
+    double factor = 0.0; ///< of the horizontal displacement that is relative displacement [-]
+    double area = 0.0;   ///< [m2]
+};
+
+/// Contacts are numbered: dry, then tied, then cracks, each in the order of the model.
+struct StepTables {
+    struct BlockRow {
+        int element, first_port, first_mode, modes;
+    };
+    std::vector<BlockRow> blocks;
+    std::vector<ContactOperator<double>> matrices;       ///< by element
+    std::vector<ContactOperator<float>> single_matrices; ///< the same in single precision
+    std::vector<int> port_contact;                       ///< by port: contact
+    std::vector<double> lambda;                          ///< by mode
+    std::vector<double> area;                            ///< by contact [m2]
+    std::vector<ContactRun> dry, tied, cracks;
+    int first_tied = 0, first_crack = 0, n_contacts = 0;
+    std::vector<HorizontalShare> beam;   ///< what moves with the drive
+    std::vector<HorizontalShare> ground; ///< what hands horizontal force to the ground
+};
+
+[[nodiscard]] StepTables step_tables(const Model& model);
+
+/// The matrices for numbers of type T.
+template <class T>
+[[nodiscard]] const std::vector<ContactOperator<T>>& matrices_of(const StepTables& t)
+{
+    if constexpr (std::is_same_v<T, float>)
+        return t.single_matrices;
+    else
+        return t.matrices;
+}
+
+} // namespace dem

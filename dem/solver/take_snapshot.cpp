@@ -1,0 +1,107 @@
+#include "dem/solver/take_snapshot.hpp"
+
+namespace dem {
+
+namespace {
+
+BlockState block_state(const Model& m, const Eigen::VectorXd& q, int block, double drive)
+{
+    const Block& b = m.layout.blocks[block];
+    const BlockElement& e = m.elements[m.places[block].element];
+    const Eigen::VectorXd u = e.outline_phi * q;
+    BlockState s;
+    s.course = b.course;
+    s.unit = b.unit;
+    for (std::size_t p = 0; p < e.outline.size(); ++p) {
+        s.outline.push_back({b.x0 + e.outline[p].x, b.z0 + e.outline[p].z});
+        const double pushed = block == m.layout.beam ? drive : 0.0;
+        const auto row = 2 * static_cast<Eigen::Index>(p);
+        s.displacement.push_back({u(row) + pushed, u(row + 1)});
+    }
+    return s;
+}
+
+std::vector<FaceState> empty_faces(const Layout& layout)
+{
+    std::vector<FaceState> faces;
+    for (const Face& f : layout.faces) {
+        FaceState s;
+        s.kind = f.kind;
+        s.id = f.id;
+        s.block_a = f.a;
+        s.block_b = f.b;
+        faces.push_back(s);
+    }
+    return faces;
+}
+
+/// Undeformed position of a contact point, from the block above or right of it.
+Point position_of(const Model& m, const Contact& c, const Face& f)
+{
+    const BlockPlace& place = m.places[f.b];
+    const Point local = m.elements[place.element].points[c.b - place.first_point];
+    return {m.layout.blocks[f.b].x0 + local.x, m.layout.blocks[f.b].z0 + local.z};
+}
+
+/// Slip of the contacts of one lane since the unloaded wall [m].
+template <class Real>
+std::vector<double> slips(const StepTables& t, const WallState<Real>& state, int lane,
+                          double drive)
+{
+    std::vector<double> slip(t.n_contacts, 0.0);
+    for (const auto& b : t.blocks) {
+        const ContactOperator<double>& a = t.matrices[b.element];
+        for (int p = 0; p < a.ports; ++p)
+            for (int i = 0; i < a.modes; ++i)
+                slip[t.port_contact[b.first_port + p]] +=
+                    a.to_contacts[2 * (static_cast<std::size_t>(i) * a.ports + p) + 1] *
+                    dem::lane(state.q[b.first_mode + i], lane);
+    }
+    for (const HorizontalShare& h : t.beam)
+        if (h.row % 2 == 1) slip[h.row / 2] += h.factor * drive;
+    return slip;
+}
+
+} // namespace
+
+template <class Real>
+Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real>& state,
+                       int lane, double drive, double force)
+{
+    const auto at = [lane](const Real& x) { return dem::lane(x, lane); };
+    Snapshot s;
+    s.displacement = drive;
+    s.force = force;
+    for (int b = 0; b < static_cast<int>(m.layout.blocks.size()); ++b) {
+        Eigen::VectorXd q(t.blocks[b].modes);
+        for (int i = 0; i < t.blocks[b].modes; ++i)
+            q(i) = at(state.q[t.blocks[b].first_mode + i]);
+        s.blocks.push_back(block_state(m, q, b, drive));
+    }
+    s.faces = empty_faces(m.layout);
+    const std::vector<double> slip = slips(t, state, lane, drive);
+    int number = 0;
+    const auto add = [&](const Contact& c, double damage) {
+        const int k = number++;
+        s.faces[c.face].normal = {c.nx, c.nz};
+        s.faces[c.face].contacts.push_back({position_of(m, c, m.layout.faces[c.face]), c.area,
+                                            at(state.u_n[k]), slip[k], at(state.stress[2 * k]),
+                                            at(state.stress[2 * k + 1]), damage});
+    };
+    for (const Contact& c : m.dry) add(c, 0.0);
+    for (const Contact& c : m.tied) add(c, 0.0);
+    for (const Contact& c : m.cracks)
+        add(c, at(damage(state.crack_laws[c.material], crack_state(t, state, number))));
+    return s;
+}
+
+template Snapshot take_snapshot(const Model&, const StepTables&, const WallState<double>&, int,
+                                double, double);
+template Snapshot take_snapshot(const Model&, const StepTables&, const WallState<Pack>&, int,
+                                double, double);
+template Snapshot take_snapshot(const Model&, const StepTables&, const WallState<float>&, int,
+                                double, double);
+template Snapshot take_snapshot(const Model&, const StepTables&, const WallState<FloatPack>&,
+                                int, double, double);
+
+} // namespace dem

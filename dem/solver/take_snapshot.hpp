@@ -1,0 +1,15 @@
+#pragma once
+/// Snapshot of one wall of a batch.
+
+#include "dem/scene/snapshot.hpp"
+#include "dem/solver/wall_state.hpp"
+
+namespace dem {
+
+/// @param drive displacement of the load line [m];  force: horizontal load [N]
+template <class Real>
+[[nodiscard]] Snapshot take_snapshot(const Model& model, const StepTables& tables,
+                                     const WallState<Real>& state, int lane, double drive,
+                                     double force);
+
+} // namespace dem

@@ -1,0 +1,16 @@
+#pragma once
+/// Processor time of the calling thread: what a run costs, whatever else the machine does.
+
+#include <ctime>
+
+namespace dem {
+
+/// Since some fixed moment [s].
+inline double thread_seconds()
+{
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+} // namespace dem

@@ -1,0 +1,261 @@
+#include "dem/solver/wall_run.hpp"
+
+#include "dem/solver/stability_limit.hpp"
+#include "dem/solver/static_start.hpp"
+#include "dem/solver/take_snapshot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dem {
+
+namespace {
+
+constexpr long long kLookEvery = 500;   // steps between looks at the whole wall
+constexpr double kMeasuredLimit = 0.99; // of the step that is just stable; it is known to 1e-3
+constexpr double kSmallestStep = 1.0 / 64.0; // of the proven bound, to which a step is reduced
+
+int count_snap_back(const Model& m, const WallMaterials& w)
+{
+    int n = 0;
+    for (const Contact& c : m.cracks) {
+        const CrackMaterial& k = w.cracks[c.material];
+        n += k.ft > std::sqrt(2.0 * k.fracture_energy * k.kn);
+    }
+    return n;
+}
+
+/// Vertical load and weight, with the reference density [N].
+double vertical_load(const Model& m, const WallMaterials& w)
+{
+    double force =
+        w.vertical_stress.value_or(m.loads.vertical_stress) * m.wall.length * m.wall.thickness;
+    for (const Block& b : m.layout.blocks) {
+        const Elastic& material = b.course == 0 ? m.beam.material : m.stone;
+        const double volume = (b.x1 - b.x0) * (b.z1 - b.z0) * m.wall.thickness;
+        force += volume * material.density * m.loads.gravity;
+    }
+    return force;
+}
+
+/// Mean settlement of the beam's lower face [m].
+double settlement_of(const Snapshot& s)
+{
+    double sum = 0.0;
+    int n = 0;
+    const BlockState& beam = s.blocks.back();
+    for (std::size_t p = 0; p < beam.outline.size(); ++p)
+        if (std::abs(beam.outline[p].z - beam.outline.front().z) < 1e-9) {
+            sum -= beam.displacement[p].z;
+            ++n;
+        }
+    return sum / n;
+}
+
+/// [m]
+template <class Real> double largest_opening(const WallState<Real>& s, int lane)
+{
+    double worst = 0.0;
+    for (const Real& u_n : s.u_n) worst = std::max(worst, dem::lane(u_n, lane));
+    return worst;
+}
+
+} // namespace
+
+WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
+    : task_(&task), number_(number), materials_(std::move(materials)), options_(task.options),
+      vertical_load_(vertical_load(task.model, materials_)),
+      drive_(task.plan.targets, task.options), recorder_(task.plan.record_every)
+{
+    result_.snap_back_contacts = count_snap_back(task.model, materials_);
+}
+
+/// This wall alone, unloaded, with a step that is stable as long as nothing opens, slips or cracks.
+/// Up to 1 that is proven. Beyond, the limit is measured: of the steps that are too large the ledger
+/// finds most, but not a joint that chatters a little while it slides (bench/stability: 16 of 2400
+/// walls).
+WallState<double> WallRun::with_stable_step()
+{
+    for (;;) {
+        WallState<double> wall =
+            unloaded<double>(task_->model, task_->tables, {&materials_, 1}, options_);
+        if (options_.step_fraction <= 1.0 ||
+            step_over_limit(task_->tables, wall, options_) < kMeasuredLimit)
+            return wall;
+        reduce_step();
+    }
+}
+
+template <class Real> void WallRun::load(WallState<Real>& state, int lane)
+{
+    WallState<double> wall = with_stable_step();
+    load_lane(task_->model, task_->tables, materials_, options_, lane, state);
+    if (options_.preload == Preload::ramped) return;
+    if (solve_preload(task_->tables, wall)) {
+        copy_to_lane(wall, lane, state);
+    } else {
+        options_.preload = Preload::ramped;
+        drive_ = Drive(task_->plan.targets, options_);
+    }
+}
+
+WallRun::Input WallRun::next(double top_force)
+{
+    load_factor_ = drive_.load_factor();
+    force_before_ = top_force;
+    step_drive_ = drive_.advance();
+    return {load_factor_, step_drive_};
+}
+
+template <class Real> void WallRun::begin_push(const WallState<Real>& state, int lane)
+{
+    const Energy e = energy_of(task_->tables, state, lane);
+    result_.residual = std::max(result_.residual, std::abs(e.residual()));
+    const double force = dem::lane(state.top_force, lane);
+    result_.curve.push_back({0.0, force, dem::lane(state.base_shear, lane), 0.0, e});
+    result_.settled = drive_.settled();
+    const Snapshot s = take_snapshot(task_->model, task_->tables, state, lane, 0.0, force);
+    result_.settlement = settlement_of(s);
+    if (task_->plan.snapshot_at_peak) result_.at_peak = s;
+    if (task_->plan.snapshot_every > 0.0) result_.snapshots.push_back(s);
+    next_snapshot_ = task_->plan.snapshot_every;
+}
+
+template <class Real> void WallRun::take_point(const WallState<Real>& state, int lane)
+{
+    Energy e;
+    if (task_->plan.energy_at_points) {
+        e = energy_of(task_->tables, state, lane);
+        result_.residual = std::max(result_.residual, std::abs(e.residual()));
+    }
+    const CurvePoint p = recorder_.take(drive_.position(), e);
+    result_.curve.push_back(p);
+    const auto snapshot = [&] {
+        return take_snapshot(task_->model, task_->tables, state, lane, drive_.position(),
+                             p.force);
+    };
+    if (std::abs(p.force) > peak_) {
+        peak_ = std::abs(p.force);
+        if (task_->plan.snapshot_at_peak) result_.at_peak = snapshot();
+    }
+    if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_) {
+        result_.snapshots.push_back(snapshot());
+        next_snapshot_ += task_->plan.snapshot_every;
+    }
+    decided_ = task_->plan.decided && task_->plan.decided(result_.curve);
+}
+
+/// A step counts the work of the load it began with. Where the load has grown by its end, half the
+/// growth acted as well: without it the ledger misses about one part in the steps of the ramp.
+template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int lane) const
+{
+    const double growth = drive_.load_factor() - load_factor_;
+    if (growth == 0.0) return;
+    double work = 0.0;
+    for (std::size_t i = 0; i < state.v.size(); ++i)
+        work += dem::lane(state.load[i], lane) * dem::lane(state.v[i], lane);
+    set_lane(state.work, lane, dem::lane(state.work, lane) + 0.5 * growth * work);
+}
+
+/// After a step under vertical load alone.
+template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
+{
+    add_ramp_work(state, lane);
+    drive_.settle([&] { return unbalanced_ratio(state, lane); });
+    if (!drive_.settling()) begin_push(state, lane);
+}
+
+/// After a step of the push: a point of the curve where one is due.
+template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane)
+{
+    const double top = dem::lane(state.top_force, lane),
+                 base = dem::lane(state.base_shear, lane);
+    way_ += std::abs(step_drive_);
+    recorder_.add(step_drive_, force_before_, top, base);
+    if (vertical_load_ > 0.0) drive_.feel(std::abs(top - base) / vertical_load_);
+    const bool room_for_another = drive_.left() > 0.5 * task_->plan.record_every;
+    const bool wanted = drive_.finished() || (recorder_.due() && room_for_another);
+    if (wanted && recorder_.any()) take_point(state, lane);
+}
+
+/// Whether the run can go on. Energy first: a wall that a step too large has torn apart has not lost
+/// its equilibrium. It is not finite where any number of the wall is not.
+template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int lane)
+{
+    const double residual = std::abs(energy_of(task_->tables, state, lane).residual());
+    if (!std::isfinite(residual)) return Outcome::not_finite;
+    result_.residual = std::max(result_.residual, residual); // the largest at any point counts
+    if (result_.residual > options_.energy_tolerance) return Outcome::energy_astray;
+    const double height = task_->model.wall.courses * task_->model.wall.course_height;
+    if (largest_opening(state, lane) > height) return Outcome::lost_equilibrium;
+    if (result_.cost.steps >= options_.most_steps) return Outcome::out_of_steps;
+    return Outcome::reached_target;
+}
+
+template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
+{
+    drive_.settling() ? settle(state, lane) : go_on(state, lane);
+    const bool over = drive_.finished() || decided_;
+    ++result_.cost.steps;
+    if (++steps_ % kLookEvery != 0 && !over) return true;
+    result_.outcome = judge(state, lane);
+    if (task_->plan.progress)
+        task_->plan.progress(drive_.done(), drive_.position(),
+                             dem::lane(state.top_force, lane));
+    const bool too_large =
+        result_.outcome == Outcome::not_finite || result_.outcome == Outcome::energy_astray;
+    if (too_large && options_.step_fraction > kSmallestStep) {
+        reduce_step();
+        load(state, lane);
+        return true;
+    }
+    if (decided_ && result_.outcome == Outcome::reached_target)
+        result_.outcome = Outcome::decided;
+    return !over && result_.outcome == Outcome::reached_target;
+}
+
+/// The step is too large, made energy or broke the numbers: from the unloaded wall again, with half
+/// of it.
+void WallRun::reduce_step()
+{
+    options_.step_fraction *= 0.5;
+    options_.steps_per_mm *= 2.0;
+    PushResult fresh;
+    fresh.snap_back_contacts = result_.snap_back_contacts;
+    fresh.step_reductions = result_.step_reductions + 1;
+    fresh.cost = result_.cost;
+    result_ = std::move(fresh);
+    drive_ = Drive(task_->plan.targets, options_);
+    recorder_ = Recorder(task_->plan.record_every);
+    peak_ = way_ = next_snapshot_ = 0.0;
+    steps_ = 0;
+    decided_ = false;
+}
+
+template <class Real> PushResult WallRun::finish(const WallState<Real>& state, int lane)
+{
+    PushResult& r = result_;
+    r.step_fraction = options_.step_fraction;
+    r.energy = energy_of(task_->tables, state, lane);
+    r.at_end = take_snapshot(task_->model, task_->tables, state, lane, drive_.position(),
+                             r.curve.empty() ? dem::lane(state.top_force, lane)
+                                             : r.curve.back().force);
+    r.cost.contact_updates = r.cost.steps * task_->tables.n_contacts;
+    return std::move(r);
+}
+
+template void WallRun::load(WallState<double>&, int);
+template void WallRun::load(WallState<Pack>&, int);
+template void WallRun::load(WallState<float>&, int);
+template void WallRun::load(WallState<FloatPack>&, int);
+template bool WallRun::look(WallState<double>&, int);
+template bool WallRun::look(WallState<Pack>&, int);
+template bool WallRun::look(WallState<float>&, int);
+template bool WallRun::look(WallState<FloatPack>&, int);
+template PushResult WallRun::finish(const WallState<double>&, int);
+template PushResult WallRun::finish(const WallState<Pack>&, int);
+template PushResult WallRun::finish(const WallState<float>&, int);
+template PushResult WallRun::finish(const WallState<FloatPack>&, int);
+
+} // namespace dem

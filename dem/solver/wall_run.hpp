@@ -1,0 +1,73 @@
+#pragma once
+/// One wall on its way: its clock, its curve, its verdict. The state of the wall itself is a lane
+/// of a batch.
+
+#include "dem/solver/drive.hpp"
+#include "dem/solver/push.hpp"
+#include "dem/solver/recorder.hpp"
+#include "dem/solver/step.hpp"
+
+#include <cstddef>
+
+namespace dem {
+
+/// What all walls of a batch share.
+struct Task {
+    const Model& model;
+    const StepTables& tables;
+    const PushPlan& plan;
+    const SolverOptions& options;
+};
+
+class WallRun {
+  public:
+    WallRun(const Task& task, std::size_t number, WallMaterials materials);
+
+    /// Puts the wall, unloaded, into its lane.
+    template <class Real> void load(WallState<Real>& state, int lane);
+
+    /// What the outside does to the wall in the next step.
+    struct Input {
+        double load_factor, drive;
+    };
+    [[nodiscard]] Input next(double top_force);
+
+    /// Looks at the wall after the step. False: the run is over.
+    template <class Real> [[nodiscard]] bool look(WallState<Real>& state, int lane);
+
+    [[nodiscard]] std::size_t number() const { return number_; }
+    void spend(double seconds) { result_.cost.seconds += seconds; }
+    template <class Real>
+    [[nodiscard]] PushResult finish(const WallState<Real>& state, int lane);
+
+  private:
+    template <class Real> void begin_push(const WallState<Real>& state, int lane);
+    template <class Real> void add_ramp_work(WallState<Real>& state, int lane) const;
+    template <class Real> void settle(WallState<Real>& state, int lane);
+    template <class Real> void go_on(const WallState<Real>& state, int lane);
+    template <class Real> void take_point(const WallState<Real>& state, int lane);
+    template <class Real> [[nodiscard]] Outcome judge(const WallState<Real>& state, int lane);
+
+    [[nodiscard]] WallState<double> with_stable_step();
+    void reduce_step();
+
+    const Task* task_;
+    std::size_t number_;
+    WallMaterials materials_;
+    SolverOptions options_; ///< with this wall's own step
+    double vertical_load_;  ///< on the base, self-weight included [N]
+    Drive drive_;
+    Recorder recorder_;
+    PushResult result_;
+    double load_factor_ = 0.0;   ///< of the step [-]
+    double force_before_ = 0.0;  ///< of the drive, before the step [N]
+    double step_drive_ = 0.0;    ///< of the step [m]
+    double peak_ = 0.0;          ///< largest force so far, either way [N]
+    double way_ = 0.0;           ///< travelled since the start of the push [m]
+    double next_snapshot_ = 0.0; ///< on the way [m]
+    long long steps_ =
+        0; ///< since the last start: looks fall where those of the smaller step alone would
+    bool decided_ = false;
+};
+
+} // namespace dem

@@ -1,0 +1,224 @@
+#include "dem/solver/wall_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem {
+
+namespace {
+
+/// Largest stiffness of a wall's contacts over their reference, per block.
+std::vector<double> stiffness_ratio(const Model& m, const WallMaterials& w)
+{
+    std::vector<double> ratio(m.layout.blocks.size(), 0.0);
+    for (const Face& f : m.layout.faces) {
+        double r = 0.0;
+        if (f.kind == FaceKind::unit_crack) {
+            const CrackMaterial& c = w.cracks[f.id - 1];
+            r = std::max(c.kn / m.reference.crack.kn, c.ks / m.reference.crack.ks);
+        } else {
+            const JointMaterial& j = f.kind == FaceKind::base_joint   ? w.base_joint
+                                     : f.kind == FaceKind::beam_joint ? w.beam_joint
+                                                                      : w.joints[f.id - 1];
+            r = std::max(j.kn / m.reference.joint.kn, j.ks / m.reference.joint.ks);
+        }
+        for (const int block : {f.a, f.b})
+            if (block != kGround) ratio[block] = std::max(ratio[block], r);
+    }
+    return ratio;
+}
+
+CrackLaw<double> crack_law(const CrackMaterial& c)
+{
+    CrackLaw<double> law;
+    law.kn = c.kn;
+    law.ks = c.ks;
+    law.inv_ks = 1.0 / c.ks;
+    law.ft = c.ft;
+    law.u_el = c.ft / c.kn;
+    const double u_ul = c.ft > 0.0 ? 2.0 * c.fracture_energy / c.ft : 0.0;
+    law.inv_softening = u_ul > law.u_el ? 1.0 / (u_ul - law.u_el) : kBreaksAtOnce;
+    law.cohesion_res = c.cohesion_res;
+    law.cohesion_drop = c.cohesion - c.cohesion_res;
+    law.tan_phi_res = c.tan_phi_res;
+    law.tan_phi_drop = c.tan_phi - c.tan_phi_res;
+    law.tension_weight = c.tension_reduces_shear ? 1.0 : 0.0;
+    return law;
+}
+
+template <class Real> void set_law(int i, const JointMaterial& j, DryLaw<Real>& law)
+{
+    set_lane(law.kn, i, j.kn);
+    set_lane(law.ks, i, j.ks);
+    set_lane(law.inv_ks, i, 1.0 / j.ks);
+    set_lane(law.tan_phi, i, j.tan_phi);
+}
+
+template <class Real> void set_law(int i, const CrackMaterial& c, CrackLaw<Real>& law)
+{
+    const CrackLaw<double> one = crack_law(c);
+    set_lane(law.kn, i, one.kn);
+    set_lane(law.ks, i, one.ks);
+    set_lane(law.inv_ks, i, one.inv_ks);
+    set_lane(law.ft, i, one.ft);
+    set_lane(law.u_el, i, one.u_el);
+    set_lane(law.inv_softening, i, one.inv_softening);
+    set_lane(law.cohesion_res, i, one.cohesion_res);
+    set_lane(law.cohesion_drop, i, one.cohesion_drop);
+    set_lane(law.tan_phi_res, i, one.tan_phi_res);
+    set_lane(law.tan_phi_drop, i, one.tan_phi_drop);
+    set_lane(law.tension_weight, i, one.tension_weight);
+}
+
+/// Loads, elasticity and fictitious masses of one lane.
+template <class Real>
+void set_modes(const Model& m, const StepTables& t, const WallMaterials& w,
+               const SolverOptions& options, int lane, WallState<Real>& s)
+{
+    const std::vector<double> ratio = stiffness_ratio(m, w);
+    const double stress = w.vertical_stress.value_or(m.loads.vertical_stress);
+    for (std::size_t b = 0; b < t.blocks.size(); ++b) {
+        const bool is_beam = static_cast<int>(b) == m.layout.beam;
+        const BlockElement& e = m.elements[t.blocks[b].element];
+        const Elastic& material = is_beam ? m.beam.material : w.stone;
+        const double softer = is_beam ? 1.0 : w.stone.young_modulus / m.stone.young_modulus;
+        for (int i = 0; i < t.blocks[b].modes; ++i) {
+            const int mode = t.blocks[b].first_mode + i;
+            const double lambda = t.lambda[mode] * softer;
+            const double load = material.density * m.loads.gravity * e.weight(i) +
+                                (is_beam ? stress * e.top_load(i) : 0.0);
+            // Damping adds up to gamma |F| to a force that opposes the motion, hence 1 + gamma.
+            const double f2 =
+                options.step_fraction * options.step_fraction / (1.0 + options.damping_factor);
+            set_lane(s.elasticity[mode], lane, lambda);
+            set_lane(s.load[mode], lane, load);
+            set_lane(s.inv_mass[mode], lane, 4.0 * f2 / (lambda + 2.0 * ratio[b]));
+        }
+    }
+}
+
+} // namespace
+
+template <class Real> void clear_lane(int lane, WallState<Real>& s)
+{
+    for (auto* values : {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n})
+        for (Real& x : *values) set_lane(x, lane, 0.0);
+    for (Real* x : {&s.work, &s.friction, &s.fracture, &s.damping, &s.top_force, &s.base_shear})
+        set_lane(*x, lane, 0.0);
+}
+
+template <class Real>
+void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
+               const SolverOptions& options, int lane, WallState<Real>& s)
+{
+    clear_lane(lane, s);
+    s.unloading = options.unloading;
+    for (int j = 0; j < m.layout.n_joints; ++j) set_law(lane, w.joints[j], s.dry_laws[j]);
+    set_law(lane, w.base_joint, s.dry_laws[m.layout.n_joints]);
+    set_law(lane, w.beam_joint, s.dry_laws[m.layout.n_joints + 1]);
+    set_law(lane, w.beam_joint, s.tied_laws[0]);
+    for (int i = 0; i < m.layout.n_cracks; ++i) set_law(lane, w.cracks[i], s.crack_laws[i]);
+    for (const ContactRun& run : t.cracks) {
+        const CrackLaw<Real>& law = s.crack_laws[run.law];
+        const CrackState<Real> fresh = s.unloading == Unloading::secant
+                                           ? intact<Unloading::secant>(law)
+                                           : intact<Unloading::elastic>(law);
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            auto& memory = s.cracks[k - t.first_crack];
+            set_lane(memory.u_max, lane, dem::lane(fresh.u_max, lane));
+            set_lane(memory.bond, lane, dem::lane(fresh.bond, lane));
+            set_lane(memory.unloading, lane, dem::lane(fresh.unloading, lane));
+            set_lane(memory.integrity, lane, dem::lane(fresh.integrity, lane));
+        }
+    }
+    set_modes(m, t, w, options, lane, s);
+}
+
+template <class Real> WallState<Real> empty_lanes(const Model& m, const StepTables& t)
+{
+    WallState<Real> s;
+    for (auto* by_mode : {&s.q, &s.v, &s.last_force, &s.inv_mass, &s.load, &s.elasticity})
+        by_mode->assign(m.n_modes, Real(0.0));
+    int most = 0;
+    for (const auto& b : t.blocks) most = std::max(most, b.modes);
+    s.block_force.assign(most, Real(0.0));
+    s.du.assign(static_cast<std::size_t>(2) * t.n_contacts, Real(0.0));
+    s.stress = s.du;
+    s.u_n.assign(t.n_contacts, Real(0.0));
+    s.cracks.resize(m.cracks.size());
+    s.dry_laws.resize(m.layout.n_joints + 2);
+    s.tied_laws.resize(1);
+    s.crack_laws.resize(m.layout.n_cracks);
+    return s;
+}
+
+template <class Real>
+WallState<Real> unloaded(const Model& m, const StepTables& t,
+                         std::span<const WallMaterials> walls, const SolverOptions& options)
+{
+    WallState<Real> s = empty_lanes<Real>(m, t);
+    for (int i = 0; i < lanes<Real>; ++i)
+        load_lane(m, t, walls[std::min<std::size_t>(i, walls.size() - 1)], options, i, s);
+    return s;
+}
+
+template <class Real> Energy energy_of(const StepTables& t, const WallState<Real>& s, int lane)
+{
+    Energy e;
+    const auto at = [lane](const Real& x) { return dem::lane(x, lane); };
+    for (std::size_t i = 0; i < s.q.size(); ++i) {
+        e.kinetic += 0.5 * at(s.v[i]) * at(s.v[i]) / at(s.inv_mass[i]);
+        e.elastic += 0.5 * at(s.elasticity[i]) * at(s.q[i]) * at(s.q[i]);
+    }
+    // What springs back is all of u_n, or sigma / k_n where a crack stays propped.
+    const auto contacts = [&](const std::vector<ContactRun>& runs, const auto& laws,
+                              bool propped) {
+        for (const ContactRun& run : runs) {
+            const double kn = at(laws[run.law].kn), inv_ks = at(laws[run.law].inv_ks);
+            for (int k = run.first; k < run.first + run.count; ++k) {
+                const double sigma = at(s.stress[2 * k]), tau = at(s.stress[2 * k + 1]);
+                const double springs_back = propped ? sigma / kn : at(s.u_n[k]);
+                e.elastic += 0.5 * t.area[k] * (sigma * springs_back + tau * tau * inv_ks);
+            }
+        }
+    };
+    contacts(t.dry, s.dry_laws, false);
+    contacts(t.tied, s.tied_laws, false);
+    contacts(t.cracks, s.crack_laws, s.unloading == Unloading::elastic);
+    e.work = at(s.work);
+    e.friction = at(s.friction);
+    e.fracture = at(s.fracture);
+    e.damping = at(s.damping);
+    return e;
+}
+
+template void clear_lane(int, WallState<double>&);
+template WallState<double> empty_lanes(const Model&, const StepTables&);
+template void load_lane(const Model&, const StepTables&, const WallMaterials&,
+                        const SolverOptions&, int, WallState<double>&);
+template WallState<double> unloaded(const Model&, const StepTables&,
+                                    std::span<const WallMaterials>, const SolverOptions&);
+template Energy energy_of(const StepTables&, const WallState<double>&, int);
+template void clear_lane(int, WallState<Pack>&);
+template WallState<Pack> empty_lanes(const Model&, const StepTables&);
+template void load_lane(const Model&, const StepTables&, const WallMaterials&,
+                        const SolverOptions&, int, WallState<Pack>&);
+template WallState<Pack> unloaded(const Model&, const StepTables&,
+                                  std::span<const WallMaterials>, const SolverOptions&);
+template Energy energy_of(const StepTables&, const WallState<Pack>&, int);
+template void clear_lane(int, WallState<float>&);
+template WallState<float> empty_lanes(const Model&, const StepTables&);
+template void load_lane(const Model&, const StepTables&, const WallMaterials&,
+                        const SolverOptions&, int, WallState<float>&);
+template WallState<float> unloaded(const Model&, const StepTables&,
+                                   std::span<const WallMaterials>, const SolverOptions&);
+template Energy energy_of(const StepTables&, const WallState<float>&, int);
+template void clear_lane(int, WallState<FloatPack>&);
+template WallState<FloatPack> empty_lanes(const Model&, const StepTables&);
+template void load_lane(const Model&, const StepTables&, const WallMaterials&,
+                        const SolverOptions&, int, WallState<FloatPack>&);
+template WallState<FloatPack> unloaded(const Model&, const StepTables&,
+                                       std::span<const WallMaterials>, const SolverOptions&);
+template Energy energy_of(const StepTables&, const WallState<FloatPack>&, int);
+
+} // namespace dem

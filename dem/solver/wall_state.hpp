@@ -1,0 +1,71 @@
+#pragma once
+/// Where the walls of a batch are: one array per quantity, one lane per wall. What they are is
+/// in the model.
+
+#include "dem/contact/contact_law.hpp"
+#include "dem/solver/energy.hpp"
+#include "dem/solver/solver_options.hpp"
+#include "dem/solver/step_tables.hpp"
+
+#include <span>
+#include <vector>
+
+namespace dem {
+
+template <class Real> struct WallState {
+    std::vector<Real> q, v; ///< by mode: position and velocity (half a step behind) [sqrt(J)]
+    std::vector<Real> last_force;  ///< by mode, of the previous step
+    std::vector<Real> inv_mass;    ///< by mode [1/step2]
+    std::vector<Real> load;        ///< by mode: self-weight and vertical stress, full
+    std::vector<Real> elasticity;  ///< by mode: lambda of this wall's stone
+    std::vector<Real> block_force; ///< modal forces of the block at hand
+    std::vector<Real> du;          ///< (normal, tangential) by contact: zero between steps [m]
+    std::vector<Real> stress;      ///< (sigma, tau) by contact [Pa]
+    std::vector<Real> u_n;         ///< by contact: opening [m]
+    /// What a crack remembers besides (see CrackState).
+    struct Memory {
+        Real u_max, bond, unloading, integrity;
+    };
+    std::vector<Memory> cracks;              ///< by crack contact
+    Unloading unloading = Unloading::secant; ///< of the cracks of all lanes
+    std::vector<DryLaw<Real>> dry_laws, tied_laws;
+    std::vector<CrackLaw<Real>> crack_laws;
+    Real work{0.0}, friction{0.0}, fracture{0.0}, damping{0.0}; ///< energy so far [J]
+    Real top_force{0.0};  ///< of the drive on the beam [N]
+    Real base_shear{0.0}; ///< of the wall on the ground [N]
+};
+
+/// Walls of nothing, for load_lane.
+template <class Real>
+[[nodiscard]] WallState<Real> empty_lanes(const Model& model, const StepTables& tables);
+
+/// A lane at rest at zero: without a wall, or about to get one.
+template <class Real> void clear_lane(int lane, WallState<Real>& state);
+
+/// Puts one wall, unloaded, into a lane.
+template <class Real>
+void load_lane(const Model& model, const StepTables& tables, const WallMaterials& wall,
+               const SolverOptions& options, int lane, WallState<Real>& state);
+
+/// Unloaded walls. Lanes without a wall of their own repeat the last one.
+template <class Real>
+[[nodiscard]] WallState<Real> unloaded(const Model& model, const StepTables& tables,
+                                       std::span<const WallMaterials> walls,
+                                       const SolverOptions& options);
+
+/// Ledger of one lane, kinetic and elastic parts summed now.
+template <class Real>
+[[nodiscard]] Energy energy_of(const StepTables& tables, const WallState<Real>& state,
+                               int lane);
+
+/// State of one crack contact. @param contact its number, from StepTables::first_crack on
+template <class Real>
+[[nodiscard]] inline CrackState<Real> crack_state(const StepTables& t, const WallState<Real>& s,
+                                                  int contact)
+{
+    const auto& memory = s.cracks[contact - t.first_crack];
+    return {s.u_n[contact], s.stress[2 * contact + 1], s.stress[2 * contact], memory.u_max,
+            memory.bond,    memory.unloading,          memory.integrity};
+}
+
+} // namespace dem
