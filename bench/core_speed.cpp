@@ -7,14 +7,14 @@
 
 namespace bench {
 
-template <class Real> double multiply_add_peak()
+double multiply_add_peak()
 {
     constexpr int kChains = 12; // two units, four cycles each: 8 at least; 12 fit 16 registers
     constexpr int kRounds = 100'000;
-    const Real a(static_cast<dem::Number<Real>>(0.5)), b(static_cast<dem::Number<Real>>(0.5));
+    const dem::Pack a(0.5), b(0.5);
     const double seconds = shortest(40, [&] {
-        Real x[kChains];
-        for (int j = 0; j < kChains; ++j) x[j] = Real(static_cast<dem::Number<Real>>(j));
+        dem::Pack x[kChains];
+        for (int j = 0; j < kChains; ++j) x[j] = dem::Pack(j);
         for (int i = 0; i < kRounds; ++i) {
 #pragma GCC unroll 16
             for (int j = 0; j < kChains; ++j) x[j] = multiply_add(a, x[j], b);
@@ -23,7 +23,7 @@ template <class Real> double multiply_add_peak()
         for (int j = 0; j < kChains; ++j) sum += dem::lane(x[j], 0);
         asm volatile("" : : "r"(&sum) : "memory"); // the result is used
     });
-    return 1.0 * kChains * kRounds * dem::lanes<Real> / seconds;
+    return 1.0 * kChains * kRounds * dem::lanes<dem::Pack> / seconds;
 }
 
 double sweep_bandwidth(std::size_t bytes)
@@ -36,8 +36,5 @@ double sweep_bandwidth(std::size_t bytes)
     });
     return 2.0 * static_cast<double>(x.size() * sizeof(dem::Pack)) / seconds;
 }
-
-template double multiply_add_peak<dem::Pack>();
-template double multiply_add_peak<dem::FloatPack>();
 
 } // namespace bench

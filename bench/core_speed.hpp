@@ -5,9 +5,9 @@
 
 namespace bench {
 
-/// Multiply-adds per second in registers, all lanes counted: independent chains, best of many
-/// short repeats. Real: dem::Pack or dem::FloatPack.
-template <class Real> [[nodiscard]] double multiply_add_peak();
+/// Multiply-adds per second in registers of doubles, all lanes counted: independent chains, best
+/// of many short repeats.
+[[nodiscard]] double multiply_add_peak();
 
 /// Bytes per second read and written by x = a x over a working set, best of many sweeps.
 [[nodiscard]] double sweep_bandwidth(std::size_t bytes);

@@ -70,7 +70,7 @@ std::vector<dem::PushResult> pushed(const dem::Model& model, const Case& c, bool
     o.steps_per_mm = 50;
     o.law = c.law;
     o.damping = c.damping;
-    dem::push_ensemble(model, ensemble, plan, o, {0, dem::Precision::double_precision, scalar});
+    dem::push_ensemble(model, ensemble, plan, o, {.scalar = scalar});
     return results;
 }
 

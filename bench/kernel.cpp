@@ -35,7 +35,6 @@ constexpr Rung kRungs[] = {{"rigid", dem::Fidelity::rigid},
 struct Measured {
     std::string rung, numbers;
     int lanes = 1;
-    bool single = false;
     double seconds = 0.0;  ///< per step
     double products = 0.0; ///< multiply-adds per second of the port products in the first cache
     bench::StepWork work;
@@ -44,20 +43,15 @@ struct Measured {
 
 /// Roofs of the core.
 struct Roofs {
-    double peak = 0.0, single_peak = 0.0; ///< [multiply-adds/s]
-    [[nodiscard]] double of(const Measured& m) const { return m.single ? single_peak : peak; }
-    void measure()
-    {
-        peak = std::max(peak, bench::multiply_add_peak<dem::Pack>());
-        single_peak = std::max(single_peak, bench::multiply_add_peak<dem::FloatPack>());
-    }
+    double peak = 0.0; ///< [multiply-adds/s]
+    void measure() { peak = std::max(peak, bench::multiply_add_peak()); }
 };
 
 /// Gather and scatter of the first free block, again and again: multiply-adds per second.
 template <class Real> double product_speed(bench::PushedWalls<Real>& w)
 {
     const auto& block = w.tables.blocks[w.tables.blocks.size() / 2];
-    const auto& matrix = dem::matrices_of<dem::Number<Real>>(w.tables)[block.element];
+    const dem::ContactOperator& matrix = w.tables.matrices[block.element];
     const int* contact = w.tables.port_contact.data() + block.first_port;
     constexpr int kRounds = 500;
     const double seconds = bench::shortest(kChunks, [&] {
@@ -82,10 +76,9 @@ template <class Real> Measured measure(const Rung& rung, const char* numbers)
     m.rung = rung.name;
     m.numbers = numbers;
     m.lanes = dem::lanes<Real>;
-    m.single = sizeof(dem::Number<Real>) == sizeof(float);
     m.seconds = chunk / steps;
     m.work = bench::work_of(walls.tables);
-    m.traffic = bench::traffic_of(m.work, sizeof(Real), sizeof(dem::Number<Real>));
+    m.traffic = bench::traffic_of(m.work, sizeof(Real));
     m.products = product_speed(walls);
     return m;
 }
@@ -108,7 +101,7 @@ app::Table speed_table(const std::vector<Measured>& all, const Roofs& roofs)
               "all operations of peak [%]",
               "products alone of peak [%]"};
     for (const Measured& m : all) {
-        const double per_second = m.lanes / m.seconds, peak = roofs.of(m);
+        const double per_second = m.lanes / m.seconds, peak = roofs.peak;
         const auto adds = static_cast<double>(m.work.multiply_adds),
                    others = static_cast<double>(m.work.operations);
         const auto percent = [](double x) { return app::fixed(100.0 * x, 1); };
@@ -143,7 +136,7 @@ app::Table roofline_table(const std::vector<Measured>& all, const Roofs& roofs)
             static_cast<double>(m.work.multiply_adds + m.work.operations) * m.lanes;
         const double bandwidth =
             bench::sweep_bandwidth(static_cast<std::size_t>(m.traffic.state));
-        const double compute = operations / roofs.of(m), memory = m.traffic.moved() / bandwidth;
+        const double compute = operations / roofs.peak, memory = m.traffic.moved() / bandwidth;
         const double roof = std::max(compute, memory);
         t.rows.push_back({m.rung, m.numbers, app::fixed(1e-3 * m.traffic.state, 0),
                           app::fixed(1e-3 * m.traffic.moved(), 0),
@@ -188,9 +181,7 @@ bench::Report report_of(const std::vector<Measured>& all, const Roofs& roofs)
     bench::Report r;
     r.title = "Kernel";
     r.command = "build/avx512/bench/kernel docs/bench/kernel.md";
-    r.opening = std::string(kOpening) + " **" + app::fixed(1e-9 * roofs.peak, 1) +
-                "e9/s** in double, **" + app::fixed(1e-9 * roofs.single_peak, 1) +
-                "e9/s** in single precision.";
+    r.opening = std::string(kOpening) + " **" + app::fixed(1e-9 * roofs.peak, 1) + "e9/s**.";
     r.sections.push_back({"", "Speed",
                           std::string(kSpeedText) + "\n\nCounted: " + counted() + ".",
                           speed_table(all, roofs)});
@@ -211,9 +202,8 @@ int main(int argc, char** argv)
     for (const Rung& rung : kRungs) {
         std::cerr << rung.name << '\n';
         roofs.measure();
-        all.push_back(measure<dem::Pack>(rung, "double, register"));
-        all.push_back(measure<dem::FloatPack>(rung, "single, register"));
-        all.push_back(measure<double>(rung, "double, scalar"));
+        all.push_back(measure<dem::Pack>(rung, "register"));
+        all.push_back(measure<double>(rung, "scalar"));
     }
     const bench::Report report = report_of(all, roofs);
     std::cout << bench::machine_line() << "\n"

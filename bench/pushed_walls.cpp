@@ -46,10 +46,7 @@ template PushedWalls<double> pushed_walls(const scenes::Scene&, const dem::Discr
                                           int);
 template PushedWalls<dem::Pack> pushed_walls(const scenes::Scene&, const dem::Discretisation&,
                                              int);
-template PushedWalls<dem::FloatPack> pushed_walls(const scenes::Scene&,
-                                                  const dem::Discretisation&, int);
 template void push_on(PushedWalls<double>&, int);
 template void push_on(PushedWalls<dem::Pack>&, int);
-template void push_on(PushedWalls<dem::FloatPack>&, int);
 
 } // namespace bench

@@ -53,7 +53,7 @@ Measured measure(const scenes::Scene& scene, const dem::Model& model,
                                          dem::step(tables, options, push, state);
                                  }) /
                         chunk;
-    const Traffic t = traffic_of(work_of(tables), sizeof(Real), sizeof(dem::Number<Real>));
+    const Traffic t = traffic_of(work_of(tables), sizeof(Real));
     return {t.state, step / (1.0 * blocks * dem::lanes<Real>), t.moved() / step};
 }
 

@@ -80,7 +80,6 @@ std::vector<PushResult> push_all(const StressScene& s, const dem::Model& model,
     e.done = [&](std::size_t i, PushResult&& r) { results[numbers[i]] = std::move(r); };
     dem::Workers workers;
     workers.threads = 1;
-    workers.precision = s.precision;
     dem::push_ensemble(model, e, s.plan, s.solver, workers);
     return results;
 }

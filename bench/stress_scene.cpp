@@ -156,8 +156,7 @@ std::string describe(const StressScene& s)
          << " steps/mm, " << (o.preload == dem::Preload::solved ? "solved" : "ramped")
          << (s.plan.targets.size() > 1 ? ", cyclic" : "") << ", way "
          << s.plan.targets.front() * 1e3 << " mm, decades " << s.decades
-         << (s.by_joint ? " by joint" : "")
-         << (s.precision == dem::Precision::single_precision ? ", single precision" : "");
+         << (s.by_joint ? " by joint" : "");
     return text.str();
 }
 
@@ -215,7 +214,6 @@ StressScene stress_scene(std::uint64_t seed, std::uint64_t number)
     s.decades = d.chance(0.2) ? 0.0 : d.uniform(0.1, 2.0);
     s.by_joint = d.chance(0.4);
     if (d.chance(0.1)) s.spoil = d.integer(0, s.walls - 1);
-    if (d.chance(0.1)) s.precision = dem::Precision::single_precision;
     s.text = describe(s);
     return s;
 }

@@ -18,7 +18,6 @@ struct StressScene {
     dem::Discretisation discretisation;
     dem::SolverOptions solver;
     dem::PushPlan plan;
-    dem::Precision precision = dem::Precision::double_precision;
     std::uint64_t material_seed = 0;
     int walls = 0; ///< samples of the scene, side by side in the lanes
     double decades =

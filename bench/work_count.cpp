@@ -29,12 +29,12 @@ StepWork work_of(const dem::StepTables& t)
     return w;
 }
 
-Traffic traffic_of(const StepWork& w, std::size_t real, std::size_t number)
+Traffic traffic_of(const StepWork& w, std::size_t real)
 {
     const auto sum = [](auto... terms) { return (static_cast<double>(terms) + ...); };
     const auto bytes = static_cast<double>(real);
-    const double tables = static_cast<double>(w.matrix_numbers) * static_cast<double>(number) +
-                          sizeof(double) * sum(w.contacts()) + sizeof(int) * sum(w.ports);
+    const double tables =
+        sizeof(double) * sum(w.matrix_numbers, w.contacts()) + sizeof(int) * sum(w.ports);
     const double laws = bytes * sum(4 * w.dry_laws, 11 * w.crack_laws);
     Traffic t;
     // q, v, last_force, inv_mass, load, elasticity; du, stress (2 each), u_n; memory of a crack

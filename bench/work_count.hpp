@@ -41,7 +41,7 @@ struct Traffic {
     [[nodiscard]] double moved() const { return read + written; }
 };
 
-/// @param real bytes of a Real, all lanes;  number: of one lane, as the matrices have it
-[[nodiscard]] Traffic traffic_of(const StepWork& work, std::size_t real, std::size_t number);
+/// @param real bytes of a Real, all lanes
+[[nodiscard]] Traffic traffic_of(const StepWork& work, std::size_t real);
 
 } // namespace bench

@@ -119,19 +119,19 @@ std::string modes_text(const dem::Discretisation& d)
 app::Table table_of(const std::vector<Point>& points)
 {
     app::Table t;
-    t.head = {"family",        "modes",           "points",
-              "rule",          "steps per mm",    "unbalance [%]",
-              "damping",       "precision",       "lanes",
-              "walls",         "core s per wall", "peak median [%]",
-              "peak 95 % [%]", "mean peak [%]",   "mean ultimate [%]",
-              "d80 close [%]", "same mode [%]",   "failed"};
+    t.head = {"family",          "modes",
+              "points",          "rule",
+              "steps per mm",    "unbalance [%]",
+              "damping",         "lanes",
+              "walls",           "core s per wall",
+              "peak median [%]", "peak 95 % [%]",
+              "mean peak [%]",   "mean ultimate [%]",
+              "d80 close [%]",   "same mode [%]",
+              "failed"};
     for (const Point& p : points) {
         const bench::Setting& s = p.setting;
         const bool nodal = s.nodal_steps_per_mm > 0.0;
-        const bool single = s.workers.precision == dem::Precision::single_precision;
-        const int lanes = nodal || s.workers.scalar ? 1
-                          : single                  ? dem::lanes<dem::FloatPack>
-                                                    : dem::lanes<dem::Pack>;
+        const int lanes = nodal || s.workers.scalar ? 1 : dem::lanes<dem::Pack>;
         const bool local = nodal || s.solver.damping == dem::Damping::local;
         t.rows.push_back(
             {s.family + (s.is_default ? " (default)" : ""), modes_text(s.discretisation),
@@ -142,11 +142,11 @@ app::Table table_of(const std::vector<Point>& points)
                  ? "constant"
                  : app::number(100.0 * s.solver.unbalance_limit, 3),
              (local ? "local " : "combined ") + app::number(s.solver.damping_factor, 2),
-             single ? "single" : "double", std::to_string(lanes), std::to_string(p.walls),
-             app::number(p.seconds, 3), app::fixed(100.0 * p.peak_median, 2),
-             app::fixed(100.0 * p.peak_95, 2), app::fixed(100.0 * p.peak_mean, 2),
-             app::fixed(100.0 * p.ultimate, 1), app::fixed(100.0 * p.close, 0),
-             app::fixed(100.0 * p.same_mode, 0), std::to_string(p.failed)});
+             std::to_string(lanes), std::to_string(p.walls), app::number(p.seconds, 3),
+             app::fixed(100.0 * p.peak_median, 2), app::fixed(100.0 * p.peak_95, 2),
+             app::fixed(100.0 * p.peak_mean, 2), app::fixed(100.0 * p.ultimate, 1),
+             app::fixed(100.0 * p.close, 0), app::fixed(100.0 * p.same_mode, 0),
+             std::to_string(p.failed)});
     }
     return t;
 }

@@ -70,10 +70,6 @@ void add_damping(std::vector<Setting>& all)
 
 void add_arithmetic(std::vector<Setting>& all)
 {
-    for (const double steps : {200.0, 500.0, 1000.0}) {
-        all.push_back(setting("single precision", dem::Fidelity::standard, steps));
-        all.back().workers.precision = dem::Precision::single_precision;
-    }
     for (const double steps : {500.0, 1000.0}) {
         all.push_back(setting("one wall at a time", dem::Fidelity::standard, steps));
         all.back().workers.scalar = true;

@@ -11,26 +11,25 @@
 
 namespace dem {
 
-/// T: double, or float for packs of float.
-template <class T> struct ContactOperator {
+struct ContactOperator {
     int ports = 0;
     int modes = 0;
-    std::vector<T> to_modes;    ///< 2 ports x modes, row-major [m2 m/sqrt(J)]
-    std::vector<T> to_contacts; ///< modes x 2 ports, row-major [m/sqrt(J)]
+    std::vector<double> to_modes;    ///< 2 ports x modes, row-major [m2 m/sqrt(J)]
+    std::vector<double> to_contacts; ///< modes x 2 ports, row-major [m/sqrt(J)]
 };
 
 namespace detail {
 
 /// kBlock sums at a time stay in registers. The order of each sum is that of its terms,
 /// whatever the block.
-template <int kBlock, class T, class Real>
-void gather_block(const ContactOperator<T>& a, const int* contact, const Real* stress,
-                  int first, Real* modal)
+template <int kBlock, class Real>
+void gather_block(const ContactOperator& a, const int* contact, const Real* stress, int first,
+                  Real* modal)
 {
     Real sum[kBlock];
 #pragma GCC unroll 16
     for (int j = 0; j < kBlock; ++j) sum[j] = Real(0.0);
-    const T* row = a.to_modes.data() + first;
+    const double* row = a.to_modes.data() + first;
     for (int p = 0; p < a.ports; ++p) {
         const Real sigma = stress[2 * contact[p]], tau = stress[2 * contact[p] + 1];
 #pragma GCC unroll 16
@@ -45,15 +44,15 @@ void gather_block(const ContactOperator<T>& a, const int* contact, const Real* s
 }
 
 /// kPorts ports at a time.
-template <int kPorts, class T, class Real>
-void scatter_block(const ContactOperator<T>& a, const int* contact, const Real* velocity,
+template <int kPorts, class Real>
+void scatter_block(const ContactOperator& a, const int* contact, const Real* velocity,
                    int first, Real* du)
 {
     constexpr int kBlock = 2 * kPorts;
     Real sum[kBlock];
 #pragma GCC unroll 16
     for (int j = 0; j < kBlock; ++j) sum[j] = Real(0.0);
-    const T* row = a.to_contacts.data() + static_cast<std::ptrdiff_t>(2) * first;
+    const double* row = a.to_contacts.data() + static_cast<std::ptrdiff_t>(2) * first;
     for (int i = 0; i < a.modes; ++i, row += 2 * a.ports) {
         const Real v = velocity[i];
 #pragma GCC unroll 16
@@ -70,8 +69,8 @@ void scatter_block(const ContactOperator<T>& a, const int* contact, const Real* 
 } // namespace detail
 
 /// @param contact index of each port's contact;  stress: (sigma, tau) of each contact [Pa]
-template <class T, class Real>
-void gather(const ContactOperator<T>& a, const int* contact, const Real* stress, Real* modal)
+template <class Real>
+void gather(const ContactOperator& a, const int* contact, const Real* stress, Real* modal)
 {
     int j = 0;
     for (; j + 16 <= a.modes; j += 16) detail::gather_block<16>(a, contact, stress, j, modal);
@@ -83,8 +82,8 @@ void gather(const ContactOperator<T>& a, const int* contact, const Real* stress,
 }
 
 /// @param du (normal, tangential) of each contact [m]
-template <class T, class Real>
-void scatter(const ContactOperator<T>& a, const int* contact, const Real* velocity, Real* du)
+template <class Real>
+void scatter(const ContactOperator& a, const int* contact, const Real* velocity, Real* du)
 {
     int p = 0;
     for (; p + 8 <= a.ports; p += 8) detail::scatter_block<8>(a, contact, velocity, p, du);

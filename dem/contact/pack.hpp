@@ -1,7 +1,7 @@
 #pragma once
-/// A register of numbers, one wall per lane. Laws and solver are written once over Real = double,
-/// float or a pack of either. Build with -ffp-contract=off: multiply_add is the only place where
-/// a product and a sum are rounded once, so every width and compiler gives the same bits.
+/// A processor register of doubles, one wall per lane. The laws and the solver are written once, over
+/// Real = double or Pack. The build uses -ffp-contract=off, so multiply_add is the only place where a
+/// product and a sum are rounded once, and every register width and compiler gives the same bits.
 
 #include <cmath>
 #include <cstdint>
@@ -20,21 +20,10 @@ constexpr int kRegisterBytes = 32;
 constexpr int kRegisterBytes = 16;
 #endif
 
-/// What a register of T is to the compiler. g++ 12 refuses a vector_size that depends on T.
-template <class T> struct Register;
-template <> struct Register<double> {
+class Pack {
     using Vector = double __attribute__((vector_size(kRegisterBytes)));
     using Bits = std::int64_t __attribute__((vector_size(kRegisterBytes)));
-};
-template <> struct Register<float> {
-    using Vector = float __attribute__((vector_size(kRegisterBytes)));
-    using Bits = std::int32_t __attribute__((vector_size(kRegisterBytes)));
-};
-
-template <class T> class PackOf {
-    using Vector = typename Register<T>::Vector;
-    using Bits = typename Register<T>::Bits;
-    static constexpr int kLanes = kRegisterBytes / sizeof(T);
+    static constexpr int kLanes = kRegisterBytes / sizeof(double);
 
   public:
     /// All bits of a lane set where true.
@@ -44,24 +33,22 @@ template <class T> class PackOf {
         friend Mask operator|(Mask a, Mask b) { return {a.bits | b.bits}; }
     };
 
-    PackOf() = default;
-    PackOf(T x) : v_(broadcast(x)) {} // NOLINT: a constant of a law is one value for all lanes
-    [[nodiscard]] T operator[](int lane) const { return v_[lane]; }
-    void set(int lane, T x) { v_[lane] = x; }
+    Pack() = default;
+    Pack(double x)
+        : v_(broadcast(x)) {} // NOLINT: a constant of a law is one value for all lanes
+    [[nodiscard]] double operator[](int lane) const { return v_[lane]; }
+    void set(int lane, double x) { v_[lane] = x; }
 
-    friend PackOf operator+(PackOf a, PackOf b) { return PackOf(a.v_ + b.v_); }
-    friend PackOf operator-(PackOf a, PackOf b) { return PackOf(a.v_ - b.v_); }
-    friend PackOf operator*(PackOf a, PackOf b) { return PackOf(a.v_ * b.v_); }
-    friend PackOf operator/(PackOf a, PackOf b) { return PackOf(a.v_ / b.v_); }
-    friend PackOf operator-(PackOf a) { return PackOf(-a.v_); }
-    PackOf& operator+=(PackOf b) { return *this = *this + b; }
-    PackOf& operator-=(PackOf b) { return *this = *this - b; }
-    friend Mask operator<(PackOf a, PackOf b) { return {a.v_ < b.v_}; }
-    friend Mask operator>(PackOf a, PackOf b) { return {a.v_ > b.v_}; }
-    friend PackOf select(Mask m, PackOf yes, PackOf no)
-    {
-        return PackOf(m.bits ? yes.v_ : no.v_);
-    }
+    friend Pack operator+(Pack a, Pack b) { return Pack(a.v_ + b.v_); }
+    friend Pack operator-(Pack a, Pack b) { return Pack(a.v_ - b.v_); }
+    friend Pack operator*(Pack a, Pack b) { return Pack(a.v_ * b.v_); }
+    friend Pack operator/(Pack a, Pack b) { return Pack(a.v_ / b.v_); }
+    friend Pack operator-(Pack a) { return Pack(-a.v_); }
+    Pack& operator+=(Pack b) { return *this = *this + b; }
+    Pack& operator-=(Pack b) { return *this = *this - b; }
+    friend Mask operator<(Pack a, Pack b) { return {a.v_ < b.v_}; }
+    friend Mask operator>(Pack a, Pack b) { return {a.v_ > b.v_}; }
+    friend Pack select(Mask m, Pack yes, Pack no) { return Pack(m.bits ? yes.v_ : no.v_); }
     friend bool any(Mask m)
     {
         Bits bits = m.bits;
@@ -77,12 +64,12 @@ template <class T> class PackOf {
         return false;
 #endif
     }
-    friend PackOf multiply_add(PackOf a, PackOf b, PackOf c)
+    friend Pack multiply_add(Pack a, Pack b, Pack c)
     {
 #if defined(__AVX512F__)
-        return PackOf(fused(a.v_, b.v_, c.v_));
+        return Pack(fused(a.v_, b.v_, c.v_));
 #elif defined(__FMA__)
-        return PackOf(fused(a.v_, b.v_, c.v_));
+        return Pack(fused(a.v_, b.v_, c.v_));
 #else
         for (int i = 0; i < kLanes; ++i) c.v_[i] = std::fma(a.v_[i], b.v_[i], c.v_[i]);
         return c;
@@ -90,15 +77,13 @@ template <class T> class PackOf {
     }
 
   private:
-    explicit PackOf(Vector v) : v_(v) {}
+    explicit Pack(Vector v) : v_(v) {}
 #if defined(__AVX512F__)
     static __m512d broadcast(double x) { return _mm512_set1_pd(x); }
-    static __m512 broadcast(float x) { return _mm512_set1_ps(x); }
 #elif defined(__AVX__)
     static __m256d broadcast(double x) { return _mm256_set1_pd(x); }
-    static __m256 broadcast(float x) { return _mm256_set1_ps(x); }
 #else
-    static Vector broadcast(T x)
+    static Vector broadcast(double x)
     {
         Vector v;
         for (int i = 0; i < kLanes; ++i) v[i] = x;
@@ -107,22 +92,15 @@ template <class T> class PackOf {
 #endif
 #if defined(__AVX512F__)
     static __m512d fused(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
-    static __m512 fused(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
 #elif defined(__FMA__)
     static __m256d fused(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
-    static __m256 fused(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
 #endif
     Vector v_;
 };
 
-using Pack = PackOf<double>;
-using FloatPack = PackOf<float>;
-
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
-inline float select(bool mask, float yes, float no) { return mask ? yes : no; }
 inline bool any(bool mask) { return mask; }
 inline double multiply_add(double a, double b, double c) { return std::fma(a, b, c); }
-inline float multiply_add(float a, float b, float c) { return std::fma(a, b, c); }
 
 /// b where it is smaller, else a.
 template <class Real> Real min(Real a, Real b) { return select(b < a, b, a); }
@@ -131,32 +109,11 @@ template <class Real> Real abs(Real a) { return max(a, -a); }
 
 /// Number of walls in one Real, and access to one of them.
 template <class Real> inline constexpr int lanes = 1;
-template <class T> inline constexpr int lanes<PackOf<T>> = kRegisterBytes / sizeof(T);
-template <class T> inline constexpr bool is_pack = false;
-template <class T> inline constexpr bool is_pack<PackOf<T>> = true;
+template <> inline constexpr int lanes<Pack> = kRegisterBytes / sizeof(double);
 
-/// The numbers in a Real: double or float.
-template <class Real> struct NumberOf {
-    using Type = Real;
-};
-template <class T> struct NumberOf<PackOf<T>> {
-    using Type = T;
-};
-template <class Real> using Number = typename NumberOf<Real>::Type;
-
-template <class Real> double lane(Real x, int i)
-{
-    if constexpr (is_pack<Real>)
-        return x[i];
-    else
-        return x;
-}
-template <class Real> void set_lane(Real& x, int i, double value)
-{
-    if constexpr (is_pack<Real>)
-        x.set(i, value);
-    else
-        x = static_cast<Real>(value);
-}
+inline double lane(double x, int) { return x; }
+inline double lane(Pack x, int i) { return x[i]; }
+inline void set_lane(double& x, int, double value) { x = value; }
+inline void set_lane(Pack& x, int i, double value) { x.set(i, value); }
 
 } // namespace dem

@@ -71,11 +71,5 @@ template void run_batch<double>(const Task&, int,
 template void run_batch<Pack>(const Task&, int,
                               const std::function<std::optional<NumberedWall>()>&,
                               const std::function<void(std::size_t, PushResult&&)>&);
-template void run_batch<float>(const Task&, int,
-                               const std::function<std::optional<NumberedWall>()>&,
-                               const std::function<void(std::size_t, PushResult&&)>&);
-template void run_batch<FloatPack>(const Task&, int,
-                                   const std::function<std::optional<NumberedWall>()>&,
-                                   const std::function<void(std::size_t, PushResult&&)>&);
 
 } // namespace dem

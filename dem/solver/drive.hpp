@@ -39,7 +39,6 @@ class Drive {
     [[nodiscard]] double position() const { return position_; }      ///< of the load line [m]
     [[nodiscard]] double left() const { return path_ - travelled_; } ///< of the whole path [m]
     [[nodiscard]] double done() const; ///< share of the whole path travelled [-]
-    [[nodiscard]] long long step_count() const { return step_; }
 
   private:
     static constexpr int kLookEvery = 50;

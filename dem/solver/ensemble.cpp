@@ -11,24 +11,6 @@
 
 namespace dem {
 
-namespace {
-
-using Next = std::function<std::optional<NumberedWall>()>;
-using Done = std::function<void(std::size_t, PushResult&&)>;
-
-void run(const Task& task, const Workers& workers, int most_lanes, const Next& next,
-         const Done& done)
-{
-    if (workers.precision == Precision::single_precision)
-        workers.scalar ? run_batch<float>(task, most_lanes, next, done)
-                       : run_batch<FloatPack>(task, most_lanes, next, done);
-    else
-        workers.scalar ? run_batch<double>(task, most_lanes, next, done)
-                       : run_batch<Pack>(task, most_lanes, next, done);
-}
-
-} // namespace
-
 void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan& plan,
                    const SolverOptions& options, const Workers& workers)
 {
@@ -62,7 +44,8 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
         1000, (ensemble.size + threads - 1) / static_cast<std::size_t>(threads)));
     const auto work = [&] {
         try {
-            run(task, workers, most_lanes, next, done);
+            workers.scalar ? run_batch<double>(task, most_lanes, next, done)
+                           : run_batch<Pack>(task, most_lanes, next, done);
         } catch (...) {
             const std::lock_guard lock(one_at_a_time);
             if (!trouble) trouble = std::current_exception();

@@ -17,11 +17,8 @@ struct Ensemble {
     std::function<void(std::size_t number, PushResult&&)> done;
 };
 
-enum class Precision { double_precision, single_precision };
-
 struct Workers {
-    int threads = 0; ///< 0: one per core
-    Precision precision = Precision::double_precision;
+    int threads = 0;     ///< 0: one per core
     bool scalar = false; ///< one wall at a time per thread: same bits, for comparison
 };
 

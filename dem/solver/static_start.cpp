@@ -87,7 +87,5 @@ void copy_to_lane(const WallState<double>& wall, int lane, WallState<Real>& s)
 
 template void copy_to_lane(const WallState<double>&, int, WallState<double>&);
 template void copy_to_lane(const WallState<double>&, int, WallState<Pack>&);
-template void copy_to_lane(const WallState<double>&, int, WallState<float>&);
-template void copy_to_lane(const WallState<double>&, int, WallState<FloatPack>&);
 
 } // namespace dem

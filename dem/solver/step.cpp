@@ -32,9 +32,8 @@ void move_blocks(const StepTables& t, double damping_factor, const StepInput<Rea
     const Real gamma(damping_factor), half(0.5);
     Real lost = s.damping, work = s.work;
     Real* force = s.block_force.data();
-    const auto& matrices = matrices_of<Number<Real>>(t);
     for (const auto& b : t.blocks) {
-        const auto& matrix = matrices[b.element];
+        const ContactOperator& matrix = t.matrices[b.element];
         const int* contact = t.port_contact.data() + b.first_port;
         gather(matrix, contact, s.stress.data(), force);
         for (int i = 0; i < b.modes; ++i) {
@@ -184,11 +183,5 @@ template double unbalanced_ratio(const WallState<double>&, int);
 template void step(const StepTables&, const SolverOptions&, const StepInput<Pack>&,
                    WallState<Pack>&);
 template double unbalanced_ratio(const WallState<Pack>&, int);
-template void step(const StepTables&, const SolverOptions&, const StepInput<float>&,
-                   WallState<float>&);
-template double unbalanced_ratio(const WallState<float>&, int);
-template void step(const StepTables&, const SolverOptions&, const StepInput<FloatPack>&,
-                   WallState<FloatPack>&);
-template double unbalanced_ratio(const WallState<FloatPack>&, int);
 
 } // namespace dem

@@ -72,12 +72,12 @@ double side_of(const Model& m, const Contact& c, int block)
     return m.layout.faces[c.face].b == block ? 1.0 : -1.0;
 }
 
-ContactOperator<double> port_matrix(const Model& m, const StepTables& t, int block,
-                                    const std::vector<int>& ports)
+ContactOperator port_matrix(const Model& m, const StepTables& t, int block,
+                            const std::vector<int>& ports)
 {
     const BlockPlace& place = m.places[block];
     const Eigen::MatrixXd& phi = m.elements[place.element].phi;
-    ContactOperator<double> a;
+    ContactOperator a;
     a.ports = static_cast<int>(ports.size());
     a.modes = static_cast<int>(phi.cols());
     const std::size_t rows = 2 * ports.size(), modes = static_cast<std::size_t>(a.modes);
@@ -130,7 +130,7 @@ void tabulate_blocks(const Model& m, StepTables& t)
     for (int b = 0; b < static_cast<int>(m.layout.blocks.size()); ++b) {
         const BlockPlace& place = m.places[b];
         const BlockElement& e = m.elements[place.element];
-        ContactOperator<double>& a = t.matrices[place.element];
+        ContactOperator& a = t.matrices[place.element];
         if (a.modes == 0) a = port_matrix(m, t, b, ports[b]);
         t.blocks.push_back({place.element, static_cast<int>(t.port_contact.size()),
                             place.first_mode, static_cast<int>(e.phi.cols())});
@@ -152,11 +152,6 @@ StepTables step_tables(const Model& m)
     t.cracks = runs_of(m.cracks, t.first_crack, [](const Contact& c) { return c.material; });
     for (int k = 0; k < t.n_contacts; ++k) t.area.push_back(contact_of(m, t, k).area);
     tabulate_blocks(m, t);
-    for (const ContactOperator<double>& a : t.matrices)
-        t.single_matrices.push_back({a.ports,
-                                     a.modes,
-                                     {a.to_modes.begin(), a.to_modes.end()},
-                                     {a.to_contacts.begin(), a.to_contacts.end()}});
     t.beam = shares(m, t, [&m](int block) { return block == m.layout.beam; });
     t.ground =
         shares(m, t, [&m](int block) { return block == kGround || is_supported(m, block); });

@@ -4,7 +4,6 @@
 #include "dem/block/model.hpp"
 #include "dem/contact/contact_operator.hpp"
 
-#include <type_traits>
 #include <vector>
 
 namespace dem {
@@ -28,11 +27,10 @@ struct StepTables {
         int element, first_port, first_mode, modes;
     };
     std::vector<BlockRow> blocks;
-    std::vector<ContactOperator<double>> matrices;       ///< by element
-    std::vector<ContactOperator<float>> single_matrices; ///< the same in single precision
-    std::vector<int> port_contact;                       ///< by port: contact
-    std::vector<double> lambda;                          ///< by mode
-    std::vector<double> area;                            ///< by contact [m2]
+    std::vector<ContactOperator> matrices; ///< by element
+    std::vector<int> port_contact;         ///< by port: contact
+    std::vector<double> lambda;            ///< by mode
+    std::vector<double> area;              ///< by contact [m2]
     std::vector<ContactRun> dry, tied, cracks;
     int first_tied = 0, first_crack = 0, n_contacts = 0;
     std::vector<HorizontalShare> beam;   ///< what moves with the drive
@@ -40,15 +38,5 @@ struct StepTables {
 };
 
 [[nodiscard]] StepTables step_tables(const Model& model);
-
-/// The matrices for numbers of type T.
-template <class T>
-[[nodiscard]] const std::vector<ContactOperator<T>>& matrices_of(const StepTables& t)
-{
-    if constexpr (std::is_same_v<T, float>)
-        return t.single_matrices;
-    else
-        return t.matrices;
-}
 
 } // namespace dem

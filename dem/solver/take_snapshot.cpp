@@ -50,7 +50,7 @@ std::vector<double> slips(const StepTables& t, const WallState<Real>& state, int
 {
     std::vector<double> slip(t.n_contacts, 0.0);
     for (const auto& b : t.blocks) {
-        const ContactOperator<double>& a = t.matrices[b.element];
+        const ContactOperator& a = t.matrices[b.element];
         for (int p = 0; p < a.ports; ++p)
             for (int i = 0; i < a.modes; ++i)
                 slip[t.port_contact[b.first_port + p]] +=
@@ -99,9 +99,5 @@ template Snapshot take_snapshot(const Model&, const StepTables&, const WallState
                                 double, double);
 template Snapshot take_snapshot(const Model&, const StepTables&, const WallState<Pack>&, int,
                                 double, double);
-template Snapshot take_snapshot(const Model&, const StepTables&, const WallState<float>&, int,
-                                double, double);
-template Snapshot take_snapshot(const Model&, const StepTables&, const WallState<FloatPack>&,
-                                int, double, double);
 
 } // namespace dem

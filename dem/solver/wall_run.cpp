@@ -247,15 +247,9 @@ template <class Real> PushResult WallRun::finish(const WallState<Real>& state, i
 
 template void WallRun::load(WallState<double>&, int);
 template void WallRun::load(WallState<Pack>&, int);
-template void WallRun::load(WallState<float>&, int);
-template void WallRun::load(WallState<FloatPack>&, int);
 template bool WallRun::look(WallState<double>&, int);
 template bool WallRun::look(WallState<Pack>&, int);
-template bool WallRun::look(WallState<float>&, int);
-template bool WallRun::look(WallState<FloatPack>&, int);
 template PushResult WallRun::finish(const WallState<double>&, int);
 template PushResult WallRun::finish(const WallState<Pack>&, int);
-template PushResult WallRun::finish(const WallState<float>&, int);
-template PushResult WallRun::finish(const WallState<FloatPack>&, int);
 
 } // namespace dem

@@ -206,19 +206,5 @@ template void load_lane(const Model&, const StepTables&, const WallMaterials&,
 template WallState<Pack> unloaded(const Model&, const StepTables&,
                                   std::span<const WallMaterials>, const SolverOptions&);
 template Energy energy_of(const StepTables&, const WallState<Pack>&, int);
-template void clear_lane(int, WallState<float>&);
-template WallState<float> empty_lanes(const Model&, const StepTables&);
-template void load_lane(const Model&, const StepTables&, const WallMaterials&,
-                        const SolverOptions&, int, WallState<float>&);
-template WallState<float> unloaded(const Model&, const StepTables&,
-                                   std::span<const WallMaterials>, const SolverOptions&);
-template Energy energy_of(const StepTables&, const WallState<float>&, int);
-template void clear_lane(int, WallState<FloatPack>&);
-template WallState<FloatPack> empty_lanes(const Model&, const StepTables&);
-template void load_lane(const Model&, const StepTables&, const WallMaterials&,
-                        const SolverOptions&, int, WallState<FloatPack>&);
-template WallState<FloatPack> unloaded(const Model&, const StepTables&,
-                                       std::span<const WallMaterials>, const SolverOptions&);
-template Energy energy_of(const StepTables&, const WallState<FloatPack>&, int);
 
 } // namespace dem

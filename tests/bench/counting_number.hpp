@@ -20,7 +20,7 @@ struct Mask {
 struct Counted {
     double x = 0.0;
     Counted() = default;
-    Counted(double value) : x(value) {} // NOLINT: as PackOf
+    Counted(double value) : x(value) {} // NOLINT: as Pack
     friend Counted operator+(Counted a, Counted b) { return ++operations, a.x + b.x; }
     friend Counted operator-(Counted a, Counted b) { return ++operations, a.x - b.x; }
     friend Counted operator*(Counted a, Counted b) { return ++operations, a.x * b.x; }
@@ -41,8 +41,3 @@ struct Counted {
 };
 
 } // namespace counting
-
-/// Tables stay tables of doubles.
-template <> struct dem::NumberOf<counting::Counted> {
-    using Type = double;
-};

@@ -8,7 +8,6 @@
 namespace bits {
 
 inline std::uint64_t of(double x) { return std::bit_cast<std::uint64_t>(x); }
-inline std::uint32_t of(float x) { return std::bit_cast<std::uint32_t>(x); }
 
 template <class T> bool same(T a, T b) { return of(a) == of(b); }
 

@@ -16,7 +16,6 @@ namespace {
 using dem::ContactOperator;
 using dem::lanes;
 using dem::multiply_add;
-using dem::Number;
 
 constexpr int kMostPorts = 25, kMostModes = 45;
 
@@ -36,14 +35,13 @@ template <class Real> std::vector<Real> numbers(std::size_t n, std::mt19937_64& 
 
 /// A block with ports on some of more contacts, in no order.
 template <class Real> struct Block {
-    ContactOperator<Number<Real>> matrix;
+    ContactOperator matrix;
     std::vector<int> contact;
     int n_contacts;
     Block(int ports, int modes, std::mt19937_64& random) : n_contacts(ports + 3)
     {
         const auto size = static_cast<std::size_t>(2) * ports * modes;
-        matrix = {ports, modes, numbers<Number<Real>>(size, random),
-                  numbers<Number<Real>>(size, random)};
+        matrix = {ports, modes, numbers<double>(size, random), numbers<double>(size, random)};
         contact.resize(n_contacts);
         std::iota(contact.begin(), contact.end(), 0);
         for (int k = n_contacts - 1; k > 0; --k)
@@ -110,8 +108,9 @@ double work(const dem::StepTables& t, const std::vector<double>& stress,
 
 } // namespace
 
-TEMPLATE_TEST_CASE("port matrix: gather is a plain double loop, bit for bit, in every size",
-                   "[dem][contact_operator]", double, float, dem::Pack, dem::FloatPack)
+TEMPLATE_TEST_CASE(
+    "contact operator: gather is a plain double loop, bit for bit, in every size",
+    "[dem][contact_operator]", double, dem::Pack)
 {
     int wrong = 0;
     for_all_sizes<TestType>([&](const Block<TestType>& b, std::mt19937_64& random) {
@@ -125,8 +124,9 @@ TEMPLATE_TEST_CASE("port matrix: gather is a plain double loop, bit for bit, in 
     CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("port matrix: scatter is a plain double loop, bit for bit, in every size",
-                   "[dem][contact_operator]", double, float, dem::Pack, dem::FloatPack)
+TEMPLATE_TEST_CASE(
+    "contact operator: scatter is a plain double loop, bit for bit, in every size",
+    "[dem][contact_operator]", double, dem::Pack)
 {
     int wrong = 0;
     for_all_sizes<TestType>([&](const Block<TestType>& b, std::mt19937_64& random) {
@@ -139,9 +139,9 @@ TEMPLATE_TEST_CASE("port matrix: scatter is a plain double loop, bit for bit, in
     CHECK(wrong == 0);
 }
 
-TEST_CASE(
-    "port matrix: in a wall, what the stresses do on the modes is what they do on the contacts",
-    "[dem][contact_operator]")
+TEST_CASE("contact operator: in a wall, what the stresses do on the modes is what they do on "
+          "the contacts",
+          "[dem][contact_operator]")
 {
     scenes::Scene s = scenes::paper_wall(0.50);
     s.wall.base = GENERATE(dem::Base::fixed, dem::Base::joint);
@@ -166,15 +166,14 @@ TEST_CASE(
     CHECK(std::abs(on_modes + work(t, stress, du)) < 1e-13 * size); // the stresses resist
 }
 
-TEST_CASE("port matrix: both of its halves hold the same numbers, in single precision too",
+TEST_CASE("contact operator: both of its halves hold the same numbers",
           "[dem][contact_operator]")
 {
     const dem::Model m = scenes::model_of(scenes::paper_wall(0.50));
     const dem::StepTables t = dem::step_tables(m);
     int wrong = 0;
     for (const auto& b : t.blocks) {
-        const ContactOperator<double>& a = t.matrices[b.element];
-        const ContactOperator<float>& f = t.single_matrices[b.element];
+        const ContactOperator& a = t.matrices[b.element];
         for (int row = 0; row < 2 * a.ports; ++row)
             for (int i = 0; i < a.modes; ++i) {
                 const std::size_t in = row * a.modes + i, out = i * 2 * a.ports + row;
@@ -182,10 +181,7 @@ TEST_CASE("port matrix: both of its halves hold the same numbers, in single prec
                 // Blocks of an element share its matrix; their areas differ in the last digit.
                 wrong += std::abs(a.to_modes[in] + area * a.to_contacts[out]) >
                          1e-14 * std::abs(a.to_modes[in]);
-                wrong += f.to_modes[in] != static_cast<float>(a.to_modes[in]);
-                wrong += f.to_contacts[out] != static_cast<float>(a.to_contacts[out]);
             }
     }
     CHECK(wrong == 0);
-    CHECK(t.single_matrices.size() == t.matrices.size());
 }

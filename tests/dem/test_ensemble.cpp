@@ -50,10 +50,9 @@ const Alone& alone()
     return once;
 }
 
-Workers workers(int threads, bool scalar = false,
-                dem::Precision precision = dem::Precision::double_precision)
+Workers workers(int threads, bool scalar = false)
 {
-    return {threads, precision, scalar};
+    return {.threads = threads, .scalar = scalar};
 }
 
 /// Results by number; a number that comes twice or never fails the test.
@@ -182,22 +181,6 @@ TEST_CASE(
         CHECK(small_wall::same(together[i], dem::push(a.model, a.walls[i], a.plan, o)));
     }
     CHECK(anew > 0);
-}
-
-TEST_CASE("ensemble: in single precision too, packs and scalars have the same bits",
-          "[dem][ensemble]")
-{
-    const Alone& a = alone();
-    const std::vector<WallMaterials> walls(a.walls.begin(), a.walls.begin() + kLanes + 1);
-    const auto single = dem::Precision::single_precision;
-    const auto packs = pushed(walls, workers(1, false, single)),
-               scalars = pushed(walls, workers(1, true, single));
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-        CHECK(small_wall::same(packs[i], scalars[i]));
-        CHECK_FALSE(small_wall::same_curve(packs[i], a.results[i]));
-        CHECK(scenes::peak_force(packs[i]) ==
-              Approx(scenes::peak_force(a.results[i])).epsilon(0.02));
-    }
 }
 
 TEST_CASE("ensemble: a wall's own vertical stress is that of a model with this stress",
