@@ -70,7 +70,9 @@ std::optional<RandomInput> parse_random(const Key& key, std::string_view text)
     if (!is_distribution(text)) return {};
     if (key.varies == Varies::never)
         throw BadValue(in_quotes(text) + " is a distribution, but " + std::string(key.name) +
-                       " is the same for all walls; write a number");
+                       " is the same for all walls" +
+                       std::string(key.fixed_because.empty() ? "" : ", ") +
+                       std::string(key.fixed_because) + "; write a number");
     RandomInput random;
     random.key = key.name;
     random.marginal = parse_distribution(text, key.unit);

@@ -114,8 +114,7 @@ double at_level(const std::vector<double>& values, int level)
     return values.size() == 1 ? values.front() : values.at(static_cast<std::size_t>(level));
 }
 
-/// Of the dry joints, without their factor.
-dem::JointMaterial stiffness_of_level(const Study& study, int level)
+dem::JointParameters joint_parameters(const Study& study, int level)
 {
     const JointInput& joint = study.joint;
     const double kn = joint.wall_modulus.empty()
@@ -123,7 +122,8 @@ dem::JointMaterial stiffness_of_level(const Study& study, int level)
                           : dem::joint_stiffness(study.wall.course_height,
                                                  at_level(joint.wall_modulus, level),
                                                  study.stone.young_modulus);
-    return {kn, at_level(joint.shear_stiffness, level), 0.0};
+    return {kn, at_level(joint.shear_stiffness, level), joint.stiffness_factor,
+            joint.friction_angle};
 }
 
 } // namespace
@@ -204,42 +204,22 @@ dem::Loads loads(const Study& study, int level)
 
 dem::JointMaterial joint_material(const Study& study, int level)
 {
-    const dem::JointMaterial joint = stiffness_of_level(study, level);
-    const double factor = study.joint.stiffness_factor;
-    return {factor * joint.kn, factor * joint.ks, std::tan(study.joint.friction_angle)};
+    return dem::joint_material(joint_parameters(study, level));
 }
 
 dem::CrackMaterial crack_material(const Study& study, int level)
 {
-    const UnitInput& unit = study.unit;
-    const double kn =
-        unit.stiffness_factor * unit.stiffness_ratio * stiffness_of_level(study, level).kn;
-    const double ft =
-        unit.snap_back == SnapBack::weakens
-            ? std::min(unit.tensile_strength, std::sqrt(2.0 * unit.fracture_energy * kn))
-            : unit.tensile_strength;
-    return {.kn = kn,
-            .ks = dem::shear_stiffness(kn, study.stone.poisson_ratio),
-            .ft = ft,
-            .cohesion = unit.cohesion,
-            .cohesion_res = std::min(unit.residual_cohesion, unit.cohesion),
-            .tan_phi = std::tan(unit.friction_angle),
-            .tan_phi_res =
-                std::tan(std::min(unit.residual_friction_angle, unit.friction_angle)),
-            .fracture_energy = unit.fracture_energy,
-            .tension_reduces_shear = unit.tension_reduces_shear};
+    return dem::crack_material(study.unit, joint_parameters(study, level).kn,
+                               study.stone.poisson_ratio);
 }
 
 dem::WallMaterials materials(const Study& study, int level, int n_joints, int n_cracks)
 {
-    dem::WallMaterials all;
-    all.stone = study.stone;
+    dem::WallMaterials all =
+        dem::wall_materials({study.stone, joint_parameters(study, level), study.unit,
+                             study.base_friction_angle, study.beam_friction_angle},
+                            n_joints, n_cracks);
     all.vertical_stress = at_level(study.load.vertical_stress, level);
-    all.joints.assign(static_cast<std::size_t>(n_joints), joint_material(study, level));
-    all.cracks.assign(static_cast<std::size_t>(n_cracks), crack_material(study, level));
-    all.base_joint = all.beam_joint = stiffness_of_level(study, level);
-    all.base_joint.tan_phi = std::tan(study.base_friction_angle);
-    all.beam_joint.tan_phi = std::tan(study.beam_friction_angle);
     return all;
 }
 

@@ -5,6 +5,7 @@
 #include "app/input/study_file.hpp"
 #include "dem/block/discretisation.hpp"
 #include "dem/scene/mechanism.hpp"
+#include "dem/scene/paper_materials.hpp"
 #include "dem/scene/wall.hpp"
 #include "dem/solver/push.hpp"
 #include "dem/solver/solver_options.hpp"
@@ -29,26 +30,6 @@ struct JointInput {
     std::vector<double> shear_stiffness; ///< one, or one per stress level [Pa/m]
     double friction_angle = 0.0;         ///< [rad], in [0, pi/2)
     double stiffness_factor = 1.0;       ///< on k_n and k_s [-], > 0
-};
-
-/// Potential cracks in units. Zero strength and zero energy where unit_cracks = no.
-/// What becomes of a crack that snaps back, f_T > sqrt(2 G k_n): where softening ends before it begins.
-enum class SnapBack {
-    breaks, ///< at f_T, at once; releases f_T^2/(2 k_n) > G
-    weakens ///< at sqrt(2 G k_n), at once; releases G
-};
-
-struct UnitInput {
-    double stiffness_ratio = 10.0;        ///< xi = k_n of a crack / k_n of a joint [-], > 0
-    double tensile_strength = 0.0;        ///< [Pa], >= 0
-    double cohesion = 0.0;                ///< [Pa], >= 0
-    double residual_cohesion = 0.0;       ///< [Pa], in [0, cohesion]
-    double fracture_energy = 0.0;         ///< mode I [J/m2], >= 0
-    double friction_angle = 0.0;          ///< [rad], in [0, pi/2)
-    double residual_friction_angle = 0.0; ///< [rad], in [0, friction_angle]
-    double stiffness_factor = 1.0;        ///< on k_n and k_s [-], > 0
-    bool tension_reduces_shear = dem::CrackMaterial{}.tension_reduces_shear;
-    SnapBack snap_back = SnapBack::breaks;
 };
 
 struct LoadInput {
@@ -156,7 +137,7 @@ struct Study {
     dem::WallGeometry wall;
     dem::Elastic stone;
     JointInput joint;
-    UnitInput unit;
+    dem::CrackParameters unit; ///< zero strength and zero energy where unit_cracks = no
     dem::Beam beam{.material = {.poisson_ratio = 0.2}}; // choice: concrete
     double beam_friction_angle = 0.0; ///< [rad], used with BeamInterface::joint
     double base_friction_angle = 0.0; ///< [rad], used with Base::joint
@@ -188,16 +169,11 @@ struct Study {
 /// @param level index in study.load.vertical_stress
 [[nodiscard]] dem::Loads loads(const Study& study, int level);
 
-/// Joint by Eq. 2 or as given, times its factor.
+/// The stiffness of the joint is that of Eq. 2, or as given.
 [[nodiscard]] dem::JointMaterial joint_material(const Study& study, int level);
-
-/// A residual value above the initial one, where draws make it so, counts as the initial one.
-/// Crack of xi times the stiffness of the joint before its factor, times its own factor: Table
-/// 5 of the paper varies the two factors independently.
 [[nodiscard]] dem::CrackMaterial crack_material(const Study& study, int level);
 
-/// The same material for every joint ID and every crack ID. Base and beam joints have no
-/// factor.
+/// The same material for every joint ID and every crack ID.
 [[nodiscard]] dem::WallMaterials materials(const Study& study, int level, int n_joints,
                                            int n_cracks);
 

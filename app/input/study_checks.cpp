@@ -77,7 +77,7 @@ void check_wall_modulus(const Study& study, double modulus)
 
 void check_residuals(const Study& study)
 {
-    const UnitInput& u = study.unit;
+    const dem::CrackParameters& u = study.unit;
     if (u.residual_cohesion > u.cohesion) {
         refuse(study, "unit.residual_cohesion",
                "must be at most unit.cohesion, " + text(u.cohesion, "MPa"));

@@ -52,7 +52,8 @@ struct Key {
     std::string_view example = ""; ///< of a key that must be given; empty: it has a default
     Derived derived = {};          ///< empty: the default is the one of the field
     Varies varies = Varies::never; ///< otherwise a distribution is a value too
-    std::string_view meaning = ""; ///< one line, with its source
+    std::string_view fixed_because = ""; ///< why it cannot be drawn, where a user may expect it
+    std::string_view meaning = "";       ///< one line, with its source
     Field field = {};
 };
 

@@ -154,7 +154,7 @@ void connect(const Discretisation& d, Model& m)
 }
 
 void check(const WallGeometry& wall, const Elastic& stone, const Beam& beam, const Loads& loads,
-           const Discretisation& d)
+           const ReferenceStiffness& reference, const Discretisation& d)
 {
     const auto require = [](bool ok, const char* what) {
         if (!ok) throw std::invalid_argument(what);
@@ -174,6 +174,10 @@ void check(const WallGeometry& wall, const Elastic& stone, const Beam& beam, con
             "vertical stress and gravity must not be negative");
     require(loads.height >= top - 1e-9 && loads.height <= top + beam.height + 1e-9,
             "the load line must lie within the beam");
+    require(reference.joint.kn > 0 && reference.joint.ks > 0,
+            "the reference stiffness of the joints must be positive");
+    require(!wall.cracks_in_units || (reference.crack.kn > 0 && reference.crack.ks > 0),
+            "the reference stiffness of the cracks must be positive");
     require(d.contact_points >= 2 && d.zones_per_interval >= 1,
             "at least 2 contact points and 1 zone");
     for (const int modes : {d.block_modes, d.beam_modes})
@@ -186,7 +190,7 @@ Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& bea
                  const Loads& loads, const ReferenceStiffness& reference,
                  const Discretisation& d)
 {
-    check(wall, stone, beam, loads, d);
+    check(wall, stone, beam, loads, reference, d);
     Model m;
     m.wall = wall;
     m.beam = beam;

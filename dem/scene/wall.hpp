@@ -95,12 +95,4 @@ struct Loads {
     double gravity = 9.81; ///< [m/s2], >= 0
 };
 
-/// Eq. 2: joint and stone as springs in series over one course.
-///   k_n = 1 / (h (1/E_wall - 1/E_stone))
-/// @param h course height [m];  moduli [Pa], 0 < wall_modulus < stone_modulus
-[[nodiscard]] double joint_stiffness(double h, double wall_modulus, double stone_modulus);
-
-/// k_s = k_n / (2 (1 + nu)) (paper, Table 4)
-[[nodiscard]] double shear_stiffness(double kn, double poisson_ratio);
-
 } // namespace dem

@@ -4,46 +4,81 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace dem {
 
 namespace {
 
-void require(bool ok, const char* what)
+void require(bool ok, const std::string& what)
 {
     if (!ok) throw std::invalid_argument(what);
+}
+
+/// @param name of the joint, as the message begins
+void check_joint(const std::string& name, const JointMaterial& j)
+{
+    require(j.kn > 0 && j.ks > 0, name + ": normal and shear stiffness must be positive");
+    require(j.tan_phi >= 0, name + ": the friction coefficient must not be negative");
+}
+
+void check_crack(const std::string& name, const CrackMaterial& c)
+{
+    require(c.kn > 0 && c.ks > 0, name + ": normal and shear stiffness must be positive");
+    require(c.ft >= 0 && c.fracture_energy >= 0,
+            name + ": tensile strength and fracture energy must not be negative");
+    require(c.cohesion_res >= 0 && c.cohesion >= c.cohesion_res,
+            name + ": the residual cohesion must lie between 0 and the initial cohesion");
+    require(c.tan_phi >= 0 && c.tan_phi_res >= 0,
+            name + ": friction coefficients must not be negative");
+}
+
+void check_stone(const Model& m, const Elastic& stone)
+{
+    require(stone.young_modulus > 0, "stone: Young's modulus must be positive");
+    require(stone.density >= 0, "stone: the density must not be negative");
+    require(stone.poisson_ratio == m.stone.poisson_ratio,
+            "stone: Poisson's ratio must be that of the model, because the modes of its blocks "
+            "are those of one ratio; make a model for each ratio");
+}
+
+std::string numbered(const char* what, std::size_t index)
+{
+    return what + (" " + std::to_string(index + 1));
 }
 
 } // namespace
 
 void check(const Model& m, const WallMaterials& w)
 {
+    check_stone(m, w.stone);
     require(static_cast<int>(w.joints.size()) == m.layout.n_joints,
-            "one material per joint ID");
+            "the wall needs one material for each of its " + std::to_string(m.layout.n_joints) +
+                " joint IDs");
     require(static_cast<int>(w.cracks.size()) == m.layout.n_cracks,
-            "one material per crack ID");
-    require(w.vertical_stress.value_or(0.0) >= 0, "vertical stress must not be negative");
-    for (const JointMaterial& j : w.joints)
-        require(j.kn > 0 && j.ks > 0 && j.tan_phi >= 0,
-                "a joint needs positive stiffness and friction >= 0");
-    for (const CrackMaterial& c : w.cracks)
-        require(
-            c.kn > 0 && c.ks > 0 && c.ft >= 0 && c.cohesion >= c.cohesion_res &&
-                c.cohesion_res >= 0 && c.tan_phi >= 0 && c.tan_phi_res >= 0 &&
-                c.fracture_energy >= 0,
-            "a unit crack needs positive stiffness and strengths >= 0, residual <= initial");
+            "the wall needs one material for each of its " + std::to_string(m.layout.n_cracks) +
+                " crack IDs");
+    require(w.vertical_stress.value_or(0.0) >= 0, "the vertical stress must not be negative");
+    for (std::size_t i = 0; i < w.joints.size(); ++i)
+        check_joint(numbered("joint", i), w.joints[i]);
+    for (std::size_t i = 0; i < w.cracks.size(); ++i)
+        check_crack(numbered("crack", i), w.cracks[i]);
+    check_joint("beam joint", w.beam_joint);
+    if (m.wall.base == Base::joint) check_joint("base joint", w.base_joint);
 }
 
 void check(const PushPlan& plan, const SolverOptions& o)
 {
     for (const double target : plan.targets)
-        require(std::isfinite(target), "targets must be finite");
-    require(plan.record_every > 0 && plan.snapshot_every >= 0,
-            "curve points need a spacing > 0");
-    require(o.steps_per_mm > 0 && o.damping_factor >= 0 && o.damping_factor < 1 &&
-                o.step_fraction > 0 && o.energy_tolerance > 0,
-            "steps per mm > 0, damping factor in [0, 1), step fraction > 0, tolerance > 0");
+        require(std::isfinite(target), "target displacements must be finite");
+    require(plan.record_every > 0, "the spacing of curve points must be positive");
+    require(plan.snapshot_every >= 0, "the spacing of snapshots must not be negative");
+    require(o.steps_per_mm > 0, "steps per mm must be positive");
+    require(o.damping_factor >= 0 && o.damping_factor < 1,
+            "the damping factor must lie in [0, 1)");
+    require(o.step_fraction > 0, "the step fraction must be positive");
+    require(o.energy_tolerance > 0, "the energy tolerance must be positive");
 }
 
 PushResult push(const Model& model, const WallMaterials& materials, const PushPlan& plan,

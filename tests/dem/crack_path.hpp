@@ -2,7 +2,7 @@
 /// The crack of Table 4 at one contact, moved along a path of openings and slips.
 
 #include "dem/contact/contact_law.hpp"
-#include "dem/scene/wall.hpp"
+#include "dem/scene/paper_materials.hpp"
 
 #include <algorithm>
 #include <cmath>

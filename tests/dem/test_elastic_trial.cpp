@@ -2,7 +2,7 @@
 
 #include "bits.hpp"
 #include "dem/contact/contact_law.hpp"
-#include "dem/scene/wall.hpp"
+#include "dem/scene/paper_materials.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -203,12 +203,12 @@ TEST_CASE("ensemble: a wall that fails says so and changes no bit of its neighbo
           "[dem][ensemble]")
 {
     const Alone& a = alone();
-    const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+    const double infinite = std::numeric_limits<double>::infinity();
     std::vector<WallMaterials> walls = a.walls;
     const std::vector<std::size_t> broken{0, 2, 5};
-    walls[0].stone.young_modulus = nan;
+    walls[0].stone.young_modulus = infinite;
     walls[2].cracks[2].ks = infinite;
-    walls[5].stone.density = nan;
+    walls[5].stone.density = infinite;
     for (const int threads : {1, 2}) {
         const auto together = pushed(walls, workers(threads));
         for (std::size_t i = 0; i < walls.size(); ++i) {

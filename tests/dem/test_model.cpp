@@ -210,6 +210,8 @@ TEST_CASE("model: what makes no wall is refused", "[dem][model]")
         [](auto& s, auto&) { s.stone.young_modulus = 0.0; },
         [](auto& s, auto&) { s.stone.poisson_ratio = 0.5; },
         [](auto& s, auto&) { s.beam.material.density = -1.0; },
+        [](auto& s, auto&) { s.joint.kn = 0.0; },
+        [](auto& s, auto&) { s.crack.ks = 0.0; },
         [](auto&, auto& d) { d.contact_points = 1; },
         [](auto&, auto& d) { d.zones_per_interval = 0; },
         [](auto&, auto& d) { d.block_modes = 2; },

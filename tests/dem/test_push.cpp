@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace {
 
@@ -235,9 +236,58 @@ TEST_CASE("push: materials that do not fit the wall are refused", "[dem][push]")
     const scenes::Scene s = scenes::paper_wall(0.50);
     const dem::Model m = scenes::model_of(s, coarse());
     dem::WallMaterials w = scenes::uniform(s, m);
-    SECTION("a joint too few") { w.joints.pop_back(); }
-    SECTION("a crack too few") { w.cracks.pop_back(); }
-    SECTION("no stiffness") { w.joints[7].kn = 0.0; }
-    SECTION("not a number") { w.cracks[3].ft = std::nan(""); }
-    CHECK_THROWS_AS(dem::push(m, w, to({1e-3})), std::invalid_argument);
+    std::string message;
+    SECTION("a joint too few") { w.joints.pop_back(), message = "its 135 joint IDs"; }
+    SECTION("a crack too few") { w.cracks.pop_back(), message = "its 45 crack IDs"; }
+    SECTION("no stiffness") { w.joints[7].kn = 0.0, message = "joint 8: "; }
+    SECTION("not a number") { w.cracks[3].ft = std::nan(""), message = "crack 4: "; }
+    SECTION("a residual cohesion above the initial one")
+    {
+        w.cracks[3].cohesion_res = 2.0 * w.cracks[3].cohesion;
+        message = "crack 4: the residual cohesion";
+    }
+    SECTION("a beam joint that was forgotten") { w.beam_joint = {}, message = "beam joint: "; }
+    SECTION("a beam joint that has no friction coefficient")
+    {
+        w.beam_joint.tan_phi = std::nan("");
+        message = "beam joint: the friction";
+    }
+    SECTION("a stone that was forgotten") { w.stone = {}, message = "stone: Young's"; }
+    SECTION("no density") { w.stone.density = std::nan(""), message = "stone: the density"; }
+    SECTION("another Poisson's ratio than the model's")
+    {
+        w.stone.poisson_ratio = 0.25;
+        message = "stone: Poisson's ratio must be that of the model";
+    }
+    SECTION("tension on the beam") { w.vertical_stress = -1.0, message = "vertical stress"; }
+    CHECK_THROWS_WITH(dem::push(m, w, to({1e-3})), Catch::Contains(message));
+}
+
+TEST_CASE("push: a base joint is asked for where the wall stands on one, and only there",
+          "[dem][push]")
+{
+    scenes::Scene s = scenes::paper_wall(0.50);
+    s.wall.base = GENERATE(dem::Base::fixed, dem::Base::joint);
+    const dem::Model m = scenes::model_of(s, coarse());
+    dem::WallMaterials w = scenes::uniform(s, m);
+    w.base_joint = {};
+    if (s.wall.base == dem::Base::fixed)
+        CHECK_NOTHROW(dem::check(m, w));
+    else
+        CHECK_THROWS_WITH(dem::check(m, w), Catch::Contains("base joint: "));
+}
+
+TEST_CASE("push: Poisson's ratio of the stone reaches the blocks", "[dem][push]")
+{
+    const auto stiffness = [](double nu) {
+        scenes::Scene s = scenes::paper_wall(0.50);
+        s.stone.poisson_ratio = nu;
+        s.joint.ks = s.joint.kn / 2.4; // as at 0.2: joints and cracks stay the same
+        s.crack.ks = s.crack.kn / 2.4;
+        const dem::PushResult r = pushed(s, to({2e-4}));
+        return r.curve.back().force / r.curve.back().displacement;
+    };
+    const double soft = stiffness(0.49), stiff = stiffness(0.0);
+    CHECK(std::abs(stiff / soft - 1.0) > 1e-3);
+    CHECK(stiff == Approx(soft).epsilon(0.1));
 }

@@ -1,5 +1,7 @@
 #include "scenes/paper_wall.hpp"
 
+#include "dem/scene/paper_materials.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -140,6 +140,8 @@ constexpr std::array kStudies = {
         "study.ini:3: wall.courses: \"0\" is out of range; must be in [1, 1000]"},
     BadStudy{"negative stiffness", "young_modulus = 15.5 GPa", "young_modulus = -15.5 GPa",
         "study.ini:8: stone.young_modulus: \"-15.5 GPa\" is out of range; must be in (0, 1000] GPa"},
+    BadStudy{"Poisson's ratio drawn at random", "poisson_ratio = 0.2", "poisson_ratio = normal(mean 0.2, cov 0.1)",
+        "study.ini:9: stone.poisson_ratio: \"normal(mean 0.2, cov 0.1)\" is a distribution, but stone.poisson_ratio is the same for all walls, because the walls of a study share the deformation modes of their blocks (through the blocks, 0.1 to 0.3 moves the stiffness of the paper's wall by 0.6 % and its peak by 0.1 %); write a number"},
     BadStudy{"Poisson's ratio of 0.5", "poisson_ratio = 0.2", "poisson_ratio = 0.5",
         "study.ini:9: stone.poisson_ratio: \"0.5\" is out of range; must be in [0, 0.5)"},
     BadStudy{"friction angle of 95 degrees", "friction_angle = 31.8 deg", "friction_angle = 95 deg",
