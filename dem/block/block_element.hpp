@@ -1,13 +1,15 @@
 #pragma once
 /// A deformable block, condensed to its contact points and written in its own modes.
 ///
-/// The zones of a block are eliminated statically onto the contact points of its faces (its
-/// edge runs between them as face_rule.hpp says), which leaves K u_c. The modes solve K phi =
-/// lambda C phi, C being the stiffness of the block's own contacts with their other side held:
-/// phi^T C phi = 1, phi^T K phi = lambda. In a wall a contact feels two blocks, k (u_b - u_a)^2
-/// <= 2 k u_a^2 + 2 k u_b^2, so a mode of fictitious mass (lambda + 2)/4 or more is stable at a
-/// unit time step whatever its neighbours do: no mode is slower than it has to be, and the
-/// bound is a proof.
+/// The zones of a block are eliminated statically onto the contact points of its faces, which leaves
+/// K u_c. Between its points the edge runs as face_rule.hpp says. The modes solve
+///   K phi = lambda C phi,   phi^T C phi = 1,   phi^T K phi = lambda,
+/// where C is the stiffness of the block's own contacts while their other side is held.
+///
+/// The fictitious masses follow from a bound. In a wall a contact feels two blocks,
+///   k (u_b - u_a)^2 <= 2 k u_a^2 + 2 k u_b^2,
+/// so a mode with the mass (lambda + 2)/4 or more is stable at a unit time step, whatever the
+/// neighbouring blocks do. The bound is proven, and no mode is slower than it has to be.
 
 #include "dem/block/block_spec.hpp"
 
@@ -17,8 +19,8 @@
 
 namespace dem {
 
-/// What the solver and the pictures need of a block; shared by all blocks of the same spec.
-/// Rows of phi: x and z of each contact point in turn; columns: modes.
+/// What the solver and the pictures need to know about a block. Blocks with equal specifications share
+/// one element. The rows of phi are x and z of each contact point in turn, its columns are the modes.
 struct BlockElement {
     std::vector<Point> points;   ///< contact points [m]
     Eigen::MatrixXd phi;         ///< 2 points x modes [m per sqrt(J)]
@@ -32,8 +34,7 @@ struct BlockElement {
 
 [[nodiscard]] BlockElement block_element(const BlockSpec& spec);
 
-/// Edge points of the block in the order of BlockElement::points, for finding a contact's
-/// point.
+/// Index in BlockElement::points of the contact point at a place in the block's own frame.
 [[nodiscard]] int find_point(const BlockElement& element, Point at);
 
 } // namespace dem

@@ -1,6 +1,6 @@
 #pragma once
-/// The motions a block is allowed: modes that are orthogonal in its elasticity and in the
-/// stiffness of its contacts.
+/// The motions that a block can make: modes that are orthogonal in its elasticity and in the stiffness
+/// of its contacts.
 
 #include "dem/block/block_spec.hpp"
 #include "dem/block/condensation.hpp"
@@ -14,14 +14,14 @@ struct BlockModes {
     Eigen::VectorXd lambda; ///< phi^T K phi, exactly 0 for rigid motions
 };
 
-/// C: stiffness of the block's contacts with their other side held, 2 points x 2 points [N/m].
+/// C, the stiffness of the block's contacts while their other side is held, 2 points x 2 points [N/m].
 [[nodiscard]] Eigen::MatrixXd contact_metric(const BlockSpec& spec, const Condensed& c);
 
-/// Modes kept when spec.modes = m > 0: three rigid ones; from 6 on also the constant strains,
-/// so that a uniform stress is exact; then those with the smallest lambda, softest against the
-/// contacts. A clamped block keeps m - 3: the linear fields its support lets pass, then the
-/// softest. A driven beam loses the horizontal rigid motion, and its rotation where that is
-/// fixed.
+/// If spec.modes = m > 0, a free block keeps m modes: the three rigid motions first, then (from m = 6 on)
+/// the constant strains, so that a uniform stress is exact, then the modes with the smallest lambda,
+/// which are soft against the contacts. A clamped block keeps m - 3 modes: the linear fields that its
+/// support allows, then the softest. The driven beam has no horizontal rigid motion, and no rotation
+/// where that is fixed.
 [[nodiscard]] BlockModes block_modes(const BlockSpec& spec, const Condensed& c);
 
 } // namespace dem

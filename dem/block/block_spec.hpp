@@ -1,6 +1,5 @@
 #pragma once
-/// One block as the wall's model orders it: size, stone, contact faces, support, and how finely it
-/// is resolved.
+/// The specification of one block: size, stone, contact faces, support, and how finely it is resolved.
 
 #include "dem/block/face_rule.hpp"
 #include "dem/scene/snapshot.hpp"
@@ -22,10 +21,10 @@ struct BlockEdge {
 /// Support of a block.
 enum class Motion {
     free,
-    clamped_bottom,            ///< bottom face fixed
-    clamped_bottom_held_right, ///< and no horizontal displacement of the right side
-    held_right_corner,         ///< no horizontal displacement of the lower right corner
-    driven ///< the beam: horizontal displacement of its load line is prescribed
+    clamped_bottom,            ///< the bottom face is fixed
+    clamped_bottom_held_right, ///< in addition, the right side has no horizontal displacement
+    held_right_corner,         ///< the lower right corner has no horizontal displacement
+    driven ///< the loading beam: the horizontal displacement of its load line is prescribed
 };
 
 struct BlockSpec {
@@ -33,12 +32,13 @@ struct BlockSpec {
     Elastic material;
     std::vector<BlockEdge> edges;
     Motion motion = Motion::free;
-    double load_height = 0.0;    ///< driven: of the load line above the block's bottom [m]
-    bool rotation_fixed = false; ///< driven
+    double load_height =
+        0.0; ///< of the load line above the block's bottom [m]; of a driven block
+    bool rotation_fixed = false; ///< of a driven block
     FaceRule face_rule = FaceRule::even;
     int zones_per_interval = 1;
     double zone_size = 0.0; ///< along sides without contacts [m]
-    int modes = 0;          ///< kept; 0: all
+    int modes = 0;          ///< number of modes kept; 0 keeps all
 };
 
 } // namespace dem

@@ -11,25 +11,26 @@
 
 namespace dem {
 
-/// u = edge u_c on edge nodes, 0 on clamped ones, and in equilibrium elsewhere.
+/// A block reduced to its contact points. Nodes on an edge follow the contact points of that edge,
+/// clamped nodes do not move, and all other nodes are in equilibrium.
 struct Condensed {
     ZoneGrid grid;
     std::vector<Point> points; ///< contact points [m]
     Eigen::MatrixXd stiffness; ///< 2 points x 2 points [N/m]
-    std::vector<bool> held;    ///< of each row: displacement prescribed as zero
-    Eigen::MatrixXd
-        nodes_from_points; ///< 2 nodes x 2 points: displacement of all nodes from that of the points
-    std::vector<Point>
-        outline; ///< corners and contact points, counter-clockwise from the lower left [m]
+    std::vector<bool> held;    ///< by row: whether the displacement is prescribed as zero
+    /// Displacement of all nodes from that of the points, 2 nodes x 2 points.
+    Eigen::MatrixXd nodes_from_points;
+    /// Corners and contact points, counter-clockwise from the lower left [m].
+    std::vector<Point> outline;
     Eigen::MatrixXd outline_from_points; ///< 2 outline points x 2 points
 };
 
 [[nodiscard]] Condensed condense(const BlockSpec& spec);
 
-/// Loads on the contact points that do the same work as loads on all nodes.
+/// The loads on the contact points that do the same work as the given loads on all nodes.
 [[nodiscard]] Eigen::VectorXd condense_load(const Condensed& c, const Eigen::VectorXd& nodal);
 
-/// Points closer than rounding of coordinates in metres.
+/// Whether two points are closer than the rounding of their coordinates, 1e-7 m.
 [[nodiscard]] bool same_place(Point a, Point b);
 
 } // namespace dem

@@ -13,18 +13,18 @@ struct Discretisation {
     int contact_points = 5; ///< per face of a half unit, >= 2
     FaceRule face_rule = FaceRule::lobatto;
     int zones_per_interval = 2; ///< block zones between two neighbouring contact points, >= 1
-    int block_modes = 12;       ///< per block: 3 rigid, 6 simply deformable, ...; 0 all
-    int beam_modes = 15;        ///< of the loading beam; 0 all
+    int block_modes = 12;       ///< per block: 3 is rigid, 6 adds constant strains; 0 keeps all
+    int beam_modes = 15;        ///< of the loading beam; 0 keeps all
     friend bool operator==(const Discretisation&, const Discretisation&) = default;
 };
 
-/// Rungs from cheap to exact; error and cost of each: docs/bench/paper_walls.md.
+/// A ladder from cheap to exact. docs/bench/paper_walls.md gives the error and cost of each rung.
 enum class Fidelity {
     rigid,    ///< rigid blocks
     simple,   ///< rigid motion and constant strain
-    standard, ///< the default: six modes more
-    zones,    ///< all modes: the zones in full
-    fine      ///< and more contact points: the reference of ensembles
+    standard, ///< six modes more; the default
+    zones,    ///< all modes, that is the zones in full
+    fine      ///< more contact points as well: the reference for ensembles
 };
 
 [[nodiscard]] constexpr Discretisation discretisation_of(Fidelity f)

@@ -1,5 +1,5 @@
 #pragma once
-/// The discretised wall: what all its samples share. Built once, read by every push.
+/// The discretised wall, which all samples of a study share. It is built once and read by every push.
 
 #include "dem/block/block_element.hpp"
 #include "dem/block/discretisation.hpp"
@@ -10,18 +10,17 @@
 
 namespace dem {
 
-/// A block in the solver's arrays.
+/// Where a block is in the solver's arrays.
 struct BlockPlace {
     int element = 0;     ///< index in Model::elements
     int first_point = 0; ///< in the arrays of points
     int first_mode = 0;  ///< in the arrays of modes
 };
 
-constexpr int kBaseMaterial = -1;
-constexpr int kBeamMaterial = -2;
+constexpr int kBaseMaterial = -1; ///< Contact::material of the joint at the base
+constexpr int kBeamMaterial = -2; ///< Contact::material of the joint at the beam
 
-/// A contact point between point a and point b of the wall (Model::ground_point for the
-/// ground).
+/// A contact between point a and point b of the wall. The ground is Model::ground_point.
 struct Contact {
     int a = 0, b = 0;
     double nx = 0.0, nz = 0.0; ///< unit normal from a to b; the tangent is (nz, -nx)
@@ -30,8 +29,8 @@ struct Contact {
     int face = 0;              ///< index in Layout::faces
 };
 
-/// Stiffness that contacts have on average over the samples of a study. Sets the fictitious
-/// masses, not the answer.
+/// A typical stiffness of the contacts over the samples of a study, > 0. It sets the modes that are kept
+/// and the fictitious masses.
 struct ReferenceStiffness {
     JointMaterial joint;
     CrackMaterial crack;
@@ -41,8 +40,7 @@ struct Model {
     WallGeometry wall;
     Beam beam;
     Loads loads;
-    Elastic
-        stone; ///< reference values: modes and fictitious masses of a sample are scaled from them
+    Elastic stone; ///< reference values, from which the elasticity of a sample is scaled
     Layout layout;
     std::vector<BlockElement> elements;
     std::vector<BlockPlace> places; ///< by block
@@ -52,11 +50,10 @@ struct Model {
     ReferenceStiffness reference;
     int n_points = 0;
     int n_modes = 0;
-    int ground_point = 0; ///< = n_points: never moves
+    int ground_point = 0; ///< equal to n_points; it never moves
 };
 
-/// @throws std::invalid_argument if a size makes no wall (no course, load line outside the
-/// beam, ...)
+/// @throws std::invalid_argument if a value is outside its range or the load line is outside the beam
 [[nodiscard]] Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& beam,
                                const Loads& loads, const ReferenceStiffness& reference,
                                const Discretisation& discretisation = {});

@@ -1,8 +1,8 @@
 #pragma once
 /// Plane-stress zones of a rectangular block: four-node elements with incompatible bending
 /// modes. Taylor, Beresford, Wilson (1976), Int. J. Numer. Meth. Eng. 10:1211 (QM6). On
-/// rectangles they pass the patch test and bend exactly, so the zones stay few. The
-/// constant-strain tetrahedra of the paper need many more.
+/// rectangles they pass the patch test and bend exactly, so few zones are enough. The constant-strain
+/// tetrahedra of the paper need many more.
 
 #include "dem/scene/wall.hpp"
 
@@ -33,7 +33,7 @@ zone_stiffness(double width, double height, double thickness, const Elastic& mat
 [[nodiscard]] Eigen::SparseMatrix<double> grid_stiffness(const ZoneGrid& grid, double thickness,
                                                          const Elastic& material);
 
-/// Area of the grid that belongs to each node (a quarter of each zone around it) [m2].
+/// The area that belongs to each node, a quarter of each zone around it [m2].
 [[nodiscard]] Eigen::VectorXd nodal_areas(const ZoneGrid& grid);
 
 } // namespace dem

@@ -23,9 +23,10 @@ JointMaterial joint_material(const JointParameters& j)
 CrackMaterial crack_material(const CrackParameters& c, double joint_kn, double poisson_ratio)
 {
     const double kn = c.stiffness_factor * c.stiffness_ratio * joint_kn;
-    const double ft = c.snap_back == SnapBack::weakens
-                          ? std::min(c.tensile_strength, std::sqrt(2.0 * c.fracture_energy * kn))
-                          : c.tensile_strength;
+    const double ft =
+        c.snap_back == SnapBack::weakens
+            ? std::min(c.tensile_strength, std::sqrt(2.0 * c.fracture_energy * kn))
+            : c.tensile_strength;
     return {.kn = kn,
             .ks = shear_stiffness(kn, poisson_ratio),
             .ft = ft,

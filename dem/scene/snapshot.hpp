@@ -1,7 +1,6 @@
 #pragma once
-/// What a wall looks like at one instant: blocks with their displacements, joints with their
-/// openings and slips. Read by pictures, ParaView series and the failure-mode rule; never by
-/// the solver.
+/// What a wall looks like at one instant: blocks with their displacements, joints with their openings
+/// and slips. Pictures, ParaView series and the failure-mode rule read it; the solver never does.
 
 #include <vector>
 
@@ -18,31 +17,31 @@ enum class FaceKind { bed_joint, head_joint, unit_crack, beam_joint, base_joint 
 struct ContactState {
     Point at;             ///< undeformed position [m]
     double area = 0.0;    ///< tributary area [m2]
-    double opening = 0.0; ///< u_n [m]; negative: compressed
+    double opening = 0.0; ///< u_n [m]; negative where the contact is compressed
     double slip = 0.0;    ///< total tangential displacement of block b past block a [m]
     double sigma = 0.0;   ///< normal stress [Pa], tension positive
     double tau = 0.0;     ///< shear stress [Pa]
-    double damage = 0.0;  ///< D of Table 2, in [0, 1]; 0 for dry joints
+    double damage = 0.0;  ///< D of Table 2, in [0, 1]; 0 in dry joints
 };
 
 /// The contact points along one straight piece of joint between two blocks (block a below or
 /// left of block b).
 struct FaceState {
     FaceKind kind = FaceKind::bed_joint;
-    int id =
-        0; ///< joint ID k in 1..n_joints, crack ID i in 1..n_cracks, 0 where there is no ID (beam, base)
-    int block_a = 0;                    ///< index in Snapshot::blocks, -1: the ground
-    int block_b = 0;                    ///< index in Snapshot::blocks
-    Point normal;                       ///< unit vector from a to b
+    int id = 0;      ///< joint ID or crack ID, from 1; 0 at the base and at the beam
+    int block_a = 0; ///< index in Snapshot::blocks; -1 is the ground
+    int block_b = 0; ///< index in Snapshot::blocks
+    Point normal;    ///< unit vector from a to b
     std::vector<ContactState> contacts; ///< ordered along the face
 };
 
 struct BlockState {
-    std::vector<Point>
-        outline; ///< undeformed boundary [m], counter-clockwise, includes contact points
+    /// Undeformed boundary with all contact points on it [m], counter-clockwise.
+    std::vector<Point> outline;
     std::vector<Point> displacement; ///< of each outline point [m]
-    int course = 0;                  ///< 1 = bottom; 0 = loading beam
-    int unit = 0; ///< number of the stone this block is part of, from 1; 0 = loading beam
+    int course = 0;                  ///< from 1 at the bottom; 0 is the loading beam
+    int unit =
+        0; ///< number of the unit that the block is part of, from 1; 0 is the loading beam
 };
 
 struct Snapshot {

@@ -1,6 +1,6 @@
 #pragma once
-/// The wall as an engineer describes it: sizes, bond, supports, loads, and the material of
-/// every joint and crack.
+/// The wall as an engineer describes it: sizes, bond, supports, loads, and the material of every joint
+/// and crack.
 
 #include <optional>
 #include <vector>
@@ -8,21 +8,21 @@
 namespace dem {
 
 enum class FirstCourse {
-    whole,
-    shifted
-}; ///< bottom course starts with a whole unit, or with the shifted piece
+    whole,  ///< the bottom course starts with a whole unit
+    shifted ///< the bottom course starts with the shorter piece
+};
 enum class Base {
-    fixed, ///< bottom face of the first course clamped to the ground (the paper, section 3)
-    joint  ///< first course stands on a dry joint and can lift and slide
+    fixed, ///< the bottom face of the first course is clamped to the ground (paper, section 3)
+    joint  ///< the first course stands on a dry joint and can lift and slide
 };
 enum class Toe {
-    held, ///< horizontal displacement of the toe side of the first course is zero (the paper, section 3)
+    held, ///< the toe side of the first course has no horizontal displacement (paper, section 3)
     free
 };
 enum class BeamInterface {
-    tied,
-    joint
-}; ///< beam glued to the top course (elastic), or resting on a dry joint
+    tied, ///< the beam is glued to the top course and the glue is elastic
+    joint ///< the beam rests on a dry joint
+};
 enum class BeamRotation { free, fixed };
 
 /// Geometry and boundary conditions. All lengths in metres.
@@ -32,8 +32,8 @@ struct WallGeometry {
     int courses = 10;            ///< >= 1
     double course_height = 0.10; ///< > 0
     double unit_length = 0.20;   ///< > 0
-    double bond_offset =
-        0.5; ///< shift of every second course in unit lengths, in [0, 1); 0: stack bond
+    /// Shift of every second course in unit lengths, in [0, 1); 0 makes a stack bond.
+    double bond_offset = 0.5;
     FirstCourse first_course = FirstCourse::whole;
     bool cracks_in_units = true; ///< a potential crack at mid-length of each whole unit
     Base base = Base::fixed;
@@ -73,19 +73,22 @@ struct CrackMaterial {
     double tan_phi = 0.0;         ///< initial friction coefficient [-], >= 0
     double tan_phi_res = 0.0;     ///< residual friction coefficient [-], >= 0
     double fracture_energy = 0.0; ///< mode I, G [J/m2], >= 0
-    bool tension_reduces_shear =
-        true; ///< tau_max = c - sigma tan(theta) in tension too (Table 2, step 5); false: c there
+    /// tau_max = c - sigma tan(theta) in tension too (Table 2, step 5). If false, tau_max = c in
+    /// tension.
+    bool tension_reduces_shear = true;
 };
 
-/// One realisation of everything that may be random: what a sample of a study is.
+/// One realisation of everything that may be random: one sample of a study.
 struct WallMaterials {
-    Elastic stone;
+    Elastic
+        stone; ///< with the Poisson's ratio of the model, whose modes are those of one ratio
     std::vector<JointMaterial> joints; ///< by joint ID, n_joints (135 for the paper's wall)
     std::vector<CrackMaterial> cracks; ///< by crack ID, n_cracks (45)
-    JointMaterial base_joint;          ///< used with Base::joint
-    JointMaterial beam_joint; ///< stiffness always used, friction with BeamInterface::joint
-    std::optional<double>
-        vertical_stress; ///< on this wall [Pa], >= 0; none: that of the model's loads
+    JointMaterial base_joint;          ///< used with Base::joint only
+    JointMaterial
+        beam_joint; ///< its stiffness is always used, its friction with BeamInterface::joint
+    /// On this wall [Pa], >= 0. If it is empty, the stress of the model's loads acts.
+    std::optional<double> vertical_stress;
 };
 
 /// Loads on the wall. The vertical stress acts on length x thickness, through the beam.
