@@ -1,8 +1,7 @@
-/// CPU time of censored fits, bootstraps and goodness of fit; writes docs/bench/fragility_fits.md.
+/// CPU time of censored fits and goodness of fit; writes docs/bench/fragility_fits.md.
 
 #include "bench/report.hpp"
 
-#include "fragility/bootstrap.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/goodness_of_fit.hpp"
 #include "fragility/stress_model.hpp"
@@ -58,16 +57,6 @@ std::vector<Row> fits(const std::vector<Observation>& data)
     rows.push_back(
         {"profile interval of the median",
          least_cpu(5, 10, [&] { sink += profile_interval(f, data, median()).lower; }), ""});
-    for (const Resampling how : {Resampling::walls, Resampling::law})
-        rows.push_back(
-            {std::string("bootstrap, 2000 refits, resampled ") +
-                 (how == Resampling::walls ? "walls" : "from the law"),
-             least_cpu(
-                 5, 1,
-                 [&] {
-                     sink += bootstrap(f, data, fit_data::bits, {2000, how}).laws[0].location;
-                 }),
-             "0.5"});
     rows.push_back(
         {"goodness of fit, p by 1000 refits",
          least_cpu(
@@ -101,7 +90,7 @@ void write(const std::string& path)
                          "build/avx512/bench/fragility_fits " + path,
                          "The observations are put on the axis of the law once; the search "
                          "is Newton's in location / dispersion and 1 / dispersion, where "
-                         "the likelihood is concave (fragility/location_scale.hpp).",
+                         "the likelihood is concave (fragility/censored_likelihood.hpp).",
                          {section}});
 }
 

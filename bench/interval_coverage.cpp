@@ -3,7 +3,6 @@
 
 #include "bench/report.hpp"
 
-#include "fragility/bootstrap.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "tests/fragility/fit_data.hpp"
 
@@ -26,9 +25,7 @@ constexpr std::size_t kWalls = 50;
 constexpr double kHigh = 0.97; ///< coverage called right: 93 to 97 %
 constexpr double kLow = 0.93;
 constexpr std::array<Quantity, 2> kQuantities{median(), dispersion()};
-constexpr std::array<const char*, 6> kKinds{
-    "Wald on ln",           "profile likelihood",       "percentile, walls resampled",
-    "BCa, walls resampled", "percentile, from the law", "BCa, from the law"};
+constexpr std::array<const char*, 2> kKinds{"Wald on ln", "profile likelihood"};
 
 struct Tally {
     int held = 0, below = 0, above = 0, asked = 0; ///< truth below / above the interval
@@ -62,25 +59,16 @@ std::vector<Observation> study(double censored, std::uint64_t which)
 }
 
 /// @return false: no fit
-bool judge(double censored, std::uint64_t which, std::size_t replicates, Tallies& tallies)
+bool judge(double censored, std::uint64_t which, Tallies& tallies)
 {
     const std::vector<Observation> data = study(censored, which);
     const Fit f = fit(kTruth.law, data);
     if (f.outcome != FitOutcome::converged) return false;
-    const RandomBits bits = [which](std::uint64_t replicate, std::uint64_t draw) {
-        return fit_data::bits(which * 1'000'003 + replicate, draw);
-    };
-    const Bootstrap walls = bootstrap(f, data, bits, {replicates, Resampling::walls});
-    const Bootstrap law = bootstrap(f, data, bits, {replicates, Resampling::law});
     for (std::size_t q = 0; q < kQuantities.size(); ++q) {
         const double truth = value(kTruth, kQuantities[q]);
         auto& t = tallies[q];
         note(t[0], wald_interval(f, kQuantities[q]), truth);
         note(t[1], profile_interval(f, data, kQuantities[q]), truth);
-        note(t[2], percentile_interval(walls, kQuantities[q]), truth);
-        note(t[3], bca_interval(walls, kQuantities[q]), truth);
-        note(t[4], percentile_interval(law, kQuantities[q]), truth);
-        note(t[5], bca_interval(law, kQuantities[q]), truth);
     }
     return true;
 }
@@ -133,7 +121,7 @@ std::string verdict(const app::Table& table)
            ". Not in every row: " + (not_all.empty() ? "none" : not_all) + ".";
 }
 
-void write(const std::string& path, int studies, std::size_t replicates)
+void write(const std::string& path, int studies)
 {
     app::Table table;
     table.head = {"censored [%]",  "of",         "interval",        "holds [%]",
@@ -143,39 +131,35 @@ void write(const std::string& path, int studies, std::size_t replicates)
         Tallies tallies{};
         int no_fit = 0;
         for (int i = 0; i < studies; ++i)
-            no_fit += !judge(censored, static_cast<std::uint64_t>(i), replicates, tallies);
+            no_fit += !judge(censored, static_cast<std::uint64_t>(i), tallies);
         add_rows(table, censored, no_fit, tallies);
         std::fprintf(stderr, "%.0f %% censored: done\n", 100.0 * censored);
     }
     const std::string opening =
         "How often do 95 % intervals hold the true value? " + std::to_string(studies) +
         " synthetic studies of 50 walls each, lognormal with a dispersion of 0.4, all walls "
-        "stopped at the drift that the stated share of walls exceeds. Bootstraps of " +
-        std::to_string(replicates) +
-        " refits. Error: of the coverage, from the number of studies. Truth below and above: "
+        "stopped at the drift that the stated share of walls exceeds. Error: of the coverage, "
+        "from the number of studies. Truth below and above: "
         "2.5 % each would be even. Width: mean ln(upper / lower). Open: intervals without an "
         "upper "
         "end.\n\n" +
-        verdict(table) +
-        " The default is the profile likelihood (kDefaultInterval, "
-        "fragility/fit_intervals.hpp).";
-    bench::write_report(path, {"Coverage of intervals",
-                               "build/release/bench/interval_coverage " + path + " " +
-                                   std::to_string(studies) + " " + std::to_string(replicates),
-                               opening,
-                               {{"", "", "", table}}});
+        verdict(table) + " Tables show the profile likelihood (fragility/fit_intervals.hpp).";
+    bench::write_report(
+        path, {"Coverage of intervals",
+               "build/release/bench/interval_coverage " + path + " " + std::to_string(studies),
+               opening,
+               {{"", "", "", table}}});
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 try {
-    if (argc < 2 || argc > 4) {
-        std::fputs("usage: interval_coverage OUT.md [STUDIES=2000 [REFITS=500]]\n", stderr);
+    if (argc < 2 || argc > 3) {
+        std::fputs("usage: interval_coverage OUT.md [STUDIES=2000]\n", stderr);
         return 2;
     }
-    write(argv[1], argc > 2 ? std::atoi(argv[2]) : 2000,
-          argc > 3 ? static_cast<std::size_t>(std::atoi(argv[3])) : 500);
+    write(argv[1], argc > 2 ? std::atoi(argv[2]) : 2000);
     return 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "interval_coverage: %s\n", e.what());

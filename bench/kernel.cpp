@@ -157,7 +157,7 @@ Multiply-add peak, measured between the rungs with independent chains in registe
 
 constexpr const char* kSpeedText =
     R"(Multiply-adds: of the port products, 2 products x 2 rows x ports x modes, summed over the blocks. Other
-operations: sums, products, signs, comparisons and selections of modes and laws as written, each as dear as a
+operations: sums, products, signs, comparisons and selections of modes and laws as written, each as costly as a
 multiply-add. What cracks that open take besides is in the time and not in the count. Products alone: gather and
 scatter of one block again and again, everything in the first cache. Scalar rows are held against the same peak.)";
 

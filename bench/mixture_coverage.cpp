@@ -3,8 +3,8 @@
 
 #include "bench/report.hpp"
 
-#include "fragility/bootstrap.hpp"
 #include "fragility/fragility_curve.hpp"
+#include "fragility/sample_quantile.hpp"
 #include "tests/fragility/fit_data.hpp"
 
 #include <algorithm>
@@ -95,7 +95,8 @@ std::vector<ModeGroup> redrawn(const std::vector<ModeGroup>& modes, std::uint64_
         for (const Observation& o : modes[k].limits) walls.emplace_back(k, o);
     std::vector<ModeGroup> drawn(modes.size());
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        const auto& [mode, o] = walls[below(fit_data::bits(replicate, i), walls.size())];
+        const auto& [mode, o] =
+            walls[fit_data::below(fit_data::bits(replicate, i), walls.size())];
         drawn[mode].limits.push_back(o);
     }
     std::erase_if(drawn, [](const ModeGroup& m) { return m.limits.empty(); });
@@ -119,7 +120,9 @@ std::vector<Interval> bootstrap_bands(const std::vector<ModeGroup>& modes, const
     }
     std::vector<Interval> bands;
     for (std::size_t i = 0; i < drifts.size(); ++i) {
-        bands.push_back(percentiles(values[i], 0.95));
+        std::ranges::sort(values[i]);
+        bands.push_back(
+            {sample_quantile(values[i], 0.025), sample_quantile(values[i], 0.975), 0.95});
         const MixturePoint& p = whole.points[i];
         bands.back().upper = std::min(1.0, bands.back().upper + p.most - p.least);
     }

@@ -3,19 +3,18 @@
 #include "bench/uq_fields.hpp"
 
 #include "bench/report.hpp"
+#include "uq/designs/stream.hpp"
 #include "uq/fields/field.hpp"
-#include "uq/fields/field_marginal.hpp"
-#include "uq/fields/karhunen.hpp"
 #include "uq/fields/kernel.hpp"
+#include "uq/marginals/normal_quantile.hpp"
 
 #include <cstdio>
 #include <exception>
-#include <numeric>
 
 namespace {
 
 constexpr int kRepeats = 25;
-constexpr std::size_t kSamples = 1000;
+constexpr Eigen::Index kSamples = 1000;
 
 std::vector<uq::Site> sites()
 {
@@ -40,16 +39,28 @@ std::vector<std::string> row(const std::string& task, double own, double other, 
     return {task, number(own), number(other), number(other / own, "%.1f")};
 }
 
+/// Standard normal coordinates of samples 0 .. n - 1, each read off its own stream.
+Eigen::MatrixXd coordinates(Eigen::Index n, Eigen::Index count)
+{
+    Eigen::MatrixXd z(n, count);
+    std::vector<double> row(static_cast<std::size_t>(count));
+    for (Eigen::Index i = 0; i < n; ++i) {
+        uq::Stream stream(1, static_cast<std::uint64_t>(i), uq::Purpose::field);
+        stream.fill_uniform(row);
+        z.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), count);
+    }
+    uq::to_normal_quantiles({z.data(), static_cast<std::size_t>(z.size())});
+    return z;
+}
+
 struct OwnTimes {
-    double matrix, cholesky, karhunen, build_and_one, coordinates, fields, thousand, translated;
+    double matrix, cholesky, build_and_one, coordinates, fields, thousand;
 };
 
 OwnTimes own_times(const std::vector<uq::Site>& s)
 {
     const uq::Kernel kernel{{uq::Exponential{bench::kFieldLength}}};
     const auto p = static_cast<Eigen::Index>(s.size());
-    std::vector<std::uint64_t> id(kSamples);
-    std::iota(id.begin(), id.end(), 0u);
     Eigen::MatrixXd r, z, g;
     uq::FieldBasis basis;
     const auto time = [](auto run) { return bench::cpu_ms(kRepeats, run); };
@@ -57,19 +68,16 @@ OwnTimes own_times(const std::vector<uq::Site>& s)
     OwnTimes t{};
     t.matrix = time([&] { r = uq::correlation_matrix(kernel, s); });
     t.cholesky = time([&] { basis = uq::cholesky_basis(r); });
-    t.karhunen = time([&] { basis = uq::karhunen_basis(r); });
     t.build_and_one = time([&] {
         build();
-        g = uq::realise(basis, uq::field_coordinates(1, std::span(id).first(1), p));
+        g = uq::realise(basis, coordinates(1, p));
     });
-    t.coordinates = time([&] { z = uq::field_coordinates(1, id, p); });
+    t.coordinates = time([&] { z = coordinates(kSamples, p); });
     t.fields = time([&] { g = uq::realise(basis, z); });
     t.thousand = time([&] {
         build();
-        g = uq::realise(basis, uq::field_coordinates(1, id, p));
+        g = uq::realise(basis, coordinates(kSamples, p));
     });
-    const uq::Marginal strength{uq::lognormal_from_moments(3.7, 0.30)};
-    t.translated = time([&] { z = uq::translate(g, strength); });
     return t;
 }
 
@@ -82,15 +90,13 @@ bench::Report report(const OwnTimes& t, const bench::OtherTimes& o, double diffe
                      {}};
     table.rows = {row("correlation matrix", t.matrix, o.matrix, both),
                   row("Cholesky factor", t.cholesky, o.cholesky, both),
-                  row("eigenvalues and modes of the matrix", t.karhunen, o.karhunen, both),
                   row("matrix, factor, one field", t.build_and_one, o.build_and_one, both),
                   row("normal coordinates of 1000 fields (here keyed)", t.coordinates,
                       o.coordinates, both),
                   row("1000 fields from given coordinates", t.fields, -1.0, both),
                   row("matrix, factor, coordinates, 1000 fields", t.thousand, o.thousand, both),
                   row("the same less the coordinates", t.thousand - t.coordinates,
-                      o.thousand - o.coordinates, both),
-                  row("lognormal values of 1000 fields", t.translated, -1.0, both)};
+                      o.thousand - o.coordinates, both)};
     bench::Report r;
     r.title = "Random fields";
     r.command = "OPENBLAS_NUM_THREADS=1 build/release/bench/uq_fields docs/bench/uq_fields.md";

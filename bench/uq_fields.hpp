@@ -31,7 +31,7 @@ template <class F> [[nodiscard]] double cpu_ms(int repeats, F run)
 /// What another library takes for the same tasks [ms].
 struct OtherTimes {
     std::string name; ///< empty: not installed
-    double matrix, cholesky, build_and_one, coordinates, thousand, karhunen;
+    double matrix, cholesky, build_and_one, coordinates, thousand;
     Eigen::MatrixXd correlation; ///< for comparison
 };
 [[nodiscard]] OtherTimes other_times(int repeats);

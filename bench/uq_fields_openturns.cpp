@@ -35,10 +35,6 @@ OtherTimes other_times(int repeats)
         repeats, [&] { static_cast<void>(OT::DistFunc::rNormal(1000 * vertices.getSize())); });
     t.thousand = cpu_ms(
         repeats, [&] { static_cast<void>(OT::GaussianProcess(model, mesh).getSample(1000)); });
-    t.karhunen = cpu_ms(repeats, [&] {
-        OT::SquareMatrix modes;
-        static_cast<void>(c.computeEV(modes, true)); // of the matrix over sites, as here
-    });
     return t;
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kRepeats = 11;
 
-uq::Joint joint(int d)
+uq::JointDistribution joint(int d)
 {
     uq::Inputs inputs;
     for (int j = 0; j < d; ++j)
@@ -27,7 +27,7 @@ uq::Joint joint(int d)
                  ? uq::Marginal{uq::normal_from_moments(bench::kNormalMean, bench::kNormalCov)}
                  : uq::Marginal{uq::lognormal_from_moments(bench::kLognormalMean,
                                                            bench::kLognormalCov)}});
-    return uq::joint(inputs);
+    return uq::joint_distribution(inputs);
 }
 
 bench::SamplingTimes own_times()
@@ -35,7 +35,8 @@ bench::SamplingTimes own_times()
     using uq::DesignKind;
     bench::SamplingTimes t;
     t.name = "drystone";
-    const uq::Joint few = joint(bench::kFewVariables), many = joint(bench::kManyVariables);
+    const uq::JointDistribution few = joint(bench::kFewVariables),
+                                many = joint(bench::kManyVariables);
     const auto seed = [](int i) { return static_cast<std::uint64_t>(i); };
     const auto many_of = [&](DesignKind kind) {
         return bench::median_cpu_ms(kRepeats, [&](int i) {

@@ -1,7 +1,7 @@
 #include "fragility/censored_fit.hpp"
 
-#include "fragility/location_scale.hpp"
-#include "fragility/newton.hpp"
+#include "fragility/censored_likelihood.hpp"
+#include "fragility/maximise.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -229,22 +229,6 @@ Fit fit(const CensoredSample& s, const Distribution* start)
         complete(f, s);
     }
     return f;
-}
-
-std::optional<Distribution> fit_moments(Law law, std::span<const Observation> data)
-{
-    if (screen(law, data)) return std::nullopt;
-    double n = 0.0;
-    double sum = 0.0;
-    for (const Observation& o : data) {
-        if (o.lower != o.upper) return std::nullopt;
-        n += o.weight;
-        sum += o.weight * o.lower;
-    }
-    const double mean = sum / n;
-    double squares = 0.0;
-    for (const Observation& o : data) squares += o.weight * (o.lower - mean) * (o.lower - mean);
-    return from_moments(law, mean, std::sqrt(squares / (n - 1.0)));
 }
 
 } // namespace fragility

@@ -60,15 +60,4 @@ struct Fit {
 /// `start` saves iterations.
 [[nodiscard]] Fit fit(const CensoredSample& sample, const Distribution* start = nullptr);
 
-/// Inverse expected information of (location, ln dispersion) for data without censoring, or
-/// with right-censoring at one common value (type I); nothing for other data, whose censoring
-/// plan is not known.
-[[nodiscard]] std::optional<Eigen::Matrix2d>
-expected_covariance(const Fit& fit, std::span<const Observation> data);
-
-/// Distribution of the sample's mean and standard deviation (n - 1), to compare; nothing for
-/// censored data or data that screen() refuses.
-[[nodiscard]] std::optional<Distribution> fit_moments(Law law,
-                                                      std::span<const Observation> data);
-
 } // namespace fragility

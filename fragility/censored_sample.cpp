@@ -1,7 +1,7 @@
 #include "fragility/censored_sample.hpp"
 
+#include "fragility/censored_likelihood.hpp"
 #include "fragility/gamma_likelihood.hpp"
-#include "fragility/location_scale.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -164,13 +164,6 @@ Uncertain uncertain(const Fit& fit, Quantity q)
     return {value(fit.law, q), std::sqrt(g.dot(fit.covariance * g)), logarithmic(fit.law, q)};
 }
 
-std::string_view name(IntervalKind kind)
-{
-    constexpr std::array<std::string_view, 4> names{"Wald", "profile likelihood",
-                                                    "bootstrap percentile", "bootstrap BCa"};
-    return names[static_cast<std::size_t>(kind)];
-}
-
 Interval wald_interval(const Fit& fit, Quantity q, double confidence)
 {
     check(fit, confidence);

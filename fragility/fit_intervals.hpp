@@ -3,7 +3,6 @@
 
 #include "fragility/censored_fit.hpp"
 #include "fragility/interval.hpp"
-#include "fragility/random_bits.hpp"
 
 #include <span>
 #include <vector>
@@ -32,18 +31,10 @@ struct Uncertain {
 /// @throws std::invalid_argument if the fit has not converged
 [[nodiscard]] Uncertain uncertain(const Fit& fit, Quantity q);
 
-enum class IntervalKind {
-    wald,       ///< estimate times exp(+- z s.e.): cheapest
-    profile,    ///< all values that the likelihood ratio test does not refuse
-    percentile, ///< percentiles of bootstrap refits
-    bca         ///< bias-corrected and accelerated percentiles (Efron 1987)
-};
-[[nodiscard]] std::string_view name(IntervalKind kind); ///< "Wald", "profile", ...
-/// Covers 93 to 97 % at n = 50 with up to 60 % censored: docs/bench/interval_coverage.md.
-constexpr IntervalKind kDefaultInterval = IntervalKind::profile;
-
 /// @throws std::invalid_argument if the fit has not converged or the confidence is not in (0, 1)
 [[nodiscard]] Interval wald_interval(const Fit& fit, Quantity q, double confidence = 0.95);
+/// The profile likelihood covers 93 to 97 % at n = 50 with up to 60 % censored:
+/// docs/bench/interval_coverage.md. It is what tables show.
 /// Ends where 2 (ln L_max - ln L_profile) is the quantile of chi^2 with one degree of freedom.
 /// An end further than 40 standard errors away is 0 or infinite.
 /// @param data that of the fit

@@ -1,6 +1,6 @@
 #include "fragility/fragility_curve.hpp"
 
-#include "fragility/lower_bound.hpp"
+#include "fragility/median_bound.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <algorithm>
@@ -138,13 +138,13 @@ Mixture mixture_of(std::span<const ModeGroup> modes, double& n)
 
 } // namespace
 
-std::vector<CurvePoint> fragility_curve(const Fit& f, std::span<const double> drifts,
-                                        double confidence)
+std::vector<FragilityPoint> fragility_curve(const Fit& f, std::span<const double> drifts,
+                                            double confidence)
 {
     check(drifts, confidence);
     if (f.outcome != FitOutcome::converged)
         throw std::invalid_argument("fragility curve: the fit has not converged: " + f.reason);
-    std::vector<CurvePoint> points;
+    std::vector<FragilityPoint> points;
     for (const double drift : drifts) {
         const Slope s = slope(f.law, drift);
         const double error = std::sqrt(s.gradient.dot(f.covariance * s.gradient));

@@ -9,7 +9,7 @@
 
 namespace fragility {
 
-struct CurvePoint {
+struct FragilityPoint {
     double drift;       ///< [unit of the fit], > 0 for laws of positive values
     double probability; ///< [-]
     double std_error;   ///< delta method [-]
@@ -17,7 +17,7 @@ struct CurvePoint {
 };
 
 /// @throws std::invalid_argument if the fit has not converged or a drift is not a number
-[[nodiscard]] std::vector<CurvePoint>
+[[nodiscard]] std::vector<FragilityPoint>
 fragility_curve(const Fit& fit, std::span<const double> drifts, double confidence = 0.95);
 
 /// Walls of one mode.

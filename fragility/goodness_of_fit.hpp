@@ -1,8 +1,8 @@
 #pragma once
 /// How far the data are from a law, and how often data of that law are further.
 
+#include "fragility/bootstrap_random.hpp"
 #include "fragility/censored_fit.hpp"
-#include "fragility/random_bits.hpp"
 
 #include <optional>
 #include <span>

@@ -71,10 +71,4 @@ KaplanMeier kaplan_meier(std::span<const Observation> data, double confidence)
     return k;
 }
 
-const KaplanMeierStep* step_at(const KaplanMeier& k, double x)
-{
-    const auto next = std::ranges::upper_bound(k.steps, x, {}, &KaplanMeierStep::at);
-    return next == k.steps.begin() ? nullptr : &*std::prev(next);
-}
-
 } // namespace fragility

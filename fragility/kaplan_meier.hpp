@@ -30,7 +30,4 @@ struct KaplanMeier {
 [[nodiscard]] KaplanMeier kaplan_meier(std::span<const Observation> data,
                                        double confidence = 0.95);
 
-/// Step at x; nothing (a share of 0) before the first.
-[[nodiscard]] const KaplanMeierStep* step_at(const KaplanMeier& k, double x);
-
 } // namespace fragility

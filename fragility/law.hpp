@@ -23,16 +23,10 @@ struct Distribution {
     double dispersion = 1.0; ///< see Law, > 0
 };
 
-/// Distribution with this mean and standard deviation (method of moments).
-/// @throws std::invalid_argument if sd <= 0, or mean <= 0 for laws of positive values
-[[nodiscard]] Distribution from_moments(Law law, double mean, double sd);
-
 [[nodiscard]] double cdf(const Distribution& d, double x);
 [[nodiscard]] double survival(const Distribution& d, double x);
 /// @throws std::invalid_argument if p is not in (0, 1)
 [[nodiscard]] double quantile(const Distribution& d, double p);
-[[nodiscard]] double mean(const Distribution& d);
-[[nodiscard]] double standard_deviation(const Distribution& d);
 /// Shape and scale of a Weibull or gamma law.
 [[nodiscard]] double shape(const Distribution& d);
 [[nodiscard]] double scale(const Distribution& d);

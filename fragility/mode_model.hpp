@@ -3,8 +3,8 @@
 /// modes the logistic regression.
 
 #include "fragility/interval.hpp"
+#include "fragility/maximise.hpp"
 #include "fragility/model_outcome.hpp"
-#include "fragility/newton.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,29 +1,22 @@
 #include "fragility/performance_limits.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace fragility {
 
 PerformanceLimits performance_limits(Law law, std::span<const Observation> data,
-                                     double confidence, IntervalKind kind)
+                                     double confidence)
 {
-    if (kind != IntervalKind::wald && kind != IntervalKind::profile)
-        throw std::invalid_argument("performance limits: intervals are Wald or profile, not " +
-                                    std::string(name(kind)));
     const Fit f = fit(law, data);
     PerformanceLimits row;
     row.reason = f.reason;
     row.n = f.counts.n;
     if (f.outcome == FitOutcome::invalid_value) return row;
     if (row.n > 0.0) row.censored_share = 1.0 - f.counts.observed / row.n;
-    row.bound = lower_bound(data, confidence);
+    row.bound = median_bound(data, confidence);
     if (f.outcome != FitOutcome::converged) return row;
     row.fitted = true;
-    const auto interval = [&](Quantity q) {
-        return kind == IntervalKind::wald ? wald_interval(f, q, confidence)
-                                          : profile_interval(f, data, q, confidence);
-    };
+    const auto interval = [&](Quantity q) { return profile_interval(f, data, q, confidence); };
     for (std::size_t i = 0; i < kLimitShares.size(); ++i) {
         const Quantity q = quantile_of(kLimitShares[i]);
         row.drifts[i] = {kLimitShares[i], value(f.law, q), interval(q)};

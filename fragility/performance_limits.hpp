@@ -5,7 +5,7 @@
 #include "fragility/censored_fit.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/interval.hpp"
-#include "fragility/lower_bound.hpp"
+#include "fragility/median_bound.hpp"
 
 #include <array>
 #include <span>
@@ -33,13 +33,12 @@ struct PerformanceLimits {
     double predictive_dispersion = 0.0; ///< sqrt(beta^2 + se^2): of a further wall
     double censored_share = 0.0;        ///< of all walls [-]
     double n = 0.0;
-    LowerBound bound; ///< without a law; of data with a fit too
+    MedianBound bound; ///< without a law; of data with a fit too
 };
 
 /// Intervals by Wald or profile likelihood.
 /// @throws std::invalid_argument for another kind, or a confidence not in (0, 1)
 [[nodiscard]] PerformanceLimits performance_limits(Law law, std::span<const Observation> data,
-                                                   double confidence = 0.95,
-                                                   IntervalKind kind = kDefaultInterval);
+                                                   double confidence = 0.95);
 
 } // namespace fragility

@@ -6,14 +6,6 @@
 
 namespace fragility {
 
-void draw_walls(std::vector<double>& weight, std::span<const std::size_t> walls,
-                const RandomBits& bits, std::uint64_t replicate)
-{
-    std::ranges::fill(weight, 0.0);
-    for (std::size_t k = 0; k < walls.size(); ++k)
-        weight[walls[below(bits(replicate, k), walls.size())]] += 1.0;
-}
-
 StoppingPoints::StoppingPoints(std::span<const Observation> walls)
 {
     // Kaplan-Meier with the roles exchanged: a stop is the event, an observed value ends the

@@ -1,19 +1,14 @@
 #pragma once
 /// Draws of one bootstrap replicate.
 
+#include "fragility/bootstrap_random.hpp"
 #include "fragility/censored_sample.hpp"
-#include "fragility/random_bits.hpp"
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace fragility {
-
-/// Weights of the entries of a sample when its walls are drawn with replacement.
-/// @param walls  entry of each wall (an observation of weight 3 is there three times)
-void draw_walls(std::vector<double>& weight, std::span<const std::size_t> walls,
-                const RandomBits& bits, std::uint64_t replicate);
 
 /// Stopping points: of a censored wall its own, of an observed one drawn from the Kaplan-Meier
 /// estimate of those beyond it; infinite where there is none.

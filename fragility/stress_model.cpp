@@ -1,6 +1,6 @@
 #include "fragility/stress_model.hpp"
 
-#include "fragility/newton.hpp"
+#include "fragility/maximise.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <algorithm>
@@ -249,23 +249,6 @@ StressPrediction predict(const StressModel& m, double stress, double confidence)
     return {median,
             {median * std::exp(-z * se), median * std::exp(z * se), confidence},
             {median * std::exp(-z * both), median * std::exp(z * both), confidence}};
-}
-
-Fit as_fit(const StressModel& m, double stress)
-{
-    Fit f;
-    f.outcome = m.outcome;
-    f.reason = m.reason;
-    f.counts = m.counts;
-    if (m.outcome != FitOutcome::converged) return f;
-    const AtStress at = at_stress(m, stress);
-    f.law = at.law;
-    f.covariance = at.covariance;
-    f.location_error = std::sqrt(at.covariance(0, 0));
-    f.dispersion_error = f.law.dispersion * std::sqrt(at.covariance(1, 1));
-    f.log_likelihood = m.log_likelihood;
-    f.aic = m.aic;
-    return f;
 }
 
 } // namespace fragility

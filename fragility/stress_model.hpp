@@ -65,7 +65,4 @@ struct StressPrediction {
 [[nodiscard]] StressPrediction predict(const StressModel& model, double stress,
                                        double confidence = 0.95);
 
-/// As a fit at that stress, for curves and tables; counts are those of all data.
-[[nodiscard]] Fit as_fit(const StressModel& model, double stress);
-
 } // namespace fragility

@@ -1,6 +1,6 @@
 #include "fragility/stripe_fit.hpp"
 
-#include "fragility/newton.hpp"
+#include "fragility/maximise.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <algorithm>

@@ -5,16 +5,12 @@ set(UQ_ANALYSIS_SOURCES
     estimates/estimate_probability.cpp
     fields/field.cpp
     fields/field_basis.cpp
-    fields/field_marginal.cpp
     fields/field_product.cpp
-    sensitivity/given_data.cpp
-    fields/karhunen.cpp
     fields/kernel.cpp
     estimates/quantile_estimate.cpp
     sensitivity/regression.cpp
     sensitivity/regression_bootstrap.cpp
     sensitivity/regression_fit.cpp
-    estimates/replicate.cpp
     estimates/running_mean.cpp
     sensitivity/sobol_indices.cpp
     estimates/stopping.cpp)

@@ -13,7 +13,6 @@ set(UQ_RELIABILITY_SOURCES
     reliability/form_search_hl_rf.cpp
     reliability/importance_sampling.cpp
     reliability/limit_state.cpp
-    reliability/mean_value.cpp
     reliability/multi_fidelity.cpp
     reliability/multi_fidelity_plan.cpp
     reliability/sorm.cpp

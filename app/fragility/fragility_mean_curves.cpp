@@ -3,7 +3,7 @@
 #include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/resampled_curve.hpp"
-#include "fragility/bootstrap.hpp"
+#include "fragility/sample_quantile.hpp"
 
 #include <algorithm>
 #include <array>

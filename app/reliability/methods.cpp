@@ -145,22 +145,22 @@ void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
 {
     uq::MultiFidelityOptions o;
     o.quantity = uq::Quantity::probability;
-    o.dear_cost = 1.0;
+    o.expensive_cost = 1.0;
     o.budget = p.budget;
     o.pilot = std::max<std::size_t>(20, static_cast<std::size_t>(p.budget) / 4);
     o.seed = p.seed;
     const uq::MultiFidelityResult r = uq::multi_fidelity(p.event, p.cheap, o);
-    take(r.dear, a);
+    take(r.expensive, a);
     MethodAnswer m;
     m.method = "multi-fidelity";
     m.probability = r.estimate.value;
     m.std_error = r.estimate.std_error;
     m.lower = r.estimate.interval.lower;
     m.upper = r.estimate.interval.upper;
-    m.outcome = r.reason.empty() ? "the cheap model pays" : r.reason;
+    m.outcome = r.reason.empty() ? "the cheap model reduced the error" : r.reason;
     a.methods.push_back(m);
     MethodAnswer alone;
-    alone.method = "its dear samples alone";
+    alone.method = "its expensive samples alone";
     alone.std_error = r.plain_std_error;
     alone.outcome = "for comparison";
     a.methods.push_back(alone);
@@ -189,7 +189,7 @@ void regress(const ReliabilityProblem& p, const std::vector<Evaluated>& seen,
 }
 
 /// The model, with a note of what it was asked and what it said.
-uq::Model noting(const uq::LimitState& s, std::vector<Evaluated>& seen)
+uq::BlackBox noting(const uq::LimitState& s, std::vector<Evaluated>& seen)
 {
     return [model = s.model, response = s.response, &seen](const uq::Samples& samples) {
         uq::Responses r = model(samples);

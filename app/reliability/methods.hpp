@@ -35,14 +35,14 @@ struct ReliabilityAnswer {
     std::vector<uq::FailedSample> failed;
 };
 
-/// One evaluated sample of the dear model.
+/// One evaluated sample of the expensive model.
 struct Evaluated {
     Eigen::VectorXd x;
     double response = 0.0; ///< not a number if it failed
     std::string failure;
 };
 
-/// @param seen every evaluation of the dear model in order
+/// @param seen every evaluation of the expensive model in order
 [[nodiscard]] ReliabilityAnswer answer(const ReliabilityProblem& problem,
                                        std::vector<Evaluated>& seen);
 

@@ -128,7 +128,7 @@ uq::Map map_of(const StudyFile& file, const uq::Inputs& inputs)
 {
     if (find_entry(file, "uq.pearson") != nullptr)
         throw error_at(file, "uq.pearson", "not read for another program in this version");
-    const uq::Joint joint = uq::joint(inputs);
+    const uq::JointDistribution joint = uq::joint_distribution(inputs);
     return [joint](const Eigen::MatrixXd& u) {
         Eigen::MatrixXd x(u.rows(), u.cols());
         for (Eigen::Index i = 0; i < u.rows(); ++i)

@@ -52,7 +52,7 @@ uq::Responses ask(const Shared& s, const uq::Samples& samples)
 
 } // namespace
 
-uq::Model wall_model(const Study& study, const SamplePlan& plan, int level, int threads)
+uq::BlackBox wall_model(const Study& study, const SamplePlan& plan, int level, int threads)
 {
     dem::PushPlan push = push_plan(study);
     push.snapshot_every = 0.0;

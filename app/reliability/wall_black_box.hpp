@@ -13,8 +13,8 @@ namespace app {
 /// a bound, good for demands below it.
 /// @param level index in study.load.vertical_stress
 /// @param threads >= 1
-[[nodiscard]] uq::Model wall_model(const Study& study, const SamplePlan& plan, int level,
-                                   int threads);
+[[nodiscard]] uq::BlackBox wall_model(const Study& study, const SamplePlan& plan, int level,
+                                      int threads);
 
 /// Standard normal coordinates to the values of a wall.
 /// @throws ConfigError with Spatial::stratified, whose draws have no coordinates

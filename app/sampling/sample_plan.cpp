@@ -143,7 +143,7 @@ SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
             plan.cracks = basis_over(study, crack_sites(layout));
     }
     number_columns(plan);
-    const std::optional<uq::Joint> dependence = dependence_of(study);
+    const std::optional<uq::JointDistribution> dependence = dependence_of(study);
     const bool reorder =
         dependence && plan.spatial == Spatial::none && is_latin(study.uq.design);
     if (dependence && !reorder) plan.mixing = dependence->factor;

@@ -63,7 +63,7 @@ void read_pair(const Study& study, const std::string& item, Eigen::MatrixXd& r)
 
 } // namespace
 
-std::optional<uq::Joint> dependence_of(const Study& study)
+std::optional<uq::JointDistribution> dependence_of(const Study& study)
 {
     if (study.uq.pearson.empty()) return {};
     const auto n = static_cast<Eigen::Index>(study.random.size());
@@ -74,7 +74,7 @@ std::optional<uq::Joint> dependence_of(const Study& study)
     for (std::string item; std::getline(list, item, ',');)
         read_pair(study, item, inputs.dependence.correlation);
     try {
-        return uq::joint(inputs);
+        return uq::joint_distribution(inputs);
     } catch (const std::invalid_argument& bad) {
         refuse(study, bad.what());
     }

@@ -11,6 +11,6 @@ namespace app {
 /// The inputs with their correlation through the normal copula; nothing if all are independent.
 /// @throws ConfigError if uq.pearson names what is no random input, or cannot be had; in a spatial study
 /// also if it joins inputs that do not vary over the same joints
-[[nodiscard]] std::optional<uq::Joint> dependence_of(const Study& study);
+[[nodiscard]] std::optional<uq::JointDistribution> dependence_of(const Study& study);
 
 } // namespace app

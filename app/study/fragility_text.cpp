@@ -133,7 +133,7 @@ std::string rounded_down(double value, int decimals)
     return fixed(std::stod(nearest) - std::pow(10.0, -decimals), decimals);
 }
 
-std::string median_bound(const fragility::LowerBound& bound, int decimals)
+std::string median_bound(const fragility::MedianBound& bound, int decimals)
 {
     if (!bound.median_bounded) return {};
     return (bound.strictly ? "> " : ">= ") + rounded_down(bound.median_above, decimals);

@@ -3,7 +3,7 @@
 
 #include "app/output/table.hpp"
 #include "fragility/interval.hpp"
-#include "fragility/lower_bound.hpp"
+#include "fragility/median_bound.hpp"
 
 #include <limits>
 #include <span>
@@ -45,7 +45,7 @@ constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 [[nodiscard]] std::string rounded_down(double value, int decimals);
 
 /// "> 2.72" or ">= 4.00" from a bound of the median; empty without one.
-[[nodiscard]] std::string median_bound(const fragility::LowerBound& bound, int decimals);
+[[nodiscard]] std::string median_bound(const fragility::MedianBound& bound, int decimals);
 
 /// "16.2 +- 0.3"
 [[nodiscard]] std::string with_error(double value, double std_error, int decimals);

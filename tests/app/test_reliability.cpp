@@ -122,7 +122,7 @@ TEST_CASE("reliability: Monte Carlo on the wall counts the walls at or below the
     CHECK(a.shares.front().value > 0.5); // friction of the joints carries this wall
 }
 
-TEST_CASE("reliability: two fidelities of the wall agree with its dear samples",
+TEST_CASE("reliability: two fidelities of the wall agree with its expensive samples",
           "[app][reliability][slow]")
 {
     const app::Study s =

@@ -1,6 +1,7 @@
 #pragma once
 /// Data sets with published or independently computed fits.
 
+#include "fragility/bootstrap_random.hpp"
 #include "fragility/observation.hpp"
 
 #include <cstdint>
@@ -103,6 +104,14 @@ inline std::uint64_t mixed(std::uint64_t x)
 inline std::uint64_t bits(std::uint64_t replicate, std::uint64_t draw)
 {
     return mixed(mixed(replicate) ^ draw);
+}
+
+/// In 0 .. n - 1, n >= 1; biased by less than n / 2^52.
+inline std::uint64_t below(std::uint64_t bits, std::uint64_t n)
+{
+    const auto k =
+        static_cast<std::uint64_t>(fragility::uniform(bits) * static_cast<double>(n));
+    return k < n ? k : n - 1;
 }
 
 } // namespace fit_data

@@ -7,10 +7,10 @@ drystone_tests(fragility_fits
         fragility/test_fragility_curve.cpp
         fragility/test_goodness_of_fit.cpp
         fragility/test_kaplan_meier.cpp
-        fragility/test_lower_bound.cpp
+        fragility/test_median_bound.cpp
         fragility/test_mode_lack_of_fit.cpp
         fragility/test_mode_model.cpp
-        fragility/test_newton.cpp
+        fragility/test_maximise.cpp
         fragility/test_standard_law.cpp
         fragility/test_stress_model.cpp
         fragility/test_stripe_fit.cpp

@@ -62,10 +62,7 @@ TEST_CASE("censored fit: without censoring the lognormal fit is the closed form"
     CHECK(f.log_likelihood == near(1315.86894152, 1e-11));
     CHECK(f.location_error == near(0.0254321554859));
     CHECK(f.dispersion_error == near(0.0179832496043));
-    const auto expected = expected_covariance(f, data);
-    REQUIRE(expected);
-    CHECK((*expected)(0, 0) == near(f.covariance(0, 0), 1e-11));
-    CHECK((*expected)(1, 1) == near(1.0 / 700.0, 1e-11));
+    CHECK(f.covariance(1, 1) == near(1.0 / 700.0, 1e-11));
 }
 
 TEST_CASE("censored fit: 71 of 350 right-censored, as survreg", "[fragility][censored_fit]")
@@ -197,33 +194,9 @@ TEST_CASE("censored fit: a gamma fit has the mean of the data and the equation o
     REQUIRE(f.outcome == FitOutcome::converged);
     double mean_x = 0.0;
     for (const double x : fit_data::lognormal350) mean_x += x / 350.0;
-    CHECK(mean(f.law) == near(mean_x, 1e-10));
+    CHECK(std::exp(f.law.location) == near(mean_x, 1e-10));
     // R: fitdistr(x, "gamma"), polished with optim: see check_survival.R for censored data
     CHECK(f.location_error == near(f.law.dispersion / std::sqrt(350.0), 1e-9));
-}
-
-TEST_CASE("censored fit: expected information with a common limit is Cohen's",
-          "[fragility][censored_fit]")
-{
-    const auto data = fit_data::stopped_at(fit_data::lognormal350, 0.018);
-    const Fit f = fit(Law::lognormal, data);
-    const auto covariance = expected_covariance(f, data);
-    REQUIRE(covariance);
-    // Cohen (1961), Technometrics 3, 535-541, for (mu, sigma); here for (mu, ln sigma)
-    const double z = (std::log(0.018) - f.law.location) / f.law.dispersion;
-    const double phi = std::exp(-0.5 * z * z) / std::sqrt(2.0 * M_PI);
-    const double below = 0.5 * std::erfc(-z / std::sqrt(2.0));
-    const double hazard = phi / (1.0 - below);
-    const double a11 = below + phi * (hazard - z);
-    const double a12 = phi * (z * (hazard - z) - 1.0);
-    const double a22 = 2.0 * below + z * a12;
-    Eigen::Matrix2d information;
-    const double s = f.law.dispersion;
-    information << a11 / (s * s), a12 / s, a12 / s, a22;
-    const Eigen::Matrix2d wanted = (350.0 * information).inverse();
-    CHECK((*covariance)(0, 0) == near(wanted(0, 0)));
-    CHECK((*covariance)(0, 1) == near(wanted(0, 1)));
-    CHECK((*covariance)(1, 1) == near(wanted(1, 1)));
 }
 
 TEST_CASE("censored fit: what cannot be fitted is named and gives no number",
@@ -263,7 +236,6 @@ TEST_CASE("censored fit: what cannot be fitted is named and gives no number",
         CHECK(f.law.location == 0.0);
         CHECK(f.location_error == 0.0);
         CHECK(f.log_likelihood == 0.0);
-        CHECK_FALSE(expected_covariance(f, cases[i].first));
     }
 }
 
@@ -285,16 +257,4 @@ TEST_CASE("censored fit: heavy censoring and far starts converge", "[fragility][
     } else {
         CHECK(law == Law::gamma);
     }
-}
-
-TEST_CASE("censored fit: moments give back mean and standard deviation of the sample",
-          "[fragility][censored_fit]")
-{
-    const Law law = GENERATE(from_range(kLaws));
-    const auto data = fit_data::all_observed({2.0, 3.0, 7.0, 8.0});
-    const auto d = fit_moments(law, data);
-    REQUIRE(d);
-    CHECK(mean(*d) == near(5.0, 1e-12));
-    CHECK(standard_deviation(*d) == near(std::sqrt(26.0 / 3.0), 1e-12));
-    CHECK_FALSE(fit_moments(law, fit_data::stopped_at({1, 2, 3, 4}, 3.0)));
 }

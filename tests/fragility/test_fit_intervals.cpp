@@ -1,6 +1,6 @@
-#include "fragility/bootstrap.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/resampling.hpp"
+#include "fragility/sample_quantile.hpp"
 #include "fragility/standard_law.hpp"
 
 #include "tests/fragility/fit_data.hpp"
@@ -21,7 +21,6 @@ auto near(double value, double tolerance = 1e-9)
 }
 const std::vector<Law> kLaws{Law::lognormal, Law::normal, Law::weibull, Law::gamma};
 constexpr double kZ = 1.959963984540054;
-const RandomBits kBits = fit_data::bits;
 
 std::vector<double> first(std::size_t n)
 {
@@ -120,93 +119,13 @@ TEST_CASE("fit intervals: no fit, no interval", "[fragility][fit_intervals]")
     const Fit none = fit(Law::lognormal, {});
     CHECK_THROWS_AS(wald_interval(none, median()), std::invalid_argument);
     CHECK_THROWS_AS(profile_interval(none, {}, median()), std::invalid_argument);
-    CHECK_THROWS_AS(bootstrap(none, {}, kBits), std::invalid_argument);
     const auto data = fit_data::all_observed({1, 2, 3, 4});
     CHECK_THROWS_AS(wald_interval(fit(Law::normal, data), median(), 1.0),
                     std::invalid_argument);
 }
 
-TEST_CASE("bootstrap: replicates do not depend on how many there are", "[fragility][bootstrap]")
-{
-    const auto data = fit_data::stopped_at(first(50), 0.015);
-    const Fit f = fit(Law::lognormal, data);
-    const Resampling how = GENERATE(Resampling::walls, Resampling::law);
-    const Bootstrap few = bootstrap(f, data, kBits, {50, how});
-    const Bootstrap many = bootstrap(f, data, kBits, {80, how});
-    REQUIRE(few.laws.size() == 50);
-    for (std::size_t r = 0; r < 50; ++r) CHECK(few.laws[r].location == many.laws[r].location);
-}
-
-TEST_CASE("bootstrap: its spread is the standard error", "[fragility][bootstrap]")
-{
-    const auto data = fit_data::stopped_at(fit_data::lognormal350, 0.018);
-    const Fit f = fit(Law::lognormal, data);
-    const Resampling how = GENERATE(Resampling::walls, Resampling::law);
-    const Bootstrap b = bootstrap(f, data, kBits, {4000, how});
-    CHECK(b.failed == 0);
-    CHECK(b.without_one.size() == 280); // 279 different values and the limit
-    double sum = 0.0;
-    double squares = 0.0;
-    for (const Distribution& d : b.laws) {
-        sum += d.location;
-        squares += std::pow(d.location - f.law.location, 2);
-    }
-    // sd of an sd of 4000 values: 1.1 %; a bias of the location of the order 1 / n
-    CHECK(std::sqrt(squares / 4000.0) == Approx(f.location_error).epsilon(0.05));
-    CHECK(sum / 4000.0 == Approx(f.law.location).margin(0.1 * f.location_error).epsilon(0));
-    const Interval p = percentile_interval(b, median());
-    const Interval a = bca_interval(b, median());
-    const Interval w = wald_interval(f, median());
-    const double width = w.upper - w.lower;
-    CHECK(p.lower == Approx(w.lower).margin(0.06 * width).epsilon(0));
-    CHECK(a.upper == Approx(w.upper).margin(0.06 * width).epsilon(0));
-}
-
-TEST_CASE("bootstrap: BCa corrects the dispersion upwards, percentiles do not",
-          "[fragility][bootstrap]")
-{
-    // the ML dispersion is too small by 1 / (4 n) and more; its resamples once more
-    const auto data = fit_data::all_observed(first(30));
-    const Fit f = fit(Law::lognormal, data);
-    const Bootstrap b = bootstrap(f, data, kBits, {2000, Resampling::walls});
-    CHECK(bca_interval(b, dispersion()).upper > percentile_interval(b, dispersion()).upper);
-    CHECK(bca_interval(b, dispersion()).lower > percentile_interval(b, dispersion()).lower);
-}
-
-TEST_CASE("bootstrap: BCa of a mean has the acceleration skewness / (6 sqrt n)",
-          "[fragility][bootstrap]")
-{
-    const std::vector<double> x{0.1, 0.2, 0.4, 0.5, 0.7, 1.0, 1.4, 1.9, 2.8, 5.0, 9.0};
-    const double n = 11.0;
-    const double mean = 23.0 / n;
-    double m2 = 0.0;
-    double m3 = 0.0;
-    for (const double v : x) {
-        m2 += std::pow(v - mean, 2) / n;
-        m3 += std::pow(v - mean, 3) / n;
-    }
-    const double a = m3 / std::pow(m2, 1.5) / (6.0 * std::sqrt(n));
-    const auto data = fit_data::all_observed(x);
-    const Bootstrap b = bootstrap(fit(Law::normal, data), data, kBits, {2000});
-    std::vector<double> means;
-    for (const Distribution& d : b.laws) means.push_back(d.location);
-    std::sort(means.begin(), means.end());
-    double below = 0.0;
-    for (const double v : means) below += v < mean - 1e-9 ? 1.0 : v < mean + 1e-9 ? 0.5 : 0.0;
-    const double size = static_cast<double>(means.size());
-    const double z0 = StandardNormal::quantile(below / size);
-    const auto end = [&](double z) {
-        return sample_quantile(means,
-                               StandardNormal::cdf(z0 + (z0 + z) / (1.0 - a * (z0 + z))));
-    };
-    const Interval i = bca_interval(b, location());
-    CHECK(i.lower == near(end(-kZ), 1e-3)); // ties at the mean move z0 by a few of 2000
-    CHECK(i.upper == near(end(kZ), 1e-3));
-    CHECK(i.upper > percentile_interval(b, location()).upper);
-}
-
-TEST_CASE("bootstrap: stopping points beyond an observed value, from those of the others",
-          "[fragility][bootstrap]")
+TEST_CASE("resampling: stopping points beyond an observed value, from those of the others",
+          "[fragility][resampling]")
 {
     const std::vector<Observation> walls{observed(1), right_censored(2), observed(3),
                                          right_censored(4)};
@@ -220,32 +139,7 @@ TEST_CASE("bootstrap: stopping points beyond an observed value, from those of th
     CHECK(std::isinf(StoppingPoints(std::vector{observed(1), observed(2)}).draw(0, 0.99)));
 }
 
-TEST_CASE("bootstrap: resamples that cannot be fitted are counted", "[fragility][bootstrap]")
-{
-    auto data = fit_data::all_observed({1.0, 2.0, 3.0});
-    for (int i = 0; i < 9; ++i) data.push_back(right_censored(3.5));
-    const Fit f = fit(Law::lognormal, data);
-    REQUIRE(f.outcome == FitOutcome::converged);
-    const Bootstrap b = bootstrap(f, data, kBits, {1000, Resampling::walls});
-    // fewer than two failures drawn: 0.75^12 + 12 / 4 0.75^11 = 0.158; or equal ones: some more
-    CHECK(b.failed > 120);
-    CHECK(b.failed < 260);
-    CHECK(b.failed + b.laws.size() == 1000);
-}
-
-TEST_CASE("bootstrap: what it cannot do is refused", "[fragility][bootstrap]")
-{
-    auto data = fit_data::all_observed({1.0, 2.0, 3.0, 4.0});
-    data[0].weight = 1.5;
-    CHECK_THROWS_AS(bootstrap(fit(Law::normal, data), data, kBits), std::invalid_argument);
-    data[0] = interval_censored(0.5, 1.5);
-    CHECK_THROWS_AS(bootstrap(fit(Law::normal, data), data, kBits, {10, Resampling::law}),
-                    std::invalid_argument);
-    CHECK_THROWS_AS(bootstrap(fit(Law::normal, data), data, kBits, {0}), std::invalid_argument);
-}
-
-TEST_CASE("bootstrap: percentiles of sorted values are linear between them",
-          "[fragility][bootstrap]")
+TEST_CASE("sample quantile: linear between sorted values", "[fragility][sample_quantile]")
 {
     const std::vector<double> v{1, 2, 4, 8};
     CHECK(sample_quantile(v, 0.0) == 1.0);

@@ -1,8 +1,8 @@
 #include "fragility/binomial.hpp"
+#include "fragility/bootstrap_random.hpp"
 #include "fragility/fragility_curve.hpp"
 #include "fragility/mode_sensitivity.hpp"
 #include "fragility/performance_limits.hpp"
-#include "fragility/random_bits.hpp"
 
 #include "tests/fragility/fit_data.hpp"
 
@@ -209,8 +209,7 @@ TEST_CASE("mixture: data that are no numbers are refused", "[fragility][fragilit
 TEST_CASE("performance limits: a row of a lognormal fit", "[fragility][performance_limits]")
 {
     const auto data = fit_data::stopped_at(fit_data::lognormal350, 0.018);
-    const IntervalKind kind = GENERATE(IntervalKind::wald, IntervalKind::profile);
-    const PerformanceLimits r = performance_limits(Law::lognormal, data, 0.95, kind);
+    const PerformanceLimits r = performance_limits(Law::lognormal, data);
     REQUIRE(r.fitted);
     CHECK(r.n == 350.0);
     CHECK(r.censored_share == near(71.0 / 350.0));
@@ -224,9 +223,6 @@ TEST_CASE("performance limits: a row of a lognormal fit", "[fragility][performan
         CHECK(d.interval.lower < d.drift);
         CHECK(d.interval.upper > d.drift);
     }
-    if (kind == IntervalKind::wald)
-        CHECK(r.drifts[2].interval.upper ==
-              near(r.drifts[2].drift * std::exp(kZ * 0.0268083180)));
 }
 
 TEST_CASE("performance limits: walls that stood give a bound and no number",
@@ -242,8 +238,6 @@ TEST_CASE("performance limits: walls that stood give a bound and no number",
     CHECK(r.bound.strictly);
     CHECK_FALSE(performance_limits(Law::lognormal, {}).fitted);
     CHECK_FALSE(performance_limits(Law::lognormal, std::vector{observed(std::nan(""))}).fitted);
-    CHECK_THROWS_AS(performance_limits(Law::lognormal, {}, 0.95, IntervalKind::bca),
-                    std::invalid_argument);
 }
 
 TEST_CASE("mode sensitivity: shares move by the walls between two thresholds",

@@ -1,6 +1,6 @@
+#include "fragility/bootstrap_random.hpp"
 #include "fragility/goodness_of_fit.hpp"
 #include "fragility/kaplan_meier.hpp"
-#include "fragility/random_bits.hpp"
 
 #include "tests/fragility/fit_data.hpp"
 

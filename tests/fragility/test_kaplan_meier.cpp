@@ -37,9 +37,6 @@ TEST_CASE("Kaplan-Meier: steps, Greenwood errors and bands as survfit (R, log-lo
     CHECK(k.steps[4].std_error == 0.0);
     CHECK(k.steps[4].band.upper == 1.0);
     CHECK(k.end == 12.0);
-    CHECK(step_at(k, 2.9) == nullptr);
-    CHECK(step_at(k, 3.0)->at == 3.0);
-    CHECK(step_at(k, 7.9)->at == 6.0);
 }
 
 TEST_CASE("Kaplan-Meier: without censoring it is the share of walls, with binomial errors",

@@ -1,8 +1,8 @@
 /// Writes random data and their fits for check_survival.sh, which compares them with R.
 
+#include "fragility/bootstrap_random.hpp"
 #include "fragility/censored_fit.hpp"
 #include "fragility/mode_model.hpp"
-#include "fragility/random_bits.hpp"
 #include "tests/fragility/fit_data.hpp"
 
 #include <catch2/catch.hpp>
@@ -78,7 +78,7 @@ void write_modes(const std::string& folder)
             d.covariates(i, 0) = 0.25 * (i + 1);
             for (int k = 0; k < 3; ++k)
                 d.counts(i, k) =
-                    1.0 + static_cast<double>(below(
+                    1.0 + static_cast<double>(fit_data::below(
                               fit_data::bits(set, static_cast<std::uint64_t>(3 * i + k)), 20));
             data << set << ',' << text(d.covariates(i, 0)) << ',' << d.counts(i, 0) << ','
                  << d.counts(i, 1) << ',' << d.counts(i, 2) << '\n';

@@ -1,8 +1,12 @@
 #pragma once
 /// Sites the tests of fields share.
 
+#include "uq/designs/stream.hpp"
 #include "uq/fields/kernel.hpp"
 
+#include <Eigen/Core>
+
+#include <cstdint>
 #include <vector>
 
 namespace scenes {
@@ -18,5 +22,16 @@ inline std::vector<uq::Site> grid(int nx, int nz, double dx, double dz)
 
 /// As many as the joints of the paper's wall: 180.
 inline std::vector<uq::Site> wall_grid() { return grid(15, 12, 0.25, 0.20); }
+
+/// Standard normal coordinates of samples 0 .. n - 1, each read off its own stream.
+inline Eigen::MatrixXd coordinates(std::uint64_t seed, Eigen::Index n, Eigen::Index count)
+{
+    Eigen::MatrixXd z(n, count);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        uq::Stream stream(seed, static_cast<std::uint64_t>(i), uq::Purpose::field);
+        for (Eigen::Index j = 0; j < count; ++j) z(i, j) = stream.normal();
+    }
+    return z;
+}
 
 } // namespace scenes

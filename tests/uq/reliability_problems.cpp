@@ -60,10 +60,24 @@ Problem frame(std::string name, double sd5, double sd6, double exact, double bet
 
 } // namespace
 
+uq::BlackBox by_rows(G f)
+{
+    return [f = std::move(f)](const uq::Samples& s) {
+        uq::Responses r{MatrixXd(s.x.rows(), 1), std::vector<std::string>(s.id.size())};
+        for (Eigen::Index i = 0; i < s.x.rows(); ++i) r.y(i, 0) = f(s.x.row(i).transpose());
+        return r;
+    };
+}
+
+std::size_t count_failed(const uq::Responses& r)
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(r.failure, [](const std::string& why) { return !why.empty(); }));
+}
+
 uq::LimitState limit_state(Eigen::Index dimension, G g, uq::Map map)
 {
-    return {uq::by_rows([g](const VectorXd& x) { return VectorXd::Constant(1, g(x)); }, 1),
-            std::move(map), dimension};
+    return {by_rows(std::move(g)), std::move(map), dimension};
 }
 
 Problem difference_4_2() { return difference("R - S 4/2", 4.0, 7.864960352514e-2); }
@@ -149,7 +163,7 @@ uq::LimitState two_sided(double radius)
 
 uq::LimitState failing(uq::LimitState limit, std::function<bool(const VectorXd&)> fails)
 {
-    const uq::Model sound = limit.model;
+    const uq::BlackBox sound = limit.model;
     limit.model = [sound, fails](const uq::Samples& s) {
         uq::Responses r = sound(s);
         for (Eigen::Index i = 0; i < s.x.rows(); ++i)

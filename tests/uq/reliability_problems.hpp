@@ -19,6 +19,12 @@ struct Problem {
 
 using G = std::function<double(const Eigen::VectorXd&)>;
 
+/// A model of one column that asks `f` row by row.
+uq::BlackBox by_rows(G f);
+
+/// Rows without an answer.
+std::size_t count_failed(const uq::Responses& r);
+
 /// g(x) <= 0 over x = u, one row at a time.
 uq::LimitState limit_state(Eigen::Index dimension, G g, uq::Map map = {});
 

@@ -3,13 +3,9 @@ set(TEST_UQ_ANALYSIS_SOURCES
     uq/test_estimate.cpp
     uq/test_field.cpp
     uq/test_field_basis.cpp
-    uq/test_field_marginal.cpp
-    uq/test_given_data.cpp
-    uq/test_karhunen.cpp
     uq/test_kernel.cpp
     uq/test_quantile_estimate.cpp
     uq/test_regression.cpp
-    uq/test_replicate.cpp
     uq/test_running_mean.cpp
     uq/test_sobol_indices.cpp
     uq/test_stopping.cpp)

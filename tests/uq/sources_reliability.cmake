@@ -8,7 +8,6 @@ set(TEST_UQ_RELIABILITY_SOURCES
     uq/test_form.cpp
     uq/test_importance_sampling.cpp
     uq/test_limit_state.cpp
-    uq/test_mean_value.cpp
     uq/test_multi_fidelity.cpp
     uq/test_multi_fidelity_plan.cpp
     uq/test_sorm.cpp

@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Normal values of unit variance and mean 1 (dear), 2, 3 ...; correlation with the dear one as
+/// Normal values of unit variance and mean 1 (expensive), 2, 3 ...; correlation with the expensive one as
 /// given; non-linear parts of nobody's. Sizes n.
 NestedValues normal_values(std::uint64_t seed, const std::vector<double>& rho,
                            const std::vector<Eigen::Index>& n)
@@ -54,9 +54,9 @@ Repeated repeat(const std::vector<double>& rho, const std::vector<Eigen::Index>&
 
 } // namespace
 
-TEST_CASE(
-    "control variate: a dear value linear in the cheap one has the mean of all cheap ones",
-    "[uq][control_variate]")
+TEST_CASE("control variate: an expensive value linear in the cheap one has the mean of all "
+          "cheap ones",
+          "[uq][control_variate]")
 {
     NestedValues y = normal_values(1, {0.5}, {10, 200});
     y[0] = 2.0 + 3.0 * y[1].head(10).array();
@@ -83,7 +83,7 @@ TEST_CASE("control variate: variance falls to (1 - rho^2) / n_0 + rho^2 / n_1",
 TEST_CASE("control variate: the standard error counts the estimated coefficient",
           "[uq][control_variate]")
 {
-    // With 10 dear samples the coefficient is poor: known, the variance would be 0.0190 +
+    // With 10 expensive samples the coefficient is poor: known, the variance would be 0.0190 +
     // 0.0004.
     const Repeated r = repeat({0.9}, {10, 2000}, 2000);
     CHECK(r.variance > 0.021);

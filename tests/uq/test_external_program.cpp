@@ -1,6 +1,7 @@
 #include "uq/reliability/external_program.hpp"
 
 #include "tests/scenes/temporary_folder.hpp"
+#include "tests/uq/reliability_problems.hpp"
 #include "uq/reliability/evaluate.hpp"
 
 #include <catch2/catch.hpp>
@@ -91,7 +92,7 @@ TEST_CASE("external program: several run at a time", "[uq][external_program]")
                                            ") -lt 8; do sleep 0.01; done; " + kSum);
     p.concurrent = 8;
     p.time_limit = 30;
-    CHECK(count_failed(external_model(p)(samples(8))) == 0);
+    CHECK(problems::count_failed(external_model(p)(samples(8))) == 0);
 }
 
 TEST_CASE("external program: numbers reach it and come back to the bit",
@@ -163,7 +164,7 @@ TEST_CASE("external program: one that hangs is stopped at its time limit, the ot
     const Responses r = external_model(p)(samples(4));
     CHECK(seconds_since(start) < 30);
     CHECK(r.failure[1] == "no answer within 3.0 s, stopped");
-    CHECK(count_failed(r) == 1);
+    CHECK(problems::count_failed(r) == 1);
 }
 
 TEST_CASE("external program: one that ignores SIGTERM is killed after its grace",

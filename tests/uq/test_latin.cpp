@@ -3,6 +3,8 @@
 #include "uq/designs/design.hpp"
 #include "uq/designs/stream.hpp"
 
+#include "tests/uq/strata.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include <stdexcept>
 
 using namespace uq;
+using scenes::doubled_strata;
 
 namespace {
 
@@ -74,22 +77,21 @@ TEST_CASE("latin: 50 rows grow to 100 on 100 strata, and to 130 with the fewest 
     const auto place = GENERATE(Place::random, Place::centred);
     const std::uint64_t seed = GENERATE(1u, 2u, 3u);
     const Eigen::MatrixXd start = latin_hypercube(50, 5, seed, place, 0, 50);
-    const GrownLatin twice = grow_latin(start, 100, seed, place);
-    CHECK((twice.u.topRows(50) - start).norm() == 0.0);
-    CHECK(filling(twice.u, 100).least == 1);
-    CHECK(filling(twice.u, 100).most == 1);
-    CHECK(twice.doubled == std::vector<std::int64_t>(5, 0));
+    const Eigen::MatrixXd twice = grow_latin(start, 100, seed, place);
+    CHECK((twice.topRows(50) - start).norm() == 0.0);
+    CHECK(filling(twice, 100).least == 1);
+    CHECK(filling(twice, 100).most == 1);
+    CHECK(doubled_strata(twice) == std::vector<std::int64_t>(5, 0));
 
-    const GrownLatin more = grow_latin(twice.u, 130, seed, place);
-    CHECK((more.u.topRows(100) - twice.u).norm() == 0.0);
-    CHECK(more.doubled == doubled_strata(more.u));
+    const Eigen::MatrixXd more = grow_latin(twice, 130, seed, place);
+    CHECK((more.topRows(100) - twice).norm() == 0.0);
     // 100 rows on 130 strata: those that share one cannot be parted, no new row joins them.
-    CHECK(filling(more.u, 130).most <= 2);
-    CHECK(filling(more.u.bottomRows(30), 130).most == 1);
+    CHECK(filling(more, 130).most <= 2);
+    CHECK(filling(more.bottomRows(30), 130).most == 1);
     for (Eigen::Index j = 0; j < 5; ++j) {
-        const std::int64_t shared = more.doubled[static_cast<std::size_t>(j)];
+        const std::int64_t shared = doubled_strata(more)[static_cast<std::size_t>(j)];
         Eigen::VectorXi count = Eigen::VectorXi::Zero(130);
-        for (Eigen::Index i = 0; i < 100; ++i) ++count[stratum(twice.u(i, j), 130)];
+        for (Eigen::Index i = 0; i < 100; ++i) ++count[stratum(twice(i, j), 130)];
         CHECK(shared == (count.array() == 2).count());
     }
 }
@@ -109,8 +111,8 @@ TEST_CASE("latin: growths to different sizes fill their empty strata in orders o
     const Eigen::MatrixXd one = Eigen::MatrixXd::Constant(1, 20, 0.01);
     Eigen::MatrixXd two(2, 20);
     two << one, Eigen::MatrixXd::Constant(1, 20, 0.25);
-    const auto a = grow_latin(one, 4, 1, Place::centred).u.bottomRows(3).eval();
-    const auto b = grow_latin(two, 5, 1, Place::centred).u.bottomRows(3).eval();
+    const auto a = grow_latin(one, 4, 1, Place::centred).bottomRows(3).eval();
+    const auto b = grow_latin(two, 5, 1, Place::centred).bottomRows(3).eval();
     int alike = 0;
     for (Eigen::Index j = 0; j < 20; ++j)
         alike += (a(0, j) < a(1, j)) == (b(0, j) < b(1, j)) &&
@@ -128,9 +130,8 @@ TEST_CASE("latin: of three rows in one stratum two are too many", "[uq][latin]")
 TEST_CASE("latin: what is grown fits, whatever it is", "[uq][latin]")
 {
     const Eigen::MatrixXd mc = unit_cube({DesignKind::monte_carlo, {40}, 3, 9});
-    const GrownLatin g = grow_latin(mc, 200, 9, Place::random);
-    CHECK((g.u.topRows(40) - mc).norm() == 0.0);
-    CHECK(g.doubled == doubled_strata(g.u));
+    const Eigen::MatrixXd g = grow_latin(mc, 200, 9, Place::random);
+    CHECK((g.topRows(40) - mc).norm() == 0.0);
     CHECK_THROWS_AS(grow_latin(mc, 40, 9, Place::random), std::invalid_argument);
     CHECK_THROWS_AS(grow_latin(Eigen::MatrixXd::Ones(2, 2), 4, 9, Place::random),
                     std::invalid_argument);

@@ -61,7 +61,7 @@ Repeated repeat(const LimitState& s, const std::vector<CheapModel>& c, MultiFide
 } // namespace
 
 TEST_CASE(
-    "multi-fidelity: a mean at the variance predicted, below that of the dear model alone",
+    "multi-fidelity: a mean at the variance predicted, below that of the expensive model alone",
     "[uq][multi_fidelity]")
 {
     MultiFidelityOptions o;
@@ -109,7 +109,7 @@ TEST_CASE("multi-fidelity: a cheap model that does not pay leaves plain Monte Ca
     CHECK_FALSE(r.plan.pays);
     CHECK(r.reason == "correlations are too low for their costs");
     // 20 samples of the cheap model were paid for.
-    REQUIRE(r.dear.evaluations == 199);
+    REQUIRE(r.expensive.evaluations == 199);
     Ledger ledger;
     const VectorXd y = limit_values(curved, normal_rows(o.seed, 0, 199, 2), ledger);
     CHECK(r.estimate.value == Approx(y.mean()).epsilon(1e-13));
@@ -125,8 +125,9 @@ TEST_CASE("multi-fidelity: a cheap model that does not pay leaves plain Monte Ca
     CHECK(never.estimate.interval.upper == binomial_interval(0, 199, 0.95).upper);
 }
 
-TEST_CASE("multi-fidelity: failed samples of the dear model widen the bounds of a probability",
-          "[uq][multi_fidelity]")
+TEST_CASE(
+    "multi-fidelity: failed samples of the expensive model widen the bounds of a probability",
+    "[uq][multi_fidelity]")
 {
     LimitState s =
         problems::limit_state(2, [](const VectorXd& x) { return x(0) + 0.1 * x(1); });
@@ -139,7 +140,7 @@ TEST_CASE("multi-fidelity: failed samples of the dear model widen the bounds of 
     const MultiFidelityResult r =
         multi_fidelity(s, {cheap([](const VectorXd& x) { return x(0); }, 0.01, -1.0)}, o);
     CHECK(r.plan.pays);
-    CHECK(r.estimate.failed == r.dear.failed.size());
+    CHECK(r.estimate.failed == r.expensive.failed.size());
     const double all = gsl_cdf_ugaussian_P(-1.0 / std::sqrt(1.01));
     const double failed = gsl_cdf_ugaussian_P(-1.6);
     CHECK(r.upper == Approx(all).epsilon(0.1));
@@ -173,7 +174,7 @@ TEST_CASE("multi-fidelity: costs that are not given are measured", "[uq][multi_f
         };
     };
     MultiFidelityOptions o;
-    o.dear_cost = 0.0;
+    o.expensive_cost = 0.0;
     o.budget = 0.2; // [s]
     o.now = [&clock] { return clock; };
     const MultiFidelityResult r =
@@ -193,7 +194,7 @@ TEST_CASE("multi-fidelity: a steady clock measures where no other is given",
         return x(0);
     };
     MultiFidelityOptions o;
-    o.dear_cost = 0.0;
+    o.expensive_cost = 0.0;
     o.pilot = 10;
     o.budget = 9e-3; // [s], of at least 10e-3
     CHECK_THROWS_WITH(multi_fidelity(problems::limit_state(2, sleepy), {}, o),

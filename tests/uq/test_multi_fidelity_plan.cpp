@@ -87,9 +87,10 @@ TEST_CASE("multi-fidelity plan: what does not pay is not used", "[uq][multi_fide
     CHECK(plan_effort(2.0, {}, 500.0).samples == std::vector<std::size_t>{250});
 }
 
-TEST_CASE("multi-fidelity plan: dear samples that there are in any case leave the rest to the "
-          "cheap",
-          "[uq][multi_fidelity_plan]")
+TEST_CASE(
+    "multi-fidelity plan: expensive samples that there are in any case leave the rest to the "
+    "cheap",
+    "[uq][multi_fidelity_plan]")
 {
     const CheapQuality cheap[] = {{0.01, 0.999}};
     const EffortPlan p = plan_effort(1.0, cheap, 100.0, 50);

@@ -2,12 +2,15 @@
 
 #include "uq/designs/latin.hpp"
 
+#include "tests/uq/strata.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <stdexcept>
 
 using namespace uq;
+using scenes::doubled_strata;
 
 TEST_CASE("sobol: unscrambled, the first points are those of Joe and Kuo", "[uq][sobol]")
 {

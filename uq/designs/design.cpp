@@ -12,16 +12,11 @@
 namespace uq {
 namespace {
 
-bool is_optimised(DesignKind kind)
-{
-    return kind == DesignKind::latin_optimised || kind == DesignKind::latin_optimised_centred;
-}
+bool is_optimised(DesignKind kind) { return kind == DesignKind::latin_optimised; }
 
 Place place_of(DesignKind kind)
 {
-    const bool centred =
-        kind == DesignKind::latin_centred || kind == DesignKind::latin_optimised_centred;
-    return centred ? Place::centred : Place::random;
+    return kind == DesignKind::latin_centred ? Place::centred : Place::random;
 }
 
 Eigen::MatrixXd independent(const Design& design, std::int64_t first, std::int64_t last)
@@ -44,7 +39,7 @@ Eigen::MatrixXd whole_latin(const Design& design)
         latin_hypercube(design.sizes[0], design.d, design.seed, place, 0, design.sizes[0]);
     if (spread) u = spread_rows(std::move(u), 0, design.seed);
     for (std::size_t k = 1; k < design.sizes.size(); ++k) {
-        u = grow_latin(u, design.sizes[k], design.seed, place).u;
+        u = grow_latin(u, design.sizes[k], design.seed, place);
         if (spread) u = spread_rows(std::move(u), design.sizes[k - 1], design.seed);
     }
     return u;

@@ -13,8 +13,7 @@ enum class DesignKind {
     latin_random,    ///< one row in each stratum of each variable, anywhere in it
     latin_centred,   ///< in the middle of the stratum
     latin_optimised, ///< latin_random, strata arranged so that no two rows are close
-    latin_optimised_centred,
-    sobol ///< scrambled, see uq/designs/sobol.hpp
+    sobol            ///< scrambled, see uq/designs/sobol.hpp
 };
 
 struct Design {

@@ -14,7 +14,10 @@
 namespace uq {
 namespace {
 
-Eigen::Index size(const Joint& j) { return static_cast<Eigen::Index>(j.marginals.size()); }
+Eigen::Index size(const JointDistribution& j)
+{
+    return static_cast<Eigen::Index>(j.marginals.size());
+}
 
 std::size_t index(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
@@ -78,14 +81,14 @@ Eigen::MatrixXd normal_correlations(const Inputs& inputs)
     return rho_z;
 }
 
-void to_physical(const Joint& j, Eigen::MatrixXd& u)
+void to_physical(const JointDistribution& j, Eigen::MatrixXd& u)
 {
     for (Eigen::Index k = 0; k < u.cols(); ++k)
         to_quantiles(j.marginals[index(k)], {u.col(k).data(), index(u.rows())});
 }
 
 /// Rows of each size reordered among themselves.
-Eigen::MatrixXd correlated_latin(const Joint& j, const Design& design)
+Eigen::MatrixXd correlated_latin(const JointDistribution& j, const Design& design)
 {
     Eigen::MatrixXd u = unit_cube(design);
     Eigen::Index before = 0;
@@ -99,10 +102,10 @@ Eigen::MatrixXd correlated_latin(const Joint& j, const Design& design)
 
 } // namespace
 
-Joint joint(const Inputs& inputs)
+JointDistribution joint_distribution(const Inputs& inputs)
 {
     check_marginals(inputs);
-    Joint j;
+    JointDistribution j;
     for (const Variable& v : inputs.variables) j.marginals.push_back(v.marginal);
     j.rho_z = normal_correlations(inputs);
     j.factor = Eigen::LLT<Eigen::MatrixXd>(j.rho_z).matrixL();
@@ -110,28 +113,20 @@ Joint joint(const Inputs& inputs)
     return j;
 }
 
-Eigen::VectorXd from_standard_normal(const Joint& j, const Eigen::VectorXd& z)
+Eigen::VectorXd from_standard_normal(const JointDistribution& j, const Eigen::VectorXd& z)
 {
     Eigen::VectorXd x = j.independent ? z : j.factor.triangularView<Eigen::Lower>() * z;
     for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = from_normal(j.marginals[index(i)], x[i]);
     return x;
 }
 
-Eigen::VectorXd to_standard_normal(const Joint& j, const Eigen::VectorXd& x)
-{
-    Eigen::VectorXd z(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) z[i] = to_normal(j.marginals[index(i)], x[i]);
-    if (!j.independent) j.factor.triangularView<Eigen::Lower>().solveInPlace(z);
-    return z;
-}
-
-Eigen::MatrixXd sample(const Joint& j, const Design& design)
+Eigen::MatrixXd sample(const JointDistribution& j, const Design& design)
 {
     check(design);
     return sample(j, design, 0, rows(design));
 }
 
-Eigen::MatrixXd sample(const Joint& j, const Design& design, std::int64_t first,
+Eigen::MatrixXd sample(const JointDistribution& j, const Design& design, std::int64_t first,
                        std::int64_t last)
 {
     if (design.d != size(j))

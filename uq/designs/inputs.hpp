@@ -31,7 +31,7 @@ struct Inputs {
 };
 
 /// Inputs made ready: normal images of the variables and their correlation.
-struct Joint {
+struct JointDistribution {
     std::vector<Marginal> marginals;
     Eigen::MatrixXd rho_z;  ///< correlation of the normal images
     Eigen::MatrixXd factor; ///< lower, factor factor' = rho_z
@@ -41,13 +41,12 @@ struct Joint {
 /// @throws std::invalid_argument naming the variable and what is wrong with its marginal, or the
 /// correlation: not attainable by a pair (with the range that is), or no correlation matrix (with
 /// the nearest that is)
-[[nodiscard]] Joint joint(const Inputs& inputs);
+[[nodiscard]] JointDistribution joint_distribution(const Inputs& inputs);
 
-/// From independent standard normal variables, and back:
+/// From independent standard normal variables:
 ///   x_i = F_i^-1(Phi((factor z)_i))
-[[nodiscard]] Eigen::VectorXd from_standard_normal(const Joint& joint,
+[[nodiscard]] Eigen::VectorXd from_standard_normal(const JointDistribution& joint,
                                                    const Eigen::VectorXd& z);
-[[nodiscard]] Eigen::VectorXd to_standard_normal(const Joint& joint, const Eigen::VectorXd& x);
 
 /// The design (d = number of variables) in physical units, n x d.
 ///
@@ -57,9 +56,9 @@ struct Joint {
 /// Reordering moves the rows of optimised ones closer again.
 /// @throws std::invalid_argument from the design; where d differs; where a size adds no more rows
 /// than there are variables to a dependent Latin hypercube
-[[nodiscard]] Eigen::MatrixXd sample(const Joint& joint, const Design& design);
+[[nodiscard]] Eigen::MatrixXd sample(const JointDistribution& joint, const Design& design);
 /// Rows first .. last - 1 of it, the same bits.
-[[nodiscard]] Eigen::MatrixXd sample(const Joint& joint, const Design& design,
+[[nodiscard]] Eigen::MatrixXd sample(const JointDistribution& joint, const Design& design,
                                      std::int64_t first, std::int64_t last);
 
 } // namespace uq

@@ -65,13 +65,6 @@ std::vector<std::int32_t> occupation(const Eigen::MatrixXd& u, Eigen::Index j, s
     return count;
 }
 
-std::int64_t too_many(const std::vector<std::int32_t>& count)
-{
-    std::int64_t sum = 0;
-    for (const std::int32_t c : count) sum += std::max(0, c - 1);
-    return sum;
-}
-
 /// Empty strata in random order.
 Strata empty_strata(const std::vector<std::int32_t>& count, Stream& stream)
 {
@@ -106,8 +99,8 @@ Eigen::MatrixXd latin_hypercube(std::int64_t n, int d, std::uint64_t seed, Place
     return u;
 }
 
-GrownLatin grow_latin(const Eigen::MatrixXd& old, std::int64_t m, std::uint64_t seed,
-                      Place place)
+Eigen::MatrixXd grow_latin(const Eigen::MatrixXd& old, std::int64_t m, std::uint64_t seed,
+                           Place place)
 {
     check_rows(m);
     if (m <= old.rows())
@@ -116,9 +109,9 @@ GrownLatin grow_latin(const Eigen::MatrixXd& old, std::int64_t m, std::uint64_t 
                                     std::to_string(m) + "; allowed: to more rows");
     if (!(old.array() > 0.0 && old.array() < 1.0).all())
         throw std::invalid_argument("latin hypercube: an entry to grow from is not in (0, 1)");
-    GrownLatin grown{Eigen::MatrixXd(m, old.cols()), {}};
-    grown.u.topRows(old.rows()) = old;
-    auto added = grown.u.bottomRows(m - old.rows());
+    Eigen::MatrixXd grown(m, old.cols());
+    grown.topRows(old.rows()) = old;
+    auto added = grown.bottomRows(m - old.rows());
     for (Eigen::Index j = 0; j < old.cols(); ++j) {
         const auto count = occupation(old, j, m);
         // m is part of the key: each growth has its own stream
@@ -126,18 +119,9 @@ GrownLatin grow_latin(const Eigen::MatrixXd& old, std::int64_t m, std::uint64_t 
         const Strata strata = empty_strata(count, stream); // at least as many as new rows
         for (Eigen::Index i = 0; i < added.rows(); ++i)
             added(i, j) = strata[static_cast<std::size_t>(i)];
-        grown.doubled.push_back(too_many(count));
     }
     set_places(added, m, seed, place, old.rows());
     return grown;
-}
-
-std::vector<std::int64_t> doubled_strata(const Eigen::MatrixXd& u)
-{
-    std::vector<std::int64_t> doubled;
-    for (Eigen::Index j = 0; j < u.cols(); ++j)
-        doubled.push_back(too_many(occupation(u, j, u.rows())));
-    return doubled;
 }
 
 } // namespace uq

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <vector>
 
 namespace uq {
 
@@ -21,22 +20,13 @@ enum class Place { random, centred };
                                               Place place, std::int64_t first,
                                               std::int64_t last);
 
-struct GrownLatin {
-    Eigen::MatrixXd u; ///< m x d; the first rows are the old ones, bit for bit
-    /// Of each variable: strata of m with more than one row, counting a row too many each; as many
-    /// are empty. No other choice of new rows has fewer. 0: Latin. Always 0 where m is a multiple
-    /// of the rows of a Latin `old`.
-    std::vector<std::int64_t> doubled;
-};
-
 /// Grows a design to m rows, m > rows of `old`: each new row in an empty stratum of m. The strata
-/// that stay empty where old rows share one are drawn, too.
+/// that stay empty because old rows share one are drawn, too. No other choice of new rows fills
+/// more strata; the result is Latin if `old` is Latin and m is a multiple of its rows.
 /// @param old entries inside (0, 1); need not be Latin
-/// @throws std::invalid_argument
-[[nodiscard]] GrownLatin grow_latin(const Eigen::MatrixXd& old, std::int64_t m,
-                                    std::uint64_t seed, Place place);
-
-/// Rows too many in the strata of each variable, as in GrownLatin: 0 where it is Latin.
-[[nodiscard]] std::vector<std::int64_t> doubled_strata(const Eigen::MatrixXd& u);
+/// @return m x d; the first rows are the old ones, bit for bit
+/// @throws std::invalid_argument if an entry of `old` or m is out of range
+[[nodiscard]] Eigen::MatrixXd grow_latin(const Eigen::MatrixXd& old, std::int64_t m,
+                                         std::uint64_t seed, Place place);
 
 } // namespace uq

@@ -3,8 +3,6 @@
 #include "uq/estimates/estimate_critical.hpp"
 #include "uq/marginals/normal_quantile.hpp"
 
-#include <boost/math/distributions/non_central_t.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <gsl/gsl_cdf.h>
 
@@ -80,13 +78,9 @@ std::vector<double> beta_weights(std::size_t n, double p)
     return w;
 }
 
-struct Weighted {
-    double value, sd;
-};
-
-/// Mean and standard deviation under the weights (differences from a value lose no digits).
-Weighted weighted(const std::vector<double>& sorted, const std::vector<double>& w,
-                  double centre)
+/// Standard deviation under the weights (differences from a value lose no digits).
+double standard_error(const std::vector<double>& sorted, const std::vector<double>& w,
+                      double centre)
 {
     double first = 0.0, second = 0.0;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -94,31 +88,12 @@ Weighted weighted(const std::vector<double>& sorted, const std::vector<double>& 
         first += w[i] * d;
         second += w[i] * d * d;
     }
-    return {centre + first, std::sqrt(std::max(0.0, second - first * first))};
-}
-
-/// Standard error of the smoothed quantile: each value left out in turn (Harrell and Davis
-/// 1982).
-double jackknife_error(const std::vector<double>& sorted, double p, double centre)
-{
-    const std::size_t n = sorted.size();
-    const std::vector<double> w = beta_weights(n - 1, p);
-    double without = 0.0; // the value left out; begins with the first
-    for (std::size_t i = 1; i < n; ++i) without += w[i - 1] * (sorted[i] - centre);
-    double sum = without, squares = without * without;
-    for (std::size_t i = 1; i < n; ++i) {
-        without -= w[i - 1] * (sorted[i] - sorted[i - 1]);
-        sum += without;
-        squares += without * without;
-    }
-    const auto real = static_cast<double>(n);
-    return std::sqrt(std::max(0.0, squares - sum * sum / real) * (real - 1.0) / real);
+    return std::sqrt(std::max(0.0, second - first * first));
 }
 
 } // namespace
 
-Estimate estimate_quantile(std::span<const double> y, double p, double confidence,
-                           QuantileKind kind)
+Estimate estimate_quantile(std::span<const double> y, double p, double confidence)
 {
     check_probability(p);
     check_confidence(confidence);
@@ -129,54 +104,8 @@ Estimate estimate_quantile(std::span<const double> y, double p, double confidenc
                                     std::to_string(sorted.size()));
     std::sort(sorted.begin(), sorted.end());
     const double between = interpolated(sorted, p);
-    const Weighted all = weighted(sorted, beta_weights(sorted.size(), p), between);
-    const bool smooth = kind == QuantileKind::smoothed;
-    return {smooth ? all.value : between,
-            smooth ? jackknife_error(sorted, p, all.value) : all.sd, sorted.size(),
-            sound.failed, between_values(sorted, sound.failed, p, confidence)};
-}
-
-int wilks_sample_size(double p, double confidence, int order)
-{
-    check_probability(p);
-    check_confidence(confidence);
-    if (order < 1) throw std::invalid_argument("the order must be at least 1");
-    const auto enough = [&](int n) { // at least `order` of n above the quantile
-        return gsl_cdf_binomial_Q(static_cast<unsigned>(order - 1), 1.0 - p,
-                                  static_cast<unsigned>(n)) >= confidence;
-    };
-    int high = order;
-    while (!enough(high)) {
-        if (high > (1 << 28)) throw std::invalid_argument("the sample size is beyond 2^28");
-        high *= 2;
-    }
-    int low = order;
-    while (low < high) {
-        const int n = low + (high - low) / 2;
-        if (enough(n))
-            high = n;
-        else
-            low = n + 1;
-    }
-    return low;
-}
-
-double tolerance_factor(int n, double p, double confidence)
-{
-    check_probability(p);
-    check_confidence(confidence);
-    if (n < 2) throw std::invalid_argument("a tolerance factor needs n >= 2");
-    const double root = std::sqrt(static_cast<double>(n));
-    const boost::math::non_central_t t(n - 1.0, root * normal_quantile(p));
-    return boost::math::quantile(t, confidence) / root;
-}
-
-double prediction_factor(int n, double p)
-{
-    check_probability(p);
-    if (n < 2) throw std::invalid_argument("a prediction factor needs n >= 2");
-    return boost::math::quantile(boost::math::students_t(n - 1.0), p) *
-           std::sqrt(1.0 + 1.0 / n);
+    return {between, standard_error(sorted, beta_weights(sorted.size(), p), between),
+            sorted.size(), sound.failed, between_values(sorted, sound.failed, p, confidence)};
 }
 
 } // namespace uq

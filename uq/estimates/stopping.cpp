@@ -90,21 +90,4 @@ StoppingDecision judge(const StoppingRule& rule, std::span<const double> y)
     return d;
 }
 
-StoppedSampling sample_until(
-    const StoppingRule& rule,
-    const std::function<std::vector<double>(std::size_t first, std::size_t count)>& more)
-{
-    StoppedSampling s{judge(rule, {}), {}};
-    while (s.decision.reason == StopReason::not_yet) {
-        const std::size_t count = s.decision.next_n - s.y.size();
-        const std::vector<double> batch = more(s.y.size(), count);
-        if (batch.size() != count)
-            throw std::runtime_error("asked for " + std::to_string(count) + " answers, got " +
-                                     std::to_string(batch.size()));
-        s.y.insert(s.y.end(), batch.begin(), batch.end());
-        s.decision = judge(rule, s.y);
-    }
-    return s;
-}
-
 } // namespace uq

@@ -8,11 +8,9 @@
 
 #include "uq/estimates/estimate.hpp"
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 namespace uq {
 
@@ -46,17 +44,5 @@ void check(const StoppingRule& rule);
 
 /// What the samples so far say. NaN: a failed sample.
 [[nodiscard]] StoppingDecision judge(const StoppingRule& rule, std::span<const double> y);
-
-struct StoppedSampling {
-    StoppingDecision decision;
-    std::vector<double> y;
-};
-
-/// Samples until the rule stops. `more(first, count)` answers samples first .. first + count -
-/// 1.
-/// @throws std::runtime_error if it returns another number of answers
-[[nodiscard]] StoppedSampling sample_until(
-    const StoppingRule& rule,
-    const std::function<std::vector<double>(std::size_t first, std::size_t count)>& more);
 
 } // namespace uq

@@ -12,11 +12,6 @@ struct FieldBasis {
     /// Added to the diagonal (then all scaled back to unit variance) because the matrix was
     /// singular to working precision; correlations are that much smaller [-]. 0: not needed.
     double nugget = 0.0;
-    double dropped = 0.0;        ///< share of the variance left out, mean over the sites [-]
-    double worst_dropped = 0.0;  ///< the same at the site where it is largest [-]
-    Eigen::Index worst_site = 0; ///< that site
-    bool unit_variance = true;   ///< what was dropped is made up for site by site
-    Eigen::VectorXd eigenvalues; ///< of the modes kept, descending; empty: not by modes
 };
 
 /// Largest nugget that passes for rounding.

@@ -23,6 +23,6 @@ struct Responses {
     std::vector<std::string> failure; ///< n, empty where the row is sound
 };
 
-using Model = std::function<Responses(const Samples&)>;
+using BlackBox = std::function<Responses(const Samples&)>;
 
 } // namespace uq

@@ -16,7 +16,7 @@ void check(const NestedValues& y, double confidence)
     const auto require = [](bool good, const std::string& what) {
         if (!good) throw std::invalid_argument("controlled mean: " + what);
     };
-    require(!y.empty() && y[0].size() >= 3, "at least 3 dear values are needed");
+    require(!y.empty() && y[0].size() >= 3, "at least 3 expensive values are needed");
     for (std::size_t i = 0; i < y.size(); ++i) {
         require(y[i].allFinite(), "values must be finite");
         require(i == 0 || y[i].size() >= y[i - 1].size(),
@@ -35,19 +35,19 @@ double coefficient(double common, double own) { return own > 0.0 ? common / own 
 
 /// Values less their means over the n_0 shared samples, which makes it easy to leave one out.
 struct Centred {
-    Eigen::MatrixXd shared;   ///< n_0 x (1 + cheap), dear first
-    Eigen::VectorXd products; ///< sum of dear x cheap
+    Eigen::MatrixXd shared;   ///< n_0 x (1 + cheap), expensive first
+    Eigen::VectorXd products; ///< sum of expensive x cheap
     Eigen::VectorXd squares;  ///< sum of cheap^2
     Eigen::VectorXd total;    ///< of each cheap model, over all n_i
     Eigen::VectorXd before;   ///< over the first n_(i-1)
     Eigen::VectorXd size, size_before;
-    double dear_mean;
+    double expensive_mean;
 
     explicit Centred(const NestedValues& y)
-        : shared(y[0].size(), static_cast<Eigen::Index>(y.size())), dear_mean(y[0].mean())
+        : shared(y[0].size(), static_cast<Eigen::Index>(y.size())), expensive_mean(y[0].mean())
     {
         const auto cheap = static_cast<Eigen::Index>(y.size()) - 1;
-        shared.col(0) = y[0].array() - dear_mean;
+        shared.col(0) = y[0].array() - expensive_mean;
         total = before = size = size_before = Eigen::VectorXd::Zero(cheap);
         for (Eigen::Index i = 0; i < cheap; ++i) {
             const Eigen::VectorXd& v = y[static_cast<std::size_t>(i) + 1];
@@ -74,7 +74,7 @@ struct Centred {
     {
         const Eigen::ArrayXd shift =
             total.array() / size.array() - before.array() / size_before.array();
-        return dear_mean + coefficients().dot(shift.matrix());
+        return expensive_mean + coefficients().dot(shift.matrix());
     }
 
     /// The value without shared sample j: the others stand for the n_0 of them, among as many
@@ -82,7 +82,7 @@ struct Centred {
     [[nodiscard]] double value_without(Eigen::Index j) const
     {
         const auto n = static_cast<double>(shared.rows());
-        double sum = dear_mean - shared(j, 0) / (n - 1.0);
+        double sum = expensive_mean - shared(j, 0) / (n - 1.0);
         for (Eigen::Index i = 0; i < products.size(); ++i) {
             const double y = shared(j, i + 1), share = n / (n - 1.0);
             const double a =
@@ -118,13 +118,13 @@ ControlledMean controlled_mean(const NestedValues& y, double confidence)
     const Eigen::Index n = y[0].size();
     const auto count = static_cast<double>(n);
     ControlledMean m{{}, c.coefficients(), {}, 0.0};
-    const double dear = c.shared.col(0).squaredNorm();
-    m.plain_std_error = std::sqrt(dear / (count * (count - 1.0)));
+    const double expensive = c.shared.col(0).squaredNorm();
+    m.plain_std_error = std::sqrt(expensive / (count * (count - 1.0)));
     m.correlation = Eigen::VectorXd::Zero(c.products.size());
     for (Eigen::Index i = 0; i < c.products.size(); ++i)
-        if (dear > 0.0 && c.squares(i) > 0.0)
+        if (expensive > 0.0 && c.squares(i) > 0.0)
             m.correlation(i) =
-                std::clamp(c.products(i) / std::sqrt(dear * c.squares(i)), -1.0, 1.0);
+                std::clamp(c.products(i) / std::sqrt(expensive * c.squares(i)), -1.0, 1.0);
 
     Eigen::VectorXd without(n);
     for (Eigen::Index j = 0; j < n; ++j) without(j) = c.value_without(j);

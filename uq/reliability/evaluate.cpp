@@ -54,7 +54,7 @@ std::string wrong_shape(const Responses& r, Eigen::Index n, Eigen::Index columns
 }
 
 /// Rows put under each other; columns that a row does not have are those of a failed row.
-Responses one_by_one(const Model& model, const Samples& samples, Eigen::Index columns)
+Responses one_by_one(const BlackBox& model, const Samples& samples, Eigen::Index columns)
 {
     std::vector<Responses> parts;
     Eigen::Index widest = columns;
@@ -75,61 +75,7 @@ Responses one_by_one(const Model& model, const Samples& samples, Eigen::Index co
 
 } // namespace
 
-Model by_rows(RowFunction f, Eigen::Index responses)
-{
-    if (!f) throw std::invalid_argument("model: there is no function to ask");
-    if (responses < 1)
-        throw std::invalid_argument("model: responses is " + std::to_string(responses) +
-                                    ", must be at least 1");
-    return [f = std::move(f), responses](const Samples& s) {
-        const auto n = static_cast<std::size_t>(s.x.rows());
-        Responses r{Eigen::MatrixXd::Constant(s.x.rows(), responses, kNan),
-                    std::vector<std::string>(n)};
-        for (Eigen::Index i = 0; i < s.x.rows(); ++i) {
-            std::string& why = r.failure[static_cast<std::size_t>(i)];
-            try {
-                const Eigen::VectorXd y = f(s.x.row(i).transpose());
-                if (y.size() == responses)
-                    r.y.row(i) = y.transpose();
-                else
-                    why = "the model gives " + std::to_string(y.size()) +
-                          " values instead of " + std::to_string(responses);
-            } catch (const std::exception& e) {
-                why = std::string("exception: ") + e.what();
-            }
-        }
-        mark_failures(r);
-        return r;
-    };
-}
-
-Model in_batches(Model model, Eigen::Index size)
-{
-    if (!model) throw std::invalid_argument("model: there is no model to ask");
-    if (size < 1)
-        throw std::invalid_argument("model: batch size is " + std::to_string(size) +
-                                    ", must be at least 1");
-    return [model = std::move(model), size](const Samples& s) {
-        const Eigen::Index n = s.x.rows();
-        Responses all{Eigen::MatrixXd(n, 0), {}};
-        for (Eigen::Index first = 0; first < n; first += size) {
-            const Eigen::Index count = std::min(size, n - first);
-            Responses part = evaluate(model, rows(s, first, count));
-            if (first == 0) all.y = Eigen::MatrixXd::Constant(n, part.y.cols(), kNan);
-            const Eigen::Index known = all.y.cols();
-            if (part.y.cols() > known) {
-                all.y.conservativeResize(n, part.y.cols());
-                all.y.rightCols(part.y.cols() - known).setConstant(kNan);
-            }
-            all.y.block(first, 0, count, part.y.cols()) = part.y;
-            all.failure.insert(all.failure.end(), part.failure.begin(), part.failure.end());
-        }
-        mark_failures(all);
-        return all;
-    };
-}
-
-Responses evaluate(const Model& model, const Samples& samples, Eigen::Index columns)
+Responses evaluate(const BlackBox& model, const Samples& samples, Eigen::Index columns)
 {
     const Eigen::Index n = samples.x.rows();
     if (!model) throw std::invalid_argument("model: there is no model to ask");
@@ -148,12 +94,6 @@ Responses evaluate(const Model& model, const Samples& samples, Eigen::Index colu
         why = std::string("exception: ") + e.what();
     }
     return n == 1 ? failed_row(columns, why) : one_by_one(model, samples, columns);
-}
-
-std::size_t count_failed(const Responses& r)
-{
-    return static_cast<std::size_t>(
-        std::ranges::count_if(r.failure, [](const std::string& why) { return !why.empty(); }));
 }
 
 } // namespace uq

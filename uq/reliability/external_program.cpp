@@ -251,7 +251,7 @@ class Batch {
 
 } // namespace
 
-Model external_model(ExternalProgram program)
+BlackBox external_model(ExternalProgram program)
 {
     check(program);
     return [program = std::move(program)](const Samples& s) {

@@ -37,6 +37,6 @@ struct ExternalProgram {
 /// @throws std::invalid_argument naming what is missing or out of range; the model throws the
 /// same if the number of columns is not that of the parameters, and
 /// std::filesystem::filesystem_error if there can be no directory
-[[nodiscard]] Model external_model(ExternalProgram program);
+[[nodiscard]] BlackBox external_model(ExternalProgram program);
 
 } // namespace uq

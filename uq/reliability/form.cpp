@@ -110,30 +110,4 @@ double probability(const DesignPoint& p) { return gsl_cdf_ugaussian_Q(p.beta); }
 
 Eigen::VectorXd importance_factors(const DesignPoint& p) { return p.alpha.cwiseAbs2(); }
 
-UnionBounds union_bounds(const std::vector<DesignPoint>& points)
-{
-    UnionBounds b{0.0, 0.0};
-    for (const DesignPoint& p : points) {
-        b.lower = std::max(b.lower, probability(p));
-        b.upper += probability(p);
-    }
-    b.upper = std::min(1.0, b.upper);
-    return b;
-}
-
-std::optional<double> beta_sensitivity(const LimitState& s, const DesignPoint& p,
-                                       const Map& below, const Map& above, double delta,
-                                       Ledger& ledger)
-{
-    if (!(delta > 0.0)) throw std::invalid_argument("beta_sensitivity: delta must be > 0");
-    LimitState moved = s;
-    const auto value = [&](const Map& map) {
-        moved.to_physical = map;
-        return limit_values(moved, p.at.u.transpose(), ledger)(0);
-    };
-    const double lower = value(below), upper = value(above);
-    if (std::isnan(lower) || std::isnan(upper)) return std::nullopt;
-    return (upper - lower) / (2.0 * delta * p.at.gradient.norm());
-}
-
 } // namespace uq

@@ -42,19 +42,4 @@ struct FormResult {
 /// 1.
 [[nodiscard]] Eigen::VectorXd importance_factors(const DesignPoint& p);
 
-/// First-order bounds of the union of all planes: the most probable one alone, and the sum
-/// (Cornell 1967). For design points with beta > 0 of one limit state; cut at 1.
-struct UnionBounds {
-    double lower, upper;
-};
-[[nodiscard]] UnionBounds union_bounds(const std::vector<DesignPoint>& points);
-
-/// d beta / d theta of a parameter theta of the map (a mean, a standard deviation, a
-/// correlation): (dg/dtheta at the design point) / |gradient| (Ditlevsen and Madsen 1996).
-/// @param below, above the map at theta - delta and theta + delta; two evaluations
-/// Nothing if one of them failed. @throws std::invalid_argument unless delta > 0
-[[nodiscard]] std::optional<double> beta_sensitivity(const LimitState& s, const DesignPoint& p,
-                                                     const Map& below, const Map& above,
-                                                     double delta, Ledger& ledger);
-
 } // namespace uq

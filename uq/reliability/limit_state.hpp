@@ -19,7 +19,7 @@ enum class Passing {
 };
 
 struct LimitState {
-    Model model;
+    BlackBox model;
     Map to_physical;            ///< empty: x = u
     Eigen::Index dimension = 0; ///< of u, >= 1
     Eigen::Index response = 0;  ///< column of the answer

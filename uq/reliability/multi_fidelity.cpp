@@ -50,7 +50,7 @@ void check_all(const LimitState& s, const std::vector<CheapModel>& cheap,
         if (!good) throw std::invalid_argument("multi-fidelity: " + what);
     };
     require(o.pilot >= 10, "pilot must be at least 10");
-    require(o.dear_cost >= 0.0 && std::isfinite(o.dear_cost), "costs must be >= 0");
+    require(o.expensive_cost >= 0.0 && std::isfinite(o.expensive_cost), "costs must be >= 0");
     require(o.budget > 0.0 && std::isfinite(o.budget), "budget must be > 0");
     require(o.confidence > 0.0 && o.confidence < 1.0, "confidence must be in (0, 1)");
     for (const CheapModel& c : cheap) {
@@ -58,7 +58,7 @@ void check_all(const LimitState& s, const std::vector<CheapModel>& cheap,
         require(c.cost >= 0.0 && std::isfinite(c.cost), "costs must be >= 0");
         require(c.response >= 0 && std::isfinite(c.threshold),
                 "response must be >= 0 and threshold finite");
-        require((c.cost > 0.0) == (o.dear_cost > 0.0), "give all costs or none");
+        require((c.cost > 0.0) == (o.expensive_cost > 0.0), "give all costs or none");
     }
 }
 
@@ -97,20 +97,20 @@ Eigen::VectorXd filled(const Eigen::VectorXd& y, double value)
     return y.array().isNaN().select(Eigen::VectorXd::Constant(y.size(), value), y);
 }
 
-/// Values of the dear model where it has one, and those of `use`: samples where the dear one
+/// Values of the expensive model where it has one, and those of `use`: samples where the expensive one
 /// failed are among the further samples of the cheap ones.
-NestedValues nested(const std::vector<Asked>& all, const Eigen::VectorXd& dear,
+NestedValues nested(const std::vector<Asked>& all, const Eigen::VectorXd& expensive,
                     const std::vector<std::size_t>& use, const MultiFidelityOptions& o)
 {
     std::vector<Eigen::Index> kept, failed;
-    for (Eigen::Index i = 0; i < dear.size(); ++i)
-        (std::isnan(dear(i)) ? failed : kept).push_back(i);
-    NestedValues y{dear(kept)};
+    for (Eigen::Index i = 0; i < expensive.size(); ++i)
+        (std::isnan(expensive(i)) ? failed : kept).push_back(i);
+    NestedValues y{expensive(kept)};
     for (const std::size_t k : use) {
         const Asked& a = all[k + 1];
         const Eigen::VectorXd v = filled(a.y, instead(a, o.quantity, o.pilot));
         y.emplace_back(v.size());
-        y.back() << v(kept), v(failed), v.tail(v.size() - dear.size());
+        y.back() << v(kept), v(failed), v.tail(v.size() - expensive.size());
     }
     return y;
 }
@@ -120,7 +120,7 @@ Eigen::VectorXd costs(const std::vector<Asked>& all, const std::vector<CheapMode
 {
     Eigen::VectorXd c(static_cast<Eigen::Index>(all.size()));
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const double given = i == 0 ? o.dear_cost : cheap[i - 1].cost;
+        const double given = i == 0 ? o.expensive_cost : cheap[i - 1].cost;
         const double measured = all[i].seconds / static_cast<double>(all[i].y.size());
         c(static_cast<Eigen::Index>(i)) = given > 0.0 ? given : std::max(measured, 1e-9);
     }
@@ -153,9 +153,10 @@ void make_plan(MultiFidelityResult& r, const std::vector<Asked>& all,
     for (std::size_t i = 1; i < all.size(); ++i) every.push_back(i - 1);
     const NestedValues y = nested(all, all[0].y, every, o);
     if (y[0].size() < 3)
-        throw std::runtime_error("multi-fidelity: fewer than 3 dear samples of the pilot are "
-                                 "sound; the first failure: " +
-                                 all[0].ledger.failed.front().reason);
+        throw std::runtime_error(
+            "multi-fidelity: fewer than 3 expensive samples of the pilot are "
+            "sound; the first failure: " +
+            all[0].ledger.failed.front().reason);
     r.correlation = controlled_mean(y, o.confidence).correlation;
     std::vector<CheapQuality> quality;
     for (Eigen::Index i = 0; i < r.correlation.size(); ++i) {
@@ -181,7 +182,7 @@ void make_plan(MultiFidelityResult& r, const std::vector<Asked>& all,
 void summarise(MultiFidelityResult& r, const std::vector<Asked>& all,
                const MultiFidelityOptions& o)
 {
-    const Eigen::VectorXd& dear = all[0].y;
+    const Eigen::VectorXd& expensive = all[0].y;
     const auto of = [&](const Eigen::VectorXd& y) {
         return controlled_mean(nested(all, y, r.plan.use, o), o.confidence);
     };
@@ -195,25 +196,25 @@ void summarise(MultiFidelityResult& r, const std::vector<Asked>& all,
         e.interval.upper = e.value + more * (e.interval.upper - e.value);
         return e;
     };
-    const ControlledMean m = of(dear);
+    const ControlledMean m = of(expensive);
     r.estimate = widened(m.estimate);
-    r.estimate.failed = r.dear.failed.size();
+    r.estimate.failed = r.expensive.failed.size();
     r.plain_std_error = m.plain_std_error;
     r.lower = r.upper = m.estimate.value;
     if (o.quantity == Quantity::mean) return;
-    const Estimate safe = widened(of(filled(dear, 0.0)).estimate);
-    const Estimate passed = widened(of(filled(dear, 1.0)).estimate);
+    const Estimate safe = widened(of(filled(expensive, 0.0)).estimate);
+    const Estimate passed = widened(of(filled(expensive, 1.0)).estimate);
     const auto share = [](double v) { return std::clamp(v, 0.0, 1.0); };
     r.estimate.value = share(m.estimate.value);
     r.lower = share(safe.value);
     r.upper = share(passed.value);
     r.estimate.interval = {share(safe.interval.lower), share(passed.interval.upper),
                            o.confidence};
-    const auto count = static_cast<std::size_t>((dear.array() == 1.0).count());
+    const auto count = static_cast<std::size_t>((expensive.array() == 1.0).count());
     if (r.plan.pays && count > 0 && count < r.estimate.n) return;
     // Without help, or without variance to be helped, shares have a better interval.
-    const Exceedance e = count_exceedance(count, r.estimate.failed,
-                                          static_cast<std::size_t>(dear.size()), o.confidence);
+    const Exceedance e = count_exceedance(
+        count, r.estimate.failed, static_cast<std::size_t>(expensive.size()), o.confidence);
     r.estimate = e.estimate;
     r.lower = e.lower;
     r.upper = e.upper;
@@ -241,7 +242,7 @@ MultiFidelityResult multi_fidelity(const LimitState& s, const std::vector<CheapM
         r.spent += r.cost(static_cast<Eigen::Index>(i)) * static_cast<double>(all[i].y.size());
     for (std::size_t i = 1; i < all.size(); ++i)
         r.cheap_failed.push_back(all[i].ledger.failed.size());
-    r.dear = all[0].ledger;
+    r.expensive = all[0].ledger;
     summarise(r, all, o);
     return r;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Mean of a response, or probability of a limit state, of a dear model with the help of cheap
+/// Mean of a response, or probability of a limit state, of an expensive model with the help of cheap
 /// ones.
 
 #include "uq/reliability/control_variate.hpp"
@@ -12,8 +12,8 @@
 namespace uq {
 
 struct CheapModel {
-    Model model;       ///< of the same parameters
-    double cost = 0.0; ///< of a sample, in the unit of the dear one's; 0: measured
+    BlackBox model;    ///< of the same parameters
+    double cost = 0.0; ///< of a sample, in the unit of the expensive one's; 0: measured
     Eigen::Index response = 0;
     double threshold = 0.0; ///< of its own; not used for a mean
 };
@@ -25,8 +25,8 @@ enum class Quantity {
 
 struct MultiFidelityOptions {
     Quantity quantity = Quantity::mean;
-    double budget = 0.0;    ///< [unit of cost], pilot included
-    double dear_cost = 1.0; ///< of a sample; 0: measured, in seconds
+    double budget = 0.0;         ///< [unit of cost], pilot included
+    double expensive_cost = 1.0; ///< of a sample; 0: measured, in seconds
     /// First samples, asked of every model, that tell correlations (and costs); they are part
     /// of the answer. >= 10
     std::size_t pilot = 20;
@@ -37,15 +37,15 @@ struct MultiFidelityOptions {
 
 struct MultiFidelityResult {
     Estimate estimate{};
-    /// Probability: if every failed dear sample is safe, or passes. Mean: the value, twice.
+    /// Probability: if every failed expensive sample is safe, or passes. Mean: the value, twice.
     double lower = 0.0, upper = 0.0;
     EffortPlan plan;
     std::string reason;                    ///< why it does not pay
     Eigen::VectorXd correlation;           ///< in the pilot, of every cheap model
-    Eigen::VectorXd cost;                  ///< of a sample: dear, then every cheap model
-    double plain_std_error = 0.0;          ///< of the same dear samples without help
+    Eigen::VectorXd cost;                  ///< of a sample: expensive, then every cheap model
+    double plain_std_error = 0.0;          ///< of the same expensive samples without help
     double spent = 0.0;                    ///< [unit of cost]
-    Ledger dear;                           ///< of the dear model
+    Ledger expensive;                      ///< of the expensive model
     std::vector<std::size_t> cheap_failed; ///< of every cheap model
 };
 
@@ -54,10 +54,10 @@ struct MultiFidelityResult {
 ///
 /// A failed sample of a cheap model counts as the mean of its pilot (as safe, for a
 /// probability): any fixed number will do, since its mean need not be known. A failed sample of
-/// the dear model is left to the others like it, as the cheap models see it.
-/// @param s dear limit state; for a mean its threshold is not used
+/// the expensive model is left to the others like it, as the cheap models see it.
+/// @param s expensive limit state; for a mean its threshold is not used
 /// @throws std::invalid_argument naming what is missing or out of range, or a budget that does
-/// not reach for the pilot; std::runtime_error if fewer than 3 dear samples of the pilot are
+/// not reach for the pilot; std::runtime_error if fewer than 3 expensive samples of the pilot are
 /// sound
 [[nodiscard]] MultiFidelityResult multi_fidelity(const LimitState& s,
                                                  const std::vector<CheapModel>& cheap,

@@ -10,21 +10,21 @@ namespace uq {
 
 namespace {
 
-/// Models of a set with the dear one in front, best correlated first.
+/// Models of a set with the expensive one in front, best correlated first.
 struct Chain {
     std::vector<std::size_t> use;
-    std::vector<double> cost, square; ///< rho^2, 1 for the dear one and 0 behind the last
+    std::vector<double> cost, square; ///< rho^2, 1 for the expensive one and 0 behind the last
 };
 
-Chain chain(double dear_cost, std::span<const CheapQuality> cheap, std::size_t set)
+Chain chain(double expensive_cost, std::span<const CheapQuality> cheap, std::size_t set)
 {
     Chain c;
     for (std::size_t i = 0; i < cheap.size(); ++i)
         if (set >> i & 1U) c.use.push_back(i);
     std::ranges::stable_sort(c.use, std::greater{},
                              [&](std::size_t i) { return std::abs(cheap[i].correlation); });
-    c.cost.push_back(dear_cost);
-    // A perfect copy would leave nothing for the dear model to do.
+    c.cost.push_back(expensive_cost);
+    // A perfect copy would leave nothing for the expensive model to do.
     const double most = 1.0 - 1e-8;
     c.square.push_back(1.0);
     for (const std::size_t i : c.use) {
@@ -35,7 +35,7 @@ Chain chain(double dear_cost, std::span<const CheapQuality> cheap, std::size_t s
     return c;
 }
 
-/// Samples of each model over those of the dear one.
+/// Samples of each model over those of the expensive one.
 std::vector<double> ratios(const Chain& c)
 {
     std::vector<double> r;
@@ -53,17 +53,17 @@ double variance_ratio(const Chain& c)
     return sum * sum / c.cost[0];
 }
 
-std::vector<std::size_t> samples(const Chain& c, double budget, std::size_t least_dear)
+std::vector<std::size_t> samples(const Chain& c, double budget, std::size_t least_expensive)
 {
     const std::vector<double> r = ratios(c);
-    double per_dear = 0.0;
-    for (std::size_t i = 0; i < r.size(); ++i) per_dear += r[i] * c.cost[i];
-    double scale = budget / per_dear;
+    double per_expensive = 0.0;
+    for (std::size_t i = 0; i < r.size(); ++i) per_expensive += r[i] * c.cost[i];
+    double scale = budget / per_expensive;
     std::vector<std::size_t> n{static_cast<std::size_t>(scale)};
-    if (n[0] < least_dear) { // what is left goes to the cheap ones
-        n[0] = least_dear;
-        scale = std::max(0.0, budget - static_cast<double>(least_dear) * c.cost[0]) /
-                (per_dear - c.cost[0]);
+    if (n[0] < least_expensive) { // what is left goes to the cheap ones
+        n[0] = least_expensive;
+        scale = std::max(0.0, budget - static_cast<double>(least_expensive) * c.cost[0]) /
+                (per_expensive - c.cost[0]);
     }
     for (std::size_t i = 1; i < r.size(); ++i)
         n.push_back(std::max(n.back(), static_cast<std::size_t>(scale * r[i])));
@@ -72,26 +72,28 @@ std::vector<std::size_t> samples(const Chain& c, double budget, std::size_t leas
 
 } // namespace
 
-EffortPlan plan_effort(double dear_cost, std::span<const CheapQuality> cheap, double budget,
-                       std::size_t least_dear)
+EffortPlan plan_effort(double expensive_cost, std::span<const CheapQuality> cheap,
+                       double budget, std::size_t least_expensive)
 {
     const auto require = [](bool good, const std::string& what) {
         if (!good) throw std::invalid_argument("effort: " + what);
     };
-    require(dear_cost > 0.0 && std::isfinite(dear_cost), "the dear cost must be > 0");
+    require(expensive_cost > 0.0 && std::isfinite(expensive_cost),
+            "the expensive cost must be > 0");
     require(cheap.size() <= 16, "at most 16 cheap models");
     for (const CheapQuality& q : cheap) {
         require(q.cost > 0.0 && std::isfinite(q.cost), "costs must be > 0");
         require(std::abs(q.correlation) <= 1.0, "correlations must be in [-1, 1]");
     }
-    require(least_dear >= 1, "least_dear must be at least 1");
-    require(std::isfinite(budget) && budget >= static_cast<double>(least_dear) * dear_cost,
-            "the budget does not reach for the dear samples needed");
+    require(least_expensive >= 1, "least_expensive must be at least 1");
+    require(std::isfinite(budget) &&
+                budget >= static_cast<double>(least_expensive) * expensive_cost,
+            "the budget does not reach for the expensive samples needed");
 
-    Chain best = chain(dear_cost, cheap, 0);
+    Chain best = chain(expensive_cost, cheap, 0);
     double least = kWorthwhileRatio;
     for (std::size_t set = 1; set < (std::size_t{1} << cheap.size()); ++set) {
-        const Chain c = chain(dear_cost, cheap, set);
+        const Chain c = chain(expensive_cost, cheap, set);
         if (!std::ranges::is_sorted(ratios(c)) || variance_ratio(c) >= least) continue;
         least = variance_ratio(c);
         best = c;
@@ -100,7 +102,7 @@ EffortPlan plan_effort(double dear_cost, std::span<const CheapQuality> cheap, do
     plan.pays = !best.use.empty();
     plan.use = best.use;
     plan.variance_ratio = plan.pays ? least : 1.0;
-    plan.samples = samples(best, budget, least_dear);
+    plan.samples = samples(best, budget, least_expensive);
     return plan;
 }
 

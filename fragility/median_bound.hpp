@@ -23,7 +23,7 @@ struct ReachedBound {
 [[nodiscard]] ReachedBound reached_at_most(std::span<const Observation> data, double x,
                                            double confidence = 0.95);
 
-struct LowerBound {
+struct MedianBound {
     double confidence = 0.0; ///< one-sided [-]
     bool median_bounded = false;
     double median_above = 0.0; ///< the median is at or above this value [x]
@@ -33,7 +33,7 @@ struct LowerBound {
 /// The highest value that bounds the median from below. Five walls that stood bound it at 95 %:
 /// 0.5^5 = 0.031.
 /// @throws std::invalid_argument for data that are not a number or a confidence not in (0, 1)
-[[nodiscard]] LowerBound lower_bound(std::span<const Observation> data,
-                                     double confidence = 0.95);
+[[nodiscard]] MedianBound median_bound(std::span<const Observation> data,
+                                       double confidence = 0.95);
 
 } // namespace fragility

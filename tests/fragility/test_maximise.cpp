@@ -1,4 +1,4 @@
-#include "fragility/newton.hpp"
+#include "fragility/maximise.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -35,7 +35,7 @@ VectorXd at(double x) { return VectorXd::Constant(1, x); }
 
 } // namespace
 
-TEST_CASE("newton: climbs from where the function is not concave", "[fragility][newton]")
+TEST_CASE("maximise: climbs from where the function is not concave", "[fragility][maximise]")
 {
     const double start = GENERATE(0.05, 0.5, 3.0);
     const Maximum m = maximise(two_hills, at(start));
@@ -43,12 +43,12 @@ TEST_CASE("newton: climbs from where the function is not concave", "[fragility][
     CHECK(m.at[0] == Approx(1.0).epsilon(1e-12));
 }
 
-TEST_CASE("newton: a minimum is no maximum", "[fragility][newton]")
+TEST_CASE("maximise: a minimum is no maximum", "[fragility][maximise]")
 {
     CHECK_FALSE(maximise(two_hills, at(0.0)).converged);
 }
 
-TEST_CASE("newton: stays where the function is defined", "[fragility][newton]")
+TEST_CASE("maximise: stays where the function is defined", "[fragility][maximise]")
 {
     // a full step from 3 would end at -3
     const Maximum m = maximise(one_sided, at(3.0));

@@ -1,4 +1,4 @@
-#include "fragility/newton.hpp"
+#include "fragility/maximise.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ bool sound(const Local& here) { return std::isfinite(here.value) && here.hessian
 } // namespace
 
 Maximum maximise(const std::function<Local(const Eigen::VectorXd&)>& f, Eigen::VectorXd start,
-                 const NewtonOptions& options)
+                 const MaximiseOptions& options)
 {
     Maximum m{
         false, 0, std::move(start), Eigen::VectorXd::Zero(0), {0.0, Eigen::VectorXd(), {}}};

@@ -1,4 +1,4 @@
-#include "fragility/lower_bound.hpp"
+#include "fragility/median_bound.hpp"
 
 #include "fragility/binomial.hpp"
 
@@ -59,14 +59,14 @@ ReachedBound reached_at_most(std::span<const Observation> data, double x, double
     return bound(data, x, At::failed, confidence);
 }
 
-LowerBound lower_bound(std::span<const Observation> data, double confidence)
+MedianBound median_bound(std::span<const Observation> data, double confidence)
 {
     check(data, confidence);
     std::vector<double> ends;
     for (const Observation& o : data)
         if (std::isfinite(o.lower)) ends.push_back(o.lower);
     std::ranges::sort(ends);
-    LowerBound b;
+    MedianBound b;
     b.confidence = confidence;
     const auto past = std::ranges::partition_point(
         ends, [&](double x) { return bound(data, x, At::stood, confidence).at_most < 0.5; });

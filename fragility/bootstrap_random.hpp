@@ -16,11 +16,4 @@ using RandomBits = std::function<std::uint64_t(std::uint64_t replicate, std::uin
     return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;
 }
 
-/// In 0 .. n - 1, n >= 1; biased by less than n / 2^52.
-[[nodiscard]] inline std::uint64_t below(std::uint64_t bits, std::uint64_t n)
-{
-    const auto k = static_cast<std::uint64_t>(uniform(bits) * static_cast<double>(n));
-    return k < n ? k : n - 1;
-}
-
 } // namespace fragility

@@ -15,7 +15,7 @@ struct Local {
     Eigen::MatrixXd hessian;
 };
 
-struct NewtonOptions {
+struct MaximiseOptions {
     int max_iterations = 200;
     /// On the gain still to be had, against max(1, |value|) [-]; where rounding stops the search
     /// before, that is the end too.
@@ -32,6 +32,6 @@ struct Maximum {
 
 /// From `start`, which must be allowed.
 [[nodiscard]] Maximum maximise(const std::function<Local(const Eigen::VectorXd&)>& f,
-                               Eigen::VectorXd start, const NewtonOptions& options = {});
+                               Eigen::VectorXd start, const MaximiseOptions& options = {});
 
 } // namespace fragility
