@@ -6,15 +6,24 @@ set(UQ_SAMPLING_SOURCES
     designs/inputs.cpp
     designs/latin.cpp
     designs/latin_annealing.cpp
+    designs/nataf.cpp
+    marginals/beta.cpp
+    marginals/constant.cpp
+    marginals/discrete.cpp
+    marginals/empirical.cpp
+    marginals/gamma.cpp
+    marginals/gumbel.cpp
+    marginals/lognormal.cpp
     marginals/marginal.cpp
     marginals/marginal_check.cpp
-    marginals/marginal_mean.cpp
+    marginals/marginal_forms.cpp
     marginals/marginal_moments.cpp
-    marginals/marginal_shape.cpp
-    marginals/marginal_special.cpp
-    marginals/marginal_steps.cpp
-    designs/nataf.cpp
+    marginals/normal.cpp
     marginals/normal_quantile.cpp
     marginals/normal_rule.cpp
+    marginals/shape_checks.cpp
+    marginals/triangular.cpp
+    marginals/uniform.cpp
+    marginals/weibull.cpp
     designs/sobol.cpp
     designs/stream.cpp)

@@ -2,9 +2,9 @@
 
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
+#include "uq/marginals/marginal_forms.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <optional>
@@ -26,55 +26,20 @@ struct Call {
     std::vector<Parameter> parameters;
 };
 
-/// Names of the parameters in the order in which they are made into a shape.
-struct Form {
-    std::string_view name;
-    std::array<std::string_view, 4> parameters; ///< empty: no more
-    uq::Shape (*shape)(std::span<const double>);
-};
+using uq::MarginalForm;
 
-double cov_of(double mean, double sd) { return sd / std::abs(mean); }
-
-// clang-format off
-constexpr std::array kForms = {
-    Form{"normal", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::normal_from_moments(p[0], p[1]); }},
-    Form{"normal", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::Normal{p[0], p[1]}; }},
-    Form{"lognormal", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::lognormal_from_moments(p[0], p[1]); }},
-    Form{"lognormal", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::lognormal_from_moments(p[0], cov_of(p[0], p[1])); }},
-    Form{"lognormal", {"median", "sigma_log"}, [](std::span<const double> p) -> uq::Shape { return uq::Lognormal{std::log(p[0]), p[1]}; }},
-    Form{"gumbel", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::gumbel_from_moments(p[0], p[1]); }},
-    Form{"gumbel", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::gumbel_from_moments(p[0], cov_of(p[0], p[1])); }},
-    Form{"gamma", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::gamma_from_moments(p[0], p[1]); }},
-    Form{"gamma", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::gamma_from_moments(p[0], cov_of(p[0], p[1])); }},
-    Form{"weibull", {"mean", "cov"}, [](std::span<const double> p) -> uq::Shape { return uq::weibull_from_moments(p[0], p[1]); }},
-    Form{"weibull", {"mean", "sd"}, [](std::span<const double> p) -> uq::Shape { return uq::weibull_from_moments(p[0], cov_of(p[0], p[1])); }},
-    Form{"weibull", {"shape", "scale"}, [](std::span<const double> p) -> uq::Shape { return uq::Weibull{p[0], p[1]}; }},
-    Form{"uniform", {"lower", "upper"}, [](std::span<const double> p) -> uq::Shape { return uq::Uniform{p[0], p[1]}; }},
-    Form{"triangular", {"lower", "mode", "upper"}, [](std::span<const double> p) -> uq::Shape { return uq::Triangular{p[0], p[1], p[2]}; }},
-    Form{"beta", {"mean", "cov", "lower", "upper"}, [](std::span<const double> p) -> uq::Shape { return uq::beta_from_moments(p[0], p[1], p[2], p[3]); }},
-    Form{"beta", {"mean", "sd", "lower", "upper"}, [](std::span<const double> p) -> uq::Shape { return uq::beta_from_moments(p[0], cov_of(p[0], p[1]), p[2], p[3]); }},
-};
-// clang-format on
-constexpr std::array<std::string_view, 3> kBare = {"cov", "sigma_log", "shape"};
-
-std::size_t count_of(const Form& f)
-{
-    return static_cast<std::size_t>(std::find(f.parameters.begin(), f.parameters.end(), "") -
-                                    f.parameters.begin());
-}
-
-std::string form_text(const Form& f)
+std::string form_text(const MarginalForm& f)
 {
     std::string text(f.name);
-    for (std::size_t i = 0; i < count_of(f); ++i)
-        text += (i == 0 ? "(" : ", ") + std::string(f.parameters[i]) + " ...";
+    for (std::size_t i = 0; i < f.parameters.size(); ++i)
+        text += (i == 0 ? "(" : ", ") + std::string(f.parameters[i].name) + " ...";
     return text + ")";
 }
 
 std::vector<std::string_view> form_names()
 {
     std::vector<std::string_view> names;
-    for (const Form& f : kForms)
+    for (const MarginalForm& f : uq::marginal_forms())
         if (names.empty() || names.back() != f.name) names.push_back(f.name);
     names.push_back("empirical");
     return names;
@@ -83,7 +48,7 @@ std::vector<std::string_view> form_names()
 std::string forms_of(std::string_view name)
 {
     std::string text;
-    for (const Form& f : kForms)
+    for (const MarginalForm& f : uq::marginal_forms())
         if (f.name == name) text += (text.empty() ? "" : " or ") + form_text(f);
     return text;
 }
@@ -129,8 +94,7 @@ std::optional<double> take(Call& call, std::string_view name, std::string_view u
     const auto is_it = [&](const Parameter& p) { return p.name == name; };
     const auto found = std::find_if(call.parameters.begin(), call.parameters.end(), is_it);
     if (found == call.parameters.end()) return {};
-    const bool bare = std::find(kBare.begin(), kBare.end(), name) != kBare.end();
-    const double value = parse_quantity(found->value, bare ? "" : unit);
+    const double value = parse_quantity(found->value, unit);
     call.parameters.erase(found);
     if (std::find_if(call.parameters.begin(), call.parameters.end(), is_it) !=
         call.parameters.end())
@@ -139,28 +103,28 @@ std::optional<double> take(Call& call, std::string_view name, std::string_view u
     return value;
 }
 
-bool fits(const Form& f, const Call& call)
+bool fits(const MarginalForm& f, const Call& call)
 {
-    if (f.name != call.name || count_of(f) != call.parameters.size()) return false;
+    if (f.name != call.name || f.parameters.size() != call.parameters.size()) return false;
     return std::all_of(call.parameters.begin(), call.parameters.end(), [&](const Parameter& p) {
-        return std::find(f.parameters.begin(), f.parameters.end(), p.name) !=
+        return std::ranges::find(f.parameters, p.name, &uq::ShapeParameter::name) !=
                f.parameters.end();
     });
 }
 
 uq::Shape shape_of(Call& call, std::string_view unit)
 {
-    for (const Form& f : kForms) {
+    for (const MarginalForm& f : uq::marginal_forms()) {
         if (!fits(f, call)) continue;
         std::vector<double> values;
-        for (std::size_t i = 0; i < count_of(f); ++i) {
-            const auto value = take(call, f.parameters[i], unit);
+        for (const uq::ShapeParameter& p : f.parameters) {
+            const auto value = take(call, p.name, p.bare ? "" : unit);
             if (!value) break; // one name twice
             values.push_back(*value);
         }
-        if (values.size() == count_of(f)) return f.shape(values);
+        if (values.size() == f.parameters.size()) return f.make(values);
     }
-    throw BadValue(in_quotes(call.text) + " has not the parameters of " +
+    throw BadValue(in_quotes(call.text) + " does not have the parameters of " +
                    std::string(call.name) + "; write " + forms_of(call.name) +
                    ", and from ..., to ... to cut it off");
 }
@@ -211,7 +175,7 @@ uq::Marginal parse_distribution(std::string_view text, std::string_view unit)
 std::string distribution_help()
 {
     std::string text = "In place of the number of a material, a distribution:\n";
-    for (const Form& f : kForms) text += "  " + form_text(f) + "\n";
+    for (const MarginalForm& f : uq::marginal_forms()) text += "  " + form_text(f) + "\n";
     return text +
            "  empirical(values)\n"
            "each with \", from ..., to ...\" to cut it off. Quantities carry their unit; "

@@ -1,9 +1,8 @@
 #include "uq/marginals/marginal.hpp"
 
-#include "uq/marginals/marginal_cut.hpp"
-#include "uq/marginals/marginal_shape.hpp"
-#include "uq/marginals/marginal_steps.hpp"
+#include "uq/marginals/discrete.hpp"
 #include "uq/marginals/normal_quantile.hpp"
+#include "uq/marginals/truncated.hpp"
 
 #include <gsl/gsl_cdf.h>
 
@@ -16,12 +15,6 @@
 
 namespace uq {
 namespace {
-
-template <class S>
-constexpr bool kStepped = std::is_same_v<S, Constant> || std::is_same_v<S, Empirical>;
-
-std::span<const double> values_of(const Constant& s) { return {&s.value, 1}; }
-std::span<const double> values_of(const Empirical& s) { return s.sorted; }
 
 /// What the cut leaves of the values.
 template <class S> std::span<const double> values(const S& s, const Marginal& m)
@@ -49,22 +42,22 @@ double kept(double p) { return std::max(p, std::numeric_limits<double>::min()); 
 template <class S> double from_normal(const S& s, const Marginal& m, double z)
 {
     const double tail = kept(gsl_cdf_ugaussian_P(-std::abs(z)));
-    if constexpr (kStepped<S>) {
-        return z <= 0.0 ? steps::quantile(values(s, m), tail)
-                        : steps::upper_quantile(values(s, m), tail);
+    if constexpr (Discrete<S>) {
+        return z <= 0.0 ? discrete::quantile(values(s, m), tail)
+                        : discrete::upper_quantile(values(s, m), tail);
     } else {
-        const shape::Cut c = shape::cut(s, m.lower, m.upper);
-        return z <= 0.0 ? shape::at_lower(s, c, tail) : shape::at_upper(s, c, tail);
+        const truncated::Cut c = truncated::cut(s, m.lower, m.upper);
+        return z <= 0.0 ? truncated::at_lower(s, c, tail) : truncated::at_upper(s, c, tail);
     }
 }
 
 template <class S> void fill_quantiles(const S& s, const Marginal& m, std::span<double> u)
 {
-    if constexpr (kStepped<S>) {
-        for (double& x : u) x = steps::quantile(values(s, m), x);
+    if constexpr (Discrete<S>) {
+        for (double& x : u) x = discrete::quantile(values(s, m), x);
     } else {
-        const shape::Cut c = shape::cut(s, m.lower, m.upper);
-        for (double& x : u) x = shape::quantile(s, c, x);
+        const truncated::Cut c = truncated::cut(s, m.lower, m.upper);
+        for (double& x : u) x = truncated::quantile(s, c, x);
     }
 }
 
@@ -81,12 +74,12 @@ double pdf(const Marginal& m, double x)
     check_number(x);
     return std::visit(
         [&](const auto& s) -> double {
-            if constexpr (kStepped<std::decay_t<decltype(s)>>) {
+            if constexpr (Discrete<std::decay_t<decltype(s)>>) {
                 throw std::invalid_argument(
                     "marginal: a constant or empirical variable has no density");
             } else {
-                const shape::Cut c = shape::cut(s, m.lower, m.upper);
-                return x < c.lower || x > c.upper ? 0.0 : shape::density(s, x) / c.mass;
+                const truncated::Cut c = truncated::cut(s, m.lower, m.upper);
+                return x < c.lower || x > c.upper ? 0.0 : density(s, x) / c.mass;
             }
         },
         m.shape);
@@ -97,10 +90,10 @@ double cdf(const Marginal& m, double x)
     check_number(x);
     return std::visit(
         [&](const auto& s) {
-            if constexpr (kStepped<std::decay_t<decltype(s)>>)
-                return steps::cdf(values(s, m), x);
+            if constexpr (Discrete<std::decay_t<decltype(s)>>)
+                return discrete::cdf(values(s, m), x);
             else
-                return shape::cdf(s, shape::cut(s, m.lower, m.upper), x);
+                return truncated::cdf(s, truncated::cut(s, m.lower, m.upper), x);
         },
         m.shape);
 }
@@ -110,10 +103,10 @@ double complement(const Marginal& m, double x)
     check_number(x);
     return std::visit(
         [&](const auto& s) {
-            if constexpr (kStepped<std::decay_t<decltype(s)>>)
-                return steps::complement(values(s, m), x);
+            if constexpr (Discrete<std::decay_t<decltype(s)>>)
+                return discrete::complement(values(s, m), x);
             else
-                return shape::complement(s, shape::cut(s, m.lower, m.upper), x);
+                return truncated::complement(s, truncated::cut(s, m.lower, m.upper), x);
         },
         m.shape);
 }
@@ -123,10 +116,10 @@ double quantile(const Marginal& m, double p)
     check_probability(p);
     return std::visit(
         [&](const auto& s) {
-            if constexpr (kStepped<std::decay_t<decltype(s)>>)
-                return steps::quantile(values(s, m), p);
+            if constexpr (Discrete<std::decay_t<decltype(s)>>)
+                return discrete::quantile(values(s, m), p);
             else
-                return shape::quantile(s, shape::cut(s, m.lower, m.upper), p);
+                return truncated::quantile(s, truncated::cut(s, m.lower, m.upper), p);
         },
         m.shape);
 }
@@ -136,10 +129,10 @@ double upper_quantile(const Marginal& m, double q)
     check_probability(q);
     return std::visit(
         [&](const auto& s) {
-            if constexpr (kStepped<std::decay_t<decltype(s)>>)
-                return steps::upper_quantile(values(s, m), q);
+            if constexpr (Discrete<std::decay_t<decltype(s)>>)
+                return discrete::upper_quantile(values(s, m), q);
             else
-                return shape::upper_quantile(s, shape::cut(s, m.lower, m.upper), q);
+                return truncated::upper_quantile(s, truncated::cut(s, m.lower, m.upper), q);
         },
         m.shape);
 }
@@ -183,13 +176,13 @@ double to_normal(const Marginal& m, double x)
     }
     return std::visit(
         [&](const auto& s) {
-            if constexpr (kStepped<std::decay_t<decltype(s)>>)
-                return normal_quantile(steps::middle(values(s, m), x));
+            if constexpr (Discrete<std::decay_t<decltype(s)>>)
+                return normal_quantile(discrete::middle(values(s, m), x));
             else {
-                const shape::Cut c = shape::cut(s, m.lower, m.upper);
-                const double p = shape::cdf(s, c, x);
+                const truncated::Cut c = truncated::cut(s, m.lower, m.upper);
+                const double p = truncated::cdf(s, c, x);
                 return p <= 0.5 ? normal_quantile(kept(p))
-                                : upper_normal_quantile(kept(shape::complement(s, c, x)));
+                                : upper_normal_quantile(kept(truncated::complement(s, c, x)));
             }
         },
         m.shape);

@@ -2,55 +2,13 @@
 /// Distributions of one variable. A distribution is a value; what it can do are free functions
 /// with the same names for all.
 
+#include "uq/marginals/shape.hpp"
+
 #include <limits>
 #include <span>
-#include <variant>
 #include <vector>
 
 namespace uq {
-
-struct Constant {
-    double value;
-};
-/// sd > 0
-struct Normal {
-    double mean, sd;
-};
-/// of ln x; sigma_log > 0
-struct Lognormal {
-    double mu_log, sigma_log;
-};
-/// lower < upper
-struct Uniform {
-    double lower, upper;
-};
-/// lower <= mode <= upper, lower < upper
-struct Triangular {
-    double lower, mode, upper;
-};
-/// alpha, beta > 0; lower < upper
-struct Beta {
-    double alpha, beta, lower, upper;
-};
-/// both > 0
-struct Gamma {
-    double shape, scale;
-};
-/// of minima; both > 0
-struct Weibull {
-    double shape, scale;
-};
-/// of maxima; scale > 0
-struct Gumbel {
-    double location, scale;
-};
-/// observations, at least one, ascending
-struct Empirical {
-    std::vector<double> sorted;
-};
-
-using Shape = std::variant<Constant, Normal, Lognormal, Uniform, Triangular, Beta, Gamma,
-                           Weibull, Gumbel, Empirical>;
 
 /// A shape, cut off outside [lower, upper] and scaled up to one.
 struct Marginal {
@@ -62,15 +20,6 @@ struct Marginal {
 /// @throws std::invalid_argument naming the parameter that is out of range, or a cut that leaves
 /// nothing. Every function below is for marginals that pass.
 void check(const Marginal& m);
-
-/// From mean and coefficient of variation = sd / |mean|. @throws std::invalid_argument
-[[nodiscard]] Normal normal_from_moments(double mean, double cov);
-[[nodiscard]] Lognormal lognormal_from_moments(double mean, double cov);
-[[nodiscard]] Uniform uniform_from_moments(double mean, double cov);
-[[nodiscard]] Gamma gamma_from_moments(double mean, double cov);
-[[nodiscard]] Weibull weibull_from_moments(double mean, double cov);
-[[nodiscard]] Gumbel gumbel_from_moments(double mean, double cov);
-[[nodiscard]] Beta beta_from_moments(double mean, double cov, double lower, double upper);
 
 /// @throws std::invalid_argument for x = nan, p or q outside (0, 1), and from pdf for a variable
 /// of separate values: it has no density.

@@ -1,105 +1,70 @@
-/// Parameters from mean and coefficient of variation.
+/// Mean and standard deviation: closed forms, or by integration on the standard normal axis,
+/// where every cut shape is smooth and of known extent.
 
 #include "uq/marginals/marginal.hpp"
-#include "uq/marginals/marginal_refusal.hpp"
 
-#include <boost/math/special_functions/gamma.hpp>
-#include <boost/math/tools/roots.hpp>
+#include "uq/marginals/discrete.hpp"
+#include "uq/marginals/normal_rule.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <string>
+#include <cstddef>
 
 namespace uq {
 namespace {
 
-void check_moments(const char* shape, double mean, double cov)
+template <Discrete S> MeanSd whole(const S& s)
 {
-    const std::string name(shape);
-    if (!std::isfinite(mean)) refuse((name + ": mean").c_str(), mean, "a finite number");
-    if (mean == 0.0)
-        refuse((name + ": mean").c_str(), mean,
-               "not 0, a coefficient of variation scales by it");
-    if (!(cov > 0.0 && std::isfinite(cov)))
-        refuse((name + ": coefficient of variation").c_str(), cov, "> 0");
+    return {discrete::mean(values_of(s)), discrete::sd(values_of(s))};
+}
+template <class S> MeanSd whole(const S& s) { return mean_sd(s); }
+
+MeanSd cut_values(const Empirical& s, const Marginal& m)
+{
+    const auto first = std::ranges::lower_bound(s.sorted, m.lower);
+    const std::span<const double> left(first, std::upper_bound(first, s.sorted.end(), m.upper));
+    return {discrete::mean(left), discrete::sd(left)};
 }
 
-void check_positive_mean(const char* shape, double mean, double cov)
+MeanSd integrated(const Marginal& m)
 {
-    check_moments(shape, mean, cov);
-    if (!(mean > 0.0)) refuse((std::string(shape) + ": mean").c_str(), mean, "> 0");
+    const NormalRule rule = normal_rule(kinks(m));
+    std::vector<double> x(rule.z.size());
+    std::ranges::transform(rule.z, x.begin(), [&](double z) { return from_normal(m, z); });
+    const double origin = from_normal(m, 0.0);
+    double mean = origin;
+    for (std::size_t i = 0; i < x.size(); ++i) mean += rule.weight[i] * (x[i] - origin);
+    double variance = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        variance += rule.weight[i] * (x[i] - mean) * (x[i] - mean);
+    return {mean, std::sqrt(variance)};
 }
 
-/// ln(1 + cov^2) of a Weibull of shape 1 / e.
-double weibull_spread(double e)
+MeanSd moments_of(const Marginal& m)
 {
-    return std::log1p(boost::math::tgamma1pm1(2.0 * e)) -
-           2.0 * std::log1p(boost::math::tgamma1pm1(e));
+    const bool uncut = std::isinf(m.lower) && std::isinf(m.upper);
+    if (uncut || std::holds_alternative<Constant>(m.shape))
+        return std::visit([](const auto& s) { return whole(s); }, m.shape);
+    if (const auto* s = std::get_if<Uniform>(&m.shape))
+        return mean_sd(Uniform{std::max(s->lower, m.lower), std::min(s->upper, m.upper)});
+    if (const auto* s = std::get_if<Empirical>(&m.shape)) return cut_values(*s, m);
+    return integrated(m);
 }
 
 } // namespace
 
-Normal normal_from_moments(double mean, double cov)
+std::vector<double> kinks(const Marginal& m)
 {
-    check_moments("normal", mean, cov);
-    return {mean, cov * std::abs(mean)};
+    return std::visit(
+        [&](const auto& s) -> std::vector<double> {
+            if constexpr (requires { kink(s); })
+                if (kink(s) > m.lower && kink(s) < m.upper) return {to_normal(m, kink(s))};
+            return {};
+        },
+        m.shape);
 }
 
-Lognormal lognormal_from_moments(double mean, double cov)
-{
-    check_positive_mean("lognormal", mean, cov);
-    const double variance = std::log1p(cov * cov);
-    return {std::log(mean) - 0.5 * variance, std::sqrt(variance)};
-}
-
-Uniform uniform_from_moments(double mean, double cov)
-{
-    check_moments("uniform", mean, cov);
-    const double half = std::numbers::sqrt3 * cov * std::abs(mean);
-    return {mean - half, mean + half};
-}
-
-Gamma gamma_from_moments(double mean, double cov)
-{
-    check_positive_mean("gamma", mean, cov);
-    return {1.0 / (cov * cov), mean * cov * cov};
-}
-
-Weibull weibull_from_moments(double mean, double cov)
-{
-    check_positive_mean("weibull", mean, cov);
-    constexpr double kSmallest = 1e-3, kLargest = 100.0;
-    if (!(cov >= kSmallest && cov <= kLargest))
-        refuse("weibull: coefficient of variation", cov, "in [0.001, 100]");
-    const double target = std::log1p(cov * cov);
-    std::uintmax_t steps = 200;
-    const auto bracket = boost::math::tools::toms748_solve(
-        [target](double e) { return weibull_spread(e) - target; }, 0.1 * kSmallest, 20.0,
-        boost::math::tools::eps_tolerance<double>(52), steps);
-    const double e = 0.5 * (bracket.first + bracket.second);
-    return {1.0 / e, mean / (1.0 + boost::math::tgamma1pm1(e))};
-}
-
-Gumbel gumbel_from_moments(double mean, double cov)
-{
-    check_moments("gumbel", mean, cov);
-    const double scale = cov * std::abs(mean) * (std::sqrt(6.0) / std::numbers::pi);
-    return {mean - std::numbers::egamma * scale, scale};
-}
-
-Beta beta_from_moments(double mean, double cov, double lower, double upper)
-{
-    check_moments("beta", mean, cov);
-    if (!(std::isfinite(lower) && std::isfinite(upper) && lower < mean && mean < upper))
-        refuse("beta: mean", mean, "between the ends, and these finite");
-    const double width = upper - lower;
-    const double m = (mean - lower) / width, rest = (upper - mean) / width;
-    const double s = cov * std::abs(mean) / width;
-    const double sum = m * rest / (s * s) - 1.0;
-    if (!(sum > 0.0))
-        refuse("beta: coefficient of variation", cov,
-               "below sqrt((mean - lower) (upper - mean)) / |mean|");
-    return {m * sum, rest * sum, lower, upper};
-}
+double mean(const Marginal& m) { return moments_of(m).mean; }
+double sd(const Marginal& m) { return moments_of(m).sd; }
 
 } // namespace uq

@@ -119,7 +119,7 @@ constexpr std::array kStudies = {
     BadStudy{"unknown distribution", "friction_angle = 31.8 deg", "friction_angle = norml(mean 31.8 deg, cov 0.20)",
         "study.ini:13: joint.friction_angle: unknown distribution \"norml\"; did you mean \"normal\"?"},
     BadStudy{"a parameter too few", "friction_angle = 31.8 deg", "friction_angle = normal(mean 31.8 deg)",
-        "study.ini:13: joint.friction_angle: \"normal(mean 31.8 deg)\" has not the parameters of normal; write normal(mean ..., cov ...) or normal(mean ..., sd ...), and from ..., to ... to cut it off"},
+        "study.ini:13: joint.friction_angle: \"normal(mean 31.8 deg)\" does not have the parameters of normal; write normal(mean ..., cov ...) or normal(mean ..., sd ...), and from ..., to ... to cut it off"},
     BadStudy{"a parameter without value", "friction_angle = 31.8 deg", "friction_angle = normal(mean, cov 0.20)",
         "study.ini:13: joint.friction_angle: \"mean\" in \"normal(mean, cov 0.20)\" has no value; write a name and a value, such as \"cov 0.30\""},
     BadStudy{"a parameter without unit", "friction_angle = 31.8 deg", "friction_angle = normal(mean 31.8, cov 0.20)",

@@ -1,10 +1,10 @@
-#include "uq/marginals/marginal_steps.hpp"
+#include "uq/marginals/discrete.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace uq::steps {
+namespace uq::discrete {
 namespace {
 
 double count(std::span<const double> v) { return static_cast<double>(v.size()); }
@@ -64,4 +64,4 @@ double middle(std::span<const double> v, double x)
     return std::clamp(p, 0.25 / count(v), 1.0 - 0.25 / count(v));
 }
 
-} // namespace uq::steps
+} // namespace uq::discrete

@@ -1,40 +1,20 @@
-/// Beta and gamma: their tails and inverses by Boost.Math (in long double), the inverses polished.
+#include "uq/marginals/beta.hpp"
 
-#include "uq/marginals/marginal_shape.hpp"
+#include "uq/marginals/boost_tails.hpp"
+#include "uq/marginals/shape_checks.hpp"
 
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-namespace uq::shape {
+namespace uq {
 namespace {
 
+using boost_tails::kQuiet;
+using boost_tails::solved;
 namespace bm = boost::math;
-using bm::policies::ignore_error;
-
-/// Nothing throws: ends of the support are met as 0 and infinity.
-constexpr bm::policies::policy<
-    bm::policies::domain_error<ignore_error>, bm::policies::pole_error<ignore_error>,
-    bm::policies::overflow_error<ignore_error>, bm::policies::evaluation_error<ignore_error>>
-    kQuiet{};
-
-/// Newton for ln tail(x) = ln p over ln x: exact where the tail is a power of x.
-/// @param tail P, @param slope dP/dx; of x
-template <class Tail, class Slope> double solved(double x, double p, Tail tail, Slope slope)
-{
-    constexpr int kSteps = 100; // 3 do from a start good to half the digits
-    for (int i = 0; i < kSteps; ++i) {
-        const double value = tail(x);
-        const double step = std::log(value / p) * (value / (x * slope(x)));
-        if (!std::isfinite(step)) break; // x is 0 or beyond what double holds
-        x *= std::exp(-step);
-        if (std::abs(step) < 4.0 * std::numeric_limits<double>::epsilon()) break;
-    }
-    return x;
-}
 
 /// Of the beta distribution over (0, 1): the quantile and its distance to one, both accurate.
 struct Split {
@@ -80,7 +60,27 @@ double between_ends(const Beta& s, const Split& at)
 
 } // namespace
 
-// Beta.
+void check(const Beta& s)
+{
+    require_positive("beta: alpha", s.alpha);
+    require_positive("beta: beta", s.beta);
+    require_ends("beta: upper end", s.lower, s.upper);
+}
+
+Beta beta_from_moments(double mean, double cov, double lower, double upper)
+{
+    require_moments("beta", mean, cov);
+    if (!(std::isfinite(lower) && std::isfinite(upper) && lower < mean && mean < upper))
+        refuse("beta: mean", mean, "between the ends, and these finite");
+    const double width = upper - lower;
+    const double m = (mean - lower) / width, rest = (upper - mean) / width;
+    const double s = cov * std::abs(mean) / width;
+    const double sum = m * rest / (s * s) - 1.0;
+    if (!(sum > 0.0))
+        refuse("beta: coefficient of variation", cov,
+               "below sqrt((mean - lower) (upper - mean)) / |mean|");
+    return {m * sum, rest * sum, lower, upper};
+}
 
 Range support(const Beta& s) { return {s.lower, s.upper}; }
 double density(const Beta& s, double x)
@@ -115,36 +115,24 @@ double at_upper(const Beta& s, double q)
     const Split mirrored = beta_quantile(s.beta, s.alpha, q);
     return between_ends(s, {mirrored.y, mirrored.t});
 }
-
-// Gamma.
-
-Range support(const Gamma&) { return {0.0, std::numeric_limits<double>::infinity()}; }
-double density(const Gamma& s, double x)
+MeanSd mean_sd(const Beta& s)
 {
-    if (x < 0.0) return 0.0;
-    return bm::gamma_p_derivative(s.shape, x / s.scale, kQuiet) / s.scale;
-}
-double lower_tail(const Gamma& s, double x)
-{
-    return x > 0.0 ? bm::gamma_p(s.shape, x / s.scale, kQuiet) : 0.0;
-}
-double upper_tail(const Gamma& s, double x)
-{
-    return x > 0.0 ? bm::gamma_q(s.shape, x / s.scale, kQuiet) : 1.0;
-}
-double at_lower(const Gamma& s, double p)
-{
-    return s.scale * solved(
-                         bm::gamma_p_inv(s.shape, p, kQuiet), p,
-                         [&](double t) { return bm::gamma_p(s.shape, t, kQuiet); },
-                         [&](double t) { return bm::gamma_p_derivative(s.shape, t, kQuiet); });
-}
-double at_upper(const Gamma& s, double q)
-{
-    return s.scale * solved(
-                         bm::gamma_q_inv(s.shape, q, kQuiet), q,
-                         [&](double t) { return bm::gamma_q(s.shape, t, kQuiet); },
-                         [&](double t) { return -bm::gamma_p_derivative(s.shape, t, kQuiet); });
+    const double sum = s.alpha + s.beta, width = s.upper - s.lower;
+    return {s.lower + width * (s.alpha / sum),
+            width / sum * std::sqrt(s.alpha * s.beta / (sum + 1.0))};
 }
 
-} // namespace uq::shape
+std::span<const ShapeForm<Beta>> forms(const Beta*)
+{
+    static constexpr ShapeForm<Beta> all[] = {
+        {{{{"mean"}, {"cov", true}, {"lower"}, {"upper"}}},
+         [](const double* p) { return beta_from_moments(p[0], p[1], p[2], p[3]); }},
+        {{{{"mean"}, {"sd"}, {"lower"}, {"upper"}}},
+         [](const double* p) {
+             return beta_from_moments(p[0], p[1] / std::abs(p[0]), p[2], p[3]);
+         }},
+    };
+    return all;
+}
+
+} // namespace uq

@@ -2,7 +2,7 @@
 /// A shape cut off outside [lower, upper] and scaled up to one, accurate in what is left: deep in
 /// a tail of the shape as well as close to a cut.
 
-#include "uq/marginals/marginal_shape.hpp"
+#include "uq/marginals/shape_form.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace uq::shape {
+namespace uq::truncated {
 
 /// Of the density from x to y, between which it changes little except as a power of the distance
 /// to an end of the support: Gauss-Legendre, on stretches that double this distance.
@@ -50,13 +50,6 @@ template <class S> [[nodiscard]] double between(const S& s, double x, double y)
     }
     if (difference > kShare * whole) return difference;
     return integral(s, x, y);
-}
-
-/// The density is made of straight lines.
-template <> [[nodiscard]] inline double between(const Triangular& s, double x, double y)
-{
-    if (x < s.mode && s.mode < y) return between(s, x, s.mode) + between(s, s.mode, y);
-    return 0.5 * (density(s, x) + density(s, y)) * (y - x);
 }
 
 /// What is left of a shape, with what is asked for again and again.
@@ -160,4 +153,4 @@ template <class S> [[nodiscard]] double upper_quantile(const S& s, const Cut& c,
     return q <= 0.5 ? at_upper(s, c, q) : at_lower(s, c, 1.0 - q);
 }
 
-} // namespace uq::shape
+} // namespace uq::truncated

@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace uq::steps {
+namespace uq::discrete {
 
 [[nodiscard]] double cdf(std::span<const double> v, double x);
 [[nodiscard]] double complement(std::span<const double> v, double x);
@@ -16,4 +16,4 @@ namespace uq::steps {
 /// Middle of the step at x: the mean of P(X < x) and P(X <= x). Inside (0, 1).
 [[nodiscard]] double middle(std::span<const double> v, double x);
 
-} // namespace uq::steps
+} // namespace uq::discrete
