@@ -6,9 +6,11 @@
 #include "app/input/number_text.hpp"
 #include "bench/machine.hpp"
 #include "bench/report.hpp"
+#include "uq/designs/design.hpp"
 #include "uq/designs/design_criteria.hpp"
-#include "uq/designs/inputs.hpp"
 #include "uq/designs/latin.hpp"
+#include "uq/marginals/marginal.hpp"
+#include "uq/marginals/normal_quantile.hpp"
 
 #include <iostream>
 #include <string>
@@ -17,17 +19,22 @@ namespace {
 
 constexpr int kRepeats = 11;
 
-uq::JointDistribution joint(int d)
+uq::Marginal marginal(int j)
 {
-    uq::Inputs inputs;
-    for (int j = 0; j < d; ++j)
-        inputs.variables.push_back(
-            {"x" + std::to_string(j + 1),
-             j % 2 == 0
-                 ? uq::Marginal{uq::normal_from_moments(bench::kNormalMean, bench::kNormalCov)}
-                 : uq::Marginal{uq::lognormal_from_moments(bench::kLognormalMean,
-                                                           bench::kLognormalCov)}});
-    return uq::joint_distribution(inputs);
+    if (j % 2 == 0) return {uq::normal_from_moments(bench::kNormalMean, bench::kNormalCov)};
+    return {uq::lognormal_from_moments(bench::kLognormalMean, bench::kLognormalCov)};
+}
+
+/// The design in physical units.
+Eigen::MatrixXd sample(const uq::Design& design)
+{
+    Eigen::MatrixXd x = uq::unit_cube(design);
+    uq::to_normal_quantiles({x.data(), static_cast<std::size_t>(x.size())});
+    for (int j = 0; j < design.d; ++j) {
+        const uq::Marginal m = marginal(j);
+        for (double& value : x.col(j)) value = uq::from_normal(m, value);
+    }
+    return x;
 }
 
 bench::SamplingTimes own_times()
@@ -35,25 +42,23 @@ bench::SamplingTimes own_times()
     using uq::DesignKind;
     bench::SamplingTimes t;
     t.name = "drystone";
-    const uq::JointDistribution few = joint(bench::kFewVariables),
-                                many = joint(bench::kManyVariables);
     const auto seed = [](int i) { return static_cast<std::uint64_t>(i); };
     const auto many_of = [&](DesignKind kind) {
         return bench::median_cpu_ms(kRepeats, [&](int i) {
-            static_cast<void>(uq::sample(
-                many, {kind, {bench::kManySamples}, bench::kManyVariables, seed(i)}));
+            static_cast<void>(
+                sample({kind, {bench::kManySamples}, bench::kManyVariables, seed(i)}));
         });
     };
-    t.few_latin = bench::median_cpu_ms(101,
-                                       [&](int i) {
-                                           for (int k = 0; k < 20; ++k)
-                                               static_cast<void>(
-                                                   uq::sample(few, {DesignKind::latin_random,
-                                                                    {bench::kFewSamples},
-                                                                    bench::kFewVariables,
-                                                                    seed(20 * i + k)}));
-                                       }) /
-                  20.0;
+    t.few_latin =
+        bench::median_cpu_ms(101,
+                             [&](int i) {
+                                 for (int k = 0; k < 20; ++k)
+                                     static_cast<void>(sample({DesignKind::latin_random,
+                                                               {bench::kFewSamples},
+                                                               bench::kFewVariables,
+                                                               seed(20 * i + k)}));
+                             }) /
+        20.0;
     t.many_latin = many_of(DesignKind::latin_random);
     t.many_independent = many_of(DesignKind::monte_carlo);
     t.many_sobol = many_of(DesignKind::sobol);

@@ -3,10 +3,6 @@ set(UQ_ANALYSIS_SOURCES
     estimates/estimate.cpp
     estimates/estimate_critical.cpp
     estimates/estimate_probability.cpp
-    fields/field.cpp
-    fields/field_basis.cpp
-    fields/field_product.cpp
-    fields/kernel.cpp
     estimates/quantile_estimate.cpp
     sensitivity/regression.cpp
     sensitivity/regression_bootstrap.cpp

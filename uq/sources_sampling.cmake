@@ -3,10 +3,10 @@ set(UQ_SAMPLING_SOURCES
     designs/design.cpp
     designs/design_criteria.cpp
     designs/iman_conover.cpp
-    designs/inputs.cpp
     designs/latin.cpp
     designs/latin_annealing.cpp
     designs/nataf.cpp
+    designs/normal_copula.cpp
     marginals/beta.cpp
     marginals/constant.cpp
     marginals/discrete.cpp
@@ -26,4 +26,9 @@ set(UQ_SAMPLING_SOURCES
     marginals/uniform.cpp
     marginals/weibull.cpp
     designs/sobol.cpp
-    designs/stream.cpp)
+    designs/spatial_sample.cpp
+    designs/stream.cpp
+    fields/field.cpp
+    fields/field_basis.cpp
+    fields/field_product.cpp
+    fields/kernel.cpp)

@@ -3,7 +3,7 @@
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
 #include "app/reliability/event.hpp"
-#include "uq/designs/inputs.hpp"
+#include "uq/designs/normal_copula.hpp"
 #include "uq/reliability/external_program.hpp"
 
 #include <algorithm>
@@ -92,18 +92,18 @@ void refuse_unknown(const StudyFile& file)
     }
 }
 
-uq::Inputs inputs_of(const StudyFile& file)
+std::vector<uq::Variable> inputs_of(const StudyFile& file)
 {
-    uq::Inputs inputs;
+    std::vector<uq::Variable> inputs;
     for (const Entry& e : file.entries) {
         if (section_of(e.key) != "variables") continue;
         const uq::Marginal m = at(file, e.key, [](const std::string& v) {
             return is_distribution(v) ? parse_distribution(v, "")
                                       : uq::Marginal{uq::Constant{parse_quantity(v, "")}};
         });
-        inputs.variables.push_back({std::string(name_in_section(e.key)), m});
+        inputs.push_back({std::string(name_in_section(e.key)), m});
     }
-    if (inputs.variables.empty())
+    if (inputs.empty())
         throw error_at(
             file, "variables.name",
             "no variable; write e.g. \"friction = normal(mean 31.8, cov 0.20)\" under "
@@ -124,20 +124,21 @@ ReliabilityMethod method_of(const StudyFile& file)
                        " is none of monte_carlo, form, importance and subset");
 }
 
-uq::Map map_of(const StudyFile& file, const uq::Inputs& inputs)
+uq::Map map_of(const StudyFile& file, const std::vector<uq::Variable>& inputs)
 {
     if (find_entry(file, "uq.pearson") != nullptr)
         throw error_at(file, "uq.pearson", "not read for another program in this version");
-    const uq::JointDistribution joint = uq::joint_distribution(inputs);
-    return [joint](const Eigen::MatrixXd& u) {
-        Eigen::MatrixXd x(u.rows(), u.cols());
-        for (Eigen::Index i = 0; i < u.rows(); ++i)
-            x.row(i) = from_standard_normal(joint, u.row(i).transpose()).transpose();
+    return [inputs](const Eigen::MatrixXd& u) {
+        Eigen::MatrixXd x = u;
+        for (std::size_t j = 0; j < inputs.size(); ++j)
+            for (double& value : x.col(static_cast<Eigen::Index>(j)))
+                value = uq::from_normal(inputs[j].marginal, value);
         return x;
     };
 }
 
-uq::ExternalProgram program_of(const StudyFile& file, const uq::Inputs& inputs, int threads)
+uq::ExternalProgram program_of(const StudyFile& file, const std::vector<uq::Variable>& inputs,
+                               int threads)
 {
     uq::ExternalProgram p;
     p.command =
@@ -145,7 +146,7 @@ uq::ExternalProgram program_of(const StudyFile& file, const uq::Inputs& inputs, 
     std::istringstream names(text_of(file, "model.responses", "responses = capacity"));
     for (std::string name; std::getline(names, name, ',');)
         p.responses.emplace_back(trimmed(name));
-    for (const uq::Variable& v : inputs.variables) p.parameters.push_back(v.name);
+    for (const uq::Variable& v : inputs) p.parameters.push_back(v.name);
     p.concurrent = count_of(file, "model.concurrent", threads);
     p.retries = count_of(file, "model.retries", 0);
     if (const Entry* e = find_entry(file, "model.time_limit"))
@@ -165,11 +166,11 @@ bool is_external(const StudyFile& file)
 ReliabilityProblem external_problem(const StudyFile& file, const Command& command)
 {
     refuse_unknown(file);
-    const uq::Inputs inputs = inputs_of(file);
+    const std::vector<uq::Variable> inputs = inputs_of(file);
     const uq::ExternalProgram program = program_of(file, inputs, command.threads);
     ReliabilityProblem p;
     p.event.to_physical = map_of(file, inputs);
-    p.event.dimension = static_cast<Eigen::Index>(inputs.variables.size());
+    p.event.dimension = static_cast<Eigen::Index>(inputs.size());
     const Entry* response = find_entry(file, "reliability.response");
     const std::string name = response != nullptr ? response->value : program.responses.front();
     const auto found = std::find(program.responses.begin(), program.responses.end(), name);
@@ -185,7 +186,7 @@ ReliabilityProblem external_problem(const StudyFile& file, const Command& comman
     const bool above = event != nullptr && event->value == "above";
     p.event.passing = above ? uq::Passing::at_or_above : uq::Passing::at_or_below;
     p.words = name + (above ? " >= " : " <= ") + find_entry(file, "reliability.demand")->value;
-    for (const uq::Variable& v : inputs.variables) p.inputs.push_back(v.name);
+    for (const uq::Variable& v : inputs) p.inputs.push_back(v.name);
     p.normal = p.inputs;
     p.method = method_of(file);
     p.budget = count_of(file, "reliability.budget", p.budget);

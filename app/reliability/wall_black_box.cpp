@@ -73,7 +73,7 @@ uq::Map wall_map(const Study& study, const SamplePlan& plan)
         uq::Stream unused(0, 0, uq::Purpose::field);
         for (Eigen::Index i = 0; i < u.rows(); ++i) {
             const std::vector<double> row =
-                flattened(draw_at(plan, u.row(i).transpose(), unused));
+                flattened({uq::draw(plan.values, u.row(i).transpose(), unused)});
             if (i == 0) x.resize(u.rows(), static_cast<Eigen::Index>(row.size()));
             x.row(i) = Eigen::Map<const Eigen::RowVectorXd>(
                 row.data(), static_cast<Eigen::Index>(row.size()));

@@ -90,19 +90,19 @@ ReliabilityProblem wall_problem(const Study& given, const Command& command)
     ReliabilityProblem p;
     p.event.model = wall_model(study, plan, level, command.threads);
     p.event.to_physical = wall_map(study, plan);
-    p.event.dimension = plan.n_columns;
+    p.event.dimension = plan.values.n_columns;
     p.event.response = static_cast<Eigen::Index>(study.reliability.response);
     p.event.threshold = demand.value;
     const double stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
     p.words = demand.words + " under " + number(stress * 1e-6, 12) + " MPa";
     for (const Column& c : input_columns(plan))
         p.inputs.push_back(c.name + " [" + c.unit + "]");
-    p.normal.resize(static_cast<std::size_t>(plan.n_columns));
-    for (std::size_t i = 0; i < plan.columns.size(); ++i)
-        for (std::size_t c = 0; c < plan.columns[i].size(); ++c)
-            p.normal[static_cast<std::size_t>(plan.columns[i][c])] =
-                plan.inputs[i].key +
-                (plan.columns[i].size() > 1 ? "." + std::to_string(c + 1) : "");
+    const auto& columns = plan.values.columns; // of the design, of each input
+    p.normal.resize(static_cast<std::size_t>(plan.values.n_columns));
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        for (std::size_t c = 0; c < columns[i].size(); ++c)
+            p.normal[static_cast<std::size_t>(columns[i][c])] =
+                plan.inputs[i].key + (columns[i].size() > 1 ? "." + std::to_string(c + 1) : "");
     p.method = study.reliability.method;
     p.budget = study.reliability.budget;
     p.target_cov = study.reliability.target_cov;

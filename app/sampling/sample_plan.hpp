@@ -3,8 +3,7 @@
 
 #include "app/input/study.hpp"
 #include "app/sampling/wall_draw.hpp"
-#include "uq/designs/stream.hpp"
-#include "uq/fields/field_basis.hpp"
+#include "uq/designs/spatial_sample.hpp"
 
 #include <Eigen/Core>
 
@@ -14,20 +13,14 @@
 
 namespace app {
 
-/// Everything the draws of a study have in common. Each input has coordinates: one, or one for each
-/// of the joints over which it varies, or as many as its random field needs. Column by column of the
-/// design come the first coordinates of all inputs, then their second ones, ...: a study that is not
-/// spatial has the first columns of the spatial one.
+/// Everything that the draws of a study have in common.
 struct SamplePlan {
     Spatial spatial = Spatial::none;
     std::vector<RandomInput> inputs;
-    std::vector<int> n_values;             ///< per wall, of each input
-    std::vector<std::vector<int>> columns; ///< of the design, of each input
-    int n_columns = 0;
-    uq::FieldBasis joints, cracks;       ///< with Spatial::correlated
-    Eigen::MatrixXd mixing;              ///< of the inputs' coordinates; empty: none to be done
-    std::vector<std::uint64_t> seeds;    ///< of each level
-    std::vector<Eigen::MatrixXd> design; ///< of each level: samples x n_columns, in (0, 1)
+    uq::SpatialPlan values;           ///< of the inputs, in their order
+    std::vector<std::uint64_t> seeds; ///< of each level
+    std::vector<Eigen::MatrixXd>
+        design; ///< of each level: samples x values.n_columns, in (0, 1)
 };
 
 /// Seed of the design of a stress level: it belongs to the stress, not to its place in the list.
@@ -40,12 +33,6 @@ struct SamplePlan {
 
 /// @param sample in [0, samples)
 [[nodiscard]] WallDraw draw(const SamplePlan& plan, int level, int sample);
-
-/// The draw at given coordinates.
-/// @param normal n_columns standard normal values
-/// @param random for Spatial::stratified alone, which draws inside the wall
-[[nodiscard]] WallDraw draw_at(const SamplePlan& plan, const Eigen::VectorXd& normal,
-                               uq::Stream& random);
 
 /// All values of a draw in one row, input by input.
 [[nodiscard]] std::vector<double> flattened(const WallDraw& draw);

@@ -63,18 +63,17 @@ void read_pair(const Study& study, const std::string& item, Eigen::MatrixXd& r)
 
 } // namespace
 
-std::optional<uq::JointDistribution> dependence_of(const Study& study)
+std::optional<uq::NormalCopula> dependence_of(const Study& study)
 {
     if (study.uq.pearson.empty()) return {};
     const auto n = static_cast<Eigen::Index>(study.random.size());
-    uq::Inputs inputs;
-    for (const RandomInput& r : study.random) inputs.variables.push_back({r.key, r.marginal});
-    inputs.dependence = {uq::DependenceKind::pearson, Eigen::MatrixXd::Identity(n, n)};
+    std::vector<uq::Variable> variables;
+    for (const RandomInput& r : study.random) variables.push_back({r.key, r.marginal});
+    Eigen::MatrixXd pearson = Eigen::MatrixXd::Identity(n, n);
     std::istringstream list(study.uq.pearson);
-    for (std::string item; std::getline(list, item, ',');)
-        read_pair(study, item, inputs.dependence.correlation);
+    for (std::string item; std::getline(list, item, ',');) read_pair(study, item, pearson);
     try {
-        return uq::joint_distribution(inputs);
+        return uq::normal_copula(variables, pearson);
     } catch (const std::invalid_argument& bad) {
         refuse(study, bad.what());
     }

@@ -101,8 +101,9 @@ std::vector<Column> input_columns(const SamplePlan& plan)
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
         const std::string& key = plan.inputs[i].key;
         const std::string unit(unit_of(key));
-        if (plan.n_values[i] == 1) columns.push_back({key, unit, "of the whole wall"});
-        for (int id = 1; plan.n_values[i] > 1 && id <= plan.n_values[i]; ++id)
+        const int sites = plan.values.inputs[i].sites;
+        if (sites == 1) columns.push_back({key, unit, "of the whole wall"});
+        for (int id = 1; sites > 1 && id <= sites; ++id)
             columns.push_back({key + "." + std::to_string(id), unit,
                                plan.inputs[i].varies == Varies::by_joint ? "of this joint ID"
                                                                          : "of this crack ID"});

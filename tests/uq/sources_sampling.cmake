@@ -3,11 +3,12 @@ set(TEST_UQ_SAMPLING_SOURCES
     uq/test_design.cpp
     uq/test_design_criteria.cpp
     uq/test_iman_conover.cpp
-    uq/test_inputs.cpp
     uq/test_latin.cpp
     uq/test_latin_annealing.cpp
     uq/test_marginal.cpp
     uq/test_nataf.cpp
+    uq/test_normal_copula.cpp
     uq/test_normal_quantile.cpp
     uq/test_sobol.cpp
+    uq/test_spatial_sample.cpp
     uq/test_stream.cpp)

@@ -45,20 +45,6 @@ TEST_CASE("marginal: quantiles from either tail lead back to 12 digits, down to 
     }
 }
 
-TEST_CASE("marginal: many quantiles at once are those of one by one, to the bit",
-          "[uq][marginal]")
-{
-    const std::vector<double> p{1e-300, 1e-12, 0.03, 0.2, 0.5, 0.8, 0.97, 1.0 - 1e-12};
-    for (const scenes::MarginalPoint& r : scenes::marginal_points()) {
-        CAPTURE(r.marginal.shape.index(), r.marginal.lower);
-        std::vector<double> x = p;
-        to_quantiles(r.marginal, x);
-        for (std::size_t i = 0; i < p.size(); ++i) CHECK(x[i] == quantile(r.marginal, p[i]));
-    }
-    std::vector<double> bad{0.5, 1.0};
-    CHECK_THROWS_AS(to_quantiles({Normal{0.0, 1.0}}, bad), std::invalid_argument);
-}
-
 TEST_CASE("marginal: the normal axis leads to the same point and back", "[uq][marginal]")
 {
     for (const scenes::MarginalPoint& r : scenes::marginal_points()) {

@@ -146,9 +146,4 @@ double normal_correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b, do
     return 0.5 * (bracket.first + bracket.second);
 }
 
-double normal_correlation_of_ranks(double rho_s)
-{
-    return 2.0 * std::sin(std::numbers::pi / 6.0 * rho_s);
-}
-
 } // namespace uq

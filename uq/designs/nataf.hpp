@@ -32,7 +32,4 @@ namespace uq {
 [[nodiscard]] double normal_correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
                                         double rho);
 
-/// rho_z = 2 sin(pi rho_s / 6) gives Spearman's rho_s whatever the (continuous) marginals.
-[[nodiscard]] double normal_correlation_of_ranks(double rho_s);
-
 } // namespace uq

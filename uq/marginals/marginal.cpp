@@ -51,16 +51,6 @@ template <class S> double from_normal(const S& s, const Marginal& m, double z)
     }
 }
 
-template <class S> void fill_quantiles(const S& s, const Marginal& m, std::span<double> u)
-{
-    if constexpr (Discrete<S>) {
-        for (double& x : u) x = discrete::quantile(values(s, m), x);
-    } else {
-        const truncated::Cut c = truncated::cut(s, m.lower, m.upper);
-        for (double& x : u) x = truncated::quantile(s, c, x);
-    }
-}
-
 bool whole(const Marginal& m)
 {
     return m.lower == -std::numeric_limits<double>::infinity() &&
@@ -135,24 +125,6 @@ double upper_quantile(const Marginal& m, double q)
                 return truncated::upper_quantile(s, truncated::cut(s, m.lower, m.upper), q);
         },
         m.shape);
-}
-
-void to_quantiles(const Marginal& m, std::span<double> u)
-{
-    for (const double p : u) check_probability(p);
-    if (whole(m)) { // the same bits by a shorter way
-        if (const auto* s = std::get_if<Normal>(&m.shape)) {
-            to_normal_quantiles(u);
-            for (double& x : u) x = s->mean + s->sd * x;
-            return;
-        }
-        if (const auto* s = std::get_if<Lognormal>(&m.shape)) {
-            to_normal_quantiles(u);
-            for (double& x : u) x = std::exp(s->mu_log + s->sigma_log * x);
-            return;
-        }
-    }
-    std::visit([&](const auto& s) { fill_quantiles(s, m, u); }, m.shape);
 }
 
 double from_normal(const Marginal& m, double z)

@@ -5,7 +5,6 @@
 #include "uq/marginals/shape.hpp"
 
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace uq {
@@ -29,8 +28,6 @@ void check(const Marginal& m);
 /// x with cdf(x) = p, p in (0, 1); and with complement(x) = q, accurate for q down to 1e-300.
 [[nodiscard]] double quantile(const Marginal& m, double p);
 [[nodiscard]] double upper_quantile(const Marginal& m, double q);
-/// quantile() of every entry, in place.
-void to_quantiles(const Marginal& m, std::span<double> u);
 [[nodiscard]] double mean(const Marginal& m);
 [[nodiscard]] double sd(const Marginal& m);
 
