@@ -106,7 +106,7 @@ struct UqInput {
     std::string pearson;           ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
 };
 
-enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity };
+enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity, sobol };
 
 enum class WallResponse { peak_force, ultimate_displacement, ultimate_drift };
 
@@ -115,7 +115,7 @@ struct ReliabilityInput {
     ReliabilityMethod method = ReliabilityMethod::monte_carlo;
     WallResponse response = WallResponse::peak_force;
     std::string demand;       ///< "40 kN", "15 mm", or a drift in percent: "1.2"
-    int budget = 1000;        ///< evaluations at most, >= 1
+    int budget = 1000;        ///< evaluations at most, >= 10
     double target_cov = 0.10; ///< stop once the probability is known as well [-]
     dem::Fidelity cheap = dem::Fidelity::rigid; ///< of the cheap model
 };

@@ -23,7 +23,8 @@ constexpr std::array kMethods = {named("monte_carlo", ReliabilityMethod::monte_c
                                  named("form", ReliabilityMethod::form),
                                  named("importance", ReliabilityMethod::importance),
                                  named("subset", ReliabilityMethod::subset),
-                                 named("multi_fidelity", ReliabilityMethod::multi_fidelity)};
+                                 named("multi_fidelity", ReliabilityMethod::multi_fidelity),
+                                 named("sobol", ReliabilityMethod::sobol)};
 constexpr std::array kWallResponses = {
     named("peak_force", WallResponse::peak_force),
     named("ultimate_displacement", WallResponse::ultimate_displacement),
@@ -94,7 +95,7 @@ constexpr std::array kKeys = {
         .field = kAt<&Study::uq, &UqInput::pearson>},
 
     Key{.name = "reliability.method", .kind = Kind::word, .names = kMethods,
-        .meaning = "form: design point, FORM and SORM; importance: sampling around it; subset: small probabilities",
+        .meaning = "form: design point, FORM and SORM; importance: sampling around it; subset: small probabilities; sobol: what the response depends on",
         .field = kAt<&Study::reliability, &ReliabilityInput::method>},
     Key{.name = "reliability.response", .kind = Kind::word, .names = kWallResponses,
         .meaning = "that is to fall to the demand or below; ultimate: 80 % of the peak",
@@ -104,10 +105,10 @@ constexpr std::array kKeys = {
         .meaning = "40 kN, 15 mm, or 1.2 for a drift of 1.2 %",
         .field = kAt<&Study::reliability, &ReliabilityInput::demand>},
     Key{.name = "reliability.budget", .kind = Kind::count, .range = {'[', 10, 1e8, ']'},
-        .meaning = "walls at most; subset: per level; multi_fidelity: their cost",
+        .meaning = "walls at most; multi_fidelity: their cost in all",
         .field = kAt<&Study::reliability, &ReliabilityInput::budget>},
     Key{.name = "reliability.target_cov", .range = {'(', 0, 10, ']'},
-        .meaning = "stops once the probability has this coefficient of variation",
+        .meaning = "coefficient of variation that the probability should have: sampling stops there",
         .field = kAt<&Study::reliability, &ReliabilityInput::target_cov>},
     Key{.name = "reliability.cheap", .kind = Kind::word, .names = kFidelities,
         .meaning = "fidelity of the cheap model of multi_fidelity",

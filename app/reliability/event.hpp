@@ -20,8 +20,8 @@ struct ReliabilityProblem {
     std::vector<uq::CheapModel>
         cheap; ///< for multi_fidelity; cost relative to the event's model
     ReliabilityMethod method = ReliabilityMethod::monte_carlo;
-    int budget = 1000;
-    double target_cov = 0.1;
+    int budget = 1000;       ///< evaluations at most
+    double target_cov = 0.1; ///< of the probability [-]; not used by form, multi_fidelity
     std::uint64_t seed = 1;
 };
 

@@ -1,25 +1,37 @@
 #include "app/reliability/methods.hpp"
 
+#include "uq/designs/sobol.hpp"
+#include "uq/marginals/normal_quantile.hpp"
 #include "uq/reliability/crude_monte_carlo.hpp"
+#include "uq/reliability/evaluate.hpp"
 #include "uq/reliability/exceedance.hpp"
 #include "uq/reliability/form.hpp"
 #include "uq/reliability/importance_sampling.hpp"
 #include "uq/reliability/sorm.hpp"
 #include "uq/reliability/subset_simulation.hpp"
 #include "uq/sensitivity/regression.hpp"
+#include "uq/sensitivity/sobol_indices.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <utility>
 
 namespace app {
 namespace {
+
+constexpr Eigen::Index kBatch = 100; ///< evaluations asked for at a time
+/// Levels that the budget of subset simulation is meant for: probabilities down to about 1e-5.
+constexpr int kSubsetLevels = 5;
 
 std::string words(uq::SamplingOutcome o)
 {
     switch (o) {
     case uq::SamplingOutcome::target_reached:
-        return "as sharp as asked for";
+        return "target coefficient of variation reached";
     case uq::SamplingOutcome::limit_reached:
-        return "budget used up first";
+        return "budget used up before the target was reached";
     case uq::SamplingOutcome::none_passed:
         return "the event was never seen: an upper bound";
     case uq::SamplingOutcome::all_passed:
@@ -32,8 +44,14 @@ std::string words(uq::SamplingOutcome o)
 
 std::string words(const uq::FormResult& r)
 {
-    if (r.outcome == uq::FormOutcome::agreed) return "two searches agree";
+    if (r.outcome == uq::FormOutcome::agreed && r.reason.empty()) return "two searches agree";
     return r.reason;
+}
+
+std::size_t left(const ReliabilityProblem& p, const ReliabilityAnswer& a)
+{
+    const auto budget = static_cast<std::size_t>(p.budget);
+    return budget - std::min(budget, a.evaluations);
 }
 
 void take(const uq::Ledger& ledger, ReliabilityAnswer& a)
@@ -66,24 +84,40 @@ void add(const std::string& method, const uq::Exceedance& e, ReliabilityAnswer& 
     take(e.ledger, a);
 }
 
-/// Design point first; @return what was found
-uq::FormResult search(const ReliabilityProblem& p, ReliabilityAnswer& a)
+void take(const uq::FormResult& r, const ReliabilityProblem& p, ReliabilityAnswer& a)
+{
+    for (const uq::DesignPoint& point : r.points) {
+        const Eigen::MatrixXd u = point.at.u.transpose();
+        a.points.push_back(
+            {point.beta, point.at.u,
+             p.event.to_physical ? p.event.to_physical(u).row(0).transpose() : point.at.u});
+    }
+    if (r.points.empty()) return;
+    const Eigen::VectorXd share = uq::importance_factors(r.points.front());
+    Sensitivity s{"share of the variance of the linearised event, alpha^2", {}};
+    for (Eigen::Index i = 0; i < share.size(); ++i)
+        s.shares.push_back({p.normal[static_cast<std::size_t>(i)], share(i), {}, {}, {}});
+    a.sensitivities.push_back(std::move(s));
+}
+
+/// FORM, within `budget` evaluations.
+uq::FormResult search(const ReliabilityProblem& p, std::size_t budget, ReliabilityAnswer& a)
 {
     uq::FormOptions o;
     o.seed = p.seed;
+    o.max_evaluations = budget;
     uq::FormResult r = uq::form(p.event, o);
     take(r.ledger, a);
+    take(r, p, a);
     MethodAnswer m;
     m.method = "FORM";
     m.outcome = words(r);
     if (r.outcome == uq::FormOutcome::agreed) m.probability = uq::probability(r.points.front());
     a.methods.push_back(m);
-    if (!r.points.empty()) {
-        const Eigen::VectorXd share = uq::importance_factors(r.points.front());
-        a.share_name = "share of the variance of the linearised event, alpha^2";
-        for (Eigen::Index i = 0; i < share.size(); ++i)
-            a.shares.push_back({p.normal[static_cast<std::size_t>(i)], share(i), {}, {}});
-    }
+    if (r.points.size() > 1)
+        a.warnings.push_back(std::to_string(r.points.size()) +
+                             " design points were found: FORM gives the probability of the "
+                             "nearest one alone; method = importance takes all of them");
     return r;
 }
 
@@ -91,6 +125,13 @@ void second_order(const ReliabilityProblem& p, const uq::FormResult& first,
                   ReliabilityAnswer& a)
 {
     if (first.outcome != uq::FormOutcome::agreed) return;
+    const auto d = static_cast<std::size_t>(p.event.dimension);
+    if (const std::size_t needed = 2 * (d - 1) * (d - 1) + 1; needed > left(p, a)) {
+        a.warnings.push_back("SORM was left out: it needs " + std::to_string(needed) +
+                             " evaluations, and " + std::to_string(left(p, a)) +
+                             " of the budget are left");
+        return;
+    }
     const uq::SormResult r = uq::sorm(p.event, first.points.front());
     take(r.ledger, a);
     const auto one = [&](const char* name, const std::optional<double>& value) {
@@ -112,11 +153,15 @@ void important(const ReliabilityProblem& p, const uq::FormResult& first, Reliabi
         a.warnings.emplace_back("no design point was found: no importance sampling");
         return;
     }
+    if (left(p, a) == 0) {
+        a.warnings.emplace_back("the budget was used up by the search: no importance sampling");
+        return;
+    }
     Eigen::MatrixXd centres(static_cast<Eigen::Index>(first.points.size()), p.event.dimension);
     for (Eigen::Index i = 0; i < centres.rows(); ++i)
         centres.row(i) = first.points[static_cast<std::size_t>(i)].at.u.transpose();
     uq::ImportanceOptions o;
-    o.max_samples = static_cast<std::size_t>(p.budget);
+    o.max_samples = left(p, a);
     o.batch = std::min<std::size_t>(o.batch, o.max_samples);
     o.target_cov = p.target_cov;
     o.seed = p.seed;
@@ -136,7 +181,9 @@ void plain(const ReliabilityProblem& p, ReliabilityAnswer& a)
 void subsets(const ReliabilityProblem& p, ReliabilityAnswer& a)
 {
     uq::SubsetOptions o;
-    o.samples = static_cast<std::size_t>(p.budget) / 10 * 10;
+    o.samples = static_cast<std::size_t>(p.budget) / (10 * kSubsetLevels) * 10;
+    o.max_evaluations = static_cast<std::size_t>(p.budget);
+    o.target_cov = p.target_cov;
     o.seed = p.seed;
     add("subset simulation", uq::subset_simulation(p.event, o).exceedance, a);
 }
@@ -166,57 +213,154 @@ void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
     a.methods.push_back(alone);
 }
 
+/// First-order and total indices, and the probability from the rows that are independent.
+void variance_shares(const ReliabilityProblem& p, ReliabilityAnswer& a)
+{
+    const Eigen::Index d = p.event.dimension, n = p.budget / (d + 2);
+    const Eigen::MatrixXd cube = uq::sobol(0, n, 2 * static_cast<int>(d), p.seed);
+    const Eigen::MatrixXd u =
+        uq::pick_freeze(cube.leftCols(d), cube.rightCols(d)).unaryExpr(&uq::normal_quantile);
+    uq::Ledger ledger;
+    Eigen::VectorXd g(u.rows());
+    for (Eigen::Index first = 0; first < u.rows(); first += kBatch) {
+        const Eigen::Index rows = std::min<Eigen::Index>(kBatch, u.rows() - first);
+        g.segment(first, rows) = uq::limit_values(p.event, u.middleRows(first, rows), ledger);
+    }
+    const Eigen::ArrayXd independent = g.head(2 * n);
+    const auto passed = static_cast<std::size_t>((independent <= 0.0).count()); // NaN is not
+    const auto failed = static_cast<std::size_t>(independent.isNaN().count());
+    uq::Exceedance e =
+        uq::count_exceedance(passed, failed, static_cast<std::size_t>(2 * n), 0.95);
+    if (e.outcome == uq::SamplingOutcome::limit_reached &&
+        uq::coefficient_of_variation(e.estimate) <= p.target_cov)
+        e.outcome = uq::SamplingOutcome::target_reached;
+    e.ledger = std::move(ledger);
+    add("Sobol' points", e, a);
+    Sensitivity one{"first-order Sobol' index: share of the variance by this input alone", {}};
+    Sensitivity all{"total Sobol' index: share with all interactions of this input", {}};
+    uq::SobolIndices s;
+    try {
+        s = uq::sobol_indices(g, d);
+    } catch (const std::invalid_argument& none) {
+        a.warnings.push_back(std::string("there are no Sobol' indices: ") + none.what());
+        return;
+    }
+    for (std::size_t i = 0; i < s.inputs.size(); ++i) {
+        const auto share = [&](const uq::Estimate& x) {
+            return InputShare{p.normal[i], x.value, x.std_error, x.interval.lower,
+                              x.interval.upper};
+        };
+        one.shares.push_back(share(s.inputs[i].first));
+        all.shares.push_back(share(s.inputs[i].total));
+    }
+    a.sensitivities = {one, all};
+}
+
 /// Of independent samples.
 void regress(const ReliabilityProblem& p, const std::vector<Evaluated>& seen,
              ReliabilityAnswer& a)
 {
-    const auto n = static_cast<Eigen::Index>(seen.size());
     const auto d = static_cast<Eigen::Index>(p.inputs.size());
+    std::vector<const Evaluated*> sound;
+    for (const Evaluated& e : seen)
+        if (e.failure.empty()) sound.push_back(&e);
+    const auto n = static_cast<Eigen::Index>(sound.size());
     if (n < 2 * d + 10 || d > 50) return;
     Eigen::MatrixXd x(n, d);
     Eigen::VectorXd y(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        x.row(i) = seen[static_cast<std::size_t>(i)].x.transpose();
-        y(i) = seen[static_cast<std::size_t>(i)].response;
+        x.row(i) = sound[static_cast<std::size_t>(i)]->x.transpose();
+        y(i) = sound[static_cast<std::size_t>(i)]->response;
     }
     const auto r = uq::regress(x, y, {.scale = uq::RegressionScale::ranks});
     if (!r) return;
-    a.share_name = "partial rank correlation with the response";
+    Sensitivity s{"partial rank correlation with the response", {}};
     for (std::size_t i = 0; i < r->inputs.size(); ++i) {
         const uq::Estimate& e = r->inputs[i].partial;
-        a.shares.push_back({p.inputs[i], e.value, e.interval.lower, e.interval.upper});
+        s.shares.push_back({p.inputs[i], e.value, {}, e.interval.lower, e.interval.upper});
     }
+    a.sensitivities.push_back(std::move(s));
 }
 
-/// The model, with a note of what it was asked and what it said.
-uq::BlackBox noting(const uq::LimitState& s, std::vector<Evaluated>& seen)
+/// The model, with a note of what it was asked and what it said. Samples that the model throws on
+/// are failed samples here already, so that they are noted too.
+uq::BlackBox noting(const uq::LimitState& s, std::vector<Evaluated>& seen,
+                    const std::function<void()>& on_batch)
 {
-    return [model = s.model, response = s.response, &seen](const uq::Samples& samples) {
-        uq::Responses r = model(samples);
-        for (Eigen::Index i = 0; i < samples.x.rows(); ++i)
-            seen.push_back({samples.x.row(i).transpose(), r.y(i, response),
-                            r.failure[static_cast<std::size_t>(i)]});
-        return r;
-    };
+    return
+        [model = s.model, response = s.response, &seen, on_batch](const uq::Samples& samples) {
+            uq::Responses r = uq::evaluate(model, samples, response + 1);
+            for (Eigen::Index i = 0; i < samples.x.rows(); ++i)
+                seen.push_back({samples.x.row(i).transpose(), r.y(i, response),
+                                r.failure[static_cast<std::size_t>(i)]});
+            if (on_batch) on_batch();
+            return r;
+        };
+}
+
+/// The commonest reasons of failed evaluations, with their numbers.
+void tell_failures(ReliabilityAnswer& a)
+{
+    constexpr std::size_t kShown = 3;
+    std::map<std::string, std::size_t> number;
+    for (const uq::FailedSample& f : a.failed) ++number[f.reason];
+    std::vector<std::pair<std::size_t, std::string>> sorted;
+    for (const auto& [reason, n] : number) sorted.emplace_back(n, reason);
+    std::ranges::stable_sort(sorted, std::greater<>(),
+                             &std::pair<std::size_t, std::string>::first);
+    for (std::size_t i = 0; i < std::min(kShown, sorted.size()); ++i)
+        a.warnings.push_back(std::to_string(sorted[i].first) + " of " +
+                             std::to_string(a.evaluations) +
+                             " evaluations failed: " + sorted[i].second);
+    if (sorted.size() > kShown)
+        a.warnings.push_back(std::to_string(sorted.size() - kShown) +
+                             " further reasons of failed evaluations are in evaluations.csv");
 }
 
 } // namespace
 
-ReliabilityAnswer answer(const ReliabilityProblem& problem, std::vector<Evaluated>& seen)
+std::string too_small(ReliabilityMethod method, int budget, Eigen::Index dimension)
+{
+    const auto d = static_cast<int>(dimension);
+    const auto need = [budget](int least, const char* what) {
+        return budget >= least ? std::string()
+                               : std::string("must be at least ") + std::to_string(least) +
+                                     " for this method and number of inputs: " + what;
+    };
+    switch (method) {
+    case ReliabilityMethod::form:
+        return need(2 * (2 * d + 1), "one gradient for each of two searches");
+    case ReliabilityMethod::importance:
+        return need(4 * (2 * d + 1), "a search for the design point, then samples around it");
+    case ReliabilityMethod::subset:
+        return need(10 * kSubsetLevels, "ten samples for each of five levels");
+    case ReliabilityMethod::multi_fidelity:
+        return need(40, "twenty pilot samples of both models");
+    case ReliabilityMethod::sobol:
+        return need(10 * (d + 2), "ten rows of the number of inputs + 2 evaluations each");
+    case ReliabilityMethod::monte_carlo:
+        break;
+    }
+    return need(1, "one sample");
+}
+
+ReliabilityAnswer answer(const ReliabilityProblem& problem, std::vector<Evaluated>& seen,
+                         const std::function<void()>& on_batch)
 {
     ReliabilityProblem p = problem;
-    p.event.model = noting(problem.event, seen);
+    p.event.model = noting(problem.event, seen, on_batch);
     ReliabilityAnswer a;
+    const auto budget = static_cast<std::size_t>(p.budget);
     switch (p.method) {
     case ReliabilityMethod::monte_carlo:
         plain(p, a);
         regress(p, seen, a);
         break;
     case ReliabilityMethod::form:
-        second_order(p, search(p, a), a);
+        second_order(p, search(p, budget, a), a);
         break;
     case ReliabilityMethod::importance:
-        important(p, search(p, a), a);
+        important(p, search(p, budget / 2, a), a);
         break;
     case ReliabilityMethod::subset:
         subsets(p, a);
@@ -224,7 +368,11 @@ ReliabilityAnswer answer(const ReliabilityProblem& problem, std::vector<Evaluate
     case ReliabilityMethod::multi_fidelity:
         two_fidelities(p, a);
         break;
+    case ReliabilityMethod::sobol:
+        variance_shares(p, a);
+        break;
     }
+    tell_failures(a);
     return a;
 }
 

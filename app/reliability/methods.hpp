@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,15 +24,29 @@ struct MethodAnswer {
 struct InputShare {
     std::string input;
     double value = 0.0;
-    std::optional<double> lower, upper;
+    std::optional<double> std_error;
+    std::optional<double> lower, upper; ///< 95 % interval
+};
+
+/// What the response depends on, by one measure.
+struct Sensitivity {
+    std::string measure;            ///< "partial rank correlation with the response"
+    std::vector<InputShare> shares; ///< in the order of the inputs
+};
+
+/// A point of the limit state nearest to the origin, of all that were found.
+struct DesignPointFound {
+    double beta = 0.0;
+    Eigen::VectorXd u; ///< standard normal coordinates
+    Eigen::VectorXd x; ///< inputs in their units
 };
 
 struct ReliabilityAnswer {
     std::vector<MethodAnswer> methods;
-    std::string share_name;         ///< what the shares are
-    std::vector<InputShare> shares; ///< sensitivities, in the order of the inputs
+    std::vector<Sensitivity> sensitivities;
+    std::vector<DesignPointFound> points; ///< nearest first
     std::vector<std::string> warnings;
-    std::size_t evaluations = 0, cheap_evaluations = 0;
+    std::size_t evaluations = 0;
     std::vector<uq::FailedSample> failed;
 };
 
@@ -42,8 +57,15 @@ struct Evaluated {
     std::string failure;
 };
 
-/// @param seen every evaluation of the expensive model in order
+/// Why a budget does not suffice for a method; empty if it does.
+/// @param dimension of the event's coordinates
+[[nodiscard]] std::string too_small(ReliabilityMethod method, int budget,
+                                    Eigen::Index dimension);
+
+/// @param seen every evaluation of the expensive model in order; complete also where this throws
+/// @param on_batch called after every batch of evaluations
 [[nodiscard]] ReliabilityAnswer answer(const ReliabilityProblem& problem,
-                                       std::vector<Evaluated>& seen);
+                                       std::vector<Evaluated>& seen,
+                                       const std::function<void()>& on_batch = {});
 
 } // namespace app

@@ -3,6 +3,8 @@
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
 #include "app/reliability/event.hpp"
+#include "app/reliability/methods.hpp"
+#include "app/study/interrupt.hpp"
 #include "uq/designs/normal_copula.hpp"
 #include "uq/reliability/external_program.hpp"
 
@@ -121,7 +123,7 @@ ReliabilityMethod method_of(const StudyFile& file)
             return static_cast<ReliabilityMethod>(static_cast<int>(n.value));
     throw error_at(file, e->key,
                    in_quotes(e->value) +
-                       " is none of monte_carlo, form, importance and subset");
+                       " is none of monte_carlo, form, importance, subset and sobol");
 }
 
 uq::Map map_of(const StudyFile& file, const std::vector<uq::Variable>& inputs)
@@ -149,6 +151,9 @@ uq::ExternalProgram program_of(const StudyFile& file, const std::vector<uq::Vari
     for (const uq::Variable& v : inputs) p.parameters.push_back(v.name);
     p.concurrent = count_of(file, "model.concurrent", threads);
     p.retries = count_of(file, "model.retries", 0);
+    p.while_waiting = [] {
+        if (interrupted()) throw Interrupted();
+    };
     if (const Entry* e = find_entry(file, "model.time_limit"))
         p.time_limit =
             at(file, e->key, [](const std::string& v) { return parse_quantity(v, "s"); });
@@ -190,6 +195,8 @@ ReliabilityProblem external_problem(const StudyFile& file, const Command& comman
     p.normal = p.inputs;
     p.method = method_of(file);
     p.budget = count_of(file, "reliability.budget", p.budget);
+    if (const std::string why = too_small(p.method, p.budget, p.event.dimension); !why.empty())
+        throw error_at(file, "reliability.budget", why);
     p.target_cov = number_of(file, "reliability.target_cov", p.target_cov, 1e-6, 10.0);
     p.seed = static_cast<std::uint64_t>(count_of(file, "uq.seed", 1));
     try {

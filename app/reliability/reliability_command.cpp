@@ -2,13 +2,16 @@
 
 #include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/output/progress.hpp"
 #include "app/output/table.hpp"
 #include "app/reliability/methods.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/study/wanted_walls.hpp"
 
 #include <gsl/gsl_cdf.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -38,13 +41,29 @@ Table method_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
     return t;
 }
 
-Table share_table(const ReliabilityAnswer& a)
+/// One line for each input and measure.
+Table sensitivity_table(const ReliabilityAnswer& a)
 {
     Table t;
-    t.caption = "Sensitivity: " + a.share_name + ".";
-    t.head = {"input", "value", "lower", "upper"};
-    for (const InputShare& s : a.shares)
-        t.rows.push_back({s.input, number(s.value, 3), cell(s.lower), cell(s.upper)});
+    t.caption = "What the response depends on. Intervals 95 %.";
+    t.head = {"measure", "input", "value", "standard error", "lower", "upper"};
+    for (const Sensitivity& s : a.sensitivities)
+        for (const InputShare& i : s.shares)
+            t.rows.push_back({s.measure, i.input, number(i.value, 3), cell(i.std_error),
+                              cell(i.lower), cell(i.upper)});
+    return t;
+}
+
+Table point_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
+{
+    Table t;
+    t.caption =
+        "Design points, nearest first: the most probable values at which the event begins.";
+    t.head = {"point", "beta", "input", "value"};
+    for (std::size_t k = 0; k < a.points.size(); ++k)
+        for (std::size_t i = 0; i < p.inputs.size(); ++i)
+            t.rows.push_back({std::to_string(k + 1), number(a.points[k].beta, 6), p.inputs[i],
+                              number(a.points[k].x(static_cast<Eigen::Index>(i)), 8)});
     return t;
 }
 
@@ -74,7 +93,8 @@ std::string answer_json(const ReliabilityProblem& p, const ReliabilityAnswer& a)
                 {"evaluations", a.evaluations},
                 {"failed", a.failed.size()},
                 {"methods", Json::array()},
-                {"sensitivity", {{"meaning", a.share_name}, {"inputs", Json::array()}}},
+                {"sensitivity", Json::array()},
+                {"design_points", Json::array()},
                 {"warnings", a.warnings}};
     for (const MethodAnswer& m : a.methods)
         all["methods"].push_back({{"method", m.method},
@@ -83,12 +103,27 @@ std::string answer_json(const ReliabilityProblem& p, const ReliabilityAnswer& a)
                                   {"lower", json(m.lower)},
                                   {"upper", json(m.upper)},
                                   {"outcome", m.outcome}});
-    for (const InputShare& s : a.shares)
-        all["sensitivity"]["inputs"].push_back({{"input", s.input},
-                                                {"value", json(s.value)},
-                                                {"lower", json(s.lower)},
-                                                {"upper", json(s.upper)}});
-    return all.dump(2) + "\n";
+    for (const Sensitivity& s : a.sensitivities) {
+        Json inputs = Json::array();
+        for (const InputShare& i : s.shares)
+            inputs.push_back({{"input", i.input},
+                              {"value", json(i.value)},
+                              {"standard_error", json(i.std_error)},
+                              {"lower", json(i.lower)},
+                              {"upper", json(i.upper)}});
+        all["sensitivity"].push_back({{"measure", s.measure}, {"inputs", inputs}});
+    }
+    for (const DesignPointFound& point : a.points) {
+        Json values = Json::object();
+        for (std::size_t i = 0; i < p.inputs.size(); ++i)
+            values[p.inputs[i]] = point.x(static_cast<Eigen::Index>(i));
+        all["design_points"].push_back(
+            {{"beta", point.beta},
+             {"standard_normal", std::vector<double>(point.u.begin(), point.u.end())},
+             {"inputs", values}});
+    }
+    // Reasons may quote what another program printed, in any encoding.
+    return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void write_table(const fs::path& out, const std::string& name, const Table& table)
@@ -105,29 +140,68 @@ ReliabilityProblem problem_of(const Command& command)
                              : wall_problem(read_study(file), command);
 }
 
+void write_evaluations(const Command& command, const ReliabilityProblem& problem,
+                       const std::vector<Evaluated>& seen)
+{
+    const fs::path out = command.out;
+    make_folder(out);
+    write_file(out / "evaluations.csv", as_csv(evaluation_table(problem, seen)));
+}
+
+/// The answer; the evaluations are written whether there is one or not.
+ReliabilityAnswer answered(const Command& command, const ReliabilityProblem& problem)
+{
+    Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
+    std::vector<Evaluated> seen;
+    const auto on_batch = [&] {
+        progress.update(static_cast<double>(seen.size()) / problem.budget,
+                        std::to_string(seen.size()) + " evaluations");
+        if (interrupted()) throw Interrupted();
+    };
+    try {
+        const ReliabilityAnswer a = answer(problem, seen, on_batch);
+        write_evaluations(command, problem, seen);
+        progress.finish(std::to_string(seen.size()) + " evaluations");
+        return a;
+    } catch (...) {
+        write_evaluations(command, problem, seen);
+        throw;
+    }
+}
+
+void write(const Command& command, const ReliabilityProblem& problem,
+           const ReliabilityAnswer& a)
+{
+    const fs::path out = command.out;
+    const Table methods = method_table(problem, a), sensitivity = sensitivity_table(a);
+    write_table(out, "reliability", methods);
+    if (!sensitivity.rows.empty()) write_table(out, "sensitivity", sensitivity);
+    if (!a.points.empty()) write_table(out, "design_points", point_table(problem, a));
+    write_file(out / "reliability.json", answer_json(problem, a));
+    std::cout << methods.caption << "\n\n" << as_text(methods);
+    if (!sensitivity.rows.empty())
+        std::cout << '\n' << sensitivity.caption << "\n\n" << as_text(sensitivity);
+    for (const std::string& w : a.warnings) std::cout << "warning: " << w << '\n';
+    std::cout << "written to " << command.out << '\n';
+}
+
 } // namespace
 
 int reliability_command(const Command& command)
 {
     const ReliabilityProblem problem = problem_of(command);
-    std::vector<Evaluated> seen;
-    const ReliabilityAnswer a = answer(problem, seen);
-    const fs::path out = command.out;
-    make_folder(out);
-    const Table methods = method_table(problem, a);
-    write_table(out, "reliability", methods);
-    if (!a.shares.empty()) write_table(out, "sensitivity", share_table(a));
-    write_file(out / "evaluations.csv", as_csv(evaluation_table(problem, seen)));
-    write_file(out / "reliability.json", answer_json(problem, a));
-    std::cout << methods.caption << "\n\n" << as_text(methods);
-    if (!a.shares.empty())
-        std::cout << "\nSensitivity: " << a.share_name << "\n\n" << as_text(share_table(a));
-    for (const std::string& w : a.warnings) std::cout << "warning: " << w << '\n';
-    std::cout << "written to " << command.out << '\n';
-    const bool any = std::any_of(a.methods.begin(), a.methods.end(), [](const MethodAnswer& m) {
-        return m.probability || m.upper;
-    });
-    return any ? 0 : 1;
+    catch_interrupts();
+    try {
+        const ReliabilityAnswer a = answered(command, problem);
+        write(command, problem, a);
+        const bool any = std::ranges::any_of(
+            a.methods, [](const MethodAnswer& m) { return m.probability || m.upper; });
+        return any && a.failed.size() < a.evaluations ? 0 : 1;
+    } catch (const Interrupted&) {
+        std::cerr << "drystone: interrupted; the evaluations made so far are in " << command.out
+                  << "/evaluations.csv\n";
+        return 1;
+    }
 }
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "app/reliability/wall_black_box.hpp"
 
+#include "app/study/interrupt.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "dem/solver/ensemble.hpp"
 
@@ -37,6 +38,7 @@ uq::Responses ask(const Shared& s, const uq::Samples& samples)
     dem::Ensemble ensemble;
     ensemble.size = static_cast<std::size_t>(n);
     ensemble.wall = [&](std::size_t i) {
+        if (interrupted()) throw Interrupted();
         const Eigen::VectorXd row = samples.x.row(static_cast<Eigen::Index>(i));
         return wall_materials(s.study, s.model.layout, s.level, unflattened(s.plan, row));
     };

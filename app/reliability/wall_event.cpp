@@ -1,6 +1,7 @@
 #include "app/input/number_text.hpp"
 #include "app/input/units.hpp"
 #include "app/reliability/event.hpp"
+#include "app/reliability/methods.hpp"
 #include "app/reliability/wall_black_box.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/study_columns.hpp"
@@ -107,6 +108,13 @@ ReliabilityProblem wall_problem(const Study& given, const Command& command)
     p.budget = study.reliability.budget;
     p.target_cov = study.reliability.target_cov;
     p.seed = study.uq.seed;
+    if (const std::string why = too_small(p.method, p.budget, p.event.dimension); !why.empty())
+        throw error_at(study.source, "reliability.budget", why);
+    if (p.method == ReliabilityMethod::sobol && !study.uq.pearson.empty())
+        throw error_at(
+            study.source, "uq.pearson",
+            "has no meaning for reliability.method = sobol: Sobol' indices are shares "
+            "of independent inputs; leave it out");
     if (p.method == ReliabilityMethod::multi_fidelity) {
         const Study low = cheaper(study);
         uq::CheapModel cheap;

@@ -19,7 +19,7 @@ void note(int signal)
 
 void catch_interrupts()
 {
-    for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, note);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(signal, note);
 }
 
 bool interrupted() { return noted != 0; }

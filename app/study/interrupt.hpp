@@ -3,7 +3,7 @@
 
 namespace app {
 
-/// Notes SIGINT, SIGTERM and, from batch systems, SIGUSR1, instead of dying of them; a second SIGINT
+/// Notes SIGINT, SIGTERM, SIGHUP and, from batch systems, SIGUSR1, instead of dying of them; a second SIGINT
 /// ends the program at once.
 void catch_interrupts();
 

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -76,8 +77,12 @@ TEST_CASE("reliability: of another program, R - S has beta = sqrt 2 and equal sh
     const ReliabilityAnswer a = answer(external_problem(file, at("")), seen);
     REQUIRE(a.methods.front().probability);
     CHECK(*a.methods.front().probability == Approx(7.864960352514e-2).epsilon(1e-7));
-    REQUIRE(a.shares.size() == 2);
-    CHECK(a.shares[0].value == Approx(0.5).margin(1e-6));
+    REQUIRE(a.sensitivities.size() == 1);
+    REQUIRE(a.sensitivities[0].shares.size() == 2);
+    CHECK(a.sensitivities[0].shares[0].value == Approx(0.5).margin(1e-6));
+    REQUIRE(a.points.size() == 1);
+    CHECK(a.points[0].x(0) == Approx(3.0).margin(1e-5)); // halfway between both means
+    CHECK(a.points[0].x(1) == Approx(3.0).margin(1e-5));
     CHECK(seen.size() == a.evaluations);
     CHECK(a.failed.empty());
 }
@@ -102,6 +107,71 @@ TEST_CASE("reliability: faults of a study of another program are named", "[app][
           std::string::npos);
     CHECK(said("[reliability]\ndemand = 0\nevent = beyond\n").find("below or above") !=
           std::string::npos);
+    CHECK(said("[reliability]\ndemand = 0\nmethod = subset\nbudget = 49\n")
+              .find("reliability.budget: must be at least 50") != std::string::npos);
+}
+
+TEST_CASE("reliability: Sobol' indices of another program are those of the closed form",
+          "[app][reliability]")
+{
+    // r - s of two independent inputs of one variance: half each, no interaction.
+    const Script script;
+    const app::StudyFile file =
+        external(script, "[reliability]\nmethod = sobol\ndemand = 0\nbudget = 800\n");
+    std::vector<app::Evaluated> seen;
+    const ReliabilityAnswer a = answer(external_problem(file, at("")), seen);
+    CHECK(a.evaluations == 800);
+    REQUIRE(a.sensitivities.size() == 2);
+    for (const app::Sensitivity& s : a.sensitivities)
+        for (const app::InputShare& share : s.shares) {
+            REQUIRE(share.std_error);
+            CHECK(std::abs(share.value - 0.5) < 4.0 * *share.std_error);
+            CHECK(*share.std_error < 0.1);
+        }
+    CHECK(std::abs(*a.methods.front().probability - 7.864960352514e-2) <
+          4.0 * *a.methods.front().std_error);
+}
+
+TEST_CASE("reliability: no method asks for more evaluations than its budget",
+          "[app][reliability]")
+{
+    const Script script;
+    const std::string method = GENERATE("monte_carlo", "form", "importance", "subset", "sobol");
+    const std::string budget = GENERATE("50", "137");
+    const app::StudyFile file =
+        external(script, "[reliability]\nmethod = " + method +
+                             "\ndemand = 0\nbudget = " + budget + "\ntarget_cov = 0.001\n");
+    std::vector<app::Evaluated> seen;
+    const ReliabilityAnswer a = answer(external_problem(file, at("")), seen);
+    INFO(method);
+    CHECK(seen.size() <= std::stoul(budget));
+    CHECK(seen.size() == a.evaluations);
+    for (const app::MethodAnswer& m : a.methods)
+        CHECK(m.outcome.find("target coefficient") == std::string::npos);
+}
+
+TEST_CASE(
+    "reliability: a program that cannot start is a failure with its reason, at any budget",
+    "[app][reliability]")
+{
+    const std::string method = GENERATE("monte_carlo", "form", "importance", "subset", "sobol");
+    const app::StudyFile file = app::parse_study_text(
+        "external.ini", "[model]\ncommand = /nosuch/program\nresponses = g\n[variables]\n"
+                        "r = normal(mean 4, sd 1)\n[reliability]\ndemand = 0\nbudget = 60\n"
+                        "method = " +
+                            method + "\n");
+    std::vector<app::Evaluated> seen;
+    const ReliabilityAnswer a = answer(external_problem(file, at("")), seen);
+    INFO(method);
+    REQUIRE(a.evaluations > 0);
+    CHECK(a.failed.size() == a.evaluations);
+    CHECK(seen.size() == a.evaluations);
+    REQUIRE_FALSE(a.warnings.empty());
+    const auto told = [](const std::string& w) {
+        return w.find("cannot run /nosuch/program: No such file or directory") !=
+               std::string::npos;
+    };
+    CHECK(std::any_of(a.warnings.begin(), a.warnings.end(), told));
 }
 
 TEST_CASE("reliability: Monte Carlo on the wall counts the walls at or below the demand",
@@ -118,8 +188,10 @@ TEST_CASE("reliability: Monte Carlo on the wall counts the walls at or below the
     CHECK(below > 5);
     CHECK(below < 55);
     CHECK(*a.methods.front().probability == Approx(below / 60.0).epsilon(1e-12));
-    REQUIRE(a.shares.size() == 5);
-    CHECK(a.shares.front().value > 0.5); // friction of the joints carries this wall
+    REQUIRE(a.sensitivities.size() == 1);
+    REQUIRE(a.sensitivities[0].shares.size() == 5);
+    CHECK(a.sensitivities[0].shares.front().value >
+          0.5); // the joints' friction carries this wall
 }
 
 TEST_CASE("reliability: two fidelities of the wall agree with its expensive samples",

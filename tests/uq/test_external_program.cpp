@@ -280,3 +280,65 @@ TEST_CASE("external program: what cannot be run is refused", "[uq][external_prog
     const Samples wide{Eigen::MatrixXd::Zero(1, 3), {0}};
     CHECK_THROWS_AS(external_model(good)(wide), std::invalid_argument);
 }
+
+TEST_CASE("external program: a pipe, a device or a folder in place of the result is no result",
+          "[uq][external_program]")
+{
+    const TemporaryFolder scratch;
+    const char* script = GENERATE("mkfifo $2", "ln -s /dev/zero $2", "mkdir $2");
+    const Responses r = external_model(shell(scratch, script))(samples(1));
+    CHECK(r.failure[0].find("the result is not a regular file") == 0);
+    CHECK(fs::is_empty(scratch.path / "runs"));
+}
+
+TEST_CASE("external program: a pipe in place of stderr does not stop the answer",
+          "[uq][external_program]")
+{
+    const TemporaryFolder scratch;
+    const Responses r =
+        external_model(shell(scratch, "rm stderr; mkfifo stderr; exit 3"))(samples(1));
+    CHECK(r.failure[0] == "exit code 3");
+}
+
+TEST_CASE("external program: deep brackets and large results are refused",
+          "[uq][external_program]")
+{
+    const TemporaryFolder scratch;
+    const Responses deep = external_model(shell(
+        scratch, "(printf '{\"failure\": '; head -c 100000 /dev/zero | tr '\\0' '['; "
+                 "head -c 100000 /dev/zero | tr '\\0' ']'; printf '}') > $2"))(samples(1));
+    CHECK(deep.failure[0].find("the brackets of the result are more than 100 deep") == 0);
+    const Responses large =
+        external_model(shell(scratch, "head -c 20000000 /dev/zero > $2"))(samples(1));
+    CHECK(large.failure[0].find("the result is larger than 16 MiB") == 0);
+}
+
+TEST_CASE("external program: what is thrown while waiting ends the runs and removes their "
+          "folders",
+          "[uq][external_program]")
+{
+    struct Stop {};
+    const TemporaryFolder scratch;
+    const fs::path number = scratch.path / "pid";
+    ExternalProgram p = shell(scratch, "sleep 100 & echo $! > " + number.string() + "; wait");
+    p.while_waiting = [&] {
+        if (fs::exists(number) && fs::file_size(number) > 0) throw Stop();
+    };
+    CHECK_THROWS_AS(external_model(p)(samples(1)), Stop);
+    int child = 0;
+    std::ifstream(number) >> child;
+    REQUIRE(child > 0);
+    for (int i = 0; i < 500 && kill(child, 0) == 0; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    CHECK(kill(child, 0) != 0); // also what the run had started
+    CHECK(fs::is_empty(scratch.path / "runs"));
+}
+
+TEST_CASE("external program: a time limit beyond what a clock holds is no limit",
+          "[uq][external_program]")
+{
+    const TemporaryFolder scratch;
+    ExternalProgram p = shell(scratch, "echo '{\"responses\": {\"s\": 1}}' > $2");
+    p.time_limit = 1e12;
+    CHECK(external_model(p)(samples(1)).failure[0].empty());
+}

@@ -182,6 +182,21 @@ TEST_CASE("form: a point on the limit state that is not nearest to the origin is
     CHECK(search.reason.find("1 off the axis") != std::string::npos);
 }
 
+TEST_CASE("form: ends at the number of evaluations allowed, with what it has found",
+          "[uq][form]")
+{
+    const LimitState s = problems::rp8().limit;
+    const std::size_t all = form(s).ledger.evaluations;
+    for (const std::size_t allowed : {std::size_t{20}, all / 2, all - 1}) {
+        FormOptions o;
+        o.max_evaluations = allowed;
+        const FormResult r = form(s, o);
+        CHECK(r.ledger.evaluations <= allowed);
+        CHECK(r.ledger.failed.empty());
+        CHECK(r.reason.find("evaluations allowed were used up") != std::string::npos);
+    }
+}
+
 TEST_CASE("form: options out of range are refused", "[uq][form]")
 {
     const LimitState s = problems::rp22().limit;

@@ -215,6 +215,23 @@ TEST_CASE("subset simulation: the same seed gives the same bits, in any batch",
           subset_simulation(split).exceedance.estimate.value);
 }
 
+TEST_CASE(
+    "subset simulation: evaluations allowed are not exceeded, and a missed target is said",
+    "[uq][subset_simulation]")
+{
+    const LimitState s = problems::difference_7_2().limit; // 2e-4: four levels
+    SubsetOptions o{.samples = 500};
+    o.max_evaluations = 1200;
+    const Exceedance early = subset_simulation(s, o).exceedance;
+    CHECK(early.ledger.evaluations <= 1200);
+    CHECK(early.outcome == SamplingOutcome::none_passed);
+    CHECK(early.estimate.interval.upper > 2.034760087225e-4);
+    o.max_evaluations = 5000;
+    CHECK(subset_simulation(s, o).exceedance.outcome == SamplingOutcome::target_reached);
+    o.target_cov = 0.01;
+    CHECK(subset_simulation(s, o).exceedance.outcome == SamplingOutcome::limit_reached);
+}
+
 TEST_CASE("subset simulation: options out of range are refused", "[uq][subset_simulation]")
 {
     const LimitState s = problems::rp22().limit;

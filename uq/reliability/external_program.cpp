@@ -46,11 +46,12 @@ void check(const ExternalProgram& p)
     require(p.grace >= 0.0 && std::isfinite(p.grace), "grace must be >= 0 s");
 }
 
-/// A directory for the runs of one batch, removed at the end if nothing in it is kept.
+/// A directory for the runs of one batch, removed at the end with all that is not kept.
 struct RunDirectory {
     fs::path path;
+    bool keeps; ///< directories of some runs stay
 
-    explicit RunDirectory(const fs::path& parent)
+    RunDirectory(const fs::path& parent, bool keeps_some) : keeps(keeps_some)
     {
         const fs::path base = parent.empty() ? fs::temp_directory_path() : parent;
         fs::create_directories(base);
@@ -65,7 +66,10 @@ struct RunDirectory {
     ~RunDirectory()
     {
         std::error_code ignored;
-        fs::remove(path, ignored); // only if empty
+        if (!keeps)
+            fs::remove_all(path, ignored);
+        else
+            fs::remove(path, ignored); // only if empty
     }
 };
 
@@ -127,7 +131,7 @@ Launch launch(const ExternalProgram& p, const fs::path& directory, std::uint64_t
 class Batch {
   public:
     Batch(const ExternalProgram& program, const Samples& samples)
-        : p_(program), s_(samples), where_(program.directory),
+        : p_(program), s_(samples), where_(program.directory, program.keep != Keep::none),
           answer_{Eigen::MatrixXd::Constant(samples.x.rows(),
                                             static_cast<Eigen::Index>(program.responses.size()),
                                             std::numeric_limits<double>::quiet_NaN()),
@@ -151,12 +155,14 @@ class Batch {
                 std::this_thread::sleep_for(nap);
                 nap = std::min(kLongestNap, nap * 1.2);
             }
+            if (p_.while_waiting) p_.while_waiting();
         }
         return std::move(answer_);
     }
 
   private:
     static constexpr Seconds kShortestNap{2e-4}, kLongestNap{1e-2};
+    static constexpr double kForever = 1e9; ///< [s]; the clock cannot hold much more
 
     void start(Try t)
     {
@@ -175,7 +181,7 @@ class Batch {
             return conclude(t, directory, {{}, e.what(), false});
         }
         running_.back().deadline += std::chrono::duration_cast<Clock::duration>(
-            Seconds(p_.time_limit > 0.0 ? p_.time_limit : 1e9));
+            Seconds(p_.time_limit > 0.0 ? std::min(p_.time_limit, kForever) : kForever));
     }
 
     /// Whether a run has ended.

@@ -5,6 +5,7 @@
 #include "uq/reliability/black_box.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <utility>
 
 namespace uq {
@@ -28,6 +29,9 @@ struct ExternalProgram {
     std::filesystem::path directory; ///< where the runs have theirs; empty: the system's, for
                                      ///< temporary files
     Keep keep = Keep::none;
+    /// Called again and again while runs are awaited. What it throws ends the batch: its runs are
+    /// killed and their directories removed, unless all are kept.
+    std::function<void()> while_waiting;
 };
 
 /// A run that does not end with exit code 0 and a complete result of finite numbers is a failed

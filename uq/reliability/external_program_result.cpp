@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <sstream>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace uq {
 
@@ -15,11 +16,47 @@ namespace {
 
 using nlohmann::json;
 
-std::optional<std::string> whole(const std::filesystem::path& file)
+constexpr std::size_t kLargestResult = std::size_t{16} << 20; ///< [bytes]
+constexpr std::size_t kErrorsRead = 2000;                     ///< [bytes], from the end
+constexpr int kDeepest = 100; ///< levels of brackets in a result
+
+struct Text {
+    std::string text;
+    std::string failure; ///< why there is none
+};
+
+/// At most the last `most` bytes of a regular file. A program may leave anything in its place: a
+/// pipe would be waited for without end, a device never ends.
+Text end_of(const std::filesystem::path& file, std::size_t most)
 {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) return std::nullopt;
-    return std::string(std::istreambuf_iterator<char>(in), {});
+    const int fd = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (fd < 0) return {{}, "there is no result file"};
+    struct stat about {};
+    if (fstat(fd, &about) != 0 || !S_ISREG(about.st_mode)) {
+        close(fd);
+        return {{}, "the result is not a regular file"};
+    }
+    const auto size = static_cast<std::size_t>(about.st_size);
+    std::string text(std::min(size, most), '\0');
+    std::size_t got = 0;
+    for (ssize_t n = 1; n > 0 && got<text.size(); got += n> 0 ? std::size_t(n) : 0)
+        n = pread(fd, text.data() + got, text.size() - got,
+                  static_cast<off_t>(size - text.size() + got));
+    close(fd);
+    text.resize(got);
+    return {text, size > most
+                      ? "the result is larger than " + std::to_string(most >> 20) + " MiB"
+                      : ""};
+}
+
+struct TooDeep {};
+
+json parsed(const std::string& text)
+{
+    return json::parse(text, [](int depth, json::parse_event_t, json&) {
+        if (depth > kDeepest) throw TooDeep();
+        return true;
+    });
 }
 
 bool starts_with_not_a_number(const std::string& text, std::size_t byte)
@@ -92,14 +129,17 @@ std::string input_text(std::uint64_t sample, const std::vector<std::string>& par
 ProgramResult read_result(const std::filesystem::path& file,
                           const std::vector<std::string>& responses)
 {
-    const std::optional<std::string> text = whole(file);
-    if (!text) return failed("there is no result file");
-    if (text->find_first_not_of(" \t\r\n") == std::string::npos)
+    const auto [text, failure] = end_of(file, kLargestResult);
+    if (!failure.empty()) return failed(failure);
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
         return failed("the result is empty");
     try {
-        return numbers(json::parse(*text), responses);
+        return numbers(parsed(text), responses);
+    } catch (const TooDeep&) {
+        return failed("the brackets of the result are more than " + std::to_string(kDeepest) +
+                      " deep");
     } catch (const json::parse_error& e) {
-        return failed(not_json(*text, e.byte));
+        return failed(not_json(text, e.byte));
     } catch (const json::out_of_range&) {
         return failed("result holds a number too large for a double");
     } catch (const json::exception& e) {
@@ -109,9 +149,9 @@ ProgramResult read_result(const std::filesystem::path& file,
 
 std::string last_lines(const std::filesystem::path& file, int lines)
 {
-    constexpr std::size_t longest = 2000;
-    std::string text = whole(file).value_or("");
-    if (text.size() > longest) text.erase(0, text.size() - longest);
+    std::string text = end_of(file, kErrorsRead).text;
+    for (char& c : text) // what could spoil a table or a terminal
+        if ((c >= 0 && c < ' ' && c != '\n') || c == 0x7f) c = ' ';
     std::vector<std::string> all;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);)

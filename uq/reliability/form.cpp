@@ -96,13 +96,18 @@ FormResult form(const LimitState& s, const FormOptions& o)
     check(s);
     check_options(o);
     FormResult r;
-    for (int k = 0; k < o.starts; ++k) {
+    r.ledger.limit = o.max_evaluations;
+    for (int k = 0; k < o.starts && !r.ledger.used_up; ++k) {
         const Eigen::VectorXd u = start(k, s.dimension, o);
         r.searches.push_back(search_hl_rf(s, u, o.search, r.ledger));
         r.searches.push_back(search_constrained(s, u, o.check, o.search, r.ledger));
     }
     r.points = distinct_points(r.searches, o.same_point);
     compare(r, o);
+    if (r.ledger.used_up)
+        r.reason = "all " + std::to_string(o.max_evaluations) +
+                   " evaluations allowed were used up before the searches ended" +
+                   (r.reason.empty() ? "" : "; " + r.reason);
     return r;
 }
 

@@ -14,6 +14,8 @@ struct FormOptions {
     double start_radius = 2.0; ///< of the random ones [standard deviations], > 0
     double same_point = 1e-2;  ///< nearer points are one [standard deviations], > 0
     std::uint64_t seed = 1;    ///< of the directions
+    /// Searches end once this many evaluations are used up; what they found until then counts.
+    std::size_t max_evaluations = std::numeric_limits<std::size_t>::max();
 };
 
 enum class FormOutcome {

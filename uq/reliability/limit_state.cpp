@@ -2,6 +2,7 @@
 
 #include "uq/reliability/evaluate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -25,6 +26,11 @@ Eigen::VectorXd limit_values(const LimitState& s, const Eigen::MatrixXd& u, Ledg
 {
     const Eigen::Index n = u.rows();
     if (n == 0) return {};
+    if (static_cast<std::size_t>(n) >
+        ledger.limit - std::min(ledger.limit, ledger.evaluations)) {
+        ledger.used_up = true;
+        return Eigen::VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN());
+    }
     Samples samples{s.to_physical ? s.to_physical(u) : u,
                     std::vector<std::uint64_t>(static_cast<std::size_t>(n))};
     std::iota(samples.id.begin(), samples.id.end(),

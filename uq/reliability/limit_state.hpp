@@ -7,6 +7,7 @@
 #include "uq/reliability/black_box.hpp"
 
 #include <cstddef>
+#include <limits>
 
 namespace uq {
 
@@ -38,12 +39,15 @@ struct FailedSample {
 
 /// What an analysis asked of the model.
 struct Ledger {
-    std::size_t evaluations = 0; ///< samples asked for; the next has this number
+    std::size_t evaluations = 0; ///< samples asked for; the next one has this number
     std::size_t batches = 0;     ///< calls of the model
     std::vector<FailedSample> failed;
+    std::size_t limit = std::numeric_limits<std::size_t>::max(); ///< evaluations allowed
+    bool used_up = false; ///< more evaluations than allowed were wanted; they were not made
 };
 
-/// g of each row of `u`, not a number where the evaluation failed; the ledger goes on.
+/// g of each row of `u`, and the ledger brought up to date. A value is not a number if its
+/// evaluation failed; all are if the ledger does not allow as many evaluations.
 [[nodiscard]] Eigen::VectorXd limit_values(const LimitState& s, const Eigen::MatrixXd& u,
                                            Ledger& ledger);
 

@@ -32,6 +32,8 @@ void check_options(const SubsetOptions& o)
             "samples must be a multiple of 1 / level_share = " +
                 std::to_string(chain_length(o)));
     require(o.max_levels >= 1, "max_levels must be at least 1");
+    require(o.max_evaluations >= o.samples, "max_evaluations must allow one level at least");
+    require(o.target_cov > 0.0, "target_cov must be > 0");
     require(o.confidence > 0.0 && o.confidence < 1.0, "confidence must be in (0, 1)");
 }
 
@@ -118,7 +120,8 @@ Run run(const LimitState& s, const SubsetOptions& o, FailedAs failed, std::uint6
         const Rows below = at_or_below(p, threshold);
         r.stuck =
             below.size() == o.samples || threshold == std::numeric_limits<double>::infinity();
-        if (threshold <= 0.0 || r.stuck || level == o.max_levels) break;
+        const bool affordable = ledger.evaluations + o.samples - chains <= o.max_evaluations;
+        if (threshold <= 0.0 || r.stuck || level == o.max_levels || !affordable) break;
         const double share = static_cast<double>(below.size()) / static_cast<double>(o.samples);
         r.levels.push_back({threshold, share, state.acceptance, ancestors(p, below)});
         r.reached *= share;
@@ -146,8 +149,9 @@ SamplingOutcome outcome(const Run& r, const SubsetOptions& o, bool all_failed)
     if (r.passed == 0) return SamplingOutcome::none_passed;
     if (r.levels.size() == 1 && r.value + r.failed_share >= 1.0)
         return SamplingOutcome::all_passed;
-    return r.passed >= o.samples / chain_length(o) ? SamplingOutcome::target_reached
-                                                   : SamplingOutcome::limit_reached;
+    const bool arrived = r.passed >= o.samples / chain_length(o);
+    return arrived && r.cov <= o.target_cov ? SamplingOutcome::target_reached
+                                            : SamplingOutcome::limit_reached;
 }
 
 void warn(Exceedance& e, const Run& r)
@@ -170,13 +174,15 @@ SubsetResult subset_simulation(const LimitState& s, const SubsetOptions& o)
     Ledger ledger;
     const Run low = run(s, o, FailedAs::safe, o.seed, ledger);
     const bool failures = !ledger.failed.empty();
-    const Run high =
-        failures ? run(s, o, FailedAs::passed, replicate_seed(o.seed, 1), ledger) : low;
+    const bool unknown = failures && ledger.evaluations + o.samples > o.max_evaluations;
+    const Run high = failures && !unknown
+                         ? run(s, o, FailedAs::passed, replicate_seed(o.seed, 1), ledger)
+                         : low;
     SubsetResult r{{}, low.levels};
     Exceedance& e = r.exceedance;
     const bool all_failed = low.failed_share >= 1.0;
     e.lower = low.value;
-    e.upper = std::max(low.value, high.value);
+    e.upper = unknown ? 1.0 : std::max(low.value, high.value);
     e.outcome = outcome(low, o, all_failed);
     if (!all_failed) {
         e.estimate.value = std::min(1.0, low.value / (1.0 - low.failed_share));
@@ -185,7 +191,7 @@ SubsetResult subset_simulation(const LimitState& s, const SubsetOptions& o)
     e.estimate.failed = ledger.failed.size();
     e.estimate.n = ledger.evaluations - ledger.failed.size();
     const Interval a = interval(low, o), b = interval(high, o);
-    e.estimate.interval = {a.lower, all_failed ? 1.0 : std::max(a.upper, b.upper),
+    e.estimate.interval = {a.lower, all_failed || unknown ? 1.0 : std::max(a.upper, b.upper),
                            o.confidence};
     warn(e, low);
     e.ledger = std::move(ledger);

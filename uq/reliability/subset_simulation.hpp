@@ -4,14 +4,19 @@
 
 #include "uq/reliability/exceedance.hpp"
 
+#include <limits>
+
 namespace uq {
 
 struct SubsetOptions {
     std::size_t samples = 1000; ///< per level, a multiple of 1 / level_share
     /// Share of a level that seeds the next: 1 / length of the chains. [1 / samples, 1/2]
     double level_share = 0.1;
-    int max_levels = 20;      ///< including the first, >= 1
-    double confidence = 0.95; ///< of the interval, (0, 1)
+    int max_levels = 20; ///< including the first, >= 1
+    /// No level is begun that would need more evaluations than this in all.
+    std::size_t max_evaluations = std::numeric_limits<std::size_t>::max();
+    double target_cov = std::numeric_limits<double>::infinity(); ///< of the answer [-], > 0
+    double confidence = 0.95;                                    ///< of the interval, (0, 1)
     std::uint64_t seed = 1;
 };
 
@@ -36,9 +41,11 @@ constexpr std::size_t kFewAncestors = 10;
 /// filters: Lee and Whiteley 2018.)
 ///
 /// A failed evaluation is a rejected move. If there is any, the analysis is run once more with
-/// failed samples passed, for the upper bound. If the limit state cannot be reached
-/// (max_levels, or g takes one value over a whole level) and nothing has passed, the outcome is
-/// none_passed and the upper end of the interval is that of the last level reached.
+/// failed samples passed, for the upper bound; where the evaluations allowed do not suffice for
+/// that, the upper bound is 1. If the limit state cannot be reached (max_levels,
+/// max_evaluations, or g takes one value over a whole level) and nothing has passed, the outcome
+/// is none_passed and the upper end of the interval is that of the last level reached. The
+/// outcome is target_reached if the estimate has the target_cov, else limit_reached.
 /// @throws std::invalid_argument naming the option that is out of range
 [[nodiscard]] SubsetResult subset_simulation(const LimitState& s, const SubsetOptions& o = {});
 

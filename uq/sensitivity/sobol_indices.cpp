@@ -84,8 +84,7 @@ Eigen::MatrixXd pick_freeze(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
     return x;
 }
 
-SobolIndices sobol_indices(const Eigen::VectorXd& y, Eigen::Index d, FirstOrder estimator,
-                           double confidence)
+SobolIndices sobol_indices(const Eigen::VectorXd& y, Eigen::Index d, double confidence)
 {
     check_confidence(confidence);
     if (d < 1 || y.size() == 0 || y.size() % (d + 2) != 0)
@@ -97,12 +96,8 @@ SobolIndices sobol_indices(const Eigen::VectorXd& y, Eigen::Index d, FirstOrder 
     SobolIndices s{{}, variance_of(y, n)};
     for (Eigen::Index i = 0; i < d; ++i) {
         const Rows r = rows_of(y, n, i);
-        const Eigen::ArrayXd first =
-            estimator == FirstOrder::saltelli
-                ? Eigen::ArrayXd(r.b * (r.ab - r.a))
-                : Eigen::ArrayXd(r.variance - 0.5 * (r.b - r.ab).square());
-        s.inputs.push_back(
-            {ratio(first, r, confidence), ratio(0.5 * (r.a - r.ab).square(), r, confidence)});
+        s.inputs.push_back({ratio(r.b * (r.ab - r.a), r, confidence),
+                            ratio(0.5 * (r.a - r.ab).square(), r, confidence)});
     }
     return s;
 }

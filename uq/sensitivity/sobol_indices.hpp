@@ -15,13 +15,9 @@ namespace uq {
 /// the two halves of one in 2 d dimensions); else std::invalid_argument for unequal sizes
 [[nodiscard]] Eigen::MatrixXd pick_freeze(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-enum class FirstOrder {
-    saltelli, ///< mean of y_B (y_ABi - y_A) (Saltelli et al. 2010): better for small indices
-    jansen    ///< variance - mean of (y_B - y_ABi)^2 / 2 (Jansen 1999): better for large ones
-};
-
 struct SobolIndex {
-    Estimate first; ///< may come out below 0 by its error
+    /// Mean of y_B (y_ABi - y_A) (Saltelli et al. 2010); may come out below 0 by its error.
+    Estimate first;
     Estimate total; ///< mean of (y_A - y_ABi)^2 / 2 (Jansen 1999)
 };
 
@@ -38,7 +34,6 @@ struct SobolIndices {
 /// @throws std::invalid_argument if the length is no multiple of d + 2, a value is infinite,
 /// fewer than 2 rows of an index are sound, or the response does not vary
 [[nodiscard]] SobolIndices sobol_indices(const Eigen::VectorXd& y, Eigen::Index d,
-                                         FirstOrder estimator = FirstOrder::saltelli,
                                          double confidence = kConfidence);
 
 } // namespace uq
