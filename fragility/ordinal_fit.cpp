@@ -55,7 +55,7 @@ Refused screen(std::span<const StateCounts> data)
     for (std::size_t k = 0; k < states; ++k)
         if (total[k] == 0.0)
             return std::pair{absent_mode, "state " + std::to_string(k) +
-                                              " never occurs: its threshold is not finite"};
+                                              " never occurs: its median is not finite"};
     if (least == most) return std::pair{no_contrast, std::string("only one intensity")};
     bool apart = true; // each state begins where the one before has ended
     for (std::size_t k = 1; k < states; ++k) apart = apart && highest[k - 1] <= lowest[k];
@@ -155,7 +155,23 @@ void complete(OrdinalFit& f, const Maximum& m, double middle)
     d(cuts, cuts) = -f.dispersion * f.dispersion;
     f.covariance = d * (-m.local.hessian).inverse() * d.transpose();
     f.log_likelihood = m.local.value;
-    f.deviance = -2.0 * m.local.value;
+}
+
+/// Of the observed shares: the largest log-likelihood that any curves could have.
+void compare_with_shares(OrdinalFit& f, std::span<const StateCounts> data)
+{
+    double saturated = 0.0;
+    double free_shares = 0.0;
+    for (const StateCounts& d : data) {
+        double n = 0.0;
+        for (const double w : d.walls) n += w;
+        if (n == 0.0) continue;
+        free_shares += static_cast<double>(d.walls.size() - 1);
+        for (const double w : d.walls)
+            if (w > 0.0) saturated += w * std::log(w / n);
+    }
+    f.deviance = 2.0 * (saturated - f.log_likelihood);
+    f.freedom = free_shares - static_cast<double>(f.medians.size() + 1);
 }
 
 } // namespace
@@ -181,8 +197,32 @@ OrdinalFit fit_ordinal(std::span<const StateCounts> data)
         f.reason = "damage does not grow with intensity";
     } else {
         complete(f, m, middle);
+        compare_with_shares(f, data);
     }
     return f;
+}
+
+StateProbability probability(const OrdinalFit& fit, std::size_t state, double intensity)
+{
+    const auto k = static_cast<Index>(state - 1);
+    const Index last = fit.covariance.rows() - 1;
+    const double probit = std::log(intensity / fit.medians[state - 1]) / fit.dispersion;
+    // d probit = -(d ln median + probit d dispersion) / dispersion
+    const double variance = fit.covariance(k, k) + 2.0 * probit * fit.covariance(k, last) +
+                            probit * probit * fit.covariance(last, last);
+    return {StandardNormal::cdf(probit), probit, std::sqrt(variance) / fit.dispersion};
+}
+
+std::vector<StateCounts> reaching(std::span<const StateCounts> data, std::size_t state)
+{
+    std::vector<StateCounts> two;
+    for (const StateCounts& d : data) {
+        StateCounts c{d.intensity, {0.0, 0.0}};
+        for (std::size_t k = 0; k < d.walls.size(); ++k)
+            c.walls[k < state ? 0 : 1] += d.walls[k];
+        two.push_back(c);
+    }
+    return two;
 }
 
 } // namespace fragility

@@ -1,6 +1,8 @@
 #pragma once
-/// Fragility curves of ordered damage states from counts, with one dispersion for all: the
-/// curves cannot cross.
+/// Fragility curves from counts: of the walls (or analyses, or buildings) at one intensity, how
+/// many were found in each of several ordered damage states. One state besides "none" is a
+/// multiple-stripe analysis (Baker 2015, Earthquake Spectra 31, 579-599, eq. 11). All states have
+/// one dispersion, so that their curves cannot cross.
 
 #include "fragility/model_outcome.hpp"
 
@@ -12,24 +14,38 @@
 
 namespace fragility {
 
-/// Walls found in each state, mildest first, at one intensity.
+/// What was found at one intensity.
 struct StateCounts {
     double intensity;          ///< [any unit], > 0
-    std::vector<double> walls; ///< one for each state, >= 0
+    std::vector<double> walls; ///< in each state, from none to the severest; >= 0, two or more
 };
 
 /// P(state >= k | x) = Phi(ln(x / median_k) / dispersion) (cumulative probit, McCullagh 1980,
 /// J. R. Statist. Soc. B 42, 109-142).
 struct OrdinalFit {
     ModelOutcome outcome = ModelOutcome::no_data;
-    std::string reason;
+    std::string reason;          ///< why there are no numbers
     std::vector<double> medians; ///< of state 1, 2, ..., ascending [unit of the intensity]
-    double dispersion = 0.0;     ///< [-]
-    Eigen::MatrixXd covariance;  ///< of (ln medians, dispersion)
+    double dispersion = 0.0;     ///< standard deviation of ln x [-]
+    Eigen::MatrixXd covariance;  ///< of (ln medians, dispersion), from the observed information
     double log_likelihood = 0.0; ///< without multinomial coefficients
-    double deviance = 0.0;       ///< -2 log_likelihood
+    double deviance = 0.0;       ///< against the observed shares at each intensity
+    double freedom = 0.0;        ///< of the deviance: its mean if the curves are right
 };
 
+/// Maximum likelihood.
 [[nodiscard]] OrdinalFit fit_ordinal(std::span<const StateCounts> data);
+
+/// P(state >= k) at an intensity, and its standard error on the probit axis (delta method).
+struct StateProbability {
+    double probability, probit, probit_error;
+};
+/// @param state 1, 2, ...  @param intensity > 0
+[[nodiscard]] StateProbability probability(const OrdinalFit& fit, std::size_t state,
+                                           double intensity);
+
+/// The same counts with all states below `state` as "none", and all others as reached.
+[[nodiscard]] std::vector<StateCounts> reaching(std::span<const StateCounts> data,
+                                                std::size_t state);
 
 } // namespace fragility

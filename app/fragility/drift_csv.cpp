@@ -119,20 +119,6 @@ std::string unit_of(std::string_view head)
     return std::string(trimmed(head.substr(open + 1, close - open - 1)));
 }
 
-std::size_t find_column(const std::string& path, const Csv& csv, std::string_view name)
-{
-    std::vector<std::string_view> names(csv.head.begin(), csv.head.end());
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) return i;
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (bare(names[i]) == name) found.push_back(i);
-    if (found.size() == 1) return found.front();
-    if (found.size() > 1)
-        throw ConfigError(path, 0, name, "several columns have this name; add the unit");
-    throw ConfigError(path, 0, name, "no such column; " + suggestion(name, names));
-}
-
 struct Place {
     const std::string& path;
     const CsvRow& row;
@@ -142,20 +128,6 @@ struct Place {
 [[noreturn]] void refuse(const Place& at, const std::string& why)
 {
     throw ConfigError(at.path, at.row.line, at.column, why);
-}
-
-double read_drift(const Place& at, std::string text, bool comma)
-{
-    if (text.empty()) refuse(at, "empty cell; write a drift, or take the row out");
-    if (comma) std::replace(text.begin(), text.end(), ',', '.');
-    double value = 0.0;
-    const char* first = text.data() + (text.front() == '+' ? 1 : 0);
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(first, last, value);
-    if (error != std::errc() || end != last) refuse(at, in_quotes(text) + " is not a number");
-    if (!std::isfinite(value)) refuse(at, in_quotes(text) + " is not a finite number");
-    if (value < 0.0) refuse(at, in_quotes(text) + " is negative; a drift is at least 0");
-    return value;
 }
 
 bool read_censored(const Place& at, std::string text)
@@ -193,8 +165,7 @@ DriftWall read_wall(const std::string& path, const Csv& csv, const Indices& colu
         bound = read_censored({path, row, csv.head[*columns.censored]},
                               std::string(trimmed(row.cells[*columns.censored])));
     for (const std::size_t c : columns.drift) {
-        const double d = read_drift({path, row, csv.head[c]},
-                                    std::string(trimmed(row.cells[c])), csv.separator != ',');
+        const double d = number_at(path, csv, row, c);
         wall.limits.push_back(bound ? fragility::right_censored(d) : fragility::observed(d));
     }
     return wall;
@@ -227,6 +198,36 @@ void sort_groups(std::vector<DriftGroup>& groups)
 }
 
 } // namespace
+
+std::size_t find_column(const std::string& path, const Csv& csv, std::string_view name)
+{
+    std::vector<std::string_view> names(csv.head.begin(), csv.head.end());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name) return i;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (bare(names[i]) == name) found.push_back(i);
+    if (found.size() == 1) return found.front();
+    if (found.size() > 1)
+        throw ConfigError(path, 0, name, "several columns have this name; add the unit");
+    throw ConfigError(path, 0, name, "no such column; " + suggestion(name, names));
+}
+
+double number_at(const std::string& path, const Csv& csv, const CsvRow& row, std::size_t column)
+{
+    const Place at{path, row, csv.head[column]};
+    std::string text(trimmed(row.cells[column]));
+    if (text.empty()) refuse(at, "empty cell; write a number, or take the row out");
+    if (csv.separator != ',') std::replace(text.begin(), text.end(), ',', '.');
+    double value = 0.0;
+    const char* first = text.data() + (text.front() == '+' ? 1 : 0);
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(first, last, value);
+    if (error != std::errc() || end != last) refuse(at, in_quotes(text) + " is not a number");
+    if (!std::isfinite(value)) refuse(at, in_quotes(text) + " is not a finite number");
+    if (value < 0.0) refuse(at, in_quotes(text) + " is negative; it must be at least 0");
+    return value;
+}
 
 Csv parse_csv(const std::string& path, std::string_view text)
 {

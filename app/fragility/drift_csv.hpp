@@ -30,6 +30,16 @@ struct Csv {
 /// many cells, a quote that is not closed
 [[nodiscard]] Csv parse_csv(const std::string& path, std::string_view text);
 
+/// The column of this name: "drift", or with its unit "drift [%]".
+/// @throws ConfigError if there is none, or several of it
+[[nodiscard]] std::size_t find_column(const std::string& path, const Csv& csv,
+                                      std::string_view name);
+
+/// The number in a cell, >= 0. With semicolons or tabs as separators 1,5 is read as 1.5.
+/// @throws ConfigError naming row and column
+[[nodiscard]] double number_at(const std::string& path, const Csv& csv, const CsvRow& row,
+                               std::size_t column);
+
 /// Columns of a table, by name: "drift" or, with its unit, "drift [%]".
 struct DriftColumns {
     std::vector<std::string> drift; ///< one or more limit states

@@ -1,5 +1,6 @@
 #include "app/fragility/fragility_command.hpp"
 
+#include "app/fragility/damage_curves.hpp"
 #include "app/fragility/drift_csv.hpp"
 #include "app/fragility/fragility_curves.hpp"
 #include "app/fragility/fragility_inputs.hpp"
@@ -98,14 +99,36 @@ bool is_study(const std::string& path)
 
 void check_columns(const Command& command, bool study)
 {
-    const bool any =
+    const bool drifts =
         !command.drift.empty() || !command.censored.empty() || !command.group.empty();
-    if (study && any)
-        throw ConfigError("drystone", 0, "--drift, --censored, --group",
-                          "columns of a table; a study has none, leave them out");
-    if (!study && command.drift.empty())
-        throw ConfigError("drystone", 0, "--drift",
-                          "missing; name the column of drifts in " + in_quotes(command.study));
+    const bool counts = !command.failed.empty() || !command.state.empty() ||
+                        !command.of.empty() || !command.intensity.empty();
+    const auto refuse = [](const char* option, const std::string& why) {
+        throw ConfigError("drystone", 0, option, why);
+    };
+    if (study && (drifts || counts))
+        refuse("--drift, --intensity, ...",
+               "columns of a table; a study has none, leave them out");
+    if (study) return;
+    if (drifts && counts)
+        refuse(
+            "--intensity, --failed, --of, --state",
+            "belong to a table of counts, not to one of drifts; leave out --drift, --censored "
+            "and --group");
+    if (!drifts && !counts)
+        refuse("--drift", "missing; name the column of drifts in " + in_quotes(command.study) +
+                              ", or --intensity, --failed and --of of a table of counts");
+    if (drifts && command.drift.empty())
+        refuse("--drift", "missing; name the column of drifts in " + in_quotes(command.study));
+    if (!counts) return;
+    if (command.intensity.empty())
+        refuse("--intensity", "missing; name the column of intensities");
+    if (command.failed.empty() == command.state.empty())
+        refuse("--failed",
+               "name either the columns of the numbers that reached the limit states, "
+               "or with --state the column of damage states");
+    if (command.state.empty() && command.of.empty())
+        refuse("--of", "missing; name the column of the numbers of all walls");
 }
 
 /// For the tables shown without their captions.
@@ -124,9 +147,14 @@ FragilityOutput output_of(const Command& command)
     check_columns(command, study);
     if (study) return study_output(read_study_walls(command.study, command.overrides));
     const DriftOptions options = options_of(command.overrides);
+    const Csv csv = parse_csv(command.study, read_file(command.study));
+    if (!command.intensity.empty())
+        return damage_output(
+            damage_counts(command.study, csv,
+                          {command.intensity, command.failed, command.state, command.of}),
+            options.confidence);
     DriftData data =
-        drift_data(command.study, parse_csv(command.study, read_file(command.study)),
-                   {command.drift, command.censored, command.group});
+        drift_data(command.study, csv, {command.drift, command.censored, command.group});
     data.options = options;
     return drift_output(data);
 }
@@ -186,7 +214,7 @@ int fragility_command(const Command& command)
     const FragilityOutput output = output_of(command);
     write_output(command.out, output);
     for (const NamedTable& t : output.tables)
-        if (t.name == "performance_limits" || t.name == "modes")
+        if (t.name == "performance_limits" || t.name == "modes" || t.name == "fragility_curves")
             std::cout << t.title << "\n" << as_text(t.table) << "\n";
     std::cout << mark_text(output) << output.remarks << "written to " << command.out
               << ", README.md there lists all files\n";

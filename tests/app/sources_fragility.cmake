@@ -1,6 +1,7 @@
 drystone_tests(app_fragility
     SOURCES
         app/fragility_scenes.cpp
+        app/test_damage_counts.cpp
         app/test_drift_csv.cpp
         app/test_fragility_limits.cpp
         app/test_fragility_means.cpp

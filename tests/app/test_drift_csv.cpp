@@ -62,10 +62,10 @@ TEST_CASE("drift CSV: a bad cell is named by row and column", "[app][drift_csv]"
         const char* row;
         const char* message;
     } cases[] = {
-        {"B,,0", "walls.csv:3: drift [%]: empty cell; write a drift, or take the row out"},
+        {"B,,0", "walls.csv:3: drift [%]: empty cell; write a number, or take the row out"},
         {"B,nan,0", "walls.csv:3: drift [%]: \"nan\" is not a finite number"},
         {"B,-inf,0", "walls.csv:3: drift [%]: \"-inf\" is not a finite number"},
-        {"B,-0.5,0", "walls.csv:3: drift [%]: \"-0.5\" is negative; a drift is at least 0"},
+        {"B,-0.5,0", "walls.csv:3: drift [%]: \"-0.5\" is negative; it must be at least 0"},
         {"B,1.2x,0", "walls.csv:3: drift [%]: \"1.2x\" is not a number"},
         {"B,1.2,maybe",
          "walls.csv:3: c: \"maybe\" does not say whether the value is a bound; write 1 or 0"},

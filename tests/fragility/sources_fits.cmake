@@ -13,7 +13,7 @@ drystone_tests(fragility_fits
         fragility/test_maximise.cpp
         fragility/test_standard_law.cpp
         fragility/test_stress_model.cpp
-        fragility/test_stripe_fit.cpp
+        fragility/test_ordinal_fit.cpp
         fragility/test_survival_data.cpp
     LIBRARIES drystone_fragility)
 

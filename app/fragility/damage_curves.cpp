@@ -1,0 +1,227 @@
+#include "app/fragility/damage_curves.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/output/chart_svg.hpp"
+#include "app/study/fragility_text.hpp"
+#include "fragility/standard_law.hpp"
+
+#include <boost/math/special_functions/gamma.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+using fragility::ModelOutcome;
+using fragility::OrdinalFit;
+using fragility::StateCounts;
+
+constexpr const char* kAlone = "alone";
+constexpr const char* kTogether = "one dispersion for all states";
+
+double quantile_of(double confidence)
+{
+    return fragility::StandardNormal::quantile(0.5 + 0.5 * confidence);
+}
+
+/// Walls in all, and those that reached a state.
+struct Totals {
+    double n = 0.0, reached = 0.0;
+};
+
+Totals totals(const std::vector<StateCounts>& rows, std::size_t state)
+{
+    Totals t;
+    for (const StateCounts& row : rows)
+        for (std::size_t k = 0; k < row.walls.size(); ++k) {
+            t.n += row.walls[k];
+            if (k >= state) t.reached += row.walls[k];
+        }
+    return t;
+}
+
+std::string interval(double value, double factor, int decimals)
+{
+    return with_interval(value, value / factor, value * factor, decimals);
+}
+
+/// Of a chi-squared variable above the deviance; empty where nothing is left to compare.
+std::string p_text(const OrdinalFit& f)
+{
+    if (!(f.freedom > 0.0)) return "";
+    return number(boost::math::gamma_q(0.5 * f.freedom, 0.5 * std::max(0.0, f.deviance)), 3);
+}
+
+/// @param k place of the state in the fit, from 1
+std::vector<std::string> row(const DamageCounts& d, std::size_t state, const OrdinalFit& f,
+                             std::size_t k, const char* kind, double z)
+{
+    const Totals t = totals(d.rows, state);
+    std::vector<std::string> cells = {d.states[state - 1], kind, number(t.reached, 12),
+                                      number(t.n, 12)};
+    if (f.outcome != ModelOutcome::converged) {
+        cells.insert(cells.end(), {"", "", "", "", "", "", f.reason});
+        return cells;
+    }
+    const double median = f.medians[k - 1];
+    const auto at = static_cast<Eigen::Index>(k - 1), last = f.covariance.rows() - 1;
+    const double median_error = std::sqrt(f.covariance(at, at));
+    const double dispersion_error = std::sqrt(f.covariance(last, last));
+    const int decimals = decimals_for(median);
+    cells.insert(cells.end(),
+                 {interval(median, std::exp(z * median_error), decimals),
+                  number(median_error, 3),
+                  interval(f.dispersion, std::exp(z * dispersion_error / f.dispersion), 3),
+                  number(dispersion_error, 3), number(f.deviance, 4), p_text(f), ""});
+    return cells;
+}
+
+struct Fits {
+    std::vector<OrdinalFit> alone; ///< of each state
+    OrdinalFit together;           ///< of all; not used for one state
+};
+
+Fits fits_of(const DamageCounts& d)
+{
+    Fits f;
+    for (std::size_t k = 1; k <= d.states.size(); ++k)
+        f.alone.push_back(fragility::fit_ordinal(fragility::reaching(d.rows, k)));
+    if (d.states.size() > 1) f.together = fragility::fit_ordinal(d.rows);
+    return f;
+}
+
+app::Table fit_table(const DamageCounts& d, const Fits& f, double confidence)
+{
+    app::Table t;
+    t.caption = "Lognormal fragility curves by maximum likelihood: median of " + d.intensity +
+                " and dispersion (standard deviation of its logarithm), with " +
+                percent_text(confidence) +
+                " intervals from their standard errors on the logarithmic axis. p: how often "
+                "counts of these curves lie further from them than the counts of the table do "
+                "(chi-squared of the deviance; rough where few walls are expected in a cell).";
+    t.head = {"limit state",
+              "fitted",
+              "reached",
+              "of",
+              "median " + d.intensity,
+              "standard error of ln median",
+              "dispersion",
+              "standard error of dispersion",
+              "deviance",
+              "p",
+              "note"};
+    const double z = quantile_of(confidence);
+    for (std::size_t k = 1; k <= d.states.size(); ++k)
+        t.rows.push_back(row(d, k, f.alone[k - 1], 1, kAlone, z));
+    if (d.states.size() > 1)
+        for (std::size_t k = 1; k <= d.states.size(); ++k)
+            t.rows.push_back(row(d, k, f.together, k, kTogether, z));
+    return t;
+}
+
+/// Share of the walls at one intensity that reached a state; not a number without walls.
+double share(const StateCounts& row, std::size_t state)
+{
+    const Totals t = totals({row}, state);
+    return t.reached / t.n;
+}
+
+double band_end(const fragility::StateProbability& p, double z)
+{
+    return fragility::StandardNormal::cdf(p.probit + z * p.probit_error);
+}
+
+app::Table curve_table(const DamageCounts& d, const OrdinalFit& f, std::size_t state,
+                       std::size_t k, double z)
+{
+    app::Table t;
+    t.caption = "Share of walls that reached " + d.states[state - 1] +
+                ", and the fitted probability with its band.";
+    t.head = {d.intensity, "reached", "of", "share [%]", "probability [%]"};
+    for (const StateCounts& row : d.rows) {
+        const Totals n = totals({row}, state);
+        const auto p = fragility::probability(f, k, row.intensity);
+        t.rows.push_back({number(row.intensity, 8), number(n.reached, 12), number(n.n, 12),
+                          n.n > 0.0 ? fixed(100.0 * n.reached / n.n, 1) : "",
+                          with_interval(100.0 * p.probability, 100.0 * band_end(p, -z),
+                                        100.0 * band_end(p, z), 1)});
+    }
+    return t;
+}
+
+std::vector<double> grid(const DamageCounts& d)
+{
+    constexpr int kPoints = 120;
+    const double most = 1.2 * d.rows.back().intensity;
+    std::vector<double> x;
+    for (int i = 1; i <= kPoints; ++i) x.push_back(most * i / kPoints);
+    return x;
+}
+
+NamedPicture picture(const DamageCounts& d, const std::vector<const OrdinalFit*>& fits,
+                     const std::vector<std::size_t>& places, double z)
+{
+    Chart c;
+    c.title = "Fragility from counts";
+    c.x_label = d.intensity;
+    c.y_label = "probability of reaching the limit state";
+    for (std::size_t s = 0; s < d.states.size(); ++s) {
+        Series seen{d.states[s] + ", observed share", {}, {}, "", LineStyle::none, 1.0, true};
+        for (const StateCounts& row : d.rows) {
+            seen.x.push_back(row.intensity);
+            seen.y.push_back(share(row, s + 1));
+        }
+        c.series.push_back(seen);
+        if (fits[s]->outcome != ModelOutcome::converged) continue;
+        Series line{d.states[s], {}, {}, "", LineStyle::solid, 2.0, false};
+        Series low{"", {}, {}, "", LineStyle::dotted, 1.2, false}, high = low;
+        for (const double x : grid(d)) {
+            const auto p = fragility::probability(*fits[s], places[s], x);
+            for (Series* const one : {&line, &low, &high}) one->x.push_back(x);
+            line.y.push_back(p.probability);
+            low.y.push_back(band_end(p, -z));
+            high.y.push_back(band_end(p, z));
+        }
+        constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                            "#E69F00"};
+        for (Series* const one : {&line, &low, &high, &c.series.back()})
+            one->colour = kColours[s % std::size(kColours)];
+        c.series.insert(c.series.end(), {line, low, high});
+    }
+    return {"curves", "fragility curves with their bands (dotted), and the observed shares",
+            line_chart(c)};
+}
+
+} // namespace
+
+FragilityOutput damage_output(const DamageCounts& d, double confidence)
+{
+    const Fits f = fits_of(d);
+    const double z = quantile_of(confidence);
+    const Totals all = totals(d.rows, 1);
+    FragilityOutput out;
+    out.source = d.source + ": " + number(all.n, 12) + " walls at " +
+                 std::to_string(d.rows.size()) + " intensities";
+    out.tables.push_back({"fragility_curves",
+                          "median and dispersion of the fragility curve of each limit state",
+                          fit_table(d, f, confidence)});
+    std::vector<const OrdinalFit*> shown;
+    std::vector<std::size_t> places;
+    const bool together = f.together.outcome == ModelOutcome::converged;
+    for (std::size_t s = 0; s < d.states.size(); ++s) {
+        shown.push_back(together ? &f.together : &f.alone[s]);
+        places.push_back(together ? s + 1 : 1);
+        if (shown.back()->outcome != ModelOutcome::converged) {
+            out.remarks += d.states[s] + ": no curve: " + shown.back()->reason + "\n";
+            continue;
+        }
+        out.tables.push_back({"curve_" + std::to_string(s + 1) + "_" + file_name(d.states[s]),
+                              "observed shares and probability of " + d.states[s],
+                              curve_table(d, *shown.back(), s + 1, places.back(), z)});
+    }
+    if (!d.rows.empty()) out.pictures.push_back(picture(d, shown, places, z));
+    return out;
+}
+
+} // namespace app
