@@ -1,5 +1,5 @@
 #pragma once
-/// Randomness of bootstraps, as an argument.
+/// Random numbers for bootstraps, passed as an argument.
 
 #include <cstdint>
 #include <functional>

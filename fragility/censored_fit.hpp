@@ -31,15 +31,14 @@ enum class FitOutcome {
 constexpr double kFewestWalls = 3.0;
 constexpr double kFewestInformative = 2.0;
 
-/// Why these observations cannot be fitted; nothing if they can.
+/// The reason why a law cannot be fitted to observations.
 struct Refusal {
     FitOutcome outcome;
     std::string reason; ///< with numbers: "all 12 censored: ..."
 };
 [[nodiscard]] std::optional<Refusal> screen(Law law, std::span<const Observation> data);
 
-/// Everything but outcome, reason and counts is as initialised unless the outcome is
-/// `converged`.
+/// A fitted law. Unless the outcome is `converged`, only outcome, reason and counts mean anything.
 struct Fit {
     FitOutcome outcome = FitOutcome::no_data;
     std::string reason; ///< empty if converged
@@ -56,8 +55,7 @@ struct Fit {
 };
 
 [[nodiscard]] Fit fit(Law law, std::span<const Observation> data);
-/// The same for a prepared sample with weights changed, as a bootstrap does; not screened.
-/// `start` saves iterations.
+/// Fits a prepared sample, which must have passed screen(). `start` saves iterations.
 [[nodiscard]] Fit fit(const CensoredSample& sample, const Distribution* start = nullptr);
 
 } // namespace fragility

@@ -23,7 +23,7 @@ struct CensoredSample {
     double shift = 0.0, scale = 1.0;
 };
 
-/// @throws nothing; the observations must have passed screen() (fit_outcome.hpp)
+/// @throws nothing; the observations must have passed screen() (censored_fit.hpp)
 [[nodiscard]] CensoredSample prepare(Law law, std::span<const Observation> data);
 
 /// Working parameters: (location, ln dispersion) on the axis of x.

@@ -1,6 +1,5 @@
 #pragma once
-/// Where a wall changes its way of failing: value of one covariate at which two modes are
-/// equally likely.
+/// The value of one covariate at which two failure modes are equally likely.
 
 #include "fragility/mode_model.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How far the data are from a law, and how often data of that law are further.
+/// Distances of the data from a fitted law, and how often data drawn from that law lie further away.
 
 #include "fragility/bootstrap_random.hpp"
 #include "fragility/censored_fit.hpp"
@@ -19,7 +19,8 @@ struct Distances {
     double anderson_darling = 0.0;   ///< A^2: the same, weighed by 1 / (F (1 - F))
 };
 
-/// Nothing for data with other censoring, of weights other than 1, or without an observed value.
+/// Nothing is returned for data with left- or interval-censored values, with weights other than 1, or
+/// without an observed value.
 [[nodiscard]] std::optional<Distances> distances(const Distribution& law,
                                                  std::span<const Observation> data);
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Share of walls that have reached a limit state, without a law: the check drawn beside a fit.
+/// The share of walls that have reached a limit state, estimated without assuming a law. It is drawn
+/// beside fitted curves as a check.
 
 #include "fragility/interval.hpp"
 #include "fragility/observation.hpp"

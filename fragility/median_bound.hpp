@@ -1,6 +1,6 @@
 #pragma once
-/// What walls that stood can still say: a limit displacement that was not reached is a lower
-/// bound, and no fit. Exact binomial tails, no law supposed.
+/// Bounds from walls that never reached the limit state, where no law can be fitted. The bounds come
+/// from exact binomial tails; no law is assumed.
 
 #include "fragility/observation.hpp"
 
@@ -8,12 +8,12 @@
 
 namespace fragility {
 
-/// At a value x a wall tells if it is known to have failed by x, or to have stood at x; walls
-/// stopped before say nothing there. (Walls that failed before they could have been stopped are
-/// counted all the same: the bound then is too high rather than too low.)
+/// A wall is informative at x if it is known either to have failed by x or to have survived x; a wall
+/// whose run stopped before x is not. (A wall that failed early counts even where its run would have
+/// been stopped before x; this makes the bound too high rather than too low.)
 struct ReachedBound {
-    double walls = 0.0;   ///< that tell
-    double failed = 0.0;  ///< of these
+    double walls = 0.0;   ///< informative walls
+    double failed = 0.0;  ///< informative walls that have failed
     double at_most = 1.0; ///< P(limit state reached at x) is at most this [-]; 1: nothing known
 };
 
@@ -27,7 +27,7 @@ struct MedianBound {
     double confidence = 0.0; ///< one-sided [-]
     bool median_bounded = false;
     double median_above = 0.0; ///< the median is at or above this value [x]
-    bool strictly = false;     ///< above: walls stood there, they did not just reach it
+    bool strictly = false;     ///< the median is above it: enough walls survived this value
 };
 
 /// The highest value that bounds the median from below. Five walls that stood bound it at 95 %:

@@ -1,5 +1,5 @@
 #pragma once
-/// Does a model of the failure mode fit the shares it was made from?
+/// Test of a model of the failure mode against the observed shares that it was fitted to.
 
 #include "fragility/mode_model.hpp"
 

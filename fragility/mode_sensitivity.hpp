@@ -1,6 +1,5 @@
 #pragma once
-/// How the shares of the failure modes move with the thresholds of the rule that tells them
-/// apart.
+/// How the shares of the failure modes depend on the thresholds of the rule that defines the modes.
 
 #include <functional>
 #include <span>
@@ -8,8 +7,8 @@
 
 namespace fragility {
 
-/// Figures of one wall (share of rotation, of sliding, energies, ...) and thresholds to a mode,
-/// 0 .. modes - 1.
+/// The mode, 0 .. modes - 1, of a wall with these figures (share of rotation, of sliding, energies,
+/// ...) under these thresholds.
 using ModeRule =
     std::function<int(std::span<const double> figures, std::span<const double> thresholds)>;
 
@@ -20,7 +19,7 @@ struct ThresholdShares {
     double moved = 0.0; ///< share of walls whose mode is not that of the first thresholds
 };
 
-/// One entry for each set of thresholds; the first is what the others are compared with.
+/// Shares of the modes for each set of thresholds. The others are compared with the first set.
 /// @throws std::invalid_argument without walls or thresholds, or if the rule gives no such mode
 [[nodiscard]] std::vector<ThresholdShares>
 mode_shares(std::span<const std::vector<double>> walls,

@@ -21,7 +21,7 @@ struct DriftLimit {
     Interval interval;
 };
 
-/// Numbers are 0 unless `fitted`; then `bound` says what is left to say.
+/// Numbers are 0 unless `fitted`; without a fit only `bound` says something.
 struct PerformanceLimits {
     bool fitted = false;
     std::string reason; ///< why there is no fit
@@ -36,8 +36,8 @@ struct PerformanceLimits {
     MedianBound bound; ///< without a law; of data with a fit too
 };
 
-/// Intervals by Wald or profile likelihood.
-/// @throws std::invalid_argument for another kind, or a confidence not in (0, 1)
+/// Fits the law and reads its quantiles, with intervals by profile likelihood.
+/// @throws std::invalid_argument for a confidence not in (0, 1)
 [[nodiscard]] PerformanceLimits performance_limits(Law law, std::span<const Observation> data,
                                                    double confidence = 0.95);
 

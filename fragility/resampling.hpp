@@ -10,8 +10,9 @@
 
 namespace fragility {
 
-/// Stopping points: of a censored wall its own, of an observed one drawn from the Kaplan-Meier
-/// estimate of those beyond it; infinite where there is none.
+/// Where the runs of resampled walls stop. A censored wall keeps its own stopping point. For an
+/// observed wall one is drawn from the Kaplan-Meier estimate of the stopping points beyond its value;
+/// it is infinite if there is none (Davison and Hinkley 1997, algorithm 3.2).
 class StoppingPoints {
   public:
     explicit StoppingPoints(std::span<const Observation> walls);
@@ -23,7 +24,7 @@ class StoppingPoints {
     std::vector<double> at_, survival_; ///< stopping points, ascending; share beyond each
 };
 
-/// One resample from the law. Draws 2 k and 2 k + 1 are for wall k.
+/// One resample from the law. Wall k uses draws 2 k and 2 k + 1.
 [[nodiscard]] std::vector<Observation> draw_law(const Distribution& law,
                                                 const StoppingPoints& stops, std::size_t walls,
                                                 const RandomBits& bits,

@@ -13,11 +13,12 @@ namespace uq {
 [[nodiscard]] Eigen::MatrixXd nearest_correlation(const Eigen::MatrixXd& a,
                                                   double least = 1e-6);
 
-/// Rows in brackets, 6 digits; of large matrices the entries alone that differ from `from` most.
+/// The matrix as text: rows in brackets, 6 digits. Of a large matrix only the entries that differ
+/// most from those of `from` are listed.
 [[nodiscard]] std::string correlation_text(const Eigen::MatrixXd& r,
                                            const Eigen::MatrixXd& from);
 
-/// @param what stands before the reason: "pearson"
+/// @param what name of the matrix, which begins the message: "pearson"
 /// @throws std::invalid_argument if `r` is not d x d, finite, symmetric (to 1e-12), 1 on its
 /// diagonal, within [-1, 1] and positive definite (eigenvalues above 1e-10); the message shows the
 /// nearest matrix that is

@@ -10,16 +10,16 @@ namespace uq {
 
 enum class DesignKind {
     monte_carlo,     ///< independent rows
-    latin_random,    ///< one row in each stratum of each variable, anywhere in it
-    latin_centred,   ///< in the middle of the stratum
-    latin_optimised, ///< latin_random, strata arranged so that no two rows are close
+    latin_random,    ///< each stratum of each variable holds one row, at a random place
+    latin_centred,   ///< each stratum of each variable holds one row, in its middle
+    latin_optimised, ///< as latin_random, with the strata arranged so that no two rows are close
     sobol            ///< scrambled, see uq/designs/sobol.hpp
 };
 
 struct Design {
     DesignKind kind = DesignKind::latin_random;
-    /// Rows, ascending: first those of the first size, then those by which it grew to the second
-    /// and so on. Rows of a size stay as they are, bit for bit, when a further size is added.
+    /// Numbers of rows, ascending: the design has the first size, then grows to the second, and so
+    /// on. Rows of a size stay as they are, bit for bit, when a further size is added.
     /// At most 2^20 rows for Latin hypercubes, 2^32 otherwise.
     std::vector<std::int64_t> sizes;
     int d = 1; ///< variables, >= 1
@@ -28,18 +28,18 @@ struct Design {
 
 /// @throws std::invalid_argument naming what is out of range
 void check(const Design& design);
-/// As above, and 0 <= first <= last <= rows.
+/// Checks the design, and that 0 <= first <= last <= rows.
 void check(const Design& design, std::int64_t first, std::int64_t last);
 
 [[nodiscard]] bool is_latin(DesignKind kind);
-[[nodiscard]] std::int64_t rows(const Design& design); ///< of the last size
+[[nodiscard]] std::int64_t rows(const Design& design); ///< rows of the last size
 
 /// All rows.
 [[nodiscard]] Eigen::MatrixXd unit_cube(const Design& design);
 
-/// Rows first .. last - 1 of it, the same bits. Of independent rows and of Sobol' only these are
-/// computed; of a Latin hypercube of one size all strata, only these rows' places; of an optimised
-/// or grown one everything.
+/// Rows first .. last - 1 of the design, the same bits. Cost: Monte Carlo and Sobol' compute only
+/// the requested rows. A Latin hypercube of one size computes all strata but only these rows'
+/// positions. Optimised or grown designs are computed in full.
 [[nodiscard]] Eigen::MatrixXd unit_cube(const Design& design, std::int64_t first,
                                         std::int64_t last);
 

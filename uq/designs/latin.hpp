@@ -13,9 +13,10 @@ enum class Place { random, centred };
 /// The stratum of u among n: floor(u n).
 [[nodiscard]] std::int64_t stratum(double u, std::int64_t n);
 
-/// Rows first .. last - 1 of n. Strata of variable j: Fisher-Yates on stream (seed, j, strata).
-/// Place of row i: draw j of stream (seed, i, place_in_stratum), 30 bits, so that a row is never
-/// on the edge of a stratum, also not of those of a grown design.
+/// Rows first .. last - 1 of n. The strata of variable j are shuffled (Fisher-Yates) by the stream
+/// (seed, j, strata). The place of row i in its stratum is draw j of the stream (seed, i,
+/// place_in_stratum); it has 30 bits, so that a row is never on the edge of a stratum, not even of
+/// one of a grown design.
 [[nodiscard]] Eigen::MatrixXd latin_hypercube(std::int64_t n, int d, std::uint64_t seed,
                                               Place place, std::int64_t first,
                                               std::int64_t last);

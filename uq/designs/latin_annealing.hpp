@@ -9,15 +9,16 @@
 namespace uq {
 
 struct AnnealingOptions {
-    int exchanges = 100000; ///< tried, >= 0
-    double hot = 10.0;      ///< first temperature: of ln phi, times 1 / n^2 [-], > 0; tuned
+    int exchanges = 100000; ///< number of exchanges tried, >= 0
+    double hot = 10.0;      ///< first temperature of ln phi, times n^2 [-], > 0; tuned
     double cold = 0.025;    ///< last temperature, in (0, hot]; tuned
 };
 
-/// Rows as arranged best in one descent from hot to cold, or in as many as leave 6 n^2 d exchanges
-/// for each (few rows have few good arrangements, hard to find; tuned) by phi_50; never worse than `u`. Exchanges are tried
-/// among rows `fixed` .. n - 1 alone, distances to the rows before count. Cost of one: 2 n distances,
-/// whatever the number of variables. Draws from stream (seed, n, annealing).
+/// The best arrangement of the rows, by phi_50, found by simulated annealing; never worse than `u`.
+/// Small designs get several runs from hot to cold, each of at least 6 n^2 d exchanges, because few
+/// rows have few good arrangements, which are hard to find (tuned). Only rows `fixed` .. n - 1 are
+/// exchanged; their distances to the rows before count. An exchange costs 2 n distances, whatever
+/// the number of variables. Random numbers come from the stream (seed, n, annealing).
 /// @throws std::invalid_argument for more than 4096 rows (16 n^2 bytes are used) or options out
 /// of range
 [[nodiscard]] Eigen::MatrixXd spread_rows(Eigen::MatrixXd u, Eigen::Index fixed,

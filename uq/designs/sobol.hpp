@@ -16,8 +16,8 @@ constexpr int kSobolDimensions = 3667;
 
 enum class Scramble { none, matrix_and_shift };
 
-/// Points first .. last - 1; any is reached at once. Point 0 without scrambling is the origin,
-/// moved to 2^-53 as all coordinates are: entries are (k + 1/2) / 2^52.
+/// Points first .. last - 1 of the sequence; any of them is reached at once. Entries are
+/// (k + 1/2) / 2^52, so that point 0 without scrambling is 2^-53 away from the origin.
 /// @throws std::invalid_argument for d outside [1, 3667]
 [[nodiscard]] Eigen::MatrixXd sobol(std::int64_t first, std::int64_t last, int d,
                                     std::uint64_t seed,

@@ -17,7 +17,7 @@ enum class Purpose : std::uint64_t {
     monte_carlo = 1,      ///< coordinates of independent samples
     strata = 2,           ///< order of the strata of a Latin hypercube; sample = variable
     place_in_stratum = 3, ///< where in its stratum a sample lies
-    scramble = 4,         ///< of a low-discrepancy sequence
+    scramble = 4,         ///< scrambling of a low-discrepancy sequence
     annealing = 5,        ///< optimisation of a design
     extension = 6,        ///< strata given to new rows of a grown design
     dependence = 7,       ///< scores that bring rank correlation
@@ -43,7 +43,7 @@ class Stream {
     double uniform();
     /// In 0 .. n - 1, without bias (Lemire 2019); n >= 1.
     std::uint64_t below(std::uint64_t n);
-    /// uniform() for each entry, the same bits, faster.
+    /// Fills each entry with uniform(): the same bits, faster.
     void fill_uniform(std::span<double> u);
     /// Standard normal, quantile of uniform().
     double normal();

@@ -1,10 +1,9 @@
 #pragma once
-/// No number without its doubt.
+/// Estimates with their standard error and interval.
 ///
-/// A value that is NaN is a sample that failed: it is left out of the value, counted, and where
-/// something is known of what it could have been, the interval is widened to hold it.
-/// Every interval supposes independent samples. A Latin hypercube or a sequence has a smaller
-/// error, which one design cannot show: uq/estimates/replicate.hpp.
+/// A value that is NaN is a sample that failed. It is left out of the estimate and counted; where
+/// its possible values are known, the interval is widened to hold them.
+/// Intervals assume independent samples; for Latin hypercubes and sequences they are conservative.
 
 #include <cstddef>
 #include <span>
@@ -50,13 +49,14 @@ struct Moments {
 [[nodiscard]] Estimate estimate_mean(std::span<const double> y,
                                      double confidence = kConfidence);
 
-/// The same where every answer is known to lie in [lower, upper]: the interval holds the mean
-/// of all samples, whatever the failed ones would have answered.
+/// The mean of answers that are known to lie in [lower, upper]. The interval holds the mean of all
+/// samples, whatever the failed ones would have answered.
 [[nodiscard]] Estimate estimate_mean(std::span<const double> y, double lower, double upper,
                                      double confidence = kConfidence);
 
-/// Standard deviation. Standard error from the fourth moment, interval on the logarithm (s is
-/// skew): no distribution is supposed. Short for heavy tails and small n.
+/// Standard deviation. The standard error comes from the fourth moment, and the interval is taken on
+/// the logarithm because s is skewed; no distribution is assumed. For heavy tails and small n the
+/// interval is too short.
 [[nodiscard]] Estimate estimate_sd(std::span<const double> y, double confidence = kConfidence);
 
 enum class ProportionInterval {

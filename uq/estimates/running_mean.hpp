@@ -8,8 +8,8 @@
 
 namespace uq {
 
-/// After `samples` samples, `sound` of them answered. Samples before the first sound one have
-/// no entry.
+/// The mean after `samples` samples, of which `sound` answered. There is no entry before the first
+/// sound sample.
 struct RunningMean {
     std::size_t samples, sound;
     double mean;
@@ -21,8 +21,9 @@ struct Prescribed {
     double mean, sd; ///< of the distribution sampled; sd >= 0
 };
 
-/// Against the prescribed mean, with the band of independent samples: factor sd / sqrt(j). A
-/// stratified design should stay well inside. The band holds at each j, not for all at once.
+/// Compares the running mean with the prescribed one. The band is that of independent samples,
+/// factor sd / sqrt(j); a stratified design should stay well inside it. The band holds at each j,
+/// not for all at once.
 /// @param relative divide by |prescribed mean|, as Fig. 10 does
 /// @throws std::invalid_argument for no sound sample, or a mean of 0 with `relative`
 [[nodiscard]] std::vector<RunningMean> running_mean(std::span<const double> y,
@@ -30,9 +31,9 @@ struct Prescribed {
                                                     bool relative = true,
                                                     double confidence = kConfidence);
 
-/// Against the mean of all n, for responses whose mean is not known: the mean of j of them
-/// differs from that of all by s sqrt(1 / j - 1 / n). The error ends at 0 whatever the mean of
-/// all is worth; that is what estimate_mean tells.
+/// Compares the running mean with the mean of all n, for responses whose mean is not known: the mean
+/// of j of them differs from that of all by about s sqrt(1 / j - 1 / n). The error ends at 0 however
+/// uncertain the mean of all is; estimate_mean gives that uncertainty.
 [[nodiscard]] std::vector<RunningMean>
 running_mean(std::span<const double> y, bool relative = true, double confidence = kConfidence);
 

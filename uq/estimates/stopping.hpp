@@ -1,10 +1,9 @@
 #pragma once
-/// How many samples: until an interval is narrow enough.
+/// Stopping rule: samples are added until an interval is narrow enough.
 ///
-/// Looking again and again and stopping at a narrow interval picks out samples whose spread
-/// came out small: the coverage of the last interval is a little below its confidence
-/// (tests/uq/test_stopping.cpp measures it). A larger `min_n` and growth in large steps keep
-/// that small.
+/// Stopping at a narrow interval favours samples whose spread came out small, so that the coverage
+/// of the last interval is a little below its confidence (tests/uq/test_stopping.cpp measures it).
+/// A larger `min_n` and growth in large steps keep this effect small.
 
 #include "uq/estimates/estimate.hpp"
 
@@ -20,10 +19,10 @@ struct StoppingRule {
     StoppingTarget target = StoppingTarget::mean;
     double p = 0.5;           ///< of the quantile [-], in (0, 1)
     double threshold = 0.0;   ///< of the probability, unit of the response
-    double half_width = 0.05; ///< > 0, the larger side of the interval is to be at most this
-    bool relative = true;     ///< of |value|; else in its unit
+    double half_width = 0.05; ///< largest side of the interval that is narrow enough, > 0
+    bool relative = true;     ///< half_width is a share of |value|; else it has its unit
     double confidence = kConfidence;
-    std::size_t min_n = 50;   ///< no look before, >= 2
+    std::size_t min_n = 50;   ///< samples before the first look, >= 2
     std::size_t max_n = 1000; ///< >= min_n, failed samples included
     double growth = 1.5;      ///< of the number of samples from look to look, > 1
 };
@@ -42,7 +41,7 @@ struct StoppingDecision {
 /// @throws std::invalid_argument naming the setting of the rule that is out of range
 void check(const StoppingRule& rule);
 
-/// What the samples so far say. NaN: a failed sample.
+/// Judges the samples taken so far. NaN is a failed sample.
 [[nodiscard]] StoppingDecision judge(const StoppingRule& rule, std::span<const double> y);
 
 } // namespace uq

@@ -1,5 +1,5 @@
 #pragma once
-/// What turns independent standard normal coordinates into correlated ones: g = map z.
+/// The linear map that correlates independent standard normal coordinates: g = map z.
 
 #include <Eigen/Core>
 
@@ -17,9 +17,9 @@ struct FieldBasis {
 /// Largest nugget that passes for rounding.
 constexpr double kLargestNugget = 1e-8;
 
-/// Lower triangular factor. Sites of correlation exactly 1 share one row and one coordinate, so
-/// one value for all needs one coordinate and gives it back unchanged, and independent sites
-/// give back their coordinates unchanged.
+/// Lower triangular factor of the correlation. Sites of correlation exactly 1 share one row and one
+/// coordinate. A field with one value for all sites therefore has one coordinate and returns it
+/// unchanged; independent sites return their coordinates unchanged.
 /// @param correlation symmetric, ones on the diagonal, entries in [-1, 1]
 /// @throws std::invalid_argument if it is not, or if it is indefinite beyond kLargestNugget
 [[nodiscard]] FieldBasis cholesky_basis(const Eigen::MatrixXd& correlation);

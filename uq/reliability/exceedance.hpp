@@ -28,13 +28,13 @@ struct Exceedance {
 /// Standard error / value; infinite where the value is zero.
 [[nodiscard]] double coefficient_of_variation(const Estimate& e);
 
-/// Clopper and Pearson (1934), equal tails. @param confidence in (0, 1), successes <= n, n >=
-/// 1, else std::invalid_argument
+/// Interval of Clopper and Pearson (1934) with equal tails.
+/// @throws std::invalid_argument unless confidence is in (0, 1), successes <= n and n >= 1
 [[nodiscard]] Interval binomial_interval(std::size_t successes, std::size_t n,
                                          double confidence);
 
-/// From counts of independent samples; the ledger and the outcome are the caller's. If all
-/// failed, the value is 0, its interval [0, 1], the outcome no_answer.
+/// The estimate from counts of independent samples; the caller fills in the ledger. If all samples
+/// failed, the value is 0, its interval [0, 1] and the outcome no_answer.
 [[nodiscard]] Exceedance count_exceedance(std::size_t passed, std::size_t failed, std::size_t n,
                                           double confidence);
 

@@ -8,14 +8,14 @@
 namespace uq {
 
 struct LinearLimit {
-    Eigen::VectorXd u;        ///< where
+    Eigen::VectorXd u;        ///< point of linearisation
     double g;                 ///< value [unit of the response]
     Eigen::VectorXd gradient; ///< dg/du
 };
 
-/// g at `u` and at u +/- step along each axis: 2 d + 1 evaluations. The error of the gradient
-/// is step^2/6 times the third derivative, and roughness of g / step. Nothing if one of them
-/// failed.
+/// Evaluates g at `u` and at u +/- step along each axis, 2 d + 1 evaluations in one batch. The error
+/// of the gradient is step^2 / 6 times the third derivative plus the roughness of g over step.
+/// Nothing is returned if an evaluation failed.
 [[nodiscard]] std::optional<LinearLimit>
 linearise(const LimitState& s, const Eigen::VectorXd& u, double step, Ledger& ledger);
 

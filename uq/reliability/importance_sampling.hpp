@@ -26,11 +26,13 @@ struct ImportanceResult {
     double unexplained_share = 0.0;
 };
 
-/// Below this the standard error of the weights is itself not known: a warning. Tuned, see
-/// tests.
+/// With fewer effective samples the standard error itself is uncertain, and a warning says so. Tuned,
+/// see tests.
 constexpr double kFewEffective = 50.0;
-constexpr double kLargeShare = 0.1;        ///< of one weight: a warning
-constexpr double kUnexplainedShare = 0.05; ///< a warning: look for more design points
+/// A larger share of the sum in one weight causes a warning.
+constexpr double kLargeShare = 0.1;
+/// A larger share away from all centres causes a warning: look for more design points.
+constexpr double kUnexplainedShare = 0.05;
 
 /// Mixture of unit normal densities at the centres, weighed by Phi(-|centre|), and the
 /// defensive one. @param centres design points, one row each, at least one

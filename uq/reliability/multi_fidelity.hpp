@@ -40,7 +40,7 @@ struct MultiFidelityResult {
     /// Probability: if every failed expensive sample is safe, or passes. Mean: the value, twice.
     double lower = 0.0, upper = 0.0;
     EffortPlan plan;
-    std::string reason;                    ///< why it does not pay
+    std::string reason;                    ///< why the cheap models do not pay
     Eigen::VectorXd correlation;           ///< in the pilot, of every cheap model
     Eigen::VectorXd cost;                  ///< of a sample: expensive, then every cheap model
     double plain_std_error = 0.0;          ///< of the same expensive samples without help
@@ -54,7 +54,7 @@ struct MultiFidelityResult {
 ///
 /// A failed sample of a cheap model counts as the mean of its pilot (as safe, for a
 /// probability): any fixed number will do, since its mean need not be known. A failed sample of
-/// the expensive model is left to the others like it, as the cheap models see it.
+/// the expensive model is imputed from samples with similar responses of the cheap models.
 /// @param s expensive limit state; for a mean its threshold is not used
 /// @throws std::invalid_argument naming what is missing or out of range, or a budget that does
 /// not reach for the pilot; std::runtime_error if fewer than 3 expensive samples of the pilot are

@@ -32,7 +32,7 @@ struct SubsetResult {
     std::vector<SubsetLevel> levels; ///< of the run in which failed samples are safe
 };
 
-/// Fewer ancestors than this say little of the standard error: a warning. Tuned, see tests.
+/// With fewer ancestors the standard error is uncertain, and a warning says so. Tuned, see tests.
 constexpr std::size_t kFewAncestors = 10;
 
 /// The standard error is that of the numbers of passed descendants of the first level's

@@ -48,7 +48,7 @@ struct RegressionOptions {
     std::uint64_t seed = 1; ///< of the resamples
 };
 
-/// Nothing if the response does not vary.
+/// Nothing is returned if the response does not vary.
 /// @param x n x d, NaN in a row of x or y: failed, left out and counted
 /// @throws std::invalid_argument if the lengths differ, a value is infinite, or fewer than d +
 /// 4 samples are sound
