@@ -42,7 +42,7 @@ app::Table table_of(const bench::Sweep& s)
         t.head.push_back("d80 " + app::fixed(stress, 2) + " [mm]");
     t.head.insert(t.head.end(), {"residual [%]", "s per wall"});
     for (std::size_t r = 0; r < s.rows.size(); ++r) {
-        std::vector<std::string> cells{s.rows[r].label};
+        app::Row cells{s.rows[r].label};
         const Answer* a = &answers[r * kStress.size()];
         double residual = 0.0, seconds = 0.0;
         for (std::size_t i = 0; i < kStress.size(); ++i)

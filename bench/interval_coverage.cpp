@@ -108,10 +108,10 @@ std::string verdict(const app::Table& table)
         double least = 100.0;
         double most = 0.0;
         for (const auto& row : table.rows) {
-            if (row[2] != kind) continue;
-            missed += row[5] == "no";
-            least = std::min(least, std::stod(row[3]));
-            most = std::max(most, std::stod(row[3]));
+            if (app::cell_text(row[2]) != kind) continue;
+            missed += app::cell_text(row[5]) == "no";
+            least = std::min(least, std::stod(app::cell_text(row[3])));
+            most = std::max(most, std::stod(app::cell_text(row[3])));
         }
         std::string& list = missed == 0 ? all : not_all;
         list += (list.empty() ? "" : "; ") + std::string(kind) + " (" + shown(least, "%.1f") +

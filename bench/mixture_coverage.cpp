@@ -215,9 +215,9 @@ std::string range(const app::Table& table, const std::string& kind)
 {
     double least = 100.0, most = 0.0;
     for (const auto& row : table.rows) {
-        if (row[3] != kind) continue;
-        least = std::min(least, std::stod(row[4]));
-        most = std::max(most, std::stod(row[4]));
+        if (app::cell_text(row[3]) != kind) continue;
+        least = std::min(least, std::stod(app::cell_text(row[4])));
+        most = std::max(most, std::stod(app::cell_text(row[4])));
     }
     return shown(least, "%.1f") + " to " + shown(most, "%.1f") + " %";
 }

@@ -138,8 +138,7 @@ void compare(const Answer& a, const Answer& limit, Errors& e)
     e.same += a.mixed == limit.mixed;
 }
 
-std::vector<std::string> cells(const std::string& name, const std::string& stress,
-                               const Errors& e)
+app::Row cells(const std::string& name, const std::string& stress, const Errors& e)
 {
     const double walls = static_cast<double>(e.peak.size());
     return {name,

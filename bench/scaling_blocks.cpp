@@ -57,7 +57,7 @@ Measured measure(const scenes::Scene& scene, const dem::Model& model,
     return {t.state, step / (1.0 * blocks * dem::lanes<Real>), t.moved() / step};
 }
 
-void add(const Measured& m, const Measured& smallest, std::vector<std::string>& row)
+void add(const Measured& m, const Measured& smallest, app::Row& row)
 {
     row.push_back(app::fixed(1e-6 * m.state, 1));
     row.push_back(app::fixed(1e9 * m.each, 1));
@@ -89,9 +89,8 @@ app::Table block_table()
         const Measured alone = measure<double>(scene, model, tables),
                        walls = measure<dem::Pack>(scene, model, tables);
         if (t.rows.empty()) first_alone = alone, first = walls;
-        std::vector<std::string> row{
-            std::to_string(courses), std::to_string(tables.blocks.size()),
-            std::to_string(tables.n_contacts), app::fixed(building, 2)};
+        app::Row row{std::to_string(courses), std::to_string(tables.blocks.size()),
+                     std::to_string(tables.n_contacts), app::fixed(building, 2)};
         add(alone, first_alone, row);
         add(walls, first, row);
         t.rows.push_back(std::move(row));

@@ -89,7 +89,7 @@ app::Table outcome_table(const std::vector<SceneReport>& scenes)
     for (const auto& [group, by_outcome] : count) {
         int all = 0;
         for (const auto& [outcome, n] : by_outcome) all += n;
-        std::vector<std::string> row{group, std::to_string(all)};
+        app::Row row{group, std::to_string(all)};
         for (const Outcome o : kOutcomes)
             row.push_back(share(by_outcome.contains(o) ? by_outcome.at(o) : 0, all));
         t.rows.push_back(row);
@@ -107,7 +107,7 @@ app::Table reduction_table(const std::vector<SceneReport>& scenes)
     t.head = {"step halved"};
     for (const Outcome o : kOutcomes) t.head.push_back(name_of(o));
     for (const auto& [times, by_outcome] : count) {
-        std::vector<std::string> row{std::to_string(times) + " times"};
+        app::Row row{std::to_string(times) + " times"};
         for (const Outcome o : kOutcomes)
             row.push_back(std::to_string(by_outcome.contains(o) ? by_outcome.at(o) : 0));
         t.rows.push_back(row);
@@ -125,9 +125,9 @@ app::Table within_bound_table(const std::vector<SceneReport>& scenes)
         t.head.push_back("step " + app::fixed(kStep[j], 2) + " to " +
                          app::fixed(kStep[j + 1], 2));
     for (std::size_t i = 0; i + 1 < kDamping.size(); ++i) {
-        std::vector<std::string> row{i == 0 ? "0"
-                                            : app::fixed(kDamping[i], 2) + " to " +
-                                                  app::fixed(kDamping[i + 1], 2)};
+        app::Row row{i == 0 ? "0"
+                            : app::fixed(kDamping[i], 2) + " to " +
+                                  app::fixed(kDamping[i + 1], 2)};
         for (std::size_t j = 0; j + 1 < kStep.size(); ++j) {
             int all = 0, reduced = 0;
             for_each_wall(scenes, [&](const SceneReport& s, const WallReport& w) {

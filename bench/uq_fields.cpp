@@ -33,7 +33,7 @@ std::string number(double x, const char* format = "%.3f")
 }
 
 /// One row of the table; `other` < 0: the other library has no such task.
-std::vector<std::string> row(const std::string& task, double own, double other, bool compared)
+app::Row row(const std::string& task, double own, double other, bool compared)
 {
     if (!compared || other < 0.0) return {task, number(own), "", ""};
     return {task, number(own), number(other), number(other / own, "%.1f")};

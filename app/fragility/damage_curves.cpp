@@ -41,39 +41,47 @@ Totals totals(const std::vector<StateCounts>& rows, std::size_t state)
     return t;
 }
 
-std::string interval(double value, double factor, int decimals)
+/// @param log_error standard error of ln value
+Number estimate(double value, double error, double log_error, double z, int decimals)
 {
-    return with_interval(value, value / factor, value * factor, decimals);
+    const double factor = std::exp(z * log_error);
+    return {.value = value,
+            .error = error,
+            .lower = value / factor,
+            .upper = value * factor,
+            .decimals = decimals};
 }
 
 /// Of a chi-squared variable above the deviance; empty where nothing is left to compare.
-std::string p_text(const OrdinalFit& f)
+Number p_cell(const OrdinalFit& f)
 {
-    if (!(f.freedom > 0.0)) return "";
-    return number(boost::math::gamma_q(0.5 * f.freedom, 0.5 * std::max(0.0, f.deviance)), 3);
+    if (!(f.freedom > 0.0)) return {};
+    return plain_number(boost::math::gamma_q(0.5 * f.freedom, 0.5 * std::max(0.0, f.deviance)),
+                        3);
 }
 
 /// @param k place of the state in the fit, from 1
-std::vector<std::string> row(const DamageCounts& d, std::size_t state, const OrdinalFit& f,
-                             std::size_t k, const char* kind, double z)
+Row row(const DamageCounts& d, std::size_t state, const OrdinalFit& f, std::size_t k,
+        const char* kind, double z)
 {
     const Totals t = totals(d.rows, state);
-    std::vector<std::string> cells = {d.states[state - 1], kind, number(t.reached, 12),
-                                      number(t.n, 12)};
+    Row cells = {d.states[state - 1], kind, count(t.reached), count(t.n)};
     if (f.outcome != ModelOutcome::converged) {
-        cells.insert(cells.end(), {"", "", "", "", "", "", f.reason});
+        cells.insert(cells.end(), {{}, {}, {}, {}, {}, "No fit: " + f.reason + "."});
         return cells;
     }
     const double median = f.medians[k - 1];
     const auto at = static_cast<Eigen::Index>(k - 1), last = f.covariance.rows() - 1;
     const double median_error = std::sqrt(f.covariance(at, at));
     const double dispersion_error = std::sqrt(f.covariance(last, last));
-    const int decimals = decimals_for(median);
-    cells.insert(cells.end(),
-                 {interval(median, std::exp(z * median_error), decimals),
-                  number(median_error, 3),
-                  interval(f.dispersion, std::exp(z * dispersion_error / f.dispersion), 3),
-                  number(dispersion_error, 3), number(f.deviance, 4), p_text(f), ""});
+    cells.insert(
+        cells.end(),
+        {estimate(median, kUnknown, median_error, z, decimals_for(median)),
+         plain_number(median_error, 3),
+         estimate(f.dispersion, dispersion_error, dispersion_error / f.dispersion, z, 3),
+         plain_number(f.deviance, 2),
+         p_cell(f),
+         {}});
     return cells;
 }
 
@@ -94,6 +102,7 @@ Fits fits_of(const DamageCounts& d)
 app::Table fit_table(const DamageCounts& d, const Fits& f, double confidence)
 {
     app::Table t;
+    t.title = "Median and dispersion of the fragility curve of each limit state";
     t.caption = "Lognormal fragility curves by maximum likelihood: median of " + d.intensity +
                 " and dispersion (standard deviation of its logarithm), with " +
                 percent_text(confidence) +
@@ -104,13 +113,13 @@ app::Table fit_table(const DamageCounts& d, const Fits& f, double confidence)
               "fitted",
               "reached",
               "of",
-              "median " + d.intensity,
-              "standard error of ln median",
-              "dispersion",
-              "standard error of dispersion",
+              {"median " + d.intensity, kInterval},
+              {"std error of ln median", kProgramsOnly},
+              {"dispersion", kInterval | kError},
               "deviance",
               "p",
-              "note"};
+              {"note", kNote}};
+    t.keys = 2;
     const double z = quantile_of(confidence);
     for (std::size_t k = 1; k <= d.states.size(); ++k)
         t.rows.push_back(row(d, k, f.alone[k - 1], 1, kAlone, z));
@@ -136,14 +145,15 @@ app::Table curve_table(const DamageCounts& d, const OrdinalFit& f, std::size_t s
                        std::size_t k, double z)
 {
     app::Table t;
+    t.title = "Observed shares and probability of " + d.states[state - 1];
     t.caption = "Share of walls that reached " + d.states[state - 1] +
                 ", and the fitted probability with its band.";
-    t.head = {d.intensity, "reached", "of", "share [%]", "probability [%]"};
+    t.head = {d.intensity, "reached", "of", "share [%]", {"probability [%]", kInterval}};
     for (const StateCounts& row : d.rows) {
         const Totals n = totals({row}, state);
         const auto p = fragility::probability(f, k, row.intensity);
-        t.rows.push_back({number(row.intensity, 8), number(n.reached, 12), number(n.n, 12),
-                          n.n > 0.0 ? fixed(100.0 * n.reached / n.n, 1) : "",
+        t.rows.push_back({given(row.intensity), count(n.reached), count(n.n),
+                          n.n > 0.0 ? plain_number(100.0 * n.reached / n.n, 1) : Number{},
                           with_interval(100.0 * p.probability, 100.0 * band_end(p, -z),
                                         100.0 * band_end(p, z), 1)});
     }
@@ -203,9 +213,7 @@ FragilityOutput damage_output(const DamageCounts& d, double confidence)
     FragilityOutput out;
     out.source = d.source + ": " + number(all.n, 12) + " walls at " +
                  std::to_string(d.rows.size()) + " intensities";
-    out.tables.push_back({"fragility_curves",
-                          "median and dispersion of the fragility curve of each limit state",
-                          fit_table(d, f, confidence)});
+    out.tables.push_back({"fragility_curves", fit_table(d, f, confidence)});
     std::vector<const OrdinalFit*> shown;
     std::vector<std::size_t> places;
     const bool together = f.together.outcome == ModelOutcome::converged;
@@ -217,7 +225,6 @@ FragilityOutput damage_output(const DamageCounts& d, double confidence)
             continue;
         }
         out.tables.push_back({"curve_" + std::to_string(s + 1) + "_" + file_name(d.states[s]),
-                              "observed shares and probability of " + d.states[s],
                               curve_table(d, *shown.back(), s + 1, places.back(), z)});
     }
     if (!d.rows.empty()) out.pictures.push_back(picture(d, shown, places, z));

@@ -12,8 +12,8 @@
 #include "app/input/text_file.hpp"
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
+#include "app/output/markup.hpp"
 #include "app/store/store_seal.hpp"
-#include "app/study/fragility_text.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -131,16 +131,6 @@ void check_columns(const Command& command, bool study)
         refuse("--of", "missing; name the column of the numbers of all walls");
 }
 
-/// For the tables shown without their captions.
-std::string mark_text(const FragilityOutput& output)
-{
-    for (const NamedTable& t : output.tables)
-        if (t.name == "performance_limits" &&
-            as_text(t.table).find(kExtrapolated) != std::string::npos)
-            return extrapolated_text("any wall of the row") + " (\"known to\")\n";
-    return {};
-}
-
 FragilityOutput output_of(const Command& command)
 {
     const bool study = is_study(command.study);
@@ -165,17 +155,11 @@ FragilityOutput drift_output(const DriftData& data)
 {
     FragilityOutput output;
     output.source = counts_text(data);
-    output.tables.push_back(
-        {"performance_limits",
-         "drifts at which 5 to 95 % of the walls have reached a limit state",
-         performance_table(data)});
-    output.tables.push_back(
-        {"goodness_of_fit", "how well laws fit the limit drifts", fit_table(data)});
-    const Table model = stress_table(data);
-    if (!model.rows.empty())
-        output.tables.push_back({"stress_model",
-                                 "median and dispersion of limit drifts over vertical stress",
-                                 model});
+    output.tables = {{"performance_limits", performance_table(data)},
+                     {"law_parameters", law_table(data)},
+                     {"goodness_of_fit", fit_table(data)}};
+    if (Table model = stress_table(data); !model.rows.empty())
+        output.tables.push_back({"stress_model", std::move(model)});
     for (NamedTable& t : curve_tables(data)) output.tables.push_back(std::move(t));
     add_pictures(output, curve_pictures(data));
     output.pelicun = pelicun_csv(data);
@@ -186,23 +170,12 @@ FragilityOutput study_output(const StudyWalls& walls)
 {
     FragilityOutput output = drift_output(drift_data(walls));
     output.remarks = failures(walls);
-    std::vector<NamedTable> tables = {
-        {"modes", "shares of the modes of failure per stress", mode_table(walls)},
-        {"table_6_rocking", "means of rocking walls (paper, Table 6)",
-         mean_table(walls, kRocking)},
-        {"table_7_mixed", "means of walls of mixed mode (paper, Table 7)",
-         mean_table(walls, kMixed)},
-        {"table_8_both_modes", "means of both modes side by side (paper, Table 8)",
-         both_modes_table(walls)},
-        {"equal_modes", "joint friction angle at which both modes are equally likely",
-         equal_modes_table(walls)},
-        {"mode_thresholds", "shares of the modes for other thresholds of their rule",
-         threshold_table(walls)},
-        {"mean_curves", "mean force over drift per mode and stress (paper, Fig. 15)",
-         mean_curve_table(walls)}};
-    if (!walls.inputs.empty())
-        tables.push_back({"inputs", "what force and displacement depend on (paper, Fig. 12)",
-                          input_table(walls)});
+    std::vector<NamedTable> tables = {{"modes", mode_table(walls)},
+                                      {"means_by_mode", mean_table(walls)},
+                                      {"equal_modes", equal_modes_table(walls)},
+                                      {"mode_thresholds", threshold_table(walls)},
+                                      {"mean_curves", mean_curve_table(walls)}};
+    if (!walls.inputs.empty()) tables.push_back({"inputs", input_table(walls)});
     output.tables.insert(output.tables.begin() + 1, tables.begin(), tables.end());
     add_pictures(output, mean_curve_pictures(walls));
     add_pictures(output, input_pictures(walls));
@@ -215,8 +188,8 @@ int fragility_command(const Command& command)
     write_output(command.out, output);
     for (const NamedTable& t : output.tables)
         if (t.name == "performance_limits" || t.name == "modes" || t.name == "fragility_curves")
-            std::cout << t.title << "\n" << as_text(t.table) << "\n";
-    std::cout << mark_text(output) << output.remarks << "written to " << command.out
+            std::cout << t.table.title << "\n" << as_text(t.table, terminal_width()) << "\n";
+    std::cout << wrapped(output.remarks, terminal_width()) << "written to " << command.out
               << ", README.md there lists all files\n";
     return 0;
 }

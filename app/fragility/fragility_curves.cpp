@@ -1,12 +1,11 @@
 #include "app/fragility/fragility_curves.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "fragility/fragility_curve.hpp"
 #include "fragility/kaplan_meier.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
 namespace {
@@ -24,60 +23,64 @@ double grid_end(const DriftData& data, std::size_t state)
     return common_end(all);
 }
 
-/// First cells of a row of the table of curves.
-using Start = std::vector<std::string>;
+/// Marked beyond the end of the walls.
+Number drift_cell(double drift, const std::vector<double>& drifts, double end)
+{
+    return {.value = drift, .decimals = decimals_for(drifts.back()), .known_to = end};
+}
 
-void add_fit(const DriftData& data, const Start& start,
+void add_fit(const DriftData& data, Row start,
              const std::vector<fragility::Observation>& limits,
              const std::vector<double>& drifts, Table& t)
 {
     const fragility::Fit fit = fragility::fit(data.options.law, limits);
-    Start row = start;
-    row.push_back(std::to_string(limits.size()));
+    start.emplace_back(count(static_cast<double>(limits.size())));
     if (fit.outcome != fragility::FitOutcome::converged) {
-        row.insert(row.end(), {"", "no curve: " + fit.reason, ""});
-        t.rows.push_back(row);
+        start.insert(start.end(), {{}, {}, {}, "No curve: " + fit.reason + "."});
+        t.rows.push_back(std::move(start));
         return;
     }
-    const int d = decimals_for(drifts.back());
     const double end = known_to(limits);
     for (const auto& p : fragility::fragility_curve(fit, drifts, data.options.confidence)) {
-        Start cells = row;
-        cells.push_back(with_mark(p.drift, d, end));
-        cells.push_back(with_interval(p.probability, p.band, 4));
-        cells.emplace_back();
-        t.rows.push_back(cells);
+        t.rows.push_back(start);
+        t.rows.back().insert(t.rows.back().end(), {drift_cell(p.drift, drifts, end),
+                                                   with_interval(p.probability, p.band, 4),
+                                                   {},
+                                                   {}});
     }
 }
 
 void add_mixture(const DriftData& data, const DriftGroup& group, std::size_t state,
-                 const std::vector<double>& drifts, Start row, Table& t)
+                 const std::vector<double>& drifts, Table& t)
 {
     const auto modes = mode_groups(data, group, state);
     if (modes.size() < 2) return;
-    std::size_t n = 0;
-    for (const auto& m : modes) n += m.limits.size();
-    row.insert(row.end(), {"mixture", std::to_string(n)});
+    double n = 0;
+    for (const auto& m : modes) n += static_cast<double>(m.limits.size());
+    Row start = {group_cell(group), "mixture of modes", count(n)};
     if (const std::string why = no_mixture(modes); !why.empty()) {
-        row.insert(row.end(), {"", "no curve: " + why, ""});
-        t.rows.push_back(row);
+        start.insert(start.end(), {{}, {}, {}, "No curve: " + why + "."});
+        t.rows.push_back(std::move(start));
         return;
     }
-    const int d = decimals_for(drifts.back());
     const double end = known_to(limits_of(group, state));
     for (const auto& p :
          fragility::mixture_curve(modes, drifts, data.options.confidence).points) {
-        Start cells = row;
-        cells.push_back(with_mark(p.drift, d, end));
-        cells.push_back(with_interval(p.least, p.band, 4));
-        cells.push_back(fixed(p.most, 4));
-        t.rows.push_back(cells);
+        t.rows.push_back(start);
+        t.rows.back().insert(t.rows.back().end(), {drift_cell(p.drift, drifts, end),
+                                                   with_interval(p.least, p.band, 4),
+                                                   plain_number(p.most, 4),
+                                                   {}});
     }
 }
 
-std::string state_text(const DriftState& s)
+std::string state_text(const DriftState& s) { return state_name(s) + " (" + s.rule + ")"; }
+
+Table curve_titled(const char* name, const DriftData& data, std::size_t state)
 {
-    return (s.set.empty() ? "" : s.set + " ") + s.name + " (" + s.rule + ")";
+    Words words = words_of(data);
+    words["state"] = state_text(data.states[state]);
+    return titled_table(name, words);
 }
 
 } // namespace
@@ -121,56 +124,57 @@ std::vector<double> drift_grid(const DriftData& data, std::size_t state, std::si
 
 Table curve_table(const DriftData& data, std::size_t state)
 {
-    Table t;
-    t.caption =
-        "Probability that " + state_text(data.states[state]) + " is reached at a drift. " +
-        counts_text(data) + ". " + data.drift + ". " + std::string(name(data.options.law)) +
-        " laws by censored maximum likelihood, " + percent_text(data.options.confidence) +
-        " bands by the delta method on the logit (of 50 walls, 95 % bands held the truth in 93 "
-        "to 98 of 100 synthetic studies). Mixture: shares of the modes times their curves. Of "
-        "a mode that has no fit the probability counts the walls seen to reach it, \"at most\" "
-        "as many as a bound without a law allows; the band holds both. " +
-        extrapolated_text("any of these walls") + ".";
-    t.head = {data.group_head,           "walls of",    "n",
-              drift_head(data, "drift"), "probability", "at most"};
+    Table t = curve_titled("curve", data, state);
+    t.keys = 2;
+    t.head = {data.group_head,
+              "walls",
+              "n",
+              {drift_head(data, "drift"), kExtrapolated},
+              {"probability", kInterval},
+              "probability at most",
+              {"note", kNote}};
     const std::vector<double> drifts = drift_grid(data, state, kTableDrifts);
     if (drifts.empty()) return t;
     for (const DriftGroup& g : data.groups) {
-        const Start start = {group_cell(g)};
-        add_fit(data, {start[0], "all modes"}, limits_of(g, state), drifts, t);
+        add_fit(data, {group_cell(g), "all"}, limits_of(g, state), drifts, t);
         for (std::size_t m = 0; m < data.modes.size(); ++m)
-            add_fit(data, {start[0], data.modes[m]}, limits_of(g, state, static_cast<int>(m)),
-                    drifts, t);
-        add_mixture(data, g, state, drifts, start, t);
+            add_fit(data, {group_cell(g), data.modes[m]},
+                    limits_of(g, state, static_cast<int>(m)), drifts, t);
+        add_mixture(data, g, state, drifts, t);
     }
     return t;
 }
 
 Table step_table(const DriftData& data, std::size_t state)
 {
-    Table t;
-    t.caption = "Share of walls that have reached " + state_text(data.states[state]) +
-                ", without any law (Kaplan and Meier 1958), " +
-                percent_text(data.options.confidence) + " bands of ln(-ln survival). " +
-                counts_text(data) + ". " + data.drift +
-                ". A share holds up to the next drift; beyond \"known to\" nothing is known.";
-    t.head = {data.group_head, drift_head(data, "drift"),   "at risk", "reached",
-              "share",         drift_head(data, "known to")};
+    Table t = curve_titled("steps", data, state);
+    t.head = {data.group_head, drift_head(data, "drift"), "walls at risk",
+              "reached",       {"share", kInterval},      drift_head(data, "tested up to"),
+              {"note", kNote}};
     for (const DriftGroup& g : data.groups) {
         const auto limits = limits_of(g, state);
         if (limits.empty()) {
-            t.rows.push_back({group_cell(g), "", "0", "0", "no wall", ""});
+            t.rows.push_back({group_cell(g), {}, count(0), count(0), {}, {}, "No wall."});
             continue;
         }
         const auto km = fragility::kaplan_meier(limits, data.options.confidence);
-        const std::string end = fixed(km.end, decimals_for(km.end));
+        const int d = decimals_for(km.end);
         if (km.steps.empty())
-            t.rows.push_back({group_cell(g), "", std::to_string(limits.size()), "0",
-                              "no wall reached it", end});
+            t.rows.push_back({group_cell(g),
+                              {},
+                              count(static_cast<double>(limits.size())),
+                              count(0),
+                              {},
+                              plain_number(km.end, d),
+                              "No wall reached it."});
         for (const auto& s : km.steps)
-            t.rows.push_back({group_cell(g), fixed(s.at, decimals_for(km.end) + 1),
-                              number(s.at_risk, 9), number(s.failed, 9),
-                              with_interval(s.probability, s.band, 4), end});
+            t.rows.push_back({group_cell(g),
+                              plain_number(s.at, d + 1),
+                              count(s.at_risk),
+                              count(s.failed),
+                              with_interval(s.probability, s.band, 4),
+                              plain_number(km.end, d),
+                              {}});
     }
     return t;
 }
@@ -180,11 +184,8 @@ std::vector<NamedTable> curve_tables(const DriftData& data)
     std::vector<NamedTable> tables;
     for (std::size_t s = 0; s < data.states.size(); ++s) {
         const std::string file = state_file(data.states[s]);
-        const std::string text = state_text(data.states[s]);
-        tables.push_back(
-            {"curve_" + file, "fragility curves of " + text, curve_table(data, s)});
-        tables.push_back(
-            {"steps_" + file, "shares without a law, " + text, step_table(data, s)});
+        tables.push_back({"curve_" + file, curve_table(data, s)});
+        tables.push_back({"steps_" + file, step_table(data, s)});
     }
     return tables;
 }

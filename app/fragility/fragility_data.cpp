@@ -1,6 +1,6 @@
 #include "app/fragility/fragility_data.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/output/cells.hpp"
 
 namespace app {
 
@@ -18,9 +18,14 @@ std::string drift_head(const DriftData& data, const std::string& what)
     return data.unit.empty() ? what : what + " [" + data.unit + "]";
 }
 
-std::string group_cell(const DriftGroup& group)
+Cell group_cell(const DriftGroup& group)
 {
-    return group.stress ? number(*group.stress, 12) : group.name;
+    return group.stress ? Cell(given(*group.stress)) : Cell(group.name);
+}
+
+std::string state_name(const DriftState& state)
+{
+    return state.set.empty() ? state.name : state.set + " " + state.name;
 }
 
 std::string counts_text(const DriftData& data)

@@ -2,6 +2,7 @@
 /// Limit drifts of walls in groups (vertical stresses, or groups of a table): what fragility is
 /// computed from, whoever ran the walls.
 
+#include "app/output/table.hpp"
 #include "fragility/law.hpp"
 #include "fragility/observation.hpp"
 
@@ -60,8 +61,11 @@ struct DriftData {
 /// "drift [%]", "drift" without unit
 [[nodiscard]] std::string drift_head(const DriftData& data, const std::string& what);
 
-/// Name of a group in a table's first column.
-[[nodiscard]] std::string group_cell(const DriftGroup& group);
+/// A group in a table's first column: its stress, or its name.
+[[nodiscard]] Cell group_cell(const DriftGroup& group);
+
+/// "ntc SLV"; of a table its column.
+[[nodiscard]] std::string state_name(const DriftState& state);
 
 /// "n walls gave a result, 2 failed, 10 not run; ..." of all groups, for captions.
 [[nodiscard]] std::string counts_text(const DriftData& data);

@@ -1,5 +1,6 @@
 #include "app/fragility/fragility_inputs.hpp"
 
+#include "app/fragility/table_texts.hpp"
 #include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
@@ -36,10 +37,10 @@ Sample sample_of(const StudyWalls& walls, const StudyLevel& level, bool force)
     return s;
 }
 
-std::string cell(const std::optional<uq::Estimate>& e)
+Number estimate_cell(const std::optional<uq::Estimate>& e)
 {
-    return e ? with_interval(e->value, e->interval.lower, e->interval.upper, 2)
-             : "does not vary";
+    if (!e) return {};
+    return with_interval(e->value, e->interval.lower, e->interval.upper, 2);
 }
 
 std::optional<uq::Regression> regression(const Sample& s, double confidence)
@@ -51,6 +52,24 @@ std::optional<uq::Regression> regression(const Sample& s, double confidence)
     return uq::regress(s.x, s.y, options);
 }
 
+/// Correlations, regression and a note on one input.
+void add_measures(const Sample& s, std::size_t input, double confidence,
+                  const std::optional<uq::Regression>& model, Row& row)
+{
+    const auto column = static_cast<Eigen::Index>(input);
+    const auto r = uq::pearson(s.x.col(column), s.y, confidence);
+    const bool told = model && model->inputs[input].identifiable;
+    const char* const note = !r       ? "The input does not vary."
+                             : !model ? "Too few walls for a regression."
+                             : !told  ? "The regression cannot tell this input from the others."
+                                      : "";
+    row.emplace_back(estimate_cell(r));
+    row.emplace_back(estimate_cell(uq::spearman(s.x.col(column), s.y, confidence)));
+    row.emplace_back(told ? estimate_cell(model->inputs[input].standardised) : Number{});
+    row.emplace_back(model ? plain_number(model->r2, 2) : Number{});
+    row.emplace_back(note);
+}
+
 void add_rows(const StudyWalls& walls, const StudyLevel& level, bool force, Table& t)
 {
     constexpr Eigen::Index kFewest = 4; // of a correlation
@@ -58,21 +77,14 @@ void add_rows(const StudyWalls& walls, const StudyLevel& level, bool force, Tabl
     const double confidence = walls.study.fragility.confidence;
     const auto model = regression(s, confidence);
     for (std::size_t i = 0; i < walls.inputs.size(); ++i) {
-        std::vector<std::string> row = {number(level.stress * 1e-6, 12),
-                                        force ? "peak force" : "ultimate displacement",
-                                        walls.inputs[i].key, std::to_string(s.y.size())};
-        const auto column = static_cast<Eigen::Index>(i);
+        Row row = {given(level.stress * 1e-6), force ? "peak force" : "ultimate displacement",
+                   walls.inputs[i].key, count(static_cast<double>(s.y.size()))};
         if (s.y.size() < kFewest) {
-            row.insert(row.end(), {"fewer than 4 walls", "", "", ""});
+            row.insert(row.end(), {{}, {}, {}, {}, "Fewer than 4 walls."});
         } else {
-            row.push_back(cell(uq::pearson(s.x.col(column), s.y, confidence)));
-            row.push_back(cell(uq::spearman(s.x.col(column), s.y, confidence)));
-            const bool told = model && model->inputs[i].identifiable;
-            row.push_back(told ? cell(model->inputs[i].standardised)
-                               : std::string(model ? "not identifiable" : "too few walls"));
-            row.push_back(model ? fixed(model->r2, 2) : "");
+            add_measures(s, i, confidence, model, row);
         }
-        t.rows.push_back(row);
+        t.rows.push_back(std::move(row));
     }
 }
 
@@ -80,19 +92,17 @@ void add_rows(const StudyWalls& walls, const StudyLevel& level, bool force, Tabl
 
 Table input_table(const StudyWalls& walls)
 {
-    Table t;
-    t.caption =
-        "Influence of the inputs on peak force and ultimate displacement (the paper, "
-        "Fig. 12). " +
-        counts_text(drift_data(walls)) +
-        ". r: Pearson; rank r: Spearman; rank "
-        "regression: standardised coefficient with all inputs together, R2 its share of "
-        "the variance of the ranks. Brackets: " +
-        percent_text(walls.study.fragility.confidence) +
-        " intervals. n: walls used; failed walls are left out, and for the displacement "
-        "also walls on which the force did not fall to 80 % of the peak, so that it "
-        "tells of walls that fell. Inputs with values per joint: mean over the joints.";
-    t.head = {"stress [MPa]", "response", "input", "n", "r", "rank r", "rank regression", "R2"};
+    Table t = titled_table("inputs", words_of(walls));
+    t.keys = 3;
+    t.head = {"stress [MPa]",
+              "response",
+              "input",
+              "n",
+              {"r", kInterval},
+              {"rank r", kInterval},
+              {"rank regression", kInterval},
+              "R2",
+              {"note", kNote}};
     for (const StudyLevel& level : walls.levels)
         for (const bool force : {true, false}) add_rows(walls, level, force, t);
     return t;

@@ -1,12 +1,13 @@
 #include "app/fragility/fragility_limits.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "fragility/goodness_of_fit.hpp"
 #include "fragility/performance_limits.hpp"
 #include "fragility/stress_model.hpp"
 #include "uq/designs/stream.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -14,58 +15,45 @@ namespace {
 
 using fragility::Observation;
 
-constexpr std::array kLaws = {fragility::Law::lognormal, fragility::Law::normal,
-                              fragility::Law::weibull, fragility::Law::gamma};
-
-std::vector<std::string> with_start(const DriftGroup& group, const DriftState& state)
-{
-    return {group_cell(group), state.set.empty() ? state.name : state.set + " " + state.name};
-}
-
-std::string count_text(double n) { return number(n, 12); }
-
-/// What can be said without a fit: "not identifiable: median > 2.73".
+/// Why there are no numbers; the law's own reason where there are walls.
 std::string without_fit(const fragility::PerformanceLimits& limits, const DriftGroup& group)
 {
-    if (limits.n == 0.0)
-        return group.walls.empty() ? "no wall gave a result" : "not defined on any curve";
-    const std::string bound =
-        median_bound(limits.bound, decimals_for(limits.bound.median_above));
-    return "not identifiable" + (bound.empty() ? "" : ": median " + bound);
+    if (limits.n > 0.0) return "Not identifiable: " + limits.reason + ".";
+    return group.walls.empty() ? "No wall gave a result."
+                               : "The limit state is not defined on any curve.";
 }
 
-void add_limits(const DriftData& data, const DriftGroup& group, std::size_t state, Table& t)
+Row limits_row(const DriftData& data, const DriftGroup& group, std::size_t state)
 {
     const auto observations = limits_of(group, state);
     const auto limits =
         fragility::performance_limits(data.options.law, observations, data.options.confidence);
-    auto row = with_start(group, data.states[state]);
-    row.push_back(count_text(limits.n));
-    row.push_back(limits.n > 0.0 ? fixed(100.0 * limits.censored_share, 0) : "");
     const double end = known_to(observations);
-    row.push_back(limits.n > 0.0 ? rounded_down(end, decimals_for(end)) : "");
+    const bool any = limits.n > 0.0;
+    Row row = {group_cell(group), state_name(data.states[state]), count(limits.n),
+               any ? plain_number(100.0 * limits.censored_share, 0) : Number{},
+               any ? plain_number(end, decimals_for(end)) : Number{}};
     if (!limits.fitted) {
-        row.insert(row.end(),
-                   {"", "", without_fit(limits, group), "", "", "", "", "", limits.reason});
-        t.rows.push_back(row);
-        return;
+        const int d = decimals_for(limits.bound.median_above);
+        row.insert(row.end(), {{},
+                               {},
+                               median_bound(limits.bound, d),
+                               {},
+                               {},
+                               {},
+                               {},
+                               {},
+                               without_fit(limits, group)});
+        return row;
     }
-    for (const fragility::DriftLimit& d : limits.drifts)
-        row.push_back(
-            with_interval(d.drift, d.interval, decimals_for(limits.drifts[2].drift), end));
-    row.push_back(with_interval(limits.dispersion, limits.dispersion_interval, 2));
-    row.push_back(fixed(limits.median_error, 3));
-    row.push_back(fixed(limits.predictive_dispersion, 2));
+    const int d = decimals_for(limits.drifts[2].drift);
+    for (const fragility::DriftLimit& at : limits.drifts)
+        row.emplace_back(with_interval(at.drift, at.interval, d, end));
+    row.emplace_back(with_interval(limits.dispersion, limits.dispersion_interval, 2));
+    row.emplace_back(plain_number(limits.median_error, 3));
+    row.emplace_back(plain_number(limits.predictive_dispersion, 2));
     row.emplace_back();
-    t.rows.push_back(row);
-}
-
-std::string states_text(const DriftData& data)
-{
-    std::string text;
-    for (const DriftState& s : data.states)
-        text += (text.empty() ? "" : "; ") + s.name + ": " + s.rule;
-    return text;
+    return row;
 }
 
 /// The same for all limit states of a group: equal drifts have equal p-values.
@@ -77,37 +65,31 @@ fragility::RandomBits bits_of(const DriftOptions& options, std::size_t group)
     };
 }
 
-void add_fits(const DriftData& data, std::size_t g, std::size_t state, Table& t)
+Row fit_row(const DriftData& data, std::size_t g, std::size_t state)
 {
     const auto observations = limits_of(data.groups[g], state);
-    auto row = with_start(data.groups[g], data.states[state]);
-    row.push_back(std::to_string(observations.size()));
-    std::string note;
-    for (const fragility::Law law : kLaws) {
-        const fragility::Fit fit = fragility::fit(law, observations);
-        const bool ok = fit.outcome == fragility::FitOutcome::converged;
-        row.push_back(ok ? fixed(fit.aic, 1) : "");
-        if (law != data.options.law) continue;
-        note = ok ? "" : fit.reason;
-    }
+    Row row = {group_cell(data.groups[g]), state_name(data.states[state]),
+               count(static_cast<double>(observations.size()))};
     const fragility::Fit fit = fragility::fit(data.options.law, observations);
-    if (fit.outcome != fragility::FitOutcome::converged || data.options.bootstrap < 1) {
-        row.insert(row.end(), {"", "", "", "", "", "", note});
-        t.rows.push_back(row);
-        return;
+    std::string note;
+    if (fit.outcome != fragility::FitOutcome::converged) {
+        note = "No fit: " + fit.reason + ".";
+    } else if (data.options.bootstrap > 0) {
+        const auto good = fragility::goodness_of_fit(
+            fit, observations, bits_of(data.options, g), data.options.bootstrap);
+        if (good.available) {
+            const auto& d = good.distance;
+            for (const double x :
+                 {d.kolmogorov_smirnov, good.p_kolmogorov_smirnov, d.cramer_von_mises,
+                  good.p_cramer_von_mises, d.anderson_darling, good.p_anderson_darling})
+                row.emplace_back(plain_number(x, 3));
+            row.emplace_back();
+            return row;
+        }
+        note = "No test: " + good.reason + ".";
     }
-    const auto good = fragility::goodness_of_fit(fit, observations, bits_of(data.options, g),
-                                                 data.options.bootstrap);
-    if (good.available) {
-        row.insert(
-            row.end(),
-            {fixed(good.distance.kolmogorov_smirnov, 3), fixed(good.p_kolmogorov_smirnov, 3),
-             fixed(good.distance.cramer_von_mises, 3), fixed(good.p_cramer_von_mises, 3),
-             fixed(good.distance.anderson_darling, 3), fixed(good.p_anderson_darling, 3), ""});
-    } else {
-        row.insert(row.end(), {"", "", "", "", "", "", "no test: " + good.reason});
-    }
-    t.rows.push_back(row);
+    row.insert(row.end(), {{}, {}, {}, {}, {}, {}, note});
+    return row;
 }
 
 /// Levels and the stresses half-way between them.
@@ -125,7 +107,7 @@ std::vector<double> asked_stresses(const DriftData& data)
     return asked;
 }
 
-/// Drift up to which walls were seen under this stress; between two levels, under either.
+/// Drift up to which walls were tested under this stress; between two levels, under either.
 double known_near(const DriftData& data, std::size_t state, double stress)
 {
     const DriftGroup *below = nullptr, *above = nullptr;
@@ -145,24 +127,29 @@ void add_model(const DriftData& data, std::size_t state, Table& t)
     for (const DriftGroup& g : data.groups)
         for (const Observation& o : limits_of(g, state)) observations.push_back({*g.stress, o});
     const fragility::StressModel model = fragility::fit_stress_model(observations);
-    const auto name = with_start({}, data.states[state])[1];
+    const std::string name = state_name(data.states[state]);
     if (model.outcome != fragility::FitOutcome::converged) {
-        t.rows.push_back({name, "", "", "no model: " + model.reason, "", "", "", ""});
+        t.rows.push_back({name, {}, {}, {}, {}, {}, {}, {}, "No model: " + model.reason + "."});
         return;
     }
-    const std::string order = std::to_string(model.median_terms.size() - 1) + ", " +
-                              std::to_string(model.dispersion_terms.size() - 1);
     for (const double stress : asked_stresses(data)) {
         const auto p = fragility::predict(model, stress, data.options.confidence);
         const auto at = fragility::at_stress(model, stress);
         const int d = decimals_for(p.median);
         const double end = known_near(data, state, stress);
-        t.rows.push_back(
-            {name, order, number(stress, 6), with_interval(p.median, p.confidence, d, end),
-             with_mark(p.prediction.lower, d, end), with_mark(p.prediction.upper, d, end),
-             rounded_down(end, decimals_for(end)),
-             with_error(at.law.dispersion, at.law.dispersion * std::sqrt(at.covariance(1, 1)),
-                        2)});
+        t.rows.push_back({name,
+                          given(stress),
+                          count(static_cast<double>(model.median_terms.size() - 1)),
+                          count(static_cast<double>(model.dispersion_terms.size() - 1)),
+                          with_interval(p.median, p.confidence, d, end),
+                          Number{.lower = p.prediction.lower,
+                                 .upper = p.prediction.upper,
+                                 .decimals = d,
+                                 .known_to = end},
+                          plain_number(end, decimals_for(end)),
+                          with_error(at.law.dispersion,
+                                     at.law.dispersion * std::sqrt(at.covariance(1, 1)), 2),
+                          {}});
     }
 }
 
@@ -170,84 +157,48 @@ void add_model(const DriftData& data, std::size_t state, Table& t)
 
 Table performance_table(const DriftData& data)
 {
-    Table t;
-    const std::string law(name(data.options.law));
-    t.caption =
-        "Performance limits: drifts at which 5 to 95 % of the walls have reached a limit "
-        "state. " +
-        counts_text(data) + ". " + data.drift + ". " + states_text(data) + ". The " + law +
-        " law of all modes together by maximum likelihood; walls that had not "
-        "reached the limit state where their curve ends are right-censored there. n: "
-        "walls on which the limit state is defined; brackets: " +
-        percent_text(data.options.confidence) +
-        " intervals by profile likelihood. Dispersion: wall to wall (of ln drift; normal "
-        "law: of drift); statistical: standard error of ln median; predictive: both. "
-        "Without a fit, a bound of the median without any law, one-sided at the same "
-        "confidence (>: walls stood there; >=: they may just have reached it). " +
-        extrapolated_text("any wall of the row") +
-        " (\"known to\"): it hangs on the law. Failed walls and walls not in this file are "
-        "left out.";
-    t.head = {data.group_head,
-              "limit state",
-              "n",
-              "censored [%]",
-              drift_head(data, "known to"),
-              drift_head(data, "5 % drift"),
-              drift_head(data, "16 % drift"),
-              drift_head(data, "median drift"),
-              drift_head(data, "84 % drift"),
-              drift_head(data, "95 % drift"),
-              "dispersion",
-              "statistical",
-              "predictive",
-              "note"};
+    Table t = titled_table("performance_limits", words_of(data));
+    t.keys = 2;
+    t.head = {data.group_head, "limit state", "n", "censored [%]",
+              drift_head(data, "tested up to")};
+    for (const char* const share :
+         {"5 % drift", "16 % drift", "median drift", "84 % drift", "95 % drift"})
+        t.head.emplace_back(drift_head(data, share), kInterval | kExtrapolated);
+    t.head.insert(t.head.end(), {{"dispersion", kInterval},
+                                 {"std error of ln median", kProgramsOnly},
+                                 {"total dispersion", kProgramsOnly},
+                                 {"note", kNote}});
     for (const DriftGroup& group : data.groups)
-        for (std::size_t s = 0; s < data.states.size(); ++s) add_limits(data, group, s, t);
+        for (std::size_t s = 0; s < data.states.size(); ++s)
+            t.rows.push_back(limits_row(data, group, s));
     return t;
 }
 
 Table fit_table(const DriftData& data)
 {
-    Table t;
-    const std::string law(name(data.options.law));
-    t.caption =
-        "Fit of laws to limit drifts. " + counts_text(data) +
-        ". AIC of four laws (least: best; differences below 2 say nothing). D "
-        "(Kolmogorov-Smirnov), W2 (Cramer-von Mises), A2 (Anderson-Darling) and their "
-        "p-values for the " +
-        law + " law, from " + std::to_string(data.options.bootstrap) +
-        " samples of the fitted law, refitted, stopped as the walls were. Distances are "
-        "from the shares without a law (Kaplan and Meier), up to the largest drift of "
-        "any wall: of what lies beyond they say nothing.";
-    t.head = {data.group_head, "limit state", "n",       "AIC lognormal", "AIC normal",
-              "AIC Weibull",   "AIC gamma",   "D",       "p of D",        "W2",
-              "p of W2",       "A2",          "p of A2", "note"};
+    Table t = titled_table("goodness_of_fit", words_of(data));
+    t.keys = 2;
+    t.head = {data.group_head, "limit state",  "n", "D", "p of D", "W2", "p of W2", "A2",
+              "p of A2",       {"note", kNote}};
     for (std::size_t g = 0; g < data.groups.size(); ++g)
-        for (std::size_t s = 0; s < data.states.size(); ++s) add_fits(data, g, s, t);
+        for (std::size_t s = 0; s < data.states.size(); ++s)
+            t.rows.push_back(fit_row(data, g, s));
     return t;
 }
 
 Table stress_table(const DriftData& data)
 {
-    Table t;
-    t.caption =
-        "Limit drifts as functions of the vertical stress: one lognormal law, ln median "
-        "and ln dispersion polynomials of the stress (degrees, of median and dispersion: of "
-        "least AIC, up to 2), censored maximum likelihood over all levels. " +
-        counts_text(data) + ". " + data.drift + ". Median with " +
-        percent_text(data.options.confidence) +
-        " confidence interval; a further wall lies between \"from\" and \"to\" with that "
-        "probability. Only between the lowest and the highest level. " +
-        extrapolated_text("any wall at that stress (between levels: at the two beside it)") +
-        " (\"known to\"): where all walls stood, it comes from the other stresses alone.";
+    Table t = titled_table("stress_model", words_of(data));
+    t.keys = 2;
     t.head = {"limit state",
-              "degrees",
               "stress [MPa]",
-              drift_head(data, "median"),
-              drift_head(data, "a wall from"),
-              drift_head(data, "a wall to"),
-              drift_head(data, "known to"),
-              "dispersion"};
+              "degree of ln median",
+              "degree of ln dispersion",
+              {drift_head(data, "median"), kInterval | kExtrapolated},
+              {drift_head(data, "prediction interval"), kRange},
+              drift_head(data, "tested up to"),
+              {"dispersion", kError},
+              {"note", kNote}};
     for (const DriftGroup& g : data.groups)
         if (!g.stress) return t;
     for (std::size_t s = 0; s < data.states.size(); ++s) add_model(data, s, t);

@@ -9,11 +9,14 @@
 
 namespace app {
 
-/// 5, 16, 50, 84, 95 % drifts per group and limit state; a sentence where nothing can be fitted.
+/// 5, 16, 50, 84, 95 % drifts per group and limit state; without a fit a bound of the median and a note.
 [[nodiscard]] Table performance_table(const DriftData& data);
 
-/// Laws side by side: AIC, BIC; Kolmogorov-Smirnov, Cramer-von Mises, Anderson-Darling with p-values
-/// of the law chosen.
+/// The own parameters of four laws with standard errors (ln median and dispersion, mean and standard
+/// deviation, shape and scale), and their AIC.
+[[nodiscard]] Table law_table(const DriftData& data);
+
+/// Kolmogorov-Smirnov, Cramer-von Mises and Anderson-Darling distances of the law chosen, with p-values.
 [[nodiscard]] Table fit_table(const DriftData& data);
 
 /// Median and dispersion of lognormal limit drifts as functions of the vertical stress, at the levels
@@ -24,8 +27,8 @@ namespace app {
 /// their medians (of the set, where one is missing): ID, Incomplete, Demand-Type, Demand-Unit, Demand-Offset, Demand-Directional,
 /// LS1-Family, LS1-Theta_0 (median [rad]), LS1-Theta_1 (dispersion), LS1-DamageStateWeights, ...
 /// Incomplete = 1 where a limit state has no fit, whose parameters are empty, or drifts no known unit.
-/// Notes (pelicun passes them over): the drift up to which walls were seen, beyond which the law is
-/// extrapolated.
+/// No two rows have one ID. Notes (pelicun passes them over): the group, and the drift up to which walls
+/// were tested, beyond which the law is extrapolated.
 [[nodiscard]] std::string pelicun_csv(const DriftData& data);
 
 } // namespace app

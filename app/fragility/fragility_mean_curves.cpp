@@ -1,7 +1,9 @@
 #include "app/fragility/fragility_means.hpp"
 
+#include "app/fragility/table_texts.hpp"
 #include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
+#include "app/study/fragility_text.hpp"
 #include "app/study/resampled_curve.hpp"
 #include "fragility/sample_quantile.hpp"
 
@@ -11,8 +13,10 @@
 namespace app {
 namespace {
 
-constexpr std::array<const char*, 3> kGroups = {"rocking", "mixed", "all"};
 constexpr int kAllModes = 2;
+
+const char* group_name(int mode) { return mode == kAllModes ? "all" : mode_name(mode); }
+
 constexpr std::size_t kTableStep = 4; ///< of the grid of curves
 constexpr std::array<const char*, 7> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                  "#E69F00", "#56B4E9", "#000000"};
@@ -58,7 +62,7 @@ std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& le
 /// Points of the curve of a full push; the last may lie a rounding short of the target.
 constexpr std::size_t kFullPush = kCurveSteps;
 
-/// Said where it applies: "At 0.5 MPa 31 of 50 runs ended early ..."
+/// Said where it applies: " Runs that ended before the full push: 31 of 50 at 0.5 MPa ..."
 std::string early_text(const StudyWalls& walls)
 {
     std::string text;
@@ -76,16 +80,15 @@ std::string early_text(const StudyWalls& walls)
     const double share = walls.study.load.stop_below;
     if (share > 0.0)
         text += " (load.stop_below ends a run once the force has fallen to " +
-                number(100.0 * share, 6) + " % of the peak)";
-    return text +
-           ". Where n is below its first value, walls have left, those that dropped "
-           "first: the mean there is that of the walls still pushed, above the mean of all.";
+                percent_text(share) + " of the peak)";
+    return text + ". Where n is below its first value, the walls that dropped first have left, "
+                  "and the mean of those still pushed lies above the mean of all.";
 }
 
 NamedPicture picture(const StudyWalls& walls, int mode)
 {
     Chart c;
-    const std::string what = kGroups[static_cast<std::size_t>(mode)];
+    const std::string what = group_name(mode);
     c.title = "Mean force over drift, " + (mode == kAllModes ? "all walls" : what + " walls");
     c.x_label = "drift [%]";
     c.y_label = "force [kN]";
@@ -117,25 +120,28 @@ NamedPicture picture(const StudyWalls& walls, int mode)
 
 Table mean_curve_table(const StudyWalls& walls)
 {
-    Table t;
-    t.caption =
-        "Mean force over drift per mode and vertical stress (the paper, Fig. 15), with "
-        "16 and 84 % quantiles of the walls. Drift: displacement of the load line / its "
-        "height, " +
-        number(walls.height, 6) +
-        " m. n: walls still pushed there; a mean ends where they are fewer than " +
-        number(100.0 * kMeanNeedsShare, 6) + " % of its walls." + early_text(walls);
-    t.head = {"stress [MPa]",    "walls",     "drift [%]", "n",
-              "mean force [kN]", "16 % [kN]", "84 % [kN]"};
+    Words words = words_of(walls);
+    words["needed"] = percent_text(kMeanNeedsShare);
+    words["early"] = early_text(walls);
+    Table t = titled_table("mean_curves", words);
+    t.keys = 2;
+    t.head = {"stress [MPa]",
+              "walls",
+              "drift [%]",
+              "n",
+              "mean force [kN]",
+              "16 % of the walls below [kN]",
+              "84 % of the walls below [kN]"};
     for (const StudyLevel& level : walls.levels)
         for (int mode = 0; mode <= kAllModes; ++mode) {
             const auto points = mean_points(walls, level, mode);
             for (std::size_t i = 0; i < points.size(); i += kTableStep)
-                t.rows.push_back({number(level.stress * 1e-6, 12),
-                                  kGroups[static_cast<std::size_t>(mode)],
-                                  fixed(points[i].drift, 3), std::to_string(points[i].walls),
-                                  fixed(points[i].mean, 3), fixed(points[i].low, 3),
-                                  fixed(points[i].high, 3)});
+                t.rows.push_back({given(level.stress * 1e-6), group_name(mode),
+                                  plain_number(points[i].drift, 3),
+                                  count(static_cast<double>(points[i].walls)),
+                                  plain_number(points[i].mean, 3),
+                                  plain_number(points[i].low, 3),
+                                  plain_number(points[i].high, 3)});
         }
     return t;
 }

@@ -9,12 +9,9 @@
 
 namespace app {
 
-/// Table 6 (rocking) or 7 (mixed) of the paper: means of inputs, force and displacement, with standard
-/// errors and the share of the mode.
-[[nodiscard]] Table mean_table(const StudyWalls& walls, int mode);
-
-/// Table 8: both modes side by side.
-[[nodiscard]] Table both_modes_table(const StudyWalls& walls);
+/// Means of inputs, force and displacement of the walls of each mode, with standard errors and the share
+/// of the mode: Tables 6 (rocking), 7 (mixed) and 8 (both) of the paper, one below the other.
+[[nodiscard]] Table mean_table(const StudyWalls& walls);
 
 /// Mean force over drift with 16 and 84 % of the walls, per mode and stress: a table, and a chart of each
 /// mode.

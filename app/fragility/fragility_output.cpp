@@ -1,13 +1,9 @@
 #include "app/fragility/fragility_output.hpp"
 
 #include "app/output/atomic_output.hpp"
-#include "app/study/fragility_text.hpp"
 #include "app/version.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <charconv>
-#include <cmath>
 
 namespace app {
 namespace {
@@ -15,39 +11,34 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-Json cell_json(const std::string& cell)
+Json cell_json(const PlainTable::Value& cell)
 {
-    if (cell.empty()) return nullptr;
-    double value = 0.0;
-    const char* const last = cell.data() + cell.size();
-    const auto [end, error] = std::from_chars(cell.data(), last, value);
-    const bool number = error == std::errc() && end == last && std::isfinite(value);
-    return number ? Json(value) : Json(cell);
+    if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
+    const auto* const value = std::get_if<double>(&cell);
+    return value ? Json(*value) : Json(nullptr);
 }
 
 Json table_json(const NamedTable& named)
 {
-    const Table plain = plain_numbers(named.table);
+    const PlainTable table = plain(named.table);
     Json rows = Json::array();
-    for (const auto& row : plain.rows) {
+    for (const auto& row : table.rows) {
         Json object = Json::object();
-        for (std::size_t c = 0; c < row.size(); ++c) object[plain.head[c]] = cell_json(row[c]);
+        for (std::size_t c = 0; c < row.size(); ++c) object[table.head[c]] = cell_json(row[c]);
         rows.push_back(std::move(object));
     }
-    return {{"title", named.title}, {"caption", named.table.caption}, {"rows", rows}};
+    return {{"title", named.table.title}, {"caption", named.table.caption}, {"rows", rows}};
 }
 
 std::string index_text(const FragilityOutput& output)
 {
     std::string text = "# Fragility: " + output.source + "\n\n";
     if (!output.remarks.empty()) text += output.remarks + "\n";
-    text += "Each table is there as `.md` (with its caption), `.tex` and `.csv` (intervals in "
-            "columns of their own). " +
-            std::string(kExtrapolated) +
-            " marks drifts beyond those at which walls were seen; in `.csv` and `.json` a "
-            "column \"extrapolated\" is 1 there.\n\n| file | what it is |\n|:--|:--|\n";
+    text += "Each table is there as `.md` (with its caption), `.tex` and `.csv` (all digits, "
+            "one number "
+            "per column).\n\n| file | what it is |\n|:--|:--|\n";
     for (const NamedTable& t : output.tables)
-        text += "| [" + t.name + "](" + t.name + ".md) | " + t.title + " |\n";
+        text += "| [" + t.name + "](" + t.name + ".md) | " + t.table.title + " |\n";
     for (const NamedPicture& p : output.pictures)
         text += "| [" + p.name + ".svg](" + p.name + ".svg) | " + p.title + " |\n";
     text += "| [fragility.json](fragility.json) | everything in the tables, as one object |\n";
@@ -73,7 +64,7 @@ void write_output(const fs::path& folder, const FragilityOutput& output)
 {
     make_folder(folder);
     for (const NamedTable& t : output.tables) {
-        write_file(folder / (t.name + ".csv"), as_csv(plain_numbers(t.table)));
+        write_file(folder / (t.name + ".csv"), as_csv(t.table));
         write_file(folder / (t.name + ".md"), as_markdown(t.table));
         write_file(folder / (t.name + ".tex"), as_latex(t.table));
     }

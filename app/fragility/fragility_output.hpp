@@ -10,8 +10,7 @@
 namespace app {
 
 struct NamedTable {
-    std::string name;  ///< of its files, without ending
-    std::string title; ///< one line, for the index
+    std::string name; ///< of its files, without ending
     Table table;
 };
 
@@ -29,8 +28,7 @@ struct FragilityOutput {
     std::string pelicun; ///< CSV
 };
 
-/// All tables with their captions and cells (intervals taken apart; numbers as numbers, cells that are
-/// empty as null), one object.
+/// All tables with their captions and rows as in the CSV, cells that are empty as null; one object.
 [[nodiscard]] std::string fragility_json(const FragilityOutput& output);
 
 /// README.md, fragility.json, pelicun_fragility.csv; <name>.csv, .md, .tex of every table; <name>.svg of

@@ -121,6 +121,8 @@ StudyWalls read_study_walls(const std::filesystem::path& file,
     return walls;
 }
 
+const char* mode_name(int mode) { return mode == kRocking ? "rocking" : "mixed"; }
+
 DriftData drift_data(const StudyWalls& walls)
 {
     DriftData data;
@@ -128,7 +130,7 @@ DriftData drift_data(const StudyWalls& walls)
     data.drift =
         "Drift: displacement of the load line / its height, " + number(walls.height, 6) + " m";
     data.group_head = "stress [MPa]";
-    data.modes = {"rocking", "mixed"};
+    data.modes = {mode_name(kRocking), mode_name(kMixed)};
     const FragilityInput& f = walls.study.fragility;
     data.options = {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap),
                     walls.study.uq.seed};

@@ -16,8 +16,10 @@
 
 namespace app {
 
-constexpr int kRocking = 0, kMixed = 1;  ///< modes, in the order of dem::FailureMode
-constexpr std::size_t kCurveSteps = 120; ///< of the grid of displacements for mean curves
+constexpr int kRocking = 0, kMixed = 1;        ///< modes, in the order of dem::FailureMode
+constexpr double kFallOfUltimate = 0.8;        ///< of the peak: where StudyWall::ultimate lies
+[[nodiscard]] const char* mode_name(int mode); ///< "rocking", "mixed"
+constexpr std::size_t kCurveSteps = 120;       ///< of the grid of displacements for mean curves
 
 /// A wall that gave results.
 struct StudyWall {

@@ -1,140 +1,174 @@
 #include "app/output/table.hpp"
 
+#include "app/input/number_text.hpp"
+#include "app/output/cells.hpp"
+
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 
 namespace {
 
-/// Columns the text takes on a screen: UTF-8 continuation bytes do not count.
-std::size_t width(const std::string& text)
+constexpr std::string_view kDagger = "\u2020";
+
+const std::string* text_of(const Cell& cell) { return std::get_if<std::string>(&cell); }
+const Number* number_of(const Cell& cell) { return std::get_if<Number>(&cell); }
+
+bool extrapolated(const Number& n, double x) { return x > n.known_to * (1.0 + kEndsTogether); }
+
+std::string digits(const Number& n, double x)
 {
-    return std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    if (n.decimals == kShortest) return number(x, 12);
+    return fixed(x, n.decimals);
 }
 
-std::vector<std::size_t> column_widths(const Table& t)
+std::string marked(const Number& n, double x)
 {
-    std::vector<std::size_t> w;
-    for (const std::string& h : t.head) w.push_back(width(h));
-    for (const auto& row : t.rows)
-        for (std::size_t c = 0; c < row.size(); ++c) w[c] = std::max(w[c], width(row[c]));
-    return w;
+    return digits(n, x) + std::string(extrapolated(n, x) ? kDagger : "");
 }
 
-std::string padded_row(const std::vector<std::string>& cells,
-                       const std::vector<std::size_t>& widths, const std::string& left,
-                       const std::string& between, const std::string& right)
+/// So that a lower bound stays one.
+std::string rounded_down(const Number& n, double x)
 {
-    std::string line = left;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        if (c > 0) line += between;
-        line += std::string(widths[c] - width(cells[c]), ' ') + cells[c];
+    const std::string nearest = digits(n, x);
+    if (n.decimals == kShortest || std::stod(nearest) <= x) return nearest;
+    return fixed(std::stod(nearest) - std::pow(10.0, -n.decimals), n.decimals);
+}
+
+std::string bound(const Number& n, double x)
+{
+    return std::isinf(x) ? "no limit" : marked(n, x);
+}
+
+std::string number_cell(const Number& n)
+{
+    const bool value = std::isfinite(n.value);
+    const bool range = !std::isnan(n.lower) && !std::isnan(n.upper);
+    if (n.sense != Sense::equal) {
+        const double least = value ? n.value : n.lower;
+        if (!std::isfinite(least)) return {};
+        return (n.sense == Sense::above ? "> " : ">= ") + rounded_down(n, least);
     }
-    return line + right + "\n";
+    if (!value) return range ? bound(n, n.lower) + " to " + bound(n, n.upper) : std::string();
+    if (range)
+        return marked(n, n.value) + " [" + bound(n, n.lower) + ", " + bound(n, n.upper) + "]";
+    if (std::isfinite(n.error)) return marked(n, n.value) + " +- " + digits(n, n.error);
+    return marked(n, n.value);
 }
 
-std::string csv_cell(const std::string& text)
+/// "median [%]" and "lower": "median lower [%]"
+std::string head_with(const std::string& head, const std::string& what)
 {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
+    const auto unit = head.rfind(" [");
+    if (unit == std::string::npos) return head + " " + what;
+    return head.substr(0, unit) + " " + what + head.substr(unit);
 }
 
-/// A character as LaTeX text.
-std::string as_latex(char c)
+std::string without_unit(const std::string& head) { return head.substr(0, head.rfind(" [")); }
+
+std::vector<std::string> plain_names(const Head& c)
 {
-    switch (c) {
-    case '^':
-        return "\\textasciicircum{}";
-    case '~':
-        return "\\textasciitilde{}";
-    case '\\':
-        return "\\textbackslash{}";
-    case '<':
-    case '>':
-        return std::string("$") + c + "$"; // text fonts have other signs there
-    default:
-        break;
+    std::vector<std::string> names;
+    if ((c.holds & kRange) == 0) names.push_back(c.name);
+    if (c.holds & kExtrapolated) names.push_back(without_unit(c.name) + " extrapolated");
+    if (c.holds & kCensored) names.push_back(without_unit(c.name) + " censored");
+    if (c.holds & kError) names.push_back(head_with(c.name, "std error"));
+    if (c.holds & (kInterval | kRange)) {
+        names.push_back(head_with(c.name, "lower"));
+        names.push_back(head_with(c.name, "upper"));
     }
-    const bool special = std::string_view("&%$#_{}").find(c) != std::string_view::npos;
-    return (special ? "\\" : "") + std::string(1, c);
+    return names;
 }
 
-std::string latex_cell(const std::string& text)
+PlainTable::Value finite(double x)
 {
-    constexpr std::string_view kDagger = "\u2020"; // classic LaTeX does not know the sign
-    std::string escaped;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool dagger = text.compare(i, kDagger.size(), kDagger) == 0;
-        escaped += dagger ? "\\dag{}" : as_latex(text[i]);
-        if (dagger) i += kDagger.size() - 1;
+    return std::isfinite(x) ? PlainTable::Value(x) : PlainTable::Value();
+}
+
+void add_plain(const Head& c, const Cell& cell, std::vector<PlainTable::Value>& row)
+{
+    const Number* const given = number_of(cell);
+    const Number n = given ? *given : Number{};
+    const bool value = std::isfinite(n.value);
+    const auto flag = [&](bool yes) {
+        return value ? PlainTable::Value(yes ? 1.0 : 0.0) : PlainTable::Value();
+    };
+    const std::string* const text = text_of(cell);
+    if ((c.holds & kRange) == 0)
+        row.push_back(text && !text->empty() ? PlainTable::Value(*text) : finite(n.value));
+    if (c.holds & kExtrapolated) row.push_back(flag(extrapolated(n, n.value)));
+    if (c.holds & kCensored) row.push_back(flag(n.sense != Sense::equal));
+    if (c.holds & kError) row.push_back(finite(n.error));
+    if (c.holds & (kInterval | kRange)) {
+        row.push_back(finite(n.lower));
+        row.push_back(finite(n.upper));
     }
-    return escaped;
-}
-
-/// A bar would open a column.
-std::string markdown_cell(const std::string& text)
-{
-    std::string escaped;
-    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
-    return escaped;
-}
-
-Table markdown_cells(Table t)
-{
-    for (std::string& cell : t.head) cell = markdown_cell(cell);
-    for (auto& row : t.rows)
-        for (std::string& cell : row) cell = markdown_cell(cell);
-    return t;
-}
-
-template <class Cell>
-std::string joined(const std::vector<std::string>& cells, const char* between, Cell cell)
-{
-    std::string line;
-    for (std::size_t c = 0; c < cells.size(); ++c)
-        line += (c > 0 ? between : "") + cell(cells[c]);
-    return line;
 }
 
 } // namespace
 
-std::string as_text(const Table& t)
+Number given(double x) { return {.value = std::isfinite(x) ? std::stod(number(x, 12)) : x}; }
+
+int decimals_for(double size)
 {
-    const auto widths = column_widths(t);
-    std::string text = padded_row(t.head, widths, "", "  ", "");
-    for (const auto& row : t.rows) text += padded_row(row, widths, "", "  ", "");
-    return text;
+    if (!std::isfinite(size) || size == 0.0) return 3;
+    const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(size))));
+    return std::clamp(2 - magnitude, 0, 6);
 }
 
-std::string as_csv(const Table& t)
+std::string cell_text(const Cell& cell)
 {
-    std::string text = joined(t.head, ",", csv_cell) + "\n";
-    for (const auto& row : t.rows) text += joined(row, ",", csv_cell) + "\n";
-    return text;
+    if (const std::string* const text = text_of(cell)) return *text;
+    const Number* const n = number_of(cell);
+    return n ? number_cell(*n) : std::string();
 }
 
-std::string as_markdown(const Table& table)
+ShownTable shown(const Table& t)
 {
-    const Table t = markdown_cells(table);
-    const auto widths = column_widths(t);
-    std::string text = t.caption.empty() ? "" : t.caption + "\n\n";
-    text += padded_row(t.head, widths, "| ", " | ", " |") + "|";
-    for (const std::size_t w : widths) text += std::string(w + 1, '-') + ":|";
-    text += "\n";
-    for (const auto& row : t.rows) text += padded_row(row, widths, "| ", " | ", " |");
-    return text;
+    ShownTable s;
+    for (const Head& c : t.head)
+        if ((c.holds & (kProgramsOnly | kNote)) == 0) s.head.push_back(c.name);
+    const bool noted = std::any_of(t.head.begin(), t.head.end(),
+                                   [](const Head& c) { return (c.holds & kNote) != 0; });
+    std::vector<std::string> marks;
+    for (const Row& row : t.rows) {
+        std::vector<std::string> cells;
+        std::string mark;
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string text = cell_text(row[c]);
+            if ((t.head[c].holds & (kProgramsOnly | kNote)) == 0) cells.push_back(text);
+            if ((t.head[c].holds & kNote) == 0 || text.empty()) continue;
+            const auto known = std::find(s.notes.begin(), s.notes.end(), text);
+            mark += "[" + std::to_string(known - s.notes.begin() + 1) + "]";
+            if (known == s.notes.end()) s.notes.push_back(text);
+        }
+        if (noted) cells.push_back(mark);
+        s.rows.push_back(std::move(cells));
+    }
+    if (noted) s.head.emplace_back("note");
+    if (noted && s.notes.empty()) {
+        s.head.pop_back();
+        for (auto& row : s.rows) row.pop_back();
+    }
+    for (std::size_t i = 0; i < s.notes.size(); ++i)
+        s.notes[i] = "[" + std::to_string(i + 1) + "] " + s.notes[i];
+    return s;
 }
 
-std::string as_latex(const Table& t)
+PlainTable plain(const Table& t)
 {
-    std::string text = "\\begin{table}\n\\centering\n\\caption{" + latex_cell(t.caption) +
-                       "}\n\\begin{tabular}{" + std::string(t.head.size(), 'r') +
-                       "}\n\\toprule\n";
-    text += joined(t.head, " & ", latex_cell) + " \\\\\n\\midrule\n";
-    for (const auto& row : t.rows) text += joined(row, " & ", latex_cell) + " \\\\\n";
-    return text + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
+    PlainTable p;
+    for (const Head& c : t.head)
+        for (std::string& name : plain_names(c)) p.head.push_back(std::move(name));
+    for (std::size_t i = 0; i < p.head.size(); ++i)
+        while (std::count(p.head.begin(), p.head.end(), p.head[i]) > 1) p.head[i] += " (group)";
+    for (const Row& row : t.rows) {
+        p.rows.emplace_back();
+        for (std::size_t c = 0; c < row.size(); ++c)
+            add_plain(t.head[c], row[c], p.rows.back());
+    }
+    return p;
 }
 
 } // namespace app

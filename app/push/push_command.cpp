@@ -4,8 +4,9 @@
 #include "app/input/study.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/capacity_csv.hpp"
+#include "app/output/cells.hpp"
+#include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
-#include "app/output/table.hpp"
 #include "app/output/vtk_series.hpp"
 #include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
@@ -109,30 +110,43 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w)
                summary_json(study, w)); // last: its presence says the rest is whole
 }
 
+Row level_row(const PushedWall& w)
+{
+    const bool failed = dem::failed(w.result.outcome);
+    const auto ultimate = [&](double scale) {
+        if (w.ultimate.reading == fragility::Reading::not_defined) return Number{};
+        const bool censored = w.ultimate.reading == fragility::Reading::censored;
+        return Number{.value = w.ultimate.displacement * scale,
+                      .decimals = 2,
+                      .sense = censored ? Sense::above : Sense::equal};
+    };
+    return {given(w.vertical_stress * 1e-6),
+            w.peak ? plain_number(w.peak->force * 1e-3, 2) : Number{},
+            w.peak ? plain_number(w.peak->displacement * 1e3, 2) : Number{},
+            w.stiffness ? plain_number(*w.stiffness * 1e-6, 1) : Number{},
+            ultimate(1e3),
+            ultimate(100.0 / w.loads.height),
+            failed ? "failed" : name(w.mode),
+            count(w.mechanism.cracked_units),
+            plain_number(100.0 * w.result.energy.residual(), 4)};
+}
+
 Table level_table(const std::vector<PushedWall>& walls)
 {
     Table t;
-    t.caption = "Capacity per vertical stress. Ultimate: force first comes down to 80 % of the "
-                "peak; > where it never does.";
-    t.head = {"stress [MPa]",       "peak [kN]", "at [mm]", "stiffness [kN/mm]",
-              "ultimate [mm]",      "drift [%]", "mode",    "cracked units",
+    t.caption =
+        "Capacity per vertical stress. Ultimate: the force first comes down to 80 % of the "
+        "peak; > where it had not when the push ended.";
+    t.head = {"stress [MPa]",
+              "peak [kN]",
+              "at [mm]",
+              "stiffness [kN/mm]",
+              {"ultimate [mm]", kCensored},
+              {"drift [%]", kCensored},
+              "mode",
+              "cracked units",
               "energy residual [%]"};
-    for (const PushedWall& w : walls) {
-        const bool censored = w.ultimate.reading == fragility::Reading::censored;
-        const bool defined = w.ultimate.reading != fragility::Reading::not_defined;
-        const auto ultimate = [&](double scale, int digits) {
-            return defined
-                       ? (censored ? "> " : "") + fixed(w.ultimate.displacement * scale, digits)
-                       : std::string();
-        };
-        t.rows.push_back({stress_number(w), w.peak ? fixed(w.peak->force * 1e-3, 2) : "",
-                          w.peak ? fixed(w.peak->displacement * 1e3, 2) : "",
-                          w.stiffness ? fixed(*w.stiffness * 1e-6, 1) : "", ultimate(1e3, 2),
-                          ultimate(100.0 / w.loads.height, 2),
-                          dem::failed(w.result.outcome) ? "failed" : name(w.mode),
-                          fixed(w.mechanism.cracked_units, 0),
-                          number(100.0 * w.result.energy.residual(), 2)});
-    }
+    for (const PushedWall& w : walls) t.rows.push_back(level_row(w));
     return t;
 }
 
@@ -163,7 +177,8 @@ int push_command(const Command& command)
     const std::vector<PushedWall> walls =
         push_all(study, wanted_walls(source, command), command.threads, command.quiet);
     write_all(command.out, study, walls);
-    std::cout << as_text(level_table(walls)) << "written to " << command.out << '\n';
+    std::cout << as_text(level_table(walls), terminal_width()) << "written to " << command.out
+              << '\n';
     return std::any_of(walls.begin(), walls.end(),
                        [](const PushedWall& w) { return dem::failed(w.result.outcome); });
 }

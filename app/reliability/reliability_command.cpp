@@ -1,9 +1,9 @@
 #include "app/reliability/reliability_command.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/output/cells.hpp"
+#include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
-#include "app/output/table.hpp"
 #include "app/reliability/methods.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -22,7 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string cell(const std::optional<double>& x) { return x ? number(*x, 4) : ""; }
+/// Shown with four digits.
+Number cell(const std::optional<double>& x)
+{
+    return x ? plain_number(*x, decimals_for(*x) + 1) : Number{};
+}
 
 Table method_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
 {
@@ -30,7 +34,8 @@ Table method_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
     t.caption = "P(" + p.words + "). Intervals 95 %; of " + std::to_string(a.evaluations) +
                 " evaluations " + std::to_string(a.failed.size()) +
                 " failed, which count either way in the bounds.";
-    t.head = {"method", "probability", "beta", "standard error", "lower", "upper", "outcome"};
+    t.head = {"method", "probability",     "beta", "standard error", "lower",
+              "upper",  {"outcome", kNote}};
     for (const MethodAnswer& m : a.methods) {
         std::optional<double> beta;
         if (m.probability && *m.probability > 0.0 && *m.probability < 1.0)
@@ -47,9 +52,10 @@ Table sensitivity_table(const ReliabilityAnswer& a)
     Table t;
     t.caption = "What the response depends on. Intervals 95 %.";
     t.head = {"measure", "input", "value", "standard error", "lower", "upper"};
+    t.keys = 2;
     for (const Sensitivity& s : a.sensitivities)
         for (const InputShare& i : s.shares)
-            t.rows.push_back({s.measure, i.input, number(i.value, 3), cell(i.std_error),
+            t.rows.push_back({s.measure, i.input, cell(i.value), cell(i.std_error),
                               cell(i.lower), cell(i.upper)});
     return t;
 }
@@ -62,21 +68,21 @@ Table point_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
     t.head = {"point", "beta", "input", "value"};
     for (std::size_t k = 0; k < a.points.size(); ++k)
         for (std::size_t i = 0; i < p.inputs.size(); ++i)
-            t.rows.push_back({std::to_string(k + 1), number(a.points[k].beta, 6), p.inputs[i],
-                              number(a.points[k].x(static_cast<Eigen::Index>(i)), 8)});
+            t.rows.push_back({count(static_cast<double>(k + 1)), cell(a.points[k].beta),
+                              p.inputs[i], cell(a.points[k].x(static_cast<Eigen::Index>(i)))});
     return t;
 }
 
 Table evaluation_table(const ReliabilityProblem& p, const std::vector<Evaluated>& seen)
 {
     Table t;
-    t.head = p.inputs;
+    t.head.assign(p.inputs.begin(), p.inputs.end());
     t.head.insert(t.head.end(), {"response", "failure"});
     for (const Evaluated& e : seen) {
-        std::vector<std::string> row;
-        for (const double x : e.x) row.push_back(number(x, 17));
-        row.push_back(e.failure.empty() ? number(e.response, 17) : "");
-        row.push_back(e.failure);
+        Row row;
+        for (const double x : e.x) row.emplace_back(Number{x});
+        row.emplace_back(e.failure.empty() ? Number{e.response} : Number{});
+        row.emplace_back(e.failure);
         t.rows.push_back(row);
     }
     return t;
@@ -178,9 +184,11 @@ void write(const Command& command, const ReliabilityProblem& problem,
     if (!sensitivity.rows.empty()) write_table(out, "sensitivity", sensitivity);
     if (!a.points.empty()) write_table(out, "design_points", point_table(problem, a));
     write_file(out / "reliability.json", answer_json(problem, a));
-    std::cout << methods.caption << "\n\n" << as_text(methods);
+    std::cout << methods.caption << "\n\n" << as_text(methods, terminal_width());
     if (!sensitivity.rows.empty())
-        std::cout << '\n' << sensitivity.caption << "\n\n" << as_text(sensitivity);
+        std::cout << '\n'
+                  << sensitivity.caption << "\n\n"
+                  << as_text(sensitivity, terminal_width());
     for (const std::string& w : a.warnings) std::cout << "warning: " << w << '\n';
     std::cout << "written to " << command.out << '\n';
 }

@@ -55,7 +55,7 @@ std::string fit_text(const fragility::ModeGroup& group, const fragility::Fit& fi
     if (fit.outcome != fragility::FitOutcome::converged) return text + "no fit, " + fit.reason;
     const fragility::Interval m = fragility::wald_interval(fit, fragility::median());
     const double median = std::exp(fit.law.location), end = known_to(group.limits);
-    return text + "median drift [%] " + with_interval(median, m, 2, end) +
+    return text + "median drift [%] " + cell_text(with_interval(median, m, 2, end)) +
            (median > end ? " (extrapolated)" : "") + ", dispersion " +
            fixed(fit.law.dispersion, 2) + " ± " + fixed(fit.dispersion_error, 2);
 }
@@ -109,23 +109,23 @@ std::string interval_text(const fragility::Interval& i, int digits)
            (std::isfinite(i.upper) ? fixed(i.upper, digits) : std::string("no limit")) + "]";
 }
 
-std::vector<std::string> table_row(const ReportStudy& study, std::size_t level)
+Row table_row(const ReportStudy& study, std::size_t level)
 {
     const LevelWalls walls = walls_of_level(study, level);
     std::size_t observed = 0;
     for (const Observation& o : walls.all) observed += o.lower == o.upper ? 1 : 0;
-    std::vector<std::string> row = {number(study.stress(level), 12),
-                                    std::to_string(walls.all.size()), std::to_string(observed)};
+    Row row = {given(study.stress(level)), count(static_cast<double>(walls.all.size())),
+               count(static_cast<double>(observed))};
     if (walls.all.empty()) return row.resize(7), row;
     const auto limits = fragility::performance_limits(fragility::Law::lognormal, walls.all);
     if (limits.fitted) {
         for (const std::size_t k : {1u, 2u, 3u})
-            row.push_back(with_interval(limits.drifts[k].drift, limits.drifts[k].interval, 2,
-                                        known_to(walls.all)));
-        row.push_back(with_interval(limits.dispersion, limits.dispersion_interval, 2));
+            row.emplace_back(with_interval(limits.drifts[k].drift, limits.drifts[k].interval, 2,
+                                           known_to(walls.all)));
+        row.emplace_back(with_interval(limits.dispersion, limits.dispersion_interval, 2));
         return row;
     }
-    row.insert(row.end(), {"", median_bound(limits.bound, 2), "", ""});
+    row.insert(row.end(), {{}, median_bound(limits.bound, 2), {}, {}});
     return row;
 }
 
@@ -237,8 +237,14 @@ Table fragility_table(const ReportStudy& study)
                 "by profile likelihood. Where nothing can be fitted: a bound of the median "
                 "without any law (95 %, one-sided). " +
                 extrapolated_text("any wall of the row") + ".";
-    t.head = {"stress [MPa]", "walls",    "observed",  "drift of 16 % of the walls [%]",
-              "median [%]",   "84 % [%]", "dispersion"};
+    constexpr unsigned kHolds = kInterval | kExtrapolated;
+    t.head = {"stress [MPa]",
+              "walls",
+              "observed",
+              {"drift of 16 % of the walls [%]", kHolds},
+              {"median [%]", kHolds},
+              {"84 % [%]", kHolds},
+              {"dispersion", kInterval}};
     for (std::size_t level = 0; level < study.head.levels.size(); ++level)
         t.rows.push_back(table_row(study, level));
     return t;

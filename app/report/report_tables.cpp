@@ -1,6 +1,6 @@
 #include "app/report/report_tables.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/output/cells.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,23 +11,22 @@
 namespace app {
 namespace {
 
-std::string with_error(const std::vector<double>& values, double scale, int digits)
+Number mean_cell(const std::vector<double>& values, double scale)
 {
     if (values.empty()) return {};
-    if (values.size() == 1) return fixed(scale * values.front(), digits);
+    if (values.size() == 1) return plain_number(scale * values.front(), 1);
     const uq::Estimate e = uq::estimate_mean(values);
-    return fixed(e.value * scale, digits) + " ± " + fixed(e.std_error * scale, digits);
+    return with_error(e.value * scale, e.std_error * scale, 1);
 }
 
-std::string cov_text(const std::vector<double>& values)
+Number cov_cell(const std::vector<double>& values)
 {
     if (values.size() < 2) return {};
     const uq::Moments m = uq::moments(values);
-    return m.mean > 0.0 ? fixed(m.sd / m.mean, 2) : std::string();
+    return m.mean > 0.0 ? plain_number(m.sd / m.mean, 2) : Number{};
 }
 
-std::vector<std::string> results_row(const std::string& stress, const char* mode,
-                                     const std::vector<const ReportWall*>& walls)
+Row results_row(double stress, const char* mode, const std::vector<const ReportWall*>& walls)
 {
     std::vector<double> peaks, at, ultimate;
     std::size_t censored = 0;
@@ -37,16 +36,16 @@ std::vector<std::string> results_row(const std::string& stress, const char* mode
         if (w->reading == fragility::Reading::observed) ultimate.push_back(w->ultimate);
         censored += w->reading == fragility::Reading::censored ? 1 : 0;
     }
-    return {stress,
+    return {given(stress),
             mode,
-            std::to_string(walls.size()),
-            with_error(peaks, 1e-3, 1),
-            cov_text(peaks),
-            with_error(at, 1e3, 1),
-            with_error(ultimate, 1e3, 1),
-            cov_text(ultimate),
-            std::to_string(ultimate.size()),
-            std::to_string(censored)};
+            count(static_cast<double>(walls.size())),
+            mean_cell(peaks, 1e-3),
+            cov_cell(peaks),
+            mean_cell(at, 1e3),
+            mean_cell(ultimate, 1e3),
+            cov_cell(ultimate),
+            count(static_cast<double>(ultimate.size())),
+            count(static_cast<double>(censored))};
 }
 
 std::string mode_text(const ReportWall& w)
@@ -55,10 +54,13 @@ std::string mode_text(const ReportWall& w)
     return w.rocking ? "rocking" : "mixed";
 }
 
-std::string ultimate_text(const ReportWall& w)
+Number ultimate_cell(const ReportWall& w)
 {
     if (w.reading == fragility::Reading::not_defined) return {};
-    return (w.reading == fragility::Reading::censored ? "> " : "") + fixed(w.ultimate * 1e3, 2);
+    const bool censored = w.reading == fragility::Reading::censored;
+    return {.value = w.ultimate * 1e3,
+            .decimals = 2,
+            .sense = censored ? Sense::above : Sense::equal};
 }
 
 } // namespace
@@ -66,11 +68,14 @@ std::string ultimate_text(const ReportWall& w)
 nlohmann::ordered_json table_json(const std::string& id, const std::string& title,
                                   const Table& table)
 {
+    const ShownTable people = shown(table);
+    std::string caption = table.caption;
+    for (const std::string& note : people.notes) caption += " " + note;
     return {{"id", id},
             {"title", title},
-            {"caption", table.caption},
-            {"head", table.head},
-            {"rows", table.rows},
+            {"caption", caption},
+            {"head", people.head},
+            {"rows", people.rows},
             {"text", as_text(table)},
             {"csv", as_csv(table)},
             {"markdown", as_markdown(table)},
@@ -85,10 +90,18 @@ Table results_table(const ReportStudy& study)
         "coefficients of variation. Ultimate: where the force first comes down to 80 % of "
         "the peak, of the walls in which that was observed; censored walls had not come "
         "down when their push ended.";
-    t.head = {"stress [MPa]", "mode",          "walls", "peak [kN]", "COV",
-              "at peak [mm]", "ultimate [mm]", "COV",   "observed",  "censored"};
+    t.head = {"stress [MPa]",
+              "mode",
+              "walls",
+              {"peak [kN]", kError},
+              "COV of peak",
+              {"at peak [mm]", kError},
+              {"ultimate [mm]", kError},
+              "COV of ultimate",
+              "observed",
+              "censored"};
     for (std::size_t level = 0; level < study.head.levels.size(); ++level) {
-        const std::string stress = number(study.stress(level), 12);
+        const double stress = study.stress(level);
         const auto all = study.sound(level);
         t.rows.push_back(results_row(stress, "all", all));
         for (const bool rocking : {true, false}) {
@@ -111,20 +124,23 @@ Table walls_table(const ReportStudy& study, const std::vector<std::size_t>& list
                     std::to_string(study.walls.size()) +
                     " walls, those of the lowest sample numbers under each stress. \">\": not "
                     "reached when the push ended. drystone curves gives all.";
-    t.head = {"stress [MPa]", "sample", "mode", "peak [kN]", "ultimate [mm]", "cracked units"};
+    t.head = {"stress [MPa]", "sample", "mode", "peak [kN]", {"ultimate [mm]", kCensored},
+              "cracked units"};
     for (const StoredInput& input : study.inputs)
-        t.head.push_back((input.count > 1 ? "mean " : "") + input.key + " [" + input.unit +
-                         "]");
+        t.head.emplace_back((input.count > 1 ? "mean " : "") + input.key + " [" + input.unit +
+                            "]");
     for (const std::size_t i : listed) {
         const ReportWall& w = study.walls[i];
-        std::vector<std::string> row = {number(study.stress(w.row.key.level), 12),
-                                        std::to_string(w.row.key.sample),
-                                        mode_text(w),
-                                        fixed(w.peak * 1e-3, 2),
-                                        ultimate_text(w),
-                                        w.failed ? "" : std::to_string(w.cracked)};
-        for (const StoredInput& input : study.inputs)
-            row.push_back(number(shown_value(input, w.row), 5));
+        Row row = {given(study.stress(w.row.key.level)),
+                   count(w.row.key.sample),
+                   mode_text(w),
+                   plain_number(w.peak * 1e-3, 2),
+                   ultimate_cell(w),
+                   w.failed ? Number{} : count(static_cast<double>(w.cracked))};
+        for (const StoredInput& input : study.inputs) {
+            const double value = shown_value(input, w.row);
+            row.emplace_back(plain_number(value, decimals_for(value) + 2));
+        }
         t.rows.push_back(row);
     }
     return t;

@@ -1,6 +1,7 @@
 #include "app/study/merge_command.hpp"
 
 #include "app/output/atomic_output.hpp"
+#include "app/output/markup.hpp"
 #include "app/store/merge.hpp"
 #include "app/study/study_summary.hpp"
 
@@ -17,8 +18,8 @@ int merge_command(const Command& command)
     if (out.has_parent_path()) make_folder(out.parent_path());
     merge(out, shards, {.partial = command.partial});
     const StudySummary summary = summarise(out);
-    std::cout << as_text(summary.table) << summary.remarks << "written to " << out.string()
-              << '\n';
+    std::cout << as_text(summary.table, terminal_width()) << summary.remarks << "written to "
+              << out.string() << '\n';
     return summary.failed == 0 && summary.missing == 0 ? 0 : 1;
 }
 

@@ -1,8 +1,7 @@
 #include "app/study/sample_command.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
-#include "app/output/table.hpp"
+#include "app/output/cells.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -18,18 +17,18 @@ Table head_of(const SamplePlan& plan)
 {
     Table t;
     t.head = {"level", "vertical_stress [Pa]", "sample"};
-    for (const Column& c : input_columns(plan)) t.head.push_back(c.name + " [" + c.unit + "]");
+    for (const Column& c : input_columns(plan))
+        t.head.emplace_back(c.name + " [" + c.unit + "]");
     return t;
 }
 
-std::vector<std::string> row(const Study& study, const SamplePlan& plan, int level, int sample)
+Row row(const Study& study, const SamplePlan& plan, int level, int sample)
 {
-    std::vector<std::string> cells = {
-        std::to_string(level),
-        number(study.load.vertical_stress[static_cast<std::size_t>(level)], 17),
-        std::to_string(sample)};
+    Row cells = {count(level),
+                 Number{study.load.vertical_stress[static_cast<std::size_t>(level)]},
+                 count(sample)};
     for (const double value : flattened(draw(plan, level, sample)))
-        cells.push_back(number(value, 17));
+        cells.emplace_back(Number{value});
     return cells;
 }
 

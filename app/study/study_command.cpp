@@ -2,6 +2,7 @@
 
 #include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/provenance.hpp"
@@ -132,8 +133,8 @@ int study_command(const Command& command, const FrameTaker& frames)
     const bool whole = work_until_enough(work, remark);
     const StudySummary summary = summarise(work.file);
     if (command.shard.count == 1) write_summary(work.file, summary.table);
-    std::cout << as_text(summary.table) << summary.remarks << remark << "written to "
-              << work.file.string() << '\n';
+    std::cout << as_text(summary.table, terminal_width()) << summary.remarks << remark
+              << "written to " << work.file.string() << '\n';
     if (!whole)
         std::cerr << "drystone: interrupted; the same command goes on where it stopped\n";
     return whole && summary.failed == 0 ? 0 : 1;

@@ -1,7 +1,6 @@
 #include "bench/validation/cells.hpp"
 
-#include "app/input/number_text.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/output/cells.hpp"
 #include "fragility/binomial.hpp"
 
 namespace bench {
@@ -11,15 +10,15 @@ constexpr double kZ = 1.959963984540054; // 95 %
 
 } // namespace
 
-std::string with_interval(const Sample& s, int decimals)
+app::Cell with_interval(const Sample& s, int decimals)
 {
-    if (s.n == 0) return "none";
-    if (s.n == 1) return app::fixed(s.mean, decimals) + " (1 wall)";
+    if (s.n == 0) return {};
+    if (s.n == 1) return app::plain_number(s.mean, decimals);
     const double h = kZ * s.std_error();
     return app::with_interval(s.mean, s.mean - h, s.mean + h, decimals);
 }
 
-std::string share_cell(std::size_t k, std::size_t n)
+app::Cell share_cell(std::size_t k, std::size_t n)
 {
     const auto i = fragility::binomial_interval(fragility::BinomialInterval::wilson,
                                                 static_cast<double>(k), static_cast<double>(n));

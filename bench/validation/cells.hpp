@@ -1,16 +1,15 @@
 #pragma once
 /// Cells of the tables: a mean or a share with its interval of 95 %.
 
+#include "app/output/table.hpp"
 #include "bench/validation/level_statistics.hpp"
-
-#include <string>
 
 namespace bench {
 
-/// "15.1 [14.4, 15.9]"
-[[nodiscard]] std::string with_interval(const Sample& s, int decimals);
+/// "15.1 [14.4, 15.9]"; one wall has no interval, no wall nothing.
+[[nodiscard]] app::Cell with_interval(const Sample& s, int decimals);
 
 /// "32 [28, 36]": k of n [%], Wilson's interval.
-[[nodiscard]] std::string share_cell(std::size_t k, std::size_t n);
+[[nodiscard]] app::Cell share_cell(std::size_t k, std::size_t n);
 
 } // namespace bench

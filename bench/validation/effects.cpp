@@ -81,8 +81,8 @@ double rocking(const LevelStatistics& s)
     return 100.0 * static_cast<double>(s.rocking_walls) / static_cast<double>(s.walls);
 }
 
-std::vector<std::string> row(const char* name, const std::vector<LevelStatistics>& base,
-                             const std::vector<LevelStatistics>& changed)
+app::Row row(const char* name, const std::vector<LevelStatistics>& base,
+             const std::vector<LevelStatistics>& changed)
 {
     const std::size_t n = base.size();
     std::size_t failed = 0;

@@ -11,7 +11,7 @@
 namespace bench {
 namespace {
 
-using Row = std::vector<std::string>;
+using Row = app::Row;
 
 std::string percent(double ours, double paper)
 {

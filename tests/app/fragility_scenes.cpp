@@ -65,18 +65,30 @@ app::StudyWalls study_walls(std::size_t n)
     return walls;
 }
 
+std::size_t column(const app::Table& t, const std::string& head)
+{
+    for (std::size_t c = 0; c < t.head.size(); ++c)
+        if (t.head[c].name == head) return c;
+    throw std::out_of_range("no column " + head);
+}
+
 std::string cell(const app::Table& t, std::size_t row, const std::string& head)
 {
-    const auto at = std::find(t.head.begin(), t.head.end(), head);
-    if (at == t.head.end()) throw std::out_of_range("no column " + head);
-    return t.rows.at(row).at(static_cast<std::size_t>(at - t.head.begin()));
+    return app::cell_text(t.rows.at(row).at(column(t, head)));
+}
+
+app::Number number_in(const app::Table& t, std::size_t row, const std::string& head)
+{
+    const auto* const n = std::get_if<app::Number>(&t.rows.at(row).at(column(t, head)));
+    return n ? *n : app::Number{};
 }
 
 bool sound(const app::Table& t)
 {
     for (const auto& row : t.rows) {
         if (row.size() != t.head.size()) return false;
-        for (std::string text : row) {
+        for (const app::Cell& cell : row) {
+            std::string text = app::cell_text(cell);
             std::transform(text.begin(), text.end(), text.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
             for (const char* const bad : {"nan", "inf "})

@@ -17,9 +17,17 @@ namespace scenes {
 /// 15 mm and more, rocking above, stopped at 28 mm.
 [[nodiscard]] app::StudyWalls study_walls(std::size_t n);
 
-/// Cell of a row by the name of its column; fails without one.
+/// Place of a column by its name.
+/// @throws std::out_of_range without one
+[[nodiscard]] std::size_t column(const app::Table& table, const std::string& head);
+
+/// A cell as people read it, by the name of its column.
 [[nodiscard]] std::string cell(const app::Table& table, std::size_t row,
                                const std::string& head);
+
+/// A number with its bounds; nothing but NaN where the cell holds none.
+[[nodiscard]] app::Number number_in(const app::Table& table, std::size_t row,
+                                    const std::string& head);
 
 /// No cell reads nan or inf, in any case.
 [[nodiscard]] bool sound(const app::Table& table);

@@ -1,0 +1,81 @@
+#include "app/fragility/table_texts.hpp"
+
+#include "app/input/number_text.hpp"
+#include "app/study/fragility_text.hpp"
+#include "app/study/mode_rule.hpp"
+
+#include <stdexcept>
+
+namespace app {
+
+namespace {
+
+std::string filled(std::string_view text, const Words& words)
+{
+    std::string result;
+    while (!text.empty()) {
+        const auto open = text.find('{'), close = text.find('}', open);
+        result += text.substr(0, open);
+        if (close == std::string_view::npos) break;
+        const auto word = words.find(text.substr(open + 1, close - open - 1));
+        if (word == words.end())
+            throw std::logic_error("table texts: no word " +
+                                   std::string(text.substr(open, close - open + 1)));
+        result += word->second;
+        text.remove_prefix(close + 1);
+    }
+    return result;
+}
+
+/// Line breaks of the file are no line breaks of the text.
+std::string one_line(std::string_view text)
+{
+    std::string line(text.substr(0, text.find_last_not_of('\n') + 1));
+    for (char& c : line) c = c == '\n' ? ' ' : c;
+    return line;
+}
+
+} // namespace
+
+Table titled_table(std::string_view name, const Words& words)
+{
+    const std::string_view all = table_texts();
+    const std::string opening = "\n== " + std::string(name) + "\n";
+    const auto at = all.find(opening);
+    if (at == std::string_view::npos)
+        throw std::logic_error("table texts: no table " + std::string(name));
+    std::string_view text = all.substr(at + opening.size());
+    text = text.substr(0, text.find("\n=="));
+    const auto title = text.find('\n');
+    Table t;
+    t.title = filled(text.substr(0, title), words);
+    t.caption = filled(one_line(text.substr(title + 1)), words);
+    return t;
+}
+
+Words words_of(const DriftData& data)
+{
+    std::string states;
+    for (const DriftState& s : data.states)
+        states += (states.empty() ? "" : "; ") + state_name(s) + ": " + s.rule;
+    return {{"counts", counts_text(data)},
+            {"drift", data.drift},
+            {"law", std::string(name(data.options.law))},
+            {"confidence", percent_text(data.options.confidence)},
+            {"states", states},
+            {"bootstrap", std::to_string(data.options.bootstrap)}};
+}
+
+Words words_of(const StudyWalls& walls)
+{
+    Words words = words_of(drift_data(walls));
+    words["rule"] = mode_rule_text(walls.study.fragility.mode);
+    words["fall"] = percent_text(kFallOfUltimate);
+    words["height"] = number(walls.height, 6);
+    words["spatial"] = walls.study.uq.spatial == Spatial::none
+                           ? ""
+                           : " The values of the inputs vary from joint to joint.";
+    return words;
+}
+
+} // namespace app

@@ -1,0 +1,49 @@
+#pragma once
+/// Numbers as cells of a table.
+
+#include "app/output/table.hpp"
+
+#include <cmath>
+
+namespace app {
+
+/// A count, without decimals.
+[[nodiscard]] inline Number count(double n) { return {.value = n, .decimals = 0}; }
+
+/// A number as the user gave it: 0.4, where a change of units left 0.39999999999999997.
+[[nodiscard]] Number given(double x);
+
+[[nodiscard]] inline Number plain_number(double value, int decimals)
+{
+    return {.value = value, .decimals = decimals};
+}
+
+/// "16.2 +- 0.3"
+[[nodiscard]] inline Number with_error(double value, double std_error, int decimals)
+{
+    return {.value = value, .error = std_error, .decimals = decimals};
+}
+
+/// "1.58 [1.40, 1.80]"; what lies beyond `known_to` is marked. Bounds of a value that is not known
+/// are dropped with it.
+[[nodiscard]] inline Number with_interval(double value, double lower, double upper,
+                                          int decimals, double known_to = kNoEnd)
+{
+    if (!std::isfinite(value)) return {};
+    return {.value = value,
+            .lower = lower,
+            .upper = upper,
+            .decimals = decimals,
+            .known_to = known_to};
+}
+
+/// "0.0 to 45.9"
+[[nodiscard]] inline Number range(double lower, double upper, int decimals)
+{
+    return {.lower = lower, .upper = upper, .decimals = decimals};
+}
+
+/// Decimals that show three digits of a value of this size, in 0 .. 6.
+[[nodiscard]] int decimals_for(double size);
+
+} // namespace app

@@ -1,0 +1,112 @@
+#include "app/output/markup.hpp"
+
+#include <algorithm>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace app {
+
+namespace {
+
+/// Pairs of what is found and what is written for it; the first that matches counts.
+struct Replacement {
+    std::string_view found, written;
+};
+
+template <std::size_t N>
+std::string replaced(std::string_view text, const Replacement (&table)[N])
+{
+    std::string result;
+    while (!text.empty()) {
+        const auto* const hit = std::find_if(std::begin(table), std::end(table), [&](auto& r) {
+            return text.starts_with(r.found);
+        });
+        const bool found = hit != std::end(table);
+        result += found ? hit->written : text.substr(0, 1);
+        text.remove_prefix(found ? hit->found.size() : 1);
+    }
+    return result;
+}
+
+constexpr Replacement kMarkdown[] = {{"\\", "\\\\"}, {"|", "\\|"}, {"<", "\\<"},
+                                     {"`", "\\`"},   {"*", "\\*"}, {"](", "]\\("},
+                                     {"\r\n", " "},  {"\n", " "},  {"\r", " "}};
+
+constexpr Replacement kLatex[] = {{">=", "$\\geq$"},
+                                  {"<=", "$\\leq$"},
+                                  {"+-", "$\\pm$"},
+                                  {"<", "$<$"}, // text fonts have other signs there
+                                  {">", "$>$"},
+                                  {"\u2020", "\\dag{}"}, // classic LaTeX does not know the sign
+                                  {"^", "\\textasciicircum{}"},
+                                  {"~", "\\textasciitilde{}"},
+                                  {"\\", "\\textbackslash{}"},
+                                  {"&", "\\&"},
+                                  {"%", "\\%"},
+                                  {"$", "\\$"},
+                                  {"#", "\\#"},
+                                  {"_", "\\_"},
+                                  {"{", "\\{"},
+                                  {"}", "\\}"},
+                                  {"\r\n", " "},
+                                  {"\n", " "},
+                                  {"\r", " "}};
+
+} // namespace
+
+std::string csv_cell(const std::string& text)
+{
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    constexpr Replacement kQuote[] = {{"\"", "\"\""}};
+    return '"' + replaced(text, kQuote) + '"';
+}
+
+std::string markdown_text(std::string_view text) { return replaced(text, kMarkdown); }
+
+std::string latex_text(std::string_view text)
+{
+    const bool obeyed = text.starts_with('[') || text.starts_with('*');
+    return (obeyed ? "{}" : "") + replaced(text, kLatex);
+}
+
+std::string wrapped(const std::string& text, std::size_t width)
+{
+    std::string lines;
+    std::size_t used = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+        const std::string word = text.substr(at, end - at);
+        const std::size_t size = shown_width(word);
+        if (used > 0 && width > 0 && used + 1 + size > width) {
+            lines += '\n';
+            used = 0;
+        } else if (used > 0) {
+            lines += ' ';
+            ++used;
+        }
+        lines += word;
+        used += size;
+        if (end < text.size() && text[end] == '\n') {
+            lines += '\n';
+            used = 0;
+        }
+        at = end + 1;
+    }
+    return lines;
+}
+
+std::size_t shown_width(std::string_view text)
+{
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::size_t terminal_width()
+{
+    constexpr std::size_t kElsewhere = 100;
+    winsize size{};
+    const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return known ? size.ws_col : kElsewhere;
+}
+
+} // namespace app

@@ -1,0 +1,28 @@
+#pragma once
+/// A folder that holds the results of one run and never those of two.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+struct OutputFile {
+    std::filesystem::path name; ///< below the folder: "tables/modes.csv"
+    std::string content;
+};
+
+/// The list of files that a run wrote, with their check sums: how the next run knows what is ours.
+constexpr std::string_view kFileList = "drystone_files.txt";
+
+/// Writes all files and the list of them. Files that the list of an earlier run names and this run does
+/// not write are removed, unless they have been changed since; other files stay as they are.
+/// @return how many were removed
+/// @throws ConfigError before anything is written: a file that this run would replace is there and is
+/// not on the list of an earlier run
+/// @throws std::runtime_error as write_file
+std::size_t write_results(const std::filesystem::path& folder,
+                          const std::vector<OutputFile>& files);
+
+} // namespace app
