@@ -181,7 +181,8 @@ TEST_CASE("spatial sample: sites have their coordinates, one of each stratum, or
     const SpatialPlan strata =
         spatial_plan({{standard, 40, OverSites::stratified}}, {}, {}, false);
     std::set<int> seen;
-    for (const double z : draw(strata, {}, random).front())
+    const auto in_strata = draw(strata, {}, random);
+    for (const double z : in_strata.front())
         seen.insert(static_cast<int>(std::floor(40.0 * cdf(standard, z))));
     CHECK(seen.size() == 40);
 
