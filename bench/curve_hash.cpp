@@ -1,6 +1,7 @@
 /// curve_hash: all bits of the curves of a fixed ensemble as one number, through packs and one wall at a
 /// time. The number must not depend on compiler, flags, register or threads (tests/same_bits.sh).
 
+#include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"

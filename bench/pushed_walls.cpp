@@ -1,5 +1,6 @@
 #include "bench/pushed_walls.hpp"
 
+#include "dem/block/model.hpp"
 #include "dem/solver/static_start.hpp"
 
 #include <algorithm>

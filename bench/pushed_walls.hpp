@@ -2,6 +2,7 @@
 /// Walls at rest under their load, then pushed for a number of steps: what a kernel is timed on.
 
 #include "dem/block/discretisation.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/step.hpp"
 #include "scenes/paper_wall.hpp"
 

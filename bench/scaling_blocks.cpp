@@ -2,6 +2,7 @@
 #include "bench/scaling_parts.hpp"
 #include "bench/shortest.hpp"
 #include "bench/work_count.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/step.hpp"
 #include "scenes/paper_wall.hpp"
 

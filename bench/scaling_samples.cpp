@@ -2,6 +2,7 @@
 #include "bench/machine.hpp"
 #include "bench/scaling_parts.hpp"
 #include "bench/shortest.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"
 

@@ -1,6 +1,7 @@
 #include "app/input/number_text.hpp"
 #include "bench/scaling_parts.hpp"
 #include "bench/shortest.hpp"
+#include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"

@@ -6,6 +6,7 @@
 #include "app/output/table.hpp"
 #include "bench/law_cost.hpp"
 #include "bench/machine.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"
 

@@ -1,5 +1,6 @@
 #include "bench/stress_run.hpp"
 
+#include "dem/block/model.hpp"
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/thread_time.hpp"
 

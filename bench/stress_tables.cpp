@@ -1,6 +1,7 @@
 #include "bench/stress_tables.hpp"
 
 #include "app/input/number_text.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/stability_limit.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "bench/sweep.hpp"
 
+#include "dem/block/model.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "fragility/curve_reading.hpp"
 

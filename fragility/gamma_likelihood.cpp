@@ -1,6 +1,7 @@
 #include "fragility/gamma_likelihood.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
+#include "fragility/gauss_legendre.hpp"
+
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/trigamma.hpp>
 
@@ -11,7 +12,6 @@ namespace fragility {
 namespace {
 
 constexpr double kDrop = 45.0; ///< of the log density: less than rounding remains outside
-using Rule = boost::math::quadrature::gauss<double, 16>;
 
 /// Sums of w exp(phi - top) times powers of s - origin and e^s - e^origin.
 struct Sums {
@@ -58,10 +58,10 @@ class LogGammaDensity {
     {
         const double middle = 0.5 * (lo + hi);
         const double half = 0.5 * (hi - lo);
-        for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-            const double x = half * Rule::abscissa()[i];
-            point(middle + x, half * Rule::weights()[i], sums);
-            point(middle - x, half * Rule::weights()[i], sums);
+        for (std::size_t i = 0; i < kGauss16.node.size(); ++i) {
+            const double x = half * kGauss16.node[i];
+            point(middle + x, half * kGauss16.weight[i], sums);
+            point(middle - x, half * kGauss16.weight[i], sums);
         }
     }
     double a_, origin_, top_;

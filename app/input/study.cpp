@@ -6,6 +6,7 @@
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
+#include "dem/block/model.hpp"
 
 #include <algorithm>
 #include <cmath>

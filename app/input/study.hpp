@@ -12,13 +12,17 @@
 #include "fragility/bilinear.hpp"
 #include "fragility/curve_reading.hpp"
 #include "fragility/law.hpp"
-#include "uq/designs/design.hpp"
+#include "uq/designs/design_kind.hpp"
 #include "uq/marginals/marginal.hpp"
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace dem {
+struct Model;
+}
 
 namespace app {
 

@@ -2,6 +2,7 @@
 
 #include "app/study/interrupt.hpp"
 #include "app/study/pushed_wall.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
 
 #include <limits>

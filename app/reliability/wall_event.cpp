@@ -6,6 +6,7 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/wanted_walls.hpp"
+#include "dem/block/model.hpp"
 #include "dem/scene/layout.hpp"
 
 namespace app {

@@ -6,6 +6,7 @@
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_page.hpp"
+#include "dem/block/model.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -7,6 +7,7 @@
 #include "app/report/report_overview.hpp"
 #include "app/report/report_tables.hpp"
 #include "app/version.hpp"
+#include "dem/block/model.hpp"
 
 #include <nlohmann/json.hpp>
 

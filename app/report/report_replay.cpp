@@ -4,6 +4,7 @@
 #include "app/study/pushed_wall.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/wall_frames.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
 
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "app/study/pushed_wall.hpp"
 
+#include "dem/block/model.hpp"
+
 #include <cmath>
 
 namespace app {

@@ -5,6 +5,7 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/shard_script.hpp"
 #include "app/study/study_file_head.hpp"
+#include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"
 #include "dem/solver/ensemble.hpp"
 

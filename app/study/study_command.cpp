@@ -11,6 +11,7 @@
 #include "app/study/study_runner.hpp"
 #include "app/study/study_stopping.hpp"
 #include "app/study/study_summary.hpp"
+#include "dem/block/model.hpp"
 
 #include <filesystem>
 #include <iostream>

@@ -4,6 +4,7 @@
 #include "app/study/interrupt.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/study/study_columns.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
 
 #include <utility>

@@ -6,7 +6,6 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store.hpp"
 #include "app/study/wall_frames.hpp"
-#include "dem/block/model.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,6 @@
 #include "dem/solver/push.hpp"
 
+#include "dem/block/model.hpp"
 #include "dem/solver/batch.hpp"
 
 #include <cmath>

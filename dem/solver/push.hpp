@@ -2,7 +2,6 @@
 /// A wall under vertical load, then pushed along a list of target displacements. The result can
 /// be judged: energy, unbalance, outcome.
 
-#include "dem/block/model.hpp"
 #include "dem/scene/snapshot.hpp"
 #include "dem/scene/wall.hpp"
 #include "dem/solver/curve_point.hpp"
@@ -14,6 +13,8 @@
 #include <vector>
 
 namespace dem {
+
+struct Model; // dem/block/model.hpp
 
 enum class Outcome {
     reached_target,   ///< all target displacements reached

@@ -1,5 +1,7 @@
 #include "dem/solver/step_tables.hpp"
 
+#include "dem/block/model.hpp"
+
 #include <algorithm>
 #include <cstddef>
 

@@ -1,12 +1,13 @@
 #pragma once
 /// What a step needs to know of the model: shared by all walls, made once.
 
-#include "dem/block/model.hpp"
 #include "dem/contact/contact_operator.hpp"
 
 #include <vector>
 
 namespace dem {
+
+struct Model; // dem/block/model.hpp
 
 /// Contacts of a face: one law, neighbours in the arrays.
 struct ContactRun {

@@ -1,5 +1,7 @@
 #include "dem/solver/take_snapshot.hpp"
 
+#include "dem/block/model.hpp"
+
 namespace dem {
 
 namespace {

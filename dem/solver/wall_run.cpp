@@ -1,5 +1,6 @@
 #include "dem/solver/wall_run.hpp"
 
+#include "dem/block/model.hpp"
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/static_start.hpp"
 #include "dem/solver/take_snapshot.hpp"

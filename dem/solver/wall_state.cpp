@@ -1,5 +1,7 @@
 #include "dem/solver/wall_state.hpp"
 
+#include "dem/block/model.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -3,6 +3,7 @@
 /// in the model.
 
 #include "dem/contact/contact_law.hpp"
+#include "dem/scene/wall.hpp"
 #include "dem/solver/energy.hpp"
 #include "dem/solver/solver_options.hpp"
 #include "dem/solver/step_tables.hpp"

@@ -4,6 +4,7 @@
 #include "app/report/report_study.hpp"
 #include "app/report_scene.hpp"
 #include "app/study/study_identity.hpp"
+#include "dem/block/model.hpp"
 #include "fragility/binomial.hpp"
 #include "scenes/temporary_folder.hpp"
 

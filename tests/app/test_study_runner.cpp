@@ -3,6 +3,7 @@
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_runner.hpp"
 #include "app/study_scenes.hpp"
+#include "dem/block/model.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,6 @@
 #include "bench/counting_number.hpp"
 #include "bench/work_count.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/static_start.hpp"
 #include "dem/solver/step.cpp" // NOLINT: for one more kind of number
 #include "scenes/paper_wall.hpp"

@@ -1,4 +1,5 @@
 #include "bits.hpp"
+#include "dem/block/model.hpp"
 #include "dem/contact/contact_operator.hpp"
 #include "dem/solver/step_tables.hpp"
 #include "scenes/paper_wall.hpp"

@@ -2,6 +2,7 @@
 /// energy of each. The default, secant, is in test_contact_law.
 
 #include "crack_path.hpp"
+#include "dem/block/model.hpp"
 #include "dem/solver/wall_state.hpp"
 #include "small_wall.hpp"
 

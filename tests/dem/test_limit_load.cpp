@@ -1,5 +1,6 @@
 /// Rigid-block limits: problems 17, 18 and 19 of the verification list.
 
+#include "dem/block/model.hpp"
 #include "dem/solver/step.hpp"
 #include "scenes/paper_wall.hpp"
 

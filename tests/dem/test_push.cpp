@@ -1,5 +1,6 @@
 /// The pushed wall of the paper as a whole: what must hold whatever the numbers are.
 
+#include "dem/block/model.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "dem/solver/step.hpp"
 #include "scenes/paper_wall.hpp"

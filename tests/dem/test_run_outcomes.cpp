@@ -1,3 +1,4 @@
+#include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "small_wall.hpp"
 

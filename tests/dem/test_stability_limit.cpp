@@ -1,3 +1,4 @@
+#include "dem/block/model.hpp"
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/static_start.hpp"
 #include "dem/solver/step.hpp"

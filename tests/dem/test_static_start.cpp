@@ -1,3 +1,4 @@
+#include "dem/block/model.hpp"
 #include "dem/solver/static_start.hpp"
 #include "dem/solver/step.hpp"
 #include "small_wall.hpp"

@@ -1,6 +1,7 @@
 /// Walls under vertical load: problem 12 of the verification list and the wall modulus of Table
 /// 3.
 
+#include "dem/block/model.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>

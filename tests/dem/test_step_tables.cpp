@@ -1,3 +1,4 @@
+#include "dem/block/model.hpp"
 #include "dem/solver/step_tables.hpp"
 #include "scenes/paper_wall.hpp"
 

@@ -1,5 +1,6 @@
 /// What a run makes of a step that is too large, and of a wall that comes down.
 
+#include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "dem/solver/stability_limit.hpp"
 #include "scenes/paper_wall.hpp"

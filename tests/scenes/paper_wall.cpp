@@ -1,4 +1,5 @@
 #include "scenes/paper_wall.hpp"
+#include "dem/block/model.hpp"
 
 #include "dem/scene/paper_materials.hpp"
 

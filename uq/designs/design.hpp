@@ -1,20 +1,14 @@
 #pragma once
 /// Samples in the unit cube: n x d, rows are samples, entries inside (0, 1).
 
+#include "uq/designs/design_kind.hpp"
+
 #include <Eigen/Core>
 
 #include <cstdint>
 #include <vector>
 
 namespace uq {
-
-enum class DesignKind {
-    monte_carlo,     ///< independent rows
-    latin_random,    ///< each stratum of each variable holds one row, at a random place
-    latin_centred,   ///< each stratum of each variable holds one row, in its middle
-    latin_optimised, ///< as latin_random, with the strata arranged so that no two rows are close
-    sobol            ///< scrambled, see uq/designs/sobol.hpp
-};
 
 struct Design {
     DesignKind kind = DesignKind::latin_random;
@@ -31,7 +25,6 @@ void check(const Design& design);
 /// Checks the design, and that 0 <= first <= last <= rows.
 void check(const Design& design, std::int64_t first, std::int64_t last);
 
-[[nodiscard]] bool is_latin(DesignKind kind);
 [[nodiscard]] std::int64_t rows(const Design& design); ///< rows of the last size
 
 /// All rows.

@@ -1,6 +1,6 @@
 #include "uq/marginals/normal_rule.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
+#include "uq/marginals/gauss_legendre.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,6 @@ void add(NormalRule& rule, double z, double weight)
 
 NormalRule normal_rule(std::vector<double> breaks)
 {
-    using Gauss = boost::math::quadrature::gauss<double, 30>;
     std::erase_if(breaks, [](double z) { return !(std::abs(z) < kEnd); });
     for (double z = -kEnd; z <= kEnd; z += 1.0) breaks.push_back(z);
     std::ranges::sort(breaks);
@@ -31,9 +30,9 @@ NormalRule normal_rule(std::vector<double> breaks)
     for (std::size_t i = 1; i < breaks.size(); ++i) {
         const double middle = 0.5 * (breaks[i - 1] + breaks[i]);
         const double half = 0.5 * (breaks[i] - breaks[i - 1]);
-        for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) { // the positive half
-            add(rule, middle - half * Gauss::abscissa()[k], half * Gauss::weights()[k]);
-            add(rule, middle + half * Gauss::abscissa()[k], half * Gauss::weights()[k]);
+        for (std::size_t k = 0; k < kGauss30.node.size(); ++k) { // the positive half
+            add(rule, middle - half * kGauss30.node[k], half * kGauss30.weight[k]);
+            add(rule, middle + half * kGauss30.node[k], half * kGauss30.weight[k]);
         }
     }
     return rule;
