@@ -213,7 +213,7 @@ FragilityOutput damage_output(const DamageCounts& d, double confidence)
     FragilityOutput out;
     out.source = d.source + ": " + number(all.n, 12) + " walls at " +
                  std::to_string(d.rows.size()) + " intensities";
-    out.tables.push_back({"fragility_curves", fit_table(d, f, confidence)});
+    out.tables.push_back({"fragility_curves", fit_table(d, f, confidence), true});
     std::vector<const OrdinalFit*> shown;
     std::vector<std::size_t> places;
     const bool together = f.together.outcome == ModelOutcome::converged;

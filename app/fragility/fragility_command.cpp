@@ -155,14 +155,17 @@ FragilityOutput drift_output(const DriftData& data)
 {
     FragilityOutput output;
     output.source = counts_text(data);
-    output.tables = {{"performance_limits", performance_table(data)},
+    Table limits = performance_table(data), fits = fit_table(data);
+    note_rejected(fits, limits);
+    output.tables = {{"performance_limits", std::move(limits), true},
                      {"law_parameters", law_table(data)},
-                     {"goodness_of_fit", fit_table(data)}};
+                     {"goodness_of_fit", std::move(fits)}};
     if (Table model = stress_table(data); !model.rows.empty())
         output.tables.push_back({"stress_model", std::move(model)});
     for (NamedTable& t : curve_tables(data)) output.tables.push_back(std::move(t));
     add_pictures(output, curve_pictures(data));
     output.pelicun = pelicun_csv(data);
+    make_names_unique(output);
     return output;
 }
 
@@ -170,7 +173,7 @@ FragilityOutput study_output(const StudyWalls& walls)
 {
     FragilityOutput output = drift_output(drift_data(walls));
     output.remarks = failures(walls);
-    std::vector<NamedTable> tables = {{"modes", mode_table(walls)},
+    std::vector<NamedTable> tables = {{"modes", mode_table(walls), true},
                                       {"means_by_mode", mean_table(walls)},
                                       {"equal_modes", equal_modes_table(walls)},
                                       {"mode_thresholds", threshold_table(walls)},
@@ -179,18 +182,28 @@ FragilityOutput study_output(const StudyWalls& walls)
     output.tables.insert(output.tables.begin() + 1, tables.begin(), tables.end());
     add_pictures(output, mean_curve_pictures(walls));
     add_pictures(output, input_pictures(walls));
+    make_names_unique(output);
     return output;
 }
 
 int fragility_command(const Command& command)
 {
     const FragilityOutput output = output_of(command);
-    write_output(command.out, output);
-    for (const NamedTable& t : output.tables)
-        if (t.name == "performance_limits" || t.name == "modes" || t.name == "fragility_curves")
-            std::cout << t.table.title << "\n" << as_text(t.table, terminal_width()) << "\n";
-    std::cout << wrapped(output.remarks, terminal_width()) << "written to " << command.out
-              << ", README.md there lists all files\n";
+    const std::size_t removed = write_output(command.out, output);
+    const std::size_t width = terminal_width();
+    bool marked = false;
+    for (const NamedTable& t : output.tables) {
+        if (!t.answer) continue;
+        const std::string text = as_text(t.table, width);
+        marked = marked || text.find("\u2020") != std::string::npos;
+        std::cout << t.table.title << "\n" << text << "\n";
+    }
+    if (marked)
+        std::cout << wrapped(
+            "\u2020: no wall was tested up to this drift; it rests on the law alone.\n", width);
+    std::cout << wrapped(output.remarks, width) << "written to " << command.out
+              << "; README.md there begins with these tables\n";
+    if (removed > 0) std::cout << removed << " files of an earlier run were removed there\n";
     return 0;
 }
 

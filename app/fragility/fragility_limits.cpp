@@ -1,6 +1,7 @@
 #include "app/fragility/fragility_limits.hpp"
 
 #include "app/fragility/table_texts.hpp"
+#include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
 #include "fragility/goodness_of_fit.hpp"
 #include "fragility/performance_limits.hpp"
@@ -184,6 +185,22 @@ Table fit_table(const DriftData& data)
         for (std::size_t s = 0; s < data.states.size(); ++s)
             t.rows.push_back(fit_row(data, g, s));
     return t;
+}
+
+void note_rejected(const Table& fits, Table& limits)
+{
+    constexpr double kRejected = 0.01;
+    for (std::size_t r = 0; r < fits.rows.size(); ++r) {
+        double least = 1.0;
+        for (std::size_t c = 0; c < fits.head.size(); ++c)
+            if (const auto* const p = std::get_if<Number>(&fits.rows[r][c]);
+                p && fits.head[c].name.starts_with("p of ") && p->value < least)
+                least = p->value;
+        if (least < kRejected)
+            limits.rows[r].back() =
+                "The goodness-of-fit tests reject the law (p = " + number(least, 2) +
+                "): its drifts do not describe these walls.";
+    }
 }
 
 Table stress_table(const DriftData& data)

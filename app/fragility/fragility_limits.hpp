@@ -19,6 +19,10 @@ namespace app {
 /// Kolmogorov-Smirnov, Cramer-von Mises and Anderson-Darling distances of the law chosen, with p-values.
 [[nodiscard]] Table fit_table(const DriftData& data);
 
+/// Adds a note to each row of performance limits whose law the tests of goodness of fit reject.
+/// @param fits fit_table of the same data
+void note_rejected(const Table& fits, Table& limits);
+
 /// Median and dispersion of lognormal limit drifts as functions of the vertical stress, at the levels
 /// and half-way between them. Without stresses: no rows.
 [[nodiscard]] Table stress_table(const DriftData& data);

@@ -19,7 +19,7 @@ namespace {
 
 Number stress_cell(const StudyLevel& level) { return given(level.stress * 1e-6); }
 
-double walls_of(const StudyLevel& level, int mode)
+double walls_with(const StudyLevel& level, int mode)
 {
     return static_cast<double>(
         std::count_if(level.walls.begin(), level.walls.end(),
@@ -46,7 +46,7 @@ Row mode_row(const StudyWalls& walls, const StudyLevel& level, int mode)
     const double confidence = walls.study.fragility.confidence;
     const auto n = static_cast<double>(level.walls.size());
     const auto failed = static_cast<double>(level.failed);
-    const double k = walls_of(level, mode);
+    const double k = walls_with(level, mode);
     Row row = {stress_cell(level), mode_name(mode),
                count(k),           mode == kRocking ? count(slid(walls, level)) : Number{},
                count(n),           count(failed)};
@@ -103,7 +103,7 @@ Row equal_row(const StudyWalls& walls, const StudyLevel& level,
               const std::optional<std::size_t>& input)
 {
     const auto n = static_cast<double>(level.walls.size());
-    const double rocking = walls_of(level, kRocking);
+    const double rocking = walls_with(level, kRocking);
     Row row = {stress_cell(level), count(n), count(rocking)};
     const auto only_note = [&](const std::string& text, Cell slope = {}) {
         row.insert(row.end(), {{}, std::move(slope), {}, text});

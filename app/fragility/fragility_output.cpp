@@ -1,9 +1,13 @@
 #include "app/fragility/fragility_output.hpp"
 
-#include "app/output/atomic_output.hpp"
+#include "app/output/markup.hpp"
+#include "app/output/result_folder.hpp"
+#include "app/output/unique_names.hpp"
 #include "app/version.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <sstream>
 
 namespace app {
 namespace {
@@ -30,20 +34,32 @@ Json table_json(const NamedTable& named)
     return {{"title", named.table.title}, {"caption", named.table.caption}, {"rows", rows}};
 }
 
-std::string index_text(const FragilityOutput& output)
+std::string path_of(const NamedTable& t) { return (t.answer ? "" : "tables/") + t.name; }
+
+std::string link(const std::string& path, const std::string& title)
 {
-    std::string text = "# Fragility: " + output.source + "\n\n";
-    if (!output.remarks.empty()) text += output.remarks + "\n";
-    text += "Each table is there as `.md` (with its caption), `.tex` and `.csv` (all digits, "
-            "one number "
-            "per column).\n\n| file | what it is |\n|:--|:--|\n";
+    return "- [" + path + "](" + path + "): " + markdown_text(title) + "\n";
+}
+
+std::string readme(const FragilityOutput& output)
+{
+    std::string text = "# Fragility: " + markdown_text(output.source) + "\n\n";
+    std::istringstream remarks(output.remarks);
+    for (std::string line; std::getline(remarks, line);)
+        text += "- " + markdown_text(line) + "\n";
+    if (!output.remarks.empty()) text += "\n";
     for (const NamedTable& t : output.tables)
-        text += "| [" + t.name + "](" + t.name + ".md) | " + t.table.title + " |\n";
+        if (t.answer) text += "## " + as_markdown(t.table) + "\n";
+    text += "## Files\n\nEach table is there as `.md` with its caption, as `.tex` (booktabs, "
+            "graphicx, "
+            "longtable) and as `.csv` with all digits, one number per column.\n\n";
+    for (const NamedTable& t : output.tables) text += link(path_of(t) + ".md", t.table.title);
+    text += link("fragility.json", "all tables with all digits, as one object");
+    if (!output.pelicun.empty())
+        text += link("pelicun_fragility.csv",
+                     "parameters for pelicun; Incomplete is 1 where no law could be fitted");
     for (const NamedPicture& p : output.pictures)
-        text += "| [" + p.name + ".svg](" + p.name + ".svg) | " + p.title + " |\n";
-    text += "| [fragility.json](fragility.json) | everything in the tables, as one object |\n";
-    text += "| [pelicun_fragility.csv](pelicun_fragility.csv) | damage model parameters for "
-            "pelicun; incomplete where no law could be fitted |\n";
+        text += link("pictures/" + p.name + ".svg", p.title);
     return text;
 }
 
@@ -60,18 +76,26 @@ std::string fragility_json(const FragilityOutput& output)
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_output(const fs::path& folder, const FragilityOutput& output)
+void make_names_unique(FragilityOutput& output)
 {
-    make_folder(folder);
+    UniqueNames tables, pictures;
+    for (NamedTable& t : output.tables) t.name = tables.add(t.name);
+    for (NamedPicture& p : output.pictures) p.name = pictures.add(p.name);
+}
+
+std::size_t write_output(const fs::path& folder, const FragilityOutput& output)
+{
+    std::vector<OutputFile> files = {{"README.md", readme(output)},
+                                     {"fragility.json", fragility_json(output)}};
+    if (!output.pelicun.empty()) files.push_back({"pelicun_fragility.csv", output.pelicun});
     for (const NamedTable& t : output.tables) {
-        write_file(folder / (t.name + ".csv"), as_csv(t.table));
-        write_file(folder / (t.name + ".md"), as_markdown(t.table));
-        write_file(folder / (t.name + ".tex"), as_latex(t.table));
+        files.push_back({path_of(t) + ".csv", as_csv(t.table)});
+        files.push_back({path_of(t) + ".md", as_markdown(t.table)});
+        files.push_back({path_of(t) + ".tex", as_latex(t.table)});
     }
-    for (const NamedPicture& p : output.pictures) write_file(folder / (p.name + ".svg"), p.svg);
-    write_file(folder / "fragility.json", fragility_json(output));
-    write_file(folder / "pelicun_fragility.csv", output.pelicun);
-    write_file(folder / "README.md", index_text(output));
+    for (const NamedPicture& p : output.pictures)
+        files.push_back({"pictures/" + p.name + ".svg", p.svg});
+    return write_results(folder, files);
 }
 
 } // namespace app

@@ -12,6 +12,7 @@ namespace app {
 struct NamedTable {
     std::string name; ///< of its files, without ending
     Table table;
+    bool answer = false; ///< what one came for: on top of the folder, and in its README.md
 };
 
 struct NamedPicture {
@@ -25,15 +26,20 @@ struct FragilityOutput {
     std::string remarks; ///< lines: failed and missing walls, warnings
     std::vector<NamedTable> tables;
     std::vector<NamedPicture> pictures;
-    std::string pelicun; ///< CSV
+    std::string pelicun; ///< CSV; empty: not written
 };
 
 /// All tables with their captions and rows as in the CSV, cells that are empty as null; one object.
 [[nodiscard]] std::string fragility_json(const FragilityOutput& output);
 
-/// README.md, fragility.json, pelicun_fragility.csv; <name>.csv, .md, .tex of every table; <name>.svg of
-/// every picture. The CSV has no caption: it is in the .md beside it.
-/// @throws std::runtime_error as write_file
-void write_output(const std::filesystem::path& folder, const FragilityOutput& output);
+/// Gives tables, and pictures, names of which no two are alike.
+void make_names_unique(FragilityOutput& output);
+
+/// README.md, which begins with the answers; fragility.json, pelicun_fragility.csv; <name>.csv, .md, .tex of
+/// every answer; all other tables in tables/, pictures as <name>.svg in pictures/. The CSV has no caption: it is
+/// in the .md beside it.
+/// @return how many files of an earlier run were removed
+/// @throws as write_results
+std::size_t write_output(const std::filesystem::path& folder, const FragilityOutput& output);
 
 } // namespace app

@@ -1,6 +1,8 @@
 #include "app/fragility/fragility_limits.hpp"
 
 #include "app/input/number_text.hpp"
+#include "app/output/markup.hpp"
+#include "app/output/unique_names.hpp"
 #include "app/study/fragility_text.hpp"
 #include "fragility/censored_fit.hpp"
 
@@ -40,7 +42,7 @@ std::vector<std::string> sets_of(const DriftData& data)
     return sets;
 }
 
-std::string quoted(const std::string& text)
+std::string id_part(const std::string& text)
 {
     std::string safe = file_name(text);
     std::replace(safe.begin(), safe.end(), '-', '_'); // pelicun splits at hyphens
@@ -56,14 +58,14 @@ std::string head_line()
     return line + ",Notes\n";
 }
 
-/// "LS1 known to 0.002 rad; LS2 known to 0.027 rad (median extrapolated)"
-std::string notes(const std::vector<std::optional<Parameters>>& found)
+/// "0.5 MPa: LS1 tested up to 0.002 rad; LS2 tested up to 0.027 rad (median extrapolated)"
+std::string notes(const DriftGroup& group, const std::vector<std::optional<Parameters>>& found)
 {
-    std::string text;
+    std::string text = group.name + ":";
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (!found[i]) continue;
-        text += (text.empty() ? "LS" : "; LS") + std::to_string(i + 1) + " known to " +
-                number(found[i]->known_to, 4) + " rad";
+        text += (text.back() == ':' ? " LS" : "; LS") + std::to_string(i + 1) +
+                " tested up to " + number(found[i]->known_to, 4) + " rad";
         if (found[i]->median > found[i]->known_to) text += " (median extrapolated)";
     }
     return text;
@@ -90,7 +92,7 @@ std::string line(const DriftData& data, const DriftGroup& group, const std::stri
             text += ",lognormal,,,";
         }
     }
-    return text + "," + notes(found) + "\n";
+    return text + "," + csv_cell(notes(group, found)) + "\n";
 }
 
 } // namespace
@@ -98,6 +100,7 @@ std::string line(const DriftData& data, const DriftGroup& group, const std::stri
 std::string pelicun_csv(const DriftData& data)
 {
     std::string text = head_line();
+    UniqueNames ids;
     for (const std::string& set : sets_of(data))
         for (const DriftGroup& group : data.groups) {
             std::vector<std::size_t> states;
@@ -107,10 +110,10 @@ std::string pelicun_csv(const DriftData& data)
             while (!states.empty()) {
                 const std::size_t n = std::min(kMostStates, states.size());
                 std::string id =
-                    "DRYSTONE." + (set.empty() ? "" : quoted(set) + ".") + quoted(group.name);
+                    "DRYSTONE." + (set.empty() ? "" : id_part(set) + ".") + id_part(group.name);
                 if (states.size() > kMostStates || part > 0)
                     id += ".part" + std::to_string(++part);
-                text += line(data, group, id,
+                text += line(data, group, ids.add(id),
                              {states.begin(), states.begin() + static_cast<std::ptrdiff_t>(n)});
                 states.erase(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(n));
             }

@@ -20,17 +20,10 @@ constexpr std::array<const char*, 7> kColours = {"#0072B2", "#D55E00", "#009E73"
 
 std::string colour(std::size_t i) { return kColours[i % kColours.size()]; }
 
-std::string title_of(const DriftState& s)
-{
-    return (s.set.empty() ? "" : s.set + " ") + s.name + ": " + s.rule;
-}
-
-/// Fits on a chart beside the name of a group.
+/// "Limit state SLD (ntc)": fits on a chart beside the name of a group.
 std::string short_title(const DriftState& s)
 {
-    constexpr std::size_t kMost = 50;
-    const std::string title = title_of(s);
-    return title.size() <= kMost ? title : title.substr(0, title.find(':'));
+    return "Limit state " + s.name + (s.set.empty() ? "" : " (" + s.set + ")");
 }
 
 /// Horizontal pieces, up to where anything is known.
@@ -86,7 +79,7 @@ Chart empty_chart(const DriftData& data, const std::string& title)
     Chart c;
     c.title = title;
     c.x_label = drift_head(data, "drift");
-    c.y_label = "probability that it is reached";
+    c.y_label = "probability that the limit state is reached";
     c.series.push_back({"", {0.0, 0.0}, {0.0, 1.0}, "#ffffff", LineStyle::none, 0.1, false});
     return c;
 }
@@ -108,8 +101,10 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
     }
     const std::string file = "curve_" + state_file(data.states[state]);
     return {file,
-            "fragility curves of " + title_of(data.states[state]) +
-                ", all modes together, dashed where extrapolated; dotted: shares without a law",
+            "fragility curves of " + state_name(data.states[state]) + " (" +
+                data.states[state].rule +
+                "), all walls of a group; dashed where extrapolated, dotted: observed shares "
+                "(Kaplan-Meier)",
             line_chart(c)};
 }
 
@@ -125,9 +120,9 @@ void add_mixture(const DriftData& data, const std::vector<fragility::ModeGroup>&
         lower.y.push_back(p.band.lower);
         upper.y.push_back(p.band.upper);
     }
-    least.name = data.modes.empty() ? "all" : "all modes";
+    least.name = data.modes.empty() ? "fitted law" : "all modes, weighted";
     least.width = 2.4;
-    most.name = "at most";
+    most.name = "upper bound where a mode has no fit";
     most.line = LineStyle::dashed;
     lower.name = upper.name = percent_text(data.options.confidence) + " band";
     lower.line = upper.line = LineStyle::dotted;
@@ -154,13 +149,16 @@ NamedPicture one_group(const DriftData& data, std::size_t state, std::size_t g,
         line.colour = colour(m + 1);
         for (const Series& part : parted(line, known_to(limits))) c.series.push_back(part);
     }
-    Series shares = steps(all, "shares without a law", "#000000");
+    Series shares = steps(all, "observed shares (Kaplan-Meier)", "#000000");
     shares.line = LineStyle::solid;
     shares.width = 1.0;
     if (!all.empty()) c.series.push_back(shares);
     return {"curve_" + state_file(data.states[state]) + "_" + file_name(group.name),
-            "fragility of " + data.states[state].name + ", " + group.name +
-                ": mixture over modes with band, modes dashed where extrapolated",
+            "fragility curve of " + state_name(data.states[state]) + ", " + group.name +
+                (data.modes.empty()
+                     ? ": fitted law with its band"
+                     : ": modes weighted by their shares, with a band; single modes dashed "
+                       "where extrapolated"),
             line_chart(c)};
 }
 

@@ -19,25 +19,23 @@ struct Parameter {
     double value, std_error;
 };
 
-struct Parameters {
+struct LawParameters {
     Parameter first, second;
     double correlation; ///< of both estimates
 };
 
 /// The law's own parameters are first = value, ln second = ... of (location, ln dispersion): their
 /// covariance is J C J' to first order.
-Parameters parameters_of(const fragility::Fit& fit)
+LawParameters parameters_of(const fragility::Fit& fit)
 {
     const double location = fit.law.location, dispersion = fit.law.dispersion;
     const Eigen::Matrix2d& c = fit.covariance;
     Eigen::Matrix2d j = Eigen::Matrix2d::Identity();
-    Parameters p{};
+    LawParameters p{};
     switch (fit.law.law) {
     case Law::lognormal:
     case Law::normal:
-        p = {{"mean of ln drift", location, 0.0},
-             {"std deviation of ln drift", dispersion, 0.0},
-             0.0};
+        p = {{"ln median", location, 0.0}, {"dispersion", dispersion, 0.0}, 0.0};
         if (fit.law.law == Law::normal) {
             p.first.name = "mean";
             p.second.name = "std deviation";
@@ -76,7 +74,7 @@ Row law_row(const DriftGroup& group, const DriftState& state, Law law,
         row.insert(row.end(), {{}, {}, {}, {}, {}, {}, "No fit: " + fit.reason + "."});
         return row;
     }
-    const Parameters p = parameters_of(fit);
+    const LawParameters p = parameters_of(fit);
     row.insert(row.end(), {std::string(p.first.name),
                            value_of(p.first),
                            std::string(p.second.name),

@@ -304,3 +304,22 @@ TEST_CASE("fragility laws: a law that cannot be fitted has a note and no paramet
     CHECK(cell(t, 1, "law") == "normal");
     CHECK(number_in(t, 1, "first value").value == Approx(1.0).epsilon(1e-6));
 }
+
+TEST_CASE(
+    "fragility limits: a law that the tests reject is marked in the limits, another is not",
+    "[app][fragility_limits]")
+{
+    std::vector<double> two_heaps, one;
+    for (int i = 0; i < 20; ++i) {
+        two_heaps.push_back(1.0 + 0.001 * i);
+        two_heaps.push_back(3.0 + 0.003 * i);
+        one.push_back(2.0 * std::exp(0.1 * (i - 9.5) / 5.0));
+    }
+    app::DriftData data = scenes::drifts({two_heaps, one});
+    data.options.bootstrap = 199;
+    app::Table limits = app::performance_table(data);
+    app::note_rejected(app::fit_table(data), limits);
+    CHECK(cell(limits, 0, "note")
+              .starts_with("The goodness-of-fit tests reject the law (p = 0.005)"));
+    CHECK(cell(limits, 1, "note").empty());
+}

@@ -2,6 +2,7 @@
 
 #include "app/fragility/fragility_command.hpp"
 #include "app/fragility_scenes.hpp"
+#include "app/output/result_folder.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,6 +14,19 @@
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::set<std::string> files_in(const fs::path& folder)
+{
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) names.insert(fs::relative(entry, folder).string());
+    names.erase(std::string(app::kFileList));
+    return names;
+}
+
+} // namespace
+
 TEST_CASE(
     "fragility output: every table is there as CSV, Markdown and LaTeX, and the index links "
     "every file",
@@ -23,17 +37,70 @@ TEST_CASE(
     app::write_output(folder.path, output);
     std::set<std::string> wanted = {"README.md", "fragility.json", "pelicun_fragility.csv"};
     for (const app::NamedTable& t : output.tables)
-        for (const char* const end : {".csv", ".md", ".tex"}) wanted.insert(t.name + end);
-    for (const app::NamedPicture& p : output.pictures) wanted.insert(p.name + ".svg");
-    std::set<std::string> there;
-    for (const auto& entry : fs::directory_iterator(folder.path))
-        there.insert(entry.path().filename().string());
-    CHECK(there == wanted);
-    const std::string index = scenes::read_text(folder.path / "README.md");
-    for (const app::NamedTable& t : output.tables)
-        CHECK(index.find("](" + t.name + ".md)") != std::string::npos);
+        for (const char* const end : {".csv", ".md", ".tex"})
+            wanted.insert((t.answer ? "" : "tables/") + t.name + end);
     for (const app::NamedPicture& p : output.pictures)
-        CHECK(index.find("](" + p.name + ".svg)") != std::string::npos);
+        wanted.insert("pictures/" + p.name + ".svg");
+    CHECK(files_in(folder.path) == wanted);
+    const std::string index = scenes::read_text(folder.path / "README.md");
+    for (const std::string& file : wanted)
+        if (file.ends_with(".md") && file != "README.md")
+            CHECK(index.find("](" + file + ")") != std::string::npos);
+    for (const app::NamedPicture& p : output.pictures)
+        CHECK(index.find("](pictures/" + p.name + ".svg)") != std::string::npos);
+}
+
+TEST_CASE(
+    "fragility output: README.md begins with the performance limits and the shares of modes, "
+    "which alone stand beside it",
+    "[app][fragility_output]")
+{
+    const scenes::TemporaryFolder folder;
+    app::write_output(folder.path, app::study_output(scenes::study_walls(30)));
+    const std::string text = scenes::read_text(folder.path / "README.md");
+    const auto limits = text.find("| stress [MPa] |"), modes = text.find("Shares of the modes"),
+               files = text.find("## Files");
+    REQUIRE(limits != std::string::npos);
+    CHECK(limits < modes);
+    CHECK(modes < files);
+    std::size_t top = 0;
+    for (const auto& entry : fs::directory_iterator(folder.path))
+        top += entry.is_regular_file() ? 1 : 0;
+    CHECK(top == 10); // README.md, two tables in three forms, JSON, pelicun, list of files
+}
+
+TEST_CASE("fragility output: another run into the folder leaves nothing of the first",
+          "[app][fragility_output]")
+{
+    const scenes::TemporaryFolder twice, once;
+    app::StudyWalls ntc = scenes::study_walls(5), paper = ntc;
+    ntc.states = {{"user", "early", "x"}, {"user", "late", "x"}};
+    for (app::StudyLevel& level : ntc.levels)
+        for (app::StudyWall& w : level.walls) w.limits.assign(2, w.ultimate);
+    app::write_output(twice.path, app::study_output(ntc));
+    CHECK(app::write_output(twice.path, app::study_output(paper)) > 0);
+    app::write_output(once.path, app::study_output(paper));
+    CHECK(files_in(twice.path) == files_in(once.path));
+}
+
+TEST_CASE(
+    "fragility output: groups and limit states whose names differ in signs alone have files "
+    "of their own",
+    "[app][fragility_output]")
+{
+    const std::vector<std::string> names = {"\u03b1", "\u03b2", "A/B", "A b", "a_b"};
+    app::DriftData data = scenes::drifts(std::vector(names.size(), std::vector{1.0, 2.0, 4.0}));
+    for (std::size_t g = 0; g < names.size(); ++g) data.groups[g].name = names[g];
+    data.states.push_back({"ntc", "SLC/", "another"});
+    data.states.push_back({"ntc", "SLC A", "one that a group's name could follow"});
+    for (app::DriftGroup& g : data.groups)
+        for (app::DriftWall& w : g.walls) w.limits.assign(3, w.limits[0]);
+    const auto output = app::drift_output(data);
+    std::set<std::string> pictures, tables;
+    for (const app::NamedPicture& p : output.pictures) pictures.insert(p.name);
+    for (const app::NamedTable& t : output.tables) tables.insert(t.name);
+    CHECK(pictures.size() == 3 * (1 + names.size()));
+    CHECK(tables.size() == output.tables.size());
 }
 
 TEST_CASE(

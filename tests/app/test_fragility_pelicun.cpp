@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,10 +61,10 @@ TEST_CASE("pelicun: notes say how far walls were seen and which median lies beyo
           "[app][fragility_pelicun]")
 {
     CHECK(cell(read(scenes::drifts({{1.0, 2.0, 4.0, 2.0}})), 0, "Notes") ==
-          "LS1 known to 0.04 rad");
+          "group 0: LS1 tested up to 0.04 rad");
     const app::Csv csv = read(scenes::drifts({{1.0, 2.0, -2.5, -2.5, -2.5, -2.5, -2.5}}));
     CHECK(std::stod(cell(csv, 0, "LS1-Theta_0")) > 0.025);
-    CHECK(cell(csv, 0, "Notes") == "LS1 known to 0.025 rad (median extrapolated)");
+    CHECK(cell(csv, 0, "Notes") == "group 0: LS1 tested up to 0.025 rad (median extrapolated)");
 }
 
 TEST_CASE("pelicun: what cannot be fitted is incomplete and has no parameters",
@@ -99,4 +100,21 @@ TEST_CASE("pelicun: limit states come in the order of their medians, five in two
     CHECK(std::stod(cell(csv, 0, "LS3-Theta_0")) == Approx(0.06).epsilon(1e-5));
     CHECK(cell(csv, 0, "ID") != cell(csv, 1, "ID"));
     CHECK(std::stod(cell(csv, 1, "LS1-Theta_0")) == Approx(0.10).epsilon(1e-5));
+}
+
+TEST_CASE("pelicun: no two groups share an ID, whatever signs their names have",
+          "[app][fragility_pelicun]")
+{
+    const std::vector<std::string> names = {
+        "\u03b1", "\u03b2", "A/B", "A b", "a_b", "A-B", "gr\u00f6\u00dfe", "gr\u00fc\u00dfe"};
+    app::DriftData data = scenes::drifts(std::vector(names.size(), std::vector{1.0, 2.0, 4.0}));
+    for (std::size_t g = 0; g < names.size(); ++g) data.groups[g].name = names[g];
+    const app::Csv csv = read(data);
+    std::set<std::string> ids;
+    for (std::size_t r = 0; r < csv.rows.size(); ++r) {
+        ids.insert(cell(csv, r, "ID"));
+        CHECK(cell(csv, r, "ID").find_first_of("-,\" ") == std::string::npos);
+        CHECK(cell(csv, r, "Notes").starts_with(names[r] + ": ")); // which is which
+    }
+    CHECK(ids.size() == names.size());
 }

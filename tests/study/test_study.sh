@@ -135,7 +135,7 @@ claim_a_push_to_and_fro_has_no_peak_and_no_failure() {
 claim_tables_and_page_follow_where_asked() {
     local file
     study small --set uq.samples=3 --report
-    for file in small/README.md small/table_6_rocking.md small/performance_limits.csv; do
+    for file in small/README.md small/tables/means_by_mode.md small/performance_limits.csv; do
         [[ -s $work/$file ]] || fail "no $file"
     done
     grep -q '</html>' "$work/small.html" || fail "no page"
