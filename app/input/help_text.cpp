@@ -1,6 +1,7 @@
 #include "app/input/command_line.hpp"
 #include "app/input/config_error.hpp"
 #include "app/input/distribution_text.hpp"
+#include "app/input/key_effects.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/option.hpp"
 #include "app/input/study_keys.hpp"
@@ -26,13 +27,12 @@ void fill_to(std::string& line, std::size_t column)
     line.resize(std::max(line.size() + 1, column), ' ');
 }
 
-/// The keys of the sections that a verb reads: name, default, values allowed, meaning.
-std::string keys_text(std::string_view sections)
+/// Keys of a study, section by section: name, default, values allowed, meaning.
+std::string keys_text(const std::vector<Key>& keys)
 {
     std::string text;
     std::string_view section;
-    for (const Key& key : study_keys()) {
-        if (!is_listed(section_of(key.name), sections)) continue;
+    for (const Key& key : keys) {
         if (section_of(key.name) != section) {
             section = section_of(key.name);
             text += "\n[" + std::string(section) + "]\n";
@@ -44,6 +44,14 @@ std::string keys_text(std::string_view sections)
         text += line + allowed_values(key) + "\n      " + std::string(key.meaning) + "\n";
     }
     return text;
+}
+
+std::vector<Key> keys_of(const Verb& verb)
+{
+    std::vector<Key> keys;
+    for (const Key& key : study_keys())
+        if (reads(verb, key)) keys.push_back(key);
+    return keys;
 }
 
 std::string usage_line(const Verb& verb)
@@ -74,7 +82,13 @@ std::string help_of(const Verb& verb)
     if (!verb.sections.empty())
         text << "\nKeys of the study file that " << verb.name
              << " reads: name, default, values allowed, meaning.\n"
-             << keys_text(verb.sections);
+             << keys_text(keys_of(verb));
+    if (is_listed("model", verb.sections))
+        text << "\nA study of another program has these sections, and no others:\n"
+             << keys_text({program_keys().begin(), program_keys().end()})
+             << "\n[variables]\n  NAME                      required                number or "
+                "distribution\n      a value that the program takes, in its unit and "
+                "written without one\n";
     if (is_listed("joint", verb.sections)) text << '\n' << distribution_help();
     return text.str();
 }

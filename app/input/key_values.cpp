@@ -78,6 +78,8 @@ std::optional<RandomInput> parse_random(const Key& key, std::string_view text)
     random.marginal = parse_distribution(text, key.unit);
     random.mean = uq::mean(random.marginal);
     random.varies = key.varies;
+    random.unit = key.unit;
+    random.place = key.field.place;
     cut_off(key, text, random);
     return random;
 }

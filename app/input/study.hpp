@@ -2,6 +2,7 @@
 /// A study: everything one run needs, in SI, each value checked against its range and its
 /// fellows.
 
+#include "app/input/parameters.hpp"
 #include "app/input/study_file.hpp"
 #include "dem/block/discretisation.hpp"
 #include "dem/scene/mechanism.hpp"
@@ -26,16 +27,6 @@ struct Model;
 
 namespace app {
 
-/// Dry joints between units.
-struct JointInput {
-    std::vector<double> wall_modulus; ///< one per stress level [Pa], or empty
-    std::vector<double>
-        normal_stiffness; ///< one, or one per stress level [Pa/m]; empty: from wall_modulus
-    std::vector<double> shear_stiffness; ///< one, or one per stress level [Pa/m]
-    double friction_angle = 0.0;         ///< [rad], in [0, pi/2)
-    double stiffness_factor = 1.0;       ///< on k_n and k_s [-], > 0
-};
-
 struct LoadInput {
     std::vector<double> vertical_stress; ///< stress levels [Pa], >= 0, at least one
     double height = 0.0;                 ///< of the horizontal load above the floor [m]
@@ -52,20 +43,14 @@ struct OutputInput {
     bool single_precision_curves = false; ///< of a study's file: half the size, 7 digits
 };
 
-/// What has a value of its own where the study is spatial.
-enum class Varies {
-    never,    ///< a number, never a distribution
-    by_wall,  ///< one value per wall, in spatial studies too
-    by_joint, ///< one per joint ID
-    by_crack  ///< one per crack ID
-};
-
 /// A key whose value is a distribution.
 struct RandomInput {
-    std::string key;       ///< "joint.friction_angle"
-    uq::Marginal marginal; ///< in SI, cut off at the range of the key
-    double mean = 0.0;     ///< of the distribution as given, before that cut
-    double cut = 0.0;      ///< probability outside that range before the cut [-]
+    std::string key;                ///< "joint.friction_angle"
+    std::string_view unit;          ///< in which people read it: "deg"; empty: none
+    ParameterPlace place = nullptr; ///< nullptr: a variable of another program
+    uq::Marginal marginal;          ///< in SI, cut off at the range of the key
+    double mean = 0.0;              ///< of the distribution as given, before that cut
+    double cut = 0.0;               ///< probability outside that range before the cut [-]
     Varies varies = Varies::by_wall;
 };
 
@@ -124,6 +109,22 @@ struct ReliabilityInput {
     dem::Fidelity cheap = dem::Fidelity::rigid; ///< of the cheap model
 };
 
+enum class KeepRuns { none, failed, all };
+
+/// For the verb reliability: another program in place of a wall (docs/external_program.md).
+struct ProgramInput {
+    std::string command;            ///< program and arguments
+    std::string responses;          ///< names of what it answers, between commas
+    int concurrent = 0;             ///< runs at a time; 0: as many as threads
+    double time_limit = 0.0;        ///< of one run [s]; 0: none
+    double grace = 2.0;             ///< from SIGTERM to SIGKILL [s]
+    int retries = 0;                ///< of a run that failed
+    KeepRuns keep = KeepRuns::none; ///< directories of runs
+    std::string response;           ///< one of `responses`; empty: the first
+    double demand = 0.0;            ///< in the unit of the program
+    bool above = false;             ///< the event is to reach the demand, else to fall to it
+};
+
 /// For the verb fragility. Moves no wall.
 struct FragilityInput {
     std::string limit_states = "paper, ntc"; ///< sets: paper, ntc, ec8, user
@@ -139,12 +140,8 @@ struct FragilityInput {
 
 struct Study {
     dem::WallGeometry wall;
-    dem::Elastic stone;
-    JointInput joint;
-    dem::CrackParameters unit; ///< zero strength and zero energy where unit_cracks = no
+    Parameters parameters;
     dem::Beam beam{.material = {.poisson_ratio = 0.2}}; // choice: concrete
-    double beam_friction_angle = 0.0; ///< [rad], used with BeamInterface::joint
-    double base_friction_angle = 0.0; ///< [rad], used with Base::joint
     LoadInput load;
     dem::Fidelity fidelity = dem::Fidelity::standard;
     dem::Discretisation discretisation;
@@ -152,19 +149,23 @@ struct Study {
     OutputInput output;
     UqInput uq;
     ReliabilityInput reliability;
+    ProgramInput program;
     FragilityInput fragility;
-    std::vector<RandomInput> random; ///< in the order of the keys; the fields hold their means
-    StudyFile source;                ///< what was given
+    std::vector<RandomInput> random;  ///< in the order of the keys; the fields hold their means
+    std::vector<ParameterRule> rules; ///< for parameters that were not given and follow others
+    StudyFile source;                 ///< what was given
 };
 
 /// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at
 /// odds with another
 [[nodiscard]] Study read_study(const StudyFile& file);
 
-/// The rules for values that were not given and follow from others, of one section or, if it is
-/// empty, of all; to be applied in this order whenever the others change.
-[[nodiscard]] std::vector<void (*)(Study&)> derivations(const Study& study,
-                                                        std::string_view section = "");
+/// Whether a file has a section [model]: a study of another program.
+[[nodiscard]] bool is_program_study(const StudyFile& file);
+
+/// A study of another program: `program`, `uq`, `reliability`, and `random` with its [variables].
+/// @throws ConfigError as read_study
+[[nodiscard]] Study read_program_study(const StudyFile& file);
 
 /// The study in full, as a study file that reads back to the same study; values that were not
 /// given are marked "# default", values given on the command line "# --set".
@@ -172,14 +173,6 @@ struct Study {
 
 /// @param level index in study.load.vertical_stress
 [[nodiscard]] dem::Loads loads(const Study& study, int level);
-
-/// The stiffness of the joint is that of Eq. 2, or as given.
-[[nodiscard]] dem::JointMaterial joint_material(const Study& study, int level);
-[[nodiscard]] dem::CrackMaterial crack_material(const Study& study, int level);
-
-/// The same material for every joint ID and every crack ID.
-[[nodiscard]] dem::WallMaterials materials(const Study& study, int level, int n_joints,
-                                           int n_cracks);
 
 /// One for all levels: modes and masses of the first level's stiffness, which sets the step, not the
 /// answer. Each wall brings its own stress.

@@ -60,7 +60,7 @@ void check_levels_differ(const Study& study)
 void check_wall_modulus(const Study& study, double modulus)
 {
     constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
-    const double e = study.stone.young_modulus;
+    const double e = study.parameters.stone.young_modulus;
     if (modulus >= e) {
         refuse(study, "joint.wall_modulus",
                text(modulus, "MPa") + " is not below stone.young_modulus, " + text(e, "GPa") +
@@ -77,7 +77,7 @@ void check_wall_modulus(const Study& study, double modulus)
 
 void check_residuals(const Study& study)
 {
-    const dem::CrackParameters& u = study.unit;
+    const dem::CrackParameters& u = study.parameters.unit;
     if (u.residual_cohesion > u.cohesion) {
         refuse(study, "unit.residual_cohesion",
                "must be at most unit.cohesion, " + text(u.cohesion, "MPa"));
@@ -171,7 +171,7 @@ void check_output(const Study& study)
 
 void check_stiffness(const Study& study)
 {
-    const JointInput& joint = study.joint;
+    const JointInput& joint = study.parameters.joint;
     if (joint.wall_modulus.empty() && joint.normal_stiffness.empty()) {
         refuse(study, "joint.wall_modulus",
                "missing; write e.g. \"wall_modulus = 768 MPa\" or \"normal_stiffness = 8.08 "

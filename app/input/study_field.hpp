@@ -5,6 +5,7 @@
 
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -14,6 +15,7 @@ namespace app {
 struct Field {
     std::vector<double> (*get)(const Study&) = nullptr;
     void (*set)(Study&, const std::vector<double>&) = nullptr;
+    ParameterPlace place = nullptr; ///< of a number among the parameters; nullptr: of none
 };
 
 /// The member at the end of a path of member pointers.
@@ -50,7 +52,19 @@ template <auto... Path> void set_field(Study& study, const std::vector<double>& 
     }
 }
 
+template <auto... Path> double& parameter(Parameters& p) { return follow<Path...>(p); }
+
+template <auto First, auto... Rest> constexpr ParameterPlace place_of()
+{
+    if constexpr (std::is_same_v<decltype(First), Parameters Study::*>) {
+        using End = decltype(follow<Rest...>(std::declval<Parameters&>()));
+        if constexpr (std::is_same_v<End, double&>) return &parameter<Rest...>;
+    }
+    return nullptr;
+}
+
 /// kAt<&Study::wall, &dem::WallGeometry::length>
-template <auto... Path> constexpr Field kAt{&get_field<Path...>, &set_field<Path...>};
+template <auto... Path>
+constexpr Field kAt{&get_field<Path...>, &set_field<Path...>, place_of<Path...>()};
 
 } // namespace app

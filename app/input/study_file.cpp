@@ -148,17 +148,20 @@ const Entry* find_entry(const StudyFile& file, std::string_view key)
     return found == file.entries.end() ? nullptr : &*found;
 }
 
+const SectionHeader* find_section(const StudyFile& file, std::string_view name)
+{
+    const auto found = std::find_if(file.sections.begin(), file.sections.end(),
+                                    [&](const SectionHeader& s) { return s.name == name; });
+    return found == file.sections.end() ? nullptr : &*found;
+}
+
 ConfigError error_at(const StudyFile& file, std::string_view key, std::string_view why)
 {
     if (const Entry* entry = find_entry(file, key)) {
         return {entry->line > 0 ? std::string_view(file.path) : "--set", entry->line, key, why};
     }
-    const auto section =
-        std::find_if(file.sections.begin(), file.sections.end(), [&](const SectionHeader& s) {
-            return s.name == key.substr(0, key.find('.'));
-        });
-    return {file.path, section == file.sections.end() ? file.last_line : section->line, key,
-            why};
+    const SectionHeader* section = find_section(file, key.substr(0, key.find('.')));
+    return {file.path, section == nullptr ? file.last_line : section->line, key, why};
 }
 
 } // namespace app

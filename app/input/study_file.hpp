@@ -46,6 +46,9 @@ struct StudyFile {
 /// nullptr if the key is not given.
 [[nodiscard]] const Entry* find_entry(const StudyFile& file, std::string_view key);
 
+/// nullptr if the section is not opened.
+[[nodiscard]] const SectionHeader* find_section(const StudyFile& file, std::string_view name);
+
 /// An error about a key: where it is given, else where its section opens, else at the last
 /// line.
 [[nodiscard]] ConfigError error_at(const StudyFile& file, std::string_view key,

@@ -28,21 +28,21 @@ const Key* find_key(std::string_view name)
     return nullptr;
 }
 
-bool is_used(const Key& key, const Study& study)
+namespace {
+
+bool holds(const Condition& condition, const Study& study)
 {
-    switch (key.used) {
-    case Used::always:
-        return true;
-    case Used::with_cracks:
-        return study.wall.cracks_in_units;
-    case Used::with_base_joint:
-        return study.wall.base == dem::Base::joint;
-    case Used::with_beam_joint:
-        return study.beam.interface == dem::BeamInterface::joint;
-    case Used::with_fields:
-        return study.uq.spatial == Spatial::correlated;
-    }
-    return true;
+    return condition.holds == nullptr || condition.holds(study);
+}
+
+} // namespace
+
+bool is_used(const Key& key, const Study& study) { return holds(key.used, study); }
+
+std::string_view why_no_effect(const Key& key, const Study& study)
+{
+    if (!holds(key.used, study)) return key.used.otherwise;
+    return holds(key.effect, study) ? "" : key.effect.otherwise;
 }
 
 } // namespace app

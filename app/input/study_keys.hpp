@@ -19,8 +19,12 @@ enum class Kind {
     text   ///< free text, read elsewhere
 };
 
-/// When a key has a meaning.
-enum class Used { always, with_cracks, with_base_joint, with_beam_joint, with_fields };
+/// When a key plays a part.
+struct Condition {
+    bool (*holds)(const Study&) = nullptr; ///< nullptr: always
+    std::string_view otherwise = "";       ///< why it plays none: "wall.unit_cracks is no"
+    bool refused = false; ///< a value given although the condition does not hold is an error
+};
 
 /// Closed '[' ']' or open '(' ')' at either end, in the unit of the key.
 struct Range {
@@ -39,7 +43,9 @@ struct Named {
 /// A default that follows from other values.
 struct Derived {
     std::string_view rule;           ///< in words
-    void (*apply)(Study&) = nullptr; ///< nullptr: the rule says what else to give
+    void (*apply)(Study&) = nullptr; ///< applied once, when the study is read
+    /// For parameters: applied anew to every draw. Without both, the rule says what else to give.
+    void (*follow)(Parameters&, double course_height) = nullptr;
 };
 
 struct Key {
@@ -48,7 +54,9 @@ struct Key {
     std::string_view unit = ""; ///< preferred; others of the same quantity are read as well
     Range range = {};           ///< of numbers; named values are free of it
     std::span<const Named> names = {}; ///< words in place of numbers
-    Used used = Used::always;
+    Condition used = {};   ///< otherwise the key is not required, not derived and not shown
+    Condition effect = {}; ///< otherwise its value changes nothing, and the user is told
+    std::string_view verbs = "";   ///< that it concerns, between blanks; empty: all
     std::string_view example = ""; ///< of a key that must be given; empty: it has a default
     Derived derived = {};          ///< empty: the default is the one of the field
     Varies varies = Varies::never; ///< otherwise a distribution is a value too
@@ -60,6 +68,9 @@ struct Key {
 /// Section by section.
 [[nodiscard]] std::span<const Key> study_keys();
 
+/// The keys of a study of another program; its section [variables] has names of its own.
+[[nodiscard]] std::span<const Key> program_keys();
+
 /// "wall" of "wall.length"
 [[nodiscard]] std::string_view section_of(std::string_view key);
 
@@ -70,5 +81,8 @@ struct Key {
 [[nodiscard]] const Key* find_key(std::string_view name);
 
 [[nodiscard]] bool is_used(const Key& key, const Study& study);
+
+/// Why the value of a key changes nothing in this study; empty if it does.
+[[nodiscard]] std::string_view why_no_effect(const Key& key, const Study& study);
 
 } // namespace app

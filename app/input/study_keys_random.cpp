@@ -2,6 +2,7 @@
 
 #include "app/input/study_key_table.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -49,44 +50,98 @@ constexpr std::array kDriftLaws = {
     named("lognormal", fragility::Law::lognormal), named("normal", fragility::Law::normal),
     named("weibull", fragility::Law::weibull), named("gamma", fragility::Law::gamma)};
 
+bool any_random(const Study& s) { return !s.random.empty(); }
+
+bool is_by_group(FieldKernel k)
+{
+    return k == FieldKernel::same_course || k == FieldKernel::same_unit ||
+           k == FieldKernel::all;
+}
+
+constexpr Condition kWithRandom{any_random, "no value of the study is a distribution"};
+constexpr Condition kWithLevels{
+    [](const Study& s) { return any_random(s) && s.load.vertical_stress.size() > 1; },
+    "no value is a distribution, or there is only one stress level"};
+constexpr Condition kVariesInWalls{
+    [](const Study& s) {
+        return std::any_of(s.random.begin(), s.random.end(), [](const RandomInput& r) {
+            return r.varies == Varies::by_joint || r.varies == Varies::by_crack;
+        });
+    },
+    "no distribution is of a joint or of a crack"};
+constexpr Condition kWithFields{
+    [](const Study& s) { return s.uq.spatial == Spatial::correlated; },
+    "uq.spatial is not correlated"};
+constexpr Condition kWithMatern{
+    [](const Study& s) { return s.uq.kernel == FieldKernel::matern; },
+    "uq.kernel is not matern"};
+constexpr Condition kWithGroups{[](const Study& s) { return is_by_group(s.uq.kernel); },
+                                "uq.kernel is not same_course, same_unit or all"};
+constexpr Condition kWithStop{
+    [](const Study& s) { return any_random(s) && s.uq.stop != StopQuantity::none; },
+    "uq.stop is none, or no value is a distribution"};
+constexpr Condition kMultiFidelity{
+    [](const Study& s) { return s.reliability.method == ReliabilityMethod::multi_fidelity; },
+    "reliability.method is not multi_fidelity"};
+constexpr Condition kSampled{[](const Study& s) {
+                                 const ReliabilityMethod m = s.reliability.method;
+                                 return m == ReliabilityMethod::monte_carlo ||
+                                        m == ReliabilityMethod::importance ||
+                                        m == ReliabilityMethod::subset;
+                             },
+                             "reliability.method is not monte_carlo, importance or subset"};
+constexpr Condition kUserStates{
+    [](const Study& s) { return s.fragility.limit_states.find("user") != std::string::npos; },
+    "fragility.limit_states does not name user"};
+
 // clang-format off
 constexpr std::array kKeys = {
     Key{.name = "uq.design", .kind = Kind::word, .names = kDesigns,
+        .effect = kWithRandom, .verbs = "push study sample",
         .meaning = "how the samples are drawn; lhs: Latin hypercube",
         .field = kAt<&Study::uq, &UqInput::design>},
     Key{.name = "uq.samples", .kind = Kind::count, .range = {'[', 1, 1e7, ']'},
+        .effect = kWithRandom, .verbs = "push study sample",
         .meaning = "walls per stress level; a larger number adds walls and keeps the old",
         .field = kAt<&Study::uq, &UqInput::samples>},
     Key{.name = "uq.seed", .kind = Kind::count, .range = {'[', 0, 9e15, ']'},
+        .effect = kWithRandom,
         .meaning = "another seed gives other samples",
         .field = kAt<&Study::uq, &UqInput::seed>},
     Key{.name = "uq.shared", .kind = Kind::word, .names = kYesNo,
+        .effect = kWithLevels, .verbs = "push study sample",
         .meaning = "the same samples under every stress level, or a design of its own for each (paper)",
         .field = kAt<&Study::uq, &UqInput::shared>},
     Key{.name = "uq.spatial", .kind = Kind::word, .names = kSpatial,
+        .effect = kVariesInWalls,
         .meaning = "one value per wall, or per joint ID: independent, stratified in each wall, correlated",
         .field = kAt<&Study::uq, &UqInput::spatial>},
-    Key{.name = "uq.kernel", .kind = Kind::word, .names = kKernels, .used = Used::with_fields,
+    Key{.name = "uq.kernel", .kind = Kind::word, .names = kKernels, .used = kWithFields,
         .meaning = "correlation between joints by distance of their centres, or by group",
         .field = kAt<&Study::uq, &UqInput::kernel>},
     Key{.name = "uq.correlation_length", .kind = Kind::list, .unit = "m", .range = {'(', 0, 1e6, ']'},
-        .used = Used::with_fields,
+        .used = kWithFields,
         .derived = {"must be given with kernels by distance"},
         .meaning = "of kernels by distance; two values for exponential_l1, along x and z",
         .field = kAt<&Study::uq, &UqInput::correlation_length>},
-    Key{.name = "uq.matern_nu", .range = {'[', 0.05, 50, ']'}, .used = Used::with_fields,
+    Key{.name = "uq.matern_nu", .range = {'[', 0.05, 50, ']'}, .used = kWithFields,
+        .effect = kWithMatern,
         .meaning = "smoothness of the kernel matern",
         .field = kAt<&Study::uq, &UqInput::matern_nu>},
-    Key{.name = "uq.group_correlation", .range = {'[', 0, 1, ']'}, .used = Used::with_fields,
+    Key{.name = "uq.group_correlation", .range = {'[', 0, 1, ']'}, .used = kWithFields,
+        .effect = kWithGroups,
         .meaning = "between joints of one group, kernels same_course, same_unit, all",
         .field = kAt<&Study::uq, &UqInput::group_correlation>},
     Key{.name = "uq.stop", .kind = Kind::word, .names = kStops,
+        .effect = kWithRandom, .verbs = "study",
         .meaning = "adds walls until the 95 % interval of this mean, or share, is narrow enough at every level",
         .field = kAt<&Study::uq, &UqInput::stop>},
     Key{.name = "uq.stop_half_width", .range = {'(', 0, 1, ']'},
+        .effect = kWithStop, .verbs = "study",
         .meaning = "of that interval, as a share of the mean; of mixed_share as it is",
         .field = kAt<&Study::uq, &UqInput::stop_half_width>},
     Key{.name = "uq.most_samples", .kind = Kind::count, .range = {'[', 1, 1e7, ']'},
+        .effect = kWithStop, .verbs = "study",
         .meaning = "at which the rule gives up",
         .field = kAt<&Study::uq, &UqInput::most_samples>},
     Key{.name = "uq.pearson", .kind = Kind::text,
@@ -108,9 +163,11 @@ constexpr std::array kKeys = {
         .meaning = "walls at most; multi_fidelity: their cost in all",
         .field = kAt<&Study::reliability, &ReliabilityInput::budget>},
     Key{.name = "reliability.target_cov", .range = {'(', 0, 10, ']'},
+        .effect = kSampled,
         .meaning = "coefficient of variation that the probability should have: sampling stops there",
         .field = kAt<&Study::reliability, &ReliabilityInput::target_cov>},
     Key{.name = "reliability.cheap", .kind = Kind::word, .names = kFidelities,
+        .effect = kMultiFidelity,
         .meaning = "fidelity of the cheap model of multi_fidelity",
         .field = kAt<&Study::reliability, &ReliabilityInput::cheap>},
 
@@ -118,6 +175,7 @@ constexpr std::array kKeys = {
         .meaning = "sets, one or more of paper, ntc, ec8, user (docs/fragility.md)",
         .field = kAt<&Study::fragility, &FragilityInput::limit_states>},
     Key{.name = "fragility.user_states", .kind = Kind::text,
+        .effect = kUserStates,
         .derived = {"none"},
         .meaning = "of the set user: slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate; near: ultimate or 1.0 %",
         .field = kAt<&Study::fragility, &FragilityInput::user_states>},
@@ -131,12 +189,15 @@ constexpr std::array kKeys = {
         .meaning = "of the peak force, through which the bilinear rises (Circolare 7/2019, C7.3.4.2)",
         .field = kAt<&Study::fragility, &FragilityInput::bilinear_share>},
     Key{.name = "fragility.law", .kind = Kind::word, .names = kDriftLaws,
+        .verbs = "study fragility",
         .meaning = "of limit drifts",
         .field = kAt<&Study::fragility, &FragilityInput::law>},
     Key{.name = "fragility.confidence", .range = {'(', 0, 1, ')'},
+        .verbs = "study fragility",
         .meaning = "of all intervals",
         .field = kAt<&Study::fragility, &FragilityInput::confidence>},
     Key{.name = "fragility.bootstrap", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
+        .verbs = "study fragility",
         .meaning = "samples behind the p-values of fits; 0 none",
         .field = kAt<&Study::fragility, &FragilityInput::bootstrap>},
     Key{.name = "fragility.rotation_share", .range = {'(', 0, 1, ')'},

@@ -38,6 +38,31 @@ void derive_block_modes(Study& s)
     s.discretisation.block_modes = dem::discretisation_of(s.fidelity).block_modes;
 }
 
+bool is_given(const Study& s, std::string_view key)
+{
+    return find_entry(s.source, key) != nullptr;
+}
+
+constexpr Condition kWithoutTargets{[](const Study& s) { return s.load.targets.empty(); },
+                                    "load.targets is given"};
+constexpr Condition kWithWeight{[](const Study& s) {
+                                    return s.parameters.stone.density > 0.0 ||
+                                           s.beam.material.density > 0.0;
+                                },
+                                "stone and beam have no weight"};
+constexpr Condition kByFidelity{[](const Study& s) {
+                                    return !is_given(s, "solver.contact_points") ||
+                                           !is_given(s, "solver.block_modes");
+                                },
+                                "solver.contact_points and solver.block_modes are given"};
+constexpr Condition kElastic{[](const Study& s) {
+                                 return s.discretisation.block_modes != 3 ||
+                                        s.discretisation.beam_modes != 3;
+                             },
+                             "blocks and beam are rigid"};
+constexpr Condition kSlowingDrive{[](const Study& s) { return s.solver.unbalance_limit > 0.0; },
+                                  "solver.unbalance_limit is 0"};
+
 // The ends of the ranges are beyond any wall: they catch a wrong power of ten.
 constexpr Range kStrength{'[', 0, 1000, ']'};  // [MPa]
 constexpr Range kModeCount{'[', 3, 1000, ']'}; // [-]
@@ -53,6 +78,7 @@ constexpr std::array kKeys = {
         .meaning = "of the horizontal load above the floor, within the beam",
         .field = kAt<&Study::load, &LoadInput::height>},
     Key{.name = "load.max_displacement", .unit = "mm", .range = {'(', 0, 1000, ']'},
+        .effect = kWithoutTargets,
         .meaning = "of the load line; targets replace it",
         .field = kAt<&Study::load, &LoadInput::max_displacement>},
     Key{.name = "load.targets", .kind = Kind::list, .unit = "mm", .range = {'[', -1000, 1000, ']'},
@@ -63,10 +89,12 @@ constexpr std::array kKeys = {
         .meaning = "ends the push once the force is below this share of the peak; 0 never",
         .field = kAt<&Study::load, &LoadInput::stop_below>},
     Key{.name = "load.gravity", .unit = "m/s2", .range = {'[', 0, 100, ']'},
+        .effect = kWithWeight,
         .meaning = "acceleration of free fall",
         .field = kAt<&Study::load, &LoadInput::gravity>},
 
     Key{.name = "solver.fidelity", .kind = Kind::word, .names = kFidelities,
+        .effect = kByFidelity,
         .meaning = "rung of the ladder from rigid blocks to fine zones (docs/bench/paper_walls.md)",
         .field = kAt<&Study::fidelity>},
     Key{.name = "solver.contact_points", .kind = Kind::count, .range = {'[', 2, 100, ']'},
@@ -77,6 +105,7 @@ constexpr std::array kKeys = {
         .meaning = "contact points evenly spaced, or Gauss-Lobatto",
         .field = kAt<&Study::discretisation, &Discretisation::face_rule>},
     Key{.name = "solver.zones_per_interval", .kind = Kind::count, .range = {'[', 1, 100, ']'},
+        .effect = kElastic,
         .meaning = "block zones between two contact points",
         .field = kAt<&Study::discretisation, &Discretisation::zones_per_interval>},
     Key{.name = "solver.block_modes", .kind = Kind::count, .range = kModeCount, .names = kModes,
@@ -111,6 +140,7 @@ constexpr std::array kKeys = {
         .meaning = "|top - base shear| / vertical load above which the drive slows; 0 never",
         .field = kAt<&Study::solver, &SolverOptions::unbalance_limit>},
     Key{.name = "solver.min_speed", .range = {'(', 0, 1, ']'},
+        .effect = kSlowingDrive,
         .meaning = "slowest drive, as a share of full speed",
         .field = kAt<&Study::solver, &SolverOptions::min_speed>},
 
@@ -125,9 +155,11 @@ constexpr std::array kKeys = {
         .meaning = "spacing of the points of the capacity curve",
         .field = kAt<&Study::output, &OutputInput::record_every>},
     Key{.name = "output.snapshot_every", .unit = "mm", .range = {'[', 0, 1000, ']'},
+        .verbs = "push",
         .meaning = "spacing of the ParaView series; 0 only both ends",
         .field = kAt<&Study::output, &OutputInput::snapshot_every>},
     Key{.name = "output.curves", .kind = Kind::word, .names = kPrecisions,
+        .verbs = "study",
         .meaning = "precision of the curves in the file of a study; single: half the size",
         .field = kAt<&Study::output, &OutputInput::single_precision_curves>},
 };

@@ -31,16 +31,57 @@ constexpr std::array kSnapBacks = {named("breaks", dem::SnapBack::breaks),
 constexpr std::array kUnloadings = {named("secant", dem::Unloading::secant),
                                     named("elastic", dem::Unloading::elastic)};
 
-void derive_shear_stiffness(Study& s)
+void derive_shear_stiffness(Parameters& p, double course_height)
 {
-    std::vector<double> kn = s.joint.normal_stiffness;
-    for (const double modulus : s.joint.wall_modulus) {
-        kn.push_back(
-            dem::joint_stiffness(s.wall.course_height, modulus, s.stone.young_modulus));
-    }
-    for (double& k : kn) k = dem::shear_stiffness(k, s.stone.poisson_ratio);
-    s.joint.shear_stiffness = kn;
+    std::vector<double> kn = p.joint.normal_stiffness;
+    for (const double modulus : p.joint.wall_modulus)
+        kn.push_back(dem::joint_stiffness(course_height, modulus, p.stone.young_modulus));
+    for (double& k : kn) k = dem::shear_stiffness(k, p.stone.poisson_ratio);
+    p.joint.shear_stiffness = kn;
 }
+
+bool rigid_blocks(const Study& s) { return s.discretisation.block_modes == 3; }
+
+bool shear_stiffness_given(const Study& s)
+{
+    return find_entry(s.source, "joint.shear_stiffness") != nullptr;
+}
+
+constexpr Condition kWithCracks{[](const Study& s) { return s.wall.cracks_in_units; },
+                                "wall.unit_cracks is no"};
+constexpr Condition kWithBaseJoint{
+    [](const Study& s) { return s.wall.base == dem::Base::joint; },
+    "there is no base joint; write wall.base = joint, or remove it", true};
+constexpr Condition kWithBeamJoint{
+    [](const Study& s) { return s.beam.interface == dem::BeamInterface::joint; },
+    "there is no beam joint; write beam.interface = joint, or remove it", true};
+
+constexpr Condition kSeveralCourses{[](const Study& s) {
+                                        return s.wall.courses > 1 ||
+                                               s.wall.first_course == dem::FirstCourse::shifted;
+                                    },
+                                    "the wall has one course, which is not shifted"};
+constexpr Condition kShiftedCourses{[](const Study& s) { return s.wall.bond_offset > 0.0; },
+                                    "wall.bond is stack"};
+constexpr Condition kMovingFirstCourse{
+    [](const Study& s) { return s.wall.base == dem::Base::joint || !rigid_blocks(s); },
+    "the first course is rigid and clamped"};
+constexpr Condition kElasticStone{
+    [](const Study& s) { return !s.parameters.joint.wall_modulus.empty() || !rigid_blocks(s); },
+    "blocks are rigid and joint.normal_stiffness is given"};
+constexpr Condition kPoissonCounts{[](const Study& s) {
+                                       return !shear_stiffness_given(s) ||
+                                              s.wall.cracks_in_units || !rigid_blocks(s);
+                                   },
+                                   "blocks are rigid and joint.shear_stiffness is given"};
+constexpr Condition kWithGravity{[](const Study& s) { return s.load.gravity > 0.0; },
+                                 "load.gravity is 0"};
+constexpr Condition kElasticBeam{
+    [](const Study& s) { return s.discretisation.beam_modes != 3; },
+    "the beam is rigid: solver.beam_modes is rigid"};
+constexpr Condition kTensileCracks{
+    [](const Study& s) { return s.parameters.unit.tensile_strength > 0.0; },
+    "unit.tensile_strength is 0"};
 
 // The ends of the ranges are beyond any wall: they catch a wrong power of ten.
 constexpr Range kLength{'[', 0.001, 100, ']'}; // [m]
@@ -71,9 +112,11 @@ constexpr std::array kKeys = {
         .meaning = "of the wall, out of plane",
         .field = kAt<&Study::wall, &WallGeometry::thickness>},
     Key{.name = "wall.bond", .range = {'[', 0, 1, ')'}, .names = kBonds,
+        .effect = kSeveralCourses,
         .meaning = "shift of every second course in unit lengths; running 0.5, stack 0",
         .field = kAt<&Study::wall, &WallGeometry::bond_offset>},
     Key{.name = "wall.first_course", .kind = Kind::word, .names = kFirstCourses,
+        .effect = kShiftedCourses,
         .meaning = "bottom course starts with a whole unit or with the shifted piece",
         .field = kAt<&Study::wall, &WallGeometry::first_course>},
     Key{.name = "wall.unit_cracks", .kind = Kind::word, .names = kYesNo,
@@ -83,133 +126,139 @@ constexpr std::array kKeys = {
         .meaning = "bottom face clamped (paper, section 3), or on a dry joint",
         .field = kAt<&Study::wall, &WallGeometry::base>},
     Key{.name = "wall.toe", .kind = Kind::word, .names = kToes,
+        .effect = kMovingFirstCourse,
         .meaning = "toe side of the first course held sideways (paper, section 3)",
         .field = kAt<&Study::wall, &WallGeometry::toe>},
 
-    Key{.name = "stone.young_modulus", .unit = "GPa", .range = kModulus, .example = "15.5 GPa",
+    Key{.name = "stone.young_modulus", .unit = "GPa", .range = kModulus, .effect = kElasticStone,
+        .example = "15.5 GPa",
         .varies = Varies::by_wall,
         .meaning = "E_stone of Eq. 2",
-        .field = kAt<&Study::stone, &Elastic::young_modulus>},
-    Key{.name = "stone.poisson_ratio", .range = kPoisson, .example = "0.2",
+        .field = kAt<&Study::parameters, &Parameters::stone, &Elastic::young_modulus>},
+    Key{.name = "stone.poisson_ratio", .range = kPoisson, .effect = kPoissonCounts,
+        .example = "0.2",
         .fixed_because = "because the walls of a study share the deformation modes of their blocks (through the "
                          "blocks, 0.1 to 0.3 moves the stiffness of the paper's wall by 0.6 % and its peak by 0.1 %)",
         .meaning = "also of k_s = k_n / (2 (1 + nu)) (paper, Table 4)",
-        .field = kAt<&Study::stone, &Elastic::poisson_ratio>},
-    Key{.name = "stone.density", .unit = "kg/m3", .range = kDensity, .example = "2300 kg/m3",
+        .field = kAt<&Study::parameters, &Parameters::stone, &Elastic::poisson_ratio>},
+    Key{.name = "stone.density", .unit = "kg/m3", .range = kDensity, .effect = kWithGravity,
+        .example = "2300 kg/m3",
         .varies = Varies::by_wall,
         .meaning = "self-weight of the wall",
-        .field = kAt<&Study::stone, &Elastic::density>},
+        .field = kAt<&Study::parameters, &Parameters::stone, &Elastic::density>},
 
     Key{.name = "joint.wall_modulus", .kind = Kind::list, .unit = "MPa", .range = {'(', 0, 1e6, ']'},
         .derived = {"or normal_stiffness"},
         .meaning = "one per stress level, gives k_n by Eq. 2 (paper, Table 3)",
-        .field = kAt<&Study::joint, &JointInput::wall_modulus>},
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::wall_modulus>},
     Key{.name = "joint.normal_stiffness", .kind = Kind::list, .unit = "GPa/m", .range = kStiffness,
         .derived = {"from wall_modulus"},
         .meaning = "k_n, one or one per stress level; in place of wall_modulus",
-        .field = kAt<&Study::joint, &JointInput::normal_stiffness>},
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::normal_stiffness>},
     Key{.name = "joint.shear_stiffness", .kind = Kind::list, .unit = "GPa/m", .range = kStiffness,
-        .derived = {"k_n / (2 (1 + nu))", derive_shear_stiffness},
+        .derived = {.rule = "k_n / (2 (1 + nu))", .follow = derive_shear_stiffness},
         .meaning = "k_s, one or one per stress level (paper, Table 4)",
-        .field = kAt<&Study::joint, &JointInput::shear_stiffness>},
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::shear_stiffness>},
     Key{.name = "joint.friction_angle", .unit = "deg", .range = kAngle, .example = "31.8 deg",
         .varies = Varies::by_joint,
         .meaning = "of the dry joints (paper, Table 4)",
-        .field = kAt<&Study::joint, &JointInput::friction_angle>},
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::friction_angle>},
     Key{.name = "joint.stiffness_factor", .range = kFactor,
         .varies = Varies::by_joint,
         .meaning = "on k_n and k_s of the joints (paper, Table 5)",
-        .field = kAt<&Study::joint, &JointInput::stiffness_factor>},
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::stiffness_factor>},
 
-    Key{.name = "unit.stiffness_ratio", .range = {'(', 0, 1e6, ']'}, .used = Used::with_cracks,
+    Key{.name = "unit.stiffness_ratio", .range = {'(', 0, 1e6, ']'}, .used = kWithCracks,
         .varies = Varies::by_crack,
         .meaning = "xi = k_n of a crack / k_n of a joint (paper, Table 4)",
-        .field = kAt<&Study::unit, &CrackParameters::stiffness_ratio>},
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::stiffness_ratio>},
     Key{.name = "unit.tensile_strength", .unit = "MPa", .range = kStrength,
-        .used = Used::with_cracks, .example = "3.7 MPa",
+        .used = kWithCracks, .example = "3.7 MPa",
         .varies = Varies::by_crack,
         .meaning = "f_T of the units (paper, Table 4)",
-        .field = kAt<&Study::unit, &CrackParameters::tensile_strength>},
-    Key{.name = "unit.cohesion", .unit = "MPa", .range = kStrength, .used = Used::with_cracks,
-        .derived = {"tensile_strength", [](Study& s) { s.unit.cohesion = s.unit.tensile_strength; }},
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::tensile_strength>},
+    Key{.name = "unit.cohesion", .unit = "MPa", .range = kStrength, .used = kWithCracks,
+        .derived = {.rule = "tensile_strength", .follow = [](Parameters& p, double) { p.unit.cohesion = p.unit.tensile_strength; }},
         .varies = Varies::by_crack,
         .meaning = "initial (paper, Table 4)",
-        .field = kAt<&Study::unit, &CrackParameters::cohesion>},
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::cohesion>},
     Key{.name = "unit.residual_cohesion", .unit = "MPa", .range = kStrength,
-        .used = Used::with_cracks,
+        .used = kWithCracks,
         .varies = Varies::by_crack,
         .meaning = "at most the initial one",
-        .field = kAt<&Study::unit, &CrackParameters::residual_cohesion>},
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::residual_cohesion>},
     Key{.name = "unit.fracture_energy", .unit = "N/m", .range = {'[', 0, 1e6, ']'},
-        .used = Used::with_cracks, .example = "110 N/m",
+        .used = kWithCracks, .effect = kTensileCracks,
+        .example = "110 N/m",
         .varies = Varies::by_crack,
         .meaning = "mode I (paper, Table 4)",
-        .field = kAt<&Study::unit, &CrackParameters::fracture_energy>},
-    Key{.name = "unit.friction_angle", .unit = "deg", .range = kAngle, .used = Used::with_cracks,
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::fracture_energy>},
+    Key{.name = "unit.friction_angle", .unit = "deg", .range = kAngle, .used = kWithCracks,
         .example = "35 deg",
         .varies = Varies::by_crack,
         .meaning = "initial, of a crack (paper, Table 4)",
-        .field = kAt<&Study::unit, &CrackParameters::friction_angle>},
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::friction_angle>},
     Key{.name = "unit.residual_friction_angle", .unit = "deg", .range = kAngle,
-        .used = Used::with_cracks,
-        .derived = {"friction_angle",
-                    [](Study& s) { s.unit.residual_friction_angle = s.unit.friction_angle; }},
+        .used = kWithCracks,
+        .derived = {.rule = "friction_angle", .follow = [](Parameters& p, double) { p.unit.residual_friction_angle = p.unit.friction_angle; }},
         .varies = Varies::by_crack,
         .meaning = "at most the initial one (paper, Table 4)",
-        .field = kAt<&Study::unit, &CrackParameters::residual_friction_angle>},
-    Key{.name = "unit.stiffness_factor", .range = kFactor, .used = Used::with_cracks,
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::residual_friction_angle>},
+    Key{.name = "unit.stiffness_factor", .range = kFactor, .used = kWithCracks,
         .varies = Varies::by_crack,
         .meaning = "on k_n and k_s of the cracks (paper, Table 5)",
-        .field = kAt<&Study::unit, &CrackParameters::stiffness_factor>},
-    Key{.name = "unit.contact_law", .kind = Kind::word, .names = kLaws, .used = Used::with_cracks,
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::stiffness_factor>},
+    Key{.name = "unit.contact_law", .kind = Kind::word, .names = kLaws, .used = kWithCracks,
         .meaning = "damage of tension and shear together (paper, Table 2) or apart (Fig. 7)",
         .field = kAt<&Study::solver, &SolverOptions::law>},
     Key{.name = "unit.tension_reduces_shear", .kind = Kind::word, .names = kYesNo,
-        .used = Used::with_cracks,
+        .used = kWithCracks,
         .meaning = "tau_max = c - sigma tan(theta) in tension too (paper, Table 2, step 5), or c there",
-        .field = kAt<&Study::unit, &CrackParameters::tension_reduces_shear>},
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::tension_reduces_shear>},
     Key{.name = "unit.snap_back", .kind = Kind::word, .names = kSnapBacks,
-        .used = Used::with_cracks,
+        .used = kWithCracks,
+        .effect = kTensileCracks,
         .meaning = "where f_T > sqrt(2 G k_n) a crack breaks at f_T, or is weakened to that value",
-        .field = kAt<&Study::unit, &CrackParameters::snap_back>},
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::snap_back>},
     Key{.name = "unit.unloading", .kind = Kind::word, .names = kUnloadings,
-        .used = Used::with_cracks,
+        .used = kWithCracks,
         .meaning = "an open crack closes to the origin, or with k_n (paper, Table 1) and stays propped",
         .field = kAt<&Study::solver, &SolverOptions::unloading>},
 
     Key{.name = "beam.height", .unit = "m", .range = kHeight, .example = "0.10 m",
         .meaning = "of the loading beam on the wall",
         .field = kAt<&Study::beam, &Beam::height>},
-    Key{.name = "beam.young_modulus", .unit = "GPa", .range = kModulus, .example = "30 GPa",
+    Key{.name = "beam.young_modulus", .unit = "GPa", .range = kModulus, .effect = kElasticBeam,
+        .example = "30 GPa",
         .meaning = "of the loading beam",
         .field = kAt<&Study::beam, &Beam::material, &Elastic::young_modulus>},
     Key{.name = "beam.poisson_ratio", .range = kPoisson,
+        .effect = kElasticBeam,
         .meaning = "of the loading beam; concrete",
         .field = kAt<&Study::beam, &Beam::material, &Elastic::poisson_ratio>},
-    Key{.name = "beam.density", .unit = "kg/m3", .range = kDensity, .example = "2400 kg/m3",
+    Key{.name = "beam.density", .unit = "kg/m3", .range = kDensity, .effect = kWithGravity,
+        .example = "2400 kg/m3",
         .meaning = "weight of the loading beam",
         .field = kAt<&Study::beam, &Beam::material, &Elastic::density>},
     Key{.name = "beam.interface", .kind = Kind::word, .names = kInterfaces,
         .meaning = "beam glued to the top course, or on a dry joint",
         .field = kAt<&Study::beam, &Beam::interface>},
     Key{.name = "beam.friction_angle", .unit = "deg", .range = kAngle,
-        .used = Used::with_beam_joint,
-        .derived = {"joint.friction_angle",
-                    [](Study& s) { s.beam_friction_angle = s.joint.friction_angle; }},
+        .used = kWithBeamJoint,
+        .derived = {.rule = "joint.friction_angle", .follow = [](Parameters& p, double) { p.beam_friction_angle = p.joint.friction_angle; }},
         .varies = Varies::by_wall,
         .meaning = "under the beam, only with interface = joint",
-        .field = kAt<&Study::beam_friction_angle>},
+        .field = kAt<&Study::parameters, &Parameters::beam_friction_angle>},
     Key{.name = "beam.rotation", .kind = Kind::word, .names = kRotations,
         .meaning = "the beam may turn, or stays level",
         .field = kAt<&Study::beam, &Beam::rotation>},
 
     Key{.name = "base.friction_angle", .unit = "deg", .range = kAngle,
-        .used = Used::with_base_joint,
-        .derived = {"joint.friction_angle",
-                    [](Study& s) { s.base_friction_angle = s.joint.friction_angle; }},
+        .used = kWithBaseJoint,
+        .derived = {.rule = "joint.friction_angle", .follow = [](Parameters& p, double) { p.base_friction_angle = p.joint.friction_angle; }},
         .varies = Varies::by_wall,
         .meaning = "under the first course, only with wall.base = joint",
-        .field = kAt<&Study::base_friction_angle>},
+        .field = kAt<&Study::parameters, &Parameters::base_friction_angle>},
 };
 // clang-format on
 

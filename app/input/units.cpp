@@ -202,6 +202,17 @@ double parse_count(std::string_view text)
     return value;
 }
 
+double from_si(double si, std::string_view unit)
+{
+    const Unit& u = unit_named(unit);
+    return si * u.over / u.times;
+}
+
+std::string_view si_unit(std::string_view unit)
+{
+    return alternatives(unit_named(unit)).front();
+}
+
 double to_si(double value, std::string_view unit) { return si_value(value, unit_named(unit)); }
 
 std::string format_quantities(std::span<const double> si, std::string_view unit)

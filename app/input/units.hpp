@@ -31,6 +31,12 @@ struct BadValue : std::runtime_error {
 /// @param unit a unit of parse_quantity
 [[nodiscard]] double to_si(double value, std::string_view unit);
 
+/// @param unit a unit of parse_quantity
+[[nodiscard]] double from_si(double si, std::string_view unit);
+
+/// The SI unit of the same quantity: "Pa" of "MPa"; empty for an empty one.
+[[nodiscard]] std::string_view si_unit(std::string_view unit);
+
 /// The shortest text that parse_quantities reads back to the same bits; in SI where this unit
 /// has no such text.
 [[nodiscard]] std::string format_quantities(std::span<const double> si, std::string_view unit);

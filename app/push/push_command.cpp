@@ -1,5 +1,6 @@
 #include "app/push/push_command.hpp"
 
+#include "app/input/key_effects.hpp"
 #include "app/input/number_text.hpp"
 #include "app/input/study.hpp"
 #include "app/output/atomic_output.hpp"
@@ -11,16 +12,13 @@
 #include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/summary_json.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/study/push_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 namespace app {
@@ -39,56 +37,31 @@ std::string stress_number(const PushedWall& w)
 
 std::string stress_text(const PushedWall& w) { return stress_number(w) + " MPa"; }
 
-/// Progress of several walls as one line.
-class SharedProgress {
-  public:
-    SharedProgress(std::size_t walls, bool quiet)
-        : line_(std::cerr, stderr_progress(quiet), steady_seconds), done_(walls, 0.0)
-    {
-    }
-    void update(std::size_t wall, double done, double displacement, double force)
-    {
-        const std::lock_guard lock(mutex_);
-        done_[wall] = done;
-        double sum = 0.0;
-        for (const double d : done_) sum += d;
-        line_.update(sum / static_cast<double>(done_.size()),
-                     fixed(force * 1e-3, 1) + " kN at " + fixed(displacement * 1e3, 1) + " mm");
-    }
-    void finish() { line_.finish(""); }
-
-  private:
-    std::mutex mutex_;
-    Progress line_;
-    std::vector<double> done_;
-};
-
-/// Every wall on its own; which thread runs it changes nothing in it.
+/// Pushes all walls. One line shows how far they are together: those that are done, and the one
+/// that spoke last.
 std::vector<PushedWall> push_all(const Study& study, const std::vector<WantedWall>& wanted,
                                  int threads, bool quiet)
 {
-    const std::size_t n = wanted.size();
-    std::vector<PushedWall> walls(n);
-    std::vector<std::exception_ptr> errors(n);
-    std::atomic<std::size_t> next{0};
-    SharedProgress progress(n, quiet);
-    const auto work = [&] {
-        for (std::size_t i = next++; i < n; i = next++) try {
-                walls[i] = push_wall(study, wanted[i].level, wanted[i].draw,
-                                     [&progress, i](double d, double u, double f) {
-                                         progress.update(i, d, u, f);
-                                     });
-            } catch (...) {
-                errors[i] = std::current_exception();
-            }
+    std::vector<PushedWall> walls(wanted.size());
+    Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
+    std::mutex mutex;
+    double finished = 0.0;
+    dem::PushPlan plan = push_plan(study);
+    plan.progress = [&](double done, double displacement, double force) {
+        const std::lock_guard lock(mutex);
+        line.update(std::min(1.0, (finished + done) / static_cast<double>(wanted.size())),
+                    fixed(force * 1e-3, 1) + " kN at " + fixed(displacement * 1e3, 1) + " mm");
     };
-    std::vector<std::jthread> team;
-    for (std::size_t t = 1; t < std::min<std::size_t>(threads, n); ++t) team.emplace_back(work);
-    work();
-    team.clear();
-    progress.finish();
-    for (const std::exception_ptr& e : errors)
-        if (e) std::rethrow_exception(e);
+    PushList list;
+    list.size = wanted.size();
+    list.wall = [&](std::size_t i) { return wanted[i]; };
+    list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
+        const std::lock_guard lock(mutex);
+        walls[i] = std::move(wall);
+        finished += 1.0;
+    };
+    push_walls(study, model_of(study), plan, list, threads);
+    line.finish("");
     return walls;
 }
 
@@ -174,8 +147,10 @@ int push_command(const Command& command)
 {
     const StudySource source = study_source(command);
     const Study& study = source.study;
+    const std::vector<WantedWall> wanted = wanted_walls(source, command);
+    say_effects(study, command);
     const std::vector<PushedWall> walls =
-        push_all(study, wanted_walls(source, command), command.threads, command.quiet);
+        push_all(study, wanted, command.threads, command.quiet);
     write_all(command.out, study, walls);
     std::cout << as_text(level_table(walls), terminal_width()) << "written to " << command.out
               << '\n';

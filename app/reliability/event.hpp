@@ -29,12 +29,8 @@ struct ReliabilityProblem {
 /// @throws ConfigError
 [[nodiscard]] ReliabilityProblem wall_problem(const Study& study, const Command& command);
 
-/// From a file with [model] command = ...: another program (docs/external_program.md).
+/// From a study of another program (docs/external_program.md).
 /// @throws ConfigError
-[[nodiscard]] ReliabilityProblem external_problem(const StudyFile& file,
-                                                  const Command& command);
-
-/// Whether a file has a section [model].
-[[nodiscard]] bool is_external(const StudyFile& file);
+[[nodiscard]] ReliabilityProblem program_event(const Study& study, int threads);
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "app/reliability/reliability_command.hpp"
 
+#include "app/input/key_effects.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/markup.hpp"
@@ -142,8 +143,11 @@ void write_table(const fs::path& out, const std::string& name, const Table& tabl
 ReliabilityProblem problem_of(const Command& command)
 {
     const StudyFile file = with_overrides(read_study_file(command.study), command.overrides);
-    return is_external(file) ? external_problem(file, command)
-                             : wall_problem(read_study(file), command);
+    if (is_program_study(file)) return program_event(read_program_study(file), command.threads);
+    const Study study = read_study(file);
+    ReliabilityProblem problem = wall_problem(study, command);
+    say_effects(study, command);
+    return problem;
 }
 
 void write_evaluations(const Command& command, const ReliabilityProblem& problem,

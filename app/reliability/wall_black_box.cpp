@@ -1,9 +1,8 @@
 #include "app/reliability/wall_black_box.hpp"
 
-#include "app/study/interrupt.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/study/push_walls.hpp"
+#include "app/study/wall_frames.hpp"
 #include "dem/block/model.hpp"
-#include "dem/solver/ensemble.hpp"
 
 #include <limits>
 #include <memory>
@@ -16,7 +15,6 @@ struct Shared {
     Study study;
     SamplePlan plan;
     dem::Model model;
-    dem::PushPlan push;
     int level, threads;
 };
 
@@ -36,20 +34,18 @@ uq::Responses ask(const Shared& s, const uq::Samples& samples)
     uq::Responses r;
     r.y = Eigen::MatrixXd::Constant(n, 3, std::numeric_limits<double>::quiet_NaN());
     r.failure.resize(static_cast<std::size_t>(n));
-    dem::Ensemble ensemble;
-    ensemble.size = static_cast<std::size_t>(n);
-    ensemble.wall = [&](std::size_t i) {
-        if (interrupted()) throw Interrupted();
+    PushList list;
+    list.size = static_cast<std::size_t>(n);
+    list.wall = [&](std::size_t i) -> WantedWall {
         const Eigen::VectorXd row = samples.x.row(static_cast<Eigen::Index>(i));
-        return wall_materials(s.study, s.model.layout, s.level, unflattened(s.plan, row));
+        return {s.level, unflattened(s.plan, row)};
     };
-    ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
+    list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         Eigen::RowVectorXd y(3);
-        const PushedWall w = read_wall(s.study, s.level, std::move(result));
-        r.failure[i] = answer(w, y);
+        r.failure[i] = answer(wall, y);
         if (r.failure[i].empty()) r.y.row(static_cast<Eigen::Index>(i)) = y;
     };
-    dem::push_ensemble(s.model, ensemble, s.push, s.study.solver, {s.threads});
+    push_walls(s.study, s.model, bare_plan(s.study), list, s.threads);
     return r;
 }
 
@@ -57,11 +53,8 @@ uq::Responses ask(const Shared& s, const uq::Samples& samples)
 
 uq::BlackBox wall_model(const Study& study, const SamplePlan& plan, int level, int threads)
 {
-    dem::PushPlan push = push_plan(study);
-    push.snapshot_every = 0.0;
-    push.snapshot_at_peak = push.energy_at_points = false;
     const auto shared =
-        std::make_shared<Shared>(Shared{study, plan, model_of(study), push, level, threads});
+        std::make_shared<Shared>(Shared{study, plan, model_of(study), level, threads});
     return [shared](const uq::Samples& samples) { return ask(*shared, samples); };
 }
 

@@ -1,11 +1,9 @@
 #include "app/report/report_replay.hpp"
 
-#include "app/sampling/wall_draw.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/study/push_walls.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/wall_frames.hpp"
 #include "dem/block/model.hpp"
-#include "dem/solver/ensemble.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -50,23 +48,20 @@ void push_missing(const ReportStudy& r, const std::vector<std::size_t>& missing,
 {
     const Study& study = r.study.value();
     const dem::Model model = model_of(study);
-    dem::Ensemble ensemble;
-    ensemble.size = missing.size();
-    ensemble.wall = [&](std::size_t i) {
+    PushList list;
+    list.size = missing.size();
+    list.wall = [&](std::size_t i) -> WantedWall {
         const WallRow& row = r.walls[all.walls[missing[i]]].row;
-        return wall_materials(study, model.layout, static_cast<int>(row.key.level),
-                              stored_draw(study, model.layout, row));
+        return {static_cast<int>(row.key.level), stored_draw(study, model.layout, row)};
     };
-    ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
+    list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         const ReportWall& stored = r.walls[all.walls[missing[i]]];
-        PushedWall wall =
-            read_wall(study, static_cast<int>(stored.row.key.level), std::move(result));
         all.different += same_as_stored(stored, wall) ? 0 : 1;
         all.films[missing[i]] = film_of(frames_of(std::move(wall.result)));
         ++all.pushed;
         if (seen) seen(all.pushed, missing.size());
     };
-    dem::push_ensemble(model, ensemble, filmed_plan(study), study.solver, {threads});
+    push_walls(study, model, filmed_plan(study), list, threads);
 }
 
 } // namespace

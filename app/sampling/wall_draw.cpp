@@ -1,24 +1,22 @@
 #include "app/sampling/wall_draw.hpp"
 
-#include "app/input/study_keys.hpp"
-
 namespace app {
 namespace {
 
 bool is_single(const std::vector<double>& values) { return values.size() == 1; }
 
-/// Sets the values of number `id` of all inputs that have one per joint, or per crack.
-void set_values(Study& s, const WallDraw& draw, Varies varies, std::size_t id)
+/// Sets the values of joint or crack number `id`.
+void set_values(const Study& s, const WallDraw& draw, Varies varies, std::size_t id,
+                Parameters& p)
 {
-    for (std::size_t i = 0; i < s.random.size(); ++i) {
-        if (s.random[i].varies != varies || is_single(draw.values[i])) continue;
-        find_key(s.random[i].key)->field.set(s, {draw.values[i][id]});
-    }
+    for (std::size_t i = 0; i < s.random.size(); ++i)
+        if (s.random[i].varies == varies && !is_single(draw.values[i]))
+            s.random[i].place(p) = draw.values[i][id];
 }
 
 bool any_spatial(const Study& s, const WallDraw& draw, Varies varies)
 {
-    for (std::size_t i = 0; i < s.random.size(); ++i)
+    for (std::size_t i = 0; i < draw.values.size(); ++i)
         if (s.random[i].varies == varies && !is_single(draw.values[i])) return true;
     return false;
 }
@@ -36,25 +34,26 @@ int values_per_wall(const RandomInput& input, Spatial spatial, const dem::Layout
 dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout, int level,
                                   const WallDraw& draw)
 {
-    Study s = study;
-    for (std::size_t i = 0; i < s.random.size(); ++i)
-        if (is_single(draw.values[i]))
-            find_key(s.random[i].key)->field.set(s, {draw.values[i].front()});
-    for (const auto& apply : derivations(s)) apply(s);
-    dem::WallMaterials wall = materials(s, level, layout.n_joints, layout.n_cracks);
-    if (any_spatial(s, draw, Varies::by_joint))
+    const double h = study.wall.course_height;
+    Parameters p = study.parameters;
+    for (std::size_t i = 0; i < draw.values.size(); ++i)
+        if (is_single(draw.values[i])) study.random[i].place(p) = draw.values[i].front();
+    for (const ParameterRule& rule : study.rules) rule.apply(p, h);
+    dem::WallMaterials wall =
+        materials(p, h, level, study.load.vertical_stress.at(static_cast<std::size_t>(level)),
+                  layout.n_joints, layout.n_cracks);
+    if (any_spatial(study, draw, Varies::by_joint))
         for (std::size_t k = 0; k < wall.joints.size(); ++k) {
-            set_values(s, draw, Varies::by_joint, k);
-            wall.joints[k] = joint_material(s, level);
+            set_values(study, draw, Varies::by_joint, k, p);
+            wall.joints[k] = joint_material(p, h, level);
         }
-    if (any_spatial(s, draw, Varies::by_crack)) {
-        const auto derived = derivations(s, "unit");
+    if (any_spatial(study, draw, Varies::by_crack))
         for (std::size_t k = 0; k < wall.cracks.size(); ++k) {
-            set_values(s, draw, Varies::by_crack, k);
-            for (const auto& apply : derived) apply(s);
-            wall.cracks[k] = crack_material(s, level);
+            set_values(study, draw, Varies::by_crack, k, p);
+            for (const ParameterRule& rule : study.rules)
+                if (rule.varies == Varies::by_crack) rule.apply(p, h);
+            wall.cracks[k] = crack_material(p, h, level);
         }
-    }
     return wall;
 }
 

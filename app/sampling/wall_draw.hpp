@@ -13,13 +13,20 @@ struct WallDraw {
     std::vector<std::vector<double>> values;
 };
 
+/// A wall of a study.
+struct WantedWall {
+    int level = 0; ///< index in study.load.vertical_stress
+    WallDraw draw; ///< without values: the numbers of the study
+};
+
 /// How many values an input has in a wall.
 [[nodiscard]] int values_per_wall(const RandomInput& input, Spatial spatial,
                                   const dem::Layout& layout);
 
-/// Draws put into the study. Values not given and derived from random ones follow them, per wall or
-/// per joint. Base and beam joints follow values drawn per wall, and the mean of those drawn per
-/// joint.
+/// Builds the wall's materials from one draw. Parameters derived from random ones are recomputed
+/// for every wall or joint. Base and beam joints follow values drawn per wall, and the mean of
+/// values drawn per joint.
+/// @param draw without values: the numbers of the study
 /// @param level index in study.load.vertical_stress
 [[nodiscard]] dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout,
                                                 int level, const WallDraw& draw);

@@ -66,16 +66,14 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
     return w;
 }
 
-PushedWall
-push_wall(const Study& study, int level, const WallDraw& draw,
-          std::function<void(double done, double displacement, double force)> progress)
+PushedWall no_wall(const Study& study, int level, const std::string& why)
 {
-    const dem::Model model = model_of(study);
-    dem::PushPlan plan = push_plan(study);
-    plan.progress = std::move(progress);
-    return read_wall(
-        study, level,
-        dem::push(model, wall_materials(study, model.layout, level, draw), plan, study.solver));
+    PushedWall w;
+    w.vertical_stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
+    w.loads = loads(study, level);
+    w.result.outcome = dem::Outcome::no_wall;
+    w.no_reading = "the values drawn make no wall: " + why;
+    return w;
 }
 
 } // namespace app

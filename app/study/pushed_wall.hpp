@@ -7,7 +7,6 @@
 #include "dem/solver/push.hpp"
 #include "fragility/limit_states.hpp"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,14 +29,11 @@ struct PushedWall {
     std::string no_reading;                          ///< why there are none
 };
 
-/// What is read off a result.
+/// Evaluates a finished push: peak, stiffness, limit states, mechanism, failure mode.
 /// @param level index in study.load.vertical_stress
 [[nodiscard]] PushedWall read_wall(const Study& study, int level, dem::PushResult result);
 
-/// @param draw random values of the wall; none: the numbers of the study
-/// @param level index in study.load.vertical_stress
-[[nodiscard]] PushedWall
-push_wall(const Study& study, int level, const WallDraw& draw,
-          std::function<void(double done, double displacement, double force)> progress);
+/// A draw that makes no wall: nothing was pushed, and the wall counts as failed.
+[[nodiscard]] PushedWall no_wall(const Study& study, int level, const std::string& why);
 
 } // namespace app

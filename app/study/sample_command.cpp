@@ -1,5 +1,7 @@
 #include "app/study/sample_command.hpp"
 
+#include "app/input/key_effects.hpp"
+#include "app/input/units.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/cells.hpp"
 #include "app/sampling/sample_plan.hpp"
@@ -13,22 +15,36 @@
 namespace app {
 namespace {
 
+/// The units of all columns, as people read them.
+std::vector<std::string_view> units_of(const SamplePlan& plan)
+{
+    std::vector<std::string_view> units;
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+        units.insert(units.end(), static_cast<std::size_t>(plan.values.inputs[i].sites),
+                     plan.inputs[i].unit);
+    return units;
+}
+
 Table head_of(const SamplePlan& plan)
 {
     Table t;
-    t.head = {"level", "vertical_stress [Pa]", "sample"};
-    for (const Column& c : input_columns(plan))
-        t.head.emplace_back(c.name + " [" + c.unit + "]");
+    t.head = {"level", "vertical_stress [MPa]", "sample"};
+    const std::vector<Column> columns = input_columns(plan);
+    const std::vector<std::string_view> units = units_of(plan);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        t.head.emplace_back(columns[k].name + " [" +
+                            (units[k].empty() ? "-" : std::string(units[k])) + "]");
     return t;
 }
 
 Row row(const Study& study, const SamplePlan& plan, int level, int sample)
 {
-    Row cells = {count(level),
-                 Number{study.load.vertical_stress[static_cast<std::size_t>(level)]},
-                 count(sample)};
-    for (const double value : flattened(draw(plan, level, sample)))
-        cells.emplace_back(Number{value});
+    const double stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
+    Row cells = {count(level), Number{from_si(stress, "MPa")}, count(sample)};
+    const std::vector<double> values = flattened(draw(plan, level, sample));
+    const std::vector<std::string_view> units = units_of(plan);
+    for (std::size_t k = 0; k < values.size(); ++k)
+        cells.emplace_back(Number{from_si(values[k], units[k])});
     return cells;
 }
 
@@ -42,6 +58,7 @@ int sample_command(const Command& command)
         throw error_at(study.source, "joint.friction_angle",
                        "nothing to draw: no value of this study is a distribution; write e.g. "
                        "\"friction_angle = normal(mean 31.8 deg, cov 0.20)\"");
+    say_effects(study, command);
     const dem::Layout layout = dem::lay_out(study.wall, study.beam.height);
     const SamplePlan plan = sample_plan(study, layout, source.sizes);
     Table table = head_of(plan);

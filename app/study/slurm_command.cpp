@@ -3,11 +3,12 @@
 #include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/sampling/sample_plan.hpp"
+#include "app/study/push_walls.hpp"
 #include "app/study/shard_script.hpp"
 #include "app/study/study_file_head.hpp"
+#include "app/study/wall_frames.hpp"
 #include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"
-#include "dem/solver/ensemble.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -30,15 +31,17 @@ double seconds_per_wall(const Study& study)
     const dem::Model model = model_of(study);
     const SamplePlan plan = sample_plan(study, model.layout, sizes);
     const int levels = static_cast<int>(study.load.vertical_stress.size());
-    dem::Ensemble pilot;
+    PushList pilot;
     pilot.size = std::min<std::size_t>(dem::lanes<dem::Pack>, wall_count(study));
-    pilot.wall = [&](std::size_t i) {
+    pilot.wall = [&](std::size_t i) -> WantedWall {
         const int level = static_cast<int>(i) % levels, sample = static_cast<int>(i) / levels;
-        return wall_materials(study, model.layout, level, draw(plan, level, sample));
+        return {level, draw(plan, level, sample)};
     };
     double seconds = 0.0;
-    pilot.done = [&](std::size_t, dem::PushResult&& r) { seconds += r.cost.seconds; };
-    dem::push_ensemble(model, pilot, push_plan(study), study.solver, {1});
+    pilot.done = [&](std::size_t, const WallDraw&, PushedWall&& wall) {
+        seconds += wall.result.cost.seconds;
+    };
+    push_walls(study, model, bare_plan(study), pilot, 1);
     return seconds / static_cast<double>(pilot.size);
 }
 

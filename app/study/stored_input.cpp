@@ -1,21 +1,18 @@
 #include "app/study/stored_input.hpp"
 
-#include <numbers>
+#include "app/input/study_keys.hpp"
+#include "app/input/units.hpp"
 
 namespace app {
 namespace {
 
+/// The unit of the key. A key that this version does not have is shown as it is stored.
 void set_shown_unit(StoredInput& input, const std::string& stored)
 {
-    input.unit = stored;
-    const bool modulus = input.key.ends_with("modulus");
-    if (stored == "rad") {
-        input.unit = "deg";
-        input.scale = 180.0 / std::numbers::pi;
-    } else if (stored == "Pa") {
-        input.unit = modulus ? "GPa" : "MPa";
-        input.scale = modulus ? 1e-9 : 1e-6;
-    }
+    const Key* key = find_key(input.key);
+    const bool has_unit = key != nullptr && !key->unit.empty() && si_unit(key->unit) == stored;
+    input.unit = has_unit ? std::string(key->unit) : stored;
+    input.scale = has_unit ? from_si(1.0, key->unit) : 1.0;
 }
 
 /// "joint.friction_angle" of "joint.friction_angle.17"

@@ -1,5 +1,7 @@
 #include "app/study/study_columns.hpp"
 
+#include "app/input/units.hpp"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -59,7 +61,7 @@ constexpr std::array kResponses = {
 };
 
 constexpr std::array kCounts = {
-    Count{"outcome", "-", "0 reached target, 1 decided, 2 lost equilibrium, 3 not finite, 4 energy astray, 5 out of steps",
+    Count{"outcome", "-", "0 reached target, 1 decided, 2 lost equilibrium, 3 not finite, 4 energy astray, 5 out of steps, 6 no wall: nothing was pushed",
         [](const PushedWall& w) { return static_cast<std::int64_t>(w.result.outcome); }},
     Count{"mode", "-", "0 rocking, 1 mixed, -1 failed",
         [](const PushedWall& w) { return dem::failed(w.result.outcome) ? std::int64_t{-1} : static_cast<std::int64_t>(w.mode); }},
@@ -73,16 +75,6 @@ constexpr std::array kCounts = {
     Count{"steps", "-", "of the solver, those of steps given up included", [](const PushedWall& w) { return std::int64_t{w.result.cost.steps}; }},
 };
 // clang-format on
-
-std::string_view unit_of(const std::string& key)
-{
-    if (key.ends_with("angle")) return "rad";
-    if (key.ends_with("strength") || key.ends_with("cohesion") || key.ends_with("modulus"))
-        return "Pa";
-    if (key.ends_with("energy")) return "J/m2";
-    if (key.ends_with("density")) return "kg/m3";
-    return "-";
-}
 
 double finite_or_undefined(double x) { return std::isfinite(x) ? x : kNotDefined; }
 
@@ -100,7 +92,8 @@ std::vector<Column> input_columns(const SamplePlan& plan)
     std::vector<Column> columns;
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
         const std::string& key = plan.inputs[i].key;
-        const std::string unit(unit_of(key));
+        const std::string unit =
+            plan.inputs[i].unit.empty() ? "-" : std::string(si_unit(plan.inputs[i].unit));
         const int sites = plan.values.inputs[i].sites;
         if (sites == 1) columns.push_back({key, unit, "of the whole wall"});
         for (int id = 1; sites > 1 && id <= sites; ++id)

@@ -1,5 +1,6 @@
 #include "app/study/study_command.hpp"
 
+#include "app/input/key_effects.hpp"
 #include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/markup.hpp"
@@ -124,6 +125,7 @@ int study_command(const Command& command, const FrameTaker& frames)
 {
     const Study study =
         read_study(with_overrides(read_study_file(command.study), command.overrides));
+    say_effects(study, command);
     if (!command.script.empty()) return write_slurm_script(study, command);
     check_stop(study, command.shard);
     const Work work{study, command, shard_file(command.out, command.shard), model_of(study),

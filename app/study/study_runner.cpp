@@ -1,11 +1,9 @@
 #include "app/study/study_runner.hpp"
 
 #include "app/output/progress.hpp"
-#include "app/study/interrupt.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/study/push_walls.hpp"
 #include "app/study/study_columns.hpp"
 #include "dem/block/model.hpp"
-#include "dem/solver/ensemble.hpp"
 
 #include <utility>
 
@@ -72,30 +70,25 @@ RunProgress run_walls(const Study& study, const dem::Model& model, const SampleP
     RunProgress so_far;
     so_far.all = walls.size();
     RowBuffer rows(store);
-    const auto drawn = [&](std::size_t i) {
-        return draw(plan, static_cast<int>(walls[i].level), static_cast<int>(walls[i].sample));
+    PushList list;
+    list.size = walls.size();
+    list.wall = [&](std::size_t i) -> WantedWall {
+        const int level = static_cast<int>(walls[i].level);
+        return {level, draw(plan, level, static_cast<int>(walls[i].sample))};
     };
-    dem::Ensemble ensemble;
-    ensemble.size = walls.size();
-    ensemble.wall = [&](std::size_t i) {
-        if (interrupted()) throw Interrupted();
-        return wall_materials(study, model.layout, static_cast<int>(walls[i].level), drawn(i));
-    };
-    ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
-        so_far.solver_seconds += result.cost.seconds;
-        so_far.failed += dem::failed(result.outcome) ? 1 : 0;
+    list.done = [&](std::size_t i, const WallDraw& drawn, PushedWall&& wall) {
+        const bool failed = dem::failed(wall.result.outcome);
+        so_far.solver_seconds += wall.result.cost.seconds;
+        so_far.failed += failed ? 1 : 0;
         ++so_far.done;
-        PushedWall wall = read_wall(study, static_cast<int>(walls[i].level), std::move(result));
-        rows.add(row_of(walls[i], drawn(i), wall));
-        if (frames && !dem::failed(wall.result.outcome))
+        rows.add(row_of(walls[i], drawn, wall));
+        if (frames && !failed)
             frames(walls[i], wall.mode == dem::FailureMode::rocking,
                    frames_of(std::move(wall.result)));
         if (seen) seen(so_far);
-        if (interrupted()) throw Interrupted();
     };
     try {
-        const dem::PushPlan plan_of_walls = frames ? filmed_plan(study) : bare_plan(study);
-        dem::push_ensemble(model, ensemble, plan_of_walls, study.solver, {threads});
+        push_walls(study, model, frames ? filmed_plan(study) : bare_plan(study), list, threads);
     } catch (...) {
         rows.flush();
         throw;

@@ -24,11 +24,6 @@ struct StudySource {
 /// @throws ConfigError about --level
 [[nodiscard]] int level_of(const Study& study, const std::string& text);
 
-struct WantedWall {
-    int level = 0;
-    WallDraw draw; ///< empty: the numbers of the study
-};
-
 /// --sample and --level: that wall of a study with distributions. Without: the numbers of a study under
 /// all its levels.
 /// @throws ConfigError

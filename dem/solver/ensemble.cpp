@@ -21,11 +21,12 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
     std::mutex one_at_a_time;
     std::exception_ptr trouble;
     const auto next = [&]() -> std::optional<NumberedWall> {
-        const std::size_t number = waiting++;
-        if (number >= ensemble.size) return {};
-        NumberedWall wall{number, ensemble.wall(number)};
-        check(model, wall.materials);
-        return wall;
+        for (std::size_t number = waiting++; number < ensemble.size; number = waiting++)
+            if (std::optional<WallMaterials> materials = ensemble.wall(number)) {
+                check(model, *materials);
+                return NumberedWall{number, std::move(*materials)};
+            }
+        return {};
     };
     const auto done = [&](std::size_t number, PushResult&& result) {
         const std::lock_guard lock(one_at_a_time);

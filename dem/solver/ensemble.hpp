@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 namespace dem {
 
@@ -12,7 +13,8 @@ struct Ensemble {
     std::size_t size = 0; ///< number of walls
     /// Materials of a wall, 0 <= number < size. Called from any thread, when its turn comes, so
     /// that an ensemble of any size needs no more memory than what is running.
-    std::function<WallMaterials(std::size_t number)> wall;
+    /// Nothing: the wall is passed over, and `done` is not called for it.
+    std::function<std::optional<WallMaterials>(std::size_t number)> wall;
     /// Takes each result when it is there, one at a time, in no order.
     std::function<void(std::size_t number, PushResult&&)> done;
 };

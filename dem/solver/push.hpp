@@ -22,14 +22,15 @@ enum class Outcome {
     lost_equilibrium, ///< the wall came down: blocks parted by more than its height. A result
     not_finite,       ///< the numbers broke: kept, named, and no number of it is used
     energy_astray, ///< more energy appeared or vanished than energy_tolerance, at any step tried
-    out_of_steps   ///< SolverOptions::most_steps were not enough
+    out_of_steps,  ///< SolverOptions::most_steps were not enough
+    no_wall        ///< its materials make no wall, so that nothing was pushed
 };
 
 /// The run says nothing about the wall (or not enough): kept, counted, never averaged.
 [[nodiscard]] constexpr bool failed(Outcome o)
 {
     return o == Outcome::not_finite || o == Outcome::energy_astray ||
-           o == Outcome::out_of_steps;
+           o == Outcome::out_of_steps || o == Outcome::no_wall;
 }
 
 /// What a run took.

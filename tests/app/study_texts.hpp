@@ -128,4 +128,21 @@ inline app::Study read_good(const std::vector<std::string>& overrides = {})
     return read(std::string(bad_input::kGoodStudy), overrides);
 }
 
+inline dem::JointMaterial joint_material(const app::Study& s, int level)
+{
+    return app::joint_material(s.parameters, s.wall.course_height, level);
+}
+
+inline dem::CrackMaterial crack_material(const app::Study& s, int level)
+{
+    return app::crack_material(s.parameters, s.wall.course_height, level);
+}
+
+/// All values as in the study, under its stress level `level`.
+inline dem::WallMaterials materials(const app::Study& s, int level, int joints, int cracks)
+{
+    const double stress = s.load.vertical_stress.at(static_cast<std::size_t>(level));
+    return app::materials(s.parameters, s.wall.course_height, level, stress, joints, cracks);
+}
+
 } // namespace study_texts

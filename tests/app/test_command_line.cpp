@@ -1,5 +1,6 @@
 #include "app/input/command_line.hpp"
 
+#include "app/input/key_effects.hpp"
 #include "app/input/number_text.hpp"
 #include "app/input/option.hpp"
 #include "app/input/study_keys.hpp"
@@ -71,9 +72,9 @@ TEST_CASE("command line: the help of a verb lists the keys that it reads, with t
     for (const app::Verb& verb : app::verbs())
         for (const app::Key& key : app::study_keys()) {
             INFO(verb.name << ": " << key.name);
-            const bool reads = app::is_listed(app::section_of(key.name), verb.sections);
+
             CHECK(has(help(verb.name.data()), "\n      " + std::string(key.meaning) + "\n") ==
-                  reads);
+                  app::reads(verb, key));
         }
     const std::string steps = app::number(dem::SolverOptions{}.steps_per_mm, 12);
     CHECK(has(help("push"), "steps_per_mm              " + steps + " "));

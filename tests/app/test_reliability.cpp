@@ -72,9 +72,9 @@ TEST_CASE("reliability: of another program, R - S has beta = sqrt 2 and equal sh
 {
     const Script script;
     const app::StudyFile file = external(script, "[reliability]\nmethod = form\ndemand = 0\n");
-    REQUIRE(is_external(file));
+    REQUIRE(app::is_program_study(file));
     std::vector<app::Evaluated> seen;
-    const ReliabilityAnswer a = answer(external_problem(file, at("")), seen);
+    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
     REQUIRE(a.methods.front().probability);
     CHECK(*a.methods.front().probability == Approx(7.864960352514e-2).epsilon(1e-7));
     REQUIRE(a.sensitivities.size() == 1);
@@ -87,28 +87,45 @@ TEST_CASE("reliability: of another program, R - S has beta = sqrt 2 and equal sh
     CHECK(a.failed.empty());
 }
 
+TEST_CASE("reliability: correlated variables of another program, R - S with rho = 0.5",
+          "[app][reliability]")
+{
+    const Script script;
+    const app::StudyFile file = external(script, "[reliability]\nmethod = form\ndemand = 0\n"
+                                                 "[uq]\npearson = r s 0.5\n");
+    std::vector<app::Evaluated> seen;
+    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
+    REQUIRE(a.methods.front().probability);
+    // beta = 2 / sqrt(1 + 1 - 2 rho) = 2
+    CHECK(*a.methods.front().probability == Approx(2.275013194818e-2).epsilon(1e-6));
+}
+
 TEST_CASE("reliability: faults of a study of another program are named", "[app][reliability]")
 {
     const Script script;
     const auto said = [&](const std::string& more) {
         try {
-            (void)external_problem(external(script, more), at(""));
+            (void)program_event(app::read_program_study(external(script, more)), 2);
         } catch (const app::ConfigError& e) {
             return std::string(e.what());
         }
         return std::string("none");
     };
     CHECK(said("").find("reliability.demand: missing") != std::string::npos);
-    CHECK(said("[reliability]\ndemand = 0\nmethod = fom\n").find("none of monte_carlo") !=
+    CHECK(said("[reliability]\ndemand = 0\nmethod = fom\n").find("is not one of monte_carlo") !=
           std::string::npos);
     CHECK(said("[reliability]\ndemand = 0\nresponse = h\n").find("none of model.responses") !=
           std::string::npos);
-    CHECK(said("[wall]\ncourses = 10\n").find("wall.courses: unknown key") !=
-          std::string::npos);
+    CHECK(said("[wall]\ncourses = 10\n").find("[wall]: unknown section") != std::string::npos);
+    CHECK(said("[uq]\nspatial = none\n").find("uq.spatial: unknown key") != std::string::npos);
     CHECK(said("[reliability]\ndemand = 0\nevent = beyond\n").find("below or above") !=
           std::string::npos);
     CHECK(said("[reliability]\ndemand = 0\nmethod = subset\nbudget = 49\n")
               .find("reliability.budget: must be at least 50") != std::string::npos);
+    CHECK(said("[reliability]\ndemand = 0\nmethod = multi_fidelity\n").find("needs a wall") !=
+          std::string::npos);
+    CHECK(said("[reliability]\ndemand = 0\n[uq]\npearson = r t 0.5\n")
+              .find("\"t\" is no random input") != std::string::npos);
 }
 
 TEST_CASE("reliability: Sobol' indices of another program are those of the closed form",
@@ -119,7 +136,7 @@ TEST_CASE("reliability: Sobol' indices of another program are those of the close
     const app::StudyFile file =
         external(script, "[reliability]\nmethod = sobol\ndemand = 0\nbudget = 800\n");
     std::vector<app::Evaluated> seen;
-    const ReliabilityAnswer a = answer(external_problem(file, at("")), seen);
+    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
     CHECK(a.evaluations == 800);
     REQUIRE(a.sensitivities.size() == 2);
     for (const app::Sensitivity& s : a.sensitivities)
@@ -142,7 +159,7 @@ TEST_CASE("reliability: no method asks for more evaluations than its budget",
         external(script, "[reliability]\nmethod = " + method +
                              "\ndemand = 0\nbudget = " + budget + "\ntarget_cov = 0.001\n");
     std::vector<app::Evaluated> seen;
-    const ReliabilityAnswer a = answer(external_problem(file, at("")), seen);
+    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
     INFO(method);
     CHECK(seen.size() <= std::stoul(budget));
     CHECK(seen.size() == a.evaluations);
@@ -161,7 +178,7 @@ TEST_CASE(
                         "method = " +
                             method + "\n");
     std::vector<app::Evaluated> seen;
-    const ReliabilityAnswer a = answer(external_problem(file, at("")), seen);
+    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
     INFO(method);
     REQUIRE(a.evaluations > 0);
     CHECK(a.failed.size() == a.evaluations);

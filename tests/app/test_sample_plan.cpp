@@ -165,7 +165,9 @@ TEST_CASE("sample plan: values that follow from random ones follow their draw",
             const std::size_t at = k % d.values[0].size();
             CHECK(w.joints[k].tan_phi == std::tan(d.values[0][at]));
             CHECK(w.joints[k].kn ==
-                  Approx(d.values[1][at] * joint_material(s, 0).kn).epsilon(1e-14));
+                  Approx(d.values[1][at] *
+                         app::joint_material(s.parameters, s.wall.course_height, 0).kn)
+                      .epsilon(1e-14));
         }
     }
 }

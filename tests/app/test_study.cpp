@@ -94,11 +94,11 @@ TEST_CASE("study: what the solver leaves open is as the solver has it", "[app][s
 TEST_CASE("study: defaults follow from the values they depend on", "[app][study]")
 {
     const app::Study study = read_good({"wall.base=joint", "beam.interface=joint"});
-    CHECK(study.unit.cohesion == 3.7e6);
-    CHECK(study.unit.residual_cohesion == 0.0);
-    CHECK(study.unit.residual_friction_angle == 35 * kDegree);
-    CHECK(study.base_friction_angle == 31.8 * kDegree);
-    CHECK(study.beam_friction_angle == 31.8 * kDegree);
+    CHECK(study.parameters.unit.cohesion == 3.7e6);
+    CHECK(study.parameters.unit.residual_cohesion == 0.0);
+    CHECK(study.parameters.unit.residual_friction_angle == 35 * kDegree);
+    CHECK(study.parameters.base_friction_angle == 31.8 * kDegree);
+    CHECK(study.parameters.beam_friction_angle == 31.8 * kDegree);
     CHECK(study.beam.material.poisson_ratio == 0.2);
     CHECK(study.load.height == Approx(1.1).epsilon(1e-15));
     CHECK(read_good({"wall.courses=5"}).load.height == Approx(0.6).epsilon(1e-15));
@@ -141,11 +141,11 @@ TEST_CASE("study: the shipped wall is that of the paper", "[app][study]")
     CHECK(study.wall.courses == 10);
     CHECK(study.wall.bond_offset == 0.5);
     CHECK(study.wall.base == dem::Base::fixed);
-    CHECK(study.stone.young_modulus == 15.5e9);
-    CHECK(study.unit.tensile_strength == 3.7e6);
-    CHECK(study.unit.cohesion == study.unit.tensile_strength);
-    CHECK(study.unit.fracture_energy == 110.0);
-    CHECK(study.joint.friction_angle == 31.8 * kDegree);
+    CHECK(study.parameters.stone.young_modulus == 15.5e9);
+    CHECK(study.parameters.unit.tensile_strength == 3.7e6);
+    CHECK(study.parameters.unit.cohesion == study.parameters.unit.tensile_strength);
+    CHECK(study.parameters.unit.fracture_energy == 110.0);
+    CHECK(study.parameters.joint.friction_angle == 31.8 * kDegree);
     CHECK(study.load.vertical_stress == std::vector<double>{0.5e6});
     CHECK(study.load.max_displacement == 0.03);
     CHECK(study.solver.law == dem::ContactLaw::coupled);

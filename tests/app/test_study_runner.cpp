@@ -39,6 +39,14 @@ Ran run(const Study& s, int threads = 2)
     return r;
 }
 
+/// By dem::push, one wall in plain doubles.
+app::PushedWall pushed_alone(const Study& s, int level, const app::WallDraw& draw)
+{
+    const dem::Model model = app::model_of(s);
+    const dem::WallMaterials m = app::wall_materials(s, model.layout, level, draw);
+    return app::read_wall(s, level, dem::push(model, m, app::push_plan(s), s.solver));
+}
+
 } // namespace
 
 TEST_CASE("study runner: a stored wall pushed again alone has the same curve, to the bit",
@@ -52,7 +60,7 @@ TEST_CASE("study runner: a stored wall pushed again alone has the same curve, to
         const app::WallRow& row = r.rows[i];
         const int level = static_cast<int>(row.key.level);
         const app::WallDraw d = app::draw(r.plan, level, static_cast<int>(row.key.sample));
-        const app::PushedWall w = app::push_wall(s, level, d, {});
+        const app::PushedWall w = pushed_alone(s, level, d);
         CHECK(row.inputs == app::flattened(d));
         CHECK(row.curve.displacement == w.displacement);
         CHECK(row.curve.force == w.force);
@@ -90,6 +98,28 @@ TEST_CASE("study runner: a wall that fails is kept with its inputs and its reaso
         for (const double x : row.responses) CHECK(x != x); // not defined
         CHECK(row.counts[app::column_of(app::count_columns(), "mode")] == -1);
     }
+}
+
+TEST_CASE("study runner: a draw that makes no wall is a failed wall, and the others are pushed",
+          "[app][study_runner]")
+{
+    std::string text = study_scenes::kSmall;
+    const std::string modulus = "young_modulus = 15.5 GPa";
+    text.replace(text.find(modulus), modulus.size(),
+                 "young_modulus = normal(mean 2 GPa, cov 0.5)"); // wall_modulus 768, 1057 MPa
+    const Ran r = run(study_scenes::study("samples = 10", text));
+    REQUIRE(r.rows.size() == 20);
+    int failed = 0;
+    for (const app::WallRow& row : r.rows) {
+        const double modulus_of_wall = row.key.level == 0 ? 768e6 : 1057e6;
+        const bool no_wall = row.inputs.front() <= modulus_of_wall; // Eq. 2 has no k_n then
+        CHECK((row.status != app::kWallOk) == no_wall);
+        CHECK(row.curve.force.empty() == no_wall);
+        if (!no_wall) continue;
+        ++failed;
+        CHECK(row.reason.starts_with("the values drawn make no wall: "));
+    }
+    CHECK(failed > 0);
 }
 
 TEST_CASE("study runner: shards share out the walls of a study, each to one of them",

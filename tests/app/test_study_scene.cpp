@@ -26,7 +26,7 @@ TEST_CASE("study: the shipped moduli give the joint stiffness of Eq. 2 at every 
     const std::vector<double> kn = {5.87e9, 8.08e9, 9.70e9, 11.34e9, 13.03e9}; // [Pa/m]
     const std::vector<double> stress = {0.15e6, 0.50e6, 0.75e6, 1.00e6, 1.25e6};
     for (int level = 0; level < 5; ++level) {
-        const dem::JointMaterial joint = app::joint_material(study, level);
+        const dem::JointMaterial joint = study_texts::joint_material(study, level);
         CHECK(std::abs(joint.kn - kn[level]) <= 0.005e9); // printed with two decimals
         CHECK(joint.ks == joint.kn / 2.4);
         CHECK(app::loads(study, level).vertical_stress == stress[level]);
@@ -36,32 +36,32 @@ TEST_CASE("study: the shipped moduli give the joint stiffness of Eq. 2 at every 
 TEST_CASE("study: one given stiffness serves all levels, a list one each", "[app][study]")
 {
     const app::Study study = read(study_texts::kEverything); // factor 1.1
-    CHECK(app::joint_material(study, 0).kn == 1.1 * 5.87e9);
-    CHECK(app::joint_material(study, 1).kn == 1.1 * 8.08e9);
-    CHECK(app::joint_material(study, 0).ks == 1.1 * 2e9);
-    CHECK(app::joint_material(study, 1).ks == 1.1 * 2e9);
+    CHECK(study_texts::joint_material(study, 0).kn == 1.1 * 5.87e9);
+    CHECK(study_texts::joint_material(study, 1).kn == 1.1 * 8.08e9);
+    CHECK(study_texts::joint_material(study, 0).ks == 1.1 * 2e9);
+    CHECK(study_texts::joint_material(study, 1).ks == 1.1 * 2e9);
 }
 
 TEST_CASE("study: a crack is xi times as stiff as a joint, whatever the factor of the joint",
           "[app][study]")
 {
-    const double kn = app::joint_material(read_good(), 1).kn;
+    const double kn = study_texts::joint_material(read_good(), 1).kn;
     for (const char* const factor : {"0.5", "1", "2"}) {
         const app::Study study = read_good({std::string("joint.stiffness_factor=") + factor});
-        CHECK(app::crack_material(study, 1).kn == 10 * kn);
-        CHECK(app::joint_material(study, 1).kn == std::stod(factor) * kn);
+        CHECK(study_texts::crack_material(study, 1).kn == 10 * kn);
+        CHECK(study_texts::joint_material(study, 1).kn == std::stod(factor) * kn);
     }
-    CHECK(app::crack_material(read_good({"unit.stiffness_factor=2"}), 1).kn == 20 * kn);
-    CHECK(app::crack_material(read_good(), 1).ks == 10 * kn / 2.4);
+    CHECK(study_texts::crack_material(read_good({"unit.stiffness_factor=2"}), 1).kn == 20 * kn);
+    CHECK(study_texts::crack_material(read_good(), 1).ks == 10 * kn / 2.4);
 }
 
 TEST_CASE("study: a crack that snaps back breaks at its strength, or at what its energy allows",
           "[app][study]")
 {
-    const double kn = app::crack_material(read_good(), 1).kn;
+    const double kn = study_texts::crack_material(read_good(), 1).kn;
     const double most = std::sqrt(2.0 * 110.0 * kn); // u_ul = u_el
     const auto strength = [](const char* rule, const std::string& given) {
-        return app::crack_material(
+        return study_texts::crack_material(
             read_good({std::string("unit.snap_back=") + rule, "unit.tensile_strength=" + given,
                        "unit.fracture_energy=110 N/m"}),
             1);
@@ -84,7 +84,7 @@ TEST_CASE("study: an open crack closes to the origin unless the study says other
 TEST_CASE("study: every joint and crack ID has the material of the study", "[app][study]")
 {
     const app::Study study = read(study_texts::kEverything);
-    const dem::WallMaterials all = app::materials(study, 1, 135, 45);
+    const dem::WallMaterials all = study_texts::materials(study, 1, 135, 45);
     REQUIRE(all.joints.size() == 135);
     REQUIRE(all.cracks.size() == 45);
     CHECK(all.stone.density == 2000.0);
@@ -104,7 +104,8 @@ TEST_CASE("study: every joint and crack ID has the material of the study", "[app
 TEST_CASE("study: base and beam joints have the stiffness of the joints without their factor",
           "[app][study]")
 {
-    const dem::WallMaterials all = app::materials(read(study_texts::kEverything), 1, 1, 1);
+    const dem::WallMaterials all =
+        study_texts::materials(read(study_texts::kEverything), 1, 1, 1);
     for (const dem::JointMaterial& joint : {all.base_joint, all.beam_joint}) {
         CHECK(joint.kn == 8.08e9);
         CHECK(joint.ks == 2e9);

@@ -1,0 +1,41 @@
+#include "app/input/key_effects.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+namespace app {
+
+bool reads(const Verb& verb, const Key& key)
+{
+    return is_listed(section_of(key.name), verb.sections) &&
+           (key.verbs.empty() || is_listed(verb.name, key.verbs));
+}
+
+std::string effect_notes(const Study& study, const Verb& verb)
+{
+    std::vector<std::pair<std::string_view, std::string>> reasons; // and their keys
+    for (const Key& key : study_keys()) {
+        if (!reads(verb, key) || find_entry(study.source, key.name) == nullptr) continue;
+        const std::string_view why = why_no_effect(key, study);
+        if (why.empty()) continue;
+        const auto found = std::find_if(reasons.begin(), reasons.end(),
+                                        [&](const auto& r) { return r.first == why; });
+        if (found == reasons.end())
+            reasons.emplace_back(why, key.name);
+        else
+            found->second += ", " + std::string(key.name);
+    }
+    std::string notes;
+    for (const auto& [why, keys] : reasons)
+        notes += "note: " + keys + ": no effect, because " + std::string(why) + "\n";
+    return notes;
+}
+
+void say_effects(const Study& study, const Command& command)
+{
+    if (command.verb != nullptr) std::cerr << effect_notes(study, *command.verb);
+}
+
+} // namespace app

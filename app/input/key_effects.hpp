@@ -1,0 +1,23 @@
+#pragma once
+/// Keys that are given and change nothing: a user must be told of them.
+
+#include "app/input/study_keys.hpp"
+#include "app/input/verb.hpp"
+
+#include <string>
+
+namespace app {
+
+/// Whether the verb reads the key at all.
+[[nodiscard]] bool reads(const Verb& verb, const Key& key);
+
+/// One line for each reason why keys that are given have no effect on what the verb computes:
+/// "note: uq.kernel, uq.correlation_length: no effect, because uq.spatial is not correlated".
+/// Empty if every given key has an effect. Sections that the verb does not read are passed over,
+/// since one study file serves several verbs.
+[[nodiscard]] std::string effect_notes(const Study& study, const Verb& verb);
+
+/// The same, on stderr. Nothing for a command without a verb, as other programs make them.
+void say_effects(const Study& study, const Command& command);
+
+} // namespace app

@@ -1,0 +1,50 @@
+#include "app/input/parameters.hpp"
+
+#include <cstddef>
+
+namespace app {
+namespace {
+
+/// The value of one level, from a list with one value for all levels or one for each.
+double at_level(const std::vector<double>& values, int level)
+{
+    return values.size() == 1 ? values.front() : values.at(static_cast<std::size_t>(level));
+}
+
+dem::JointParameters joint_parameters(const Parameters& p, double course_height, int level)
+{
+    const JointInput& joint = p.joint;
+    const double kn =
+        joint.wall_modulus.empty()
+            ? at_level(joint.normal_stiffness, level)
+            : dem::joint_stiffness(course_height, at_level(joint.wall_modulus, level),
+                                   p.stone.young_modulus);
+    return {kn, at_level(joint.shear_stiffness, level), joint.stiffness_factor,
+            joint.friction_angle};
+}
+
+} // namespace
+
+dem::JointMaterial joint_material(const Parameters& p, double course_height, int level)
+{
+    return dem::joint_material(joint_parameters(p, course_height, level));
+}
+
+dem::CrackMaterial crack_material(const Parameters& p, double course_height, int level)
+{
+    return dem::crack_material(p.unit, joint_parameters(p, course_height, level).kn,
+                               p.stone.poisson_ratio);
+}
+
+dem::WallMaterials materials(const Parameters& p, double course_height, int level,
+                             double vertical_stress, int n_joints, int n_cracks)
+{
+    dem::WallMaterials all =
+        dem::wall_materials({p.stone, joint_parameters(p, course_height, level), p.unit,
+                             p.base_friction_angle, p.beam_friction_angle},
+                            n_joints, n_cracks);
+    all.vertical_stress = vertical_stress;
+    return all;
+}
+
+} // namespace app

@@ -1,0 +1,225 @@
+/// Every key of a study changes what a push gives, or the program says that it has no effect.
+
+#include "app/input/key_effects.hpp"
+#include "app/input/key_values.hpp"
+#include "app/input/units.hpp"
+#include "app/sampling/sample_plan.hpp"
+#include "app/study/push_walls.hpp"
+
+#include "dem/block/model.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using app::Key;
+using app::Study;
+
+constexpr app::Verb kPush{
+    .name = "push",
+    .sections = "wall stone joint unit beam base load solver output uq fragility"};
+
+const std::string kWall = R"([wall]
+length = 0.60 m
+courses = 3
+course_height = 0.10 m
+unit_length = 0.20 m
+thickness = 0.20 m
+)";
+
+/// Weak units on weak joints: everything that can crack does.
+const std::string kAll = kWall + R"(base = joint
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+wall_modulus = 768, 1057 MPa
+friction_angle = normal(mean 40 deg, cov 0.10)
+stiffness_factor = normal(mean 1, cov 0.25)
+[unit]
+tensile_strength = 0.02 MPa
+cohesion = 0.2 MPa
+residual_cohesion = 0.01 MPa
+fracture_energy = 0.002 N/m
+friction_angle = 35 deg
+residual_friction_angle = 30 deg
+[beam]
+height = 0.10 m
+young_modulus = 30 GPa
+density = 2400 kg/m3
+interface = joint
+friction_angle = 45 deg
+[base]
+friction_angle = 40 deg
+[load]
+vertical_stress = 0.50, 1.00 MPa
+max_displacement = 2 mm
+[solver]
+fidelity = rigid
+steps_per_mm = 500
+[output]
+record_every = 0.1 mm
+snapshot_every = 1 mm
+[uq]
+samples = 3
+)";
+
+const std::string kCorrelated = kAll + "spatial = correlated\nkernel = matern\n"
+                                       "correlation_length = 0.3 m\n";
+
+/// Rigid blocks on a clamped base, no cracks, no distribution, one stress level.
+const std::string kLeast = kWall + R"(unit_cracks = no
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+shear_stiffness = 3 GPa/m
+friction_angle = 30 deg
+[beam]
+height = 0.10 m
+young_modulus = 30 GPa
+density = 2400 kg/m3
+[load]
+vertical_stress = 0.50 MPa
+max_displacement = 2 mm
+[solver]
+fidelity = rigid
+beam_modes = rigid
+steps_per_mm = 500
+unbalance_limit = 0
+[output]
+record_every = 0.1 mm
+)";
+
+Study read(const std::string& text, const std::vector<std::string>& overrides = {})
+{
+    return app::read_study(
+        app::with_overrides(app::parse_study_text("study.ini", text), overrides));
+}
+
+/// Every number that a push of the first sample gives, under all stress levels.
+std::vector<double> outputs(const Study& s)
+{
+    const dem::Model model = app::model_of(s);
+    const std::vector<std::uint32_t> sizes = {
+        s.random.empty() ? 1u : static_cast<std::uint32_t>(s.uq.samples)};
+    const app::SamplePlan plan = app::sample_plan(s, model.layout, sizes);
+    std::vector<double> all = {static_cast<double>(sizes.back())};
+    std::vector<app::PushedWall> walls(s.load.vertical_stress.size());
+    app::PushList list;
+    list.size = walls.size();
+    list.wall = [&](std::size_t i) -> app::WantedWall {
+        return {static_cast<int>(i), app::draw(plan, static_cast<int>(i), 0)};
+    };
+    list.done = [&](std::size_t i, const app::WallDraw&, app::PushedWall&& wall) {
+        walls[i] = std::move(wall);
+    };
+    app::push_walls(s, model, app::push_plan(s), list, 1);
+    for (const app::PushedWall& w : walls) {
+        all.push_back(static_cast<double>(w.result.outcome));
+        all.push_back(static_cast<double>(w.result.snapshots.size()));
+        all.insert(all.end(), w.displacement.begin(), w.displacement.end());
+        all.insert(all.end(), w.force.begin(), w.force.end());
+        all.insert(all.end(), {w.result.settlement, w.result.energy.elastic,
+                               w.result.energy.friction, w.result.energy.fracture});
+    }
+    return all;
+}
+
+/// Values that matter where another number would not, or could not stand beside the rest.
+const std::map<std::string_view, std::string> kOthers = {
+    {"wall.unit_length", "0.30 m"},
+    {"wall.unit_cracks", "no"},
+    {"joint.wall_modulus", "700, 900 MPa"},
+    {"joint.normal_stiffness", "7 GPa/m"},
+    {"joint.shear_stiffness", "2 GPa/m"},
+    {"unit.residual_friction_angle", "20 deg"},
+    {"load.vertical_stress", "0.6 MPa"},
+    {"load.height", "0.35 m"},
+    {"load.targets", "1 mm"},
+    {"load.stop_below", "0.999999"},
+    {"solver.contact_points", "4"},
+    {"solver.block_modes", "6"},
+    {"solver.preload_steps", "1"},
+    {"solver.preload_unbalance", "0.9"},
+    {"solver.unbalance_limit", "0.5"},
+    {"solver.energy_tolerance", "1e-15"},
+    {"solver.most_steps", "10"},
+    {"solver.min_speed", "1"},
+    {"uq.correlation_length", "0.6 m"},
+    {"uq.pearson", "joint.friction_angle joint.stiffness_factor 0.5"},
+};
+
+/// Another value for a key, as text.
+std::string other_value(const Key& key, const Study& study)
+{
+    const auto listed = kOthers.find(key.name);
+    if (listed != kOthers.end()) return listed->second;
+    const std::vector<double> now = key.field.get(study);
+    for (const app::Named& n : key.names)
+        if (now.empty() || n.value != now.front()) return std::string(n.word);
+    if (key.kind == app::Kind::count) return std::to_string(static_cast<int>(now.front()) + 1);
+    const double other = now.front() == 0.0 ? 0.001 : 0.9 * now.front();
+    return app::format_quantities({&other, 1}, key.unit);
+}
+
+bool is_named(const std::string& notes, std::string_view key)
+{
+    const std::size_t at = notes.find(key);
+    const std::size_t end = at + key.size();
+    return at != std::string::npos && (notes[end] == ',' || notes[end] == ':');
+}
+
+void sweep(const std::string& text)
+{
+    const Study base = read(text);
+    const std::vector<double> before = outputs(base);
+    for (const Key& key : app::study_keys()) {
+        if (!app::reads(kPush, key) || app::section_of(key.name) == "fragility") continue;
+        const std::string value = other_value(key, base);
+        INFO(key.name << " = " << value);
+        Study changed;
+        std::vector<double> after;
+        try {
+            changed = read(text, {std::string(key.name) + "=" + value});
+            after = outputs(changed);
+        } catch (const app::ConfigError&) {
+            continue; // refused: said clearly enough
+        }
+        const std::string notes = app::effect_notes(changed, kPush);
+        CAPTURE(notes);
+        CHECK((after != before) == !is_named(notes, key.name));
+    }
+}
+
+} // namespace
+
+TEST_CASE("key effects: where all matter, every key that is read changes the push",
+          "[app][key_effects]")
+{
+    sweep(kAll);
+}
+
+TEST_CASE("key effects: with a random field", "[app][key_effects]") { sweep(kCorrelated); }
+
+TEST_CASE("key effects: where little matters, every key without effect is named",
+          "[app][key_effects]")
+{
+    sweep(kLeast);
+}
+
+TEST_CASE("key effects: keys with the same reason share a line", "[app][key_effects]")
+{
+    const Study s = read(kLeast, {"uq.samples=7", "uq.seed=2"});
+    const std::string notes = app::effect_notes(s, kPush);
+    CHECK(notes.find("note: uq.samples, uq.seed: no effect, because no value of the study is a "
+                     "distribution\n") != std::string::npos);
+}
