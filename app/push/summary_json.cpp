@@ -51,6 +51,8 @@ const char* name(dem::Outcome o)
         return "energy astray";
     case dem::Outcome::out_of_steps:
         return "out of steps";
+    case dem::Outcome::no_wall:
+        return "no wall";
     }
     return "";
 }
