@@ -14,6 +14,7 @@
 #include "app/push/summary_json.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/wanted_walls.hpp"
+#include "dem/block/model.hpp"
 
 #include <algorithm>
 #include <filesystem>
