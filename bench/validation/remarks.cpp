@@ -12,8 +12,9 @@ namespace {
 double rigid_limit(const app::Study& s)
 {
     const double above = (s.wall.courses - 1) * s.wall.course_height;
-    const double weight = s.load.gravity * s.wall.length * s.wall.thickness *
-                          (s.parameters.stone.density * above + s.beam.material.density * s.beam.height);
+    const double weight =
+        s.load.gravity * s.wall.length * s.wall.thickness *
+        (s.parameters.stone.density * above + s.beam.material.density * s.beam.height);
     const double arm = s.load.height - s.wall.course_height;
     return (30.0 + 1e-3 * weight) * 0.5 * s.wall.length / arm;
 }
