@@ -94,7 +94,7 @@ void take(const uq::FormResult& r, const ReliabilityProblem& p, ReliabilityAnswe
     }
     if (r.points.empty()) return;
     const Eigen::VectorXd share = uq::importance_factors(r.points.front());
-    Sensitivity s{"share of the variance of the linearised event, alpha^2", {}};
+    Sensitivity s{"alpha^2 of FORM", {}};
     for (Eigen::Index i = 0; i < share.size(); ++i)
         s.shares.push_back({p.normal[static_cast<std::size_t>(i)], share(i), {}, {}, {}});
     a.sensitivities.push_back(std::move(s));
@@ -236,8 +236,8 @@ void variance_shares(const ReliabilityProblem& p, ReliabilityAnswer& a)
         e.outcome = uq::SamplingOutcome::target_reached;
     e.ledger = std::move(ledger);
     add("Sobol' points", e, a);
-    Sensitivity one{"first-order Sobol' index: share of the variance by this input alone", {}};
-    Sensitivity all{"total Sobol' index: share with all interactions of this input", {}};
+    Sensitivity one{"first-order Sobol' index", {}};
+    Sensitivity all{"total Sobol' index", {}};
     uq::SobolIndices s;
     try {
         s = uq::sobol_indices(g, d);

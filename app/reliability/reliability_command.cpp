@@ -23,10 +23,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Shown with four digits.
+/// Shown with four digits; a small probability with as many as it needs, since decimals would hide it.
 Number cell(const std::optional<double>& x)
 {
-    return x ? plain_number(*x, decimals_for(*x) + 1) : Number{};
+    constexpr double kSmall = 1e-4;
+    if (!x) return {};
+    return plain_number(*x, std::abs(*x) < kSmall ? kShortest : decimals_for(*x) + 1);
 }
 
 Table method_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
@@ -52,12 +54,16 @@ Table sensitivity_table(const ReliabilityAnswer& a)
 {
     Table t;
     t.caption = "What the response depends on. Intervals 95 %.";
-    t.head = {"measure", "input", "value", "standard error", "lower", "upper"};
+    t.head = {"measure", "input", {"value", kInterval | kError}};
     t.keys = 2;
     for (const Sensitivity& s : a.sensitivities)
         for (const InputShare& i : s.shares)
-            t.rows.push_back({s.measure, i.input, cell(i.value), cell(i.std_error),
-                              cell(i.lower), cell(i.upper)});
+            t.rows.push_back({s.measure, i.input,
+                              Number{.value = i.value,
+                                     .error = i.std_error.value_or(kUnknown),
+                                     .lower = i.lower.value_or(kUnknown),
+                                     .upper = i.upper.value_or(kUnknown),
+                                     .decimals = 3}});
     return t;
 }
 
