@@ -84,10 +84,10 @@ OwnTimes own_times(const std::vector<uq::Site>& s)
 bench::Report report(const OwnTimes& t, const bench::OtherTimes& o, double difference)
 {
     const bool both = !o.name.empty();
-    app::Table table{"CPU time of the process, shortest of " + std::to_string(kRepeats) +
-                         " runs",
-                     {"task", "own [ms]", (both ? o.name : "OpenTURNS") + " [ms]", "ratio"},
-                     {}};
+    app::Table table;
+    table.caption =
+        "CPU time of the process, shortest of " + std::to_string(kRepeats) + " runs";
+    table.head = {"task", "own [ms]", (both ? o.name : "OpenTURNS") + " [ms]", "ratio"};
     table.rows = {row("correlation matrix", t.matrix, o.matrix, both),
                   row("Cholesky factor", t.cholesky, o.cholesky, both),
                   row("matrix, factor, one field", t.build_and_one, o.build_and_one, both),
