@@ -1,23 +1,22 @@
 #pragma once
-/// Contact laws (paper, Tables 1 and 2): pure functions over Real = double or Pack, state in,
-/// state out.
+/// The contact laws of the paper (Tables 1 and 2) as pure functions over Real = double or Pack: they take
+/// a state and return a state.
 ///
-/// Tension and opening are positive. Normal stress is a function of the total opening u_n and
-/// of the damage, shear stress is advanced by increments. Decisions where the paper is silent
-/// or misprinted:
-///   - u_el = f_T / k_n (Table 2 prints f_T / u_n).
-///   - Unloading in tension is secant to the origin: an open crack that closes is in contact
-///     again at u_n = 0. Plain increments of Table 1 leave it propped open, in contact at
-///     u_p = u_max - (1 - D) f_T/k_n: an option (Unloading).
-///   - u_ul = 2 G / f_T <= u_el, that is f_T > sqrt(2 G k_n): the contact breaks at u_el and
+/// Tension and opening are positive. The normal stress is a function of the total opening u_n and of the
+/// damage; the shear stress is advanced by increments. Where the paper is silent or misprinted, we chose:
+///   - u_el = f_T / k_n. Table 2 prints f_T / u_n.
+///   - Unloading in tension is secant to the origin, so that an open crack is in contact again when it
+///     closes to u_n = 0. The plain increments of Table 1 would leave it propped open, in contact at
+///     u_p = u_max - (1 - D) f_T/k_n. That is an option (Unloading).
+///   - Where u_ul = 2 G / f_T <= u_el, that is f_T > sqrt(2 G k_n), the contact breaks at u_el and
 ///     releases f_T^2/(2 k_n) > G.
-///   - The shear limit is checked with the damage known so far; a contact that reaches it gets
-///     its residual strength in the same step.
-///   - Tension lowers the shear strength as Table 2 (step 5) says. The other reading, a shear
-///     strength c under any tension, is an option: it decides whether units crack at all at
-///     moderate stress (docs/model.md).
-///   - Between initial and residual friction, tan(theta) is interpolated, not theta. The same
-///     where they are equal (all of the paper).
+///   - The shear limit is checked with the damage known so far. A contact that reaches it falls to its
+///     residual strength in the same step.
+///   - Tension lowers the shear strength, as Table 2 (step 5) says. The other reading, a shear strength
+///     c under any tension, is an option. It decides whether units crack at all at moderate stress
+///     (docs/model.md).
+///   - Between initial and residual friction, tan(theta) is interpolated and not theta. In the paper the
+///     two are equal, so that this makes no difference there.
 
 #include "dem/contact/contact_options.hpp"
 #include "dem/contact/pack.hpp"
@@ -68,30 +67,32 @@ template <class Real>
     return {{u_n, tau}, sigma, Real(0.5) * (s.tau + tau) * slip};
 }
 
-/// 1/(u_ul - u_el) of a contact that snaps back: any opening beyond u_el is full damage.
+/// Stands for 1/(u_ul - u_el) of a contact that snaps back: any opening beyond u_el is full damage.
 constexpr double kBreaksAtOnce = 1e30; // [1/m]
 
 template <class Real> struct CrackLaw {
-    Real kn;             ///< [Pa/m]
-    Real ks;             ///< [Pa/m]
-    Real inv_ks;         ///< [m/Pa]
-    Real ft;             ///< tensile strength [Pa]
-    Real u_el;           ///< ft / kn [m]
-    Real inv_softening;  ///< 1/(u_ul - u_el) [1/m], or kBreaksAtOnce
-    Real cohesion_res;   ///< [Pa]
-    Real cohesion_drop;  ///< initial - residual cohesion [Pa]
-    Real tan_phi_res;    ///< [-]
-    Real tan_phi_drop;   ///< initial - residual [-]
-    Real tension_weight; ///< share of a tension in the shear strength: 1; 0: other reading [-]
+    Real kn;            ///< [Pa/m]
+    Real ks;            ///< [Pa/m]
+    Real inv_ks;        ///< [m/Pa]
+    Real ft;            ///< tensile strength [Pa]
+    Real u_el;          ///< ft / kn [m]
+    Real inv_softening; ///< 1/(u_ul - u_el) [1/m], or kBreaksAtOnce
+    Real cohesion_res;  ///< [Pa]
+    Real cohesion_drop; ///< initial - residual cohesion [Pa]
+    Real tan_phi_res;   ///< [-]
+    Real tan_phi_drop;  ///< initial - residual [-]
+    Real
+        tension_weight; ///< 1 where tension lowers the shear strength, 0 for the other reading [-]
 };
 
 template <class Real> struct CrackState {
     Real u_n;   ///< [m]
     Real tau;   ///< [Pa]
     Real sigma; ///< [Pa]
-    Real u_max; ///< opening from which it opens further: the largest so far, at least u_el [m]
-    Real bond;  ///< 1 - d_s: 1 intact, 0 once the shear limit was reached
-    Real unloading; ///< secant: sigma / u_n in tension [Pa/m]; elastic: u_p, free of stress [m]
+    Real u_max; ///< largest opening so far, at least u_el; beyond it the damage grows [m]
+    Real bond;  ///< 1 - d_s: 1 while intact, 0 once the shear limit has been reached [-]
+    Real
+        unloading; ///< secant: sigma / u_n in tension [Pa/m]; elastic: u_p, where sigma = 0 [m]
     Real integrity; ///< what is left against slip, see Integrity [-]
 };
 
@@ -109,8 +110,8 @@ template <class Real> [[nodiscard]] Real tension_left(const CrackLaw<Real>& law,
     return Real(1.0) - min(Real(1.0), (u_max - law.u_el) * law.inv_softening);
 }
 
-/// Integrity left against opening and against slip. Coupled: both 1 - D = (1 - d_t)(1 - d_s)
-/// (Table 2, step 4).
+/// The integrity left against opening and against slip. With the coupled law both are
+/// 1 - D = (1 - d_t)(1 - d_s) (Table 2, step 4).
 template <ContactLaw kLaw, class Real> struct Integrity {
     Real normal;
     Real shear;
@@ -121,7 +122,7 @@ template <ContactLaw kLaw, class Real> struct Integrity {
     }
 };
 
-/// Normal stress up to u_max.
+/// Normal stress at an opening of at most u_max.
 ///   secant    u_n <= 0: k_n u_n        u_n > 0: (1 - D) f_T u_n / u_max
 ///   elastic   k_n (u_n - u_p)
 template <Unloading kUnloading, class Real>
@@ -133,7 +134,7 @@ template <Unloading kUnloading, class Real>
         return law.kn * (u_n - unloading);
 }
 
-/// CrackState::unloading after opening to u_max with the share 1 - D of the strength left.
+/// CrackState::unloading of a crack that has opened to u_max and has the share 1 - D of its strength left.
 ///   secant    (1 - D) f_T / u_max        elastic   u_p = u_max - (1 - D) f_T / k_n
 template <Unloading kUnloading, class Real>
 [[nodiscard]] Real unloading_from(const CrackLaw<Real>& law, Real u_max, Real left)
@@ -144,7 +145,7 @@ template <Unloading kUnloading, class Real>
         return u_max - left * law.u_el;
 }
 
-/// The same after a shear failure at u_n, which leaves no strength in tension.
+/// CrackState::unloading after a shear failure at u_n, which leaves no strength in tension.
 template <Unloading kUnloading, class Real>
 [[nodiscard]] Real unloading_of_broken(Real unloading, Real u_n)
 {
@@ -169,8 +170,9 @@ template <class Real> struct CrackUpdate {
     ContactLoss<Real> loss;
 };
 
-/// A crack that neither opens further than before nor reaches its shear limit, and whether that
-/// holds in every lane: most cracks, most of the time.
+/// The state of a crack that opens no further than before and stays below its shear limit. Most cracks
+/// do so most of the time. `holds` says whether this one does, in every lane; if it does not, advance()
+/// has to be called instead, for all lanes.
 template <class Real> struct ElasticTrial {
     Real u_n, tau, sigma;
     bool holds;
@@ -187,10 +189,10 @@ template <Unloading kUnloading = Unloading::secant, class Real>
     return {u_n, tau, sigma, !any(leaves)};
 }
 
-/// Lost in tension on the way from s to sigma and u_n.
-///   secant    work of sigma less the change of sigma u_n / 2: zero as long as sigma is
+/// Energy lost in tension on the way from s to sigma and u_n.
+///   secant    the work of sigma minus the change of sigma u_n / 2, which is zero as long as sigma is
 ///             proportional to u_n
-///   elastic   work of sigma on the change of u_p; sigma^2 / (2 k_n) is stored
+///   elastic   the work of sigma on the change of u_p, because sigma^2 / (2 k_n) is stored
 template <Unloading kUnloading, class Real, class Mask>
 [[nodiscard]] Real opening_loss(const CrackState<Real>& s, Real u_n, Real sigma, Real unloading,
                                 Mask opens)
@@ -203,8 +205,8 @@ template <Unloading kUnloading, class Real, class Mask>
     }
 }
 
-/// Potential crack in a unit (Table 2): linear softening in tension, brittle in shear. Where
-/// try_elastic holds it gives the same bits.
+/// A potential crack in a unit (Table 2): linear softening in tension, brittle in shear. Where
+/// try_elastic holds, this gives the same bits.
 template <ContactLaw kLaw, Unloading kUnloading = Unloading::secant, class Real>
 [[nodiscard]] CrackUpdate<Real> advance(const CrackLaw<Real>& law, const CrackState<Real>& s,
                                         Real du_n, Real du_s)
@@ -236,11 +238,11 @@ template <ContactLaw kLaw, Unloading kUnloading = Unloading::secant, class Real>
 
     const Real slip = select(yields, du_s - (tau - s.tau) * law.inv_ks, zero);
     const Real shear_loss = Real(0.5) * (s.tau + tau) * slip;
-    // In the step that breaks the bond, what the residual strength would have taken is
-    // friction, the rest fracture.
+    // In the step that breaks the bond, the work against the residual strength counts as friction and
+    // the rest as fracture.
     const Real friction = select(bond < s.bond, min(shear_loss, abs(tau * slip)), shear_loss);
     const Real opening = opening_loss<kUnloading>(s, u_n, sigma, unloading, opens);
-    // Broken in shear and propped, it opens from u_p on; its d_t no longer matters.
+    // A propped crack that is broken in shear opens from u_p on; its d_t no longer matters.
     constexpr bool kOpensAtProp =
         kLaw == ContactLaw::coupled && kUnloading == Unloading::elastic;
     const Real opens_from = kOpensAtProp ? select(yields, unloading, u_max) : u_max;

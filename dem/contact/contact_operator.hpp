@@ -1,7 +1,7 @@
 #pragma once
-/// A block in the wall: its modes on one side, its contacts on the other, one matrix for all
-/// lanes. A port is a contact as one of its two blocks sees it; it has two rows, normal and
-/// tangential, and is found in the arrays of contacts by an index.
+/// The linear map between the modes of a block and its contacts; all lanes share one matrix. A port is
+/// a contact as one of its two blocks sees it. It has two rows, normal and tangential, and an index tells
+/// where its contact stands in the arrays of contacts.
 ///   modal force += sum over ports of to_modes x (sigma, tau)
 ///   relative displacement (du_n, du_s) of the contact += to_contacts x modal velocity
 
@@ -20,8 +20,8 @@ struct ContactOperator {
 
 namespace detail {
 
-/// kBlock sums at a time stay in registers. The order of each sum is that of its terms,
-/// whatever the block.
+/// Forms kBlock sums at a time, so that they stay in registers. The terms of each sum are added in the
+/// same order whatever kBlock is.
 template <int kBlock, class Real>
 void gather_block(const ContactOperator& a, const int* contact, const Real* stress, int first,
                   Real* modal)
@@ -43,7 +43,7 @@ void gather_block(const ContactOperator& a, const int* contact, const Real* stre
     for (int j = 0; j < kBlock; ++j) modal[first + j] = sum[j];
 }
 
-/// kPorts ports at a time.
+/// Treats kPorts ports at a time.
 template <int kPorts, class Real>
 void scatter_block(const ContactOperator& a, const int* contact, const Real* velocity,
                    int first, Real* du)
@@ -68,6 +68,7 @@ void scatter_block(const ContactOperator& a, const int* contact, const Real* vel
 
 } // namespace detail
 
+/// Modal forces from contact stresses.
 /// @param contact index of each port's contact;  stress: (sigma, tau) of each contact [Pa]
 template <class Real>
 void gather(const ContactOperator& a, const int* contact, const Real* stress, Real* modal)
@@ -81,6 +82,7 @@ void gather(const ContactOperator& a, const int* contact, const Real* stress, Re
     for (; j < a.modes; ++j) detail::gather_block<1>(a, contact, stress, j, modal);
 }
 
+/// Adds the relative displacements of the contacts that the modal velocities make in a step.
 /// @param du (normal, tangential) of each contact [m]
 template <class Real>
 void scatter(const ContactOperator& a, const int* contact, const Real* velocity, Real* du)

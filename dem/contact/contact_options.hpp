@@ -4,14 +4,14 @@
 namespace dem {
 
 enum class ContactLaw {
-    coupled,  ///< Table 2
-    uncoupled ///< tension and shear damage apart (Fig. 7)
+    coupled,  ///< damage in tension and damage in shear weaken each other (Table 2)
+    uncoupled ///< each weakens its own strength only (Fig. 7)
 };
 
-/// A crack that opened and closes again.
+/// How a crack that has opened closes again.
 enum class Unloading {
-    secant, ///< to the origin: closed at u_n = 0
-    elastic ///< with k_n, by the increments of Table 1: propped at what did not spring back
+    secant, ///< straight to the origin, so that it is closed at u_n = 0
+    elastic ///< with k_n, by the increments of Table 1, so that it stays propped open
 };
 
 } // namespace dem

@@ -1,6 +1,6 @@
 #pragma once
-/// Walls side by side in the lanes of one Real, each with its own clock. A wall that is done
-/// leaves its lane to the next at once.
+/// Walls side by side in the lanes of one Real, each with its own clock. When a wall is done, the next
+/// one takes its lane at once. ensemble.hpp has the picture.
 
 #include "dem/solver/wall_run.hpp"
 
@@ -14,9 +14,9 @@ struct NumberedWall {
     WallMaterials materials;
 };
 
-/// Pushes what `next` hands out, until it has no more.
-/// @param most_lanes used at a time, >= 1: leaves walls for other threads where there are few
-/// @param done gets each result as soon as there is one
+/// Pushes the walls that `next` hands out, until it has no more.
+/// @param most_lanes number of lanes to use, >= 1; fewer than there are leaves walls for other threads
+/// @param done takes each result as soon as it is there
 template <class Real>
 void run_batch(const Task& task, int most_lanes,
                const std::function<std::optional<NumberedWall>()>& next,

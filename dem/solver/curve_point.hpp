@@ -5,15 +5,15 @@
 
 namespace dem {
 
-/// A point of the capacity curve: means over the way since the previous point, placed at its
-/// middle.
+/// Its forces are means over the displacement since the previous point, and it stands at the middle of
+/// that interval.
 struct CurvePoint {
     double displacement = 0.0; ///< of the load line [m]
-    double force = 0.0;        ///< horizontal load [N]: work of the drive / way
+    double force = 0.0;        ///< horizontal load [N]: work of the drive / displacement
     double base_shear = 0.0;   ///< horizontal force on the ground [N]
     double unbalance = 0.0;    ///< mean of |load - base shear| [N]
     Energy
-        energy; ///< at the end of the interval, since the unloaded wall [J]; zeros if not kept
+        energy; ///< at the end of the interval [J]; zeros if PushPlan::energy_at_points is false
 };
 
 } // namespace dem

@@ -7,9 +7,10 @@ namespace dem {
 
 namespace {
 
-constexpr double kStartSteps =
-    500; // to reach full speed: a jerk at the start would ring through the wall
-constexpr double kSmoothingSteps = 50; // of the unbalance that slows the drive
+// Number of steps to reach full speed. A jerk at the start would ring through the wall.
+constexpr double kStartSteps = 500;
+// Number of steps over which the unbalance is smoothed before it slows the drive.
+constexpr double kSmoothingSteps = 50;
 
 } // namespace
 

@@ -1,6 +1,5 @@
 #pragma once
-/// The clock of one wall: vertical load first, then the load line visits the target
-/// displacements.
+/// The clock of one wall: the vertical load first, then the load line visits the target displacements.
 
 #include "dem/solver/solver_options.hpp"
 
@@ -16,12 +15,12 @@ class Drive {
     /// Share of the vertical load that acts in the next step.
     [[nodiscard]] double load_factor() const;
 
-    /// Advances by a step; returns the displacement of the load line in it [m]. Zero under
-    /// vertical load alone.
+    /// Advances by one step and returns the displacement of the load line in it [m], which is zero while
+    /// the wall settles under vertical load.
     double advance();
 
-    /// Vertical load: to be called after each step, with the state of the wall.
-    /// @param unbalanced_ratio called only when it is time to look
+    /// To be called after each step under vertical load.
+    /// @param unbalanced_ratio gives that of the wall; it is called only when it is time to look
     template <class F> void settle(F unbalanced_ratio)
     {
         if (!settling_ || step_ % kLookEvery != 0 || step_ <= ramp_steps()) return;
@@ -29,7 +28,7 @@ class Drive {
         settling_ = !settled_ && step_ < options_.preload_steps;
     }
 
-    /// Push: to be called after each step. Slows the drive while the wall is out of balance.
+    /// To be called after each step of the push. Slows the drive while the wall is out of balance.
     /// @param unbalance |top force - base shear| / vertical load [-]
     void feel(double unbalance);
 

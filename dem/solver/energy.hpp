@@ -1,5 +1,5 @@
 #pragma once
-/// Energy ledger: work in = kinetic + elastic + friction + fracture + damping.
+/// The energy balance of a wall: work = kinetic + elastic + friction + fracture + damping.
 
 namespace dem {
 
@@ -11,7 +11,8 @@ struct Energy {
     double friction = 0.0; ///< slip under friction
     double fracture = 0.0; ///< tension softening, and cohesion lost in shear
     double damping = 0.0;
-    /// What is missing, as a share of the work that passed through the wall [-].
+    /// The part of the work that is not accounted for, as a share of all energy that passed through the
+    /// wall [-].
     [[nodiscard]] double residual() const;
 };
 

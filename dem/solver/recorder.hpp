@@ -1,11 +1,11 @@
 #pragma once
-/// Turns the steps of one wall into the points of its capacity curve.
+/// Makes the points of a capacity curve from the steps of one wall.
 
 #include "dem/solver/curve_point.hpp"
 
 namespace dem {
 
-/// Sums over the steps since the last point.
+/// Sums up the steps since the last point.
 class Recorder {
   public:
     explicit Recorder(double every) : every_(every) {}
@@ -26,7 +26,7 @@ class Recorder {
     [[nodiscard]] bool due() const { return way_ >= every_; }
     [[nodiscard]] bool any() const { return way_ > 0.0; }
 
-    /// The point, and a new start. Only if any().
+    /// Returns the point and starts the sums again. Call it only if any().
     [[nodiscard]] CurvePoint take(double position, const Energy& energy)
     {
         const CurvePoint p{position - 0.5 * displacement_, force_ / way_, base_ / way_,

@@ -6,13 +6,15 @@
 namespace dem {
 
 enum class Damping {
-    local, ///< Eq. 1: opposes the velocity
-    combined ///< half opposes the velocity, half follows the change of force; no drag on steady motion
+    local, ///< opposes the velocity (Eq. 1)
+    /// Half of it opposes the velocity, half follows the change of the force, so that a steady motion is
+    /// not dragged.
+    combined
 };
 
 enum class Preload {
-    solved, ///< from the static solution (static_start.hpp)
-    ramped  ///< from the unloaded wall, by a ramp of the load
+    solved, ///< the push starts from the static solution (static_start.hpp)
+    ramped  ///< the load is ramped up on the unloaded wall
 };
 
 struct SolverOptions {
@@ -20,21 +22,23 @@ struct SolverOptions {
     Unloading unloading = Unloading::secant;
     Damping damping = Damping::combined;
     double damping_factor = 0.8; ///< gamma of Eq. 1 [-], in (0, 1)
-    /// Of the step that is stable by the bound of block_element.hpp [-], > 0; above 1 the bound
-    /// promises nothing, and a step that proves too large is halved.
+    /// Time step as a fraction of the proven stability limit (block_element.hpp) [-], > 0. The key of a
+    /// study ends at 1. Above 1, which only serves to study the limit itself (bench/stability), stability is
+    /// measured before the push, and the step is halved where the measurement or the energy balance fails.
     double step_fraction = 0.95;
-    double steps_per_mm = 1000; ///< of the load line's way at full speed [1/mm], > 0
-    /// |top force - base shear| / vertical load above which the drive slows [-]; 0: never
-    /// slows.
+    double steps_per_mm =
+        1000; ///< steps per displacement of the load line at full speed [1/mm], > 0
+    /// |top force - base shear| / vertical load above which the drive slows [-]; with 0 it never slows.
     double unbalance_limit = 0.001;
     double min_speed = 0.01; ///< slowest drive, as a share of full speed, in (0, 1]
     Preload preload = Preload::solved;
-    long long preload_steps = 3000; ///< at most, to come to rest under the vertical load
-    /// Unbalanced / applied load at which the vertical load counts as carried [-].
+    long long preload_steps =
+        3000; ///< largest number of steps to come to rest under vertical load
+    /// Unbalanced / applied load at which the wall counts as being at rest under vertical load [-].
     double preload_unbalance = 1e-4;
     double energy_tolerance = 0.01;    ///< largest energy residual of a run that counts [-]
-    long long most_steps = 20'000'000; ///< of one wall
-    /// Skips laws where they cannot change the answer. False: for the proof that they do not.
+    long long most_steps = 20'000'000; ///< largest number of steps of one wall
+    /// Whether laws are skipped where they cannot change the answer. False serves to prove that.
     bool shortcuts = true;
     friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
 };

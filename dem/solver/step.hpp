@@ -1,5 +1,6 @@
 #pragma once
-/// One explicit step of a batch of walls: forces -> motion of the blocks -> contacts -> forces.
+/// One explicit step of a batch of walls: contact forces move the blocks, blocks move the contacts, and
+/// the contact laws give the new forces.
 
 #include "dem/solver/solver_options.hpp"
 #include "dem/solver/wall_state.hpp"
@@ -16,8 +17,7 @@ template <class Real>
 void step(const StepTables& tables, const SolverOptions& options, const StepInput<Real>& input,
           WallState<Real>& state);
 
-/// sqrt(sum of squared modal forces / sum of squared modal loads), of one lane, at the last
-/// step [-].
+/// sqrt(sum of squared modal forces / sum of squared modal loads) of one lane in the last step [-].
 template <class Real>
 [[nodiscard]] double unbalanced_ratio(const WallState<Real>& state, int lane);
 

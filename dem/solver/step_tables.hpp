@@ -1,5 +1,5 @@
 #pragma once
-/// What a step needs to know of the model: shared by all walls, made once.
+/// What a step needs to know about the model. The tables are made once and shared by all walls.
 
 #include "dem/contact/contact_operator.hpp"
 
@@ -9,20 +9,21 @@ namespace dem {
 
 struct Model; // dem/block/model.hpp
 
-/// Contacts of a face: one law, neighbours in the arrays.
+/// The contacts of one face: they share a law and are neighbours in the arrays.
 struct ContactRun {
     int first = 0, count = 0;
     int law = 0; ///< index in the arrays of laws
 };
 
-/// Share of a row of the contacts in a horizontal motion, and in the force that goes with it.
+/// The share of a row of the contacts in a horizontal motion, and in the force that belongs to it.
 struct HorizontalShare {
     int row = 0;         ///< 2 contact + (0 normal, 1 tangential)
     double factor = 0.0; ///< of the horizontal displacement that is relative displacement [-]
     double area = 0.0;   ///< [m2]
 };
 
-/// Contacts are numbered: dry, then tied, then cracks, each in the order of the model.
+/// Contacts are numbered: first the dry ones, then the tied ones, then the cracks, each in the order of
+/// the model.
 struct StepTables {
     struct BlockRow {
         int element, first_port, first_mode, modes;

@@ -1,11 +1,12 @@
 #pragma once
-/// Processor time of the calling thread: what a run costs, whatever else the machine does.
+/// The processor time of the calling thread, which measures the cost of a run whatever else the machine
+/// does.
 
 #include <ctime>
 
 namespace dem {
 
-/// Since some fixed moment [s].
+/// Processor time of this thread since some fixed moment [s].
 inline double thread_seconds()
 {
     timespec t{};

@@ -1,6 +1,6 @@
 #pragma once
-/// One wall on its way: its clock, its curve, its verdict. The state of the wall itself is a lane
-/// of a batch.
+/// The push of one wall: its clock, its curve, its verdict. The state of the wall itself is in a lane of
+/// a batch.
 
 #include "dem/solver/drive.hpp"
 #include "dem/solver/push.hpp"
@@ -11,7 +11,7 @@
 
 namespace dem {
 
-/// What all walls of a batch share.
+/// What all walls of an ensemble share.
 struct Task {
     const Model& model;
     const StepTables& tables;
@@ -32,7 +32,7 @@ class WallRun {
     };
     [[nodiscard]] Input next(double top_force);
 
-    /// Looks at the wall after the step. False: the run is over.
+    /// Looks at the wall after the step. Returns false when the run is over.
     template <class Real> [[nodiscard]] bool look(WallState<Real>& state, int lane);
 
     [[nodiscard]] std::size_t number() const { return number_; }
@@ -63,10 +63,11 @@ class WallRun {
     double force_before_ = 0.0;  ///< of the drive, before the step [N]
     double step_drive_ = 0.0;    ///< of the step [m]
     double peak_ = 0.0;          ///< largest force so far, either way [N]
-    double way_ = 0.0;           ///< travelled since the start of the push [m]
-    double next_snapshot_ = 0.0; ///< on the way [m]
-    long long steps_ =
-        0; ///< since the last start: looks fall where those of the smaller step alone would
+    double way_ = 0.0;           ///< displacement travelled since the start of the push [m]
+    double next_snapshot_ = 0.0; ///< travelled displacement at which it is due [m]
+    /// Steps since the last restart, so that checks fall on the same steps as in a run that used the
+    /// smaller step from the beginning.
+    long long steps_ = 0;
     bool decided_ = false;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
-/// Where the walls of a batch are: one array per quantity, one lane per wall. What they are is
-/// in the model.
+/// Where the walls of a batch are and what they are made of: one array per quantity, one lane per wall.
 
 #include "dem/contact/contact_law.hpp"
 #include "dem/scene/wall.hpp"
@@ -36,11 +35,11 @@ template <class Real> struct WallState {
     Real base_shear{0.0}; ///< of the wall on the ground [N]
 };
 
-/// Walls of nothing, for load_lane.
+/// A state with every lane empty; load_lane() fills the lanes.
 template <class Real>
 [[nodiscard]] WallState<Real> empty_lanes(const Model& model, const StepTables& tables);
 
-/// A lane at rest at zero: without a wall, or about to get one.
+/// Puts a lane to rest at zero: it has no wall, or is about to get one.
 template <class Real> void clear_lane(int lane, WallState<Real>& state);
 
 /// Puts one wall, unloaded, into a lane.
@@ -54,7 +53,7 @@ template <class Real>
                                        std::span<const WallMaterials> walls,
                                        const SolverOptions& options);
 
-/// Ledger of one lane, kinetic and elastic parts summed now.
+/// The energy balance of one lane, with its kinetic and elastic parts as they are now.
 template <class Real>
 [[nodiscard]] Energy energy_of(const StepTables& tables, const WallState<Real>& state,
                                int lane);
