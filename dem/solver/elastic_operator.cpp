@@ -22,9 +22,9 @@ void elastic_stress(const StepTables& t, const WallState<double>& s,
                 stress[2 * k + 1] = laws[run.law].ks * du[2 * k + 1];
             }
     };
-    fill(t.dry, s.dry_laws);
-    fill(t.tied, s.tied_laws);
-    fill(t.cracks, s.crack_laws);
+    fill(t.dry, s.laws.dry);
+    fill(t.tied, s.laws.tied);
+    fill(t.cracks, s.laws.cracks);
 }
 
 void apply_stiffness(const StepTables& t, const std::vector<double>& q, WallState<double>& s,
@@ -37,7 +37,7 @@ void apply_stiffness(const StepTables& t, const std::vector<double>& q, WallStat
         gather(t.matrices[b.element], t.port_contact.data() + b.first_port, s.stress.data(),
                force);
         for (int i = 0; i < b.modes; ++i)
-            force[i] = s.elasticity[b.first_mode + i] * q[b.first_mode + i] - force[i];
+            force[i] = s.laws.elasticity[b.first_mode + i] * q[b.first_mode + i] - force[i];
     }
 }
 

@@ -52,15 +52,15 @@ Ritz largest(const Vector& diagonal, const Vector& beside)
 
 double largest_frequency(const StepTables& t, WallState<double>& s)
 {
-    const std::size_t n = s.inv_mass.size();
+    const std::size_t n = s.laws.inv_mass.size();
     Vector v = start_vector(n), before(n, 0.0), q(n), w(n);
     scale(1.0 / std::sqrt(dot(v, v)), v);
     Vector diagonal, beside;
     Ritz ritz{std::nan(""), 0.0};
     for (int i = 1; i <= kMostIterations; ++i) {
-        for (std::size_t m = 0; m < n; ++m) q[m] = std::sqrt(s.inv_mass[m]) * v[m];
+        for (std::size_t m = 0; m < n; ++m) q[m] = std::sqrt(s.laws.inv_mass[m]) * v[m];
         apply_stiffness(t, q, s, w);
-        for (std::size_t m = 0; m < n; ++m) w[m] *= std::sqrt(s.inv_mass[m]);
+        for (std::size_t m = 0; m < n; ++m) w[m] *= std::sqrt(s.laws.inv_mass[m]);
         const double alpha = dot(v, w), last = beside.empty() ? 0.0 : beside.back();
         for (std::size_t m = 0; m < n; ++m) w[m] -= alpha * v[m] + last * before[m];
         diagonal.push_back(alpha);

@@ -17,9 +17,9 @@ constexpr int kMostIterations = 5000;
 bool solve(const StepTables& t, WallState<double>& s)
 {
     const std::size_t n = s.q.size();
-    Vector r = s.load, z(n), p(n, 0.0), kp(n);
+    Vector r = s.laws.load, z(n), p(n, 0.0), kp(n);
     const auto precondition = [&] {
-        for (std::size_t i = 0; i < n; ++i) z[i] = s.inv_mass[i] * r[i];
+        for (std::size_t i = 0; i < n; ++i) z[i] = s.laws.inv_mass[i] * r[i];
     };
     precondition();
     double rz = dot(r, z);
@@ -44,7 +44,7 @@ bool solve(const StepTables& t, WallState<double>& s)
 void cut_back(const StepTables& t, WallState<double>& s)
 {
     for (const ContactRun& run : t.dry) {
-        const DryLaw<double>& law = s.dry_laws[run.law];
+        const DryLaw<double>& law = s.laws.dry[run.law];
         for (int k = run.first; k < run.first + run.count; ++k) {
             const auto u =
                 advance(law, DryState<double>{0.0, 0.0}, s.du[2 * k], s.du[2 * k + 1]);

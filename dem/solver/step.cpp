@@ -38,10 +38,10 @@ void move_blocks(const StepTables& t, double damping_factor, const StepInput<Rea
         gather(matrix, contact, s.stress.data(), force);
         for (int i = 0; i < b.modes; ++i) {
             const int m = b.first_mode + i;
-            const Real load = in.load_factor * s.load[m], before = s.v[m];
-            const Real total = force[i] + load - s.elasticity[m] * s.q[m];
+            const Real load = in.load_factor * s.laws.load[m], before = s.v[m];
+            const Real total = force[i] + load - s.laws.elasticity[m] * s.q[m];
             const Real damping = damping_force<kDamping>(gamma, total, s.last_force[m], before);
-            const Real v = multiply_add(total + damping, s.inv_mass[m], before);
+            const Real v = multiply_add(total + damping, s.laws.inv_mass[m], before);
             lost -= damping * (half * (before + v));
             work = multiply_add(load, v, work);
             s.q[m] += v;
@@ -77,7 +77,7 @@ template <class Real> void advance_dry(const StepTables& t, WallState<Real>& s)
 {
     Real friction = s.friction;
     for (const ContactRun& run : t.dry) {
-        const DryLaw<Real> law = s.dry_laws[run.law];
+        const DryLaw<Real> law = s.laws.dry[run.law];
         for (int k = run.first; k < run.first + run.count; ++k) {
             const Relative<Real> du(s, k);
             const DryState<Real> before{s.u_n[k], s.stress[2 * k + 1]};
@@ -92,7 +92,7 @@ template <class Real> void advance_dry(const StepTables& t, WallState<Real>& s)
 template <class Real> void advance_tied(const StepTables& t, WallState<Real>& s)
 {
     for (const ContactRun& run : t.tied) {
-        const DryLaw<Real>& law = s.tied_laws[run.law];
+        const DryLaw<Real>& law = s.laws.tied[run.law];
         for (int k = run.first; k < run.first + run.count; ++k) {
             const Relative<Real> du(s, k);
             const Real u_n = s.u_n[k] + du.normal;
@@ -106,7 +106,7 @@ template <ContactLaw kLaw, Unloading kUnloading, class Real>
 void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
 {
     for (const ContactRun& run : t.cracks) {
-        const CrackLaw<Real>& law = s.crack_laws[run.law];
+        const CrackLaw<Real>& law = s.laws.cracks[run.law];
         for (int k = run.first; k < run.first + run.count; ++k) {
             const Relative<Real> du(s, k);
             const CrackState<Real> before = crack_state(t, s, k);
@@ -128,7 +128,7 @@ void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
 template <ContactLaw kLaw, class Real>
 void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
 {
-    if (s.unloading == Unloading::secant)
+    if (s.laws.unloading == Unloading::secant)
         advance_cracks<kLaw, Unloading::secant>(t, shortcuts, s);
     else
         advance_cracks<kLaw, Unloading::elastic>(t, shortcuts, s);
@@ -172,7 +172,7 @@ template <class Real> double unbalanced_ratio(const WallState<Real>& s, int lane
     double forces = 0.0, loads = 0.0;
     for (std::size_t i = 0; i < s.last_force.size(); ++i) {
         forces += std::pow(dem::lane(s.last_force[i], lane), 2);
-        loads += std::pow(dem::lane(s.load[i], lane), 2);
+        loads += std::pow(dem::lane(s.laws.load[i], lane), 2);
     }
     return loads > 0.0 ? std::sqrt(forces / loads) : 0.0;
 }

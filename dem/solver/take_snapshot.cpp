@@ -93,7 +93,7 @@ Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real
     for (const Contact& c : m.dry) add(c, 0.0);
     for (const Contact& c : m.tied) add(c, 0.0);
     for (const Contact& c : m.cracks)
-        add(c, at(damage(state.crack_laws[c.material], crack_state(t, state, number))));
+        add(c, at(damage(state.laws.cracks[c.material], crack_state(t, state, number))));
     return s;
 }
 

@@ -155,7 +155,7 @@ template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int la
     if (growth == 0.0) return;
     double work = 0.0;
     for (std::size_t i = 0; i < state.v.size(); ++i)
-        work += dem::lane(state.load[i], lane) * dem::lane(state.v[i], lane);
+        work += dem::lane(state.laws.load[i], lane) * dem::lane(state.v[i], lane);
     set_lane(state.work, lane, dem::lane(state.work, lane) + 0.5 * growth * work);
 }
 

@@ -92,9 +92,9 @@ void set_modes(const Model& m, const StepTables& t, const WallMaterials& w,
             // Damping adds up to gamma |F| to a force that opposes the motion, hence 1 + gamma.
             const double f2 =
                 options.step_fraction * options.step_fraction / (1.0 + options.damping_factor);
-            set_lane(s.elasticity[mode], lane, lambda);
-            set_lane(s.load[mode], lane, load);
-            set_lane(s.inv_mass[mode], lane, 4.0 * f2 / (lambda + 2.0 * ratio[b]));
+            set_lane(s.laws.elasticity[mode], lane, lambda);
+            set_lane(s.laws.load[mode], lane, load);
+            set_lane(s.laws.inv_mass[mode], lane, 4.0 * f2 / (lambda + 2.0 * ratio[b]));
         }
     }
 }
@@ -114,15 +114,15 @@ void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
                const SolverOptions& options, int lane, WallState<Real>& s)
 {
     clear_lane(lane, s);
-    s.unloading = options.unloading;
-    for (int j = 0; j < m.layout.n_joints; ++j) set_law(lane, w.joints[j], s.dry_laws[j]);
-    set_law(lane, w.base_joint, s.dry_laws[m.layout.n_joints]);
-    set_law(lane, w.beam_joint, s.dry_laws[m.layout.n_joints + 1]);
-    set_law(lane, w.beam_joint, s.tied_laws[0]);
-    for (int i = 0; i < m.layout.n_cracks; ++i) set_law(lane, w.cracks[i], s.crack_laws[i]);
+    s.laws.unloading = options.unloading;
+    for (int j = 0; j < m.layout.n_joints; ++j) set_law(lane, w.joints[j], s.laws.dry[j]);
+    set_law(lane, w.base_joint, s.laws.dry[m.layout.n_joints]);
+    set_law(lane, w.beam_joint, s.laws.dry[m.layout.n_joints + 1]);
+    set_law(lane, w.beam_joint, s.laws.tied[0]);
+    for (int i = 0; i < m.layout.n_cracks; ++i) set_law(lane, w.cracks[i], s.laws.cracks[i]);
     for (const ContactRun& run : t.cracks) {
-        const CrackLaw<Real>& law = s.crack_laws[run.law];
-        const CrackState<Real> fresh = s.unloading == Unloading::secant
+        const CrackLaw<Real>& law = s.laws.cracks[run.law];
+        const CrackState<Real> fresh = s.laws.unloading == Unloading::secant
                                            ? intact<Unloading::secant>(law)
                                            : intact<Unloading::elastic>(law);
         for (int k = run.first; k < run.first + run.count; ++k) {
@@ -139,7 +139,8 @@ void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
 template <class Real> WallState<Real> empty_lanes(const Model& m, const StepTables& t)
 {
     WallState<Real> s;
-    for (auto* by_mode : {&s.q, &s.v, &s.last_force, &s.inv_mass, &s.load, &s.elasticity})
+    for (auto* by_mode :
+         {&s.q, &s.v, &s.last_force, &s.laws.inv_mass, &s.laws.load, &s.laws.elasticity})
         by_mode->assign(m.n_modes, Real(0.0));
     int most = 0;
     for (const auto& b : t.blocks) most = std::max(most, b.modes);
@@ -148,9 +149,9 @@ template <class Real> WallState<Real> empty_lanes(const Model& m, const StepTabl
     s.stress = s.du;
     s.u_n.assign(t.n_contacts, Real(0.0));
     s.cracks.resize(m.cracks.size());
-    s.dry_laws.resize(m.layout.n_joints + 2);
-    s.tied_laws.resize(1);
-    s.crack_laws.resize(m.layout.n_cracks);
+    s.laws.dry.resize(m.layout.n_joints + 2);
+    s.laws.tied.resize(1);
+    s.laws.cracks.resize(m.layout.n_cracks);
     return s;
 }
 
@@ -169,8 +170,8 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
     Energy e;
     const auto at = [lane](const Real& x) { return dem::lane(x, lane); };
     for (std::size_t i = 0; i < s.q.size(); ++i) {
-        e.kinetic += 0.5 * at(s.v[i]) * at(s.v[i]) / at(s.inv_mass[i]);
-        e.elastic += 0.5 * at(s.elasticity[i]) * at(s.q[i]) * at(s.q[i]);
+        e.kinetic += 0.5 * at(s.v[i]) * at(s.v[i]) / at(s.laws.inv_mass[i]);
+        e.elastic += 0.5 * at(s.laws.elasticity[i]) * at(s.q[i]) * at(s.q[i]);
     }
     // What springs back is all of u_n, or sigma / k_n where a crack stays propped.
     const auto contacts = [&](const std::vector<ContactRun>& runs, const auto& laws,
@@ -184,9 +185,9 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
             }
         }
     };
-    contacts(t.dry, s.dry_laws, false);
-    contacts(t.tied, s.tied_laws, false);
-    contacts(t.cracks, s.crack_laws, s.unloading == Unloading::elastic);
+    contacts(t.dry, s.laws.dry, false);
+    contacts(t.tied, s.laws.tied, false);
+    contacts(t.cracks, s.laws.cracks, s.laws.unloading == Unloading::elastic);
     e.work = at(s.work);
     e.friction = at(s.friction);
     e.fracture = at(s.fracture);

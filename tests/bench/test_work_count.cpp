@@ -45,21 +45,21 @@ dem::WallState<Counted> counted(const dem::WallState<double>& s)
     c.q = counted(s.q);
     c.v = counted(s.v);
     c.last_force = counted(s.last_force);
-    c.inv_mass = counted(s.inv_mass);
-    c.load = counted(s.load);
-    c.elasticity = counted(s.elasticity);
+    c.laws.inv_mass = counted(s.laws.inv_mass);
+    c.laws.load = counted(s.laws.load);
+    c.laws.elasticity = counted(s.laws.elasticity);
     c.block_force = counted(s.block_force);
     c.du = counted(s.du);
     c.stress = counted(s.stress);
     c.u_n = counted(s.u_n);
     for (const auto& m : s.cracks)
         c.cracks.push_back({m.u_max, m.bond, m.unloading, m.integrity});
-    for (const auto& l : s.dry_laws) c.dry_laws.push_back({l.kn, l.ks, l.inv_ks, l.tan_phi});
-    for (const auto& l : s.tied_laws) c.tied_laws.push_back({l.kn, l.ks, l.inv_ks, l.tan_phi});
-    for (const auto& l : s.crack_laws)
-        c.crack_laws.push_back({l.kn, l.ks, l.inv_ks, l.ft, l.u_el, l.inv_softening,
-                                l.cohesion_res, l.cohesion_drop, l.tan_phi_res, l.tan_phi_drop,
-                                l.tension_weight});
+    for (const auto& l : s.laws.dry) c.laws.dry.push_back({l.kn, l.ks, l.inv_ks, l.tan_phi});
+    for (const auto& l : s.laws.tied) c.laws.tied.push_back({l.kn, l.ks, l.inv_ks, l.tan_phi});
+    for (const auto& l : s.laws.cracks)
+        c.laws.cracks.push_back({l.kn, l.ks, l.inv_ks, l.ft, l.u_el, l.inv_softening,
+                                 l.cohesion_res, l.cohesion_drop, l.tan_phi_res, l.tan_phi_drop,
+                                 l.tension_weight});
     return c;
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("work count: a pack moves as many bytes as its lanes would apart, tabl
 {
     const bench::StepWork w =
         bench::work_of(dem::step_tables(scenes::model_of(scenes::paper_wall(0.75))));
-    const bench::Traffic one = bench::traffic_of(w, 8, 8), eight = bench::traffic_of(w, 64, 8);
+    const bench::Traffic one = bench::traffic_of(w, 8), eight = bench::traffic_of(w, 64);
     CHECK(eight.written == 8.0 * one.written);
     const double tables = 8.0 * static_cast<double>(w.matrix_numbers + w.contacts()) +
                           4.0 * static_cast<double>(w.ports);
@@ -137,11 +137,11 @@ TEST_CASE("work count: the state counted is the state there is", "[bench][work_c
     const auto s = dem::empty_lanes<double>(model, tables);
     const std::size_t laws = 4 * (tables.dry.size() + tables.tied.size()) + 11;
     const std::size_t numbers = s.q.size() + s.v.size() + s.last_force.size() +
-                                s.inv_mass.size() + s.load.size() + s.elasticity.size() +
-                                s.du.size() + s.stress.size() + s.u_n.size() +
-                                4 * s.cracks.size() + laws;
+                                s.laws.inv_mass.size() + s.laws.load.size() +
+                                s.laws.elasticity.size() + s.du.size() + s.stress.size() +
+                                s.u_n.size() + 4 * s.cracks.size() + laws;
     const bench::StepWork w = bench::work_of(tables);
-    const double more = static_cast<double>(bench::traffic_of(w, 16, 0).state) -
-                        static_cast<double>(bench::traffic_of(w, 8, 0).state);
+    const double more = static_cast<double>(bench::traffic_of(w, 16).state) -
+                        static_cast<double>(bench::traffic_of(w, 8).state);
     CHECK(more == 8.0 * static_cast<double>(numbers));
 }

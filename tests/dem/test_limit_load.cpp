@@ -165,7 +165,7 @@ struct Tilted {
         dem::WallMaterials w = scenes::uniform(s, model);
         w.beam_joint.tan_phi = 0.0;
         state = dem::unloaded<double>(model, tables, {&w, 1}, options);
-        upright = state.load;
+        upright = state.laws.load;
     }
     void lean(double lambda)
     {
@@ -175,7 +175,7 @@ struct Tilted {
                     const int mode = tables.blocks[b].first_mode + i;
                     const double pull = model.elements[tables.blocks[b].element].sway(i) *
                                         model.stone.density * 9.81;
-                    state.load[mode] = upright[mode] + lambda * pull;
+                    state.laws.load[mode] = upright[mode] + lambda * pull;
                 }
     }
     /// Whether the wall comes to rest.

@@ -57,7 +57,7 @@ double dense_eigenvalue(const dem::Model& m, const dem::WallMaterials& w,
                         const dem::WallState<double>& s)
 {
     Eigen::MatrixXd k = Eigen::MatrixXd::Zero(m.n_modes, m.n_modes);
-    for (int i = 0; i < m.n_modes; ++i) k(i, i) = s.elasticity[i];
+    for (int i = 0; i < m.n_modes; ++i) k(i, i) = s.laws.elasticity[i];
     const auto add = [&](const dem::Contact& c, double kn, double ks) {
         Eigen::MatrixXd du = Eigen::MatrixXd::Zero(2, m.n_modes);
         const dem::Face& f = m.layout.faces[c.face];
@@ -85,7 +85,7 @@ double dense_eigenvalue(const dem::Model& m, const dem::WallMaterials& w,
     for (const dem::Contact& c : m.cracks)
         add(c, w.cracks[c.material].kn, w.cracks[c.material].ks);
     const Eigen::VectorXd root =
-        Eigen::Map<const Eigen::VectorXd>(s.inv_mass.data(), m.n_modes).cwiseSqrt();
+        Eigen::Map<const Eigen::VectorXd>(s.laws.inv_mass.data(), m.n_modes).cwiseSqrt();
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
                root.asDiagonal() * k * root.asDiagonal(), Eigen::EigenvaluesOnly)
         .eigenvalues()

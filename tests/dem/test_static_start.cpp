@@ -53,7 +53,7 @@ void add_contacts(const Model& m, const std::vector<dem::Contact>& contacts,
 /// Stiffness of blocks and contacts, all closed, sticking and whole.
 MatrixXd stiffness(const Model& m, const WallMaterials& w, const WallState<double>& s)
 {
-    MatrixXd k = Eigen::Map<const VectorXd>(s.elasticity.data(), m.n_modes).asDiagonal();
+    MatrixXd k = Eigen::Map<const VectorXd>(s.laws.elasticity.data(), m.n_modes).asDiagonal();
     const auto joint = [&](int material) {
         const dem::JointMaterial& j = material == dem::kBaseMaterial   ? w.base_joint
                                       : material == dem::kBeamMaterial ? w.beam_joint
@@ -117,7 +117,7 @@ TEST_CASE("static start: is the linear solution of the closed, sticking, uncrack
         WallState<double> s = unloaded(m, t, w);
         REQUIRE(solve_preload(t, s));
         const MatrixXd k = stiffness(m, w, s);
-        const VectorXd load = Eigen::Map<const VectorXd>(s.load.data(), m.n_modes);
+        const VectorXd load = Eigen::Map<const VectorXd>(s.laws.load.data(), m.n_modes);
         const VectorXd exact = k.ldlt().solve(load);
         const VectorXd error = Eigen::Map<const VectorXd>(s.q.data(), m.n_modes) - exact;
         REQUIRE(load.norm() > 0.0);
@@ -139,17 +139,17 @@ TEST_CASE("static start: stresses are those of the openings, within what the law
         for (const dem::ContactRun& run : t.dry)
             for (int k = run.first; k < run.first + run.count; ++k) {
                 const double sigma = s.stress[2 * k], tau = s.stress[2 * k + 1];
-                const auto& law = s.dry_laws[run.law];
+                const auto& law = s.laws.dry[run.law];
                 REQUIRE(bits::same(sigma, dem::dry_stress(law, s.u_n[k])));
                 REQUIRE(std::abs(tau) <= -sigma * law.tan_phi);
                 cut += std::abs(tau) == -sigma * law.tan_phi;
             }
         for (const dem::ContactRun& run : t.tied)
             for (int k = run.first; k < run.first + run.count; ++k)
-                REQUIRE(s.stress[2 * k] == s.tied_laws[run.law].kn * s.u_n[k]);
+                REQUIRE(s.stress[2 * k] == s.laws.tied[run.law].kn * s.u_n[k]);
         for (const dem::ContactRun& run : t.cracks)
             for (int k = run.first; k < run.first + run.count; ++k)
-                REQUIRE(s.stress[2 * k] == s.crack_laws[run.law].kn * s.u_n[k]);
+                REQUIRE(s.stress[2 * k] == s.laws.cracks[run.law].kn * s.u_n[k]);
         for (const double du : s.du) REQUIRE(du == 0.0); // ready for a step
     }
     CHECK(cut > 20);
@@ -211,7 +211,7 @@ TEST_CASE("static start: a wall that cannot be solved is left unloaded", "[dem][
     CHECK(same(s.u_n, before.u_n));
     CHECK(same(s.stress, before.stress));
     CHECK(same(s.du, before.du));
-    CHECK(same(s.load, before.load));
+    CHECK(same(s.laws.load, before.laws.load));
     CHECK(s.work == 0.0);
 }
 
