@@ -12,8 +12,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Displacements (u_x, u_z) at the contact points of a field linear in x and z: u = a + b x + c
-/// z, about `centre`.
+/// Displacements (u_x, u_z) at the contact points of the linear field u = a + b x + c z, where x and z
+/// are measured from `centre`.
 VectorXd linear_field(const std::vector<Point>& points, Point centre, Point a, Point b, Point c)
 {
     VectorXd u(2 * static_cast<Index>(points.size()));
@@ -33,8 +33,8 @@ MatrixXd columns(std::initializer_list<VectorXd> list)
     return m;
 }
 
-/// Appends to `basis` what is new in `candidates`, C-orthonormal, until it has `wanted`
-/// columns.
+/// Appends the candidates to `basis`, made C-orthonormal to it, until it has `wanted` columns. Candidates
+/// that the basis nearly spans are left out.
 void extend_basis(const MatrixXd& c, const MatrixXd& candidates, Index wanted, MatrixXd& basis)
 {
     for (Index k = 0; k < candidates.cols() && basis.cols() < wanted; ++k) {
@@ -43,7 +43,7 @@ void extend_basis(const MatrixXd& c, const MatrixXd& candidates, Index wanted, M
         for (int twice = 0; twice < 2; ++twice)
             if (basis.cols() > 0) v -= basis * (basis.transpose() * (c * v));
         const double left = v.dot(c * v);
-        if (left < 0.01) continue; // already spanned but for a tenth of its amplitude
+        if (left < 0.01) continue; // the basis spans all but a tenth of its amplitude
         basis.conservativeResize(v.size(), basis.cols() + 1);
         basis.col(basis.cols() - 1) = v / std::sqrt(left);
     }
@@ -55,7 +55,7 @@ MatrixXd eigenvectors(const MatrixXd& k, const MatrixXd& c)
     return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(k, c).eigenvectors();
 }
 
-/// Best modes in the span of `basis` (Rayleigh-Ritz).
+/// The best modes in the span of `basis` (Rayleigh-Ritz).
 BlockModes ritz(const MatrixXd& k, const MatrixXd& c, const MatrixXd& basis)
 {
     if (basis.cols() == 0) return {basis, VectorXd(0)};
@@ -82,7 +82,7 @@ MatrixXd rigid_motions(const BlockSpec& spec, const std::vector<Point>& points)
                     linear_field(points, centre, {}, {0, -1}, {1, 0})});
 }
 
-/// Rigid motions left to the driven beam: up, and turning about its load line.
+/// The rigid motions that the driven beam can make: upwards, and rotation about its load line.
 MatrixXd driven_motions(const BlockSpec& spec, const std::vector<Point>& points)
 {
     const Point line{0.5 * spec.width, spec.load_height};
@@ -99,8 +99,8 @@ MatrixXd strains(const BlockSpec& spec, const std::vector<Point>& points)
                     linear_field(points, centre, {}, {0, 1}, {1, 0})});
 }
 
-/// A block no support touches: rigid motions and deformations apart, so that the former have no
-/// elastic force at all.
+/// Modes of a block that no support touches. Rigid motions and deformations are kept apart, so that
+/// rigid motions have no elastic force at all.
 BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const MatrixXd& c)
 {
     const MatrixXd& k = con.stiffness;
@@ -120,7 +120,7 @@ BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const Mat
     return joined({moving, VectorXd::Zero(moving.cols())}, elastic);
 }
 
-/// Linear fields that a support lets pass, about the lower right corner.
+/// The linear fields that a support allows, about the lower right corner.
 MatrixXd supported_fields(const BlockSpec& spec, const std::vector<Point>& points)
 {
     const Point corner{spec.width, 0.0};
@@ -134,7 +134,7 @@ MatrixXd supported_fields(const BlockSpec& spec, const std::vector<Point>& point
                     field({}, {1, 0}, {})});
 }
 
-/// Modes of a block on a support: rows of held displacements stay zero.
+/// Modes of a block on a support. The rows of held displacements stay zero.
 BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const MatrixXd& c)
 {
     std::vector<Index> open;
@@ -142,7 +142,7 @@ BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const Ma
         if (!con.held[i]) open.push_back(static_cast<Index>(i));
     const MatrixXd k_open = con.stiffness(open, open), c_open = c(open, open);
     const Index all = static_cast<Index>(open.size());
-    const bool hinged = spec.motion == Motion::held_right_corner; // still turns and lifts
+    const bool hinged = spec.motion == Motion::held_right_corner; // it can still turn and lift
     const Index wanted =
         spec.modes > 0 ? std::min<Index>(spec.modes - (hinged ? 1 : 3), all) : all;
     MatrixXd basis(all, 0);

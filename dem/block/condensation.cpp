@@ -21,8 +21,8 @@ Point along(const BlockEdge& e, double s)
     return {e.from.x + s * (e.to.x - e.from.x), e.from.z + s * (e.to.z - e.from.z)};
 }
 
-/// Zone lines in one direction: through the zone corners of the edges, evenly where there are
-/// none.
+/// Zone lines in one direction. They run through the zone corners of the edges; where there are no edges
+/// they are evenly spaced.
 std::vector<double> grid_lines(const BlockSpec& spec, bool vertical)
 {
     const double size = vertical ? spec.height : spec.width;
@@ -66,7 +66,7 @@ bool bottom_is_clamped(Motion m)
     return m == Motion::clamped_bottom || m == Motion::clamped_bottom_held_right;
 }
 
-/// Whether the support prescribes a displacement of zero at p; direction 0: x, 1: z.
+/// Whether the support prescribes a displacement of zero at p, in direction 0 (x) or 1 (z).
 bool is_held(const BlockSpec& spec, Point p, int direction)
 {
     if (bottom_is_clamped(spec.motion) && same(p.z, 0.0)) return true;
@@ -83,9 +83,8 @@ struct Trace {
     Eigen::MatrixXd n;          ///< displacement of edge nodes from that of the points
 };
 
-/// Shapes at s of an edge that is straight between its own zone corners: lines of the grid that
-/// come from other edges must not bend it, or its areas would no longer be the integrals of its
-/// shapes.
+/// Shapes at s of an edge that is straight between its own zone corners. Grid lines that come from other
+/// edges must not bend it, or its areas would no longer be the integrals of its shapes.
 std::vector<double> straight_shapes(const BlockSpec& spec, const BlockEdge& e, double s)
 {
     const std::vector<double> nodes = edge_nodes(e.points, spec.zones_per_interval);
@@ -104,7 +103,7 @@ void trace_edge(const BlockSpec& spec, const BlockEdge& e, const std::vector<Poi
     const std::vector<double> shape = straight_shapes(spec, e, s);
     for (int d = 0; d < 2; ++d) {
         t.source[2 * node + d] = Source::edge;
-        t.n.row(2 * node + d).setZero(); // a corner lies on two edges; both say the same
+        t.n.row(2 * node + d).setZero(); // a corner lies on two edges, which agree
         for (std::size_t k = 0; k < shape.size(); ++k)
             t.n(2 * node + d, 2 * index_of(points, along(e, e.points.position[k])) + d) =
                 shape[k];
@@ -134,7 +133,7 @@ Trace trace_nodes(const BlockSpec& spec, const ZoneGrid& grid, const std::vector
     return t;
 }
 
-/// Fills the rows of the inside: K_II u_I = -K_IE u_E.
+/// Fills the rows of the inside nodes from K_II u_I = -K_IE u_E.
 void solve_inside(const Eigen::SparseMatrix<double>& k, Trace& t)
 {
     std::vector<int> number(t.source.size(), -1);
@@ -151,7 +150,7 @@ void solve_inside(const Eigen::SparseMatrix<double>& k, Trace& t)
     Eigen::SparseMatrix<double> k_inside(inside, inside);
     k_inside.setFromTriplets(entries.begin(), entries.end());
 
-    const Eigen::MatrixXd pull = k * t.n; // inside rows of t.n are still zero
+    const Eigen::MatrixXd pull = k * t.n; // the inside rows of t.n are still zero
     Eigen::MatrixXd rhs(inside, t.n.cols());
     for (std::size_t i = 0; i < number.size(); ++i)
         if (number[i] >= 0) rhs.row(number[i]) = -pull.row(static_cast<Eigen::Index>(i));

@@ -19,7 +19,7 @@ Stiffness reference_of(const Face& f, const ReferenceStiffness& r)
     return {r.joint.kn, r.joint.ks};
 }
 
-/// Contact points along a face: the interval between points is that of a half unit's face.
+/// Contact points along a face. They are as dense as on the face of a half unit.
 FacePoints points_of(const Face& f, const WallGeometry& wall, const Discretisation& d)
 {
     const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
@@ -39,7 +39,7 @@ Motion motion_of(const WallGeometry& wall, const Layout& layout, int block)
     return toe ? Motion::held_right_corner : Motion::free;
 }
 
-/// Everything a block's element depends on, as numbers: equal keys share one element.
+/// Everything that a block's element depends on, as numbers. Blocks with equal keys share one element.
 std::vector<double> key_of(const BlockSpec& s)
 {
     const auto micron = [](double x) { return std::round(x * 1e6); };

@@ -7,7 +7,7 @@ namespace dem {
 
 namespace {
 
-constexpr double kSmallestPiece = 1e-6; // [m]; what is shorter is rounding of the sizes given
+constexpr double kSmallestPiece = 1e-6; // [m]; a shorter piece comes from rounding of the sizes
 
 bool is_shifted(const WallGeometry& wall, int course)
 {

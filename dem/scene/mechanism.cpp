@@ -23,7 +23,7 @@ double beam_rotation(const Snapshot& wall)
     return (beam.displacement[l].z - beam.displacement[r].z) / (right->x - left->x);
 }
 
-/// Mean slip of what is in contact, summed over the bed joints [m].
+/// Mean slip of the contacts that are closed, summed over the bed joints [m].
 double sliding(const Snapshot& wall)
 {
     struct Sum {

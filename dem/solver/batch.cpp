@@ -10,7 +10,7 @@ namespace dem {
 
 namespace {
 
-/// The next wall into a lane that is free.
+/// Puts the next wall into a free lane, if there is one.
 template <class Real>
 std::optional<WallRun> start(const Task& task,
                              const std::function<std::optional<NumberedWall>()>& next, int lane,

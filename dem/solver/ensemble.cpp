@@ -31,11 +31,12 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
     const auto done = [&](std::size_t number, PushResult&& result) {
         const std::lock_guard lock(one_at_a_time);
         if (trouble)
-            std::rethrow_exception(trouble); // another thread's: this one's walls are left too
+            std::rethrow_exception(
+                trouble); // from another thread; this thread's walls are abandoned too
         try {
             ensemble.done(number, std::move(result));
         } catch (...) {
-            trouble = std::current_exception(); // before another thread's turn
+            trouble = std::current_exception(); // before another thread has its turn
             throw;
         }
     };

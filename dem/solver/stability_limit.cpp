@@ -17,7 +17,7 @@ constexpr double kTolerance = 1e-3; // of the eigenvalue
 constexpr int kMostIterations = 400;
 constexpr int kLookEvery = 10;
 
-/// Entries in (-0.5, 0.5) without a pattern: fractions of multiples of the golden ratio.
+/// Numbers in (-0.5, 0.5) without a pattern: the fractions of multiples of the golden ratio.
 Vector start_vector(std::size_t n)
 {
     constexpr double kGolden = 0.6180339887498949;
@@ -34,7 +34,7 @@ void scale(double factor, Vector& v)
     for (double& x : v) x *= factor;
 }
 
-/// Largest eigenvalue of the tridiagonal matrix, and what its residual may still hide.
+/// The largest eigenvalue of the tridiagonal matrix, and how much its residual may still hide.
 struct Ritz {
     double value, error;
 };

@@ -10,10 +10,10 @@ namespace {
 
 using Vector = std::vector<double>;
 
-constexpr double kTolerance = 1e-8; // of the residual, in the norm of the preconditioner
+constexpr double kTolerance = 1e-8; // relative residual in the norm of the preconditioner
 constexpr int kMostIterations = 5000;
 
-/// K q = load by conjugate gradients.
+/// Solves K q = load by conjugate gradients.
 bool solve(const StepTables& t, WallState<double>& s)
 {
     const std::size_t n = s.q.size();
@@ -37,7 +37,7 @@ bool solve(const StepTables& t, WallState<double>& s)
         rz = next;
         for (std::size_t m = 0; m < n; ++m) p[m] = z[m] + beta * p[m];
     }
-    return rz <= enough; // false for NaN as well
+    return rz <= enough; // also false for NaN
 }
 
 /// Dry joints carry no tension, and no more shear than friction allows.

@@ -9,7 +9,7 @@ namespace dem {
 
 namespace {
 
-/// Position of a dry contact's law: joints by ID, then the base, then the beam.
+/// Index of a dry contact's law in LaneLaws::dry.
 int dry_law(const Model& m, const Contact& c)
 {
     if (c.material == kBaseMaterial) return m.layout.n_joints;
@@ -55,8 +55,8 @@ std::vector<int> counts(const Model& m, const StepTables& t)
     return count;
 }
 
-/// Contacts of each block, face by face in the order of the layout: the same order for all
-/// blocks of an element.
+/// Contacts of each block, face by face in the order of the layout, which is the same for all blocks of
+/// an element.
 std::vector<std::vector<int>> ports_by_block(const Model& m, const StepTables& t)
 {
     std::vector<std::vector<int>> ports(m.layout.blocks.size());
@@ -68,7 +68,7 @@ std::vector<std::vector<int>> ports_by_block(const Model& m, const StepTables& t
     return ports;
 }
 
-/// +1 for the block that a contact's normal points to, -1 for the other.
+/// +1 for the block that the contact's normal points to, -1 for the other one.
 double side_of(const Model& m, const Contact& c, int block)
 {
     return m.layout.faces[c.face].b == block ? 1.0 : -1.0;
@@ -101,7 +101,7 @@ ContactOperator port_matrix(const Model& m, const StepTables& t, int block,
     return a;
 }
 
-/// Blocks whose horizontal forces go straight into the ground.
+/// Whether the horizontal forces on a block go straight into the ground.
 bool is_supported(const Model& m, int block)
 {
     const Block& b = m.layout.blocks[block];

@@ -37,7 +37,7 @@ std::vector<FaceState> empty_faces(const Layout& layout)
     return faces;
 }
 
-/// Undeformed position of a contact point, from the block above or right of it.
+/// Undeformed position of a contact point, taken from the block above it or on its right.
 Point position_of(const Model& m, const Contact& c, const Face& f)
 {
     const BlockPlace& place = m.places[f.b];

@@ -1,5 +1,5 @@
 #pragma once
-/// Snapshot of one wall of a batch.
+/// Takes a snapshot of one wall of a batch.
 
 #include "dem/scene/snapshot.hpp"
 #include "dem/solver/wall_state.hpp"

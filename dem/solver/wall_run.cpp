@@ -13,9 +13,10 @@ namespace dem {
 
 namespace {
 
-constexpr long long kLookEvery = 500;   // steps between looks at the whole wall
-constexpr double kMeasuredLimit = 0.99; // of the step that is just stable; it is known to 1e-3
-constexpr double kSmallestStep = 1.0 / 64.0; // of the proven bound, to which a step is reduced
+constexpr long long kLookEvery = 500; // steps between looks at the whole wall
+constexpr double kMeasuredLimit =
+    0.99; // largest share of the measured limit, which is known to 1e-3
+constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
 
 int count_snap_back(const Model& m, const WallMaterials& w)
 {
@@ -27,7 +28,7 @@ int count_snap_back(const Model& m, const WallMaterials& w)
     return n;
 }
 
-/// Vertical load and weight, with the reference density [N].
+/// Vertical load and self-weight of the stone with the model's density [N]. Unbalance is measured by it.
 double vertical_load(const Model& m, const WallMaterials& w)
 {
     double force =
@@ -72,10 +73,10 @@ WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
     result_.snap_back_contacts = count_snap_back(task.model, materials_);
 }
 
-/// This wall alone, unloaded, with a step that is stable as long as nothing opens, slips or cracks.
-/// Up to 1 that is proven. Beyond, the limit is measured: of the steps that are too large the ledger
-/// finds most, but not a joint that chatters a little while it slides (bench/stability: 16 of 2400
-/// walls).
+/// This wall alone, unloaded, with a step that is stable as long as nothing opens, slips or cracks. Up to
+/// a step fraction of 1 this is proven. Above 1 the limit is measured, because the energy balance does not
+/// find every step that is too large: it misses a joint that chatters a little while it slides
+/// (bench/stability: 16 of 2400 walls).
 WallState<double> WallRun::with_stable_step()
 {
     for (;;) {
@@ -147,8 +148,9 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     decided_ = task_->plan.decided && task_->plan.decided(result_.curve);
 }
 
-/// A step counts the work of the load it began with. Where the load has grown by its end, half the
-/// growth acted as well: without it the ledger misses about one part in the steps of the ramp.
+/// A step counts the work of the load that it began with. If the load has grown by the end of the step,
+/// half of the growth has acted as well. Without that, the energy balance would miss about one part in
+/// the number of steps of the ramp.
 template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int lane) const
 {
     const double growth = drive_.load_factor() - load_factor_;
@@ -167,7 +169,7 @@ template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
     if (!drive_.settling()) begin_push(state, lane);
 }
 
-/// After a step of the push: a point of the curve where one is due.
+/// After a step of the push. Takes a point of the curve if one is due.
 template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane)
 {
     const double top = dem::lane(state.top_force, lane),
@@ -180,8 +182,8 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     if (wanted && recorder_.any()) take_point(state, lane);
 }
 
-/// Whether the run can go on. Energy first: a wall that a step too large has torn apart has not lost
-/// its equilibrium. It is not finite where any number of the wall is not.
+/// Whether the run can go on. The energy is looked at first, because a wall that too large a step has torn
+/// apart has not lost its equilibrium. Its balance is not finite if any number of the wall is not.
 template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int lane)
 {
     const double residual = std::abs(energy_of(task_->tables, state, lane).residual());
@@ -216,8 +218,8 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
     return !over && result_.outcome == Outcome::reached_target;
 }
 
-/// The step is too large, made energy or broke the numbers: from the unloaded wall again, with half
-/// of it.
+/// Starts again from the unloaded wall with half the step, because the step was above the measured limit,
+/// made energy, or left a number that is not finite.
 void WallRun::reduce_step()
 {
     options_.step_fraction *= 0.5;

@@ -9,7 +9,7 @@ namespace dem {
 
 namespace {
 
-/// Largest stiffness of a wall's contacts over their reference, per block.
+/// By block: the largest ratio of the stiffness of its contacts to the reference stiffness [-].
 std::vector<double> stiffness_ratio(const Model& m, const WallMaterials& w)
 {
     std::vector<double> ratio(m.layout.blocks.size(), 0.0);
@@ -173,7 +173,7 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
         e.kinetic += 0.5 * at(s.v[i]) * at(s.v[i]) / at(s.laws.inv_mass[i]);
         e.elastic += 0.5 * at(s.laws.elasticity[i]) * at(s.q[i]) * at(s.q[i]);
     }
-    // What springs back is all of u_n, or sigma / k_n where a crack stays propped.
+    // All of u_n springs back, or sigma / k_n where a crack stays propped open.
     const auto contacts = [&](const std::vector<ContactRun>& runs, const auto& laws,
                               bool propped) {
         for (const ContactRun& run : runs) {

@@ -206,7 +206,7 @@ TEST_CASE("push: pushed back and forth, the wall dissipates and the ledger still
 }
 
 TEST_CASE(
-    "push: a wall whose blocks part by more than its height has lost equilibrium, and says so",
+    "push: a wall whose blocks are further apart than its height has lost its equilibrium",
     "[dem][push]")
 {
     dem::SolverOptions fast;

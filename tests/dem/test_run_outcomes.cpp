@@ -134,7 +134,7 @@ TEST_CASE("wall run: a ledger that closes with no step ends as energy astray",
     CHECK(r.step_fraction == o.step_fraction / 64.0);
 }
 
-TEST_CASE("wall run: without enough steps it says so", "[dem][wall_run]")
+TEST_CASE("wall run: a wall that runs out of steps says so", "[dem][wall_run]")
 {
     SolverOptions o = small_wall::quick();
     o.most_steps = 1000;
