@@ -180,7 +180,7 @@ mechanisms; **indicator**, the share of walls on one side of a limit, as failure
 ![error of the mean against the number of samples](uq_convergence.svg)
 
 `s / sqrt(n)` is what one design says of its own error if its samples are taken for independent: true of Monte Carlo,
-far too large for the others. Their error is known from replicates (uq/estimates/replicate.hpp).
+far too large for the others. Their error is known from replicates: studies with other seeds.
 
 A Latin hypercube takes away the error of the additive part of a response; what is left, interactions and
 jumps, falls like Monte Carlo's, so its slope is no constant. Slopes in the legend: smooth / indicator.)";

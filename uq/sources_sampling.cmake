@@ -26,9 +26,9 @@ set(UQ_SAMPLING_SOURCES
     marginals/uniform.cpp
     marginals/weibull.cpp
     designs/sobol.cpp
-    designs/spatial_sample.cpp
     designs/stream.cpp
     fields/field.cpp
     fields/field_basis.cpp
     fields/field_product.cpp
-    fields/kernel.cpp)
+    fields/kernel.cpp
+    fields/spatial_sample.cpp)

@@ -3,7 +3,7 @@
 
 #include "app/input/study.hpp"
 #include "app/sampling/wall_draw.hpp"
-#include "uq/designs/spatial_sample.hpp"
+#include "uq/fields/spatial_sample.hpp"
 
 #include <Eigen/Core>
 

@@ -1,4 +1,4 @@
-#include "uq/designs/spatial_sample.hpp"
+#include "uq/fields/spatial_sample.hpp"
 
 #include "tests/uq/field_scenes.hpp"
 #include "tests/uq/strata.hpp"

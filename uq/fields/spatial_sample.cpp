@@ -1,4 +1,4 @@
-#include "uq/designs/spatial_sample.hpp"
+#include "uq/fields/spatial_sample.hpp"
 
 #include "uq/designs/iman_conover.hpp"
 #include "uq/fields/field.hpp"
