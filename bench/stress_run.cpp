@@ -148,6 +148,8 @@ const char* name_of(dem::Outcome o)
         return "failed: energy astray";
     case dem::Outcome::out_of_steps:
         return "failed: out of steps";
+    case dem::Outcome::no_wall:
+        return "failed: no wall";
     }
     return "";
 }

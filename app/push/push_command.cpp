@@ -3,6 +3,7 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/number_text.hpp"
 #include "app/input/study.hpp"
+#include "app/input/units.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/capacity_csv.hpp"
 #include "app/output/cells.hpp"
@@ -20,6 +21,8 @@
 #include <filesystem>
 #include <iostream>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace app {
@@ -66,10 +69,36 @@ std::vector<PushedWall> push_all(const Study& study, const std::vector<WantedWal
     return walls;
 }
 
-void write_wall(const fs::path& folder, const Study& study, const PushedWall& w)
+/// The values that were drawn for one wall, in the units of their keys.
+Table drawn_table(const Study& study, const WallDraw& draw)
+{
+    Table t;
+    t.head = {"input", "unit", "value"};
+    for (std::size_t i = 0; i < draw.values.size(); ++i) {
+        const RandomInput& input = study.random[i];
+        const std::vector<double>& values = draw.values[i];
+        const std::string unit = input.unit.empty() ? "-" : std::string(input.unit);
+        for (std::size_t id = 0; id < values.size(); ++id)
+            t.rows.push_back(
+                {values.size() == 1 ? input.key : input.key + "." + std::to_string(id + 1),
+                 unit, Number{from_si(values[id], input.unit)}});
+    }
+    return t;
+}
+
+/// The study as it was used. Of a study with distributions it says which wall was pushed.
+std::string configuration(const Study& study, const PushedWall& w, std::optional<int> sample)
+{
+    if (!sample) return effective_configuration(study);
+    return "# Wall " + std::to_string(*sample) + " of this study, under " + stress_text(w) +
+           "; the values drawn for it are in drawn.csv.\n" + effective_configuration(study);
+}
+
+void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
+                std::optional<int> sample)
 {
     make_folder(folder);
-    write_file(folder / "study.ini", effective_configuration(study));
+    write_file(folder / "study.ini", configuration(study, w, sample));
     if (!dem::failed(w.result.outcome)) {
         write_file(folder / "capacity.csv",
                    capacity_csv(w.displacement, w.force, w.loads.height));
@@ -132,10 +161,11 @@ fs::path folder_of(const PushedWall& w)
     return name;
 }
 
-void write_all(const fs::path& out, const Study& study, const std::vector<PushedWall>& walls)
+void write_all(const fs::path& out, const Study& study, const std::vector<PushedWall>& walls,
+               std::optional<int> sample)
 {
-    if (walls.size() == 1) return write_wall(out, study, walls.front());
-    for (const PushedWall& w : walls) write_wall(out / folder_of(w), study, w);
+    if (walls.size() == 1) return write_wall(out, study, walls.front(), sample);
+    for (const PushedWall& w : walls) write_wall(out / folder_of(w), study, w, sample);
     const Table table = level_table(walls);
     write_file(out / "levels.csv", as_csv(table));
     write_file(out / "levels.md", as_markdown(table));
@@ -152,7 +182,10 @@ int push_command(const Command& command)
     say_effects(study, command);
     const std::vector<PushedWall> walls =
         push_all(study, wanted, command.threads, command.quiet);
-    write_all(command.out, study, walls);
+    write_all(command.out, study, walls, command.sample);
+    if (command.sample)
+        write_file(fs::path(command.out) / "drawn.csv",
+                   as_csv(drawn_table(study, wanted.front().draw)));
     std::cout << as_text(level_table(walls), terminal_width()) << "written to " << command.out
               << '\n';
     return std::any_of(walls.begin(), walls.end(),
