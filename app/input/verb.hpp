@@ -20,9 +20,9 @@ enum class OutKind {
 /// One row of the table of verbs.
 struct Verb {
     std::string_view name;
-    std::string_view words = ""; ///< shown in usage lines: "STUDY.ini"
-    std::string_view meaning;    ///< one line
-    std::string_view example;    ///< shown where words are missing
+    std::string_view words = "";   ///< shown in usage lines: "STUDY.ini"
+    std::string_view meaning = ""; ///< one line
+    std::string_view example = ""; ///< shown where words are missing
     OutKind out = OutKind::folder;
     std::string_view extension = "";      ///< of OutKind::file
     std::size_t least = 1, most = 1;      ///< number of words

@@ -87,7 +87,8 @@ TEST_CASE("study runner: a study without distributions is one wall per level",
 TEST_CASE("study runner: a wall that fails is kept with its inputs and its reason",
           "[app][study_runner]")
 {
-    const std::string text = std::string(study_scenes::kSmall) + "energy_tolerance = 1e-14\n";
+    std::string text = study_scenes::kSmall;
+    text += "energy_tolerance = 1e-14\n";
     const Ran r = run(study_scenes::study("samples = 2", text));
     REQUIRE(r.rows.size() == 4);
     for (const app::WallRow& row : r.rows) {
@@ -103,11 +104,11 @@ TEST_CASE("study runner: a wall that fails is kept with its inputs and its reaso
 TEST_CASE("study runner: a draw that makes no wall is a failed wall, and the others are pushed",
           "[app][study_runner]")
 {
-    std::string text = study_scenes::kSmall;
-    const std::string modulus = "young_modulus = 15.5 GPa";
-    text.replace(text.find(modulus), modulus.size(),
-                 "young_modulus = normal(mean 2 GPa, cov 0.5)"); // wall_modulus 768, 1057 MPa
-    const Ran r = run(study_scenes::study("samples = 10", text));
+    // joint.wall_modulus is 768 and 1057 MPa
+    const std::vector<std::string> soft = {"stone.young_modulus=normal(mean 2 GPa, cov 0.5)",
+                                           "uq.samples=10"};
+    const Ran r = run(app::read_study(
+        app::with_overrides(app::parse_study_text("study.ini", study_scenes::kSmall), soft)));
     REQUIRE(r.rows.size() == 20);
     int failed = 0;
     for (const app::WallRow& row : r.rows) {
