@@ -25,8 +25,6 @@ drystone_library(app_report
     report/report_inputs.cpp
     report/report_overview.cpp
     report/report_page.cpp
-    report/report_replay.cpp
-    report/report_study.cpp
-    report/report_tables.cpp)
+    report/report_replay.cpp)
 target_include_directories(drystone_app_report PUBLIC ${PROJECT_BINARY_DIR}/generated)
-target_link_libraries(drystone_app_report PUBLIC drystone_app_study nlohmann_json::nlohmann_json PRIVATE ZLIB::ZLIB)
+target_link_libraries(drystone_app_report PUBLIC drystone_app_fragility nlohmann_json::nlohmann_json PRIVATE ZLIB::ZLIB)

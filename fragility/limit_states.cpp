@@ -2,14 +2,10 @@
 
 #include <array>
 #include <charconv>
-#include <utility>
+#include <stdexcept>
 
 namespace fragility {
 namespace {
-
-constexpr std::array kNames = {std::pair{LimitStateSet::paper, std::string_view{"paper"}},
-                               std::pair{LimitStateSet::ntc, std::string_view{"ntc"}},
-                               std::pair{LimitStateSet::ec8, std::string_view{"ec8"}}};
 
 /// What the three sets are made of.
 struct Parts {
@@ -88,35 +84,35 @@ std::vector<LimitState> ec8(const Parts& p)
             {"NC", p.ultimate_rule, p.ultimate}};
 }
 
+std::vector<LimitState> paper(const Parts& p)
+{
+    return {{"ultimate", p.ultimate_rule, p.ultimate}};
+}
+
+/// A set of limit states is a row here and a function above.
+struct Set {
+    std::string_view name;
+    std::vector<LimitState> (*read)(const Parts&);
+};
+constexpr std::array kSets = {Set{"paper", paper}, Set{"ntc", ntc}, Set{"ec8", ec8}};
+
+constexpr auto kNames = [] {
+    std::array<std::string_view, kSets.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = kSets[i].name;
+    return names;
+}();
+
 } // namespace
 
-std::vector<LimitState> read_limit_states(const Curve& curve, LimitStateSet set,
+std::vector<LimitState> read_limit_states(const Curve& curve, std::string_view set,
                                           const LimitStateOptions& options)
 {
-    const Parts p = read_parts(curve, options);
-    switch (set) {
-    case LimitStateSet::paper:
-        return {{"ultimate", p.ultimate_rule, p.ultimate}};
-    case LimitStateSet::ntc:
-        return ntc(p);
-    case LimitStateSet::ec8:
-        return ec8(p);
-    }
-    return {};
+    const Parts parts = read_parts(curve, options);
+    for (const Set& s : kSets)
+        if (s.name == set) return s.read(parts);
+    throw std::invalid_argument("limit states: no set " + std::string(set));
 }
 
-std::string_view name(LimitStateSet set)
-{
-    for (const auto& [value, text] : kNames)
-        if (value == set) return text;
-    return "unknown";
-}
-
-std::optional<LimitStateSet> limit_state_set(std::string_view name)
-{
-    for (const auto& [value, text] : kNames)
-        if (text == name) return value;
-    return std::nullopt;
-}
+std::span<const std::string_view> limit_state_sets() { return kNames; }
 
 } // namespace fragility

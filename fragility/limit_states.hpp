@@ -18,12 +18,6 @@ namespace fragility {
 /// the elastic branch.
 constexpr double kShownYield = 2.0; ///< ductility [-]; our choice, no code has one
 
-enum class LimitStateSet {
-    paper, ///< ultimate: 80 % of the peak (the paper, section 4.2)
-    ntc,   ///< SLO, SLD, SLV, SLC: Circolare 7/2019, C8.7.1.3.1, existing masonry
-    ec8    ///< DL, SD, NC: EN 1998-3:2005, Annex C
-};
-
 /// Free choices of the reading; the defaults are those of the codes.
 struct LimitStateOptions {
     double ultimate_share = kUltimateShare; ///< of the peak [-], in (0, 1)
@@ -37,10 +31,14 @@ struct LimitState {
     LimitDisplacement limit;
 };
 
+/// Names of the sets, as in study files.
+[[nodiscard]] std::span<const std::string_view> limit_state_sets();
+
 /// The limit states of a set, mildest first.
-///   paper  ultimate = displacement where the force falls to 80 % of the peak
+///   paper  ultimate = displacement where the force falls to 80 % of the peak (the paper, section 4.2)
 ///   ntc    SLC = ultimate, SLV = 3/4 SLC, SLD = min(d_y, d at the peak), SLO = 2/3 SLD
-///   ec8    NC = ultimate, SD = 3/4 NC, DL = d_y
+///          (Circolare 7/2019, C8.7.1.3.1, existing masonry)
+///   ec8    NC = ultimate, SD = 3/4 NC, DL = d_y (EN 1998-3:2005, Annex C)
 /// with d_y the yield displacement of the equal-energy bilinear up to the ultimate
 /// displacement. The code's second condition for SLD, "all piers of a storey at their peak, not
 /// before 3/4 of the peak base shear", is the displacement at the peak for one wall.
@@ -49,8 +47,9 @@ struct LimitState {
 /// observed, with a reason; but on a curve that still rises where it ends, d_y is censored
 /// below a ductility of kShownYield. On a brittle curve SLD may come after SLV: they are
 /// reported as the rules give them.
-/// @throws std::invalid_argument as check() and for shares out of range
-[[nodiscard]] std::vector<LimitState> read_limit_states(const Curve& curve, LimitStateSet set,
+/// @throws std::invalid_argument as check(), for shares out of range and a set that is not known
+[[nodiscard]] std::vector<LimitState> read_limit_states(const Curve& curve,
+                                                        std::string_view set,
                                                         const LimitStateOptions& options = {});
 
 /// A limit state of the user: weights times displacements of the curve, or a share of the peak
@@ -73,9 +72,5 @@ struct UserLimitState {
 [[nodiscard]] std::vector<LimitState> read_limit_states(const Curve& curve,
                                                         std::span<const UserLimitState> states,
                                                         const LimitStateOptions& options = {});
-
-/// "paper", "ntc", "ec8", as in study files.
-[[nodiscard]] std::string_view name(LimitStateSet set);
-[[nodiscard]] std::optional<LimitStateSet> limit_state_set(std::string_view name);
 
 } // namespace fragility

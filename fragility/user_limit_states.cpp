@@ -111,7 +111,7 @@ Parts read_parts(const Curve& curve, const LimitStateOptions& options)
     const Peak top = peak(curve);
     Parts parts{{}, {top.displacement, Reading::observed, {}}, {}};
     if (top.at_end) parts.peak = {top.displacement, Reading::censored, "the curve still rises"};
-    for (const LimitState& s : read_limit_states(curve, LimitStateSet::ec8, options)) {
+    for (const LimitState& s : read_limit_states(curve, "ec8", options)) {
         if (s.name == "DL") parts.yield = s.limit;
         if (s.name == "NC") parts.ultimate = s.limit;
     }

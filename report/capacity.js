@@ -1,5 +1,5 @@
 // Capacity curves: all walls of a stress, or the means of all stresses.
-import { element, choice, fixed, figures, words, colours, levelColour } from './format.js';
+import { element, choice, fixed, figures, percent, words, colours, levelColour } from './format.js';
 import { chart, key, placeTip, dashOf } from './chart.js';
 
 const kFewest = 5; // walls of a mean with an interval: that of fewer hides the chart
@@ -90,7 +90,7 @@ export class Capacity {
         const series = shown.map((m) =>
             this.meanSeries(m, levelColour(m.level), modeDash(m.mode), `${this.data.levels[m.level].name}, ${m.walls} ${m.mode}`),
         );
-        this.drawn = this.plotChart(series, 'Mean force against displacement of each stress and mode, with 95 % intervals of the mean');
+        this.drawn = this.plotChart(series, `Mean force against displacement of each stress and mode, with ${percent(this.data)} intervals of the mean`);
         this.legend.replaceChildren(key(series), element('p', { class: 'note' }, series.length ? '' : 'No means: they need two walls of a mode.'));
     }
 
@@ -98,7 +98,7 @@ export class Capacity {
     meanSeries(m, colour, dash, label) {
         const spread = (values) => this.curves.x.map((x) => interpolate(values, x / (m.step * 1e3)));
         const sure = m.walls >= kFewest;
-        return { label: `${label}, ${sure ? '95 %' : 'no interval'}`, colour, dash, width: 2.5, data: spread(m.mean), band: sure ? [spread(m.lower), spread(m.upper)] : undefined };
+        return { label: `${label}, ${sure ? percent(this.data) : 'no interval'}`, colour, dash, width: 2.5, data: spread(m.mean), band: sure ? [spread(m.lower), spread(m.upper)] : undefined };
     }
 
     plotChart(series, label) {

@@ -54,3 +54,8 @@ export const colours = {
 };
 export const levelColour = (i) => colours.levels[i % colours.levels.length];
 export const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [10, 3, 2, 3, 2, 3], [14, 6], [1, 2]];
+
+/** "95 %": of the intervals of this page. */
+export function percent(data) {
+    return `${figures(100 * data.confidence)} %`;
+}

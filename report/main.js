@@ -1,5 +1,5 @@
 // Builds the page from its data.
-import { element, section, words } from './format.js';
+import { element, section, percent, words } from './format.js';
 import { inflate, readCurves } from './data.js';
 import { Capacity } from './capacity.js';
 import { WallView } from './wall.js';
@@ -10,14 +10,14 @@ const note = (text) => element('p', { class: 'note' }, text);
 
 function overview(data) {
     const list = (title, lines) => element('div', {}, element('h3', {}, title), element('ul', {}, ...lines.map((l) => element('li', {}, l))));
-    section('overview', 'Overview', list('What was run', data.overview.run), list('What came out', data.overview.found), list('How sure', data.overview.sure), table(data.tables[0]));
+    section('overview', 'Overview', list('What was run', data.overview.run), list('What came out', data.overview.found), list('How sure', data.overview.sure), table(data.tables.results));
 }
 
 async function curvesAndWall(data) {
     const left = element('div', { class: 'curves' });
     const right = element('div', { class: 'view', id: 'wall' });
     section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right),
-        data.curves && note('Click a curve to see its wall. Bands: 95 % interval of the mean, of five walls or more; means end where fewer than nine tenths of their walls go on.'),
+        data.curves && note(`Click a curve to see its wall. Bands: ${percent(data)} interval of the mean, of five walls or more; means end where fewer than nine tenths of their walls go on.`),
         note(data.films.note));
     let view = null;
     let capacity = null;
@@ -34,14 +34,17 @@ async function curvesAndWall(data) {
 }
 
 function statistics(data) {
-    fragility(data, section('fragility', 'Fragility', note('Probability that a wall has come down to 80 % of its peak force: shares of the modes times a lognormal fit of each mode.')));
-    document.getElementById('fragility').append(table(data.tables[1]));
+    const add = (id, ...names) => document.getElementById(id).append(...names.map((name) => table(data.tables[name])));
+    fragility(data, section('fragility', 'Fragility', note('Probability that a wall has reached a limit state: shares of the modes times the law fitted to each mode.')));
+    add('fragility', 'performance_limits', 'law_parameters');
     modes(data, section('modes', 'Failure modes'));
+    add('modes', 'modes', 'means_by_mode', 'equal_modes', 'mode_thresholds');
     const inputs = section('inputs', 'Inputs', note('Values drawn for all walls, and the distribution they were drawn from, cut at what is physically possible.'));
     if (data.histograms.length) histograms(data, inputs);
     else inputs.append(element('p', {}, 'Nothing was random.'));
     running(data, section('running', 'Running means', note('How far the mean of the first walls is from the prescribed mean; of the peak force, from the mean of all.')));
-    sensitivity(data, section('sensitivity', 'Sensitivity', note('How strongly a response rises (blue, right) or falls (orange, left) with each input; lines: 95 % intervals. Ultimate displacement: of the walls in which it was observed.')));
+    sensitivity(data, section('sensitivity', 'Sensitivity', note(`How strongly a response rises (blue, right) or falls (orange, left) with each input; lines: ${percent(data)} intervals. Ultimate displacement: of the walls in which it was observed.`)));
+    if (data.inputs.length) add('sensitivity', 'inputs');
 }
 
 async function start() {
@@ -51,7 +54,7 @@ async function start() {
     overview(data);
     await curvesAndWall(data);
     statistics(data);
-    section('walls', 'All walls', table(data.tables[2]));
+    section('walls', 'All walls', table(data.tables.walls));
     provenance(data, section('provenance', 'Provenance'));
     document.documentElement.dataset.ready = 'yes';
 }

@@ -1,5 +1,5 @@
 // Fragility, modes, inputs, running means, sensitivity.
-import { element, choice, fixed, figures, words, levelColour, colours } from './format.js';
+import { element, choice, fixed, figures, percent, words, levelColour, colours } from './format.js';
 import { chart, key, drawIntervals, dashOf } from './chart.js';
 
 const plot = () => element('div', { class: 'plot' });
@@ -15,31 +15,36 @@ function resample(x, from, values, stepped) {
 }
 
 export function fragility(data, host) {
-    if (!data.fragility.length) return host.append(element('p', {}, 'No wall has an ultimate displacement, or is known to have none.'));
+    const states = data.fragility.filter((s) => s.curves.length);
+    if (!states.length) return host.append(element('p', {}, 'No wall has reached a limit state, or is known to have reached none.'));
     const where = plot();
     const legend = element('div', {});
-    const fits = element('ul', { class: 'notes' });
+    const chosen = { state: 0, level: 'all' };
     let drawn;
-    const show = (chosen) => {
+    const show = () => {
         drawn?.remove();
-        const curves = chosen === 'all' ? data.fragility : data.fragility.filter((c) => c.level === chosen);
-        const x = [0, ...curves[0].drift];
-        const series = curves.flatMap((c) => fragilitySeries(data, c, x, chosen !== 'all'));
-        drawn = chart(where, { label: `Probability of the ultimate limit state against drift, ${chosen === 'all' ? 'all stresses' : data.levels[chosen].name}`, x, series, xLabel: 'drift [%]', yLabel: 'probability', yRange: [0, 1], height: 360, tip: (i) => tipText(series, x, i) });
+        const state = states[chosen.state];
+        const one = state.curves.filter((c) => c.level === chosen.level);
+        const curves = chosen.level === 'all' ? state.curves : one;
+        const x = [0, ...(curves[0]?.drift ?? [])];
+        const series = curves.flatMap((c) => fragilitySeries(data, c, x, chosen.level !== 'all'));
+        drawn = chart(where, { label: `Probability that ${state.name} is reached, against drift, ${chosen.level === 'all' ? 'all stresses' : data.levels[chosen.level].name}`, x, series, xLabel: 'drift [%]', yLabel: 'probability', yRange: [0, 1], height: 360, tip: (i) => tipText(series, x, i) });
         const without = curves.filter((c) => !c.fitted).map((c) => data.levels[c.level].name);
-        const none = series.length ? '' : ' No wall is known to have come down.';
-        legend.replaceChildren(key(series), element('p', { class: 'note' }, without.length ? `No fit: ${without.join(', ')}.${none}` : ''));
-        fits.replaceChildren(...curves.flatMap((c) => c.fits.map((f) => element('li', {}, `${data.levels[c.level].name}, ${f}`))));
+        const none = series.length ? '' : ' No wall is known to have reached it.';
+        legend.replaceChildren(key(series), element('p', { class: 'note' }, `${state.name}: ${state.rule}.${without.length ? ` No fit: ${without.join(', ')}.${none}` : ''}`));
     };
-    const options = [{ value: 'all', text: 'all' }, ...data.fragility.map((c) => ({ value: c.level, text: data.levels[c.level].name }))];
-    host.append(choice('Stress', options, 'all', show).row, where, legend, fits);
-    show('all');
+    const set = (name) => (value) => ((chosen[name] = value), show());
+    host.append(
+        choice('Limit state', states.map((s, i) => ({ value: i, text: s.name })), 0, set('state')).row,
+        choice('Stress', [{ value: 'all', text: 'all' }, ...data.levels.map((l, i) => ({ value: i, text: l.name }))], 'all', set('level')).row,
+        where, legend);
+    show();
 }
 
 function fragilitySeries(data, c, x, alone) {
     const colour = levelColour(c.level);
     const name = data.levels[c.level].name;
-    const fitted = { label: alone ? `${name}: fitted, with 95 % band` : `${name}, 95 % band`, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: [[0, ...c.lower], [0, ...c.upper]], faint: !alone };
+    const fitted = { label: alone ? `${name}: fitted, with ${percent(data)} band` : `${name}, ${percent(data)} band`, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: [[0, ...c.lower], [0, ...c.upper]], faint: !alone };
     const series = c.fitted ? [fitted] : [];
     if (!alone && c.fitted) return series;
     if (c.fitted && c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'at most, of modes without a fit', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
@@ -63,8 +68,8 @@ export function modes(data, host) {
     const x = [...new Set([...(model?.stress ?? []), ...levels.map((l) => l.stress)])].sort((a, b) => a - b);
     const on = (values) => resample(x, model.stress, values, false);
     const series = [];
-    if (model) series.push({ label: 'logistic regression, 95 % band', colour: colours.rocking, data: on(model.value), band: [on(model.lower), on(model.upper)] });
-    series.push({ label: 'share of rocking walls, 95 % interval (failed walls counted either way)', colour: '#222222', points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.value ?? null) });
+    if (model) series.push({ label: `logistic regression, ${percent(data)} band`, colour: colours.rocking, data: on(model.value), band: [on(model.lower), on(model.upper)] });
+    series.push({ label: `share of rocking walls, ${percent(data)} interval (failed walls counted either way)`, colour: '#222222', points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.value ?? null) });
     const where = plot();
     host.append(where, key(series), element('p', { class: 'note' }, data.modes.note));
     const [low, high] = [x[0], x.at(-1)];
@@ -145,7 +150,7 @@ export function sensitivity(data, host) {
         const parts = data.sensitivity.filter((s) => s.level === state.level);
         where.replaceChildren(...parts.map((s) => element('figure', {},
             element('h3', {}, `${s.response}, ${s.walls} ${s.walls === 1 ? 'wall' : 'walls'}`),
-            s.bars.length ? tornado(s.bars, state.measure) : element('p', {}, `Too few walls: ${data.inputs.length + 5} are needed.`))));
+            s.bars.length ? tornado(s.bars, state.measure) : element('p', {}, `Too few walls: ${data.inputs.length + 4} are needed.`))));
     };
     host.append(
         choice('Stress', data.levels.map((l, i) => ({ value: i, text: l.name })), 0, (v) => ((state.level = v), show())).row,

@@ -7,6 +7,7 @@
 #include "app/fragility/fragility_limits.hpp"
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"
+#include "app/fragility/fragility_walls.hpp"
 #include "app/input/config_error.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/text_file.hpp"
@@ -33,18 +34,7 @@ void add_pictures(FragilityOutput& output, std::vector<NamedPicture> pictures)
 /// "2 walls failed at 0.75 MPa: the energy ledger ..."
 std::string failures(const StudyWalls& walls)
 {
-    std::string text;
-    for (const StudyLevel& level : walls.levels) {
-        const std::string stress =
-            drift_data(walls)
-                .groups[static_cast<std::size_t>(&level - walls.levels.data())]
-                .name;
-        for (const auto& [reason, n] : level.reasons)
-            text += stress + ": " + std::to_string(n) + " failed: " + reason + "\n";
-        if (level.missing > 0)
-            text += stress + ": " + std::to_string(level.missing) +
-                    " walls of the study are not in this file\n";
-    }
+    std::string text = trouble_text(walls);
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
     if (!walls.pushed_one_way)
@@ -177,7 +167,8 @@ FragilityOutput study_output(const StudyWalls& walls)
                                       {"means_by_mode", mean_table(walls)},
                                       {"equal_modes", equal_modes_table(walls)},
                                       {"mode_thresholds", threshold_table(walls)},
-                                      {"mean_curves", mean_curve_table(walls)}};
+                                      {"mean_curves", mean_curve_table(walls)},
+                                      {"walls", wall_table(walls, all_walls(walls))}};
     if (!walls.inputs.empty()) tables.push_back({"inputs", input_table(walls)});
     output.tables.insert(output.tables.begin() + 1, tables.begin(), tables.end());
     add_pictures(output, mean_curve_pictures(walls));

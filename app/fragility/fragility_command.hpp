@@ -3,8 +3,8 @@
 
 #include "app/fragility/fragility_data.hpp"
 #include "app/fragility/fragility_output.hpp"
-#include "app/fragility/study_walls.hpp"
 #include "app/input/command.hpp"
+#include "app/study/study_walls.hpp"
 
 namespace app {
 

@@ -1,6 +1,7 @@
 #include "app/fragility/fragility_data.hpp"
 
 #include "app/output/cells.hpp"
+#include "app/study/study_walls.hpp"
 
 namespace app {
 
@@ -40,6 +41,33 @@ std::string counts_text(const DriftData& data)
     if (failed > 0) text += ", " + std::to_string(failed) + " failed";
     if (missing > 0) text += ", " + std::to_string(missing) + " not in this file";
     return text;
+}
+
+DriftData drift_data(const StudyWalls& walls)
+{
+    DriftData data;
+    data.source = walls.name;
+    data.drift =
+        "Drift: displacement of the load line / its height, " + number(walls.height, 6) + " m";
+    data.group_head = "stress [MPa]";
+    data.modes = {mode_name(kRocking), mode_name(kMixed)};
+    const FragilityInput& f = walls.study.fragility;
+    data.options = {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap),
+                    walls.study.uq.seed};
+    for (const StateName& s : walls.states) data.states.push_back({s.set, s.name, s.rule});
+    for (const StudyLevel& level : walls.levels) {
+        const double mpa = level.stress * 1e-6;
+        DriftGroup group{
+            number(mpa, 12) + " MPa", mpa, {}, level.failed_walls.size(), level.missing};
+        for (const StudyWall& w : level.walls) {
+            DriftWall wall{mode_of(w), {}};
+            for (const auto& limit : w.reading.limits)
+                wall.limits.push_back(fragility::observation(limit, 100.0 / walls.height));
+            group.walls.push_back(std::move(wall));
+        }
+        data.groups.push_back(std::move(group));
+    }
+    return data;
 }
 
 } // namespace app

@@ -14,6 +14,8 @@
 
 namespace app {
 
+struct StudyWalls;
+
 struct DriftState {
     std::string set;  ///< "ntc"; empty: of a table
     std::string name; ///< "SLV", or the column
@@ -69,5 +71,8 @@ struct DriftData {
 
 /// "n walls gave a result, 2 failed, 10 not run; ..." of all groups, for captions.
 [[nodiscard]] std::string counts_text(const DriftData& data);
+
+/// Drifts in percent of the height of the load line.
+[[nodiscard]] DriftData drift_data(const StudyWalls& walls);
 
 } // namespace app

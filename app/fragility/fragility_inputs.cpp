@@ -8,10 +8,12 @@
 #include "uq/sensitivity/regression.hpp"
 
 #include <cmath>
-#include <optional>
+#include <limits>
 
 namespace app {
 namespace {
+
+constexpr std::size_t kFewestWalls = 4; // of a correlation
 
 /// Walls that say something about a response: inputs and answer.
 struct Sample {
@@ -19,28 +21,22 @@ struct Sample {
     Eigen::VectorXd y;
 };
 
-Sample sample_of(const StudyWalls& walls, const StudyLevel& level, bool force)
+Sample sample_of(const StudyWalls& walls, const StudyLevel& level, Response response)
 {
-    std::vector<const StudyWall*> used;
-    for (const StudyWall& w : level.walls) {
-        const bool observed = w.ultimate.reading == fragility::Reading::observed;
-        if (force ? std::isfinite(w.peak_force) : observed) used.push_back(&w);
-    }
+    const bool force = response == Response::peak_force;
+    WallList used;
+    for (const StudyWall& w : level.walls)
+        if (force ? w.reading.peak.has_value() : is_observed(w.reading.ultimate))
+            used.push_back(&w);
     const auto n = static_cast<Eigen::Index>(used.size());
     const auto d = static_cast<Eigen::Index>(walls.inputs.size());
     Sample s{Eigen::MatrixXd(n, d), Eigen::VectorXd(n)};
     for (Eigen::Index i = 0; i < n; ++i) {
         const StudyWall& w = *used[static_cast<std::size_t>(i)];
         for (Eigen::Index j = 0; j < d; ++j) s.x(i, j) = w.inputs[static_cast<std::size_t>(j)];
-        s.y(i) = force ? w.peak_force * 1e-3 : w.ultimate.displacement * 1e3;
+        s.y(i) = force ? w.reading.peak->force * 1e-3 : w.reading.ultimate.displacement * 1e3;
     }
     return s;
-}
-
-Number estimate_cell(const std::optional<uq::Estimate>& e)
-{
-    if (!e) return {};
-    return with_interval(e->value, e->interval.lower, e->interval.upper, 2);
 }
 
 std::optional<uq::Regression> regression(const Sample& s, double confidence)
@@ -52,43 +48,58 @@ std::optional<uq::Regression> regression(const Sample& s, double confidence)
     return uq::regress(s.x, s.y, options);
 }
 
-/// Correlations, regression and a note on one input.
-void add_measures(const Sample& s, std::size_t input, double confidence,
-                  const std::optional<uq::Regression>& model, Row& row)
+Number estimate_cell(const std::optional<uq::Estimate>& e)
 {
-    const auto column = static_cast<Eigen::Index>(input);
-    const auto r = uq::pearson(s.x.col(column), s.y, confidence);
-    const bool told = model && model->inputs[input].identifiable;
-    const char* const note = !r       ? "The input does not vary."
-                             : !model ? "Too few walls for a regression."
-                             : !told  ? "The regression cannot tell this input from the others."
-                                      : "";
-    row.emplace_back(estimate_cell(r));
-    row.emplace_back(estimate_cell(uq::spearman(s.x.col(column), s.y, confidence)));
-    row.emplace_back(told ? estimate_cell(model->inputs[input].standardised) : Number{});
-    row.emplace_back(model ? plain_number(model->r2, 2) : Number{});
-    row.emplace_back(note);
+    if (!e) return {};
+    return with_interval(e->value, e->interval.lower, e->interval.upper, 2);
 }
 
-void add_rows(const StudyWalls& walls, const StudyLevel& level, bool force, Table& t)
+const char* note_on(const Influence& i, const Influences& all)
 {
-    constexpr Eigen::Index kFewest = 4; // of a correlation
-    const Sample s = sample_of(walls, level, force);
-    const double confidence = walls.study.fragility.confidence;
-    const auto model = regression(s, confidence);
-    for (std::size_t i = 0; i < walls.inputs.size(); ++i) {
-        Row row = {given(level.stress * 1e-6), force ? "peak force" : "ultimate displacement",
-                   walls.inputs[i].key, count(static_cast<double>(s.y.size()))};
-        if (s.y.size() < kFewest) {
-            row.insert(row.end(), {{}, {}, {}, {}, "Fewer than 4 walls."});
-        } else {
-            add_measures(s, i, confidence, model, row);
-        }
-        t.rows.push_back(std::move(row));
-    }
+    if (all.walls < kFewestWalls) return "Fewer than 4 walls.";
+    if (!i.pearson) return "The input does not vary.";
+    if (!std::isfinite(all.r2)) return "Too few walls for a regression.";
+    return i.standardised ? "" : "The regression cannot tell this input from the others.";
+}
+
+void add_rows(const StudyWalls& walls, const StudyLevel& level, Response response, Table& t)
+{
+    const Influences found = influences(walls, level, response);
+    for (const Influence& i : found.inputs)
+        t.rows.push_back({given(level.stress * 1e-6), words(response), i.key,
+                          count(static_cast<double>(found.walls)), estimate_cell(i.pearson),
+                          estimate_cell(i.spearman), estimate_cell(i.partial),
+                          estimate_cell(i.standardised), plain_number(found.r2, 2),
+                          note_on(i, found)});
 }
 
 } // namespace
+
+const char* words(Response response)
+{
+    return response == Response::peak_force ? "peak force" : "ultimate displacement";
+}
+
+Influences influences(const StudyWalls& walls, const StudyLevel& level, Response response)
+{
+    const double confidence = walls.study.fragility.confidence;
+    const Sample s = sample_of(walls, level, response);
+    const auto model = regression(s, confidence);
+    Influences found{static_cast<std::size_t>(s.y.size()),
+                     model ? model->r2 : std::numeric_limits<double>::quiet_NaN(),
+                     {}};
+    for (std::size_t i = 0; i < walls.inputs.size(); ++i) {
+        found.inputs.push_back({walls.inputs[i].key, {}, {}, {}, {}});
+        if (found.walls < kFewestWalls) continue;
+        const auto column = s.x.col(static_cast<Eigen::Index>(i));
+        found.inputs.back().pearson = uq::pearson(column, s.y, confidence);
+        found.inputs.back().spearman = uq::spearman(column, s.y, confidence);
+        if (!model || !model->inputs[i].identifiable) continue;
+        found.inputs.back().standardised = model->inputs[i].standardised;
+        found.inputs.back().partial = model->inputs[i].partial;
+    }
+    return found;
+}
 
 Table input_table(const StudyWalls& walls)
 {
@@ -100,11 +111,13 @@ Table input_table(const StudyWalls& walls)
               "n",
               {"r", kInterval},
               {"rank r", kInterval},
+              {"partial rank r", kInterval},
               {"rank regression", kInterval},
               "R2",
               {"note", kNote}};
     for (const StudyLevel& level : walls.levels)
-        for (const bool force : {true, false}) add_rows(walls, level, force, t);
+        for (const Response r : {Response::peak_force, Response::ultimate})
+            add_rows(walls, level, r, t);
     return t;
 }
 
@@ -125,8 +138,8 @@ std::vector<NamedPicture> input_pictures(const StudyWalls& walls)
         Series modes[2] = {{"rocking", {}, {}, "#0072B2", LineStyle::none, 1.0, true},
                            {"mixed", {}, {}, "#D55E00", LineStyle::none, 1.0, true}};
         for (const StudyWall& w : level.walls) {
-            modes[w.mode].x.push_back(w.inputs[input]);
-            modes[w.mode].y.push_back(w.peak_force * 1e-3);
+            modes[mode_of(w)].x.push_back(w.inputs[input]);
+            modes[mode_of(w)].y.push_back(peak_force(w.reading) * 1e-3);
         }
         for (const Series& s : modes)
             if (!s.x.empty()) c.series.push_back(s);

@@ -2,12 +2,36 @@
 /// What peak force and ultimate displacement depend on (the paper, Fig. 12).
 
 #include "app/fragility/fragility_output.hpp"
-#include "app/fragility/study_walls.hpp"
 #include "app/output/table.hpp"
+#include "app/study/study_walls.hpp"
 
+#include "uq/estimates/estimate.hpp"
+
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace app {
+
+enum class Response { peak_force, ultimate };
+[[nodiscard]] const char* words(Response response); ///< "peak force", "ultimate displacement"
+
+/// What a response has to do with an input; nothing where that cannot be told.
+struct Influence {
+    std::string key;
+    std::optional<uq::Estimate> pearson, spearman; ///< correlation of values, of ranks
+    std::optional<uq::Estimate> standardised,
+        partial; ///< coefficient, and partial correlation, of the ranks
+};
+
+struct Influences {
+    std::size_t walls =
+        0;           ///< used: of the ultimate displacement those on which it was observed
+    double r2 = 0.0; ///< of the regression of ranks [-]; NaN: too few walls
+    std::vector<Influence> inputs; ///< without values below 4 walls
+};
+[[nodiscard]] Influences influences(const StudyWalls& walls, const StudyLevel& level,
+                                    Response response);
 
 /// Per vertical stress, response and input: correlations of values and of ranks, standardised rank
 /// regression, share explained. Ultimate displacement: of the walls on which it was observed.

@@ -6,6 +6,7 @@
 #include "app/study/fragility_text.hpp"
 #include "app/study/resampled_curve.hpp"
 #include "fragility/sample_quantile.hpp"
+#include "uq/estimates/estimate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,50 +14,30 @@
 namespace app {
 namespace {
 
-constexpr int kAllModes = 2;
-
 const char* group_name(int mode) { return mode == kAllModes ? "all" : mode_name(mode); }
 
 constexpr std::size_t kTableStep = 4; ///< of the grid of curves
 constexpr std::array<const char*, 7> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                  "#E69F00", "#56B4E9", "#000000"};
 
-/// Forces of the walls of a group at one step [kN].
-struct MeanPoint {
-    double drift; ///< [%]
-    double mean, low, high;
-    std::size_t walls;
-};
-
 std::vector<const StudyWall*> group_of(const StudyLevel& level, int mode)
 {
     std::vector<const StudyWall*> group;
     for (const StudyWall& w : level.walls)
-        if ((mode == kAllModes || w.mode == mode) && !w.forces.empty()) group.push_back(&w);
+        if ((mode == kAllModes || mode_of(w) == mode) && !w.forces.empty()) group.push_back(&w);
     return group;
 }
 
-/// As far as kMeanNeedsShare of the curves of the group go.
-std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& level, int mode)
+struct MeanOf {
+    double mean;
+    fragility::Interval interval;
+};
+
+MeanOf mean_of(const std::vector<double>& forces, double confidence)
 {
-    const auto group = group_of(level, mode);
-    std::vector<MeanPoint> points;
-    for (std::size_t i = 0; i <= kCurveSteps && !group.empty(); ++i) {
-        std::vector<double> forces;
-        for (const StudyWall* w : group)
-            if (i < w->forces.size()) forces.push_back(w->forces[i] * 1e-3);
-        if (static_cast<double>(forces.size()) <
-            kMeanNeedsShare * static_cast<double>(group.size()))
-            break;
-        std::sort(forces.begin(), forces.end());
-        double sum = 0.0;
-        for (const double f : forces) sum += f;
-        points.push_back({100.0 * walls.step * static_cast<double>(i) / walls.height,
-                          sum / static_cast<double>(forces.size()),
-                          fragility::sample_quantile(forces, 0.16),
-                          fragility::sample_quantile(forces, 0.84), forces.size()});
-    }
-    return points;
+    if (forces.size() == 1) return {forces.front(), {kUnknown, kUnknown}};
+    const uq::Estimate e = uq::estimate_mean(forces, confidence);
+    return {e.value, {e.interval.lower, e.interval.upper}};
 }
 
 /// Points of the curve of a full push; the last may lie a rounding short of the target.
@@ -118,6 +99,26 @@ NamedPicture picture(const StudyWalls& walls, int mode)
 
 } // namespace
 
+std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& level, int mode)
+{
+    const auto group = group_of(level, mode);
+    std::vector<MeanPoint> points;
+    for (std::size_t i = 0; i <= kCurveSteps && !group.empty(); ++i) {
+        std::vector<double> forces;
+        for (const StudyWall* w : group)
+            if (i < w->forces.size()) forces.push_back(w->forces[i] * 1e-3);
+        if (static_cast<double>(forces.size()) <
+            kMeanNeedsShare * static_cast<double>(group.size()))
+            break;
+        std::sort(forces.begin(), forces.end());
+        const MeanOf m = mean_of(forces, walls.study.fragility.confidence);
+        points.push_back({100.0 * walls.step * static_cast<double>(i) / walls.height, m.mean,
+                          fragility::sample_quantile(forces, 0.16),
+                          fragility::sample_quantile(forces, 0.84), forces.size(), m.interval});
+    }
+    return points;
+}
+
 Table mean_curve_table(const StudyWalls& walls)
 {
     Words words = words_of(walls);
@@ -129,7 +130,7 @@ Table mean_curve_table(const StudyWalls& walls)
               "walls",
               "drift [%]",
               "n",
-              "mean force [kN]",
+              {"mean force [kN]", kInterval},
               "16 % of the walls below [kN]",
               "84 % of the walls below [kN]"};
     for (const StudyLevel& level : walls.levels)
@@ -139,7 +140,8 @@ Table mean_curve_table(const StudyWalls& walls)
                 t.rows.push_back({given(level.stress * 1e-6), group_name(mode),
                                   plain_number(points[i].drift, 3),
                                   count(static_cast<double>(points[i].walls)),
-                                  plain_number(points[i].mean, 3),
+                                  with_interval(points[i].mean, points[i].interval.lower,
+                                                points[i].interval.upper, 3),
                                   plain_number(points[i].low, 3),
                                   plain_number(points[i].high, 3)});
         }

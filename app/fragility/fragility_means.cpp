@@ -15,7 +15,7 @@ std::vector<const StudyWall*> walls_of(const StudyLevel& level, int mode)
 {
     std::vector<const StudyWall*> found;
     for (const StudyWall& w : level.walls)
-        if (w.mode == mode) found.push_back(&w);
+        if (mode_of(w) == mode) found.push_back(&w);
     return found;
 }
 
@@ -27,6 +27,14 @@ Number mean_cell(const std::vector<double>& values, int decimals)
     if (sound.size() == 1) return plain_number(sound.front(), decimals);
     const uq::Estimate e = uq::estimate_mean(sound);
     return with_error(e.value, e.std_error, decimals);
+}
+
+Number cov_cell(const std::vector<double>& values)
+{
+    const auto sound = uq::sound_values(values).values;
+    if (sound.size() < 2) return {};
+    const uq::Moments m = uq::moments(sound);
+    return m.mean > 0.0 ? plain_number(m.sd / m.mean, 2) : Number{};
 }
 
 /// Mean of where runs ended, a bound: it has no standard error.
@@ -48,11 +56,11 @@ Displacements displacements(const std::vector<const StudyWall*>& walls)
 {
     Displacements d;
     for (const StudyWall* w : walls) {
-        const auto limit = fragility::observation(w->ultimate, 1e3);
+        const auto limit = fragility::observation(w->reading.ultimate, 1e3);
         if (!limit) continue;
         d.all.push_back(*limit);
-        const bool observed = w->ultimate.reading == fragility::Reading::observed;
-        (observed ? d.observed : d.censored).push_back(w->ultimate.displacement * 1e3);
+        const bool observed = w->reading.ultimate.reading == fragility::Reading::observed;
+        (observed ? d.observed : d.censored).push_back(w->reading.ultimate.displacement * 1e3);
     }
     return d;
 }
@@ -78,9 +86,10 @@ Row mean_row(const StudyWalls& walls, const StudyLevel& level, int mode, std::si
             level.walls.empty() ? "No wall gave a result." : "The mode does not occur.";
         return row;
     }
-    const auto share = fragility::share(
-        n, static_cast<double>(level.walls.size()), static_cast<double>(level.failed),
-        fragility::BinomialInterval::wilson, walls.study.fragility.confidence);
+    const auto share =
+        fragility::share(n, static_cast<double>(level.walls.size()),
+                         static_cast<double>(level.failed_walls.size()),
+                         fragility::BinomialInterval::wilson, walls.study.fragility.confidence);
     row.emplace_back(with_interval(100.0 * share.value, 100.0 * share.bounds.lower,
                                    100.0 * share.bounds.upper, 0));
     for (std::size_t i = 0; i < walls.inputs.size(); ++i) {
@@ -89,10 +98,15 @@ Row mean_row(const StudyWalls& walls, const StudyLevel& level, int mode, std::si
         row.emplace_back(mean_cell(values, walls.inputs[i].unit == "deg" ? 2 : 3));
     }
     std::vector<double> force;
-    for (const StudyWall* w : group) force.push_back(w->peak_force * 1e-3);
+    for (const StudyWall* w : group) force.push_back(peak_force(w->reading) * 1e-3);
+    std::vector<double> at_peak;
+    for (const StudyWall* w : group) at_peak.push_back(peak_displacement(w->reading) * 1e3);
     const Displacements d = displacements(group);
     row.insert(row.end(), {mean_cell(force, 2),
+                           cov_cell(force),
+                           mean_cell(at_peak, 2),
                            mean_cell(d.observed, 2),
+                           cov_cell(d.observed),
                            count(static_cast<double>(d.observed.size())),
                            ended_cell(d.censored),
                            count(static_cast<double>(d.censored.size())),
@@ -111,7 +125,10 @@ Table mean_table(const StudyWalls& walls)
     for (const StoredInput& i : walls.inputs)
         t.head.emplace_back(i.key + " [" + i.unit + "]", kError);
     t.head.insert(t.head.end(), {{"peak force [kN]", kError},
+                                 "COV of peak force",
+                                 {"displacement at the peak [mm]", kError},
                                  {"displacement [mm]", kError},
+                                 "COV of displacement",
                                  "observed",
                                  "mean end of censored runs [mm]",
                                  "censored",

@@ -2,8 +2,9 @@
 /// Means per mode and vertical stress (the paper, Tables 6 to 8 and Fig. 15).
 
 #include "app/fragility/fragility_output.hpp"
-#include "app/fragility/study_walls.hpp"
 #include "app/output/table.hpp"
+#include "app/study/study_walls.hpp"
+#include "fragility/interval.hpp"
 
 #include <vector>
 
@@ -12,6 +13,21 @@ namespace app {
 /// Means of inputs, force and displacement of the walls of each mode, with standard errors and the share
 /// of the mode: Tables 6 (rocking), 7 (mixed) and 8 (both) of the paper, one below the other.
 [[nodiscard]] Table mean_table(const StudyWalls& walls);
+
+constexpr int kAllModes = 2; ///< after kRocking and kMixed
+
+/// Forces of the walls of a group at one step [kN].
+struct MeanPoint {
+    double drift;           ///< [%]
+    double mean, low, high; ///< low, high: 16 and 84 % of the walls lie below
+    std::size_t walls;
+    fragility::Interval interval; ///< of the mean; no bounds for one wall
+};
+
+/// At 0, 1, ... kCurveSteps steps, as far as kMeanNeedsShare of the curves of the group go: the rest are no
+/// fair sample.
+[[nodiscard]] std::vector<MeanPoint> mean_points(const StudyWalls& walls,
+                                                 const StudyLevel& level, int mode);
 
 /// Mean force over drift with 16 and 84 % of the walls, per mode and stress: a table, and a chart of each
 /// mode.

@@ -23,7 +23,7 @@ double walls_with(const StudyLevel& level, int mode)
 {
     return static_cast<double>(
         std::count_if(level.walls.begin(), level.walls.end(),
-                      [&](const StudyWall& w) { return w.mode == mode; }));
+                      [&](const StudyWall& w) { return mode_of(w) == mode; }));
 }
 
 Number range_cell(const fragility::Interval& i)
@@ -32,23 +32,21 @@ Number range_cell(const fragility::Interval& i)
 }
 
 /// How many walls of a level slid and did not crack.
-double slid(const StudyWalls& walls, const StudyLevel& level)
+double slid(const StudyLevel& level)
 {
     return static_cast<double>(
-        std::count_if(level.walls.begin(), level.walls.end(), [&](const StudyWall& w) {
-            return slid_whole({w.rotation_share, w.sliding_share, w.cracked_units, 0},
-                              w.dropped, walls.study.fragility.mode);
-        }));
+        std::count_if(level.walls.begin(), level.walls.end(),
+                      [](const StudyWall& w) { return w.reading.slid; }));
 }
 
 Row mode_row(const StudyWalls& walls, const StudyLevel& level, int mode)
 {
     const double confidence = walls.study.fragility.confidence;
     const auto n = static_cast<double>(level.walls.size());
-    const auto failed = static_cast<double>(level.failed);
+    const auto failed = static_cast<double>(level.failed_walls.size());
     const double k = walls_with(level, mode);
     Row row = {stress_cell(level), mode_name(mode),
-               count(k),           mode == kRocking ? count(slid(walls, level)) : Number{},
+               count(k),           mode == kRocking ? count(slid(level)) : Number{},
                count(n),           count(failed)};
     if (n == 0.0) {
         row.insert(row.end(), {{},
@@ -85,7 +83,7 @@ fragility::ModeData mode_data(const StudyLevel& level, std::size_t input)
     for (Eigen::Index i = 0; i < n; ++i) {
         const StudyWall& w = level.walls[static_cast<std::size_t>(i)];
         data.covariates(i, 0) = w.inputs[input];
-        data.counts(i, w.mode) = 1.0;
+        data.counts(i, mode_of(w)) = 1.0;
     }
     return data;
 }
@@ -157,12 +155,13 @@ std::vector<std::vector<double>> figures_of(const StudyLevel& level)
 {
     std::vector<std::vector<double>> figures;
     for (const StudyWall& w : level.walls)
-        figures.push_back(
-            {w.rotation_share, static_cast<double>(w.cracked_units), w.dropped ? 1.0 : 0.0});
+        figures.push_back({w.mechanism.rotation_share,
+                           static_cast<double>(w.mechanism.cracked_units),
+                           w.reading.dropped ? 1.0 : 0.0});
     return figures;
 }
 
-int mode_of(std::span<const double> figures, std::span<const double> thresholds)
+int mode_by_figures(std::span<const double> figures, std::span<const double> thresholds)
 {
     const dem::Mechanism m{figures[0], 0.0, static_cast<int>(figures[1]), 0};
     return static_cast<int>(dem::failure_mode(
@@ -221,12 +220,13 @@ Table threshold_table(const StudyWalls& walls)
     t.head.emplace_back("walls that change their mode [%]");
     if (all.empty()) return t;
     const ThresholdGrid grid = grid_of(walls.study.fragility);
-    const auto overall = fragility::mode_shares(all, grid.points, mode_of, 2);
+    const auto overall = fragility::mode_shares(all, grid.points, mode_by_figures, 2);
     for (const auto& point : grid.points) t.rows.push_back({given(point[0]), count(point[1])});
     for (const StudyLevel& level : walls.levels) {
         const auto figures = figures_of(level);
         std::vector<fragility::ThresholdShares> shares;
-        if (!figures.empty()) shares = fragility::mode_shares(figures, grid.points, mode_of, 2);
+        if (!figures.empty())
+            shares = fragility::mode_shares(figures, grid.points, mode_by_figures, 2);
         for (std::size_t p = 0; p < grid.points.size(); ++p)
             t.rows[p].emplace_back(
                 shares.empty() ? Number{} : plain_number(100.0 * shares[p].shares[kMixed], 0));

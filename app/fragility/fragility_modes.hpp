@@ -1,8 +1,8 @@
 #pragma once
 /// Failure modes of a study: how likely, what decides, what the thresholds of the rule change.
 
-#include "app/fragility/study_walls.hpp"
 #include "app/output/table.hpp"
+#include "app/study/study_walls.hpp"
 
 namespace app {
 

@@ -69,8 +69,9 @@ Words words_of(const DriftData& data)
 Words words_of(const StudyWalls& walls)
 {
     Words words = words_of(drift_data(walls));
-    words["rule"] = mode_rule_text(walls.study.fragility.mode);
-    words["fall"] = percent_text(kFallOfUltimate);
+    words["rule"] = mode_rule_text(walls.study.fragility);
+    words["fall"] = percent_text(walls.study.fragility.ultimate_share);
+    words["ultimate"] = ultimate_text(walls.study.fragility);
     words["height"] = number(walls.height, 6);
     words["spatial"] = walls.study.uq.spatial == Spatial::none
                            ? ""

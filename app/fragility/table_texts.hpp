@@ -1,8 +1,8 @@
 #pragma once
 /// Titles and captions of the tables, from app/fragility/table_texts.txt.
 
-#include "app/fragility/study_walls.hpp"
 #include "app/output/table.hpp"
+#include "app/study/study_walls.hpp"
 
 #include <map>
 #include <string>
@@ -22,7 +22,7 @@ using Words = std::map<std::string, std::string, std::less<>>; ///< what stands 
 /// {counts}, {drift}, {law}, {confidence}, {states}, {bootstrap} of any data.
 [[nodiscard]] Words words_of(const DriftData& data);
 
-/// Also {rule} of the modes, {fall} of the ultimate displacement, {height}, {spatial}.
+/// Also {rule} of the modes, {fall} (share of the peak) and {ultimate} of the ultimate displacement, {height}, {spatial}.
 [[nodiscard]] Words words_of(const StudyWalls& walls);
 
 } // namespace app

@@ -2,6 +2,7 @@
 
 #include "app/input/key_reading.hpp"
 #include "app/input/key_values.hpp"
+#include "app/input/limit_state_text.hpp"
 #include "app/input/number_text.hpp"
 #include "app/input/study_checks.hpp"
 #include "app/input/study_keys.hpp"
@@ -57,6 +58,7 @@ Study read_study(const StudyFile& file)
     check_stiffness(study);
     derive(study);
     check_relations(study);
+    static_cast<void>(reading_rules(study)); // a wrong rule is found before any wall is run
     return study;
 }
 
@@ -146,6 +148,21 @@ dem::PushPlan push_plan(const Study& study)
     plan.snapshot_every = study.output.snapshot_every;
     if (study.load.stop_below > 0.0) plan.decided = stop_below(study.load.stop_below);
     return plan;
+}
+
+PushWay push_way(const Study& study)
+{
+    PushWay way;
+    bool right = false, left = false;
+    double from = 0.0;
+    for (const double to : push_plan(study).targets) {
+        (to > from ? right : left) = true;
+        way.farthest = std::max(way.farthest, std::abs(to));
+        way.length += std::abs(to - from);
+        from = to;
+    }
+    way.direction = right && left ? 0 : left ? -1 : 1;
+    return way;
 }
 
 } // namespace app

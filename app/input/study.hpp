@@ -71,13 +71,8 @@ enum class FieldKernel {
     all          ///< the same of the whole wall
 };
 
-/// What a stopping rule looks at.
-enum class StopQuantity {
-    none,                  ///< no rule: uq.samples
-    peak_force,            ///< its mean, relative
-    ultimate_displacement, ///< its mean, relative; bounds count as they are
-    mixed_share            ///< share of walls in mixed mode
-};
+/// What a stopping rule looks at: uq.samples alone, or a row of kWallResponses, or the share of mixed walls.
+constexpr int kNoStop = -1, kStopAtMixedShare = -2;
 
 struct UqInput {
     uq::DesignKind design = uq::DesignKind::latin_random;
@@ -89,7 +84,7 @@ struct UqInput {
     std::vector<double> correlation_length; ///< [m]; two for exponential_l1: along x and z
     double matern_nu = 1.5;                 ///< smoothness [-]
     double group_correlation = 0.5;         ///< [-], in [0, 1]
-    StopQuantity stop = StopQuantity::none;
+    int stop = kNoStop;            ///< kNoStop, kStopAtMixedShare or a row of kWallResponses
     double stop_half_width = 0.05; ///< of the 95 % interval [-], > 0
     int most_samples = 1000;       ///< at which the rule gives up
     std::string pearson;           ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
@@ -97,12 +92,10 @@ struct UqInput {
 
 enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity, sobol };
 
-enum class WallResponse { peak_force, ultimate_displacement, ultimate_drift };
-
 /// For the verb reliability: the probability that a response falls to a demand or below.
 struct ReliabilityInput {
     ReliabilityMethod method = ReliabilityMethod::monte_carlo;
-    WallResponse response = WallResponse::peak_force;
+    int response = 0;         ///< row of kWallResponses (app/reading/wall_response.hpp)
     std::string demand;       ///< "40 kN", "15 mm", or a drift in percent: "1.2"
     int budget = 1000;        ///< evaluations at most, >= 10
     double target_cov = 0.10; ///< stop once the probability is known as well [-]
@@ -125,7 +118,7 @@ struct ProgramInput {
     bool above = false;             ///< the event is to reach the demand, else to fall to it
 };
 
-/// For the verb fragility. Moves no wall.
+/// How walls are read, by every verb. Moves no wall.
 struct FragilityInput {
     std::string limit_states = "paper, ntc"; ///< sets: paper, ntc, ec8, user
     std::string user_states;                 ///< "slight: 0.7 yield; severe: drop 0.5; ..."
@@ -180,5 +173,13 @@ struct Study {
 
 /// Without progress.
 [[nodiscard]] dem::PushPlan push_plan(const Study& study);
+
+/// Where a push goes.
+struct PushWay {
+    int direction = 1;     ///< 1: to the right, -1: to the left, 0: it turns back
+    double farthest = 0.0; ///< largest distance from the start [m]
+    double length = 0.0;   ///< of the whole way [m]
+};
+[[nodiscard]] PushWay push_way(const Study& study);
 
 } // namespace app

@@ -137,11 +137,11 @@ void check_load(const Study& study)
                    text(target, "mm") + " follows " + text(previous, "mm") +
                        "; each target must differ from the one before, the first from 0 mm");
         }
-        if (study.load.stop_below > 0.0 && target < previous) {
-            refuse(study, "load.stop_below",
-                   "needs a push that does not turn back; remove it, or let load.targets grow");
-        }
         previous = target;
+    }
+    if (study.load.stop_below > 0.0 && push_way(study).direction == 0) {
+        refuse(study, "load.stop_below",
+               "needs a push that does not turn back; remove it, or let load.targets grow");
     }
 }
 
@@ -149,11 +149,7 @@ void check_load(const Study& study)
 void check_output(const Study& study)
 {
     constexpr double kMostPoints = 1e6, kMostSnapshots = 1e4;
-    double path = 0.0, previous = 0.0;
-    for (const double target : push_plan(study).targets) {
-        path += std::abs(target - previous);
-        previous = target;
-    }
+    const double path = push_way(study).length;
     const OutputInput& out = study.output;
     if (out.record_every > path) {
         refuse(study, "output.record_every",

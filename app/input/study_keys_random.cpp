@@ -1,6 +1,7 @@
 /// Random samples, reliability and fragility: keys of the study file.
 
 #include "app/input/study_key_table.hpp"
+#include "app/reading/wall_response.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,17 +27,21 @@ constexpr std::array kMethods = {named("monte_carlo", ReliabilityMethod::monte_c
                                  named("subset", ReliabilityMethod::subset),
                                  named("multi_fidelity", ReliabilityMethod::multi_fidelity),
                                  named("sobol", ReliabilityMethod::sobol)};
-constexpr std::array kWallResponses = {
-    named("peak_force", WallResponse::peak_force),
-    named("ultimate_displacement", WallResponse::ultimate_displacement),
-    named("ultimate_drift", WallResponse::ultimate_drift)};
+/// Names of the responses, from their table, after other words.
+template <std::size_t N> constexpr auto with_responses(const std::array<Named, N>& others)
+{
+    std::array<Named, N + kWallResponses.size()> names;
+    std::copy(others.begin(), others.end(), names.begin());
+    for (std::size_t i = 0; i < kWallResponses.size(); ++i)
+        names[N + i] = named(kWallResponses[i].name, i);
+    return names;
+}
+constexpr auto kResponses = with_responses(std::array<Named, 0>{});
+constexpr auto kStops =
+    with_responses(std::array{named("none", kNoStop), named("mixed_share", kStopAtMixedShare)});
 constexpr std::array kSpatial = {
     named("none", Spatial::none), named("independent", Spatial::independent),
     named("stratified", Spatial::stratified), named("correlated", Spatial::correlated)};
-constexpr std::array kStops = {
-    named("none", StopQuantity::none), named("peak_force", StopQuantity::peak_force),
-    named("ultimate_displacement", StopQuantity::ultimate_displacement),
-    named("mixed_share", StopQuantity::mixed_share)};
 constexpr std::array kKernels = {named("exponential", FieldKernel::exponential),
                                  named("squared_exponential", FieldKernel::squared_exponential),
                                  named("exponential_l1", FieldKernel::exponential_l1),
@@ -152,8 +157,8 @@ constexpr std::array kKeys = {
     Key{.name = "reliability.method", .kind = Kind::word, .names = kMethods,
         .meaning = "form: design point, FORM and SORM; importance: sampling around it; subset: small probabilities; sobol: what the response depends on",
         .field = kAt<&Study::reliability, &ReliabilityInput::method>},
-    Key{.name = "reliability.response", .kind = Kind::word, .names = kWallResponses,
-        .meaning = "that is to fall to the demand or below; ultimate: 80 % of the peak",
+    Key{.name = "reliability.response", .kind = Kind::word, .names = kResponses,
+        .meaning = "that is to fall to the demand or below; ultimate: at fragility.ultimate_share",
         .field = kAt<&Study::reliability, &ReliabilityInput::response>},
     Key{.name = "reliability.demand", .kind = Kind::text,
         .derived = {"must be given for reliability"},
@@ -190,7 +195,7 @@ constexpr std::array kKeys = {
         .field = kAt<&Study::fragility, &FragilityInput::bilinear_share>},
     Key{.name = "fragility.law", .kind = Kind::word, .names = kDriftLaws,
         .verbs = "study fragility",
-        .meaning = "of limit drifts",
+        .meaning = "of limit drifts and displacements",
         .field = kAt<&Study::fragility, &FragilityInput::law>},
     Key{.name = "fragility.confidence", .range = {'(', 0, 1, ')'},
         .verbs = "study fragility",

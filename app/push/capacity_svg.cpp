@@ -1,11 +1,13 @@
 #include "app/push/capacity_svg.hpp"
 
+#include "app/input/limit_state_text.hpp"
 #include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
+#include "app/study/fragility_text.hpp"
 
 namespace app {
 
-std::string capacity_svg(const PushedWall& w)
+std::string capacity_svg(const Study& study, const PushedWall& w)
 {
     Chart chart;
     chart.title =
@@ -19,11 +21,16 @@ std::string capacity_svg(const PushedWall& w)
         curve.y.push_back(w.force[i] * 1e-3);
     }
     chart.series.push_back(curve);
-    if (w.peak)
-        chart.marks.push_back({w.peak->displacement * 1e3, w.peak->force * 1e-3,
-                               "peak " + fixed(w.peak->force * 1e-3, 1) + " kN"});
-    if (w.ultimate.reading == fragility::Reading::observed)
-        chart.vertical.push_back({w.ultimate.displacement * 1e3, "80 % of the peak"});
+    const WallReading& r = w.reading;
+    // Readings count in the direction of the push.
+    const double way = reading_rules(study).direction < 0 ? -1.0 : 1.0;
+    if (r.peak)
+        chart.marks.push_back({way * r.peak->displacement * 1e3, way * r.peak->force * 1e-3,
+                               "peak " + fixed(r.peak->force * 1e-3, 1) + " kN"});
+    if (is_observed(r.ultimate))
+        chart.vertical.push_back(
+            {way * r.ultimate.displacement * 1e3,
+             percent_text(study.fragility.ultimate_share) + " of the peak"});
     return line_chart(chart);
 }
 

@@ -8,6 +8,6 @@
 namespace app {
 
 /// SVG: force against displacement and drift, the peak and the limit displacement marked.
-[[nodiscard]] std::string capacity_svg(const PushedWall& wall);
+[[nodiscard]] std::string capacity_svg(const Study& study, const PushedWall& wall);
 
 } // namespace app

@@ -13,7 +13,10 @@
 #include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/summary_json.hpp"
+#include "app/reading/wall_words.hpp"
+#include "app/study/mode_rule.hpp"
 #include "app/study/push_walls.hpp"
+#include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "dem/block/model.hpp"
 
@@ -30,16 +33,6 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// [MPa] "0.50"; more digits where two are not exact.
-std::string stress_number(const PushedWall& w)
-{
-    const double mpa = w.vertical_stress * 1e-6;
-    const std::string two = fixed(mpa, 2);
-    return number(mpa, 12) == number(std::stod(two), 12) ? two : number(mpa, 12);
-}
-
-std::string stress_text(const PushedWall& w) { return stress_number(w) + " MPa"; }
 
 /// Pushes all walls. One line shows how far they are together: those that are done, and the one
 /// that spoke last.
@@ -102,9 +95,9 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
     if (!dem::failed(w.result.outcome)) {
         write_file(folder / "capacity.csv",
                    capacity_csv(w.displacement, w.force, w.loads.height));
-        write_file(folder / "capacity.svg", capacity_svg(w));
+        write_file(folder / "capacity.svg", capacity_svg(study, w));
         WallPictureText text;
-        text.vertical_load = stress_text(w);
+        text.vertical_load = stress_text(w.vertical_stress);
         text.load_height = w.loads.height;
         write_file(folder / "wall.svg", wall_picture(w.result.at_peak, w.result.at_end, text));
         write_vtk_series(folder / "series", w.result.snapshots);
@@ -115,31 +108,29 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
 
 Row level_row(const PushedWall& w)
 {
-    const bool failed = dem::failed(w.result.outcome);
+    const WallReading& r = w.reading;
     const auto ultimate = [&](double scale) {
-        if (w.ultimate.reading == fragility::Reading::not_defined) return Number{};
-        const bool censored = w.ultimate.reading == fragility::Reading::censored;
-        return Number{.value = w.ultimate.displacement * scale,
+        if (!is_defined(r.ultimate)) return Number{};
+        return Number{.value = r.ultimate.displacement * scale,
                       .decimals = 2,
-                      .sense = censored ? Sense::above : Sense::equal};
+                      .sense = is_censored(r.ultimate) ? Sense::above : Sense::equal};
     };
     return {given(w.vertical_stress * 1e-6),
-            w.peak ? plain_number(w.peak->force * 1e-3, 2) : Number{},
-            w.peak ? plain_number(w.peak->displacement * 1e3, 2) : Number{},
-            w.stiffness ? plain_number(*w.stiffness * 1e-6, 1) : Number{},
+            plain_number(peak_force(r) * 1e-3, 2),
+            plain_number(peak_displacement(r) * 1e3, 2),
+            r.stiffness ? plain_number(*r.stiffness * 1e-6, 1) : Number{},
             ultimate(1e3),
             ultimate(100.0 / w.loads.height),
-            failed ? "failed" : name(w.mode),
+            std::string(dem::failed(w.result.outcome) ? "failed" : words(r.mode)),
             count(w.mechanism.cracked_units),
-            plain_number(100.0 * w.result.energy.residual(), 4)};
+            plain_number(100.0 * energy_residual(w), 4)};
 }
 
-Table level_table(const std::vector<PushedWall>& walls)
+Table level_table(const Study& study, const std::vector<PushedWall>& walls)
 {
     Table t;
-    t.caption =
-        "Capacity per vertical stress. Ultimate: the force first comes down to 80 % of the "
-        "peak; > where it had not when the push ended.";
+    t.caption = "Capacity per vertical stress. Ultimate: the " +
+                ultimate_text(study.fragility) + "; > where it had not when the push ended.";
     t.head = {"stress [MPa]",
               "peak [kN]",
               "at [mm]",
@@ -156,7 +147,7 @@ Table level_table(const std::vector<PushedWall>& walls)
 /// "0.50_MPa": the folder of a level.
 fs::path folder_of(const PushedWall& w)
 {
-    std::string name = stress_text(w);
+    std::string name = stress_text(w.vertical_stress);
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
 }
@@ -166,7 +157,7 @@ void write_all(const fs::path& out, const Study& study, const std::vector<Pushed
 {
     if (walls.size() == 1) return write_wall(out, study, walls.front(), sample);
     for (const PushedWall& w : walls) write_wall(out / folder_of(w), study, w, sample);
-    const Table table = level_table(walls);
+    const Table table = level_table(study, walls);
     write_file(out / "levels.csv", as_csv(table));
     write_file(out / "levels.md", as_markdown(table));
     write_file(out / "levels.tex", as_latex(table));
@@ -186,8 +177,8 @@ int push_command(const Command& command)
     if (command.sample)
         write_file(fs::path(command.out) / "drawn.csv",
                    as_csv(drawn_table(study, wanted.front().draw)));
-    std::cout << as_text(level_table(walls), terminal_width()) << "written to " << command.out
-              << '\n';
+    std::cout << as_text(level_table(study, walls), terminal_width()) << "written to "
+              << command.out << '\n';
     return std::any_of(walls.begin(), walls.end(),
                        [](const PushedWall& w) { return dem::failed(w.result.outcome); });
 }

@@ -1,5 +1,7 @@
 #include "app/push/summary_json.hpp"
 
+#include "app/input/limit_state_text.hpp"
+#include "app/reading/wall_words.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/version.hpp"
 
@@ -19,57 +21,26 @@ Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr
 
 Json displacement_mm(const fragility::LimitDisplacement& d)
 {
-    return d.reading == fragility::Reading::not_defined ? Json(nullptr)
-                                                        : Json(d.displacement * kToMm);
+    return is_defined(d) ? Json(d.displacement * kToMm) : Json(nullptr);
 }
 
-const char* name(fragility::Reading r)
-{
-    switch (r) {
-    case fragility::Reading::observed:
-        return "observed";
-    case fragility::Reading::censored:
-        return "censored";
-    case fragility::Reading::not_defined:
-        return "not defined";
-    }
-    return "";
-}
-
-const char* name(dem::Outcome o)
-{
-    switch (o) {
-    case dem::Outcome::reached_target:
-        return "reached target";
-    case dem::Outcome::decided:
-        return "decided";
-    case dem::Outcome::lost_equilibrium:
-        return "lost equilibrium";
-    case dem::Outcome::not_finite:
-        return "not finite";
-    case dem::Outcome::energy_astray:
-        return "energy astray";
-    case dem::Outcome::out_of_steps:
-        return "out of steps";
-    case dem::Outcome::no_wall:
-        return "no wall";
-    }
-    return "";
-}
-
-Json limit_states(const PushedWall& w)
+Json limit_states(const PushedWall& w, const ReadingRules& rules)
 {
     Json list = Json::array();
-    for (const fragility::LimitState& s : w.limit_states)
-        list.push_back(
-            {{"name", s.name},
-             {"rule", s.rule},
-             {"displacement_mm", displacement_mm(s.limit)},
-             {"drift_percent", s.limit.reading == fragility::Reading::not_defined
-                                   ? Json(nullptr)
-                                   : Json(100.0 * s.limit.displacement / w.loads.height)},
-             {"reading", name(s.limit.reading)},
-             {"reason", s.limit.reason}});
+    if (!w.reading.no_reading.empty()) return list;
+    const std::vector<StateName> names = state_names(rules);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const fragility::LimitDisplacement& limit = w.reading.limits.at(i);
+        list.push_back({{"set", names[i].set},
+                        {"name", names[i].name},
+                        {"rule", names[i].rule},
+                        {"displacement_mm", displacement_mm(limit)},
+                        {"drift_percent",
+                         is_defined(limit) ? Json(100.0 * limit.displacement / w.loads.height)
+                                           : Json(nullptr)},
+                        {"reading", words(limit.reading)},
+                        {"reason", limit.reason}});
+    }
     return list;
 }
 
@@ -81,61 +52,47 @@ Json energy(const dem::Energy& e)
         {"damping_J", number_or_null(e.damping)},   {"kinetic_J", number_or_null(e.kinetic)}};
 }
 
-Json mechanism(const PushedWall& w)
+Json mechanism(const PushedWall& w, const FragilityInput& f)
 {
-    const dem::ModeThresholds t;
+    const dem::ModeThresholds& t = f.mode;
     return {{"rotation_share", number_or_null(w.mechanism.rotation_share)},
             {"sliding_share", number_or_null(w.mechanism.sliding_share)},
             {"cracked_units", w.mechanism.cracked_units},
             {"cracked_contacts", w.mechanism.cracked_contacts},
             {"snap_back_contacts", w.result.snap_back_contacts},
-            {"mode_rule", mode_rule_text(t)},
+            {"slid_whole", w.reading.slid},
+            {"mode_rule", mode_rule_text(f)},
             {"mode_thresholds",
              {{"rotation_share", t.rotation_share}, {"cracked_units", t.cracked_units}}}};
 }
 
-/// Largest share of the work missing from the ledger at any point of the curve; NaN if any of
-/// them is.
-double worst_residual(const PushedWall& w)
-{
-    double worst = std::abs(w.result.energy.residual());
-    for (const dem::CurvePoint& p : w.result.curve) {
-        const double r = std::abs(p.energy.residual());
-        if (!(r <= worst)) worst = r;
-        if (std::isnan(worst)) break;
-    }
-    return worst;
-}
-
 } // namespace
-
-const char* name(dem::FailureMode mode)
-{
-    return mode == dem::FailureMode::rocking ? "rocking" : "mixed";
-}
 
 std::string summary_json(const Study& study, const PushedWall& w)
 {
     const bool whole = !dem::failed(w.result.outcome);
+    const WallReading& r = w.reading;
+    const FragilityInput& f = study.fragility;
     Json j;
     j["vertical_stress_MPa"] = w.vertical_stress * kToMpa;
-    j["outcome"] = name(w.result.outcome);
-    j["peak_force_kN"] = w.peak ? Json(w.peak->force * kToKn) : Json(nullptr);
-    j["displacement_at_peak_mm"] = w.peak ? Json(w.peak->displacement * kToMm) : Json(nullptr);
-    j["peak_is_last_point"] = w.peak ? Json(w.peak->at_end) : Json(nullptr);
-    j["ultimate_displacement_mm"] = displacement_mm(w.ultimate);
-    j["ultimate_censored"] = w.ultimate.reading == fragility::Reading::censored;
-    j["ultimate_rule"] = "force first comes down to 80 % of the peak; if it never does, "
-                         "censored at the last displacement";
-    j["mode"] = whole ? Json(name(w.mode)) : Json(nullptr);
-    j["stiffness_kN_per_mm"] = w.stiffness ? Json(*w.stiffness * 1e-6) : Json(nullptr);
+    j["outcome"] = words(w.result.outcome);
+    j["peak_force_kN"] = number_or_null(peak_force(r) * kToKn);
+    j["displacement_at_peak_mm"] = number_or_null(peak_displacement(r) * kToMm);
+    j["peak_is_last_point"] = r.peak ? Json(r.peak->at_end) : Json(nullptr);
+    j["ultimate_displacement_mm"] = displacement_mm(r.ultimate);
+    j["ultimate_censored"] = is_censored(r.ultimate);
+    j["ultimate_rule"] =
+        ultimate_text(f) + "; if it never does, censored at the last displacement";
+    j["mode"] = whole ? Json(words(r.mode)) : Json(nullptr);
+    j["stiffness_kN_per_mm"] =
+        r.stiffness ? number_or_null(*r.stiffness * 1e-6) : Json(nullptr);
     j["stiffness_rule"] = "secant at 30 % of the peak";
-    j["no_reading"] = w.no_reading;
+    j["no_reading"] = r.no_reading;
     j["load_height_m"] = w.loads.height;
     j["settlement_mm"] = whole ? number_or_null(w.result.settlement * kToMm) : Json(nullptr);
-    j["limit_states"] = limit_states(w);
-    j["mechanism"] = mechanism(w);
-    j["energy_residual"] = number_or_null(worst_residual(w));
+    j["limit_states"] = limit_states(w, reading_rules(study));
+    j["mechanism"] = mechanism(w, f);
+    j["energy_residual"] = number_or_null(energy_residual(w));
     j["energy"] = energy(w.result.energy);
     j["settled_before_push"] = w.result.settled;
     j["step_fraction"] = w.result.step_fraction;

@@ -11,7 +11,4 @@ namespace app {
 /// Keys in a fixed order; what is not defined is null, never NaN.
 [[nodiscard]] std::string summary_json(const Study& study, const PushedWall& wall);
 
-/// "rocking", "mixed"
-[[nodiscard]] const char* name(dem::FailureMode mode);
-
 } // namespace app

@@ -1,5 +1,6 @@
 #include "app/reliability/wall_black_box.hpp"
 
+#include "app/reading/wall_response.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/wall_frames.hpp"
 #include "dem/block/model.hpp"
@@ -9,6 +10,8 @@
 
 namespace app {
 namespace {
+
+constexpr auto kWidth = static_cast<Eigen::Index>(kWallResponses.size());
 
 /// What all calls share; the model may outlive who made it.
 struct Shared {
@@ -21,18 +24,17 @@ struct Shared {
 /// Why there is no answer; empty if there is.
 std::string answer(const PushedWall& w, Eigen::Ref<Eigen::RowVectorXd> y)
 {
-    if (!w.no_reading.empty()) return w.no_reading;
-    if (w.ultimate.reading == fragility::Reading::not_defined)
-        return std::string(w.ultimate.reason);
-    y << w.peak->force, w.ultimate.displacement, w.ultimate.displacement / w.loads.height;
-    return {};
+    for (std::size_t i = 0; i < kWallResponses.size(); ++i)
+        y(static_cast<Eigen::Index>(i)) = kWallResponses[i].read(w.reading, w.loads.height);
+    if (!w.reading.no_reading.empty()) return std::string(w.reading.no_reading);
+    return y.allFinite() ? std::string() : std::string(w.reading.ultimate.reason);
 }
 
 uq::Responses ask(const Shared& s, const uq::Samples& samples)
 {
     const Eigen::Index n = samples.x.rows();
     uq::Responses r;
-    r.y = Eigen::MatrixXd::Constant(n, 3, std::numeric_limits<double>::quiet_NaN());
+    r.y = Eigen::MatrixXd::Constant(n, kWidth, std::numeric_limits<double>::quiet_NaN());
     r.failure.resize(static_cast<std::size_t>(n));
     PushList list;
     list.size = static_cast<std::size_t>(n);
@@ -41,7 +43,7 @@ uq::Responses ask(const Shared& s, const uq::Samples& samples)
         return {s.level, unflattened(s.plan, row)};
     };
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
-        Eigen::RowVectorXd y(3);
+        Eigen::RowVectorXd y(kWidth);
         r.failure[i] = answer(wall, y);
         if (r.failure[i].empty()) r.y.row(static_cast<Eigen::Index>(i)) = y;
     };

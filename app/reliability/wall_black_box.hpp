@@ -8,9 +8,8 @@
 
 namespace app {
 
-/// Columns of the answer, as in WallResponse: peak force [N], ultimate displacement [m], ultimate drift
-/// [-]. Where the force never falls to 80 % of the peak, the ultimate displacement is the end of the push:
-/// a bound, good for demands below it.
+/// Columns of the answer, in SI: those of kWallResponses. Where the force never falls to the ultimate share
+/// of the peak, the ultimate displacement is the end of the push: a bound, good for demands below it.
 /// @param level index in study.load.vertical_stress
 /// @param threads >= 1
 [[nodiscard]] uq::BlackBox wall_model(const Study& study, const SamplePlan& plan, int level,

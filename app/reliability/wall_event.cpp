@@ -1,5 +1,6 @@
 #include "app/input/number_text.hpp"
 #include "app/input/units.hpp"
+#include "app/reading/wall_response.hpp"
 #include "app/reliability/event.hpp"
 #include "app/reliability/methods.hpp"
 #include "app/reliability/wall_black_box.hpp"
@@ -17,6 +18,11 @@ struct Demand {
     std::string words;
 };
 
+const WallResponse& response_of(const Study& study)
+{
+    return kWallResponses.at(static_cast<std::size_t>(study.reliability.response));
+}
+
 /// The demand in the unit of its response.
 Demand demand_of(const Study& study)
 {
@@ -24,29 +30,26 @@ Demand demand_of(const Study& study)
     if (text.empty())
         throw error_at(study.source, "reliability.demand",
                        "missing; write e.g. \"demand = 40 kN\" under [reliability]");
+    const WallResponse& r = response_of(study);
+    const bool percent = r.unit == "%";
     try {
-        switch (study.reliability.response) {
-        case WallResponse::peak_force:
-            return {parse_quantity(text, "kN"), "peak force <= " + text};
-        case WallResponse::ultimate_displacement:
-            return {parse_quantity(text, "mm"), "ultimate displacement <= " + text};
-        case WallResponse::ultimate_drift:
-            return {parse_quantity(text, "") / 100.0, "ultimate drift <= " + text + " %"};
-        }
+        const double value = parse_quantity(text, percent ? "" : r.unit);
+        return {percent ? value / r.scale : value,
+                std::string(r.words) + " <= " + text + (percent ? " %" : "")};
     } catch (const BadValue& bad) {
         throw error_at(study.source, "reliability.demand", bad.what());
     }
-    return {};
 }
 
 /// A push that ends before the demand can never show it.
 void check_reached(const Study& study, const Demand& demand)
 {
-    double last = 0.0;
-    for (const double target : push_plan(study).targets) last = std::max(last, target);
-    const bool force = study.reliability.response == WallResponse::peak_force;
-    const bool drift = study.reliability.response == WallResponse::ultimate_drift;
-    if (!force && demand.value >= last / (drift ? study.load.height : 1.0))
+    const WallResponse& r = response_of(study);
+    const double last = push_way(study).farthest;
+    WallReading farthest;
+    farthest.peak = fragility::Peak{0.0, last, true};
+    farthest.ultimate = {last, fragility::Reading::censored, {}};
+    if (r.ends_with_push && demand.value >= r.read(farthest, study.load.height))
         throw error_at(study.source, "reliability.demand",
                        "must be below the end of the push, load.max_displacement = " +
                            number(last * 1e3, 12) + " mm");

@@ -1,7 +1,7 @@
 #pragma once
 /// Which walls of a study a page has room for.
 
-#include "app/report/report_study.hpp"
+#include "app/study/study_walls.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -22,15 +22,12 @@ constexpr std::size_t kFewestFilmed = 10;
 /// And fewer where the page would be larger than this [bytes].
 constexpr std::size_t kMostPageBytes = 4'900'000;
 
-/// Places in ReportStudy::walls, ascending, of at most `most` walls: those of the lowest sample
-/// numbers, of each stress as many.
-[[nodiscard]] std::vector<std::size_t> walls_to_list(const ReportStudy& study,
-                                                     std::size_t most);
+/// At most `most` walls, in the order of level and sample: those of the lowest sample numbers, as many of each
+/// stress. Failed walls are among them.
+[[nodiscard]] WallList walls_to_list(const StudyWalls& study, std::size_t most);
 
-/// Of the places `listed` those of at most `most` walls that gave results, in turns from each stress
-/// and mode in the order of the samples, so that rare modes are among them.
-[[nodiscard]] std::vector<std::size_t> walls_to_show(const ReportStudy& study,
-                                                     const std::vector<std::size_t>& listed,
-                                                     std::size_t most);
+/// At most `most` of the walls listed, those that gave results, in turns from each stress and mode in the
+/// order of the samples, so that rare modes are among them.
+[[nodiscard]] WallList walls_to_show(const WallList& listed, std::size_t most);
 
 } // namespace app

@@ -20,10 +20,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// How many walls are shown: as asked for, else as many as kMostFilmedBlocks allows.
-std::size_t most_walls(const ReportStudy& study, const std::optional<int>& asked)
+std::size_t most_walls(const StudyWalls& study, const std::optional<int>& asked)
 {
     if (asked) return static_cast<std::size_t>(*asked);
-    return walls_in_page(model_of(*study.study).layout.blocks.size());
+    return walls_in_page(model_of(study.study).layout.blocks.size());
 }
 
 std::string chosen_text(std::size_t shown, std::size_t sound)
@@ -38,9 +38,9 @@ std::string chosen_text(std::size_t shown, std::size_t sound)
 
 /// The page so far, and the listed walls.
 struct Draft {
-    const ReportStudy& study;
+    const StudyWalls& study;
     std::string title;
-    std::vector<std::size_t> listed; ///< as walls_to_list
+    WallList listed; ///< as walls_to_list
     Json data;
 
     [[nodiscard]] std::string page(const Replay& replay, const std::string& note) const
@@ -50,8 +50,8 @@ struct Draft {
 };
 
 /// Films of walls, from the shelf or pushed again.
-Replay films_of(const ReportStudy& study, const std::vector<std::size_t>& walls,
-                const Command& command, const FilmShelf& shelf)
+Replay films_of(const StudyWalls& study, const WallList& walls, const Command& command,
+                const FilmShelf& shelf)
 {
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
     const auto what = [](std::size_t n) {
@@ -69,7 +69,7 @@ Replay films_of(const ReportStudy& study, const std::vector<std::size_t>& walls,
 /// What a page of kMostPageBytes has left for films.
 std::size_t room_for_films(const Draft& draft)
 {
-    const Json geometry = wall_geometry(model_of(*draft.study.study).layout);
+    const Json geometry = wall_geometry(model_of(draft.study.study).layout);
     const std::size_t rest =
         draft.page({}, chosen_text(1, 2)).size() + geometry.dump().size() + 100;
     return kMostPageBytes - std::min(rest, kMostPageBytes);
@@ -82,18 +82,13 @@ struct Shown {
 
 Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& shelf)
 {
-    const ReportStudy& study = draft.study;
-    if (!study.study)
-        return {{},
-                "The walls cannot be pushed again: this version does not read the stored study "
-                "file (" +
-                    study.no_study + ")."};
-    const auto walls = walls_to_show(study, draft.listed, most_walls(study, command.walls));
+    const StudyWalls& study = draft.study;
+    const auto walls = walls_to_show(draft.listed, most_walls(study, command.walls));
     if (walls.empty()) return {{}, chosen_text(0, 0)};
     Shown shown{films_of(study, walls, command, shelf), {}};
     if (!command.walls) keep_first(shown.replay, room_for_films(draft));
-    const auto sound = static_cast<std::size_t>(std::count_if(
-        study.walls.begin(), study.walls.end(), [](const auto& w) { return !w.failed; }));
+    std::size_t sound = 0;
+    for (const StudyLevel& level : study.levels) sound += level.walls.size();
     shown.note = chosen_text(shown.replay.walls.size(), sound);
     if (shown.replay.different > 0)
         shown.note +=
@@ -108,8 +103,9 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
 int report_command(const Command& command, const FilmShelf& shelf)
 {
     const std::filesystem::path file = command.words.front(), out = command.out;
-    const ReportStudy study = read_report_study(file);
-    Draft draft{study, "Drystone study " + study.name, walls_to_list(study, kMostListed), {}};
+    const StudyWalls study = read_study_walls(file, command.overrides, Keep::everything);
+    Draft draft{
+        study, "Drystone study " + file.stem().string(), walls_to_list(study, kMostListed), {}};
     draft.data = report_data(study, draft.listed);
     draft.data["file"] = file.filename().string();
     const Shown shown = show_walls(draft, command, shelf);

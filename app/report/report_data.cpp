@@ -1,11 +1,17 @@
 #include "app/report/report_data.hpp"
 
+#include "app/fragility/fragility_inputs.hpp"
+#include "app/fragility/fragility_limits.hpp"
+#include "app/fragility/fragility_means.hpp"
+#include "app/fragility/fragility_modes.hpp"
+#include "app/fragility/fragility_walls.hpp"
 #include "app/input/number_text.hpp"
+#include "app/reading/wall_words.hpp"
 #include "app/report/report_curves.hpp"
 #include "app/report/report_fragility.hpp"
 #include "app/report/report_inputs.hpp"
 #include "app/report/report_overview.hpp"
-#include "app/report/report_tables.hpp"
+#include "app/study/study_summary.hpp"
 #include "app/version.hpp"
 #include "dem/block/model.hpp"
 
@@ -26,15 +32,15 @@ Json shown(double x, int digits)
     return std::stod(number(x, digits));
 }
 
-Json levels_json(const ReportStudy& study)
+Json levels_json(const StudyWalls& study)
 {
     Json levels = Json::array();
-    for (std::size_t i = 0; i < study.head.levels.size(); ++i)
-        levels.push_back({{"stress", study.stress(i)}, {"name", study.stress_text(i)}});
+    for (const StudyLevel& l : study.levels)
+        levels.push_back({{"stress", l.stress * 1e-6}, {"name", stress_text(l.stress)}});
     return levels;
 }
 
-Json inputs_json(const ReportStudy& study)
+Json inputs_json(const StudyWalls& study)
 {
     Json inputs = Json::array();
     for (const StoredInput& input : study.inputs)
@@ -42,40 +48,32 @@ Json inputs_json(const ReportStudy& study)
     return inputs;
 }
 
-const char* reading_text(fragility::Reading reading)
-{
-    if (reading == fragility::Reading::observed) return "observed";
-    return reading == fragility::Reading::censored ? "censored" : "none";
-}
-
-Json wall_json(const ReportStudy& study, const ReportWall& w)
+Json wall_json(const StudyWall& w)
 {
     Json inputs = Json::array();
-    for (const StoredInput& input : study.inputs)
-        inputs.push_back(shown(shown_value(input, w.row), 5));
-    const bool none = w.reading == fragility::Reading::not_defined;
-    return {{"level", w.row.key.level},
-            {"sample", w.row.key.sample},
-            {"mode", w.failed    ? "failed"
-                     : w.rocking ? "rocking"
-                                 : "mixed"},
-            {"reason", w.row.reason},
-            {"peak", shown(w.peak * 1e-3, 6)},
-            {"peak_at", shown(w.peak_at * 1e3, 5)},
-            {"ultimate", none ? Json(nullptr) : shown(w.ultimate * 1e3, 5)},
-            {"reading", reading_text(w.reading)},
-            {"cracked", w.cracked},
+    for (const double x : w.inputs) inputs.push_back(shown(x, 5));
+    const WallReading& r = w.reading;
+    return {{"level", w.key.level},
+            {"sample", w.key.sample},
+            {"mode", w.failed ? "failed" : words(r.mode)},
+            {"reason", w.reason},
+            {"peak", shown(peak_force(r) * 1e-3, 6)},
+            {"peak_at", shown(peak_displacement(r) * 1e3, 5)},
+            {"ultimate",
+             is_defined(r.ultimate) ? shown(r.ultimate.displacement * 1e3, 5) : Json(nullptr)},
+            {"reading", is_defined(r.ultimate) ? words(r.ultimate.reading) : "none"},
+            {"cracked", w.mechanism.cracked_units},
             {"inputs", inputs}};
 }
 
-Json walls_json(const ReportStudy& study, const std::vector<std::size_t>& listed)
+Json walls_json(const WallList& listed)
 {
     Json walls = Json::array();
-    for (const std::size_t i : listed) walls.push_back(wall_json(study, study.walls[i]));
+    for (const StudyWall* w : listed) walls.push_back(wall_json(*w));
     return walls;
 }
 
-Json provenance_json(const ReportStudy& study)
+Json provenance_json(const StudyWalls& study)
 {
     const StoreHead& head = study.head;
     Json sessions = Json::array();
@@ -85,21 +83,50 @@ Json provenance_json(const ReportStudy& study)
                             {"build", s.build},
                             {"settings", s.settings},
                             {"started", s.started}});
-    return {{"version", std::string(kVersion)},  {"seed", std::to_string(head.seed)},
-            {"shard", head.shard + 1},           {"shards", head.shards},
-            {"design_sizes", head.design_sizes}, {"configuration", head.configuration},
-            {"unreadable", study.no_study},      {"sessions", sessions}};
+    return {{"version", std::string(kVersion)},
+            {"seed", std::to_string(head.seed)},
+            {"shard", head.shard + 1},
+            {"shards", head.shards},
+            {"design_sizes", head.design_sizes},
+            {"configuration", head.configuration},
+            {"sessions", sessions}};
 }
 
-Json tables_json(const ReportStudy& study, const std::vector<std::size_t>& listed)
+Json table_json(const std::string& id, const Table& table)
 {
-    Json tables = {table_json("results", "Results by stress and mode", results_table(study)),
-                   table_json("fragility", "Ultimate drift", fragility_table(study)),
-                   table_json("walls", "Walls", walls_table(study, listed))};
-    return tables;
+    const ShownTable people = shown(table);
+    std::string caption = table.caption;
+    for (const std::string& note : people.notes) caption += " " + note;
+    return {{"id", id},
+            {"title", table.title},
+            {"caption", caption},
+            {"head", people.head},
+            {"rows", people.rows},
+            {"text", as_text(table)},
+            {"csv", as_csv(table)},
+            {"markdown", as_markdown(table)},
+            {"latex", as_latex(table)}};
 }
 
-Json overview_json(const ReportStudy& study)
+/// The tables of `drystone study` and `drystone fragility`, by name.
+Json tables_json(const StudyWalls& study, const DriftData& data, const WallList& listed)
+{
+    const std::pair<const char*, Table> tables[] = {
+        {"results", summarise(study).table},
+        {"means_by_mode", mean_table(study)},
+        {"performance_limits", performance_table(data)},
+        {"law_parameters", law_table(data)},
+        {"modes", mode_table(study)},
+        {"equal_modes", equal_modes_table(study)},
+        {"mode_thresholds", threshold_table(study)},
+        {"inputs", input_table(study)},
+        {"walls", wall_table(study, listed)}};
+    Json all = Json::object();
+    for (const auto& [name, table] : tables) all[name] = table_json(name, table);
+    return all;
+}
+
+Json overview_json(const StudyWalls& study)
 {
     const Overview o = overview(study);
     return {{"run", o.run}, {"found", o.found}, {"sure", o.sure}};
@@ -107,33 +134,35 @@ Json overview_json(const ReportStudy& study)
 
 } // namespace
 
-Json report_data(const ReportStudy& study, const std::vector<std::size_t>& listed)
+Json report_data(const StudyWalls& study, const WallList& listed)
 {
+    const DriftData data = drift_data(study);
     return {{"name", study.name},
             {"overview", overview_json(study)},
             {"levels", levels_json(study)},
             {"inputs", inputs_json(study)},
             {"height", study.height},
             {"one_way", study.pushed_one_way},
-            {"walls", walls_json(study, listed)},
+            {"confidence", study.study.fragility.confidence},
+            {"walls", walls_json(listed)},
             {"curves", study.pushed_one_way ? curves_json(study, listed) : Json(nullptr)},
             {"means", study.pushed_one_way ? mean_curves_json(study) : Json::array()},
-            {"fragility", fragility_json(study)},
+            {"fragility", fragility_json(data)},
             {"modes", modes_json(study)},
             {"histograms", histograms_json(study)},
             {"running", running_json(study)},
             {"sensitivity", sensitivity_json(study)},
-            {"tables", tables_json(study, listed)},
+            {"tables", tables_json(study, data, listed)},
             {"provenance", provenance_json(study)}};
 }
 
-Json films_json(const ReportStudy& study, const std::vector<std::size_t>& listed,
-                const Replay& replay, const std::string& note)
+Json films_json(const StudyWalls& study, const WallList& listed, const Replay& replay,
+                const std::string& note)
 {
     Json films = {{"note", note}, {"films", Json::array()}};
-    if (!study.study || replay.walls.empty()) return films;
-    films["geometry"] = wall_geometry(model_of(*study.study).layout);
-    std::map<std::size_t, const Film*> of_wall;
+    if (replay.walls.empty()) return films;
+    films["geometry"] = wall_geometry(model_of(study.study).layout);
+    std::map<const StudyWall*, const Film*> of_wall;
     for (std::size_t i = 0; i < replay.walls.size(); ++i)
         of_wall[replay.walls[i]] = &replay.films[i];
     for (std::size_t w = 0; w < listed.size(); ++w) {

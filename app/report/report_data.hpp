@@ -3,7 +3,6 @@
 /// unless a name says otherwise; numbers that are not defined are null.
 
 #include "app/report/report_replay.hpp"
-#include "app/report/report_study.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -13,16 +12,16 @@
 
 namespace app {
 
-/// @param listed places in ReportStudy::walls, ascending: the page knows these, and calls them 0, 1, ...
-[[nodiscard]] nlohmann::ordered_json report_data(const ReportStudy& study,
-                                                 const std::vector<std::size_t>& listed);
+/// @param study read with Keep::everything
+/// @param listed the walls that the page knows, and calls 0, 1, ...
+[[nodiscard]] nlohmann::ordered_json report_data(const StudyWalls& study,
+                                                 const WallList& listed);
 
 /// The walls that can be looked at: {"note", "films": [{"wall", "frames", "step", "data"}], "geometry"},
 /// without geometry where there are none.
 /// @param replay walls pushed again, all of them listed; may be empty
 /// @param note which walls were chosen, or why there are none
-[[nodiscard]] nlohmann::ordered_json films_json(const ReportStudy& study,
-                                                const std::vector<std::size_t>& listed,
+[[nodiscard]] nlohmann::ordered_json films_json(const StudyWalls& study, const WallList& listed,
                                                 const Replay& replay, const std::string& note);
 
 } // namespace app

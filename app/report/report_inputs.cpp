@@ -1,9 +1,8 @@
 #include "app/report/report_inputs.hpp"
 
+#include "app/fragility/fragility_inputs.hpp"
 #include "app/input/number_text.hpp"
 #include "uq/estimates/running_mean.hpp"
-#include "uq/sensitivity/correlation_measures.hpp"
-#include "uq/sensitivity/regression.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,12 +20,12 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 double rounded(double x) { return std::isfinite(x) ? std::stod(number(x, 6)) : kNone; }
 
 /// Of all walls and joints, shown unit.
-std::vector<double> values_of(const ReportStudy& study, const StoredInput& input)
+std::vector<double> values_of(const StudyWalls& study, const StoredInput& input)
 {
     std::vector<double> values;
-    for (const ReportWall& w : study.walls)
+    for (const StudyWall* w : all_walls(study))
         for (std::size_t i = 0; i < input.count; ++i)
-            values.push_back(input.scale * w.row.inputs[input.first + i]);
+            values.push_back(input.scale * w->drawn[input.first + i]);
     return values;
 }
 
@@ -50,7 +49,7 @@ void add_density(Json& h, const StoredInput& input, double low, double high)
     }
 }
 
-Json histogram(const ReportStudy& study, const StoredInput& input)
+Json histogram(const StudyWalls& study, const StoredInput& input)
 {
     const std::vector<double> values = values_of(study, input);
     Json h = {{"key", input.key}, {"unit", input.unit}, {"values", values.size()}};
@@ -87,77 +86,38 @@ Json running(const std::vector<uq::RunningMean>& means, std::size_t level,
     return r;
 }
 
-struct Samples {
-    Eigen::MatrixXd x; ///< walls x inputs
-    Eigen::VectorXd y;
-};
-
-Samples samples_of(const ReportStudy& study, std::size_t level, bool ultimate)
-{
-    std::vector<const ReportWall*> walls;
-    for (const ReportWall* w : study.sound(level))
-        if (ultimate ? w->reading == fragility::Reading::observed : std::isfinite(w->peak))
-            walls.push_back(w);
-    const auto n = static_cast<Eigen::Index>(walls.size());
-    const auto d = static_cast<Eigen::Index>(study.inputs.size());
-    Samples s{Eigen::MatrixXd(n, d), Eigen::VectorXd(n)};
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const ReportWall& w = *walls[static_cast<std::size_t>(i)];
-        for (Eigen::Index k = 0; k < d; ++k)
-            s.x(i, k) = shown_value(study.inputs[static_cast<std::size_t>(k)], w.row);
-        s.y(i) = ultimate ? w.ultimate : w.peak;
-    }
-    return s;
-}
-
 Json bar_of(const uq::Estimate& e)
 {
     return {rounded(e.value), rounded(e.interval.lower), rounded(e.interval.upper)};
 }
 
-Json bars_of(const ReportStudy& study, const Samples& s)
-{
-    Json bars = Json::array();
-    if (s.y.size() < s.x.cols() + 5) return bars;
-    const auto fit = uq::regress(s.x, s.y, {.scale = uq::RegressionScale::ranks});
-    for (Eigen::Index k = 0; k < s.x.cols(); ++k) {
-        const auto place = static_cast<std::size_t>(k);
-        const auto rank = uq::spearman(s.x.col(k), s.y);
-        if (!rank) continue; // does not vary
-        Json bar = {{"key", study.inputs[place].key}, {"spearman", bar_of(*rank)}};
-        if (fit && fit->inputs[place].identifiable)
-            bar["prcc"] = bar_of(fit->inputs[place].partial);
-        bars.push_back(bar);
-    }
-    return bars;
-}
-
 } // namespace
 
-Json histograms_json(const ReportStudy& study)
+Json histograms_json(const StudyWalls& study)
 {
     Json all = Json::array();
     for (const StoredInput& input : study.inputs) all.push_back(histogram(study, input));
     return all;
 }
 
-Json running_json(const ReportStudy& study)
+Json running_json(const StudyWalls& study)
 {
     Json all = Json::array();
-    for (std::size_t level = 0; level < study.head.levels.size(); ++level) {
-        std::vector<const WallRow*> rows;
+    const WallList everyone = all_walls(study);
+    for (std::size_t level = 0; level < study.levels.size(); ++level) {
+        WallList walls;
         std::vector<double> peaks;
-        for (const ReportWall& w : study.walls) {
-            if (w.row.key.level != level || rows.size() >= kMostRunning) continue;
-            rows.push_back(&w.row);
-            peaks.push_back(w.peak);
-        }
-        if (rows.size() < 3) continue;
-        for (const StoredInput& input : study.inputs) {
+        for (const StudyWall* w : everyone)
+            if (w->key.level == level && walls.size() < kMostRunning) {
+                walls.push_back(w);
+                peaks.push_back(peak_force(w->reading));
+            }
+        if (walls.size() < 3) continue;
+        for (std::size_t k = 0; k < study.inputs.size(); ++k) {
+            const StoredInput& input = study.inputs[k];
             if (!input.marginal || uq::mean(*input.marginal) == 0.0) continue;
             std::vector<double> values;
-            for (const WallRow* row : rows)
-                values.push_back(shown_value(input, *row) / input.scale);
+            for (const StudyWall* w : walls) values.push_back(w->inputs[k] / input.scale);
             const double sd = uq::sd(*input.marginal);
             const uq::Prescribed prescribed{uq::mean(*input.marginal),
                                             input.count == 1 ? sd : uq::moments(values).sd};
@@ -170,16 +130,22 @@ Json running_json(const ReportStudy& study)
     return all;
 }
 
-Json sensitivity_json(const ReportStudy& study)
+Json sensitivity_json(const StudyWalls& study)
 {
     Json all = Json::array();
-    for (std::size_t level = 0; level < study.head.levels.size(); ++level)
-        for (const bool ultimate : {false, true}) {
-            const Samples s = samples_of(study, level, ultimate);
+    for (std::size_t level = 0; level < study.levels.size(); ++level)
+        for (const Response response : {Response::peak_force, Response::ultimate}) {
+            const Influences found = influences(study, study.levels[level], response);
+            Json bars = Json::array();
+            for (const Influence& i : found.inputs) {
+                if (!i.spearman) continue; // does not vary
+                bars.push_back({{"key", i.key}, {"spearman", bar_of(*i.spearman)}});
+                if (i.partial) bars.back()["prcc"] = bar_of(*i.partial);
+            }
             all.push_back({{"level", level},
-                           {"response", ultimate ? "ultimate displacement" : "peak force"},
-                           {"walls", s.y.size()},
-                           {"bars", bars_of(study, s)}});
+                           {"response", words(response)},
+                           {"walls", found.walls},
+                           {"bars", bars}});
         }
     return all;
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// The study in sentences: what was run, what came out, how sure.
 
-#include "app/report/report_study.hpp"
+#include "app/study/study_walls.hpp"
 
 #include <string>
 #include <vector>
@@ -11,6 +11,6 @@ namespace app {
 struct Overview {
     std::vector<std::string> run, found, sure; ///< plain text
 };
-[[nodiscard]] Overview overview(const ReportStudy& study);
+[[nodiscard]] Overview overview(const StudyWalls& study);
 
 } // namespace app

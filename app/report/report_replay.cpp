@@ -1,62 +1,58 @@
 #include "app/report/report_replay.hpp"
 
 #include "app/study/push_walls.hpp"
-#include "app/study/study_columns.hpp"
 #include "app/study/wall_frames.hpp"
 #include "dem/block/model.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 namespace app {
 namespace {
 
-WallDraw stored_draw(const Study& study, const dem::Layout& layout, const WallRow& row)
+WallDraw stored_draw(const Study& study, const dem::Layout& layout, const StudyWall& wall)
 {
     WallDraw draw;
     std::size_t next = 0;
     for (const RandomInput& input : study.random) {
         const auto n =
             static_cast<std::size_t>(values_per_wall(input, study.uq.spatial, layout));
-        if (next + n > row.inputs.size())
+        if (next + n > wall.drawn.size())
             throw std::runtime_error("the stored values do not fit the stored configuration");
-        const auto begin = row.inputs.begin() + static_cast<std::ptrdiff_t>(next);
+        const auto begin = wall.drawn.begin() + static_cast<std::ptrdiff_t>(next);
         draw.values.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(n));
         next += n;
     }
     return draw;
 }
 
-bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
-
-bool same_as_stored(const ReportWall& stored, const PushedWall& wall)
+/// The same curve to the bit, and the same mode.
+bool same_as_stored(const StudyWalls& study, const StudyWall& stored, const PushedWall& wall)
 {
-    const WallRow row = row_of(stored.row.key, {}, wall);
-    const auto response = [&](const char* name) {
-        return row.responses[column_of(response_columns(), name)];
-    };
-    const bool rocking = wall.mode == dem::FailureMode::rocking;
-    return row.status == stored.row.status && same(response("peak_force"), stored.peak) &&
-           same(response("ultimate_displacement"), stored.ultimate) &&
-           rocking == stored.rocking;
+    const double way = study.rules.direction < 0 ? -1.0 : 1.0;
+    const auto same = [way](double a, double b) { return a == way * b; };
+    const auto &kept = stored.curve, &now = wall;
+    return stored.reading.mode == wall.reading.mode &&
+           std::ranges::equal(kept.displacement, now.displacement, same) &&
+           std::ranges::equal(kept.force, now.force, same);
 }
 
 /// Pushes the walls at places `missing` of `all` and puts their films there.
-void push_missing(const ReportStudy& r, const std::vector<std::size_t>& missing, int threads,
+void push_missing(const StudyWalls& r, const std::vector<std::size_t>& missing, int threads,
                   Replay& all, const std::function<void(std::size_t, std::size_t)>& seen)
 {
-    const Study& study = r.study.value();
+    const Study& study = r.study;
     const dem::Model model = model_of(study);
     PushList list;
     list.size = missing.size();
     list.wall = [&](std::size_t i) -> WantedWall {
-        const WallRow& row = r.walls[all.walls[missing[i]]].row;
-        return {static_cast<int>(row.key.level), stored_draw(study, model.layout, row)};
+        const StudyWall& wall = *all.walls[missing[i]];
+        return {static_cast<int>(wall.key.level), stored_draw(study, model.layout, wall)};
     };
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
-        const ReportWall& stored = r.walls[all.walls[missing[i]]];
-        all.different += same_as_stored(stored, wall) ? 0 : 1;
+        const StudyWall& stored = *all.walls[missing[i]];
+        all.different += same_as_stored(r, stored, wall) ? 0 : 1;
         all.films[missing[i]] = film_of(frames_of(std::move(wall.result)));
         ++all.pushed;
         if (seen) seen(all.pushed, missing.size());
@@ -66,15 +62,15 @@ void push_missing(const ReportStudy& r, const std::vector<std::size_t>& missing,
 
 } // namespace
 
-Replay replay(const ReportStudy& r, const std::vector<std::size_t>& walls, int threads,
-              const FilmShelf& shelf, const std::function<void(std::size_t, std::size_t)>& seen)
+Replay replay(const StudyWalls& r, const WallList& walls, int threads, const FilmShelf& shelf,
+              const std::function<void(std::size_t, std::size_t)>& seen)
 {
     Replay all;
     all.walls = walls;
     all.films.resize(walls.size());
     std::vector<std::size_t> missing; // places in `walls`
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        const Film* const film = shelf.find(r.walls[walls[i]].row.key);
+        const Film* const film = shelf.find(walls[i]->key);
         if (film != nullptr)
             all.films[i] = *film;
         else

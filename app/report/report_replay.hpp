@@ -2,8 +2,8 @@
 /// Stored walls pushed again, to be shown.
 
 #include "app/report/film_shelf.hpp"
+#include "app/report/report_choice.hpp"
 #include "app/report/report_film.hpp"
-#include "app/report/report_study.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -12,19 +12,19 @@
 namespace app {
 
 struct Replay {
-    std::vector<std::size_t> walls; ///< places in ReportStudy::walls
-    std::vector<Film> films;        ///< of these
-    std::size_t pushed = 0;         ///< for these films; the others were on the shelf
-    /// Of those pushed: peak, ultimate displacement or mode are not those stored.
+    WallList walls;
+    std::vector<Film> films; ///< of these
+    std::size_t pushed = 0;  ///< for these films; the others were on the shelf
+    /// Of those pushed: the curve or the mode is not the stored one.
     std::size_t different = 0;
 };
 
 /// Values come from the file, not from the design, so that it need not be the same.
-/// @param study with its configuration
+/// @param study read with Keep::everything
 /// @param shelf films of walls that need not be pushed
 /// @param seen walls pushed so far, and in all
-[[nodiscard]] Replay replay(const ReportStudy& study, const std::vector<std::size_t>& walls,
-                            int threads, const FilmShelf& shelf,
+[[nodiscard]] Replay replay(const StudyWalls& study, const WallList& walls, int threads,
+                            const FilmShelf& shelf,
                             const std::function<void(std::size_t, std::size_t)>& seen);
 
 constexpr std::size_t kFilmEntryBytes = 80; ///< of a film in the page, beside its data

@@ -1,17 +1,16 @@
 #pragma once
-/// The rule that names failure modes, in words.
+/// The rules by which walls are read, in words.
 
-#include "dem/scene/mechanism.hpp"
+#include "app/input/study.hpp"
 
 #include <string>
 
 namespace app {
 
-/// "Mixed: ...; else rocking", with the thresholds; no full stop.
-[[nodiscard]] std::string mode_rule_text(const dem::ModeThresholds& t);
+/// "force first comes down to 80 % of the peak"
+[[nodiscard]] std::string ultimate_text(const FragilityInput& f);
 
-/// A wall that neither overturned nor cracked nor lost load: the rule counts it as rocking.
-[[nodiscard]] bool slid_whole(const dem::Mechanism& m, bool load_dropped,
-                              const dem::ModeThresholds& t);
+/// "Mixed: ...; else rocking", with the thresholds; no full stop.
+[[nodiscard]] std::string mode_rule_text(const FragilityInput& f);
 
 } // namespace app

@@ -1,13 +1,12 @@
 #pragma once
-/// One wall pushed, and what an engineer reads off it.
+/// One wall pushed: what was run, and how it is read.
 
 #include "app/input/study.hpp"
+#include "app/reading/wall_reading.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "dem/solver/push.hpp"
-#include "fragility/limit_states.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,16 +16,10 @@ struct PushedWall {
     double vertical_stress = 0.0; ///< [Pa]
     dem::Loads loads;
     dem::PushResult result;
+    /// The curve as the file of a study keeps it [m] [N]: of single precision where output.curves says so.
+    std::vector<double> displacement, force;
     dem::Mechanism mechanism;
-    dem::FailureMode mode = dem::FailureMode::rocking;
-    std::vector<double> displacement; ///< of the curve [m]
-    std::vector<double> force;        ///< [N]
-    /// Readings of the curve; empty for a push that turns back or whose numbers broke.
-    std::optional<fragility::Peak> peak;
-    std::optional<double> stiffness; ///< secant at fragility::kSecantShare of the peak [N/m]
-    fragility::LimitDisplacement ultimate;
-    std::vector<fragility::LimitState> limit_states; ///< of the sets paper, ntc, ec8
-    std::string no_reading;                          ///< why there are none
+    WallReading reading; ///< by the rules of the study; without a mode where the run failed
 };
 
 /// Evaluates a finished push: peak, stiffness, limit states, mechanism, failure mode.
@@ -35,5 +28,9 @@ struct PushedWall {
 
 /// A draw that makes no wall: nothing was pushed, and the wall counts as failed.
 [[nodiscard]] PushedWall no_wall(const Study& study, int level, const std::string& why);
+
+/// Largest share of the work that the energy ledger misses, wherever it was read [-]; NaN where the numbers
+/// of the run broke.
+[[nodiscard]] double energy_residual(const PushedWall& wall);
 
 } // namespace app

@@ -1,6 +1,7 @@
 #include "app/study/study_columns.hpp"
 
 #include "app/input/units.hpp"
+#include "app/reading/wall_words.hpp"
 
 #include <array>
 #include <cmath>
@@ -27,21 +28,14 @@ struct Count {
     std::int64_t (*read)(const PushedWall&);
 };
 
-bool is_defined(const fragility::LimitDisplacement& d)
-{
-    return d.reading != fragility::Reading::not_defined;
-}
-
 // clang-format off
 constexpr std::array kResponses = {
     Response{"peak_force", "N", "largest horizontal load",
-        [](const PushedWall& w) { return w.peak ? w.peak->force : kNotDefined; }},
+        [](const PushedWall& w) { return peak_force(w.reading); }},
     Response{"peak_displacement", "m", "of the load line at the first largest load",
-        [](const PushedWall& w) { return w.peak ? w.peak->displacement : kNotDefined; }},
+        [](const PushedWall& w) { return peak_displacement(w.reading); }},
     Response{"secant_stiffness", "N/m", "at 30 % of the peak",
-        [](const PushedWall& w) { return w.stiffness.value_or(kNotDefined); }},
-    Response{"ultimate_displacement", "m", "where the force first comes down to 80 % of the peak; counts/ultimate_reading says if it is a bound",
-        [](const PushedWall& w) { return w.peak && is_defined(w.ultimate) ? w.ultimate.displacement : kNotDefined; }},
+        [](const PushedWall& w) { return w.reading.stiffness.value_or(kNotDefined); }},
     Response{"last_displacement", "m", "where the curve ends",
         [](const PushedWall& w) { return w.displacement.empty() ? kNotDefined : w.displacement.back(); }},
     Response{"settlement", "m", "of the beam under vertical load alone, positive down",
@@ -55,18 +49,14 @@ constexpr std::array kResponses = {
     Response{"friction_energy", "J", "lost in slip", [](const PushedWall& w) { return w.result.energy.friction; }},
     Response{"fracture_energy", "J", "lost in cracks of units", [](const PushedWall& w) { return w.result.energy.fracture; }},
     Response{"energy_residual", "-", "largest share of the work that the ledger misses, anywhere",
-        [](const PushedWall& w) { return w.result.residual; }},
+        energy_residual},
     Response{"step_fraction", "-", "step used, of the proven stable one",
         [](const PushedWall& w) { return w.result.step_fraction; }},
 };
 
 constexpr std::array kCounts = {
-    Count{"outcome", "-", "0 reached target, 1 decided, 2 lost equilibrium, 3 not finite, 4 energy astray, 5 out of steps, 6 no wall: nothing was pushed",
+    Count{"outcome", "-", "",
         [](const PushedWall& w) { return static_cast<std::int64_t>(w.result.outcome); }},
-    Count{"mode", "-", "0 rocking, 1 mixed, -1 failed",
-        [](const PushedWall& w) { return dem::failed(w.result.outcome) ? std::int64_t{-1} : static_cast<std::int64_t>(w.mode); }},
-    Count{"ultimate_reading", "-", "0 observed, 1 right-censored, 2 not defined",
-        [](const PushedWall& w) { return static_cast<std::int64_t>(w.peak ? w.ultimate.reading : fragility::Reading::not_defined); }},
     Count{"cracked_units", "-", "units cracked through", [](const PushedWall& w) { return std::int64_t{w.mechanism.cracked_units}; }},
     Count{"cracked_contacts", "-", "contact points in units with D = 1", [](const PushedWall& w) { return std::int64_t{w.mechanism.cracked_contacts}; }},
     Count{"snap_back_contacts", "-", "in units, that break at once", [](const PushedWall& w) { return std::int64_t{w.result.snap_back_contacts}; }},
@@ -105,7 +95,14 @@ std::vector<Column> input_columns(const SamplePlan& plan)
 }
 
 std::vector<Column> response_columns() { return columns_of(kResponses); }
-std::vector<Column> count_columns() { return columns_of(kCounts); }
+std::vector<Column> count_columns()
+{
+    std::vector<Column> columns = columns_of(kCounts);
+    std::string& outcomes = columns.front().meaning; // "0 reached target, 1 decided, ..."
+    for (std::size_t i = 0; i < kOutcomes.size(); ++i)
+        outcomes += (i > 0 ? ", " : "") + std::to_string(i) + " " + std::string(kOutcomes[i]);
+    return columns;
+}
 std::vector<Column> cost_columns()
 {
     return {{"solver_seconds", "s", "of one core; walls that share a register share it"}};
@@ -117,7 +114,7 @@ WallRow row_of(WallKey key, const WallDraw& draw, const PushedWall& wall)
     WallRow row;
     row.key = key;
     row.status = failed ? 1 + static_cast<std::int32_t>(wall.result.outcome) : kWallOk;
-    row.reason = failed ? wall.no_reading : "";
+    row.reason = failed ? wall.reading.no_reading : "";
     row.inputs = flattened(draw);
     for (const Response& r : kResponses)
         row.responses.push_back(failed ? kNotDefined : finite_or_undefined(r.read(wall)));

@@ -12,6 +12,7 @@
 #include "app/study/study_runner.hpp"
 #include "app/study/study_stopping.hpp"
 #include "app/study/study_summary.hpp"
+#include "app/study/study_walls.hpp"
 #include "dem/block/model.hpp"
 
 #include <filesystem>
@@ -93,9 +94,10 @@ bool work_until_enough(const Work& w, std::string& remark)
 {
     std::vector<std::uint32_t> sizes = design_sizes(w.study, w.file);
     bool whole = work_on(w, sizes);
-    if (w.study.uq.stop == StopQuantity::none || w.study.random.empty()) return whole;
+    if (w.study.uq.stop == kNoStop || w.study.random.empty()) return whole;
     while (whole) {
-        const StoppingState state = stopping_state(w.study, w.file);
+        const StoppingState state =
+            stopping_state(read_study_walls(w.file, {}, Keep::readings));
         remark = state.remark;
         if (state.next <= sizes.back()) break;
         sizes.push_back(state.next);
@@ -106,7 +108,7 @@ bool work_until_enough(const Work& w, std::string& remark)
 
 void check_stop(const Study& study, Shard shard)
 {
-    if (study.uq.stop != StopQuantity::none && shard.count > 1)
+    if (study.uq.stop != kNoStop && shard.count > 1)
         throw error_at(study.source, "uq.stop",
                        "a shard cannot tell when the study is enough; give uq.samples");
 }
@@ -134,7 +136,7 @@ int study_command(const Command& command, const FrameTaker& frames)
     catch_interrupts();
     std::string remark;
     const bool whole = work_until_enough(work, remark);
-    const StudySummary summary = summarise(work.file);
+    const StudySummary summary = summarise(read_study_walls(work.file, {}, Keep::readings));
     if (command.shard.count == 1) write_summary(work.file, summary.table);
     std::cout << as_text(summary.table, terminal_width()) << summary.remarks << remark
               << "written to " << work.file.string() << '\n';

@@ -17,7 +17,7 @@ std::vector<std::uint32_t> design_sizes(const Study& study, const std::filesyste
     std::vector<std::uint32_t> sizes;
     if (std::filesystem::exists(file)) sizes = read_head(file).design_sizes;
     if (sizes.empty() || samples > sizes.back()) sizes.push_back(samples);
-    const bool rule = study.uq.stop != StopQuantity::none;
+    const bool rule = study.uq.stop != kNoStop;
     if (!rule && samples < sizes.back())
         sizes = {samples}; // fewer than there are: refused later
     return sizes;

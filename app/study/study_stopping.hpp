@@ -1,10 +1,9 @@
 #pragma once
 /// How many samples are enough: the stopping rule of a study.
 
-#include "app/input/study.hpp"
+#include "app/study/study_walls.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 
 namespace app {
@@ -17,8 +16,6 @@ struct StoppingState {
 
 /// What the walls in the file say, level by level; the level that needs most decides. A shard cannot know:
 /// the rule is for whole studies.
-/// @throws StoreError
-[[nodiscard]] StoppingState stopping_state(const Study& study,
-                                           const std::filesystem::path& file);
+[[nodiscard]] StoppingState stopping_state(const StudyWalls& walls);
 
 } // namespace app

@@ -1,10 +1,10 @@
 #pragma once
-/// What a study found, at a glance: one row per stress level. The tables proper come from its curves.
+/// What a study found, at a glance: one row per stress level.
 
 #include "app/output/table.hpp"
+#include "app/study/study_walls.hpp"
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 
 namespace app {
@@ -15,7 +15,6 @@ struct StudySummary {
     std::size_t failed = 0, missing = 0;
 };
 
-/// @throws StoreError
-[[nodiscard]] StudySummary summarise(const std::filesystem::path& file);
+[[nodiscard]] StudySummary summarise(const StudyWalls& walls);
 
 } // namespace app

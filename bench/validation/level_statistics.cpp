@@ -1,6 +1,5 @@
 #include "bench/validation/level_statistics.hpp"
 
-#include "app/study/mode_rule.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <cmath>
@@ -52,24 +51,25 @@ LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level
     LevelStatistics s;
     s.stress_MPa = l.stress * 1e-6;
     s.walls = l.walls.size();
-    s.failed = l.failed;
+    s.failed = l.failed_walls.size();
     Values modes[2];
     std::vector<double> peaks, unslid;
     for (const app::StudyWall& w : l.walls) {
-        const dem::Mechanism m{w.rotation_share, w.sliding_share, w.cracked_units, 0};
-        const bool rocks = dem::failure_mode(m, w.dropped, mode) == dem::FailureMode::rocking;
+        const dem::Mechanism& m = w.mechanism;
+        const bool rocks =
+            dem::failure_mode(m, w.reading.dropped, mode) == dem::FailureMode::rocking;
         Values& v = modes[rocks ? 0 : 1];
         if (friction < w.inputs.size()) v.friction.push_back(w.inputs[friction]);
         if (strength < w.inputs.size()) v.strength.push_back(w.inputs[strength]);
-        v.peak.push_back(w.peak_force * 1e-3);
-        v.displacement.push_back(w.ultimate.displacement * 1e3);
-        if (w.dropped) v.dropped.push_back(w.ultimate.displacement * 1e3);
-        peaks.push_back(w.peak_force * 1e-3);
+        v.peak.push_back(app::peak_force(w.reading) * 1e-3);
+        v.displacement.push_back(w.reading.ultimate.displacement * 1e3);
+        if (w.reading.dropped) v.dropped.push_back(w.reading.ultimate.displacement * 1e3);
+        peaks.push_back(app::peak_force(w.reading) * 1e-3);
         s.rocking_walls += rocks;
-        s.dropped_walls += w.dropped;
-        const bool slid = app::slid_whole(m, w.dropped, mode);
+        s.dropped_walls += w.reading.dropped;
+        const bool slid = app::slid_whole(m, w.reading.dropped, mode);
         s.slid_walls += slid;
-        if (!slid) unslid.push_back(w.peak_force * 1e-3);
+        if (!slid) unslid.push_back(app::peak_force(w.reading) * 1e-3);
     }
     s.peak_kN = sample(peaks);
     s.unslid_kN = sample(unslid);
@@ -82,7 +82,8 @@ Sample last_falls_mm(const app::StudyWalls& walls, std::size_t level)
 {
     std::vector<double> falls;
     for (const app::StudyWall& w : walls.levels.at(level).walls)
-        if (w.mode == app::kMixed) falls.push_back(w.limits.at(0).displacement * 1e3);
+        if (app::mode_of(w) == app::kMixed)
+            falls.push_back(w.reading.limits.at(0).displacement * 1e3);
     return sample(falls);
 }
 

@@ -64,12 +64,12 @@ app::Series mean_curve(const app::StudyWalls& walls, const app::StudyLevel& leve
                       mode == app::kRocking ? app::LineStyle::solid : app::LineStyle::dashed,
                   .width = 2.6};
     std::size_t all = 0;
-    for (const app::StudyWall& w : level.walls) all += w.mode == mode;
+    for (const app::StudyWall& w : level.walls) all += app::mode_of(w) == mode;
     for (std::size_t k = 0; k <= app::kCurveSteps && all > 0; ++k) {
         double sum = 0.0;
         std::size_t n = 0;
         for (const app::StudyWall& w : level.walls)
-            if (w.mode == mode && k < w.forces.size()) sum += w.forces[k], ++n;
+            if (app::mode_of(w) == mode && k < w.forces.size()) sum += w.forces[k], ++n;
         if (10 * n < 9 * all || n == 0) break;
         s.x.push_back(static_cast<double>(k) * walls.step * 1e3);
         s.y.push_back(sum / static_cast<double>(n) * 1e-3);
@@ -145,7 +145,7 @@ std::vector<app::NamedPicture> all_curves(const app::StudyWalls& walls, const st
         c.height = 380;
         bool named[2] = {};
         for (const app::StudyWall& w : level.walls) {
-            const auto m = static_cast<std::size_t>(w.mode);
+            const auto m = static_cast<std::size_t>(app::mode_of(w));
             app::Series s{
                 .name = named[m] ? "" : kModeNames[m], .colour = kModeColours[m], .width = 0.6};
             named[m] = true;
@@ -184,9 +184,9 @@ std::vector<app::NamedPicture> peaks_over_inputs(const app::StudyWalls& walls)
                           .points = true};
             for (const app::StudyLevel& level : walls.levels)
                 for (const app::StudyWall& w : level.walls)
-                    if (w.mode == mode) {
+                    if (app::mode_of(w) == mode) {
                         s.x.push_back(w.inputs[i]);
-                        s.y.push_back(w.peak_force * 1e-3);
+                        s.y.push_back(app::peak_force(w.reading) * 1e-3);
                     }
             if (!s.x.empty()) c.series.push_back(s);
         }

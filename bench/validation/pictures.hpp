@@ -2,7 +2,7 @@
 /// Counterparts of the paper's figures.
 
 #include "app/fragility/fragility_output.hpp"
-#include "app/fragility/study_walls.hpp"
+#include "app/study/study_walls.hpp"
 #include "bench/validation/level_statistics.hpp"
 
 #include <vector>

@@ -1,5 +1,6 @@
 #include "app/fragility_scenes.hpp"
 
+#include "app/input/limit_state_text.hpp"
 #include "app/study_scenes.hpp"
 
 #include <algorithm>
@@ -34,30 +35,30 @@ app::StudyWalls study_walls(std::size_t n)
     app::StudyWalls walls;
     walls.name = "scene.h5";
     walls.study = study_scenes::study("samples = 8");
-    walls.wanted = app::wanted_states(walls.study);
-    walls.states = app::state_names(walls.wanted);
+    walls.rules = app::reading_rules(walls.study);
+    walls.states = app::state_names(walls.rules);
     walls.inputs = {{"joint.friction_angle", "deg", 1.0, 0, 1, {}},
                     {"unit.tensile_strength", "MPa", 1.0, 1, 1, {}}};
     walls.height = 1.1;
     walls.step = 0.030 / static_cast<double>(app::kCurveSteps);
     for (const double stress : {0.5e6, 1.0e6}) {
-        app::StudyLevel level{stress, {}, 0, 0, {}};
+        app::StudyLevel level{stress, {}, {}, 0};
         for (std::size_t i = 0; i < n; ++i) {
             app::StudyWall w;
             const double angle = 20.0 + 2.0 * static_cast<double>(i % 13);
             const bool mixed = angle < 32.0 || i % 7 == 3;
             w.key = {0, static_cast<std::uint32_t>(i)};
-            w.mode = mixed ? app::kMixed : app::kRocking;
-            w.dropped = mixed;
-            w.sliding_share = mixed ? 0.3 : 0.1;
-            w.rotation_share = 1.0 - w.sliding_share;
+            w.reading.mode = mixed ? dem::FailureMode::mixed : dem::FailureMode::rocking;
+            w.reading.dropped = mixed;
+            w.mechanism.sliding_share = mixed ? 0.3 : 0.1;
+            w.mechanism.rotation_share = 1.0 - w.mechanism.sliding_share;
             w.inputs = {angle, 3.0 + 0.1 * static_cast<double>(i % 5)};
-            w.peak_force = stress * 0.1 * (0.6 + 0.01 * angle);
+            w.reading.peak = fragility::Peak{stress * 0.1 * (0.6 + 0.01 * angle), 0.01, false};
             const double at = mixed ? 0.015 + 0.0002 * static_cast<double>(i) : 0.028;
-            w.ultimate = {
+            w.reading.ultimate = {
                 at, mixed ? fragility::Reading::observed : fragility::Reading::censored, ""};
-            w.limits.assign(walls.states.size(), w.ultimate);
-            w.forces.assign(app::kCurveSteps + 1, w.peak_force);
+            w.reading.limits.assign(walls.states.size(), w.reading.ultimate);
+            w.forces.assign(app::kCurveSteps + 1, app::peak_force(w.reading));
             level.walls.push_back(w);
         }
         walls.levels.push_back(level);

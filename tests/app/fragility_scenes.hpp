@@ -2,8 +2,8 @@
 /// Drifts and studies for the tables of fragility, without running a wall.
 
 #include "app/fragility/fragility_data.hpp"
-#include "app/fragility/study_walls.hpp"
 #include "app/output/table.hpp"
+#include "app/study/study_walls.hpp"
 
 #include <string>
 #include <vector>

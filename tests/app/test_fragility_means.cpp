@@ -38,12 +38,13 @@ TEST_CASE("fragility means: means and standard errors are those of the walls of 
           "[app][fragility_means]")
 {
     app::StudyWalls walls = scenes::study_walls(13);
-    for (app::StudyWall& w : walls.levels[0].walls) w.mode = app::kRocking;
+    for (app::StudyWall& w : walls.levels[0].walls) w.reading.mode = dem::FailureMode::rocking;
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
         app::StudyWall& w = walls.levels[0].walls[i];
-        w.mode = app::kMixed;
-        w.peak_force = 40e3 + 4e3 * static_cast<double>(i);
-        w.ultimate = {0.016 + 0.002 * static_cast<double>(i), fragility::Reading::observed, ""};
+        w.reading.mode = dem::FailureMode::mixed;
+        w.reading.peak->force = 40e3 + 4e3 * static_cast<double>(i);
+        w.reading.ultimate = {0.016 + 0.002 * static_cast<double>(i),
+                              fragility::Reading::observed, ""};
     }
     const app::Table t = app::mean_table(walls);
     CHECK(cell(t, 2, "n") == "2");
@@ -57,9 +58,9 @@ TEST_CASE("fragility means: a mode that does not occur is said in words, one wal
           "[app][fragility_means]")
 {
     app::StudyWalls walls = scenes::study_walls(13);
-    for (app::StudyWall& w : walls.levels[0].walls) w.mode = app::kRocking;
+    for (app::StudyWall& w : walls.levels[0].walls) w.reading.mode = dem::FailureMode::rocking;
     walls.levels[0].walls[2].mode = app::kMixed;
-    for (app::StudyWall& w : walls.levels[1].walls) w.mode = app::kRocking;
+    for (app::StudyWall& w : walls.levels[1].walls) w.reading.mode = dem::FailureMode::rocking;
     const app::Table t = app::mean_table(walls);
     CHECK(scenes::sound(t));
     CHECK(number_in(t, 2, "peak force [kN]").value > 0.0);
@@ -94,7 +95,7 @@ TEST_CASE(
 {
     app::StudyWalls walls = scenes::study_walls(20);
     CHECK(app::mean_curve_table(walls).caption.find("ended before") == std::string::npos);
-    for (app::StudyWall& w : walls.levels[0].walls) w.mode = app::kRocking;
+    for (app::StudyWall& w : walls.levels[0].walls) w.reading.mode = dem::FailureMode::rocking;
     for (std::size_t i = 0; i < 3; ++i) walls.levels[0].walls[i].forces.resize(i < 2 ? 41 : 61);
     walls.study.load.stop_below = 0.5;
     const app::Table t = app::mean_curve_table(walls);

@@ -33,7 +33,7 @@ TEST_CASE("fragility modes: a mode that does not occur has the share 0 with an u
           "[app][fragility_modes]")
 {
     app::StudyWalls walls = scenes::study_walls(10);
-    for (app::StudyWall& w : walls.levels[0].walls) w.mode = app::kRocking;
+    for (app::StudyWall& w : walls.levels[0].walls) w.reading.mode = dem::FailureMode::rocking;
     const app::Table t = app::mode_table(walls);
     CHECK(cell(t, 1, "share [%]").starts_with("0.0 [0.0, 27.8]"));
     CHECK(cell(t, 1, "Clopper-Pearson [%]") == "0.0 to 30.8"); // 1 - 0.025^(1/10)
@@ -61,7 +61,8 @@ TEST_CASE(
 {
     app::StudyWalls walls = scenes::study_walls(26);
     for (app::StudyWall& w : walls.levels[0].walls)
-        w.mode = w.inputs[0] < 32.0 ? app::kMixed : app::kRocking;
+        w.reading.mode =
+            w.inputs[0] < 32.0 ? dem::FailureMode::mixed : dem::FailureMode::rocking;
     const app::Table t = app::equal_modes_table(walls);
     CHECK(number_in(t, 0, "angle [deg]").value == Approx(31.0).margin(1.0));
     CHECK(cell(t, 0, "note").starts_with("Firth's penalty"));
@@ -73,7 +74,8 @@ TEST_CASE(
 {
     app::StudyWalls walls = scenes::study_walls(26);
     for (app::StudyWall& w : walls.levels[0].walls)
-        w.mode = w.key.sample % 4 < 2 ? app::kMixed : app::kRocking;
+        w.reading.mode =
+            w.key.sample % 4 < 2 ? dem::FailureMode::mixed : dem::FailureMode::rocking;
     const app::Table t = app::equal_modes_table(walls);
     CHECK(cell(t, 0, "note") == "Not identifiable: the slope is not significant.");
     CHECK(cell(t, 0, "angle [deg]").empty());
@@ -95,10 +97,10 @@ TEST_CASE("fragility modes: walls that slid whole count as rocking and are told 
 {
     app::StudyWalls walls = scenes::study_walls(10);
     for (app::StudyWall& w : walls.levels[1].walls) {
-        w.dropped = false;
-        w.cracked_units = 0;
-        w.rotation_share = 0.1;
-        w.mode = app::kRocking;
+        w.reading.dropped = false;
+        w.mechanism.cracked_units = 0;
+        w.mechanism.rotation_share = 0.1;
+        w.reading.mode = dem::FailureMode::rocking;
     }
     walls.levels[1].walls[0].cracked_units = 1;    // mixed
     walls.levels[1].walls[1].rotation_share = 0.5; // overturns
@@ -123,9 +125,9 @@ TEST_CASE("fragility modes: thresholds move walls that cracked, not walls whose 
     app::StudyWalls walls = scenes::study_walls(10);
     for (app::StudyLevel& level : walls.levels)
         for (app::StudyWall& w : level.walls) {
-            w.dropped = false;
-            w.rotation_share = 0.45;
-            w.cracked_units = 2;
+            w.reading.dropped = false;
+            w.mechanism.rotation_share = 0.45;
+            w.mechanism.cracked_units = 2;
         }
     walls.levels[0].walls[0].dropped = true;
     const app::Table t = app::threshold_table(walls);

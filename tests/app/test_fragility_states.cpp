@@ -1,4 +1,4 @@
-#include "app/fragility/fragility_states.hpp"
+#include "app/input/limit_state_text.hpp"
 
 #include "app/input/config_error.hpp"
 #include "app/input/units.hpp"
@@ -11,13 +11,13 @@
 
 namespace {
 
-app::WantedStates wanted(const std::string& section)
+app::ReadingRules wanted(const std::string& section)
 {
-    return app::wanted_states(
+    return app::reading_rules(
         study_scenes::study("samples = 1\n[fragility]\n" + section + "\n"));
 }
 
-std::vector<std::string> names(const app::WantedStates& w)
+std::vector<std::string> names(const app::ReadingRules& w)
 {
     std::vector<std::string> all;
     for (const app::StateName& s : app::state_names(w)) all.push_back(s.set + " " + s.name);
@@ -50,9 +50,10 @@ TEST_CASE("fragility states: rules say the numbers that were used", "[app][fragi
 TEST_CASE("fragility states: a cap in percent is a displacement at the height of the load",
           "[app][fragility_states]")
 {
-    const auto w = wanted("limit_states = user\nuser_states = cap: 2 %");
+    app::ReadingRules rules = wanted("limit_states = user\nuser_states = cap: 2 %");
+    rules.height = 1.10;
     const std::vector<double> x = {0.0, 0.01, 0.03}, f = {0.0, 5.0, 5.0};
-    const auto limits = app::read_states({x, f}, w, 1.10);
+    const auto limits = app::read({x, f}, {}, rules).limits;
     REQUIRE(limits.size() == 1);
     CHECK(limits[0].displacement == Approx(0.022).epsilon(1e-14));
 }
@@ -79,4 +80,9 @@ TEST_CASE("fragility states: what is not a rule is refused with what is",
                       Catch::Contains("study.ini:") &&
                           Catch::Contains("did you mean \"paper\""));
     CHECK_THROWS_AS(wanted("limit_states = user"), app::ConfigError);
+    // found when the study is read, before any wall is run, and where no set asks for it, too
+    CHECK_THROWS_WITH(study_scenes::study("samples = 1\n[fragility]\nlimit_states = NTC"),
+                      Catch::Contains("study.ini:") && Catch::Contains("\"NTC\" is no set"));
+    CHECK_THROWS_WITH(study_scenes::study("samples = 1\n[fragility]\nuser_states = slight"),
+                      Catch::Contains("fragility.user_states: \"slight\" is no limit state"));
 }

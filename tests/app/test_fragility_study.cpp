@@ -1,6 +1,5 @@
 #include "app/fragility/fragility_command.hpp"
 
-#include "app/fragility/study_walls.hpp"
 #include "app/input/command_line.hpp"
 #include "app/input/config_error.hpp"
 #include "app/store/store.hpp"
@@ -8,6 +7,7 @@
 #include "app/study/study_columns.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_runner.hpp"
+#include "app/study/study_walls.hpp"
 #include "app/study_scenes.hpp"
 #include "app/verbs.hpp"
 #include "dem/block/model.hpp"
@@ -68,15 +68,15 @@ TEST_CASE(
     CHECK(walls.levels[0].walls.size() + walls.levels[1].walls.size() == 5);
     CHECK(walls.levels[1].missing == 1);
     app::StoreReader reader(file.path);
-    const std::size_t mode = column_of(reader.head().counts, "mode");
+    const std::size_t peak = column_of(reader.head().responses, "peak_force");
     for (const app::StudyLevel& level : walls.levels)
         for (const app::StudyWall& w : level.walls) {
             const auto row = reader.row(app::WallKey{
                 static_cast<std::uint32_t>(&level - walls.levels.data()), w.key.sample});
             REQUIRE(row);
-            CHECK(w.mode == row->counts[mode]);
-            CHECK(w.limits[0].displacement == w.ultimate.displacement);
-            CHECK(w.limits[0].reading == w.ultimate.reading);
+            CHECK(app::peak_force(w.reading) == row->responses[peak]);
+            CHECK(w.reading.limits[0].displacement == w.reading.ultimate.displacement);
+            CHECK(w.reading.limits[0].reading == w.reading.ultimate.reading);
             CHECK(w.inputs[0] == Approx(row->inputs[0] * walls.inputs[0].scale));
         }
     const auto data = app::drift_data(walls);
@@ -116,7 +116,7 @@ TEST_CASE("fragility of a study: a shard is read as it is, with the walls that t
                 all.levels[l].walls.begin(), all.levels[l].walls.end(),
                 [&](const app::StudyWall& x) { return x.key.sample == w.key.sample; });
             REQUIRE(same != all.levels[l].walls.end());
-            CHECK(w.peak_force == same->peak_force);
+            CHECK(app::peak_force(w.reading) == app::peak_force(same->reading));
             CHECK(w.inputs == same->inputs);
         }
     }

@@ -1,5 +1,6 @@
 #include "app/report/report_curves.hpp"
 #include "app/study/resampled_curve.hpp"
+#include "app/wall_scenes.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -9,13 +10,13 @@
 
 namespace {
 
-app::ReportWall straight_wall(double stiffness, double last, bool rocking = true)
+app::StudyWall straight_wall(double stiffness, double last)
 {
-    app::ReportWall w;
-    w.rocking = rocking;
+    app::StudyWall w =
+        scenes::read_wall({0, 0}, stiffness * last, last, true, dem::FailureMode::rocking);
     for (const double d : {0.0, 0.25 * last, last}) {
-        w.row.curve.displacement.push_back(d);
-        w.row.curve.force.push_back(stiffness * d);
+        w.curve.displacement.push_back(d);
+        w.curve.force.push_back(stiffness * d);
     }
     return w;
 }
@@ -38,9 +39,10 @@ TEST_CASE(
     "its interval",
     "[app][report_curves]")
 {
-    app::ReportStudy study;
-    study.head.levels = {{1e6, 3}};
-    for (const double k : {1e6, 2e6, 6e6}) study.walls.push_back(straight_wall(k, 0.03));
+    app::StudyWalls study;
+    study.levels = {scenes::level(1e6)};
+    for (const double k : {1e6, 2e6, 6e6})
+        study.levels[0].walls.push_back(straight_wall(k, 0.03));
     const auto means = app::mean_curves_json(study);
     REQUIRE(means.size() == 2); // all, rocking
     CHECK(means[0]["mode"] == "all");
@@ -55,10 +57,10 @@ TEST_CASE(
 TEST_CASE("report curves: a mean ends where less than nine tenths of its walls go on",
           "[app][report_curves]")
 {
-    app::ReportStudy study;
-    study.head.levels = {{1e6, 20}};
+    app::StudyWalls study;
+    study.levels = {scenes::level(1e6)};
     for (int i = 0; i < 20; ++i)
-        study.walls.push_back(straight_wall(1e6, i < 2 ? 0.01 : i < 3 ? 0.02 : 0.03));
+        study.levels[0].walls.push_back(straight_wall(1e6, i < 2 ? 0.01 : i < 3 ? 0.02 : 0.03));
     const auto means = app::mean_curves_json(study);
     const double step = means[0]["step"];
     const auto points = static_cast<double>(means[0]["mean"].size());
@@ -67,10 +69,12 @@ TEST_CASE("report curves: a mean ends where less than nine tenths of its walls g
 
 TEST_CASE("report curves: failed walls are in no mean", "[app][report_curves]")
 {
-    app::ReportStudy study;
-    study.head.levels = {{1e6, 3}};
-    for (const double k : {1e6, 2e6, 6e6}) study.walls.push_back(straight_wall(k, 0.03));
-    study.walls.back().failed = true;
+    app::StudyWalls study;
+    study.levels = {scenes::level(1e6)};
+    for (const double k : {1e6, 2e6, 6e6})
+        study.levels[0].walls.push_back(straight_wall(k, 0.03));
+    study.levels[0].failed_walls = {study.levels[0].walls.back()};
+    study.levels[0].walls.pop_back();
     CHECK(app::mean_curves_json(study)[0]["walls"] == 2);
     CHECK(app::mean_curves_json(study)[0]["mean"].back().get<double>() == Approx(45.0));
 }

@@ -1,4 +1,5 @@
 #include "app/report/report_fragility.hpp"
+#include "app/wall_scenes.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -9,19 +10,15 @@
 namespace {
 
 /// 50 walls under each stress, so many of them rocking.
-app::ReportStudy study_of(const std::vector<double>& stress_MPa,
-                          const std::vector<int>& rocking)
+app::StudyWalls study_of(const std::vector<double>& stress_MPa, const std::vector<int>& rocking)
 {
-    app::ReportStudy study;
+    app::StudyWalls study;
     for (std::size_t l = 0; l < stress_MPa.size(); ++l) {
-        study.head.levels.push_back({});
-        study.head.levels.back().vertical_stress = 1e6 * stress_MPa[l];
-        for (int i = 0; i < 50; ++i) {
-            app::ReportWall w;
-            w.row.key.level = static_cast<std::uint32_t>(l);
-            w.rocking = i < rocking[l];
-            study.walls.push_back(w);
-        }
+        study.levels.push_back(scenes::level(1e6 * stress_MPa[l]));
+        for (int i = 0; i < 50; ++i)
+            study.levels[l].walls.push_back(scenes::read_wall(
+                {static_cast<std::uint32_t>(l), static_cast<std::uint32_t>(i)}, 1e3, 0.01, true,
+                i < rocking[l] ? dem::FailureMode::rocking : dem::FailureMode::mixed));
     }
     return study;
 }

@@ -1,5 +1,7 @@
 #include "app/report/report_fragility.hpp"
 #include "app/report/report_overview.hpp"
+#include "app/study_scenes.hpp"
+#include "app/wall_scenes.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -11,27 +13,16 @@
 
 namespace {
 
-/// One wall that came down at `ultimate` [m], or stood up to there.
-app::ReportWall wall(std::uint32_t level, std::uint32_t sample, double peak, double ultimate,
-                     bool stood)
+app::StudyWalls two_stresses(std::uint32_t samples)
 {
-    app::ReportWall w;
-    w.row.key = {level, sample};
-    w.peak = peak;
-    w.ultimate = ultimate;
-    w.last = 0.03;
-    w.reading = stood ? fragility::Reading::censored : fragility::Reading::observed;
-    return w;
-}
-
-app::ReportStudy two_stresses(std::uint32_t samples)
-{
-    app::ReportStudy study;
-    study.head.levels = {{1e6, samples}, {5e5, samples}};
+    app::StudyWalls study;
+    study.study = study_scenes::study("samples = 1");
+    study.levels = {scenes::level(1e6), scenes::level(5e5)};
     for (std::uint32_t i = 0; i < samples; ++i) {
-        study.walls.push_back(wall(0, i, 80e3, 0.005 + 0.002 * i, i % 2 == 0));
-        study.walls.push_back(wall(1, i, 40e3, 0.03, true));
-        study.walls.back().rocking = true;
+        study.levels[0].walls.push_back(
+            scenes::read_wall({0, i}, 80e3, 0.005 + 0.002 * i, i % 2 == 0));
+        study.levels[1].walls.push_back(
+            scenes::read_wall({1, i}, 40e3, 0.03, true, dem::FailureMode::rocking));
     }
     return study;
 }
@@ -43,20 +34,20 @@ TEST_CASE("report overview: the lowest and the highest stress are set side by si
 {
     const auto found = app::overview(two_stresses(6)).found;
     REQUIRE(found.size() == 4);
-    CHECK(found[3].starts_with(
-        "How a wall failed: Mixed: the load fell to 80 % of its peak, or a unit "));
+    CHECK(found[3].starts_with("How a wall failed: Mixed: the force first comes down to 80 % "
+                               "of the peak, or a unit "));
     CHECK(found[0] ==
           "In short: from 0.50 MPa to 1.00 MPa, the mean peak force goes from 40.0 to 80.0 kN, "
-          "the share of walls that rocked from 100 to 0 %, and the share that lost a fifth of "
+          "the share of walls that rocked from 100 to 0 %, and the share that lost 20 % of "
           "their peak force before the push ended from 0 to 50 %.");
     CHECK(app::overview(two_stresses(4)).found.size() == 3); // shares of four say nothing
 }
 
 TEST_CASE("report overview: walls that slid whole are counted apart", "[app][report_overview]")
 {
-    app::ReportStudy study = two_stresses(6);
+    app::StudyWalls study = two_stresses(6);
     CHECK(app::overview(study).found[2].find("slid") == std::string::npos);
-    study.walls.back().slid = true;
+    study.levels[1].walls.back().reading.slid = true;
     CHECK(app::overview(study).found[2].find(
               "100 % rocked [61, 100], counting 1 that slid whole;") != std::string::npos);
 }
@@ -64,20 +55,21 @@ TEST_CASE("report overview: walls that slid whole are counted apart", "[app][rep
 TEST_CASE("report overview: of walls without ultimate displacement no fall is spoken of",
           "[app][report_overview]")
 {
-    app::ReportStudy study = two_stresses(4);
-    CHECK(app::overview(study).found[0].find("lost a fifth") != std::string::npos);
-    for (app::ReportWall& w : study.walls) w.reading = fragility::Reading::not_defined;
-    CHECK(app::overview(study).found[0].find("lost a fifth") == std::string::npos);
+    app::StudyWalls study = two_stresses(4);
+    CHECK(app::overview(study).found[0].find("lost 20 %") != std::string::npos);
+    for (app::StudyLevel& level : study.levels)
+        for (app::StudyWall& w : level.walls) w.reading.ultimate = {};
+    CHECK(app::overview(study).found[0].find("lost 20 %") == std::string::npos);
 }
 
 TEST_CASE("report fragility: neither curve nor band falls with the drift",
           "[app][report_fragility]")
 {
-    app::ReportStudy study;
-    study.head.levels = {{1e6, 12}};
+    app::StudyWalls study;
+    study.levels = {scenes::level(1e6)};
     for (std::uint32_t i = 0; i < 12; ++i) // few and scattered: the band is widest near zero
-        study.walls.push_back(
-            wall(0, i, 80e3, i < 7 ? 0.004 * std::pow(1.4, i) : 0.03, i >= 7));
+        study.levels[0].walls.push_back(
+            scenes::read_wall({0, i}, 80e3, i < 7 ? 0.004 * std::pow(1.4, i) : 0.03, i >= 7));
     const auto curve = app::fragility_json(study)[0];
     REQUIRE(curve["fitted"] == true);
     for (const char* const line : {"least", "lower", "upper"}) {
@@ -89,14 +81,14 @@ TEST_CASE("report fragility: neither curve nor band falls with the drift",
 TEST_CASE("report fragility: the band does not leap where the first of the runs ends",
           "[app][report_fragility]")
 {
-    app::ReportStudy study;
-    study.head.levels = {{1e6, 24}};
+    app::StudyWalls study;
+    study.levels = {scenes::level(1e6)};
     study.height = 1.1;
     for (std::uint32_t i = 0; i < 24; ++i) { // a dozen fall, a dozen rock to the end of the run
         const bool rocks = i >= 12;
-        study.walls.push_back(
-            wall(0, i, 80e3, rocks ? 0.03 - 1e-7 * i : 0.01 + 1e-3 * i, rocks));
-        study.walls.back().rocking = rocks;
+        study.levels[0].walls.push_back(
+            scenes::read_wall({0, i}, 80e3, rocks ? 0.03 - 1e-7 * i : 0.01 + 1e-3 * i, rocks,
+                              rocks ? dem::FailureMode::rocking : dem::FailureMode::mixed));
     }
     const auto upper = app::fragility_json(study)[0]["upper"].get<std::vector<double>>();
     REQUIRE(upper.size() > 2);

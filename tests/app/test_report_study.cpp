@@ -1,7 +1,6 @@
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_replay.hpp"
-#include "app/report/report_study.hpp"
 #include "app/report_scene.hpp"
 #include "app/study/study_identity.hpp"
 #include "dem/block/model.hpp"
@@ -11,7 +10,6 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -47,17 +45,17 @@ TEST_CASE("report replay: stored walls pushed again are those stored, to the bit
     const scenes::TemporaryFolder folder;
     const auto file = folder.path / "small.h5";
     scenes::run_study(file, GENERATE("samples = 3", "samples = 2\nspatial = independent"));
-    app::ReportStudy study = app::read_report_study(file);
-    REQUIRE(study.no_study.empty());
+    app::StudyWalls study = app::read_study_walls(file, {}, app::Keep::everything);
     REQUIRE(study.inputs.size() == 5);
-    std::vector<std::size_t> walls(study.walls.size());
-    std::iota(walls.begin(), walls.end(), 0);
+    const app::WallList walls = app::walls_to_list(study, 100);
     const app::Replay r = app::replay(study, walls, 2, {}, {});
     CHECK(r.different == 0);
     REQUIRE(r.films.size() == walls.size());
     CHECK(r.films.front().frames == app::kFilmFrames + 1);
-    study.walls.front().peak *= 1.0 + 1e-15;
-    study.walls.back().rocking = !study.walls.back().rocking;
+    study.levels.front().walls.front().curve.force.back() *= 1.0 + 1e-15;
+    dem::FailureMode& mode = study.levels.back().walls.back().reading.mode;
+    mode =
+        mode == dem::FailureMode::mixed ? dem::FailureMode::rocking : dem::FailureMode::mixed;
     CHECK(app::replay(study, walls, 2, {}, {}).different == 2);
 }
 
@@ -75,18 +73,21 @@ TEST_CASE(
                           if (key == app::WallKey{1, 2}) one.put(key, rocking, frames);
                       });
     scenes::run_study(bare, "samples = 3");
-    const app::ReportStudy study = app::read_report_study(file),
-                           unfilmed = app::read_report_study(bare);
-    const std::vector<std::size_t> walls = {5, 0, 3, 2, 1, 4};
+    const auto read = [](const auto& path) {
+        return app::read_study_walls(path, {}, app::Keep::everything);
+    };
+    const app::StudyWalls study = read(file), unfilmed = read(bare);
+    const app::WallList walls = app::walls_to_list(study, 100),
+                        others = app::walls_to_list(unfilmed, 100);
     const app::Replay pushed = app::replay(study, walls, 2, {}, {}),
                       kept = app::replay(study, walls, 2, all, {}),
                       mixed = app::replay(study, walls, 2, one, {});
     CHECK(pushed.pushed == 6);
     CHECK(kept.pushed == 0);
     CHECK(mixed.pushed == 5);
-    REQUIRE(study.walls.size() == unfilmed.walls.size());
+    REQUIRE(walls.size() == others.size());
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        CHECK(study.walls[i].peak == unfilmed.walls[i].peak);
+        CHECK(walls[i]->curve.force == others[i]->curve.force);
         CHECK(kept.films[i].data == pushed.films[i].data);
         CHECK(mixed.films[i].data == pushed.films[i].data);
     }
@@ -98,7 +99,7 @@ TEST_CASE("report data: failed walls are named with their reason, and in no mean
     const scenes::TemporaryFolder folder;
     const auto file = folder.path / "small.h5";
     scenes::run_study(file, "samples = 6", "</script> the numbers broke");
-    const app::ReportStudy study = app::read_report_study(file);
+    const app::StudyWalls study = app::read_study_walls(file, {}, app::Keep::everything);
     const auto data = app::report_data(study, app::walls_to_list(study, 100));
     const std::string sure = data["overview"]["sure"].dump();
     CHECK(sure.find("1 wall failed: </script> the numbers broke (1.00 MPa sample 5)") !=
@@ -116,20 +117,18 @@ TEST_CASE("report data: failed walls are named with their reason, and in no mean
     CHECK(data["sensitivity"][0]["bars"].empty()); // 6 walls for 5 inputs
 }
 
-TEST_CASE("report data: bad numbers of the study file do not stop the page",
+TEST_CASE("report data: a study without a wall, and inputs without a distribution, give a page",
           "[app][report_study]")
 {
     const scenes::TemporaryFolder folder;
     const auto file = folder.path / "small.h5";
     scenes::run_study(file, "samples = 1");
-    app::ReportStudy study = app::read_report_study(file);
-    study.study.reset();
-    study.no_study = "of another version";
+    app::StudyWalls study = app::read_study_walls(file, {}, app::Keep::everything);
     for (app::StoredInput& input : study.inputs) input.marginal.reset();
-    const std::vector<std::size_t> listed = {0, 1};
+    const app::WallList listed = app::walls_to_list(study, 100);
     const auto data = app::report_data(study, listed);
     CHECK(data["running"].empty());
     CHECK(app::films_json(study, listed, {}, "note")["films"].empty());
-    study.walls.clear();
+    for (app::StudyLevel& level : study.levels) level.walls.clear();
     CHECK_NOTHROW(app::report_data(study, {}));
 }

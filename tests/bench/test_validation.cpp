@@ -36,11 +36,11 @@ TEST_CASE("validation: a level is told apart by the mode rule", "[app][validatio
     app::StudyWalls walls = scenes::study_walls(10);
     auto& level = walls.levels[0];
     for (app::StudyWall& w : level.walls) {
-        w.dropped = false;
-        w.cracked_units = 1;
-        w.rotation_share = 0.45;
-        w.ultimate.displacement = 0.030;
-        w.ultimate.reading = fragility::Reading::censored;
+        w.reading.dropped = false;
+        w.mechanism.cracked_units = 1;
+        w.mechanism.rotation_share = 0.45;
+        w.reading.ultimate.displacement = 0.030;
+        w.reading.ultimate.reading = fragility::Reading::censored;
     }
     level.walls[0].rotation_share = 0.9;
     level.walls[1].cracked_units = 0;

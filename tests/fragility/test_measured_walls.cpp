@@ -93,7 +93,7 @@ TEST_CASE("measured walls: SLC, SLV, SLD and SLO are the printed ones to their l
     for (const Printed& p : kPrinted) {
         INFO(p.wall);
         const bench::CurveTable table = first_at_each_displacement(walls.at(p.wall));
-        const std::vector<LimitState> s = read_limit_states(table.curve(), LimitStateSet::ntc);
+        const std::vector<LimitState> s = read_limit_states(table.curve(), "ntc");
         CHECK(s[0].limit.displacement == printed(p.slo, 2));
         CHECK(s[1].limit.displacement == printed(p.sld, 2));
         CHECK(s[2].limit.displacement == printed(p.slv, 1));
@@ -110,8 +110,8 @@ TEST_CASE("measured walls: steps kept instead of dropped move no limit displacem
     for (const auto& [wall, table] : walls) {
         INFO(wall);
         const bench::CurveTable dropped = first_at_each_displacement(table);
-        const auto a = read_limit_states(table.curve(), LimitStateSet::ntc);
-        const auto b = read_limit_states(dropped.curve(), LimitStateSet::ntc);
+        const auto a = read_limit_states(table.curve(), "ntc");
+        const auto b = read_limit_states(dropped.curve(), "ntc");
         for (std::size_t i = 0; i < a.size(); ++i)
             CHECK(std::abs(a[i].limit.displacement - b[i].limit.displacement) < 0.06);
     }

@@ -17,14 +17,15 @@ declare -A knows=(
     [uq/sensitivity]="uq/marginals uq/designs uq/estimates"
     [uq/reliability]="uq/marginals uq/designs uq/estimates"
     [app/store]=""
-    [app/input]="dem/ fragility uq/marginals uq/designs"
+    [app/reading]="dem/ fragility"
+    [app/input]="dem/ fragility app/reading uq/marginals uq/designs"
     [app/output]="dem/ fragility app/input"
     [app/sampling]="dem/ uq/ app/input"
-    [app/study]="dem/ fragility uq/ app app/store app/input app/output app/sampling"
-    [app/reliability]="dem/ fragility uq/ app app/input app/output app/store app/sampling app/study"
-    [app/push]="dem/ fragility app app/store app/input app/output app/sampling app/study"
-    [app/report]="dem/ fragility uq/ app app/store app/input app/output app/sampling app/study"
-    [app/fragility]="dem/ fragility uq/ app app/store app/input app/output app/sampling app/study"
+    [app/study]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling"
+    [app/reliability]="dem/ fragility uq/ app app/reading app/input app/output app/store app/sampling app/study"
+    [app/push]="dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
+    [app/report]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
+    [app/fragility]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
 )
 
 broken=0

@@ -1,18 +1,16 @@
-#include "app/fragility/fragility_states.hpp"
+#include "app/input/limit_state_text.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <set>
+#include <stdexcept>
 
 namespace app {
 namespace {
 
-constexpr std::array<std::string_view, 4> kSets = {"paper", "ntc", "ec8", "user"};
 constexpr std::array<std::string_view, 5> kTerms = {"yield", "peak", "ultimate", "rise",
                                                     "drop"};
 
@@ -89,6 +87,7 @@ UserState parse_state(std::string_view text)
     auto rules = split(text.substr(colon + 1), " or ");
     if (rules.back().ends_with('%')) {
         user.most_drift = drift_of(name, rules.back());
+        user.cap = rules.back();
         rules.pop_back();
     }
     if (rules.size() > 1)
@@ -99,16 +98,42 @@ UserState parse_state(std::string_view text)
     return user;
 }
 
-fragility::UserLimitState with_cap(const UserState& user, double height)
+/// Asks for the rule of a state: what contradicts itself is refused.
+void check_state(const UserState& user)
 {
-    fragility::UserLimitState s = user.state;
-    if (user.most_drift > 0.0) s.at_most = user.most_drift * height;
-    return s;
+    ReadingRules rules;
+    rules.user = {user};
+    try {
+        static_cast<void>(state_names(rules));
+    } catch (const std::invalid_argument& e) {
+        throw BadValue(e.what());
+    }
 }
 
-/// Rises to 1 at 1, falls to 0 at 2: any rule can be read off it.
-constexpr std::array<double, 3> kTrialX{0.0, 1.0, 2.0}, kTrialY{0.0, 1.0, 0.0};
-const fragility::Curve kTrial{kTrialX, kTrialY};
+/// Sets that a study asks for, "user" among them.
+std::vector<std::string_view> set_words()
+{
+    const auto sets = fragility::limit_state_sets();
+    std::vector<std::string_view> words(sets.begin(), sets.end());
+    words.emplace_back("user");
+    return words;
+}
+
+void add_set(const Study& study, std::string_view name, ReadingRules& rules)
+{
+    const auto known = fragility::limit_state_sets();
+    const auto set = std::find(known.begin(), known.end(), name);
+    if (set == known.end() && name != "user")
+        throw error_at(study.source, "fragility.limit_states",
+                       in_quotes(name) + " is no set; " + suggestion(name, set_words()));
+    if (set != known.end() &&
+        std::find(rules.sets.begin(), rules.sets.end(), *set) == rules.sets.end())
+        rules.sets.push_back(*set);
+    if (set != known.end()) return;
+    rules.user = parse_user_states(study.fragility.user_states);
+    if (rules.user.empty())
+        throw BadValue("missing for the set user; write \"name: 0.7 yield; ...\"");
+}
 
 } // namespace
 
@@ -121,71 +146,27 @@ std::vector<UserState> parse_user_states(std::string_view text)
         states.push_back(parse_state(part));
         const fragility::UserLimitState& s = states.back().state;
         if (!names.insert(s.name).second) refuse(s.name, "given twice; keep one of them");
-        const std::array trial{with_cap(states.back(), 1.0)};
-        try {
-            static_cast<void>(fragility::read_limit_states(kTrial, trial));
-        } catch (const std::invalid_argument& e) {
-            throw BadValue(e.what());
-        }
+        check_state(states.back());
     }
     return states;
 }
 
-WantedStates wanted_states(const Study& study)
+ReadingRules reading_rules(const Study& study)
 {
     const FragilityInput& f = study.fragility;
-    WantedStates wanted;
-    wanted.options = {f.ultimate_share, f.crossing, f.bilinear_share};
-    for (const std::string_view name : split(f.limit_states, ",")) {
-        const auto set = fragility::limit_state_set(name);
-        if (!set && name != "user")
-            throw error_at(study.source, "fragility.limit_states",
-                           in_quotes(name) + " is no set; " + suggestion(name, kSets));
-        const auto& sets = wanted.sets;
-        if (set && std::find(sets.begin(), sets.end(), *set) == sets.end())
-            wanted.sets.push_back(*set);
-        if (set) continue;
-        try {
-            wanted.user = parse_user_states(f.user_states);
-        } catch (const BadValue& bad) {
-            throw error_at(study.source, "fragility.user_states", bad.what());
-        }
-        if (wanted.user.empty())
-            throw error_at(study.source, "fragility.user_states",
-                           "missing for the set user; write \"name: 0.7 yield; ...\"");
+    ReadingRules rules;
+    rules.options = {f.ultimate_share, f.crossing, f.bilinear_share};
+    rules.mode = f.mode;
+    rules.height = study.load.height;
+    rules.direction = push_way(study).direction;
+    try {
+        static_cast<void>(parse_user_states(f.user_states)); // also where no set asks for them
+        for (const std::string_view name : split(f.limit_states, ","))
+            add_set(study, name, rules);
+    } catch (const BadValue& bad) {
+        throw error_at(study.source, "fragility.user_states", bad.what());
     }
-    return wanted;
-}
-
-std::vector<StateName> state_names(const WantedStates& wanted)
-{
-    std::vector<StateName> names;
-    for (const fragility::LimitStateSet set : wanted.sets)
-        for (const fragility::LimitState& s :
-             fragility::read_limit_states(kTrial, set, wanted.options))
-            names.push_back({std::string(name(set)), std::string(s.name), s.rule});
-    for (const UserState& user : wanted.user) {
-        const std::array trial{with_cap(user, 1.0)};
-        std::string rule = fragility::read_limit_states(kTrial, trial).front().rule;
-        if (const auto at = rule.find("the displacement given"); at != std::string::npos)
-            rule = rule.substr(0, at) + number(100.0 * user.most_drift, 6) + " % drift";
-        names.push_back({"user", user.state.name, rule});
-    }
-    return names;
-}
-
-std::vector<fragility::LimitDisplacement> read_states(const fragility::Curve& curve,
-                                                      const WantedStates& wanted, double height)
-{
-    std::vector<fragility::LimitDisplacement> limits;
-    for (const fragility::LimitStateSet set : wanted.sets)
-        for (const auto& s : fragility::read_limit_states(curve, set, wanted.options))
-            limits.push_back(s.limit);
-    std::vector<fragility::UserLimitState> user;
-    for (const UserState& u : wanted.user) user.push_back(with_cap(u, height));
-    for (const auto& s : fragility::read_limit_states(curve, user, wanted.options))
-        limits.push_back(s.limit);
-    return limits;
+    return rules;
 }
 
 } // namespace app

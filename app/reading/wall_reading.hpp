@@ -1,0 +1,70 @@
+#pragma once
+/// The one place where a wall is read: peak, ultimate displacement, limit states and failure mode, off
+/// the facts of a wall (its curve and what moved) and by the rules of [fragility]. Every table, picture,
+/// summary, page, stopping rule and reliability analysis takes these numbers.
+
+#include "dem/scene/mechanism.hpp"
+#include "fragility/limit_states.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// A limit state of the user. Its cap is a drift, which becomes a displacement once the height is known.
+struct UserState {
+    fragility::UserLimitState state; ///< without cap
+    double most_drift = 0.0;         ///< [-]; 0: no cap
+    std::string cap;                 ///< as written: "1.0 %"
+};
+
+/// How walls are read. Nothing of it moves a wall.
+struct ReadingRules {
+    std::vector<std::string_view> sets; ///< of fragility::limit_state_sets(), each once
+    std::vector<UserState> user;        ///< of the set user
+    fragility::LimitStateOptions options;
+    dem::ModeThresholds mode;
+    double height = 1.0; ///< of the load line [m], > 0; drifts are displacements over it
+    int direction = 1;   ///< of the push: 1 to the right, -1 to the left, 0: it turns back
+};
+
+/// A limit state to read, before any wall is read.
+struct StateName {
+    std::string set;  ///< "paper", "ntc", "ec8", "user"
+    std::string name; ///< "SLV"
+    std::string rule; ///< how it is read: "3/4 of SLC"
+};
+[[nodiscard]] std::vector<StateName> state_names(const ReadingRules& rules);
+
+/// Displacements and forces count in the direction of the push: those of a push to the left are positive.
+struct WallReading {
+    std::string no_reading; ///< why nothing is read off the curve; empty where it is read
+    std::optional<fragility::Peak> peak; ///< [N] [m]
+    std::optional<double> stiffness; ///< secant at fragility::kSecantShare of the peak [N/m]
+    fragility::LimitDisplacement ultimate;            ///< [m]
+    std::vector<fragility::LimitDisplacement> limits; ///< [m], in the order of state_names
+    dem::FailureMode mode = dem::FailureMode::rocking;
+    bool dropped = false; ///< the force fell to the ultimate share of the peak
+    bool slid = false; ///< the wall slid along a course and did not crack: it counts as rocking
+};
+
+/// @param curve as the solver wrote it, [m] and [N], of a wall that did not fail
+[[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
+                               const ReadingRules& rules);
+
+/// A wall without a curve to read: nothing is defined.
+[[nodiscard]] WallReading not_read(const ReadingRules& rules, std::string why);
+
+/// A wall that neither overturned nor cracked nor lost load: the rule counts it as rocking.
+[[nodiscard]] bool slid_whole(const dem::Mechanism& mechanism, bool dropped,
+                              const dem::ModeThresholds& thresholds);
+
+[[nodiscard]] double peak_force(const WallReading& wall);        ///< [N]; NaN: none
+[[nodiscard]] double peak_displacement(const WallReading& wall); ///< [m]; NaN: none
+[[nodiscard]] bool is_observed(const fragility::LimitDisplacement& limit);
+[[nodiscard]] bool is_censored(const fragility::LimitDisplacement& limit);
+[[nodiscard]] bool is_defined(const fragility::LimitDisplacement& limit);
+
+} // namespace app

@@ -1,0 +1,176 @@
+#include "app/study/study_walls.hpp"
+
+#include "app/input/config_error.hpp"
+#include "app/input/limit_state_text.hpp"
+#include "app/input/number_text.hpp"
+#include "app/reading/wall_words.hpp"
+#include "app/store/store_reader.hpp"
+#include "app/study/resampled_curve.hpp"
+#include "app/study/study_columns.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace app {
+namespace {
+
+/// Columns of the facts that a reading needs, looked up once.
+struct Columns {
+    std::size_t rotation, sliding, cracked;
+};
+
+Columns columns_of(const StoreHead& head)
+{
+    return {column_of(head.responses, "rotation_share"),
+            column_of(head.responses, "sliding_share"),
+            column_of(head.counts, "cracked_units")};
+}
+
+/// In the direction of the push.
+WallCurve along(const WallCurve& curve, int direction)
+{
+    WallCurve c = curve;
+    if (direction < 0)
+        for (auto* const values : {&c.displacement, &c.force})
+            for (double& x : *values) x = -x;
+    return c;
+}
+
+StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
+{
+    StudyWall w;
+    w.key = row.key;
+    w.failed = row.status != kWallOk;
+    w.reason = row.reason;
+    if (keep != Keep::readings)
+        for (const StoredInput& input : all.inputs) w.inputs.push_back(shown_value(input, row));
+    if (keep == Keep::everything) w.drawn = row.inputs;
+    if (w.failed) {
+        w.reading = not_read(all.rules, "the wall failed");
+        return w;
+    }
+    w.mechanism = {row.responses[c.rotation], row.responses[c.sliding],
+                   static_cast<int>(row.counts[c.cracked]), 0};
+    w.reading = read({row.curve.displacement, row.curve.force}, w.mechanism, all.rules);
+    if (keep == Keep::readings) return w;
+    WallCurve curve = along(row.curve, all.rules.direction);
+    if (w.reading.no_reading.empty()) w.forces = resampled(curve, all.step, kCurveSteps + 1);
+    if (keep == Keep::everything) w.curve = std::move(curve);
+    return w;
+}
+
+void check_overrides(std::span<const std::string> overrides)
+{
+    for (const std::string& o : overrides)
+        if (!o.starts_with("fragility."))
+            throw ConfigError("--set", 0, o.substr(0, o.find('=')),
+                              "the walls are there already; only fragility.* can be set here");
+}
+
+void add_wall(StudyLevel& level, StudyWall&& wall)
+{
+    (wall.failed ? level.failed_walls : level.walls).push_back(std::move(wall));
+}
+
+/// As prescribed.
+void add_marginals(const Study& study, std::vector<StoredInput>& inputs)
+{
+    for (StoredInput& input : inputs)
+        for (const RandomInput& random : study.random)
+            if (random.key == input.key) input.marginal = random.marginal;
+}
+
+/// Everything but the walls.
+StudyWalls study_of(const std::filesystem::path& file, const StoreHead& head,
+                    std::span<const std::string> overrides)
+{
+    StudyWalls walls;
+    walls.name = file.filename().string();
+    walls.head = head;
+    walls.shard = head.shards > 1;
+    if (walls.shard)
+        walls.name +=
+            ", shard " + std::to_string(head.shard + 1) + " of " + std::to_string(head.shards);
+    walls.study = read_study(
+        with_overrides(parse_study_text(file.string(), head.configuration), overrides));
+    walls.rules = reading_rules(walls.study);
+    walls.states = state_names(walls.rules);
+    walls.inputs = stored_inputs(head.inputs);
+    add_marginals(walls.study, walls.inputs);
+    walls.height = walls.rules.height;
+    walls.pushed_one_way = walls.rules.direction != 0;
+    walls.step = push_way(walls.study).farthest / static_cast<double>(kCurveSteps);
+    walls.shared = walls.study.uq.shared && head.levels.size() > 1;
+    for (const StoreLevel& level : head.levels)
+        walls.levels.push_back({level.vertical_stress, {}, {}, 0});
+    return walls;
+}
+
+/// "(0.75 MPa sample 17, ...)"
+std::string named(const StudyWalls& walls, const std::vector<WallKey>& keys)
+{
+    constexpr std::size_t kNamed = 5;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kNamed, keys.size()); ++i)
+        text += (i > 0 ? ", " : "(") + stress_text(walls.levels[keys[i].level].stress) +
+                " sample " + std::to_string(keys[i].sample);
+    return text + (keys.size() > kNamed ? ", ...)" : ")");
+}
+
+} // namespace
+
+StudyWalls read_study_walls(const std::filesystem::path& file,
+                            std::span<const std::string> overrides, Keep keep)
+{
+    check_overrides(overrides);
+    StoreReader reader(file);
+    StudyWalls walls = study_of(file, reader.head(), overrides);
+    const Columns c = columns_of(reader.head());
+    reader.for_each_row([&](const WallRow& row) {
+        add_wall(walls.levels.at(row.key.level), wall_of(walls, c, row, keep));
+    });
+    for (const WallKey key : missing_walls(reader.head(), reader.statuses()))
+        ++walls.levels.at(key.level).missing;
+    return walls;
+}
+
+WallList all_walls(const StudyWalls& study)
+{
+    WallList all;
+    for (const StudyLevel& level : study.levels)
+        for (const auto* const walls : {&level.walls, &level.failed_walls})
+            for (const StudyWall& w : *walls) all.push_back(&w);
+    std::sort(all.begin(), all.end(),
+              [](const StudyWall* a, const StudyWall* b) { return a->key < b->key; });
+    return all;
+}
+
+std::string trouble_text(const StudyWalls& walls)
+{
+    std::map<std::string, std::vector<WallKey>> why;
+    std::size_t missing = 0;
+    for (const StudyLevel& level : walls.levels) {
+        missing += level.missing;
+        for (const StudyWall& w : level.failed_walls) why[w.reason].push_back(w.key);
+    }
+    std::string text;
+    for (const auto& [reason, keys] : why)
+        text += std::to_string(keys.size()) + " failed: " + reason + " " + named(walls, keys) +
+                "\n";
+    if (missing > 0)
+        text += std::to_string(missing) + " walls of the study are not in this file\n";
+    return text;
+}
+
+const char* mode_name(int mode)
+{
+    return words(mode == kRocking ? dem::FailureMode::rocking : dem::FailureMode::mixed).data();
+}
+
+std::string stress_text(double stress)
+{
+    const std::string all = number(stress * 1e-6, 12), two = fixed(stress * 1e-6, 2);
+    return (number(std::stod(two), 12) == all ? two : all) + " MPa";
+}
+
+} // namespace app

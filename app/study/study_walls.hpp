@@ -1,0 +1,90 @@
+#pragma once
+/// A stored study: its walls, each read once by the rules of [fragility]. Summary, stopping rule, tables and
+/// page are made of this and nothing else.
+
+#include "app/input/study.hpp"
+#include "app/reading/wall_reading.hpp"
+#include "app/store/store_head.hpp"
+#include "app/store/store_row.hpp"
+#include "app/study/stored_input.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace app {
+
+constexpr int kRocking = 0, kMixed = 1;        ///< modes, in the order of dem::FailureMode
+[[nodiscard]] const char* mode_name(int mode); ///< "rocking", "mixed"
+constexpr std::size_t kCurveSteps = 120;       ///< of the grid of displacements for mean curves
+
+struct StudyWall {
+    WallKey key;
+    bool failed = false; ///< it gave no result: only key, reason and inputs mean anything
+    std::string reason;  ///< why it failed
+    WallReading reading;
+    dem::Mechanism mechanism;
+    std::vector<double>
+        inputs; ///< shown values; of several per joint, their mean (Keep::means)
+    std::vector<double>
+        forces;                ///< [N] at 0, 1, ... kCurveSteps steps, as far as the curve goes
+    std::vector<double> drawn; ///< inputs as they are stored, in SI (Keep::everything)
+    WallCurve curve;           ///< in the direction of the push (Keep::everything)
+};
+
+/// kRocking or kMixed
+[[nodiscard]] inline int mode_of(const StudyWall& wall)
+{
+    return static_cast<int>(wall.reading.mode);
+}
+
+struct StudyLevel {
+    double stress = 0.0;          ///< [Pa]
+    std::vector<StudyWall> walls; ///< that gave a result
+    std::vector<StudyWall> failed_walls;
+    std::size_t missing = 0; ///< walls of the study that the file has not
+};
+
+struct StudyWalls {
+    std::string name;   ///< of the file: "paper.h5", "part.h5, shard 1 of 4"
+    bool shard = false; ///< the file holds a part of the study on purpose
+    Study study;
+    ReadingRules rules;
+    std::vector<StateName> states; ///< of StudyWall::limits
+    std::vector<StoredInput> inputs;
+    std::vector<StudyLevel> levels;
+    StoreHead head;
+    double height = 1.0;        ///< of the load line [m]
+    double step = 0.0;          ///< of StudyWall::forces [m]
+    bool pushed_one_way = true; ///< else no limit state is defined
+    bool shared =
+        false; ///< one design for all levels: walls of two levels depend on each other
+};
+
+/// What is kept of each wall beside its reading.
+enum class Keep {
+    readings,  ///< nothing
+    means,     ///< inputs, and forces for mean curves
+    everything ///< drawn values and curves too
+};
+
+/// @param overrides fragility.key=value in place of the study's
+/// @throws StoreError, ConfigError
+[[nodiscard]] StudyWalls read_study_walls(const std::filesystem::path& file,
+                                          std::span<const std::string> overrides = {},
+                                          Keep keep = Keep::means);
+
+/// Walls of a study that lives longer.
+using WallList = std::vector<const StudyWall*>;
+
+/// All walls, failed ones too, by level and sample.
+[[nodiscard]] WallList all_walls(const StudyWalls& study);
+
+/// Lines for people: walls that failed, by reason, with the first of them; walls still to run.
+[[nodiscard]] std::string trouble_text(const StudyWalls& walls);
+
+/// "0.75 MPa"; two decimals where they are exact.
+[[nodiscard]] std::string stress_text(double stress);
+
+} // namespace app

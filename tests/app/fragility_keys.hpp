@@ -1,0 +1,47 @@
+#pragma once
+/// Every key of [fragility] with a value that is not its default, from the table of keys.
+
+#include "app/input/key_values.hpp"
+#include "app/input/number_text.hpp"
+#include "app/input/study_keys.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace scenes {
+
+/// "fragility.law=gamma" and so on; user_states brings its set.
+inline std::vector<std::string> changed(const app::Key& key)
+{
+    const std::string name(key.name);
+    const app::Study standard;
+    const double value = key.kind == app::Kind::text ? 0.0 : key.field.get(standard).front();
+    switch (key.kind) {
+    case app::Kind::word:
+        for (const app::Named& n : key.names)
+            if (n.value != value) return {name + "=" + std::string(n.word)};
+        break;
+    case app::Kind::number: // towards the upper end of its range
+        return {name + "=" + app::number(0.5 * (value + key.range.high), 6)};
+    case app::Kind::count:
+        return {name + "=" + app::number(value > 100 ? 0.5 * value : value + 2, 6)};
+    default:
+        if (name == "fragility.limit_states") return {name + "=ec8, paper"};
+        if (name == "fragility.user_states")
+            return {name + "=mine: 0.5 ultimate; far: 0.6 %",
+                    "fragility.limit_states=paper, user"};
+    }
+    throw std::logic_error("no other value is known for " + name);
+}
+
+/// One list of overrides for each key.
+inline std::vector<std::vector<std::string>> changed_fragility_keys()
+{
+    std::vector<std::vector<std::string>> all;
+    for (const app::Key& key : app::study_keys())
+        if (app::section_of(key.name) == "fragility") all.push_back(changed(key));
+    return all;
+}
+
+} // namespace scenes
