@@ -1,5 +1,6 @@
 #include "app/fragility/fragility_data.hpp"
 
+#include "app/input/number_text.hpp"
 #include "app/output/cells.hpp"
 #include "app/study/study_walls.hpp"
 

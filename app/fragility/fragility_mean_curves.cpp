@@ -35,9 +35,9 @@ struct MeanOf {
 
 MeanOf mean_of(const std::vector<double>& forces, double confidence)
 {
-    if (forces.size() == 1) return {forces.front(), {kUnknown, kUnknown}};
+    if (forces.size() == 1) return {forces.front(), {kUnknown, kUnknown, confidence}};
     const uq::Estimate e = uq::estimate_mean(forces, confidence);
-    return {e.value, {e.interval.lower, e.interval.upper}};
+    return {e.value, {e.interval.lower, e.interval.upper, confidence}};
 }
 
 /// Points of the curve of a full push; the last may lie a rounding short of the target.

@@ -1,6 +1,7 @@
 #pragma once
 /// Titles and captions of the tables, from app/fragility/table_texts.txt.
 
+#include "app/fragility/fragility_data.hpp"
 #include "app/output/table.hpp"
 #include "app/study/study_walls.hpp"
 

@@ -32,7 +32,8 @@ bool same_as_stored(const StudyWalls& study, const StudyWall& stored, const Push
 {
     const double way = study.rules.direction < 0 ? -1.0 : 1.0;
     const auto same = [way](double a, double b) { return a == way * b; };
-    const auto &kept = stored.curve, &now = wall;
+    const WallCurve& kept = stored.curve;
+    const PushedWall& now = wall;
     return stored.reading.mode == wall.reading.mode &&
            std::ranges::equal(kept.displacement, now.displacement, same) &&
            std::ranges::equal(kept.force, now.force, same);

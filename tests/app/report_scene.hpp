@@ -1,6 +1,7 @@
 #pragma once
 /// A small study run into a file, for tests of its report.
 
+#include "app/study/push_walls.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_runner.hpp"
 #include "app/study_scenes.hpp"
@@ -38,6 +39,20 @@ inline void run_study(const std::filesystem::path& file, const std::string& uq,
     }
     app::run_walls(study, model, plan, walls, 2, store, {}, frames);
     store.compact();
+}
+
+/// One wall of a study, pushed alone as `drystone push` does.
+inline app::PushedWall push_one(const app::Study& study, const app::WallDraw& draw, int level)
+{
+    app::PushedWall pushed;
+    app::PushList list;
+    list.size = 1;
+    list.wall = [&](std::size_t) -> app::WantedWall { return {level, draw}; };
+    list.done = [&](std::size_t, const app::WallDraw&, app::PushedWall&& wall) {
+        pushed = std::move(wall);
+    };
+    app::push_walls(study, app::model_of(study), app::push_plan(study), list, 1);
+    return pushed;
 }
 
 } // namespace scenes

@@ -1,6 +1,8 @@
 drystone_tests(app_report
     SOURCES
+        app/fragility_scenes.cpp
         app/test_film_shelf.cpp
+        app/test_one_reading.cpp
         app/test_report_bytes.cpp
         app/test_report_choice.cpp
         app/test_report_curves.cpp
@@ -11,4 +13,4 @@ drystone_tests(app_report
         app/test_report_study.cpp
         app/test_wall_reading.cpp
         scenes/snapshot_scenes.cpp
-    LIBRARIES drystone_app_report nlohmann_json::nlohmann_json ZLIB::ZLIB)
+    LIBRARIES drystone_app_push drystone_app_report nlohmann_json::nlohmann_json ZLIB::ZLIB)

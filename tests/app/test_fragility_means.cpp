@@ -26,8 +26,8 @@ TEST_CASE(
     CHECK(cell(t, 0, "mean end of censored runs [mm]") == "> 28.00");
     CHECK(cell(t, 0, "median displacement [mm]") == "> 28.0");
     app::StudyWalls both = scenes::study_walls(13);
-    both.levels[0].walls[0].ultimate.reading = fragility::Reading::censored;
-    both.levels[0].walls[0].ultimate.displacement = 1.0;
+    both.levels[0].walls[0].reading.ultimate.reading = fragility::Reading::censored;
+    both.levels[0].walls[0].reading.ultimate.displacement = 1.0;
     const app::Table mixed = app::mean_table(both);
     CHECK(cell(mixed, 2, "mode") == "mixed");
     CHECK(cell(mixed, 2, "censored") == "1");
@@ -59,7 +59,7 @@ TEST_CASE("fragility means: a mode that does not occur is said in words, one wal
 {
     app::StudyWalls walls = scenes::study_walls(13);
     for (app::StudyWall& w : walls.levels[0].walls) w.reading.mode = dem::FailureMode::rocking;
-    walls.levels[0].walls[2].mode = app::kMixed;
+    walls.levels[0].walls[2].reading.mode = app::kMixed;
     for (app::StudyWall& w : walls.levels[1].walls) w.reading.mode = dem::FailureMode::rocking;
     const app::Table t = app::mean_table(walls);
     CHECK(scenes::sound(t));

@@ -102,8 +102,8 @@ TEST_CASE("fragility modes: walls that slid whole count as rocking and are told 
         w.mechanism.rotation_share = 0.1;
         w.reading.mode = dem::FailureMode::rocking;
     }
-    walls.levels[1].walls[0].cracked_units = 1;    // mixed
-    walls.levels[1].walls[1].rotation_share = 0.5; // overturns
+    walls.levels[1].walls[0].mechanism.cracked_units = 1;    // mixed
+    walls.levels[1].walls[1].mechanism.rotation_share = 0.5; // overturns
     const app::Table t = app::mode_table(walls);
     CHECK(cell(t, 0, "slid without cracking") == "0");
     CHECK(cell(t, 2, "slid without cracking") == "8");
@@ -129,7 +129,7 @@ TEST_CASE("fragility modes: thresholds move walls that cracked, not walls whose 
             w.mechanism.rotation_share = 0.45;
             w.mechanism.cracked_units = 2;
         }
-    walls.levels[0].walls[0].dropped = true;
+    walls.levels[0].walls[0].reading.dropped = true;
     const app::Table t = app::threshold_table(walls);
     REQUIRE(t.rows.size() == 20);
     CHECK(cell(t, 0, "rotation share") == "0.5");

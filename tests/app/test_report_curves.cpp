@@ -10,6 +10,8 @@
 
 namespace {
 
+constexpr double kStep = 0.03 / static_cast<double>(app::kCurveSteps); // of the grid [m]
+
 app::StudyWall straight_wall(double stiffness, double last)
 {
     app::StudyWall w =
@@ -18,6 +20,7 @@ app::StudyWall straight_wall(double stiffness, double last)
         w.curve.displacement.push_back(d);
         w.curve.force.push_back(stiffness * d);
     }
+    w.forces = app::resampled(w.curve, kStep, app::kCurveSteps + 1);
     return w;
 }
 
@@ -40,6 +43,7 @@ TEST_CASE(
     "[app][report_curves]")
 {
     app::StudyWalls study;
+    study.step = kStep;
     study.levels = {scenes::level(1e6)};
     for (const double k : {1e6, 2e6, 6e6})
         study.levels[0].walls.push_back(straight_wall(k, 0.03));
@@ -47,7 +51,7 @@ TEST_CASE(
     REQUIRE(means.size() == 2); // all, rocking
     CHECK(means[0]["mode"] == "all");
     CHECK(means[1]["mode"] == "rocking");
-    CHECK(means[0]["mean"].size() == app::kMeanPoints);
+    CHECK(means[0]["mean"].size() == app::kCurveSteps + 1);
     CHECK(means[0]["mean"].back().get<double>() == Approx(90.0).epsilon(1e-5)); // kN
     // Student, 2 degrees of freedom: 4.3027; s / sqrt(3) = 45.826
     CHECK(means[0]["upper"].back().get<double>() ==
@@ -58,6 +62,7 @@ TEST_CASE("report curves: a mean ends where less than nine tenths of its walls g
           "[app][report_curves]")
 {
     app::StudyWalls study;
+    study.step = kStep;
     study.levels = {scenes::level(1e6)};
     for (int i = 0; i < 20; ++i)
         study.levels[0].walls.push_back(straight_wall(1e6, i < 2 ? 0.01 : i < 3 ? 0.02 : 0.03));
@@ -70,6 +75,7 @@ TEST_CASE("report curves: a mean ends where less than nine tenths of its walls g
 TEST_CASE("report curves: failed walls are in no mean", "[app][report_curves]")
 {
     app::StudyWalls study;
+    study.step = kStep;
     study.levels = {scenes::level(1e6)};
     for (const double k : {1e6, 2e6, 6e6})
         study.levels[0].walls.push_back(straight_wall(k, 0.03));

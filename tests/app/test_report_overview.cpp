@@ -1,3 +1,4 @@
+#include "app/input/limit_state_text.hpp"
 #include "app/report/report_fragility.hpp"
 #include "app/report/report_overview.hpp"
 #include "app/study_scenes.hpp"
@@ -24,6 +25,17 @@ app::StudyWalls two_stresses(std::uint32_t samples)
         study.levels[1].walls.push_back(
             scenes::read_wall({1, i}, 40e3, 0.03, true, dem::FailureMode::rocking));
     }
+    return study;
+}
+
+/// A study whose only limit state is the ultimate displacement.
+app::StudyWalls one_stress()
+{
+    app::StudyWalls study;
+    study.study = study_scenes::study("samples = 1\n[fragility]\nlimit_states = paper");
+    study.rules = app::reading_rules(study.study);
+    study.states = app::state_names(study.rules);
+    study.levels = {scenes::level(1e6)};
     return study;
 }
 
@@ -65,12 +77,11 @@ TEST_CASE("report overview: of walls without ultimate displacement no fall is sp
 TEST_CASE("report fragility: neither curve nor band falls with the drift",
           "[app][report_fragility]")
 {
-    app::StudyWalls study;
-    study.levels = {scenes::level(1e6)};
+    app::StudyWalls study = one_stress();
     for (std::uint32_t i = 0; i < 12; ++i) // few and scattered: the band is widest near zero
         study.levels[0].walls.push_back(
             scenes::read_wall({0, i}, 80e3, i < 7 ? 0.004 * std::pow(1.4, i) : 0.03, i >= 7));
-    const auto curve = app::fragility_json(study)[0];
+    const auto curve = app::fragility_json(app::drift_data(study))[0]["curves"][0];
     REQUIRE(curve["fitted"] == true);
     for (const char* const line : {"least", "lower", "upper"}) {
         const auto p = curve[line].get<std::vector<double>>();
@@ -81,8 +92,7 @@ TEST_CASE("report fragility: neither curve nor band falls with the drift",
 TEST_CASE("report fragility: the band does not leap where the first of the runs ends",
           "[app][report_fragility]")
 {
-    app::StudyWalls study;
-    study.levels = {scenes::level(1e6)};
+    app::StudyWalls study = one_stress();
     study.height = 1.1;
     for (std::uint32_t i = 0; i < 24; ++i) { // a dozen fall, a dozen rock to the end of the run
         const bool rocks = i >= 12;
@@ -90,7 +100,8 @@ TEST_CASE("report fragility: the band does not leap where the first of the runs 
             scenes::read_wall({0, i}, 80e3, rocks ? 0.03 - 1e-7 * i : 0.01 + 1e-3 * i, rocks,
                               rocks ? dem::FailureMode::rocking : dem::FailureMode::mixed));
     }
-    const auto upper = app::fragility_json(study)[0]["upper"].get<std::vector<double>>();
+    const auto upper = app::fragility_json(app::drift_data(study))[0]["curves"][0]["upper"]
+                           .get<std::vector<double>>();
     REQUIRE(upper.size() > 2);
     const std::size_t last = upper.size() - 1;
     CHECK(upper[last] - upper[last - 1] < 0.02);

@@ -113,7 +113,8 @@ TEST_CASE("report data: failed walls are named with their reason, and in no mean
     const auto five = fragility::share(5.0 * share["value"].get<double>(), 5.0, 0.0);
     CHECK(share["upper"].get<double>() - share["lower"].get<double>() >
           five.bounds.upper - five.bounds.lower + 0.05);
-    CHECK(data["tables"][0]["rows"][0][2] == "6");
+    CHECK(data["tables"]["results"]["rows"][0][1] == "6");
+    CHECK(data["tables"]["results"]["rows"][1][2] == "1");
     CHECK(data["sensitivity"][0]["bars"].empty()); // 6 walls for 5 inputs
 }
 

@@ -62,8 +62,8 @@ void check_stored(const std::filesystem::path& file, const std::vector<std::stri
     for (const app::StudyLevel& level : walls.levels)
         for (const app::StudyWall& w : level.walls) {
             const int at = static_cast<int>(w.key.level);
-            const app::PushedWall fresh = app::push_wall(
-                study, at, app::draw(plan, at, static_cast<int>(w.key.sample)), {});
+            const app::PushedWall fresh = scenes::push_one(
+                study, app::draw(plan, at, static_cast<int>(w.key.sample)), at);
             check_equal(fresh.reading, w.reading);
         }
 }

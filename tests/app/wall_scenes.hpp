@@ -16,6 +16,7 @@ inline app::StudyWall read_wall(app::WallKey key, double peak, double ultimate, 
     w.reading.peak = fragility::Peak{peak, 0.01, false};
     w.reading.ultimate = {
         ultimate, stood ? fragility::Reading::censored : fragility::Reading::observed, {}};
+    w.reading.limits = {w.reading.ultimate};
     w.reading.dropped = !stood;
     w.reading.mode = mode;
     return w;

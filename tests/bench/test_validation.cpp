@@ -42,10 +42,10 @@ TEST_CASE("validation: a level is told apart by the mode rule", "[app][validatio
         w.reading.ultimate.displacement = 0.030;
         w.reading.ultimate.reading = fragility::Reading::censored;
     }
-    level.walls[0].rotation_share = 0.9;
-    level.walls[1].cracked_units = 0;
-    level.walls[2].dropped = true;
-    level.walls[2].ultimate = {0.010, fragility::Reading::observed, ""};
+    level.walls[0].mechanism.rotation_share = 0.9;
+    level.walls[1].mechanism.cracked_units = 0;
+    level.walls[2].reading.dropped = true;
+    level.walls[2].reading.ultimate = {0.010, fragility::Reading::observed, ""};
     const auto s = bench::level_statistics(walls, 0, {0.5, 1});
     CHECK(s.walls == 10);
     CHECK(s.rocking_walls == 2);
