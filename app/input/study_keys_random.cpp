@@ -83,7 +83,7 @@ constexpr Condition kWithMatern{
 constexpr Condition kWithGroups{[](const Study& s) { return is_by_group(s.uq.kernel); },
                                 "uq.kernel is not same_course, same_unit or all"};
 constexpr Condition kWithStop{
-    [](const Study& s) { return any_random(s) && s.uq.stop != StopQuantity::none; },
+    [](const Study& s) { return any_random(s) && s.uq.stop != kNoStop; },
     "uq.stop is none, or no value is a distribution"};
 constexpr Condition kMultiFidelity{
     [](const Study& s) { return s.reliability.method == ReliabilityMethod::multi_fidelity; },

@@ -15,7 +15,7 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
     w.loads = loads(study, level);
     w.result = std::move(result);
     if (dem::failed(w.result.outcome)) {
-        w.reading = not_read(rules, why_failed(w.result.outcome));
+        w.reading = not_read(rules, std::string(why_failed(w.result.outcome)));
         return w;
     }
     const bool single = study.output.single_precision_curves;
