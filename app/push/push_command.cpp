@@ -83,8 +83,9 @@ Table drawn_table(const Study& study, const WallDraw& draw)
 std::string configuration(const Study& study, const PushedWall& w, std::optional<int> sample)
 {
     if (!sample) return effective_configuration(study);
-    return "# Wall " + std::to_string(*sample) + " of this study, under " + stress_text(w) +
-           "; the values drawn for it are in drawn.csv.\n" + effective_configuration(study);
+    return "# Wall " + std::to_string(*sample) + " of this study, under " +
+           stress_text(w.vertical_stress) + "; the values drawn for it are in drawn.csv.\n" +
+           effective_configuration(study);
 }
 
 void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
