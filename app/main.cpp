@@ -4,15 +4,21 @@
 #include "app/input/config_error.hpp"
 #include "app/verbs.hpp"
 
+#include <csignal>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 
 int main(int argc, char** argv)
 {
+    // A full disk, a limit of file size or a closed pipe is an error with a message, not a death.
+    for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
     try {
         const app::Command command =
             app::parse_command_line(app::verbs(), {argv + 1, argv + argc});
-        return command.verb->run(command);
+        const int code = command.verb->run(command);
+        if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+        return code;
     } catch (const app::ConfigError& e) {
         std::cerr << e.what() << '\n';
         return 2;

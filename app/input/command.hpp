@@ -12,6 +12,7 @@ struct Verb;
 /// Part `index` (from 0) of a study that is divided into `count` parts.
 struct Shard {
     int index = 0, count = 1;
+    bool every = false; ///< all parts, given as "*/N"
 };
 
 struct Command {

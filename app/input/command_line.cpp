@@ -189,6 +189,12 @@ void check_study_options(const Command& command)
     if (script && fs::equivalent(command.script, command.study, ignored))
         refuse("--slurm", in_quotes(command.script) +
                               " is the file that is read; give the script another name");
+    const std::string n = std::to_string(command.shard.count);
+    if (script && command.shard.count > 1 && !command.shard.every)
+        refuse("--shard", "a job array runs every shard; write \"*/" + n + "\"");
+    if (!script && command.shard.every)
+        refuse("--shard",
+               "\"*/" + n + "\" is for --slurm; write one shard, such as \"1/" + n + "\"");
     if (script && command.rerun_failed)
         refuse("--rerun-failed", "not an option of --slurm; leave it out");
 }

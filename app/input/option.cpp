@@ -34,7 +34,8 @@ Shard shard_of(const std::string& text)
         throw BadValue(in_quotes(text) + " is not a part of a whole; write e.g. \"3/16\"");
     Shard s;
     s.count = whole_number(text.substr(slash + 1), 1, kMostShards);
-    if (text.substr(0, slash) != "*")
+    s.every = text.substr(0, slash) == "*";
+    if (!s.every)
         s.index = whole_number(text.substr(0, slash), 1, s.count) - 1;
     return s;
 }

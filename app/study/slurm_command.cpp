@@ -4,24 +4,102 @@
 #include "app/output/atomic_output.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/push_walls.hpp"
-#include "app/study/shard_script.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/wall_frames.hpp"
 #include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <string>
+#include <string_view>
 
 namespace app {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kShardSeconds = 1800.0;
+constexpr double kMostShards = 1000.0;
+
+constexpr std::string_view kHead = R"sh(#!/usr/bin/env bash
+# The shards of a study as a Slurm job array, and their merge. Submit: bash THIS_FILE [options of sbatch]
+# A task that was killed or lost its node is requeued and resumes its file.
+set -euo pipefail
+
+)sh";
+
+/// What follows the values of the variables.
+constexpr std::string_view kScript = R"sh(
+if [[ -z ${SLURM_JOB_ID-} ]]; then # on the login node
+    mkdir -p -- "$logs"
+    script=$(readlink -f -- "${BASH_SOURCE[0]}")
+    folder=${logs//%/%%} # sbatch replaces %a
+    array=$(sbatch --parsable --job-name=drystone --array=1-"$shards" --requeue \
+        --open-mode=append --nodes=1 --ntasks=1 --cpus-per-task="$threads" --time="$minutes" \
+        --signal=B:USR1@60 --output="$folder/%a.log" "$@" "$script")
+    merge=$(sbatch --parsable --job-name=drystone-merge --dependency=afterany:"$array" \
+        --requeue --open-mode=append --ntasks=1 --output="$folder/merge.log" "$@" "$script" merge)
+    echo "array $array, merge $merge; logs in $logs"
+    exit 0
+fi
+
+if [[ ${1-} == merge ]]; then
+    files=()
+    for ((i = 1; i <= shards; ++i)); do
+        files+=("$(printf '%s_%0*d_of_%s%s' "$stem" "${#shards}" "$i" "$shards" "$ending")")
+    done
+    ((shards == 1)) || "$program" merge "$out" "${files[@]}"
+    exit
+fi
+
+# A minute before its time is over the program is told to end, and the task asks for another turn.
+child=0
+trap '((child == 0)) || kill -TERM "$child"' USR1
+"$program" study "$study" --out "$out" --shard "$SLURM_ARRAY_TASK_ID/$shards" \
+    --threads "${SLURM_CPUS_PER_TASK:-1}" --quiet "${options[@]}" &
+child=$!
+code=0
+wait "$child" || code=$?
+if ((code > 128)); then # the signal ended the wait, not the program
+    code=0
+    wait "$child" || code=$?
+fi
+if ((code != 0 && code != 2)) && ((${SLURM_RESTART_COUNT:-0} < 3)); then
+    echo "shard $SLURM_ARRAY_TASK_ID ended with $code, another turn"
+    scontrol requeue "$SLURM_JOB_ID"
+fi
+exit "$code"
+)sh";
+
+/// As one word of a shell.
+std::string quoted(const std::string& text)
+{
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
+    return out + "'";
+}
+
+/// Twice the expected time and a quarter of an hour, at least one hour.
+int limit_minutes(double expected)
+{
+    return static_cast<int>(std::ceil(std::max(60.0, 2.0 * expected + 15.0)));
+}
+
 std::size_t wall_count(const Study& study)
 {
     return study.load.vertical_stress.size() * samples_of(study);
+}
+
+/// Shards so that one takes about half an hour, at least one wall in each.
+/// @param seconds of one core for a wall
+int shard_count(std::size_t walls, double seconds, int threads)
+{
+    const double n = static_cast<double>(walls);
+    const double wanted = std::ceil(n * seconds / (kShardSeconds * threads));
+    return static_cast<int>(std::clamp(wanted, 1.0, std::min(kMostShards, std::max(1.0, n))));
 }
 
 /// [s] of one core for a wall, from the first walls of the study under all its levels.
@@ -45,27 +123,45 @@ double seconds_per_wall(const Study& study)
     return seconds / static_cast<double>(pilot.size);
 }
 
+/// A bash script; run, it submits two jobs: the array, and a merge that waits for all of its tasks.
+/// @param minutes expected for one shard
+std::string slurm_script(const Command& command, int shards, double minutes)
+{
+    const fs::path out = fs::absolute(command.out);
+    std::string text(kHead);
+    const auto put = [&text](const char* name, const std::string& value) {
+        text += std::string(name) + "=" + value + "\n";
+    };
+    put("program", quoted(fs::canonical("/proc/self/exe").string()));
+    put("study", quoted(fs::absolute(command.study).string()));
+    put("out", quoted(out.string()));
+    put("stem", quoted((out.parent_path() / out.stem()).string()));
+    put("ending", quoted(out.extension().string()));
+    put("logs", quoted(out.string() + ".logs"));
+    put("shards", std::to_string(shards));
+    put("threads", std::to_string(command.threads));
+    put("minutes", std::to_string(limit_minutes(minutes)));
+    std::string options;
+    for (const std::string& o : command.overrides) options += " --set " + quoted(o);
+    put("options", "(" + options + " )");
+    return text + std::string(kScript);
+}
+
 } // namespace
 
 int write_slurm_script(const Study& study, const Command& command)
 {
     const double seconds = seconds_per_wall(study);
     const std::size_t walls = wall_count(study);
-    ShardScript s;
-    s.program = fs::canonical("/proc/self/exe").string();
-    s.study = fs::absolute(command.study).string();
-    s.out = fs::absolute(command.out).string();
-    s.folder = s.out + ".logs";
-    s.overrides = command.overrides;
-    s.threads = command.threads;
-    s.shards = command.shard.count > 1 ? command.shard.count
-                                       : shard_count(walls, seconds, command.threads);
-    s.minutes = static_cast<double>(walls) * seconds / 60.0 / s.shards / s.threads;
+    const int shards = command.shard.count > 1 ? command.shard.count
+                                               : shard_count(walls, seconds, command.threads);
+    const double minutes =
+        static_cast<double>(walls) * seconds / 60.0 / shards / command.threads;
     const fs::path file = command.script;
     if (file.has_parent_path()) make_folder(file.parent_path());
-    write_file(file, slurm_script(s));
-    std::cout << walls << " walls of " << number(seconds, 2) << " s, " << s.shards
-              << " shards of about " << fixed(s.minutes, 1) << " minutes on " << s.threads
+    write_file(file, slurm_script(command, shards, minutes));
+    std::cout << walls << " walls of " << number(seconds, 2) << " s, " << shards
+              << " shards of about " << fixed(minutes, 1) << " minutes on " << command.threads
               << " threads; submit with: bash " << command.script << '\n';
     return 0;
 }

@@ -106,9 +106,10 @@ bool work_until_enough(const Work& w, std::string& remark)
     return whole;
 }
 
-void check_stop(const Study& study, Shard shard)
+void check_stop(const Study& study, const Command& command)
 {
-    if (study.uq.stop != kNoStop && shard.count > 1)
+    const bool shards = command.shard.count > 1 || !command.script.empty();
+    if (study.uq.stop != kNoStop && shards)
         throw error_at(study.source, "uq.stop",
                        "a shard cannot tell when the study is enough; give uq.samples");
 }
@@ -127,9 +128,9 @@ int study_command(const Command& command, const FrameTaker& frames)
 {
     const Study study =
         read_study(with_overrides(read_study_file(command.study), command.overrides));
+    check_stop(study, command);
     say_effects(study, command);
     if (!command.script.empty()) return write_slurm_script(study, command);
-    check_stop(study, command.shard);
     const Work work{study, command, shard_file(command.out, command.shard), model_of(study),
                     frames};
     if (work.file.has_parent_path()) make_folder(work.file.parent_path());
