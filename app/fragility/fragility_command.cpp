@@ -14,7 +14,7 @@
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
 #include "app/output/markup.hpp"
-#include "app/store/store_seal.hpp"
+#include "app/store/wall_file.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -82,10 +82,7 @@ DriftOptions options_of(const std::vector<std::string>& overrides)
 }
 
 /// A missing or damaged FILE.h5 is a study too: its reader says what is wrong with it.
-bool is_study(const std::string& path)
-{
-    return path.ends_with(".h5") || begins_as_study(path);
-}
+bool is_study(const std::string& path) { return path.ends_with(".h5") || begins_as_hdf5(path); }
 
 void check_columns(const Command& command, bool study)
 {

@@ -35,8 +35,7 @@ Shard shard_of(const std::string& text)
     Shard s;
     s.count = whole_number(text.substr(slash + 1), 1, kMostShards);
     s.every = text.substr(0, slash) == "*";
-    if (!s.every)
-        s.index = whole_number(text.substr(0, slash), 1, s.count) - 1;
+    if (!s.every) s.index = whole_number(text.substr(0, slash), 1, s.count) - 1;
     return s;
 }
 

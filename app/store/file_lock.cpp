@@ -23,13 +23,12 @@ std::string this_process()
     return "process " + std::to_string(::getpid()) + " on " + host.data();
 }
 
-std::string holder(const OpenFile& file, const fs::path& path)
+std::string holder(const OpenFile& file)
 {
     std::array<char, 300> text{};
-    const std::size_t n = read_at(file, path, text.data(), text.size(), 0);
-    std::string name(text.data(), n);
-    if (const std::size_t end = name.find('\n'); end != std::string::npos) name.resize(end);
-    return name.empty() ? "another process" : name;
+    if (::pread(file.get(), text.data(), text.size() - 1, 0) <= 0) return "another process";
+    const std::string name = text.data();
+    return name.substr(0, name.find('\n'));
 }
 
 /// Whether `path` still is the file that was locked: its last holder may have removed it.
@@ -37,7 +36,7 @@ bool still_there(const OpenFile& file, const fs::path& path)
 {
     struct stat locked {
     }, named{};
-    return ::fstat(file.get(), &locked) == 0 && ::stat(path.c_str(), &named) == 0 &&
+    return ::fstat(file.get(), &locked) == 0 && ::lstat(path.c_str(), &named) == 0 &&
            locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
 }
 
@@ -46,19 +45,20 @@ bool still_there(const OpenFile& file, const fs::path& path)
 FileLock::FileLock(fs::path path) : path_(std::move(path))
 {
     do {
-        file_ = OpenFile(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+        file_ =
+            OpenFile(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
         if (!file_.is_open()) disk_error("write", path_, errno);
         while (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0) {
             if (errno == EINTR) continue;
             if (errno != EWOULDBLOCK) disk_error("lock", path_, errno);
-            throw StoreError("'" + path_.string() + "' is held by " + holder(file_, path_) +
+            throw StoreError("'" + path_.string() + "' is held by " + holder(file_) +
                              ": it works on the same file; wait for it or stop it");
         }
     } while (!still_there(file_, path_));
     const std::string name = this_process() + "\n";
-    // who holds it is only told: a full disk is no reason not to start
+    // the name only informs others: a full disk is no reason not to start
     if (::ftruncate(file_.get(), 0) == 0)
-        static_cast<void>(write_at(file_.get(), name.data(), name.size(), 0));
+        static_cast<void>(::pwrite(file_.get(), name.data(), name.size(), 0));
 }
 
 FileLock::~FileLock()

@@ -1,16 +1,17 @@
 #include "app/store/merge.hpp"
 
 #include "app/store/file_lock.hpp"
-#include "app/store/store_file.hpp"
-#include "app/store/store_head_codec.hpp"
+#include "app/store/store_disk.hpp"
+#include "app/store/store_parts.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/store/wall_file.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <numeric>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <sys/resource.h>
+#include <utility>
 
 namespace app {
 
@@ -18,14 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Wall `row` of shard `shard`.
-struct Place {
-    WallKey key;
-    std::uint32_t shard = 0;
-    std::uint32_t row = 0;
-};
-
-/// Every shard keeps its file and its journal open.
+/// Every shard keeps its files open.
 void allow_open_files(std::size_t n)
 {
     rlimit limit{};
@@ -53,82 +47,52 @@ StoreHead whole(StoreHead head)
     return head;
 }
 
-/// Without what moves no result.
-std::string comparable(const StoreHead& head)
+/// Everything that must be equal among shards, line by line.
+std::string whole_text(const StoreHead& head)
 {
-    StoreHead same = whole(head);
-    same.compression = 0;
-    return encode_head(same);
-}
-
-std::string sizes_text(const StoreHead& head)
-{
-    std::string text = "design grown through";
+    std::string text = study_text(whole(head)) + "design grown through";
     for (const std::uint32_t size : head.design_sizes) text += " " + std::to_string(size);
     for (const StoreLevel& level : head.levels)
         text += "\nlevel of " + std::to_string(level.vertical_stress) + " Pa, " +
                 std::to_string(level.samples) + " samples";
-    return text + "\nsingle precision " + (head.single_precision_curves ? "yes\n" : "no\n");
+    text +=
+        head.single_precision_curves ? "\nsingle precision yes\n" : "\nsingle precision no\n";
+    return text + head.configuration;
 }
 
 void check_equal(const fs::path& first_path, const StoreHead& first, const fs::path& path,
                  const StoreHead& other)
 {
-    std::string why = study_difference(whole(first), whole(other));
-    if (why.empty() && first.configuration != other.configuration)
-        why = "has another configuration (- there, + here):\n" +
-              text_difference(first.configuration, other.configuration);
-    if (why.empty() && comparable(first) != comparable(other))
-        why = "was run with other sizes (- there, + here):\n" +
-              text_difference(sizes_text(first), sizes_text(other));
-    if (!why.empty() && why.back() != '\n') why += '\n';
-    if (!why.empty())
+    const std::string why = text_difference(whole_text(first), whole_text(other));
+    if (!why.empty() || !(whole(first) == whole(other)))
         throw StoreError("'" + path.string() + "' is not of the study of '" +
-                         first_path.string() + "', which " + why +
+                         first_path.string() + "' (- there, + here):\n" + why +
                          "Nothing was written. Merge shards of one study only.");
 }
 
-/// Walls of all shards in the order of their keys, then of the shards.
-std::vector<Place> places_of(const std::vector<StoreReader>& shards)
+/// Adds the walls of a shard to those of the shards before it. @param in which shard has a wall
+void add_walls(const fs::path& shard, const StoreReader& reader,
+               std::map<WallKey, fs::path>& in)
 {
-    std::vector<Place> places;
-    for (std::uint32_t s = 0; s < shards.size(); ++s) {
-        const std::vector<WallStatus>& walls = shards[s].statuses();
-        for (std::uint32_t i = 0; i < walls.size(); ++i) places.push_back({walls[i].key, s, i});
-    }
-    std::ranges::stable_sort(places, {}, &Place::key);
-    return places;
+    for (const WallStatus& wall : reader.statuses())
+        if (const auto [there, is_new] = in.emplace(wall.key, shard); !is_new)
+            throw StoreError(wall_name(wall.key) + " is in '" + there->second.string() +
+                             "' and in '" + shard.string() +
+                             "'. Nothing was written. Name each shard once.");
 }
 
-struct Dropped {
-    std::size_t walls = 0;
-    std::uint64_t points = 0; ///< of their curves
-};
-
-/// Keeps the first of walls that several shards have, if that is allowed.
-Dropped drop_overlaps(const std::vector<fs::path>& paths, std::vector<StoreReader>& shards,
-                      std::vector<Place>& places, bool allowed)
+std::vector<StoreReader> open_shards(const std::vector<fs::path>& paths)
 {
-    Dropped dropped;
-    std::size_t kept = 0;
-    for (const Place& place : places) {
-        if (kept == 0 || places[kept - 1].key != place.key) {
-            places[kept++] = place;
-            continue;
-        }
-        const Place& first = places[kept - 1];
-        const WallRow again = shards[place.shard].row(place.row);
-        const bool same = allowed && same_results(shards[first.shard].row(first.row), again);
-        if (!same)
-            throw StoreError(wall_name(place.key) + " is in '" + paths[first.shard].string() +
-                             "' and in '" + paths[place.shard].string() + "'" +
-                             (allowed ? " with other results" : "") +
-                             ". Nothing was written. Name each shard once.");
-        ++dropped.walls;
-        dropped.points += again.curve.displacement.size();
+    if (paths.empty()) throw std::invalid_argument("merge: at least one shard is needed");
+    allow_open_files(8 * paths.size() + 128);
+    std::vector<StoreReader> shards;
+    std::map<WallKey, fs::path> in;
+    for (const fs::path& path : paths) {
+        shards.emplace_back(path);
+        check_equal(paths.front(), shards.front().head(), path, shards.back().head());
+        add_walls(path, shards.back(), in);
     }
-    places.resize(kept);
-    return dropped;
+    return shards;
 }
 
 StoreHead merged_head(const std::vector<StoreReader>& shards)
@@ -140,71 +104,27 @@ StoreHead merged_head(const std::vector<StoreReader>& shards)
     return head;
 }
 
-StoreSize size_of(const std::vector<StoreReader>& shards, const Dropped& dropped)
-{
-    StoreSize size;
-    for (const StoreReader& shard : shards) {
-        size.walls += shard.size().walls;
-        size.points += shard.size().points;
-        size.reason_bytes = std::max(size.reason_bytes, shard.size().reason_bytes);
-    }
-    size.walls -= dropped.walls;
-    size.points -= dropped.points;
-    return size;
-}
-
-std::vector<StoreReader> open_shards(const std::vector<fs::path>& paths)
-{
-    if (paths.empty()) throw std::invalid_argument("merge: at least one shard is needed");
-    allow_open_files(2 * paths.size() + 32);
-    std::vector<StoreReader> shards;
-    for (const fs::path& path : paths) {
-        shards.emplace_back(path);
-        check_equal(paths.front(), shards.front().head(), path, shards.back().head());
-    }
-    return shards;
-}
-
-MergeReport report_of(const StoreHead& head, const std::vector<StoreReader>& shards,
-                      const std::vector<Place>& places, bool partial)
-{
-    MergeReport report;
-    std::vector<WallStatus> there;
-    for (const Place& place : places) {
-        there.push_back(shards[place.shard].statuses()[place.row]);
-        if (there.back().status != kWallOk) ++report.failed;
-    }
-    report.walls = there.size();
-    report.missing = missing_walls(head, there);
-    if (!report.missing.empty() && !partial)
-        throw StoreError(
-            std::to_string(report.missing.size()) +
-            " walls are in no shard. Nothing was written. Finish the shards, or ask "
-            "for a partial merge:\n" +
-            list_of(report.missing));
-    return report;
-}
-
 } // namespace
 
-MergeReport merge(const fs::path& out, const std::vector<fs::path>& paths,
-                  const MergeOptions& options)
+void merge(const fs::path& out, const std::vector<fs::path>& paths, bool partial)
 {
     std::vector<StoreReader> shards = open_shards(paths);
     const FileLock lock(lock_of(out));
-    if (open_to_read(out).is_open() || open_to_read(journal_of(out)).is_open())
+    std::error_code error;
+    if (open_to_read(out).is_open() || fs::exists(parts_of(out), error))
         throw StoreError("'" + out.string() +
-                         "' (or its journal) is there already. Nothing was "
+                         "' (or the folder with its parts) is there already. Nothing was "
                          "written. Remove it or name another file.");
-    std::vector<Place> places = places_of(shards);
-    const Dropped dropped = drop_overlaps(paths, shards, places, options.identical_overlap);
     const StoreHead head = merged_head(shards);
-    MergeReport report = report_of(head, shards, places, options.partial);
-    report.overlapping = dropped.walls;
-    replace_study_file(out, head, {size_of(shards, dropped), [&](std::size_t i) {
-                                       return shards[places[i].shard].row(places[i].row);
-                                   }});
-    return report;
+    StoreReader all(std::move(shards));
+    const std::vector<WallKey> missing = missing_walls(head, all.statuses());
+    if (!missing.empty() && !partial)
+        throw StoreError(
+            std::to_string(missing.size()) +
+            " walls are in no shard. Nothing was written. Finish the shards, or ask "
+            "for a partial merge:\n" +
+            list_of(missing));
+    write_wall_file(out, head, all.walls());
 }
 
 } // namespace app

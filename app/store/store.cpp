@@ -1,16 +1,13 @@
 #include "app/store/store.hpp"
 
 #include "app/store/file_lock.hpp"
-#include "app/store/journal.hpp"
-#include "app/store/store_head_codec.hpp"
-#include "app/store/store_row_codec.hpp"
+#include "app/store/store_disk.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
-#include <unistd.h>
+#include <utility>
 
 namespace app {
 
@@ -18,55 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int32_t kAbsent = std::numeric_limits<std::int32_t>::min();
-
-/// Status of every wall by level and sample, as long as the last that is there.
-class StatusTable {
-  public:
-    std::int32_t get(WallKey key) const
-    {
-        if (key.level >= levels_.size() || key.sample >= levels_[key.level].size())
-            return kAbsent;
-        return levels_[key.level][key.sample];
-    }
-    void set(WallKey key, std::int32_t status)
-    {
-        if (levels_.size() <= key.level) levels_.resize(key.level + 1);
-        std::vector<std::int32_t>& level = levels_[key.level];
-        if (level.size() <= key.sample) level.resize(key.sample + 1, kAbsent);
-        if (level[key.sample] == kAbsent) ++size_;
-        level[key.sample] = status;
-    }
-    std::size_t size() const { return size_; }
-    std::vector<WallStatus> list() const
-    {
-        std::vector<WallStatus> all;
-        all.reserve(size_);
-        for (std::uint32_t level = 0; level < levels_.size(); ++level)
-            for (std::uint32_t sample = 0; sample < levels_[level].size(); ++sample)
-                if (const std::int32_t status = levels_[level][sample]; status != kAbsent)
-                    all.push_back({{level, sample}, status});
-        return all;
-    }
-
-  private:
-    std::vector<std::vector<std::int32_t>> levels_;
-    std::size_t size_ = 0;
-};
-
 /// All but the sessions: these alone are no reason to write anything.
 bool same_but_sessions(StoreHead a, const StoreHead& b)
 {
     a.sessions = b.sessions;
-    return encode_head(a) == encode_head(b);
-}
-
-bool is_there(const fs::path& path) { return open_to_read(path).is_open(); }
-
-std::uint64_t length_of(const fs::path& path)
-{
-    const OpenFile file = open_to_read(path);
-    return file.is_open() ? file_length(file, path) : 0;
+    return a == b;
 }
 
 } // namespace
@@ -76,166 +29,137 @@ struct Store::Impl {
     StoreOptions options;
     FileLock lock;
     StoreHead head;
-    JournalState replayed;
-    StatusTable walls;
-    std::optional<Journal> journal;
-    std::uint64_t journal_end = 0; ///< where an old journal is gone on with [bytes]
-    std::uint64_t file_bytes = 0;
-    std::uint64_t compact_again_at = 0; ///< after a failure [bytes of journal]
-    bool head_pending = true;           ///< the journal has not this head yet
+    std::map<WallKey, std::int32_t> walls; ///< with their statuses
+    std::vector<std::uint32_t> parts;      ///< numbers, increasing
+    std::size_t merge_at;                  ///< number of parts
+    std::size_t compacted = 0;             ///< walls in FILE.h5 since this process wrote it
 
-    Impl(fs::path file, const StoreHead& wanted, const StoreOptions& with)
-        : path(std::move(file)), options(with), lock(lock_of(path))
+    Impl(const fs::path& file, const StoreHead& wanted, const StoreOptions& with)
+        : path(linked_file(file)), options(with), lock(lock_of(path)),
+          parts(part_numbers(path)), merge_at(with.most_parts)
     {
         check_head(wanted);
-        if (is_there(path))
+        if (open_to_read(path).is_open())
             go_on(wanted);
         else
             create(wanted);
-        file_bytes = length_of(path);
     }
 
     void create(const StoreHead& wanted)
     {
-        if (is_there(journal_of(path)))
-            throw StoreError("'" + journal_of(path).string() + "' is there without its '" +
-                             path.string() +
-                             "'; bring that back, or remove the journal: its walls are run "
-                             "again");
+        if (!parts.empty())
+            throw StoreError(
+                "'" + parts_of(path).string() + "' is there without its '" + path.string() +
+                "'; bring that back, or remove the folder: its walls are run again");
         StoreHead none = wanted;
         none.sessions.clear();
         head = continued_head(path.string(), none, wanted);
-        replace_study_file(path, head, {});
+        write_wall_file(path, head, {});
     }
 
     void go_on(const StoreHead& wanted)
     {
         const StoreReader stored(path);
         head = continued_head(path.string(), stored.head(), wanted);
-        replayed = stored.journal();
-        journal_end = replayed.bytes;
-        for (const WallStatus& wall : stored.statuses()) walls.set(wall.key, wall.status);
-        ::unlink(part_of(path).c_str()); // of a killed compaction
-        const bool has_journal = is_there(journal_of(path));
-        if (!same_but_sessions(head, stored.head()))
-            start_journal();
-        else if (has_journal) // cuts a torn end off
-            journal.emplace(journal_of(path), journal_end, options.sync_seconds);
+        for (const WallStatus& wall : stored.statuses()) walls[wall.key] = wall.status;
+        remove_parts(path, {}); // what a killed process left there
+        if (!same_but_sessions(head, stored.head())) add_part({});
     }
 
-    /// The journal with this head in it.
-    Journal& start_journal()
+    std::optional<std::int32_t> status(WallKey key) const
     {
-        if (!journal) journal.emplace(journal_of(path), journal_end, options.sync_seconds);
-        if (head_pending) {
-            std::string record;
-            put_record(record, RecordKind::head, encode_head(head));
-            journal->append(record);
-            head_pending = false;
-        }
-        return *journal;
+        const auto found = walls.find(key);
+        if (found == walls.end()) return {};
+        return found->second;
     }
 
-    void check_rows(std::span<const WallRow> rows) const
+    void add_part(const std::vector<const WallRow*>& rows)
     {
-        std::vector<WallKey> keys;
-        for (const WallRow& row : rows) {
-            check_row(head, row);
-            if (walls.get(row.key) == kWallOk)
-                throw std::invalid_argument(wall_name(row.key) + ": is stored already");
-            keys.push_back(row.key);
-        }
-        std::ranges::sort(keys);
-        if (const auto twice = std::ranges::adjacent_find(keys); twice != keys.end())
-            throw std::invalid_argument(wall_name(*twice) + ": is twice in one batch");
+        RowSource source{rows.size(), 0, [&](std::size_t i) { return *rows[i]; }};
+        for (const WallRow* row : rows) source.points += row->curve.displacement.size();
+        const std::uint32_t number = parts.empty() ? 1 : parts.back() + 1;
+        // only with the first: a folder that is gone later took walls with it
+        if (parts.empty()) make_parts_folder(path);
+        write_wall_file(part_of(path, number), head, source);
+        parts.push_back(number);
     }
 
     void append(std::span<const WallRow> rows)
     {
-        check_rows(rows);
         if (rows.empty()) return;
-        std::string batch, bytes;
+        std::vector<const WallRow*> sorted;
         for (const WallRow& row : rows) {
-            bytes.clear();
-            encode_row(head, row, bytes);
-            put_record(batch, RecordKind::wall, bytes);
+            check_row(head, row);
+            if (status(row.key) == kWallOk)
+                throw std::invalid_argument(wall_name(row.key) + ": is stored already");
+            sorted.push_back(&row);
         }
-        start_journal().append(batch);
-        for (const WallRow& row : rows) walls.set(row.key, row.status);
+        const auto key = [](const WallRow* row) { return row->key; };
+        std::ranges::sort(sorted, {}, key);
+        if (const auto twice = std::ranges::adjacent_find(sorted, {}, key);
+            twice != sorted.end())
+            throw std::invalid_argument(wall_name((*twice)->key) + ": is twice in one batch");
+        add_part(sorted);
+        for (const WallRow& row : rows) walls[row.key] = row.status;
+        if (parts.size() >= merge_at) merge_parts();
     }
 
-    /// Without room for a new FILE.h5 the journal goes on growing; compact() says so.
-    void compact_if_long()
+    /// All parts into one, or into FILE.h5 once they are a quarter of it: a wall is then rewritten
+    /// only a few times however long the study runs.
+    void merge_parts()
     {
-        const std::uint64_t limit =
-            std::max({options.journal_bytes, file_bytes, compact_again_at});
-        if (!journal || journal->length() <= limit) return;
         try {
-            compact();
+            if (4 * (walls.size() - compacted) >= compacted)
+                compact();
+            else
+                fold();
+            merge_at = options.most_parts;
         } catch (const StoreError&) {
-            compact_again_at = 2 * journal->length();
+            merge_at = 2 * parts.size(); // no room: compact() says so
         }
+    }
+
+    /// Takes the name of the last: whatever is lost or left by a kill, no wall is.
+    void fold()
+    {
+        std::vector<StoreReader> readers;
+        for (const std::uint32_t number : parts) readers.emplace_back(part_of(path, number));
+        StoreReader stored(std::move(readers));
+        write_wall_file(part_of(path, parts.back()), head, stored.walls());
+        const std::uint32_t last = parts.back();
+        parts.pop_back();
+        remove_parts(path, std::exchange(parts, {last}));
     }
 
     void compact()
     {
-        if (!journal) return;
-        if (head_pending) start_journal(); // this process took part
+        if (parts.empty()) return;
         StoreReader stored(path);
-        const RowSource source{stored.size(), [&](std::size_t i) { return stored.row(i); }};
-        replace_study_file(path, head, source, options.reached);
-        if (::unlink(journal_of(path).c_str()) != 0)
-            disk_error("remove", journal_of(path), errno);
-        journal.reset();
-        journal_end = compact_again_at = 0;
-        head_pending = true;
-        file_bytes = length_of(path);
+        if (stored.statuses().size() < walls.size())
+            throw StoreError("walls are missing in '" + parts_of(path).string() +
+                             "', which was changed while the study ran; run the same command "
+                             "again: they are run again");
+        write_wall_file(path, head, stored.walls(), options.reached);
+        remove_parts(path, std::exchange(parts, {}));
         sync_folder_of(path);
-        if (options.reached) options.reached(StoreStage::journal_removed);
+        compacted = walls.size();
+        if (options.reached) options.reached(StoreStage::parts_removed);
     }
 };
 
 Store::Store(fs::path file, const StoreHead& wanted, const StoreOptions& options)
-    : impl_(std::make_unique<Impl>(std::move(file), wanted, options))
+    : impl_(std::make_unique<Impl>(file, wanted, options))
 {
 }
 
-Store::~Store()
-{
-    if (!impl_) return; // moved from
-    try {
-        sync();
-    } catch (const std::exception&) {
-        // nothing a destructor could do; who must know calls sync() before
-    }
-}
-
+Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
 const StoreHead& Store::head() const { return impl_->head; }
-const JournalState& Store::replayed() const { return impl_->replayed; }
 std::size_t Store::size() const { return impl_->walls.size(); }
-std::vector<WallStatus> Store::statuses() const { return impl_->walls.list(); }
-
-std::optional<std::int32_t> Store::status(WallKey key) const
-{
-    const std::int32_t status = impl_->walls.get(key);
-    if (status == kAbsent) return {};
-    return status;
-}
-
-void Store::append(std::span<const WallRow> rows)
-{
-    impl_->append(rows);
-    impl_->compact_if_long();
-}
-
-void Store::sync()
-{
-    if (impl_->journal) impl_->journal->sync();
-}
-
+std::optional<std::int32_t> Store::status(WallKey key) const { return impl_->status(key); }
+void Store::append(std::span<const WallRow> rows) { impl_->append(rows); }
 void Store::compact() { impl_->compact(); }
 
 } // namespace app

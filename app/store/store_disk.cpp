@@ -8,7 +8,6 @@
 #include <system_error>
 #include <unistd.h>
 #include <utility>
-#include <zlib.h>
 
 namespace app {
 
@@ -29,7 +28,11 @@ const char* remedy(int error)
     case EPERM:
         return "; choose a folder that can be written, or change its permissions";
     case ENOENT:
-        return "; make the folder first";
+        return "; its folder is not there (it may have been removed or moved meanwhile): make "
+               "it "
+               "and run the same command again";
+    case ELOOP:
+        return "; it is a symbolic link: remove it";
     case EIO:
         return "; the disk reports a fault: copy the file elsewhere and go on there";
     case EMFILE:
@@ -82,39 +85,10 @@ OpenFile open_to_read(const fs::path& path)
     return file;
 }
 
-std::uint64_t file_length(const OpenFile& file, const fs::path& path)
+void sync_file(const fs::path& path)
 {
-    struct stat about {};
-    if (::fstat(file.get(), &about) != 0) disk_error("read", path, errno);
-    return static_cast<std::uint64_t>(about.st_size);
-}
-
-std::size_t read_at(const OpenFile& file, const fs::path& path, void* data, std::size_t size,
-                    std::uint64_t offset)
-{
-    std::size_t done = 0;
-    while (done < size) {
-        const ssize_t n = ::pread(file.get(), static_cast<char*>(data) + done, size - done,
-                                  static_cast<off_t>(offset + done));
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) disk_error("read", path, errno);
-        if (n == 0) break;
-        done += static_cast<std::size_t>(n);
-    }
-    return done;
-}
-
-int write_at(int descriptor, const void* data, std::size_t size, std::uint64_t offset)
-{
-    std::size_t done = 0;
-    while (done < size) {
-        const ssize_t n = ::pwrite(descriptor, static_cast<const char*>(data) + done,
-                                   size - done, static_cast<off_t>(offset + done));
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) return n < 0 ? errno : ENOSPC;
-        done += static_cast<std::size_t>(n);
-    }
-    return 0;
+    const OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+    if (!file.is_open() || ::fsync(file.get()) != 0) disk_error("write", path, errno);
 }
 
 void sync_folder_of(const fs::path& path)
@@ -124,12 +98,6 @@ void sync_folder_of(const fs::path& path)
     if (!file.is_open()) disk_error("open folder", folder, errno);
     // some file systems cannot sync a folder and say EINVAL
     if (::fsync(file.get()) != 0 && errno != EINVAL) disk_error("write folder", folder, errno);
-}
-
-std::uint32_t crc32_of(std::string_view bytes, std::uint32_t sum)
-{
-    return static_cast<std::uint32_t>(
-        ::crc32_z(sum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 } // namespace app

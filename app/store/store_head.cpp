@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -40,22 +41,6 @@ std::vector<std::string> lines_of(const std::string& text)
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);) lines.push_back(line);
     return lines;
-}
-
-/// Column lists as text, for the difference that is shown.
-std::string columns_text(const StoreHead& head)
-{
-    std::string text;
-    const auto add = [&text](const char* list, const std::vector<Column>& columns) {
-        for (const Column& c : columns)
-            text += std::string(list) + " " + c.name + " [" + c.unit + "] " + c.meaning + "\n";
-    };
-    add("input", head.inputs);
-    add("response", head.responses);
-    add("count", head.counts);
-    add("cost", head.cost);
-    add("curve", head.curve_columns);
-    return text;
 }
 
 [[noreturn]] void refuse(const std::string& file, const std::string& why)
@@ -98,8 +83,6 @@ void check_head(const StoreHead& head)
     require(head.shards >= 1 && head.shard < head.shards,
             "shard " + std::to_string(head.shard) + " must be in [0, " +
                 std::to_string(head.shards) + ")");
-    require(head.compression >= 0 && head.compression <= 9,
-            "compression " + std::to_string(head.compression) + " must be in [0, 9]");
     require(std::ranges::adjacent_find(head.design_sizes, std::greater_equal{}) ==
                 head.design_sizes.end(),
             "design sizes must increase");
@@ -107,11 +90,33 @@ void check_head(const StoreHead& head)
     check_columns("responses", head.responses);
     check_columns("counts", head.counts);
     check_columns("cost", head.cost);
-    check_columns("curve", head.curve_columns);
-    for (const Column& column : head.curve_columns)
-        require(column.name != "displacement" && column.name != "force" &&
-                    column.name != "offset",
-                "curve: column '" + column.name + "' is there already");
+}
+
+void check_row(const StoreHead& head, const WallRow& row)
+{
+    const auto require_row = [&row](bool good, const std::string& what) {
+        if (!good) throw std::invalid_argument(wall_name(row.key) + ": " + what);
+    };
+    require_row(row.key.level < head.levels.size() &&
+                    row.key.sample < head.levels[row.key.level].samples,
+                "is not a wall of this study");
+    require_row(row.reason.find('\0') == std::string::npos, "the reason must not hold a NUL");
+    const auto length = [&](const char* list, std::size_t is, std::size_t wanted) {
+        require_row(is == wanted, std::string(list) + " must be " + std::to_string(wanted) +
+                                      " numbers, are " + std::to_string(is));
+    };
+    length("inputs", row.inputs.size(), head.inputs.size());
+    length("responses", row.responses.size(), head.responses.size());
+    length("counts", row.counts.size(), head.counts.size());
+    length("cost", row.cost.size(), head.cost.size());
+    length("forces of the curve", row.curve.force.size(), row.curve.displacement.size());
+    const auto too_large = [](double v) {
+        return std::isfinite(v) && std::abs(v) > std::numeric_limits<float>::max();
+    };
+    if (head.single_precision_curves)
+        for (const auto* values : {&row.curve.displacement, &row.curve.force})
+            require_row(std::ranges::none_of(*values, too_large),
+                        "a value of the curve exceeds single precision");
 }
 
 std::string text_difference(const std::string& before, const std::string& after,
@@ -134,29 +139,27 @@ std::string text_difference(const std::string& before, const std::string& after,
     return text;
 }
 
-std::string study_difference(const StoreHead& stored, const StoreHead& other)
+std::string study_text(const StoreHead& head)
 {
-    if (stored.identity != other.identity)
-        return "has other inputs (- there, + here):\n" +
-               text_difference(stored.identity, other.identity);
-    if (stored.seed != other.seed)
-        return "has seed " + std::to_string(stored.seed) + ", not " +
-               std::to_string(other.seed);
-    if (stored.shard != other.shard || stored.shards != other.shards)
-        return "has shard " + std::to_string(stored.shard) + " of " +
-               std::to_string(stored.shards) + ", not " + std::to_string(other.shard) + " of " +
-               std::to_string(other.shards);
-    const std::string before = columns_text(stored), after = columns_text(other);
-    if (before != after)
-        return "has other columns (- there, + here):\n" + text_difference(before, after);
-    return {};
+    std::string text = head.identity + "\nseed = " + std::to_string(head.seed) +
+                       "\nshard = " + std::to_string(head.shard + 1) + " of " +
+                       std::to_string(head.shards) + "\n";
+    const auto add = [&text](const char* list, const std::vector<Column>& columns) {
+        for (const Column& c : columns)
+            text += std::string(list) + " " + c.name + " [" + c.unit + "] " + c.meaning + "\n";
+    };
+    add("input", head.inputs);
+    add("response", head.responses);
+    add("count", head.counts);
+    add("cost", head.cost);
+    return text;
 }
 
 StoreHead continued_head(const std::string& file, const StoreHead& stored,
                          const StoreHead& wanted)
 {
-    if (const std::string why = study_difference(stored, wanted); !why.empty())
-        refuse(file, why);
+    const std::string why = text_difference(study_text(stored), study_text(wanted));
+    if (!why.empty()) refuse(file, "has other inputs (- there, + here):\n" + why);
     check_levels(file, stored, wanted);
 
     StoreHead head = wanted;
@@ -166,7 +169,6 @@ StoreHead continued_head(const std::string& file, const StoreHead& stored,
         head.design_sizes.push_back(largest);
     head.sessions = stored.sessions;
     head.sessions.insert(head.sessions.end(), wanted.sessions.begin(), wanted.sessions.end());
-    head.compression = stored.compression;
     head.single_precision_curves = stored.single_precision_curves;
     return head;
 }

@@ -1,6 +1,8 @@
 #pragma once
 /// What a stored study is: inputs, columns, origin.
 
+#include "app/store/store_row.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -8,10 +10,10 @@
 
 namespace app {
 
-constexpr std::uint32_t kStoreLayout = 1; ///< counts up when FILE.h5 or its journal changes
+constexpr std::uint32_t kStoreLayout = 2; ///< counts up when the layout of FILE.h5 changes
 
 /// Name, unit and meaning of one number of every wall. Names are unique in their list, not empty,
-/// of letters, digits and "_-.+()[]" only, not "." or "..".
+/// of letters, digits and "_-.+()[]" only, not "." or "..". Texts hold no NUL.
 struct Column {
     std::string name;
     std::string unit; ///< "-" if it has none
@@ -44,28 +46,28 @@ struct StoreHead {
     std::uint64_t seed = 0; ///< of the study
     std::uint32_t shard = 0, shards = 1; ///< this file holds part `shard` (from 0) of `shards`
     std::vector<Column> inputs, responses, counts, cost;
-    std::vector<Column> curve_columns;    ///< beyond displacement and force
     bool single_precision_curves = false; ///< curves are rounded to float when a wall is added
-    int compression = 1;                  ///< deflate level, 0 (none) to 9
     std::vector<StoreSession> sessions;   ///< oldest first
+    friend bool operator==(const StoreHead&, const StoreHead&) = default;
 };
 
 /// Throws std::invalid_argument naming the field and what is allowed.
 void check_head(const StoreHead& head);
+/// Throws std::invalid_argument naming the wall and what does not fit the head.
+void check_row(const StoreHead& head, const WallRow& row);
 
 /// Lines in which two texts differ, `- ` only in `before`, `+ ` only in `after`, in order, at most
 /// `most` lines and then how many more. Empty if equal.
 [[nodiscard]] std::string text_difference(const std::string& before, const std::string& after,
                                           std::size_t most = 40);
 
-/// Why two heads are not of the same study, shown line by line: identity, seed, shard or columns differ.
-/// Empty if they are.
-[[nodiscard]] std::string study_difference(const StoreHead& stored, const StoreHead& other);
+/// What makes two heads heads of one study, line by line: identity, seed, shard and columns.
+[[nodiscard]] std::string study_text(const StoreHead& head);
 
 /// The head with which a stored study goes on, if it may. `wanted` may have more samples, further
 /// levels after the stored ones, another configuration text and other sessions; the largest number of
 /// samples is added to `design_sizes` if it exceeds the last, and sessions are added after the
-/// stored ones. Compression and precision stay as stored.
+/// stored ones. Precision stays as stored.
 /// Throws StoreError(`file`: what differs, what to do) if identity, seed, columns, shard or stored
 /// levels differ, or if fewer samples are wanted than before.
 [[nodiscard]] StoreHead continued_head(const std::string& file, const StoreHead& stored,

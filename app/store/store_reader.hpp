@@ -1,9 +1,10 @@
 #pragma once
-/// Reads a stored study: FILE.h5 and the walls that still are in its journal, changing neither.
+/// Reads a stored study: FILE.h5 and the parts beside it, changing neither.
 
 #include "app/store/store_error.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
+#include "app/store/wall_file.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,37 +16,22 @@
 
 namespace app {
 
-/// What the journal of an unfinished study held.
-struct JournalState {
-    std::uint64_t bytes = 0;   ///< up to the end of the last sound record; 0: no journal
-    std::uint64_t records = 0; ///< whole and sound
-    std::uint64_t damaged = 0; ///< skipped: their checksum is wrong; these walls are run again
-    std::uint64_t torn_bytes = 0; ///< unfinished record at the end, left by a kill
-};
-
-/// Totals over all walls.
-struct StoreSize {
-    std::uint64_t walls = 0;
-    std::uint64_t points = 0;       ///< of their curves
-    std::uint64_t reason_bytes = 0; ///< of the longest reason
-};
-
 /// A snapshot: walls added later are not seen. Needs no lock and no write permission, works while
 /// a study runs. HDF5 is not called by several threads: use from one thread at a time, and not
 /// while another thread uses any other reader or Store.
 class StoreReader {
   public:
-    /// Reads the whole file once for its checksum (about 1 GB/s), then all keys.
+    /// Reads all keys. Of walls with one key the last part's counts.
     /// Throws StoreError if there is no such file, if it is damaged, of another layout or of
-    /// something else, or if the journal beside it belongs to another study.
+    /// something else, or if a part beside it belongs to another study.
     explicit StoreReader(const std::filesystem::path& file);
+    /// Several of one study as one, at least one. Of walls with one key the last reader's counts.
+    explicit StoreReader(std::vector<StoreReader> several);
     ~StoreReader();
     StoreReader(StoreReader&&) noexcept;
     StoreReader& operator=(StoreReader&&) noexcept;
 
     [[nodiscard]] const StoreHead& head() const;
-    [[nodiscard]] const JournalState& journal() const;
-    [[nodiscard]] const StoreSize& size() const;
     /// All walls in the order of their keys; what row(i) counts.
     [[nodiscard]] const std::vector<WallStatus>& statuses() const;
 
@@ -55,6 +41,8 @@ class StoreReader {
     [[nodiscard]] std::optional<WallRow> row(WallKey key);
     /// All walls in the order of their keys, one in memory at a time.
     void for_each_row(const std::function<void(const WallRow&)>& visit);
+    /// All of them, to be written; must not outlive this.
+    [[nodiscard]] RowSource walls();
 
   private:
     struct Impl;

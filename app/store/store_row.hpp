@@ -18,19 +18,29 @@ struct WallKey {
 
 constexpr std::int32_t kWallOk = 0; ///< status of a wall that gave results
 
-[[nodiscard]] std::string wall_name(WallKey key); ///< "wall (level 2, sample 17)"
+/// "wall (level 2, sample 17)"
+[[nodiscard]] inline std::string wall_name(WallKey key)
+{
+    return "wall (level " + std::to_string(key.level) + ", sample " +
+           std::to_string(key.sample) + ")";
+}
+
+/// A wall in a file, without its numbers.
+struct StoredWall {
+    WallKey key;
+    std::int32_t status = kWallOk;
+    std::uint64_t points = 0; ///< of its curve
+};
 
 struct WallStatus {
     WallKey key;
     std::int32_t status = kWallOk; ///< else a code of failure
 };
 
-/// Capacity curve; all columns equally long, possibly empty.
+/// Capacity curve; both equally long, possibly empty.
 struct WallCurve {
     std::vector<double> displacement; ///< [m]
     std::vector<double> force;        ///< [N]
-    std::vector<std::vector<double>>
-        further; ///< one per StoreHead::curve_columns, in its units
 };
 
 constexpr std::size_t kMaxReason = 500; ///< [bytes] kept of WallRow::reason
@@ -47,8 +57,5 @@ struct WallRow {
     std::vector<double> cost; ///< not reproducible: seconds
     WallCurve curve;
 };
-
-/// Equal to the bit (a NaN equals the same NaN; 0 and -0 differ) in all but `cost`.
-[[nodiscard]] bool same_results(const WallRow& a, const WallRow& b);
 
 } // namespace app

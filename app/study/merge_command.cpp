@@ -16,7 +16,7 @@ int merge_command(const Command& command)
     const std::vector<std::filesystem::path> shards(command.words.begin() + 1,
                                                     command.words.end());
     if (out.has_parent_path()) make_folder(out.parent_path());
-    merge(out, shards, {.partial = command.partial});
+    merge(out, shards, command.partial);
     const StudySummary summary = summarise(read_study_walls(out, {}, Keep::readings));
     std::cout << as_text(summary.table, terminal_width()) << summary.remarks << "written to "
               << out.string() << '\n';

@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-/// Rows on their way into the file: together, but not for long.
+/// Finished walls on their way into the file. A kill loses those that wait here.
 class RowBuffer {
   public:
     explicit RowBuffer(Store& store) : store_(store) {}
@@ -27,8 +27,8 @@ class RowBuffer {
     }
 
   private:
-    static constexpr std::size_t kMost = 256;
-    static constexpr double kSeconds = 0.2;
+    static constexpr std::size_t kMost = 1000;
+    static constexpr double kSeconds = 3.0;
     Store& store_;
     std::vector<WallRow> rows_;
     double last_ = steady_seconds();

@@ -26,7 +26,7 @@ struct RunProgress {
     double solver_seconds = 0.0;               ///< of one core
 };
 
-/// Every finished wall is in the file within a fraction of a second, whatever happens then.
+/// Finished walls are stored every three seconds, whatever happens then.
 /// @param seen after each wall
 /// @param frames of each wall that gives a result, in no order
 /// @throws StoreError if the disk refuses; Interrupted. Finished walls are kept.

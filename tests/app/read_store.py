@@ -34,7 +34,7 @@ def stand_in_for_matplotlib():
 
 
 def check_layout(study, text):
-    table = text.split("## Layout 1")[1].split("\nAttributes of")[0]
+    table = text.split("## Layout 2")[1].split("\nAttributes of")[0]
     for path in re.findall(r"`(/[a-z_/]+[a-z])`", table):
         assert path in study, f"{path} is documented, not there"
     n = len(study["walls/level"])
@@ -50,8 +50,8 @@ def check_layout(study, text):
     assert keys == sorted(keys)
     failed = study["walls/status"][:] != 0
     assert ((study["walls/reason"][:] != b"") == failed).all()
-    assert "vertical" not in study["configuration"][()].decode()
-    assert study.attrs["layout"] == 1
+    assert "vertical" not in study["configuration"][0].decode()
+    assert study.attrs["layout"] == 2
 
 
 def main():

@@ -3,7 +3,7 @@ set(TEST_APP_STORE_SOURCES
     app/test_merge.cpp
     app/test_store.cpp
     app/test_store_disk.cpp
-    app/test_store_journal.cpp
+    app/test_store_parts.cpp
     app/test_store_kill.cpp
     app/test_store_memory.cpp
     app/test_store_study.cpp
@@ -11,7 +11,7 @@ set(TEST_APP_STORE_SOURCES
 
 drystone_tests(app_store
     SOURCES ${TEST_APP_STORE_SOURCES}
-    LIBRARIES drystone_app_store drystone_uq_sampling)
+    LIBRARIES drystone_app_store drystone_uq_sampling hdf5::hdf5)
 
 # The lines of docs/store.md, run on a study that the test program writes; skipped where python3-h5py is missing.
 add_test(NAME "app_store: h5py reads the study as documented"

@@ -1,4 +1,5 @@
 #include "app/store_scene.hpp"
+#include "tests/scenes/same_results.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -60,7 +61,6 @@ app::StoreHead store_head(std::uint32_t samples)
                       {"energy_residual", "-", ""}};
     head.counts = {{"steps", "-", "of the solver"}, {"cracked_units", "-", ""}};
     head.cost = {{"seconds", "s", "CPU time"}};
-    head.curve_columns = {{"friction_energy", "J", "spent"}};
     head.sessions = {
         {"0.1.0", "a machine", "g++ 12, release", "2 threads", "2026-01-01T00:00"}};
     return head;
@@ -79,7 +79,7 @@ app::WallRow store_row(app::WallKey key, std::size_t points)
     row.counts = {static_cast<std::int64_t>(mixed(id)), -1};
     row.cost = numbers(id + 2, 1);
     const std::size_t n = failed ? 0 : points + id % 3;
-    row.curve = {numbers(id + 3, n), numbers(id + 4, n), {numbers(id + 5, n)}};
+    row.curve = {numbers(id + 3, n), numbers(id + 4, n)};
     return row;
 }
 
@@ -101,7 +101,7 @@ std::size_t check_rows(const std::filesystem::path& file, std::size_t points)
         const app::WallRow wanted = store_row(row.key, points);
         const bool same_cost =
             std::memcmp(row.cost.data(), wanted.cost.data(), sizeof(double)) == 0;
-        if (!app::same_results(row, wanted) || !same_cost) ++wrong;
+        if (!scenes::same_results(row, wanted) || !same_cost) ++wrong;
         if (row.key != reader.statuses()[n].key || row.status != reader.statuses()[n].status)
             ++wrong;
         ++n;

@@ -10,7 +10,7 @@
 
 namespace scenes {
 
-/// 3 levels of `samples` walls, 4 inputs, 3 responses, 2 counts, 1 cost, one further column of curve.
+/// 3 levels of `samples` walls, 4 inputs, 3 responses, 2 counts, 1 cost.
 [[nodiscard]] app::StoreHead store_head(std::uint32_t samples);
 /// Curves of `points` points, some more or fewer; every 7th wall failed, without a curve. Holds NaN, -0,
 /// infinities and numbers below the normal ones.

@@ -1,5 +1,5 @@
+#include "app/store/hdf5_file.hpp"
 #include "app/store/store.hpp"
-#include "app/store/store_disk.hpp"
 
 #include "app/child_process.hpp"
 #include "app/store_scene.hpp"
@@ -43,6 +43,14 @@ bool says(const std::function<void()>& work, const std::string& words)
     return false;
 }
 
+std::string hdf5_with_layout(const fs::path& path, std::optional<std::uint64_t> layout)
+{
+    app::hdf5::File file = app::hdf5::create_file(path);
+    if (layout) app::hdf5::put_attribute(file, "/", "layout", *layout);
+    app::hdf5::close_file(std::move(file));
+    return scenes::read_text(path);
+}
+
 /// A small file system of its own, for root.
 class SmallDisk {
   public:
@@ -73,7 +81,7 @@ TEST_CASE(
         Store store(file, store_head(300));
         store.append(store_rows(0, 100));
     }
-    const auto largest = static_cast<rlim_t>(fs::file_size(app::journal_of(file)));
+    const auto largest = static_cast<rlim_t>(fs::file_size(app::part_of(file, 1)));
     int refused = 0;
     for (rlim_t limit = 0; limit < largest; limit += largest / 60) {
         const pid_t child = start_child([&] {
@@ -85,7 +93,7 @@ TEST_CASE(
         const int code = wait_for(child);
         REQUIRE((code == 0 || code == 2));
         if (code == 0) ++refused;
-        REQUIRE(!fs::exists(app::part_of(file)));
+        REQUIRE(!fs::exists(file.string() + ".tmp"));
         REQUIRE(check_rows(file) == 300);
         if (code == 2) break; // was done
     }
@@ -94,22 +102,24 @@ TEST_CASE(
     CHECK(check_rows(file) == 300);
 }
 
-TEST_CASE("store: a batch that does not fit leaves the journal as it was", "[app][store_disk]")
+TEST_CASE("store: a batch that does not fit is not there at all and can be tried again",
+          "[app][store_disk]")
 {
     const scenes::TemporaryFolder folder;
     const fs::path file = folder.path / "a.h5";
     const pid_t child = start_child([&] {
         Store store(file, store_head(30));
         store.append(store_rows(0, 10));
-        const auto full = fs::file_size(app::journal_of(file));
-        limit_file_size(full + 1000);
         const auto more = store_rows(10, 20);
-        if (!says([&] { store.append(more); }, "ulimit -f")) return 2;
-        if (fs::file_size(app::journal_of(file)) != full) return 3;
-        if (store.size() != 30 || store.status(more[0].key)) return 4;
+        for (rlim_t limit = 0; limit < 20000; limit += 700) {
+            limit_file_size(limit);
+            if (!says([&] { store.append(more); }, "ulimit -f")) return 2;
+            if (store.size() != 30 || store.status(more[0].key)) return 3;
+            if (std::distance(fs::directory_iterator(app::parts_of(file)), {}) != 1) return 4;
+        }
         limit_file_size(RLIM_INFINITY);
         store.append(more); // space was made
-        return 0;
+        std::exit(0);
     });
     CHECK(wait_for(child) == 0);
     CHECK(check_rows(file) == 60);
@@ -133,7 +143,7 @@ TEST_CASE(
         std::uint32_t i = 0;
         if (!says(
                 [&] {
-                    for (; i < 3000; ++i) store.append(store_rows(i, i + 1));
+                    for (; i < 3000; i += 10) store.append(store_rows(i, i + 10));
                 },
                 "make space there"))
             return 2;
@@ -150,23 +160,87 @@ TEST_CASE(
     CHECK(check_rows(file) > 100);
 }
 
-TEST_CASE("store: compaction by itself that finds no room lets the journal grow",
-          "[app][store_disk]")
+TEST_CASE("store: parts that find no room to be merged stay", "[app][store_disk]")
 {
     const scenes::TemporaryFolder folder;
-    const fs::path file = folder.path / "a.h5";
+    const fs::path file = folder.path / "a.h5", blocked = file.string() + ".tmp";
     const pid_t child = start_child([&] {
         app::StoreOptions options;
-        options.journal_bytes = 1000;
+        options.most_parts = 3;
         Store store(file, store_head(30), options);
-        fs::create_directory(app::part_of(file)); // cannot be replaced by a file
+        fs::create_directory(blocked); // cannot be replaced by a file
         for (std::uint32_t i = 0; i < 30; ++i) store.append(store_rows(i, i + 1));
-        if (!says([&] { store.compact(); }, app::part_of(file).string())) return 2;
-        fs::remove(app::part_of(file));
+        if (!says([&] { store.compact(); }, blocked.string())) return 2;
+        fs::remove(blocked);
         return 0;
     });
     CHECK(wait_for(child) == 0);
     CHECK(check_rows(file) == 90);
+    CHECK(app::part_numbers(file).size() == 30);
+}
+
+TEST_CASE("store: a folder of parts that is removed while a study runs is said and survived",
+          "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    {
+        Store store(file, store_head(30));
+        store.append(store_rows(0, 10));
+        fs::remove_all(app::parts_of(file));
+        const auto more = store_rows(10, 20);
+        CHECK_THROWS_WITH(store.append(more), Contains("may have been removed or moved"));
+        CHECK_THROWS_WITH(store.compact(), Contains("walls are missing in"));
+    }
+    Store store(file, store_head(30));
+    CHECK(store.size() == 0);
+    store.append(store_rows(0, 30));
+    store.compact();
+    CHECK(check_rows(file) == 90);
+}
+
+TEST_CASE(
+    "store: nothing is written through a symbolic link, but a linked file is gone on with",
+    "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5", precious = folder.path / "precious";
+    std::ofstream(precious) << "precious";
+    fs::create_directory(folder.path / "other");
+    SECTION("lock") { fs::create_symlink(precious, app::lock_of(file)); }
+    SECTION("parts") { fs::create_symlink(folder.path / "other", app::parts_of(file)); }
+    SECTION("nothing there") { fs::create_symlink("none", app::parts_of(file)); }
+    SECTION("new file")
+    {
+        fs::create_symlink(precious, file.string() + ".tmp");
+        Store(file, store_head(9)).append(store_rows(0, 9));
+        CHECK(check_rows(file) == 27);
+        fs::remove_all(app::parts_of(file));
+        fs::create_symlink(precious, app::lock_of(file));
+    }
+    SECTION("part")
+    {
+        Store(file, store_head(9)).append(store_rows(0, 1));
+        fs::create_symlink(precious, app::part_of(file, 2).string() + ".tmp");
+        Store(file, store_head(9)).append(store_rows(1, 9));
+        CHECK(check_rows(file) == 27);
+        fs::create_symlink(precious, app::lock_of(file));
+    }
+    CHECK_THROWS_AS(Store(file, store_head(9)), StoreError);
+    CHECK(scenes::read_text(precious) == "precious");
+    CHECK(fs::is_empty(folder.path / "other"));
+
+    fs::create_directory(folder.path / "disk");
+    const fs::path target = folder.path / "disk" / "b.h5", link = folder.path / "b.h5";
+    Store(target, store_head(9)).append(store_rows(0, 3));
+    fs::create_symlink(target, link);
+    Store store(link, store_head(9));
+    CHECK_THROWS_WITH(Store(target, store_head(9)), Contains("is held by"));
+    store.append(store_rows(3, 9));
+    CHECK(check_rows(link) == 27);
+    store.compact();
+    CHECK(fs::is_symlink(link));
+    CHECK(check_rows(target) == 27);
 }
 
 TEST_CASE("store: a folder that cannot be written is said, reading works there",
@@ -233,16 +307,18 @@ TEST_CASE(
     std::string bytes = scenes::read_text(file);
     std::string words;
     SECTION("empty") { bytes.clear(), words = "is empty"; }
-    SECTION("text") { bytes = "[wall]\n", words = "is not the file of a study"; }
-    SECTION("HDF5") { bytes.erase(0, 512), words = "HDF5 file, but not of a study"; }
-    SECTION("cut") { bytes.resize(bytes.size() - 1), words = "its checksum is wrong"; }
-    SECTION("grown") { bytes += '\0', words = "its checksum is wrong"; }
-    SECTION("flipped") { bytes[bytes.size() / 2] ^= 1, words = "its checksum is wrong"; }
-    SECTION("in the seal") { bytes[500] = 'x', words = "its checksum is wrong"; }
-    SECTION("layout")
+    SECTION("text") { bytes = "[wall]\n", words = "not the file of a study"; }
+    SECTION("cut") { bytes.resize(bytes.size() - 1), words = "truncated file"; }
+    SECTION("flipped") { bytes[bytes.size() / 2] ^= 1, words = "is damaged: cannot "; }
+    SECTION("of version 0.1.0")
     {
-        bytes[bytes.find("layout ") + 7] = '7';
-        words = "has layout 7, this program knows 1";
+        bytes = hdf5_with_layout(folder.path / "old.h5", 1);
+        words = "has layout 1, this program knows 2; use the version";
+    }
+    SECTION("HDF5 of something else")
+    {
+        bytes = hdf5_with_layout(folder.path / "other.h5", {});
+        words = "HDF5 file, but not of a study";
     }
     std::ofstream(file, std::ios::binary) << bytes;
     CHECK_THROWS_WITH(StoreReader(file), Contains(words));
@@ -259,5 +335,5 @@ TEST_CASE("store: folders, pipes and missing files are refused", "[app][store_di
     CHECK_THROWS_WITH(StoreReader(folder.path / "folder"), Contains("not a regular file"));
     CHECK_THROWS_WITH(StoreReader(folder.path / "none"), Contains("no such file"));
     CHECK_THROWS_WITH(Store(folder.path / "none" / "a.h5", store_head(1)),
-                      Contains("make the folder first"));
+                      Contains("its folder is not there"));
 }

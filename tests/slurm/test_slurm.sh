@@ -21,7 +21,7 @@ size=(--set uq.samples=1200)
 start_cluster "$work/cluster" || { echo "skipped: no Slurm cluster can be started on this machine"; exit 77; }
 bash "$work/array.sh"
 for _ in {1..600}; do # until a shard on the first node has walls
-    squeue -h -t R -o %N | grep -q n1 && compgen -G "$work/array_*.h5.journal" >/dev/null && break
+    squeue -h -t R -o %N | grep -q n1 && compgen -G "$work/array_*.h5.parts/000001.h5" >/dev/null && break
     sleep 0.1
 done
 kill_node 1

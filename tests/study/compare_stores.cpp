@@ -2,6 +2,7 @@
 /// bit; costs aside. With N: the walls of samples 0 .. N - 1 of A are those of B.
 
 #include "app/store/store_reader.hpp"
+#include "tests/scenes/same_results.hpp"
 
 #include <cstdlib>
 #include <iostream>
@@ -23,7 +24,7 @@ int compare(app::StoreReader& a, app::StoreReader& b, std::uint32_t samples)
         if (key.sample >= samples) continue;
         const std::optional<app::WallRow> other = b.row(key);
         if (!other) return fail(key, "only in the first");
-        if (!same_results(a.row(i), *other)) return fail(key, "results differ");
+        if (!scenes::same_results(a.row(i), *other)) return fail(key, "results differ");
         ++seen;
     }
     for (const app::WallStatus& s : b.statuses())

@@ -145,8 +145,8 @@ claim_tables_and_page_follow_where_asked() {
     "$program" study "$here/small.ini" --out "$work/other.hdf5" --set uq.samples=2 --report --quiet >/dev/null 2>&1 ||
         fail "the name of a study's file need not end in .h5"
     [[ -s $work/other/README.md && -s $work/other.html ]] || fail "no tables or page of other.hdf5"
-    tail -c +513 "$work/other.hdf5" >"$work/foreign.hdf5" # as h5repack leaves it
-    refused 1 "not of a study" "$program" fragility "$work/foreign.hdf5"
+    head -c 2000 "$work/other.hdf5" >"$work/cut.hdf5"
+    refused 1 "cut.hdf5' is damaged" "$program" fragility "$work/cut.hdf5"
     refused 2 "not of a shard" study part --shard 1/2 --report
     refused 2 "not of a shard" study part --slurm "$work/job.sh" --report
 }
@@ -160,6 +160,38 @@ claim_two_runs_on_one_file_are_refused() {
     kill -TERM "$first"
     wait "$first" && fail "not interrupted" || :
     "$compare" "$work/one.h5" "$work/one.h5" # what it had is there
+}
+
+claim_a_job_array_has_any_name_and_merges_its_shards() {
+    local name="a @out@ 'b' \$(touch PWNED) 10%a" ending i
+    cd "$work"
+    cp "$here/small.ini" "$name.ini"
+    study whole
+    for ending in .h5 .hdf5 ''; do
+        "$program" study "$name.ini" --out "$name$ending" --slurm job.sh --shard '*/2' --quiet >/dev/null
+        for i in 1 2; do SLURM_JOB_ID=1 SLURM_ARRAY_TASK_ID=$i bash job.sh >/dev/null; done
+        SLURM_JOB_ID=1 bash job.sh merge >/dev/null || fail "not merged: $name$ending"
+        "$compare" whole.h5 "$name$ending" || fail "$name$ending differs"
+    done
+    [[ ! -e PWNED ]] || fail "a name was run as a command"
+    sbatch() { printf '%s\n' "$@" >>sent; echo 7; }
+    export -f sbatch
+    bash job.sh --partition=x >/dev/null
+    grep -qxF -- "--output=$work/${name//%/%%}.logs/%a.log" sent || fail "$(cat sent)"
+    refused 2 'give uq.samples' "$program" study "$name.ini" --slurm job.sh --set uq.stop=mixed_share
+}
+
+claim_what_cannot_be_written_is_said() {
+    refused 1 'cannot write to standard output' bash -c '"$@" >/dev/full' _ "$program" study "$here/small.ini" \
+        --out "$work/a.h5" --quiet
+    refused 1 'raise the limit of file sizes' bash -c 'ulimit -f 20; "$@"' _ "$program" study "$here/small.ini" \
+        --out "$work/b.h5" --quiet
+    study b
+    same a b
+    echo precious >"$work/precious"
+    ln -s precious "$work/c.h5.lock"
+    refused 1 "cannot write '$work/c.h5.lock'" "$program" study "$here/small.ini" --out "$work/c.h5" --quiet
+    [[ $(cat "$work/precious") == precious ]] || fail "written through a link"
 }
 
 "claim_$claim"

@@ -1,0 +1,191 @@
+#include "app/store/hdf5_file.hpp"
+
+#include "app/store/store_disk.hpp"
+#include "app/store/store_error.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+namespace app::hdf5 {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Once per process, before HDF5 is used.
+bool set_up_library()
+{
+    // After a full disk H5Fclose fails and leaves the file open inside the library, which then
+    // crashes when it cleans up at exit (HDFGroup/hdf5 pull request 2291). There is nothing to clean up.
+    H5dont_atexit();
+    H5open();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // what goes wrong is in the error's what()
+    return true;
+}
+
+Handle access_of(const File& file)
+{
+    static const bool ready = set_up_library();
+    static_cast<void>(ready);
+    Handle access = file.owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "set up");
+    file.checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110),
+                 "set the format of");
+    // app/store/file_lock.hpp locks; HDF5's own locks fail on disks that have none
+    file.checked(H5Pset_file_locking(access.get(), false, true), "set up");
+    // of each dataset, room for the chunk in use and the next
+    file.checked(H5Pset_cache(access.get(), 0, 7, std::size_t{128} << 10, 1.0), "set up");
+    return access;
+}
+
+/// Description of the innermost entry of the error stack.
+herr_t innermost(unsigned n, const H5E_error2_t* error, void* text)
+{
+    if (n == 0 && error->desc != nullptr) *static_cast<std::string*>(text) = error->desc;
+    return 0;
+}
+
+/// The errno in a description of HDF5's file driver, 0 if it has none.
+int errno_in(const std::string& reason)
+{
+    constexpr std::string_view name = "errno = ";
+    const std::size_t at = reason.find(name);
+    return at == std::string::npos ? 0 : std::atoi(reason.c_str() + at + name.size());
+}
+
+} // namespace
+
+Handle& Handle::operator=(Handle&& other) noexcept
+{
+    if (this != &other) {
+        close();
+        id_ = std::exchange(other.id_, -1);
+        close_ = other.close_;
+    }
+    return *this;
+}
+
+void File::fail(const std::string& what) const
+{
+    std::string reason;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, &reason);
+    if (const int error = errno_in(reason); error != 0)
+        disk_error(is_new ? "write" : "read", path, error);
+    if (reason.empty()) reason = "not as it should be";
+    if (!is_new) damaged(path, "cannot " + what + " it: " + reason);
+    throw StoreError("cannot " + what + " '" + path.string() + "': " + reason);
+}
+
+Handle File::owned(hid_t opened, herr_t (*close)(hid_t), const std::string& what) const
+{
+    if (opened < 0) fail(what);
+    return {opened, close};
+}
+
+void damaged(const fs::path& file, const std::string& why)
+{
+    const bool part = file.parent_path().extension() == ".parts";
+    throw StoreError(
+        "'" + file.string() + "' is damaged: " + why +
+        (part ? "; remove it and run the same command again: its walls are run again"
+              : "; take a copy of it from before, or run the study again into another file"));
+}
+
+File open_file(const fs::path& path)
+{
+    File file{path, false, {}};
+    const Handle access = access_of(file);
+    file.id = file.owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose, "open");
+    return file;
+}
+
+File create_file(const fs::path& path)
+{
+    File file{path, true, {}};
+    const Handle access = access_of(file);
+    const Handle creation = file.owned(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "set up");
+    file.checked(H5Pset_obj_track_times(creation.get(), false), "set up");
+    file.id = file.owned(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), access.get()),
+                         H5Fclose, "create");
+    return file;
+}
+
+void close_file(File file)
+{
+    file.checked(H5Fflush(file.id.get(), H5F_SCOPE_GLOBAL), "write");
+    file.checked(file.id.close(), "close");
+}
+
+Handle text_type(const File& file, std::size_t bytes)
+{
+    Handle type = file.owned(H5Tcopy(H5T_C_S1), H5Tclose, "make a text for");
+    file.checked(H5Tset_size(type.get(), std::max<std::size_t>(1, bytes)), "make a text for");
+    file.checked(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "make a text for");
+    file.checked(H5Tset_cset(type.get(), H5T_CSET_UTF8), "make a text for");
+    return type;
+}
+
+void make_group(const File& file, const std::string& name)
+{
+    static_cast<void>(file.owned(
+        H5Gcreate2(file.id.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Gclose, "add a group to"));
+}
+
+namespace {
+
+void put_value(const File& file, const std::string& object, const std::string& name, hid_t type,
+               const void* value)
+{
+    const Handle space = file.owned(H5Screate(H5S_SCALAR), H5Sclose, "add an attribute to");
+    const Handle attribute =
+        file.owned(H5Acreate_by_name(file.id.get(), object.c_str(), name.c_str(), type,
+                                     space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                   H5Aclose, "add an attribute to");
+    file.checked(H5Awrite(attribute.get(), type, value), "write");
+}
+
+Handle attribute_of(const File& file, const std::string& object, const std::string& name)
+{
+    return file.owned(
+        H5Aopen_by_name(file.id.get(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose, "find the attribute " + name + " of " + object + " in");
+}
+
+} // namespace
+
+void put_attribute(const File& file, const std::string& object, const std::string& name,
+                   const std::string& text)
+{
+    put_value(file, object, name, text_type(file, text.size()).get(), text.c_str());
+}
+
+void put_attribute(const File& file, const std::string& object, const std::string& name,
+                   std::uint64_t number)
+{
+    put_value(file, object, name, H5T_STD_U64LE, &number);
+}
+
+std::string text_attribute(const File& file, const std::string& object, const std::string& name)
+{
+    const Handle attribute = attribute_of(file, object, name);
+    const Handle stored = file.owned(H5Aget_type(attribute.get()), H5Tclose, "read");
+    std::string text(H5Tget_size(stored.get()), '\0');
+    const Handle type = text_type(file, text.size());
+    file.checked(H5Aread(attribute.get(), type.get(), text.data()),
+                 "read the attribute " + name + " of " + object + " in");
+    text.resize(std::min(text.find('\0'), text.size()));
+    return text;
+}
+
+std::uint64_t number_attribute(const File& file, const std::string& object,
+                               const std::string& name)
+{
+    const Handle attribute = attribute_of(file, object, name);
+    std::uint64_t number = 0;
+    file.checked(H5Aread(attribute.get(), H5T_NATIVE_UINT64, &number),
+                 "read the attribute " + name + " of " + object + " in");
+    return number;
+}
+
+} // namespace app::hdf5

@@ -1,0 +1,186 @@
+#include "app/store/stored_head.hpp"
+
+#include "app/store/hdf5_dataset.hpp"
+#include "app/store/store_error.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace app {
+
+namespace {
+
+using hdf5::Dataset;
+using hdf5::put_attribute;
+using hdf5::text_attribute;
+
+template <class T, class Member>
+std::vector<std::string> texts(const std::vector<T>& list, Member member)
+{
+    std::vector<std::string> all;
+    for (const T& item : list) all.push_back(item.*member);
+    return all;
+}
+
+template <class T>
+void put_numbers(const hdf5::File& file, const std::string& name, const std::vector<T>& values)
+{
+    Dataset(file, name, hdf5::type_of<T>(), {values.size()})
+        .write(0, std::span<const T>(values));
+}
+
+template <class T> std::vector<T> numbers(const hdf5::File& file, const std::string& name)
+{
+    const Dataset from(file, name);
+    return from.read<T>(0, from.rows());
+}
+
+/// Name in the file and field of each text of a session.
+constexpr std::pair<const char*, std::string StoreSession::*> kSession[] = {
+    {"/sessions/program_version", &StoreSession::program_version},
+    {"/sessions/machine", &StoreSession::machine},
+    {"/sessions/build", &StoreSession::build},
+    {"/sessions/settings", &StoreSession::settings},
+    {"/sessions/started", &StoreSession::started}};
+
+constexpr std::pair<const char*, std::string Column::*> kInput[] = {
+    {"/walls/input_name", &Column::name},
+    {"/walls/input_unit", &Column::unit},
+    {"/walls/input_meaning", &Column::meaning}};
+
+/// Structs of texts from one dataset per field.
+template <class T, class Fields>
+std::vector<T> structs(const hdf5::File& file, const Fields& fields)
+{
+    std::vector<T> list;
+    for (const auto& [name, member] : fields) {
+        const std::vector<std::string> values = hdf5::texts_of(file, name);
+        if (member == fields[0].second) list.resize(values.size());
+        if (values.size() != list.size())
+            file.fail(std::string("find as many rows in ") + name + " as beside it in");
+        for (std::size_t i = 0; i < list.size(); ++i) list[i].*member = values[i];
+    }
+    return list;
+}
+
+std::vector<Column> columns(const hdf5::File& file, const std::string& group)
+{
+    std::vector<Column> list;
+    std::istringstream names(text_attribute(file, group, "columns"));
+    for (std::string name; names >> name;) {
+        const std::string dataset = group + "/" + name;
+        list.push_back({name, text_attribute(file, dataset, "unit"),
+                        text_attribute(file, dataset, "meaning")});
+    }
+    return list;
+}
+
+std::string only_text(const hdf5::File& file, const std::string& name)
+{
+    const std::vector<std::string> list = hdf5::texts_of(file, name);
+    if (list.size() != 1) file.fail("find one text in " + name + " of");
+    return list.front();
+}
+
+void check_layout(const hdf5::File& file)
+{
+    const std::string path = "'" + file.path.string() + "'";
+    if (file.checked(H5Aexists(file.id.get(), "layout"), "find its layout in") == 0)
+        throw StoreError(path + " is an HDF5 file, but not of a study; name the file that "
+                                "`drystone study` wrote");
+    const std::uint64_t layout = hdf5::number_attribute(file, "/", "layout");
+    if (layout != kStoreLayout)
+        throw StoreError(path + " has layout " + std::to_string(layout) +
+                         ", this program knows " + std::to_string(kStoreLayout) +
+                         "; use the version of the program that wrote it, or run the study "
+                         "again into another file");
+}
+
+} // namespace
+
+void put_head(const hdf5::File& file, const StoreHead& head)
+{
+    put_attribute(file, "/", "title", "drystone study; docs/store.md describes this file");
+    put_attribute(file, "/", "layout", std::uint64_t{kStoreLayout});
+    put_attribute(file, "/", "seed", head.seed);
+    put_attribute(file, "/", "shard", std::uint64_t{head.shard});
+    put_attribute(file, "/", "shards", std::uint64_t{head.shards});
+    for (const char* group :
+         {"/levels", "/sessions", "/walls", "/responses", "/counts", "/cost", "/curves"})
+        hdf5::make_group(file, group);
+    hdf5::put_texts(file, "/configuration", {head.configuration});
+    hdf5::put_texts(file, "/identity", {head.identity});
+    std::vector<double> stress;
+    std::vector<std::uint32_t> samples;
+    for (const StoreLevel& level : head.levels) {
+        stress.push_back(level.vertical_stress);
+        samples.push_back(level.samples);
+    }
+    put_numbers(file, "/levels/vertical_stress", stress);
+    put_attribute(file, "/levels/vertical_stress", "unit", "Pa");
+    put_numbers(file, "/levels/samples", samples);
+    put_numbers(file, "/design_sizes", head.design_sizes);
+    for (const auto& [name, member] : kSession)
+        hdf5::put_texts(file, name, texts(head.sessions, member));
+    for (const auto& [name, member] : kInput)
+        hdf5::put_texts(file, name, texts(head.inputs, member));
+}
+
+void put_columns(const hdf5::File& file, const StoreHead& head)
+{
+    constexpr const char* missing = "NaN: not defined for this wall";
+    const auto put = [&](const std::string& group, const std::vector<Column>& list,
+                         bool with_nan) {
+        std::string names;
+        for (const Column& column : list) {
+            names += (names.empty() ? "" : " ") + column.name;
+            const std::string dataset = group + "/" + column.name;
+            put_attribute(file, dataset, "unit", column.unit);
+            put_attribute(file, dataset, "meaning", column.meaning);
+            if (with_nan) put_attribute(file, dataset, "missing", missing);
+        }
+        put_attribute(file, group, "columns", names);
+    };
+    put("/responses", head.responses, true);
+    put("/counts", head.counts, false);
+    put("/cost", head.cost, true);
+    put("/curves",
+        {{"displacement", "m", "of the top of the wall"}, {"force", "N", "horizontal load"}},
+        true);
+    put_attribute(file, "/walls/inputs", "missing", missing);
+}
+
+StoreHead stored_head(const hdf5::File& file)
+{
+    check_layout(file);
+    StoreHead head;
+    head.configuration = only_text(file, "/configuration");
+    head.identity = only_text(file, "/identity");
+    const auto stress = numbers<double>(file, "/levels/vertical_stress");
+    const auto samples = numbers<std::uint32_t>(file, "/levels/samples");
+    if (stress.size() != samples.size()) file.fail("find a number of samples per level in");
+    for (std::size_t i = 0; i < stress.size(); ++i)
+        head.levels.push_back({stress[i], samples[i]});
+    head.design_sizes = numbers<std::uint32_t>(file, "/design_sizes");
+    const auto attribute = [&](const char* name) {
+        return hdf5::number_attribute(file, "/", name);
+    };
+    head.seed = attribute("seed");
+    head.shard = static_cast<std::uint32_t>(attribute("shard"));
+    head.shards = static_cast<std::uint32_t>(attribute("shards"));
+    head.sessions = structs<StoreSession>(file, kSession);
+    head.inputs = structs<Column>(file, kInput);
+    head.responses = columns(file, "/responses");
+    head.counts = columns(file, "/counts");
+    head.cost = columns(file, "/cost");
+    head.single_precision_curves =
+        Dataset(file, "/curves/force").value_bytes() == sizeof(float);
+    try {
+        check_head(head);
+    } catch (const std::invalid_argument& error) {
+        hdf5::damaged(file.path, error.what());
+    }
+    return head;
+}
+
+} // namespace app
