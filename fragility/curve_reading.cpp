@@ -110,8 +110,8 @@ std::optional<double> secant_stiffness(const Curve& c, double share)
 LimitDisplacement drop_after_peak(const Curve& c, double share, Crossing crossing)
 {
     check(c);
-    if (!(share > 0.0 && share < 1.0))
-        throw std::invalid_argument("drop after the peak: share of the peak must be in (0, 1)");
+    if (!(share >= 0.0 && share < 1.0))
+        throw std::invalid_argument("drop after the peak: share of the peak must be in [0, 1)");
     const std::size_t top = peak_index(c);
     if (!(c.force[top] > 0.0))
         return {0.0, Reading::not_defined, "the force is nowhere positive"};

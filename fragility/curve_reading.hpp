@@ -76,7 +76,7 @@ constexpr double kUltimateShare = 0.80;
 
 /// Displacement after the first peak at which the force comes down to `share` of it. Touching
 /// the level counts.
-/// @param share in (0, 1), else std::invalid_argument
+/// @param share in [0, 1); 0: no force is left; else std::invalid_argument
 [[nodiscard]] LimitDisplacement drop_after_peak(const Curve& curve,
                                                 double share = kUltimateShare,
                                                 Crossing crossing = Crossing::first);

@@ -112,7 +112,7 @@ std::string effective_configuration(const Study& study)
 dem::Loads loads(const Study& study, int level)
 {
     return {study.load.vertical_stress.at(static_cast<std::size_t>(level)), study.load.height,
-            study.load.gravity};
+            study.load.gravity, study.load.top, study.load.link_length};
 }
 
 dem::Model model_of(const Study& study)
@@ -137,6 +137,19 @@ std::function<bool(std::span<const dem::CurvePoint>)> stop_below(double share)
     };
 }
 
+/// True once a wall that has carried something carries nothing any more.
+bool at_zero_force(std::span<const dem::CurvePoint> curve)
+{
+    if (curve.back().force > 0.0) return false;
+    return std::any_of(curve.begin(), curve.end(),
+                       [](const dem::CurvePoint& p) { return p.force > 0.0; });
+}
+
+bool turns_back(const std::vector<double>& targets)
+{
+    return !std::is_sorted(targets.begin(), targets.end());
+}
+
 } // namespace
 
 dem::PushPlan push_plan(const Study& study)
@@ -146,7 +159,11 @@ dem::PushPlan push_plan(const Study& study)
     if (plan.targets.empty()) plan.targets = {study.load.max_displacement};
     plan.record_every = study.output.record_every;
     plan.snapshot_every = study.output.snapshot_every;
-    if (study.load.stop_below > 0.0) plan.decided = stop_below(study.load.stop_below);
+    const bool finite = study.solver.kinematics == dem::Kinematics::finite;
+    if (study.load.stop_below > 0.0)
+        plan.decided = stop_below(study.load.stop_below);
+    else if (finite && !turns_back(plan.targets))
+        plan.decided = at_zero_force;
     return plan;
 }
 

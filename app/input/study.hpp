@@ -34,7 +34,11 @@ struct LoadInput {
     std::vector<double>
         targets; ///< displacements visited in order [m]; empty: max_displacement
     double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
-    double stop_below = 0.0; ///< share of the peak [-], in [0, 1); 0: push on to the end
+    /// Share of the peak that ends the push [-], in [0, 1). 0: zero force with finite displacements,
+    /// never with small ones.
+    double stop_below = 0.0;
+    dem::TopLoad top = dem::Loads{}.top;
+    double link_length = dem::Loads{}.link_length; ///< [m], of TopLoad::link
 };
 
 struct OutputInput {

@@ -145,6 +145,22 @@ void check_load(const Study& study)
     }
 }
 
+/// How the vertical load follows matters to a wall that moves.
+void check_top_load(const Study& study)
+{
+    const bool link = study.load.top == dem::TopLoad::link;
+    if (study.load.top != dem::TopLoad::dead &&
+        study.solver.kinematics == dem::Kinematics::small) {
+        refuse(study, "load.top",
+               "makes no difference to small displacements; set solver.kinematics = finite");
+    }
+    if (link && study.load.link_length == 0.0)
+        refuse(study, "load.link_length",
+               "is needed by load.top = link: for example 2 m, or -2 m for a tendon below");
+    if (!link && study.load.link_length != 0.0)
+        refuse(study, "load.link_length", "is of no use without load.top = link");
+}
+
 /// What is kept must be more than nothing and fit into memory.
 void check_output(const Study& study)
 {
@@ -195,6 +211,7 @@ void check_relations(const Study& study)
     check_residuals(study);
     check_pieces(study);
     check_load(study);
+    check_top_load(study);
     check_output(study);
 }
 

@@ -15,6 +15,11 @@ constexpr std::array kFaceRules = {named("even", dem::FaceRule::even),
                                    named("lobatto", dem::FaceRule::lobatto)};
 constexpr std::array kDampings = {named("local", dem::Damping::local),
                                   named("combined", dem::Damping::combined)};
+constexpr std::array kKinematics = {named("small", dem::Kinematics::small),
+                                    named("finite", dem::Kinematics::finite)};
+constexpr std::array kTopLoads = {
+    named("dead", dem::TopLoad::dead), named("fixed_line", dem::TopLoad::fixed_line),
+    named("follower", dem::TopLoad::follower), named("link", dem::TopLoad::link)};
 constexpr std::array kPreloads = {named("solved", dem::Preload::solved),
                                   named("ramped", dem::Preload::ramped)};
 constexpr std::array kFidelities = {
@@ -86,8 +91,17 @@ constexpr std::array kKeys = {
         .meaning = "displacements visited in order; cyclic pushes change sign",
         .field = kAt<&Study::load, &LoadInput::targets>},
     Key{.name = "load.stop_below", .range = {'[', 0, 1, ')'},
-        .meaning = "ends the push once the force is below this share of the peak; 0 never",
+        .meaning = "ends the push once the force is below this share of the peak; 0: at zero force"
+                   " with finite displacements, else never",
         .field = kAt<&Study::load, &LoadInput::stop_below>},
+    Key{.name = "load.top", .kind = Kind::word, .names = kTopLoads,
+        .meaning = "how the vertical load follows the beam: dead (moves with it), fixed_line (in"
+                   " space), follower (normal to it), link (docs/theory.md)",
+        .field = kAt<&Study::load, &LoadInput::top>},
+    Key{.name = "load.link_length", .unit = "m", .range = {'[', -1000, 1000, ']'},
+        .meaning = "of load.top = link: positive a strut to a hinge above, negative a tendon to one"
+                   " below",
+        .field = kAt<&Study::load, &LoadInput::link_length>},
     Key{.name = "load.gravity", .unit = "m/s2", .range = {'[', 0, 100, ']'},
         .effect = kWithWeight,
         .meaning = "acceleration of free fall",
@@ -97,6 +111,10 @@ constexpr std::array kKeys = {
         .effect = kByFidelity,
         .meaning = "rung of the ladder from rigid blocks to fine zones (docs/bench/paper_walls.md)",
         .field = kAt<&Study::fidelity>},
+    Key{.name = "solver.kinematics", .kind = Kind::word, .names = kKinematics,
+        .meaning = "small displacements (paper, section 2.1), or finite: blocks turn and slide by any"
+                   " amount",
+        .field = kAt<&Study::solver, &SolverOptions::kinematics>},
     Key{.name = "solver.contact_points", .kind = Kind::count, .range = {'[', 2, 100, ']'},
         .derived = {"of fidelity", derive_contact_points},
         .meaning = "per face of a half unit",

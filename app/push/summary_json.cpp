@@ -83,6 +83,14 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["ultimate_censored"] = is_censored(r.ultimate);
     j["ultimate_rule"] =
         ultimate_text(f) + "; if it never does, censored at the last displacement";
+    const fragility::LimitDisplacement collapsed =
+        collapse({w.displacement, w.force}, w.result.outcome == dem::Outcome::lost_equilibrium,
+                 reading_rules(study));
+    j["collapse_displacement_mm"] = displacement_mm(collapsed);
+    j["collapse_censored"] = is_censored(collapsed);
+    j["collapse_rule"] =
+        "force after the peak first comes down to zero, or the wall comes down; if neither "
+        "happens, censored at the last displacement";
     j["mode"] = whole ? Json(words(r.mode)) : Json(nullptr);
     j["stiffness_kN_per_mm"] =
         r.stiffness ? number_or_null(*r.stiffness * 1e-6) : Json(nullptr);

@@ -79,6 +79,22 @@ WallReading not_read(const ReadingRules& rules, std::string why)
     return w;
 }
 
+fragility::LimitDisplacement collapse(const fragility::Curve& curve, bool came_down,
+                                      const ReadingRules& rules)
+{
+    if (curve.displacement.size() < 2 || rules.direction == 0)
+        return {0.0, Reading::not_defined, "nothing is read off this wall"};
+    const auto displacement =
+        rules.direction > 0 ? std::vector(curve.displacement.begin(), curve.displacement.end())
+                            : turned_round(curve.displacement);
+    const auto force = rules.direction > 0 ? std::vector(curve.force.begin(), curve.force.end())
+                                           : turned_round(curve.force);
+    fragility::LimitDisplacement c = fragility::drop_after_peak({displacement, force}, 0.0);
+    if (came_down && is_censored(c))
+        c = {displacement.back(), Reading::observed, "the wall came down"};
+    return c;
+}
+
 WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                  const ReadingRules& rules)
 {

@@ -54,6 +54,12 @@ struct WallReading {
 [[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                                const ReadingRules& rules);
 
+/// Where a wall has no strength left: its force comes down to zero after the peak, or it comes down.
+/// Censored at the last displacement [m] where neither happens, not defined for a push that turns back.
+/// @param came_down the push ended because the wall lost its equilibrium
+[[nodiscard]] fragility::LimitDisplacement collapse(const fragility::Curve& curve,
+                                                    bool came_down, const ReadingRules& rules);
+
 /// A wall without a curve to read: nothing is defined.
 [[nodiscard]] WallReading not_read(const ReadingRules& rules, std::string why);
 

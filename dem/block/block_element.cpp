@@ -36,6 +36,41 @@ Eigen::VectorXd top_pressure(const ZoneGrid& grid, double thickness)
     return f;
 }
 
+/// The point about which a support or the drive lets the block turn; else its centre.
+Point pivot_of(const BlockSpec& spec)
+{
+    if (spec.motion == Motion::driven) return {0.5 * spec.width, spec.load_height};
+    if (spec.motion == Motion::held_right_corner) return {spec.width, 0.0};
+    return {0.5 * spec.width, 0.5 * spec.height};
+}
+
+Eigen::Index rigid_modes(const BlockSpec& spec)
+{
+    switch (spec.motion) {
+    case Motion::free:
+        return 3;
+    case Motion::driven:
+        return spec.rotation_fixed ? 1 : 2;
+    case Motion::held_right_corner:
+        return 2;
+    default:
+        return 0;
+    }
+}
+
+/// Translation and rotation of the pivot in each of the first modes, by least squares.
+Eigen::MatrixXd rigid_motions(const BlockElement& e, Eigen::Index modes)
+{
+    Eigen::MatrixXd field(e.phi.rows(), 3);
+    for (std::size_t p = 0; p < e.points.size(); ++p) {
+        const auto row = 2 * static_cast<Eigen::Index>(p);
+        field.row(row) << 1.0, 0.0, e.points[p].z - e.pivot.z;
+        field.row(row + 1) << 0.0, 1.0, e.pivot.x - e.points[p].x;
+    }
+    const Eigen::MatrixXd phi = e.phi.leftCols(modes);
+    return field.colPivHouseholderQr().solve(phi);
+}
+
 } // namespace
 
 BlockElement block_element(const BlockSpec& spec)
@@ -47,6 +82,8 @@ BlockElement block_element(const BlockSpec& spec)
     e.points = c.points;
     e.phi = modes.phi;
     e.lambda = modes.lambda;
+    e.pivot = pivot_of(spec);
+    e.rigid = rigid_motions(e, rigid_modes(spec));
     e.weight = -modal_load(c, e.phi, body_force(c.grid, spec.thickness, 1));
     e.sway = modal_load(c, e.phi, body_force(c.grid, spec.thickness, 0));
     e.top_load = modal_load(c, e.phi, top_pressure(c.grid, spec.thickness));

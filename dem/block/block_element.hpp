@@ -22,8 +22,12 @@ namespace dem {
 /// What the solver and the pictures need to know about a block. Blocks with equal specifications share
 /// one element. The rows of phi are x and z of each contact point in turn, its columns are the modes.
 struct BlockElement {
-    std::vector<Point> points;   ///< contact points [m]
-    Eigen::MatrixXd phi;         ///< 2 points x modes [m per sqrt(J)]
+    std::vector<Point> points; ///< contact points [m]
+    Eigen::MatrixXd phi;       ///< 2 points x modes [m per sqrt(J)]
+    Point pivot;               ///< rigid motions are written about it [m]
+    Eigen::MatrixXd
+        rigid; ///< 3 x rigid modes, the first ones: x, z [m] and rotation of the pivot,
+               ///< clockwise [rad], per unit of the mode
     Eigen::VectorXd lambda;      ///< elastic stiffness of each mode, >= 0 [-]
     Eigen::VectorXd weight;      ///< modal load of a unit body force acting downwards [N/m3]
     Eigen::VectorXd sway;        ///< modal load of a unit body force acting to the right

@@ -91,11 +91,21 @@ struct WallMaterials {
     std::optional<double> vertical_stress;
 };
 
+/// How the vertical load follows the beam as it moves. Small displacements know no difference.
+enum class TopLoad {
+    dead,       ///< moves with the beam, as masonry above does
+    fixed_line, ///< line of action fixed in space: a jack on rollers that does not move
+    follower,   ///< normal to the beam: a jack fixed to it
+    link        ///< along a strut to a hinge above, or a tendon to one below
+};
+
 /// Loads on the wall. The vertical stress acts on length x thickness, through the beam.
 struct Loads {
     double vertical_stress = 0.0; ///< [Pa], >= 0, compression
     double height = 1.10;  ///< of the horizontal load above the floor [m], within the beam
     double gravity = 9.81; ///< [m/s2], >= 0
+    TopLoad top = TopLoad::dead;
+    double link_length = 0.0; ///< of TopLoad::link [m]: > 0 hinge above the beam, < 0 below
 };
 
 } // namespace dem

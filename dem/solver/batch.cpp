@@ -30,7 +30,7 @@ void run_batch(const Task& task, int most_lanes,
                const std::function<std::optional<NumberedWall>()>& next,
                const std::function<void(std::size_t number, PushResult&&)>& done)
 {
-    WallState<Real> state = empty_lanes<Real>(task.model, task.tables);
+    WallState<Real> state = empty_lanes<Real>(task.model, task.tables, task.options.kinematics);
     std::array<std::optional<WallRun>, lanes<Real>> runs;
     int running = 0;
     for (int i = 0; i < std::min(most_lanes, lanes<Real>); ++i) {
@@ -58,7 +58,7 @@ void run_batch(const Task& task, int most_lanes,
             if (!runs[i] || runs[i]->look(state, i)) continue;
             share_time();
             done(runs[i]->number(), runs[i]->finish(state, i));
-            clear_lane(i, state);
+            clear_lane(task.tables, i, state);
             runs[i] = start(task, next, i, state);
             running -= !runs[i].has_value();
         }

@@ -17,7 +17,13 @@ enum class Preload {
     ramped  ///< the load is ramped up on the unloaded wall
 };
 
+enum class Kinematics {
+    small, ///< contacts found once, lever arms of the undeformed wall (the paper, section 2.1)
+    finite ///< blocks turn and slide by any amount; forces balance where the blocks are
+};
+
 struct SolverOptions {
+    Kinematics kinematics = Kinematics::small;
     ContactLaw law = ContactLaw::coupled;
     Unloading unloading = Unloading::secant;
     Damping damping = Damping::combined;

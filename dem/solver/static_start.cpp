@@ -83,6 +83,7 @@ void copy_to_lane(const WallState<double>& wall, int lane, WallState<Real>& s)
     copy(wall.u_n, s.u_n);
     copy(wall.stress, s.stress);
     set_lane(s.work, lane, wall.work);
+    if (!wall.finite.frames.empty()) copy_to_lane(wall.finite, lane, s.finite);
 }
 
 template void copy_to_lane(const WallState<double>&, int, WallState<double>&);

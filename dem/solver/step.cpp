@@ -1,28 +1,14 @@
 #include "dem/solver/step.hpp"
 
+#include "dem/solver/damping_force.hpp"
+#include "dem/solver/finite_step.hpp"
+
 #include <cmath>
 #include <vector>
 
 namespace dem {
 
 namespace {
-
-/// |f| with the sign of x; 0 where x is 0.
-template <class Real> Real with_sign_of(Real size, Real x)
-{
-    const Real zero(0.0);
-    return select(x > zero, size, select(x < zero, -size, zero));
-}
-
-/// Damping force on a mode: Eq. 1 (local), or combined: half of it follows the change of the
-/// force, so that a body in steady motion, whose force does not change, is not dragged.
-template <Damping kDamping, class Real>
-Real damping_force(Real gamma, Real force, Real last_force, Real velocity)
-{
-    const Real size = gamma * abs(force);
-    if constexpr (kDamping == Damping::local) return -with_sign_of(size, velocity);
-    return Real(0.5) * (with_sign_of(size, force - last_force) - with_sign_of(size, velocity));
-}
 
 /// Modal forces, leapfrog with damping, relative displacements at the contacts in this step.
 template <Damping kDamping, class Real>
@@ -64,14 +50,6 @@ template <class Real> struct Relative {
         s.du[2 * contact] = s.du[2 * contact + 1] = Real(0.0);
     }
 };
-
-template <class Real>
-void set_contact(WallState<Real>& s, int k, Real u_n, Real sigma, Real tau)
-{
-    s.u_n[k] = u_n;
-    s.stress[2 * k] = sigma;
-    s.stress[2 * k + 1] = tau;
-}
 
 template <class Real> void advance_dry(const StepTables& t, WallState<Real>& s)
 {
@@ -149,6 +127,7 @@ template <class Real>
 void step(const StepTables& t, const SolverOptions& options, const StepInput<Real>& in,
           WallState<Real>& s)
 {
+    if (options.kinematics == Kinematics::finite) return finite_step(t, options, in, s);
     if (options.damping == Damping::local)
         move_blocks<Damping::local>(t, options.damping_factor, in, s);
     else

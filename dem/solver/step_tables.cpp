@@ -101,14 +101,6 @@ ContactOperator port_matrix(const Model& m, const StepTables& t, int block,
     return a;
 }
 
-/// Whether the horizontal forces on a block go straight into the ground.
-bool is_supported(const Model& m, int block)
-{
-    const Block& b = m.layout.blocks[block];
-    const bool at_toe = m.wall.toe == Toe::held && b.x1 == m.wall.length;
-    return b.course == 1 && (m.wall.base == Base::fixed || at_toe);
-}
-
 /// Rows of the contacts that feel a common horizontal motion of the given blocks.
 template <class Belongs>
 std::vector<HorizontalShare> shares(const Model& m, const StepTables& t, Belongs belongs)
@@ -143,6 +135,13 @@ void tabulate_blocks(const Model& m, StepTables& t)
 
 } // namespace
 
+bool is_supported(const Model& m, int block)
+{
+    const Block& b = m.layout.blocks[block];
+    const bool at_toe = m.wall.toe == Toe::held && b.x1 == m.wall.length;
+    return b.course == 1 && (m.wall.base == Base::fixed || at_toe);
+}
+
 StepTables step_tables(const Model& m)
 {
     StepTables t;
@@ -157,6 +156,7 @@ StepTables step_tables(const Model& m)
     t.beam = shares(m, t, [&m](int block) { return block == m.layout.beam; });
     t.ground =
         shares(m, t, [&m](int block) { return block == kGround || is_supported(m, block); });
+    t.finite = finite_tables(m, t);
     return t;
 }
 

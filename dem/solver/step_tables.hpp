@@ -2,6 +2,7 @@
 /// What a step needs to know about the model. The tables are made once and shared by all walls.
 
 #include "dem/contact/contact_operator.hpp"
+#include "dem/solver/finite_tables.hpp"
 
 #include <vector>
 
@@ -37,8 +38,12 @@ struct StepTables {
     int first_tied = 0, first_crack = 0, n_contacts = 0;
     std::vector<HorizontalShare> beam;   ///< what moves with the drive
     std::vector<HorizontalShare> ground; ///< what hands horizontal force to the ground
+    FiniteTables finite;
 };
 
 [[nodiscard]] StepTables step_tables(const Model& model);
+
+/// Whether the horizontal forces on a block go straight into the ground.
+[[nodiscard]] bool is_supported(const Model& model, int block);
 
 } // namespace dem

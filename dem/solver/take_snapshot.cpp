@@ -6,6 +6,16 @@ namespace dem {
 
 namespace {
 
+/// Displacement of a point that has been deformed by u in the frame of its block.
+Point displacement(const FiniteTables::BlockRow& row, const BlockFrame<double>& frame, Point at,
+                   Point u)
+{
+    const Turn<double> turn = whole(frame.half);
+    const double rx = at.x + u.x - row.x, rz = at.z + u.z - row.z;
+    return {frame.x + rx * turn.c + rz * turn.s - at.x,
+            frame.z + rz * turn.c - rx * turn.s - at.z};
+}
+
 BlockState block_state(const Model& m, const Eigen::VectorXd& q, int block, double drive)
 {
     const Block& b = m.layout.blocks[block];
@@ -21,6 +31,23 @@ BlockState block_state(const Model& m, const Eigen::VectorXd& q, int block, doub
         s.displacement.push_back({u(row) + pushed, u(row + 1)});
     }
     return s;
+}
+
+/// Adds the motion of the frame to the displacements of a block in it.
+void turn_with(const FiniteTables::BlockRow& row, const BlockFrame<double>& frame,
+               BlockState& b)
+{
+    for (std::size_t p = 0; p < b.outline.size(); ++p)
+        b.displacement[p] = displacement(row, frame, b.outline[p], b.displacement[p]);
+}
+
+template <class Real> BlockFrame<double> frame_of(const BlockFrame<Real>& f, int lane)
+{
+    BlockFrame<double> one;
+    one.x = dem::lane(f.x, lane);
+    one.z = dem::lane(f.z, lane);
+    one.half = {dem::lane(f.half.c, lane), dem::lane(f.half.s, lane)};
+    return one;
 }
 
 std::vector<FaceState> empty_faces(const Layout& layout)
@@ -59,8 +86,17 @@ std::vector<double> slips(const StepTables& t, const WallState<Real>& state, int
                     a.to_contacts[2 * (static_cast<std::size_t>(i) * a.ports + p) + 1] *
                     dem::lane(state.q[b.first_mode + i], lane);
     }
-    for (const HorizontalShare& h : t.beam)
-        if (h.row % 2 == 1) slip[h.row / 2] += h.factor * drive;
+    if (state.finite.frames.empty()) {
+        for (const HorizontalShare& h : t.beam)
+            if (h.row % 2 == 1) slip[h.row / 2] += h.factor * drive;
+        return slip;
+    }
+    std::size_t pair = 0;
+    for (const auto* runs : {&t.dry, &t.tied, &t.cracks})
+        for (const ContactRun& run : *runs) {
+            const double together = dem::lane(state.finite.pairs[pair++].slip, lane);
+            for (int k = run.first; k < run.first + run.count; ++k) slip[k] += together;
+        }
     return slip;
 }
 
@@ -78,7 +114,11 @@ Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real
         Eigen::VectorXd q(t.blocks[b].modes);
         for (int i = 0; i < t.blocks[b].modes; ++i)
             q(i) = at(state.q[t.blocks[b].first_mode + i]);
-        s.blocks.push_back(block_state(m, q, b, drive));
+        const bool finite = !state.finite.frames.empty();
+        s.blocks.push_back(block_state(m, q, b, finite ? 0.0 : drive));
+        if (finite)
+            turn_with(t.finite.blocks[b], frame_of(state.finite.frames[b], lane),
+                      s.blocks.back());
     }
     s.faces = empty_faces(m.layout);
     const std::vector<double> slip = slips(t, state, lane, drive);

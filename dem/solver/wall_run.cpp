@@ -1,6 +1,7 @@
 #include "dem/solver/wall_run.hpp"
 
 #include "dem/block/model.hpp"
+#include "dem/solver/finite_step.hpp"
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/static_start.hpp"
 #include "dem/solver/take_snapshot.hpp"
@@ -93,13 +94,15 @@ template <class Real> void WallRun::load(WallState<Real>& state, int lane)
 {
     WallState<double> wall = with_stable_step();
     load_lane(task_->model, task_->tables, materials_, options_, lane, state);
-    if (options_.preload == Preload::ramped) return;
-    if (solve_preload(task_->tables, wall)) {
-        copy_to_lane(wall, lane, state);
-    } else {
+    if (options_.preload != Preload::ramped && !solve_preload(task_->tables, wall)) {
         options_.preload = Preload::ramped;
         drive_ = Drive(task_->plan.targets, options_);
     }
+    if (options_.kinematics == Kinematics::finite)
+        take_up_frames(task_->tables, options_, wall);
+    else if (options_.preload == Preload::ramped)
+        return;
+    copy_to_lane(wall, lane, state);
 }
 
 WallRun::Input WallRun::next(double top_force)
@@ -176,7 +179,8 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
                  base = dem::lane(state.base_shear, lane);
     way_ += std::abs(step_drive_);
     recorder_.add(step_drive_, force_before_, top, base);
-    if (vertical_load_ > 0.0) drive_.feel(std::abs(top - base) / vertical_load_);
+    const double missing = top + dem::lane(state.load_x, lane) - base;
+    if (vertical_load_ > 0.0) drive_.feel(std::abs(missing) / vertical_load_);
     const bool room_for_another = drive_.left() > 0.5 * task_->plan.record_every;
     const bool wanted = drive_.finished() || (recorder_.due() && room_for_another);
     if (wanted && recorder_.any()) take_point(state, lane);

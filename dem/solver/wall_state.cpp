@@ -101,19 +101,21 @@ void set_modes(const Model& m, const StepTables& t, const WallMaterials& w,
 
 } // namespace
 
-template <class Real> void clear_lane(int lane, WallState<Real>& s)
+template <class Real> void clear_lane(const StepTables& t, int lane, WallState<Real>& s)
 {
     for (auto* values : {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n})
         for (Real& x : *values) set_lane(x, lane, 0.0);
-    for (Real* x : {&s.work, &s.friction, &s.fracture, &s.damping, &s.top_force, &s.base_shear})
+    for (Real* x : {&s.work, &s.friction, &s.fracture, &s.damping, &s.top_force, &s.base_shear,
+                    &s.load_x})
         set_lane(*x, lane, 0.0);
+    if (!s.finite.frames.empty()) clear_lane(t.finite, lane, s.finite);
 }
 
 template <class Real>
 void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
                const SolverOptions& options, int lane, WallState<Real>& s)
 {
-    clear_lane(lane, s);
+    clear_lane(t, lane, s);
     s.laws.unloading = options.unloading;
     for (int j = 0; j < m.layout.n_joints; ++j) set_law(lane, w.joints[j], s.laws.dry[j]);
     set_law(lane, w.base_joint, s.laws.dry[m.layout.n_joints]);
@@ -134,9 +136,11 @@ void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
         }
     }
     set_modes(m, t, w, options, lane, s);
+    if (!s.finite.frames.empty()) load_lane(m, t.finite, w, lane, s.finite);
 }
 
-template <class Real> WallState<Real> empty_lanes(const Model& m, const StepTables& t)
+template <class Real>
+WallState<Real> empty_lanes(const Model& m, const StepTables& t, Kinematics kinematics)
 {
     WallState<Real> s;
     for (auto* by_mode :
@@ -152,6 +156,8 @@ template <class Real> WallState<Real> empty_lanes(const Model& m, const StepTabl
     s.laws.dry.resize(m.layout.n_joints + 2);
     s.laws.tied.resize(1);
     s.laws.cracks.resize(m.layout.n_cracks);
+    if (kinematics == Kinematics::finite)
+        s.finite = undeformed<Real>(t.finite, m.n_modes, t.n_contacts);
     return s;
 }
 
@@ -159,10 +165,33 @@ template <class Real>
 WallState<Real> unloaded(const Model& m, const StepTables& t,
                          std::span<const WallMaterials> walls, const SolverOptions& options)
 {
-    WallState<Real> s = empty_lanes<Real>(m, t);
+    WallState<Real> s = empty_lanes<Real>(m, t, options.kinematics);
     for (int i = 0; i < lanes<Real>; ++i)
         load_lane(m, t, walls[std::min<std::size_t>(i, walls.size() - 1)], options, i, s);
     return s;
+}
+
+/// Energy in the contacts of blocks with those onto which they have slid.
+template <class Real>
+double stored_further(const StepTables& t, const FiniteTables::Reach& r,
+                      const WallState<Real>& s, int lane)
+{
+    const ContactRun& run = t.dry[r.run];
+    const double kn = dem::lane(s.laws.dry[run.law].kn, lane),
+                 inv_ks = dem::lane(s.laws.dry[run.law].inv_ks, lane);
+    double sum = 0.0;
+    for (int row = r.first; row < r.first + r.count; ++row) {
+        const double share = dem::lane(s.finite.further[row].share, lane);
+        if (share == 0.0) continue;
+        for (int i = 0; i < run.count; ++i) {
+            const auto at = static_cast<std::size_t>(row) * t.finite.most_points + i;
+            const double u_n = std::min(0.0, dem::lane(s.finite.further_u_n[at], lane)),
+                         tau = dem::lane(s.finite.further_tau[at], lane);
+            sum +=
+                0.5 * (share * t.area[run.first + i]) * (kn * u_n * u_n + tau * tau * inv_ks);
+        }
+    }
+    return sum;
 }
 
 template <class Real> Energy energy_of(const StepTables& t, const WallState<Real>& s, int lane)
@@ -174,20 +203,26 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
         e.elastic += 0.5 * at(s.laws.elasticity[i]) * at(s.q[i]) * at(s.q[i]);
     }
     // All of u_n springs back, or sigma / k_n where a crack stays propped open.
+    std::size_t pair = 0;
     const auto contacts = [&](const std::vector<ContactRun>& runs, const auto& laws,
                               bool propped) {
         for (const ContactRun& run : runs) {
             const double kn = at(laws[run.law].kn), inv_ks = at(laws[run.law].inv_ks);
+            const double share = s.finite.pairs.empty() ? 1.0 : at(s.finite.pairs[pair].share);
+            ++pair;
             for (int k = run.first; k < run.first + run.count; ++k) {
                 const double sigma = at(s.stress[2 * k]), tau = at(s.stress[2 * k + 1]);
                 const double springs_back = propped ? sigma / kn : at(s.u_n[k]);
-                e.elastic += 0.5 * t.area[k] * (sigma * springs_back + tau * tau * inv_ks);
+                e.elastic +=
+                    0.5 * (share * t.area[k]) * (sigma * springs_back + tau * tau * inv_ks);
             }
         }
     };
     contacts(t.dry, s.laws.dry, false);
     contacts(t.tied, s.laws.tied, false);
     contacts(t.cracks, s.laws.cracks, s.laws.unloading == Unloading::elastic);
+    for (const FiniteTables::Reach& r : t.finite.reaches)
+        if (!s.finite.frames.empty()) e.elastic += stored_further(t, r, s, lane);
     e.work = at(s.work);
     e.friction = at(s.friction);
     e.fracture = at(s.fracture);
@@ -195,15 +230,15 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
     return e;
 }
 
-template void clear_lane(int, WallState<double>&);
-template WallState<double> empty_lanes(const Model&, const StepTables&);
+template void clear_lane(const StepTables&, int, WallState<double>&);
+template WallState<double> empty_lanes(const Model&, const StepTables&, Kinematics);
 template void load_lane(const Model&, const StepTables&, const WallMaterials&,
                         const SolverOptions&, int, WallState<double>&);
 template WallState<double> unloaded(const Model&, const StepTables&,
                                     std::span<const WallMaterials>, const SolverOptions&);
 template Energy energy_of(const StepTables&, const WallState<double>&, int);
-template void clear_lane(int, WallState<Pack>&);
-template WallState<Pack> empty_lanes(const Model&, const StepTables&);
+template void clear_lane(const StepTables&, int, WallState<Pack>&);
+template WallState<Pack> empty_lanes(const Model&, const StepTables&, Kinematics);
 template void load_lane(const Model&, const StepTables&, const WallMaterials&,
                         const SolverOptions&, int, WallState<Pack>&);
 template WallState<Pack> unloaded(const Model&, const StepTables&,

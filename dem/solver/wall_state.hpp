@@ -4,6 +4,7 @@
 #include "dem/contact/contact_law.hpp"
 #include "dem/scene/wall.hpp"
 #include "dem/solver/energy.hpp"
+#include "dem/solver/finite_state.hpp"
 #include "dem/solver/solver_options.hpp"
 #include "dem/solver/step_tables.hpp"
 
@@ -39,17 +40,21 @@ template <class Real> struct WallState {
     };
     std::vector<Memory> cracks;                                 ///< by crack contact
     Real work{0.0}, friction{0.0}, fracture{0.0}, damping{0.0}; ///< energy so far [J]
-    Real top_force{0.0};  ///< of the drive on the beam [N]
-    Real base_shear{0.0}; ///< of the wall on the ground [N]
+    Real top_force{0.0};      ///< of the drive on the beam [N]
+    Real base_shear{0.0};     ///< of the wall on the ground [N]
+    Real load_x{0.0};         ///< horizontal part of the loads, beside the drive [N]
+    FiniteState<Real> finite; ///< empty where displacements are small
     LaneLaws<Real> laws;
 };
 
 /// A state with every lane empty; load_lane() fills the lanes.
 template <class Real>
-[[nodiscard]] WallState<Real> empty_lanes(const Model& model, const StepTables& tables);
+[[nodiscard]] WallState<Real> empty_lanes(const Model& model, const StepTables& tables,
+                                          Kinematics kinematics = Kinematics::small);
 
 /// Puts a lane to rest at zero: it has no wall, or is about to get one.
-template <class Real> void clear_lane(int lane, WallState<Real>& state);
+template <class Real>
+void clear_lane(const StepTables& tables, int lane, WallState<Real>& state);
 
 /// Puts one wall, unloaded, into a lane.
 template <class Real>
@@ -66,6 +71,14 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Energy energy_of(const StepTables& tables, const WallState<Real>& state,
                                int lane);
+
+template <class Real>
+void set_contact(WallState<Real>& s, int k, Real u_n, Real sigma, Real tau)
+{
+    s.u_n[k] = u_n;
+    s.stress[2 * k] = sigma;
+    s.stress[2 * k + 1] = tau;
+}
 
 /// State of one crack contact. @param contact its number, from StepTables::first_crack on
 template <class Real>

@@ -15,7 +15,11 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_model_elasticity.cpp
     dem/test_pack.cpp
     dem/test_contact_operator.cpp
+    dem/test_finite_block.cpp
+    dem/test_finite_wall.cpp
+    dem/test_overlap.cpp
     dem/test_recorder.cpp
+    dem/test_rotation.cpp
     dem/test_run_outcomes.cpp
     dem/test_stability_limit.cpp
     dem/test_static_start.cpp

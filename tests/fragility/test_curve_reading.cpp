@@ -237,7 +237,7 @@ TEST_CASE("curve reading: shares outside their range are refused", "[fragility][
     CHECK_THROWS_AS(secant_stiffness(scenes::triangle(), 0.0), std::invalid_argument);
     CHECK_THROWS_AS(secant_stiffness(scenes::triangle(), 1.1), std::invalid_argument);
     CHECK_THROWS_AS(secant_stiffness(scenes::triangle(), kNan), std::invalid_argument);
-    CHECK_THROWS_AS(drop_after_peak(scenes::triangle(), 0.0), std::invalid_argument);
+    CHECK_THROWS_AS(drop_after_peak(scenes::triangle(), -0.1), std::invalid_argument);
     CHECK_THROWS_AS(drop_after_peak(scenes::triangle(), 1.0), std::invalid_argument);
     CHECK_THROWS_AS(drop_after_peak(scenes::triangle(), kNan), std::invalid_argument);
 }

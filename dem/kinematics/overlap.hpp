@@ -1,0 +1,136 @@
+#pragma once
+/// Two blocks that face each other, wherever they have moved: how far their sides overlap, how wide
+/// the gap is along the overlap, how fast they slide, and what the stresses between them do to both.
+///
+/// Contact points belong to the overlap and to neither block: the points and weights of the face rule
+/// are laid on the part of the two sides that lies opposite now. So a point slides along its partner
+/// with the overlap, both ends of the overlap are points (a block turns about the corner that is
+/// really there), the area goes to zero with the overlap, and whatever passes an edge does so without
+/// a jump. Forces are equal and opposite at one and the same point of space.
+///
+/// Direction: gap and overlap are measured in the mean direction of the two sides, which is symmetric
+/// in the blocks and sees no slip where they turn about a common corner. Stresses act along the normal
+/// of the side on whose plane the other's corner stands; corners that meet have the mean direction.
+
+#include "dem/kinematics/block_frame.hpp"
+#include "dem/kinematics/face_pair.hpp"
+
+namespace dem {
+
+/// What of the two sides lies opposite, in the mean direction of the two blocks; positions from the
+/// pivot of block a.
+template <class Real> struct Overlap {
+    Real nx, nz;       ///< mean normal
+    Real from, length; ///< along the tangent [m]; length >= 0
+    Real along_sides;  ///< length, measured along the sides [m]
+    Real gap;          ///< between the sides at `from` [m]
+    Real widening;     ///< of the gap from there to the other end [m]
+    Real height;       ///< of the line midway between the sides, along the normal [m]
+    Real dt, dn;       ///< from the pivot of a to that of b
+    Real closed;       ///< the end that closes as the blocks turn, along the tangent
+    Real past_far,
+        past_near;   ///< overhang of b over the ends of a [m]; negative where b ends before
+    Turn<Real> tilt; ///< of the stresses against the mean normal
+};
+
+constexpr double kCornerRadius = 1e-3; // [face lengths] over which a corner hands on its normal
+constexpr double kMostPenetration =
+    0.05; // [face lengths]: deeper, blocks have passed each other
+
+template <class Real>
+[[nodiscard]] Overlap<Real> overlap_of(const FacePair& p, const BlockFrame<Real>& a,
+                                       const BlockFrame<Real>& b)
+{
+    const Real cm = a.half.c * b.half.c - a.half.s * b.half.s, // mean direction
+        sm = a.half.s * b.half.c + a.half.c * b.half.s;
+    const Real ch =
+                   a.half.c * b.half.c + a.half.s * b.half.s, // half of what b is turned past a
+        sh = b.half.s * a.half.c - b.half.c * a.half.s;
+    Overlap<Real> o;
+    o.nx = Real(p.nx) * cm + Real(p.nz) * sm;
+    o.nz = Real(p.nz) * cm - Real(p.nx) * sm;
+    const Real dx = b.x - a.x, dz = b.z - a.z;
+    o.dt = o.nz * dx - o.nx * dz;
+    o.dn = o.nx * dx + o.nz * dz;
+
+    const Real shift_a = -(Real(p.side_a.normal) * sh);
+    const Real shift_b = multiply_add(Real(p.side_b.normal), sh, o.dt);
+    const Real a_from = multiply_add(Real(p.side_a.from), ch, shift_a),
+               a_to = multiply_add(Real(p.side_a.to), ch, shift_a),
+               b_from = multiply_add(Real(p.side_b.from), ch, shift_b),
+               b_to = multiply_add(Real(p.side_b.to), ch, shift_b);
+    o.from = max(a_from, b_from);
+    const Real to = min(a_to, b_to);
+    // Blocks turned almost upside down against each other are no partners.
+    const auto facing = ch > Real(0.3);
+    o.length = select(facing, max(Real(0.0), to - o.from), Real(0.0));
+
+    const Real per_ch = Real(1.0) / select(facing, ch, Real(1.0)), slope = sh * per_ch;
+    o.along_sides = o.length * per_ch;
+    const Real height_a = multiply_add(slope, o.from - a_from,
+                                       Real(p.side_a.normal) * ch + Real(p.side_a.from) * sh);
+    const Real height_b =
+        multiply_add(-slope, o.from - b_from,
+                     (Real(p.side_b.normal) * ch - Real(p.side_b.from) * sh) + o.dn);
+    o.gap = height_b - height_a;
+    o.widening = -(Real(2.0) * slope * o.length);
+    o.height = Real(0.5) * (height_a + height_b);
+
+    const auto clockwise = sh > Real(0.0); // b is turned clockwise past a: the far end closes
+    o.closed = select(clockwise, to, o.from);
+    o.past_far = b_to - a_to;
+    o.past_near = a_from - b_from;
+    const Real overhang = select(clockwise, o.past_far, o.past_near);
+    const Real share =
+        max(Real(-1.0), min(Real(1.0), overhang * Real(1.0 / (kCornerRadius * p.length))));
+    o.tilt.s = share * sh;
+    o.tilt.c = multiply_add(abs(share), ch - Real(1.0), Real(1.0));
+    return o;
+}
+
+/// Area of the overlap over that of the undeformed face [-]; zero where blocks have passed through
+/// each other, which only those do that fall.
+template <class Real> [[nodiscard]] Real share_of(const FacePair& p, const Overlap<Real>& o)
+{
+    const Real deepest = min(o.gap, o.gap + o.widening);
+    return select(deepest < Real(-kMostPenetration * p.length), Real(0.0),
+                  o.along_sides * Real(1.0 / p.length));
+}
+
+/// Tangential displacement of b past a in the last step, where they touch [m].
+template <class Real>
+[[nodiscard]] Real slip_of(const Overlap<Real>& o, const BlockFrame<Real>& a,
+                           const BlockFrame<Real>& b)
+{
+    const Real vx = b.vx - a.vx, vz = b.vz - a.vz;
+    const Real t = (o.nz * vx - o.nx * vz) + (b.spin * (o.height - o.dn) - a.spin * o.height);
+    const Real n = (o.nx * vx + o.nz * vz) - (b.spin * (o.closed - o.dt) - a.spin * o.closed);
+    return t * o.tilt.c - n * o.tilt.s;
+}
+
+/// Stresses of the contacts of a pair, summed with their areas.
+template <class Real> struct StressSum {
+    Real normal{0.0}, tangential{0.0}; ///< [N]
+    Real normal_first{0.0},
+        tangential_first{0.0}; ///< times the place along the overlap, 0 to 1
+};
+
+/// The forces on both blocks; tension pulls them together.
+template <class Real>
+void add_forces(const Overlap<Real>& o, const StressSum<Real>& s, BlockFrame<Real>& a,
+                BlockFrame<Real>& b)
+{
+    const Real n = s.normal * o.tilt.c - s.tangential * o.tilt.s,
+               t = s.normal * o.tilt.s + s.tangential * o.tilt.c,
+               first = s.normal_first * o.tilt.c - s.tangential_first * o.tilt.s;
+    const Real fx = o.nx * n + o.nz * t, fz = o.nz * n - o.nx * t;
+    const Real moment = o.height * t - (o.from * n + o.length * first);
+    a.fx += fx;
+    a.fz += fz;
+    a.moment += moment;
+    b.fx -= fx;
+    b.fz -= fz;
+    b.moment -= moment - (o.dn * t - o.dt * n);
+}
+
+} // namespace dem

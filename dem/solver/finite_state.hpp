@@ -1,0 +1,49 @@
+#pragma once
+/// What walls with finite displacements have besides their WallState.
+
+#include "dem/kinematics/block_frame.hpp"
+#include "dem/scene/wall.hpp"
+#include "dem/solver/finite_tables.hpp"
+
+#include <vector>
+
+namespace dem {
+
+template <class Real> struct FiniteState {
+    std::vector<BlockFrame<Real>>
+        frames;               ///< by block, then the ground; empty: small displacements
+    std::vector<Real> weight; ///< by block [N]
+    std::vector<Real> sway;   ///< by mode: load of the weight acting to the right
+    std::vector<Real>
+        acting; ///< (sigma, tau) by contact, on the undeformed area: what blocks feel [Pa]
+    /// Of a pair of faces, after the last step.
+    struct Pair {
+        Real gap{0.0}, widening{0.0};       ///< see Overlap [m]
+        Real share{1.0};                    ///< of the undeformed area that overlaps [-]
+        Real slip{0.0};                     ///< so far [m]
+        Real past_far{0.0}, past_near{0.0}; ///< see Overlap [m]
+    };
+    std::vector<Pair> pairs;
+    std::vector<Pair> further; ///< of blocks that have slid there; share 0: not in contact
+    std::vector<Real> further_u_n, further_tau; ///< by contact of `further`
+    Real vertical{0.0};                         ///< load on the beam [N]
+};
+
+/// Frames at rest where the model has them.
+template <class Real>
+[[nodiscard]] FiniteState<Real> undeformed(const FiniteTables& tables, int modes, int contacts);
+
+/// Loads of one wall into a lane that is at rest.
+template <class Real>
+void load_lane(const Model& model, const FiniteTables& tables, const WallMaterials& wall,
+               int lane, FiniteState<Real>& state);
+
+/// A lane back to the undeformed wall.
+template <class Real>
+void clear_lane(const FiniteTables& tables, int lane, FiniteState<Real>& state);
+
+/// One wall from its own state into a lane.
+template <class Real>
+void copy_to_lane(const FiniteState<double>& wall, int lane, FiniteState<Real>& state);
+
+} // namespace dem

@@ -1,0 +1,389 @@
+#include "dem/solver/finite_step.hpp"
+
+#include "dem/kinematics/overlap.hpp"
+#include "dem/solver/damping_force.hpp"
+
+#include <array>
+
+namespace dem {
+
+namespace {
+
+/// What one mode gains in a step; sums the work of the loads and of damping.
+template <Damping kDamping, class Real> struct ModeStep {
+    WallState<Real>& s;
+    Real gamma, lost, work;
+    ModeStep(double damping_factor, WallState<Real>& state)
+        : s(state), gamma(damping_factor), lost(state.damping), work(state.work)
+    {
+    }
+    /// @param total force on the mode, the load included
+    Real advance(int mode, Real total, Real load)
+    {
+        const Real before = s.v[mode];
+        const Real damping = damping_force<kDamping>(gamma, total, s.last_force[mode], before);
+        const Real v = multiply_add(total + damping, s.laws.inv_mass[mode], before);
+        lost -= damping * (Real(0.5) * (before + v));
+        work = multiply_add(load, v, work);
+        s.v[mode] = v;
+        s.last_force[mode] = total;
+        return v;
+    }
+};
+
+/// Along the axes in which the rigid modes of a block are written.
+template <class Real> struct Axes {
+    Real c, s;
+    Axes(bool turns, const Turn<Real>& t)
+        : c(turns ? t.c : Real(1.0)), s(turns ? t.s : Real(0.0))
+    {
+    }
+    [[nodiscard]] std::array<Real, 3> on(Real fx, Real fz, Real moment) const
+    {
+        return {fx * c - fz * s, fx * s + fz * c, moment};
+    }
+};
+
+/// Outer forces on a block but for what its elastic modes feel.
+template <class Real>
+OuterForce<Real> outer_force(const FiniteTables& t, int block, const Turn<Real>& turn,
+                             Real load_factor, const WallState<Real>& s)
+{
+    const FiniteTables::BlockRow& row = t.blocks[block];
+    const Real arm_x = multiply_add(Real(row.centre_x), turn.c, Real(row.centre_z) * turn.s);
+    const Real weight = load_factor * s.finite.weight[block];
+    OuterForce<Real> f{Real(0.0), -weight, arm_x * weight};
+    if (block == t.beam) {
+        const OuterForce<Real> top =
+            top_load(t.load, s.finite.frames[block], turn, load_factor * s.finite.vertical);
+        f.fx += top.fx;
+        f.fz += top.fz;
+        f.moment += top.moment;
+    }
+    return f;
+}
+
+/// Moves the frame of a block by its rigid modes.
+template <Damping kDamping, class Real>
+void move_frame(const FiniteTables& t, int block, int first_mode, const Turn<Real>& turn,
+                const OuterForce<Real>& outer, const StepInput<Real>& in,
+                ModeStep<kDamping, Real>& modes)
+{
+    const FiniteTables::BlockRow& row = t.blocks[block];
+    BlockFrame<Real>& frame = modes.s.finite.frames[block];
+    const Axes<Real> axes(row.turns_axes, turn);
+    const auto load = axes.on(outer.fx, outer.fz, outer.moment),
+               contact = axes.on(frame.fx, frame.fz, frame.moment);
+    std::array<Real, 3> moved{Real(0.0), Real(0.0), Real(0.0)};
+    for (int i = 0; i < row.rigid; ++i) {
+        Real by_load(0.0), total(0.0);
+        for (int d = 0; d < 3; ++d) {
+            by_load = multiply_add(Real(row.motion[d][i]), load[d], by_load);
+            total = multiply_add(Real(row.motion[d][i]), contact[d], total);
+        }
+        const Real v = modes.advance(first_mode + i, total + by_load, by_load);
+        for (int d = 0; d < 3; ++d)
+            moved[d] = multiply_add(Real(row.motion[d][i]), v, moved[d]);
+    }
+    frame.vx = moved[0] * axes.c + moved[1] * axes.s;
+    frame.vz = moved[1] * axes.c - moved[0] * axes.s;
+    if (block == t.beam) frame.vx = in.drive;
+    frame.spin = moved[2];
+    frame.x += frame.vx;
+    frame.z += frame.vz;
+    frame.turn += frame.spin;
+    frame.half = half_turn(frame.turn);
+}
+
+template <Damping kDamping, class Real>
+void move_blocks(const StepTables& t, double damping_factor, const StepInput<Real>& in,
+                 WallState<Real>& s)
+{
+    const FiniteTables& f = t.finite;
+    ModeStep<kDamping, Real> modes(damping_factor, s);
+    Real* force = s.block_force.data();
+    s.load_x = Real(0.0);
+    for (int b = 0; b < static_cast<int>(t.blocks.size()); ++b) {
+        const auto& row = t.blocks[b];
+        const auto& elastic = f.elastic[row.element];
+        const int* contact = t.port_contact.data() + row.first_port;
+        const int first = row.first_mode + f.blocks[b].rigid;
+        const Turn<Real> turn = whole(s.finite.frames[b].half);
+        const OuterForce<Real> outer = outer_force(f, b, turn, in.load_factor, s);
+        s.load_x += outer.fx;
+        if (elastic.modes > 0) gather(elastic, contact, s.finite.acting.data(), force);
+        for (int i = 0; i < elastic.modes; ++i) {
+            const int m = first + i;
+            const Real load = in.load_factor *
+                              multiply_add(s.laws.load[m], turn.c, s.finite.sway[m] * turn.s);
+            s.q[m] += modes.advance(m, force[i] + load - s.laws.elasticity[m] * s.q[m], load);
+        }
+        if (elastic.modes > 0) scatter(elastic, contact, s.v.data() + first, s.du.data());
+        if (f.blocks[b].rigid > 0) move_frame(f, b, row.first_mode, turn, outer, in, modes);
+    }
+    s.damping = modes.lost;
+    s.work = modes.work;
+}
+
+/// The contacts of one pair of faces in one step.
+template <class Real> struct PairStep {
+    Overlap<Real> overlap;
+    Real gap, widening, slip; ///< changes in this step [m]
+    Real share, grown;        ///< see FiniteState::Pair; grown by, in this step [-]
+    StressSum<Real> sum;
+
+    PairStep(const FiniteTables& t, int pair, WallState<Real>& s)
+        : overlap(overlap_of(t.pairs[pair], s.finite.frames[t.pairs[pair].a],
+                             s.finite.frames[t.pairs[pair].b])),
+          slip(slip_of(overlap, s.finite.frames[t.pairs[pair].a],
+                       s.finite.frames[t.pairs[pair].b])),
+          share(share_of(t.pairs[pair], overlap))
+    {
+        auto& last = s.finite.pairs[pair];
+        gap = overlap.gap - last.gap;
+        widening = overlap.widening - last.widening;
+        grown = share - last.share;
+        last = {overlap.gap,      overlap.widening, share,
+                last.slip + slip, overlap.past_far, overlap.past_near};
+    }
+
+    /// Relative displacement of a contact, to which its elastic part is added.
+    [[nodiscard]] Real normal(Real place, Real elastic) const
+    {
+        return multiply_add(place, widening, gap) + elastic;
+    }
+    [[nodiscard]] Real tangential(Real elastic) const { return slip + elastic; }
+
+    /// Sums up a contact that has its new stresses.
+    void add(const StepTables& t, int k, WallState<Real>& s)
+    {
+        const Real sigma = share * s.stress[2 * k], tau = share * s.stress[2 * k + 1];
+        s.finite.acting[2 * k] = sigma;
+        s.finite.acting[2 * k + 1] = tau;
+        const Real normal_force = Real(t.area[k]) * sigma, shear = Real(t.area[k]) * tau;
+        const Real place(t.finite.place[k]);
+        sum.normal += normal_force;
+        sum.tangential += shear;
+        sum.normal_first = multiply_add(place, normal_force, sum.normal_first);
+        sum.tangential_first = multiply_add(place, shear, sum.tangential_first);
+    }
+
+    void act(const FiniteTables& t, int pair, WallState<Real>& s) const
+    {
+        add_forces(overlap, sum, s.finite.frames[t.pairs[pair].a],
+                   s.finite.frames[t.pairs[pair].b]);
+    }
+};
+
+/// Takes the elastic part of a contact's relative displacement and leaves zero for the next step.
+template <class Real> Real take(Real& du)
+{
+    const Real x = du;
+    du = Real(0.0);
+    return x;
+}
+
+/// Per area [J/m2]. Area that comes into contact while a block slides brings this along, area that
+/// leaves takes it away; neither is work of a force, so the ledger has it with the friction.
+template <class Real> Real stored_energy(const DryLaw<Real>& law, const DryUpdate<Real>& u)
+{
+    return Real(0.5) * (u.sigma * u.state.u_n + u.state.tau * u.state.tau * law.inv_ks);
+}
+
+template <class Real>
+void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState<Real>& s)
+{
+    const DryLaw<Real> law = s.laws.dry[run.law];
+    PairStep<Real> step(t.finite, pair, s);
+    Real friction(0.0), stored(0.0);
+    for (int k = run.first; k < run.first + run.count; ++k) {
+        const Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
+        const Real du_s = step.tangential(take(s.du[2 * k + 1]));
+        const DryUpdate<Real> u = advance(law, {s.u_n[k], s.stress[2 * k + 1]}, du_n, du_s);
+        set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
+        friction = multiply_add(Real(t.area[k]), u.friction, friction);
+        stored = multiply_add(Real(t.area[k]), stored_energy(law, u), stored);
+        step.add(t, k, s);
+    }
+    s.friction += step.share * friction - step.grown * stored;
+    step.act(t.finite, pair, s);
+}
+
+template <class Real>
+void advance_tied(const StepTables& t, const ContactRun& run, int pair, WallState<Real>& s)
+{
+    const DryLaw<Real>& law = s.laws.tied[run.law];
+    PairStep<Real> step(t.finite, pair, s);
+    for (int k = run.first; k < run.first + run.count; ++k) {
+        const Real u_n = s.u_n[k] + step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
+        const Real tau =
+            multiply_add(law.ks, step.tangential(take(s.du[2 * k + 1])), s.stress[2 * k + 1]);
+        set_contact(s, k, u_n, law.kn * u_n, tau);
+        step.add(t, k, s);
+    }
+    step.act(t.finite, pair, s);
+}
+
+template <ContactLaw kLaw, Unloading kUnloading, class Real>
+void advance_crack(const StepTables& t, bool shortcuts, const ContactRun& run, int pair,
+                   WallState<Real>& s)
+{
+    const CrackLaw<Real>& law = s.laws.cracks[run.law];
+    PairStep<Real> step(t.finite, pair, s);
+    for (int k = run.first; k < run.first + run.count; ++k) {
+        const Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
+        const Real du_s = step.tangential(take(s.du[2 * k + 1]));
+        const CrackState<Real> before = crack_state(t, s, k);
+        const auto trial = try_elastic<kUnloading>(law, before, du_n, du_s);
+        if (trial.holds && shortcuts) {
+            set_contact(s, k, trial.u_n, trial.sigma, trial.tau);
+        } else {
+            const auto [c, loss] = advance<kLaw, kUnloading>(law, before, du_n, du_s);
+            set_contact(s, k, c.u_n, c.sigma, c.tau);
+            s.cracks[k - t.first_crack] = {c.u_max, c.bond, c.unloading, c.integrity};
+            const Real area = step.share * Real(t.area[k]);
+            s.friction = multiply_add(area, loss.friction, s.friction);
+            s.fracture = multiply_add(area, loss.fracture, s.fracture);
+        }
+        step.add(t, k, s);
+    }
+    step.act(t.finite, pair, s);
+}
+
+template <ContactLaw kLaw, class Real>
+void advance_cracks(const StepTables& t, bool shortcuts, int pair, WallState<Real>& s)
+{
+    for (const ContactRun& run : t.cracks) {
+        if (s.laws.unloading == Unloading::secant)
+            advance_crack<kLaw, Unloading::secant>(t, shortcuts, run, pair, s);
+        else
+            advance_crack<kLaw, Unloading::elastic>(t, shortcuts, run, pair, s);
+        ++pair;
+    }
+}
+
+/// A block and one onto which it slides. Both are felt as rigid: the elastic modes know the contacts of
+/// the undeformed wall.
+/// @param active walls whose blocks have come that far
+template <class Real, class Mask>
+void advance_further(const StepTables& t, const ContactRun& run, int row, Mask active,
+                     WallState<Real>& s)
+{
+    const DryLaw<Real> law = s.laws.dry[run.law];
+    const FacePair& pair = t.finite.further[row];
+    BlockFrame<Real>&a = s.finite.frames[pair.a], &b = s.finite.frames[pair.b];
+    const Overlap<Real> o = overlap_of(pair, a, b);
+    const Real share = select(active, share_of(pair, o), Real(0.0)), slip = slip_of(o, a, b);
+    const Real grown = share - s.finite.further[row].share;
+    StressSum<Real> sum;
+    Real friction(0.0), stored(0.0);
+    for (int i = 0; i < run.count; ++i) {
+        const std::size_t at = static_cast<std::size_t>(row) * t.finite.most_points + i;
+        const Real place(t.finite.place[run.first + i]), area(t.area[run.first + i]);
+        const Real u_n = multiply_add(place, o.widening, o.gap);
+        const DryUpdate<Real> u =
+            advance(law, {Real(0.0), s.finite.further_tau[at]}, u_n, slip);
+        s.finite.further_u_n[at] = u_n;
+        s.finite.further_tau[at] = select(share > Real(0.0), u.state.tau, Real(0.0));
+        friction = multiply_add(area, u.friction, friction);
+        stored = multiply_add(area, stored_energy(law, u), stored);
+        const Real normal = share * (area * u.sigma), shear = share * (area * u.state.tau);
+        sum.normal += normal;
+        sum.tangential += shear;
+        sum.normal_first = multiply_add(place, normal, sum.normal_first);
+        sum.tangential_first = multiply_add(place, shear, sum.tangential_first);
+    }
+    s.friction += share * friction - grown * stored;
+    s.finite.further[row] = {o.gap, o.widening, share, Real(0.0), o.past_far, o.past_near};
+    add_forces(o, sum, a, b);
+}
+
+/// Blocks that overhang the last block under them. Where no wall of the register has such a block
+/// nothing is done; a wall without one is not changed by its neighbours'.
+template <class Real> void advance_reaches(const StepTables& t, WallState<Real>& s)
+{
+    for (const FiniteTables::Reach& r : t.finite.reaches) {
+        const Real needs(kRoundedCorner * t.finite.pairs[r.home].length);
+        const auto* last = &s.finite.pairs[r.home];
+        auto active = needs > Real(0.0);
+        for (int row = r.first; row < r.first + r.count; ++row) {
+            const Real past = r.far ? last->past_far : last->past_near;
+            active = active & ((past > needs) | (s.finite.further[row].share > Real(0.0)));
+            if (!any(active)) break;
+            advance_further(t, t.dry[r.run], row, active, s);
+            last = &s.finite.further[row];
+        }
+    }
+}
+
+/// New gaps, slips, stresses, and the forces on all frames.
+template <class Real>
+void advance_contacts(const StepTables& t, const SolverOptions& options, WallState<Real>& s)
+{
+    for (BlockFrame<Real>& f : s.finite.frames) f.fx = f.fz = f.moment = Real(0.0);
+    int pair = 0;
+    for (const ContactRun& run : t.dry) advance_dry(t, run, pair++, s);
+    advance_reaches(t, s);
+    for (const ContactRun& run : t.tied) advance_tied(t, run, pair++, s);
+    if (options.law == ContactLaw::coupled)
+        advance_cracks<ContactLaw::coupled>(t, options.shortcuts, pair, s);
+    else
+        advance_cracks<ContactLaw::uncoupled>(t, options.shortcuts, pair, s);
+}
+
+template <class Real> Real horizontal_force(const FiniteTables& t, const WallState<Real>& s)
+{
+    Real sum(0.0);
+    for (const int frame : t.supported) sum += s.finite.frames[frame].fx;
+    return sum;
+}
+
+} // namespace
+
+template <class Real>
+void finite_step(const StepTables& t, const SolverOptions& options, const StepInput<Real>& in,
+                 WallState<Real>& s)
+{
+    if (options.damping == Damping::local)
+        move_blocks<Damping::local>(t, options.damping_factor, in, s);
+    else
+        move_blocks<Damping::combined>(t, options.damping_factor, in, s);
+    s.work = multiply_add(s.load_x, in.drive, s.work);
+    advance_contacts(t, options, s);
+
+    const Real before = s.top_force;
+    s.top_force = -(s.finite.frames[t.finite.beam].fx + s.load_x);
+    s.base_shear = horizontal_force(t.finite, s);
+    s.work = multiply_add(Real(0.5) * (before + s.top_force), in.drive, s.work);
+}
+
+void take_up_frames(const StepTables& t, const SolverOptions& options, WallState<double>& s)
+{
+    for (std::size_t b = 0; b < t.blocks.size(); ++b) {
+        const FiniteTables::BlockRow& row = t.finite.blocks[b];
+        BlockFrame<double>& f = s.finite.frames[b];
+        double moved[3] = {0.0, 0.0, 0.0};
+        for (int i = 0; i < row.rigid; ++i) {
+            const double q = take(s.q[t.blocks[b].first_mode + i]);
+            for (int d = 0; d < 3; ++d) moved[d] += row.motion[d][i] * q;
+        }
+        f.x += moved[0];
+        f.z += moved[1];
+        f.turn += moved[2];
+        f.half = half_turn(f.turn);
+    }
+    for (std::size_t p = 0; p < t.finite.pairs.size(); ++p) {
+        const FacePair& pair = t.finite.pairs[p];
+        const auto o = overlap_of(pair, s.finite.frames[pair.a], s.finite.frames[pair.b]);
+        s.finite.pairs[p].gap = o.gap;
+        s.finite.pairs[p].widening = o.widening;
+    }
+    advance_contacts(t, options, s);
+}
+
+template void finite_step(const StepTables&, const SolverOptions&, const StepInput<double>&,
+                          WallState<double>&);
+template void finite_step(const StepTables&, const SolverOptions&, const StepInput<Pack>&,
+                          WallState<Pack>&);
+
+} // namespace dem

@@ -1,0 +1,181 @@
+#include "dem/solver/finite_tables.hpp"
+
+#include "dem/block/model.hpp"
+#include "dem/solver/step_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace dem {
+
+namespace {
+
+constexpr double kFar = 1e3; // [m], half the length of the ground
+constexpr int kReach = 3;    // blocks onto which a block can slide, to either side
+
+FiniteTables::BlockRow block_row(const Model& m, int block)
+{
+    const Block& b = m.layout.blocks[block];
+    const BlockElement& e = m.elements[m.places[block].element];
+    FiniteTables::BlockRow row;
+    row.rigid = static_cast<int>(e.rigid.cols());
+    for (int i = 0; i < row.rigid; ++i)
+        for (int d = 0; d < 3; ++d) row.motion[d][i] = e.rigid(d, i);
+    row.turns_axes = row.rigid == 3;
+    row.x = b.x0 + e.pivot.x;
+    row.z = b.z0 + e.pivot.z;
+    row.centre_x = 0.5 * (b.x0 + b.x1) - row.x;
+    row.centre_z = 0.5 * (b.z0 + b.z1) - row.z;
+    row.volume = (b.x1 - b.x0) * (b.z1 - b.z0) * m.wall.thickness;
+    return row;
+}
+
+/// The operator of an element without its first modes.
+ContactOperator without(int modes, const ContactOperator& all)
+{
+    ContactOperator a;
+    a.ports = all.ports;
+    a.modes = all.modes - modes;
+    const int rows = 2 * all.ports;
+    for (int r = 0; r < rows; ++r)
+        for (int i = modes; i < all.modes; ++i)
+            a.to_modes.push_back(all.to_modes[static_cast<std::size_t>(r) * all.modes + i]);
+    a.to_contacts.assign(all.to_contacts.begin() + static_cast<std::ptrdiff_t>(modes) * rows,
+                         all.to_contacts.end());
+    return a;
+}
+
+/// The side of a block that a face lies on.
+Side side_of(const Model& m, const FiniteTables& t, int block, const Contact& c, const Face& f)
+{
+    const double tx = c.nz, tz = -c.nx;
+    if (block == kGround) return {-kFar, kFar, c.nx * f.from.x + c.nz * f.from.z};
+    const FiniteTables::BlockRow& row = t.blocks[block];
+    const Block& b = m.layout.blocks[block];
+    Side s{kFar, -kFar, c.nx * (f.from.x - row.x) + c.nz * (f.from.z - row.z)};
+    for (const double x : {b.x0, b.x1})
+        for (const double z : {b.z0, b.z1}) {
+            const double along = tx * (x - row.x) + tz * (z - row.z);
+            s.from = std::min(s.from, along);
+            s.to = std::max(s.to, along);
+        }
+    return s;
+}
+
+Point undeformed(const Model& m, const Contact& c, const Face& f)
+{
+    const BlockPlace& place = m.places[f.b];
+    const Point local = m.elements[place.element].points[c.b - place.first_point];
+    return {m.layout.blocks[f.b].x0 + local.x, m.layout.blocks[f.b].z0 + local.z};
+}
+
+void add_pair(const Model& m, const std::vector<Contact>& contacts, int first, int count,
+              FiniteTables& t)
+{
+    const Contact& c = contacts[first];
+    const Face& f = m.layout.faces[c.face];
+    FacePair p;
+    p.a = f.a == kGround ? t.ground : f.a;
+    p.b = f.b;
+    p.nx = c.nx;
+    p.nz = c.nz;
+    p.side_a = side_of(m, t, f.a, c, f);
+    p.side_b = side_of(m, t, f.b, c, f);
+    p.length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
+    t.pairs.push_back(p);
+    const double tx = c.nz, tz = -c.nx;
+    const double start = std::min(tx * f.from.x + tz * f.from.z, tx * f.to.x + tz * f.to.z);
+    for (int k = first; k < first + count; ++k) {
+        const Point at = undeformed(m, contacts[k], f);
+        t.place.push_back((tx * at.x + tz * at.z - start) / p.length);
+    }
+}
+
+/// The pair of an upper block with a block that does not lie under it yet. The corner at which the
+/// upper block arrives is rounded off, so that no elastic slip reaches it.
+FacePair further_pair(const Model& m, const FiniteTables& t, const FacePair& home, bool far,
+                      int below)
+{
+    const Contact level{0, 0, home.nx, home.nz, 0.0, 0, 0};
+    const double z = m.layout.blocks[below].z1;
+    FacePair p = home;
+    p.a = below;
+    p.side_a = side_of(m, t, below, level,
+                       Face{FaceKind::bed_joint, 0, below, home.b, {0, z}, {0, z}});
+    (far ? p.side_a.from : p.side_a.to) += (far ? 1.0 : -1.0) * kRoundedCorner * home.length;
+    return p;
+}
+
+/// Furthers of one end of the blocks under an upper block.
+void add_reach(const Model& m, int home, bool far, FiniteTables& t)
+{
+    FiniteTables::Reach r{home, far, home, static_cast<int>(t.further.size()), 0};
+    const FacePair& pair = t.pairs[home];
+    const int step = far ? 1 : -1, course = m.layout.blocks[pair.a].course;
+    for (int a = pair.a + step; a >= 0 && a < t.beam && r.count < kReach; a += step) {
+        if (m.layout.blocks[a].course != course) break;
+        t.further.push_back(further_pair(m, t, pair, far, a));
+        ++r.count;
+    }
+    if (r.count > 0) t.reaches.push_back(r);
+}
+
+/// Both ends of the dry bed joints under each block.
+void add_reaches(const Model& m, const StepTables& tables, FiniteTables& t)
+{
+    const auto under = [&](int pair) {
+        return t.pairs[pair].nz > 0.5 && t.pairs[pair].a != t.ground ? t.pairs[pair].b : -1;
+    };
+    const int n = static_cast<int>(tables.dry.size());
+    for (int p = 0; p < n; ++p) {
+        t.most_points = std::max(t.most_points, tables.dry[p].count);
+        if (under(p) < 0) continue;
+        if (p == 0 || under(p - 1) != under(p)) add_reach(m, p, false, t);
+        if (p + 1 == n || under(p + 1) != under(p)) add_reach(m, p, true, t);
+    }
+}
+
+/// The load acts in the middle of the beam's top.
+LoadPoint load_point(const Model& m, const FiniteTables::BlockRow& beam)
+{
+    const Block& b = m.layout.blocks[m.layout.beam];
+    LoadPoint p;
+    p.x = 0.5 * (b.x0 + b.x1);
+    p.z = b.z1;
+    p.above = b.z1 - beam.z;
+    p.top = m.loads.top;
+    p.link_length = m.loads.link_length;
+    return p;
+}
+
+} // namespace
+
+FiniteTables finite_tables(const Model& m, const StepTables& tables)
+{
+    FiniteTables t;
+    const int n = static_cast<int>(m.layout.blocks.size());
+    t.beam = m.layout.beam;
+    t.ground = n;
+    t.elastic.resize(m.elements.size());
+    for (int b = 0; b < n; ++b) {
+        t.blocks.push_back(block_row(m, b));
+        const int element = m.places[b].element;
+        t.elastic[element] = without(t.blocks[b].rigid, tables.matrices[element]);
+        if (is_supported(m, b)) t.supported.push_back(b);
+    }
+    t.supported.push_back(t.ground);
+    const auto add = [&](const std::vector<ContactRun>& runs, const std::vector<Contact>& list,
+                         int first) {
+        for (const ContactRun& r : runs) add_pair(m, list, r.first - first, r.count, t);
+    };
+    add(tables.dry, m.dry, 0);
+    add(tables.tied, m.tied, tables.first_tied);
+    add(tables.cracks, m.cracks, tables.first_crack);
+    add_reaches(m, tables, t);
+    t.load = load_point(m, t.blocks[t.beam]);
+    t.load_area = m.wall.length * m.wall.thickness;
+    return t;
+}
+
+} // namespace dem
