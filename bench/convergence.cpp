@@ -111,8 +111,7 @@ app::Table ensemble_table(int walls)
 
 std::string opening()
 {
-    return "# Convergence\n\nWritten by `build/avx512/bench/convergence docs/convergence.md` "
-           "on " +
+    return "# Convergence\n\nWritten by `" + bench::command_line() + "` on " +
            bench::machine_line() + R"(.
 
 The wall of the paper with mean values (Tables 3 and 4), pushed by 30 mm at 0.15, 0.50, 1.00 and 1.25 MPa. F: peak

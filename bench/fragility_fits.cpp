@@ -87,7 +87,6 @@ void write(const std::string& path)
     }
     bench::write_report(path,
                         {"Speed of fits",
-                         "build/avx512/bench/fragility_fits " + path,
                          "The observations are put on the axis of the law once; the search "
                          "is Newton's in location / dispersion and 1 / dispersion, where "
                          "the likelihood is concave (fragility/censored_likelihood.hpp).",

@@ -144,11 +144,7 @@ void write(const std::string& path, int studies)
         "upper "
         "end.\n\n" +
         verdict(table) + " Tables show the profile likelihood (fragility/fit_intervals.hpp).";
-    bench::write_report(
-        path, {"Coverage of intervals",
-               "build/release/bench/interval_coverage " + path + " " + std::to_string(studies),
-               opening,
-               {{"", "", "", table}}});
+    bench::write_report(path, {"Coverage of intervals", opening, {{"", "", "", table}}});
 }
 
 } // namespace

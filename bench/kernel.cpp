@@ -180,7 +180,6 @@ bench::Report report_of(const std::vector<Measured>& all, const Roofs& roofs)
 {
     bench::Report r;
     r.title = "Kernel";
-    r.command = "build/avx512/bench/kernel docs/bench/kernel.md";
     r.opening = std::string(kOpening) + " **" + app::fixed(1e-9 * roofs.peak, 1) + "e9/s**.";
     r.sections.push_back({"", "Speed",
                           std::string(kSpeedText) + "\n\nCounted: " + counted() + ".",

@@ -61,6 +61,18 @@ std::string machine_line()
            std::to_string(dem::lanes<dem::Pack>) + " lanes)";
 }
 
+std::string command_line()
+{
+    std::ifstream in("/proc/self/cmdline");
+    std::string all;
+    for (std::string word; std::getline(in, word, '\0');) {
+        const std::size_t build = all.empty() ? word.rfind("/build/") : std::string::npos;
+        if (build != std::string::npos) word.erase(0, build + 1);
+        all += (all.empty() ? "" : " ") + word;
+    }
+    return all;
+}
+
 std::string cache_line()
 {
     std::string all;

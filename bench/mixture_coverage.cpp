@@ -246,11 +246,8 @@ void write(const std::string& program, const std::string& path, int studies,
         " %.\n\nThe delta method on the logit holds " + range(table, "delta method") +
         ", the bootstrap " + range(table, "bootstrap") +
         ". The tables of `drystone fragility` have the delta method.";
-    bench::write_report(path, {"Coverage of bands of mixtures",
-                               program + " " + path + " " + std::to_string(studies) + " " +
-                                   std::to_string(replicates),
-                               opening,
-                               {{"", "", "", table}}});
+    bench::write_report(path,
+                        {"Coverage of bands of mixtures", opening, {{"", "", "", table}}});
 }
 
 } // namespace

@@ -255,7 +255,7 @@ std::string discretisation_error(int n)
 
 constexpr const char* kOpening = R"(# The paper's walls
 
-Written by `build/avx512/bench/paper_walls docs/bench/paper_walls.md`. Samples of Table 5, pushed by 30 mm. F: peak force; d80:
+Samples of Table 5, pushed by 30 mm. F: peak force; d80:
 displacement at which the force first comes down to 80 % of it, over the walls where it does ("dropped").
 
 )";
@@ -268,7 +268,8 @@ int main(int argc, char** argv)
         std::cerr << "usage: paper_walls OUT.md\n";
         return 2;
     }
-    std::string text = kOpening + bench::machine_line() + "\n";
+    std::string text = kOpening + ("Written by `" + bench::command_line()) + "` on " +
+                       bench::machine_line() + ".\n";
     text += all_walls();
     text += drive_error(40);
     text += discretisation_error(200);

@@ -7,7 +7,7 @@ namespace bench {
 
 std::string as_markdown(const Report& r)
 {
-    std::string text = "# " + r.title + "\n\nWritten by `" + r.command + "` on " +
+    std::string text = "# " + r.title + "\n\nWritten by `" + command_line() + "` on " +
                        machine_line() + "; caches " + cache_line() + ".\n";
     if (!r.opening.empty()) text += "\n" + r.opening + "\n";
     for (const Section& s : r.sections) {

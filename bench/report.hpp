@@ -19,7 +19,6 @@ struct Section {
 
 struct Report {
     std::string title;
-    std::string command; ///< that writes it again
     std::string opening;
     std::vector<Section> sections;
 };

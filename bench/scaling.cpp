@@ -51,7 +51,7 @@ int main(int argc, char** argv)
         std::cerr << "usage: scaling [OUT.md | samples | threads | blocks]\n";
         return 2;
     }
-    bench::Report report{"Scaling", "build/avx512/bench/scaling docs/bench/scaling.md", "", {}};
+    bench::Report report{"Scaling", "", {}};
     std::cout << bench::machine_line() << '\n' << bench::cache_line() << '\n';
     for (const Part& part : kParts) {
         if (!write && !argument.empty() && argument != part.name) continue;

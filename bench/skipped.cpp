@@ -163,7 +163,7 @@ app::Table measure()
 
 constexpr const char* kText = R"(# What is not computed
 
-Written by `build/avx512/bench/skipped docs/skipped.md`. 32 walls of Table 5 at 0.75 and 1.25 MPa, 30 mm, default settings, all
+32 walls of Table 5 at 0.75 and 1.25 MPa, 30 mm, default settings, all
 cores; fastest of three runs. The test that the answer stays is named where the bits must stay.
 
 What a scene cannot need is not in its arrays at all: joints without strength have no damage (below), a fixed base has no
@@ -192,8 +192,9 @@ int main(int argc, char** argv)
         std::cerr << "usage: skipped OUT.md\n";
         return 2;
     }
-    const std::string text = kText + ("\n" + bench::machine_line()) + "\n\n" +
-                             app::as_markdown(measure()) + bench::law_cost_text();
+    const std::string text = kText + ("\nWritten by `" + bench::command_line()) + "` on " +
+                             bench::machine_line() + ".\n\n" + app::as_markdown(measure()) +
+                             bench::law_cost_text();
     app::write_file(argv[1], text);
     return 0;
 }

@@ -181,7 +181,6 @@ bench::Report report_of(const std::vector<SceneReport>& scenes, const Request& r
 {
     bench::Report r;
     r.title = "Stability";
-    r.command = "build/avx512/bench/stability docs/bench/stability.md";
     r.opening = opening(bench::sums_of(scenes), request, seconds);
     r.sections = {
         {"limit", "The step used",

@@ -197,7 +197,6 @@ try {
     const Errors errors = measure();
     const bench::Report report{
         "Convergence of means",
-        "build/release/bench/uq_convergence docs/bench",
         kOpening,
         {{"slopes", "Slopes", "", slopes(errors)}, {"", "All errors", "", all_points(errors)}}};
     bench::write_report(folder / "uq_convergence.md", report);

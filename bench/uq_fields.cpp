@@ -99,7 +99,6 @@ bench::Report report(const OwnTimes& t, const bench::OtherTimes& o, double diffe
                       o.thousand - o.coordinates, both)};
     bench::Report r;
     r.title = "Random fields";
-    r.command = "OPENBLAS_NUM_THREADS=1 build/release/bench/uq_fields docs/bench/uq_fields.md";
     r.opening = "15 x 12 sites, as many as the joints of the paper's wall, correlation exp(-d "
                 "/ 1 m), one "
                 "thread. Both\nmultiply a triangle by standard normal coordinates; here eight "
@@ -107,7 +106,7 @@ bench::Report report(const OwnTimes& t, const bench::OtherTimes& o, double diffe
                 "by side, in plain products and\nsums, so that a sample has the same bits "
                 "alone and in any "
                 "batch. Coordinates are read off a stream keyed by\nsample through the normal "
-                "quantile.";
+                "quantile. With OpenTURNS: OPENBLAS_NUM_THREADS=1.";
     if (both)
         r.opening += " Largest difference of the two correlation matrices: " +
                      number(difference, "%.1e") + ".";

@@ -145,7 +145,6 @@ int main(int argc, char** argv)
     const bench::SamplingTimes own = own_times(), other = bench::openturns_times(kRepeats);
     bench::Report r;
     r.title = "Sampling";
-    r.command = "build/release/bench/uq_sampling docs/bench/uq_sampling.md";
     r.opening = kOpening;
     if (other.name.empty()) r.opening += "\n\nOpenTURNS was not found: no comparison.";
     r.sections.push_back({"", "Times", "", table(own, other)});

@@ -167,7 +167,7 @@ std::string front_text(const std::vector<Point>& points)
 
 constexpr const char* kText = R"(# Work and precision
 
-Written by `build/avx512/bench/work_precision docs/bench`. Random walls of Table 5 at 0.50 and 1.25 MPa, pushed by 30 mm,
+Random walls of Table 5 at 0.50 and 1.25 MPa, pushed by 30 mm,
 against the same walls with fine zones (6 Gauss-Lobatto points, all modes) and a slow drive (6000 steps per mm). Cost: processor
 seconds of the solver per wall, all cores busy. Ultimate: mean over all walls of the displacement at the 80 % drop, walls without a drop at
 30 mm. d80 close: both walls drop within 0.3 mm, or neither does. "paper's scheme": one wall at a time, all zones, nodal masses,
@@ -202,7 +202,8 @@ int main(int argc, char** argv)
     app::write_file(folder / "work_precision_peak.svg", panels.peak);
     app::write_file(folder / "work_precision_ultimate.svg", panels.ultimate);
     app::write_file(folder / "work_precision.md",
-                    kText + ("\n" + bench::machine_line()) + "\n" + front_text(points) + "\n" +
+                    kText + ("\nWritten by `" + bench::command_line()) + "` on " +
+                        bench::machine_line() + ".\n" + front_text(points) + "\n" +
                         app::as_markdown(table) + bench::equal_error_text());
     return 0;
 }

@@ -138,7 +138,7 @@ double in_si(const Parts& parts, const Unit& expected)
 
 /// A comma ends an item of a list only before a blank, so that "0,15" is never read as 0
 /// and 15.
-std::vector<std::string_view> items(std::string_view text)
+std::vector<std::string_view> unit_words(std::string_view text)
 {
     std::vector<std::string_view> found;
     for (std::size_t begin = 0, comma = 0; comma != std::string_view::npos; begin = comma + 1) {
@@ -166,7 +166,7 @@ std::vector<double> parse_quantities(std::string_view text, std::string_view uni
 {
     const Unit& expected = unit_named(unit);
     std::vector<Parts> parts;
-    for (const std::string_view item : items(text)) parts.push_back(split(item, expected));
+    for (const std::string_view item : unit_words(text)) parts.push_back(split(item, expected));
     const auto is_bare = [](const Parts& p) { return p.unit.empty(); };
     if (std::all_of(parts.begin(), parts.end() - 1, is_bare)) {
         for (Parts& p : parts) p.unit = parts.back().unit;

@@ -10,7 +10,7 @@ namespace app {
 
 namespace {
 
-constexpr double kSample = 34.0; // width of a sample [px]
+constexpr double kSwatch = 34.0; // width of a sample [px]
 
 /// Two significant digits, never as a power of ten.
 std::string rounded(double value)
@@ -26,8 +26,8 @@ std::string taper(Pixel at, double thin, double thick, std::string_view colour,
                   std::string_view edge = "none")
 {
     const std::array<Pixel, 4> shape = {
-        Pixel{at.x, at.y - thin / 2}, Pixel{at.x + kSample, at.y - thick / 2},
-        Pixel{at.x + kSample, at.y + thick / 2}, Pixel{at.x, at.y + thin / 2}};
+        Pixel{at.x, at.y - thin / 2}, Pixel{at.x + kSwatch, at.y - thick / 2},
+        Pixel{at.x + kSwatch, at.y + thick / 2}, Pixel{at.x, at.y + thin / 2}};
     return svg_polygon(shape, svg_attribute("fill", colour) + svg_attribute("stroke", edge));
 }
 
@@ -53,9 +53,9 @@ std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes& size
     const auto at = [&](int column, int row) -> Pixel {
         return {top_left.x + column * width / 3.0, top_left.y + 14.0 + row * 26.0};
     };
-    const auto end = [](Pixel p) -> Pixel { return {p.x + kSample, p.y}; };
+    const auto end = [](Pixel p) -> Pixel { return {p.x + kSwatch, p.y}; };
     const auto label = [](Pixel p, std::string_view text) {
-        return svg_text({p.x + kSample + 10.0, p.y + 4.5}, text, "");
+        return svg_text({p.x + kSwatch + 10.0, p.y + 4.5}, text, "");
     };
 
     std::string drawn =
@@ -72,14 +72,14 @@ std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes& size
              label(p, "joint open " + above + " (drawn to scale)");
     p = at(1, 1);
     drawn += taper(p, kSlipThinnest * mark_size, kSlipWidest * mark_size, kSlipColour) +
-             half_arrows({p.x + kSample / 2, p.y}, {1, 0}, {0, -1}, mark_size) +
+             half_arrows({p.x + kSwatch / 2, p.y}, {1, 0}, {0, -1}, mark_size) +
              label(p, "closed joint slid " + slip_text(sizes));
     p = at(2, 0);
     drawn +=
         svg_group("opacity=\"0.6\"", taper(p, 0.5, kThrustWidest * mark_size, kThrustColour)) +
         label(p, "compression " + thrust_text(widest_force));
     p = at(2, 1);
-    return drawn + svg_rectangle({p.x + 4, p.y - 7}, kSample - 8, 14, svg_stroke("#bbb", 0.9)) +
+    return drawn + svg_rectangle({p.x + 4, p.y - 7}, kSwatch - 8, 14, svg_stroke("#bbb", 0.9)) +
            label(p, "undeformed");
 }
 
