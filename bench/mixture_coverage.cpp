@@ -222,8 +222,7 @@ std::string range(const app::Table& table, const std::string& kind)
     return shown(least, "%.1f") + " to " + shown(most, "%.1f") + " %";
 }
 
-void write(const std::string& program, const std::string& path, int studies,
-           std::size_t replicates)
+void write(const std::string& path, int studies, std::size_t replicates)
 {
     app::Table table;
     table.head = {"scene",           "true probability", "drift [%]",  "band",     "holds [%]",
@@ -258,7 +257,7 @@ try {
         std::fputs("usage: mixture_coverage OUT.md [STUDIES=2000 [REFITS=200]]\n", stderr);
         return 2;
     }
-    write(argv[0], argv[1], argc > 2 ? std::atoi(argv[2]) : 2000,
+    write(argv[1], argc > 2 ? std::atoi(argv[2]) : 2000,
           argc > 3 ? static_cast<std::size_t>(std::atoi(argv[3])) : 200);
     return 0;
 } catch (const std::exception& e) {

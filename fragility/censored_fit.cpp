@@ -1,6 +1,7 @@
 #include "fragility/censored_fit.hpp"
 
 #include "fragility/censored_likelihood.hpp"
+#include "fragility/interval.hpp"
 #include "fragility/maximise.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 namespace fragility {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Dispersion, against the spread of the data, beyond which a fit counts as running away [-].
 constexpr double kWidest = 1e6;
 /// Range of the coefficient of variation of a gamma law; its likelihood loses digits outside.

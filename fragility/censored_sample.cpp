@@ -2,6 +2,7 @@
 
 #include "fragility/censored_likelihood.hpp"
 #include "fragility/gamma_likelihood.hpp"
+#include "fragility/interval.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@
 
 namespace fragility {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double on_axis(Law law, double x) { return positive(law) ? std::log(x) : x; }
 

@@ -1,5 +1,6 @@
 #include "fragility/equal_modes.hpp"
 
+#include "fragility/interval.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <algorithm>
@@ -14,8 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFurthest = 40.0; ///< end of the search [standard errors]
+constexpr double kFurthestDifference = 40.0; ///< end of the search [standard errors]
 
 /// ln(P_b / P_a) = (u + v t) . beta at the value t of the covariate.
 struct Contrast {
@@ -95,7 +95,7 @@ double profile_end(const EqualAt& profile, double start, double floor, double st
     double inside = start;
     double outside = start + step;
     while (profile(outside) > floor) {
-        if (std::abs(outside - start) > kFurthest * std::abs(step))
+        if (std::abs(outside - start) > kFurthestDifference * std::abs(step))
             return step > 0.0 ? kInfinity : -kInfinity;
         inside = outside;
         outside += 0.5 * (outside - start);

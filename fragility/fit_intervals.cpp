@@ -1,6 +1,7 @@
 #include "fragility/fit_intervals.hpp"
 
 #include "fragility/gamma_likelihood.hpp"
+#include "fragility/interval.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <boost/math/tools/minima.hpp>
@@ -14,7 +15,6 @@
 namespace fragility {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFurthest = 40.0; ///< end of the search [standard errors]
 
 void check(const Fit& fit, double confidence)

@@ -12,7 +12,7 @@
 namespace fragility {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"lognormal", "normal", "weibull", "gamma"};
+constexpr std::array<std::string_view, 4> kLawNames{"lognormal", "normal", "weibull", "gamma"};
 
 double standardised(const Distribution& d, double x)
 {
@@ -21,12 +21,12 @@ double standardised(const Distribution& d, double x)
 
 } // namespace
 
-std::string_view name(Law law) { return kNames[static_cast<std::size_t>(law)]; }
+std::string_view name(Law law) { return kLawNames[static_cast<std::size_t>(law)]; }
 
 std::optional<Law> law(std::string_view name)
 {
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-        if (kNames[i] == name) return static_cast<Law>(i);
+    for (std::size_t i = 0; i < kLawNames.size(); ++i)
+        if (kLawNames[i] == name) return static_cast<Law>(i);
     return std::nullopt;
 }
 

@@ -1,12 +1,12 @@
 #include "fragility/observation.hpp"
 
+#include "fragility/interval.hpp"
+
 #include <limits>
 #include <stdexcept>
 
 namespace fragility {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 } // namespace
 

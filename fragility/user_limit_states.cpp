@@ -30,7 +30,7 @@ void check_rule(const UserLimitState& s)
 }
 
 /// What sums are made of.
-struct Parts {
+struct StateParts {
     LimitDisplacement yield, peak, ultimate;
 };
 
@@ -57,7 +57,7 @@ LimitDisplacement rise_to(const Curve& curve, double share)
     return {*at, Reading::observed, {}};
 }
 
-LimitDisplacement uncapped(const Curve& curve, const UserLimitState& s, const Parts& parts,
+LimitDisplacement uncapped(const Curve& curve, const UserLimitState& s, const StateParts& parts,
                            const LimitStateOptions& options)
 {
     if (s.rise) return rise_to(curve, *s.rise);
@@ -106,10 +106,10 @@ std::string rule_text(const UserLimitState& s)
     return text;
 }
 
-Parts read_parts(const Curve& curve, const LimitStateOptions& options)
+StateParts read_state_parts(const Curve& curve, const LimitStateOptions& options)
 {
     const Peak top = peak(curve);
-    Parts parts{{}, {top.displacement, Reading::observed, {}}, {}};
+    StateParts parts{{}, {top.displacement, Reading::observed, {}}, {}};
     if (top.at_end) parts.peak = {top.displacement, Reading::censored, "the curve still rises"};
     for (const LimitState& s : read_limit_states(curve, "ec8", options)) {
         if (s.name == "DL") parts.yield = s.limit;
@@ -125,7 +125,7 @@ std::vector<LimitState> read_limit_states(const Curve& curve,
                                           const LimitStateOptions& options)
 {
     std::vector<LimitState> found;
-    const Parts parts = read_parts(curve, options);
+    const StateParts parts = read_state_parts(curve, options);
     for (const UserLimitState& s : states) {
         check_rule(s);
         const bool alone = !sums(s) && !s.rise && !s.drop;

@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-constexpr double kMostStates = 20;
+constexpr double kMostDamageStates = 20;
 
 struct Cells {
     const std::string& path;
@@ -57,10 +57,10 @@ std::vector<double> from_failed(const Cells& t, const CsvRow& row, std::size_t o
 std::vector<double> from_state(const Cells& t, const CsvRow& row, std::size_t state, double n)
 {
     const double k = t.at(row, state);
-    if (k != std::floor(k) || k > kMostStates)
+    if (k != std::floor(k) || k > kMostDamageStates)
         t.refuse(row, state,
                  number(k, 12) + " is not a damage state; write 0 for none, 1, 2, ... up to " +
-                     number(kMostStates, 12));
+                     number(kMostDamageStates, 12));
     std::vector<double> walls(static_cast<std::size_t>(k) + 1, 0.0);
     walls.back() = n;
     return walls;

@@ -17,8 +17,8 @@ namespace {
 const char* group_name(int mode) { return mode == kAllModes ? "all" : mode_name(mode); }
 
 constexpr std::size_t kTableStep = 4; ///< of the grid of curves
-constexpr std::array<const char*, 7> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                 "#E69F00", "#56B4E9", "#000000"};
+constexpr std::array<const char*, 7> kStressColours = {
+    "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 
 std::vector<const StudyWall*> group_of(const StudyLevel& level, int mode)
 {
@@ -84,7 +84,8 @@ NamedPicture picture(const StudyWalls& walls, int mode)
             high.y.push_back(p.high);
         }
         mean.name = number(walls.levels[l].stress * 1e-6, 6) + " MPa";
-        for (Series* const s : {&mean, &low, &high}) s->colour = kColours[l % kColours.size()];
+        for (Series* const s : {&mean, &low, &high})
+            s->colour = kStressColours[l % kStressColours.size()];
         low.line = high.line = LineStyle::dotted;
         low.width = high.width = 1.0;
         mean.width = 2.2;

@@ -19,7 +19,7 @@ namespace app {
 
 namespace {
 
-constexpr double kMargin = 24.0, kPanelWidth = 464.0, kMostPanelHeight = 640.0; // [px]
+constexpr double kPageMargin = 24.0, kPanelWidth = 464.0, kMostPanelHeight = 640.0; // [px]
 constexpr double kLoadRoom = 62.0;   // left of the wall, for the arrow and its force [px]
 constexpr double kArrowRoom = 50.0;  // above the wall, for the vertical load [px]
 constexpr double kGroundRoom = 40.0; // below the wall, for the hatching and the scale bar [px]
@@ -219,21 +219,21 @@ std::string wall_picture(const dem::Snapshot& at_peak, const dem::Snapshot& at_e
         throw std::invalid_argument("wall picture: load height and threshold must be positive");
     const std::array<double, 2> scales = drawing_scales(at_peak, at_end);
     std::array<Panel, 2> panels = {
-        Panel{at_peak, text.peak_name, {scales[0], 1.0, {}, 1.0}, kMargin},
-        Panel{at_end, text.end_name, {scales[1], 1.0, {}, 1.0}, 2 * kMargin + kPanelWidth}};
+        Panel{at_peak, text.peak_name, {scales[0], 1.0, {}, 1.0}, kPageMargin},
+        Panel{at_end, text.end_name, {scales[1], 1.0, {}, 1.0}, 2 * kPageMargin + kPanelWidth}};
     const Page page = lay_out(panels[0], panels[1], text);
 
     std::string body =
-        svg_text({kMargin, 34.0}, text.title, "font-size=\"18\" font-weight=\"bold\"");
+        svg_text({kPageMargin, 34.0}, text.title, "font-size=\"18\" font-weight=\"bold\"");
     for (Panel& panel : panels) {
         panel.view.pixels_per_metre = page.pixels_per_metre;
         panel.view.mark_size = page.mark_size;
         panel.view.origin = {panel.left + page.origin.x, page.origin.y};
         body += draw_panel(panel, page, text);
     }
-    const double width = 3 * kMargin + 2 * kPanelWidth,
+    const double width = 3 * kPageMargin + 2 * kPanelWidth,
                  legend_top = page.top + page.height + 14.0;
-    body += draw_wall_legend({kMargin, legend_top}, width - 2 * kMargin, page.marks,
+    body += draw_wall_legend({kPageMargin, legend_top}, width - 2 * kPageMargin, page.marks,
                              page.widest_force, page.mark_size);
     return svg_page(width, legend_top + kWallLegendHeight + 16.0, text.title, body);
 }

@@ -15,7 +15,7 @@ using Vector = std::vector<double>;
 
 constexpr double kTolerance = 1e-3; // of the eigenvalue
 constexpr int kMostIterations = 400;
-constexpr int kLookEvery = 10;
+constexpr int kRitzEvery = 10;
 
 /// Numbers in (-0.5, 0.5) without a pattern: the fractions of multiples of the golden ratio.
 Vector start_vector(std::size_t n)
@@ -67,7 +67,7 @@ double largest_frequency(const StepTables& t, WallState<double>& s)
         beside.push_back(std::sqrt(dot(w, w)));
         if (!std::isfinite(beside.back())) break;
         const bool all = beside.back() <= 1e-14 * std::abs(diagonal.front());
-        if (all || i % kLookEvery == 0) {
+        if (all || i % kRitzEvery == 0) {
             ritz = largest(diagonal, beside);
             if (all || ritz.error <= kTolerance * ritz.value) break;
         }

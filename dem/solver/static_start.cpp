@@ -10,8 +10,8 @@ namespace {
 
 using Vector = std::vector<double>;
 
-constexpr double kTolerance = 1e-8; // relative residual in the norm of the preconditioner
-constexpr int kMostIterations = 5000;
+constexpr double kStartTolerance = 1e-8; // relative residual in the norm of the preconditioner
+constexpr int kMostStartIterations = 5000;
 
 /// Solves K q = load by conjugate gradients.
 bool solve(const StepTables& t, WallState<double>& s)
@@ -23,8 +23,8 @@ bool solve(const StepTables& t, WallState<double>& s)
     };
     precondition();
     double rz = dot(r, z);
-    const double enough = kTolerance * kTolerance * rz;
-    for (int i = 0; i < kMostIterations && rz > enough; ++i) {
+    const double enough = kStartTolerance * kStartTolerance * rz;
+    for (int i = 0; i < kMostStartIterations && rz > enough; ++i) {
         if (i == 0) p = z;
         apply_stiffness(t, p, s, kp);
         const double alpha = rz / dot(p, kp);

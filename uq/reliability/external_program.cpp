@@ -79,7 +79,7 @@ struct Try {
 };
 
 /// A run under way.
-struct Run {
+struct ProgramRun {
     Try of;
     fs::path directory;
     Process process;
@@ -200,23 +200,23 @@ class Batch {
         return any;
     }
 
-    void enforce_limit(Run& run) const
+    void enforce_limit(ProgramRun& run) const
     {
-        if (run.state == Run::State::killed || Clock::now() < run.deadline) return;
-        const bool again = run.state == Run::State::asked_to_stop;
+        if (run.state == ProgramRun::State::killed || Clock::now() < run.deadline) return;
+        const bool again = run.state == ProgramRun::State::asked_to_stop;
         run.process.signal_group(again ? SIGKILL : SIGTERM);
-        run.state = again ? Run::State::killed : Run::State::asked_to_stop;
+        run.state = again ? ProgramRun::State::killed : ProgramRun::State::asked_to_stop;
         run.deadline += std::chrono::duration_cast<Clock::duration>(Seconds(p_.grace));
     }
 
-    ProgramResult result(const Run& run) const
+    ProgramResult result(const ProgramRun& run) const
     {
         ProgramResult r;
-        if (run.state != Run::State::running) {
+        if (run.state != ProgramRun::State::running) {
             std::string limit = std::to_string(p_.time_limit);
             limit.erase(limit.find_last_not_of('0') + 1);
             r.failure = "no answer within " + limit + (limit.back() == '.' ? "0 s" : " s") +
-                        (run.state == Run::State::killed ? ", killed" : ", stopped");
+                        (run.state == ProgramRun::State::killed ? ", killed" : ", stopped");
         } else {
             r.failure = run.process.failure();
         }
@@ -252,7 +252,7 @@ class Batch {
     RunDirectory where_;
     Responses answer_;
     std::deque<Try> waiting_;
-    std::list<Run> running_;
+    std::list<ProgramRun> running_;
 };
 
 } // namespace
