@@ -6,10 +6,6 @@
 #include <stdexcept>
 
 namespace fragility {
-namespace {
-
-} // namespace
-
 Observation observed(double value) { return {value, value}; }
 Observation right_censored(double lower) { return {lower, kInfinity}; }
 Observation left_censored(double upper) { return {-kInfinity, upper}; }
