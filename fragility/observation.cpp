@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 namespace fragility {
+
 Observation observed(double value) { return {value, value}; }
 Observation right_censored(double lower) { return {lower, kInfinity}; }
 Observation left_censored(double upper) { return {-kInfinity, upper}; }
