@@ -1,7 +1,7 @@
 #include "app/study/provenance.hpp"
 
 #include "app/version.hpp"
-#include "dem/contact/pack.hpp"
+#include "dem/solver/solver_lanes.hpp"
 
 #include <ctime>
 #include <fstream>
@@ -50,7 +50,7 @@ std::string compiler()
 StoreSession this_session(int threads)
 {
     return {kVersion, host() + ", " + processor(),
-            compiler() + ", " + std::to_string(dem::lanes<dem::Pack>) + " lanes",
+            compiler() + ", " + std::to_string(dem::solver_lanes()) + " lanes",
             std::to_string(threads) + " threads", now()};
 }
 

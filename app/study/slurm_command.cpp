@@ -7,7 +7,7 @@
 #include "app/study/study_file_head.hpp"
 #include "app/study/wall_frames.hpp"
 #include "dem/block/model.hpp"
-#include "dem/contact/pack.hpp"
+#include "dem/solver/solver_lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +110,7 @@ double seconds_per_wall(const Study& study)
     const SamplePlan plan = sample_plan(study, model.layout, sizes);
     const int levels = static_cast<int>(study.load.vertical_stress.size());
     PushList pilot;
-    pilot.size = std::min<std::size_t>(dem::lanes<dem::Pack>, wall_count(study));
+    pilot.size = std::min<std::size_t>(dem::solver_lanes(), wall_count(study));
     pilot.wall = [&](std::size_t i) -> WantedWall {
         const int level = static_cast<int>(i) % levels, sample = static_cast<int>(i) / levels;
         return {level, draw(plan, level, sample)};

@@ -1,6 +1,8 @@
 #include "dem/solver/ensemble.hpp"
 
+#include "dem/contact/pack.hpp"
 #include "dem/solver/batch.hpp"
+#include "dem/solver/solver_lanes.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +12,8 @@
 #include <vector>
 
 namespace dem {
+
+int solver_lanes() { return lanes<Pack>; }
 
 void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan& plan,
                    const SolverOptions& options, const Workers& workers)
