@@ -67,8 +67,8 @@ std::string command_line()
     std::string all;
     for (std::string word; std::getline(in, word, '\0');) {
         const std::size_t build = all.empty() ? word.rfind("/build/") : std::string::npos;
-        if (build != std::string::npos) word.erase(0, build + 1);
-        all += (all.empty() ? "" : " ") + word;
+        if (!all.empty()) all += ' ';
+        all += build == std::string::npos ? word : word.substr(build + 1);
     }
     return all;
 }

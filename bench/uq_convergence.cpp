@@ -109,10 +109,15 @@ std::string text(double x, const char* format)
 
 app::Table slopes(const Errors& errors)
 {
-    app::Table t{"Slopes of ln error over ln n, and the error of 64 samples",
-                 {"response", "design", "slope", "std. error", "rms error at n = 64",
-                  "of Monte Carlo's [%]", "s / sqrt(n) over rms at n = 64"},
-                 {}};
+    app::Table t;
+    t.caption = "Slopes of ln error over ln n, and the error of 64 samples";
+    t.head = {"response",
+              "design",
+              "slope",
+              "std. error",
+              "rms error at n = 64",
+              "of Monte Carlo's [%]",
+              "s / sqrt(n) over rms at n = 64"};
     for (const auto& response : bench::known_responses())
         for (const DesignRow& d : kDesigns) {
             const auto& points = errors.at(response.name).at(d.name);
@@ -128,11 +133,11 @@ app::Table slopes(const Errors& errors)
 
 app::Table all_points(const Errors& errors)
 {
-    app::Table t{"Root mean square error of the mean over " + std::to_string(kReplicates) +
-                     " replicates",
-                 {"response", "design", "n", "rms error", "std. error of it",
-                  "mean s / sqrt(n) of one design"},
-                 {}};
+    app::Table t;
+    t.caption = "Root mean square error of the mean over " + std::to_string(kReplicates) +
+                " replicates";
+    t.head = {"response",  "design",           "n",
+              "rms error", "std. error of it", "mean s / sqrt(n) of one design"};
     for (const auto& response : bench::known_responses())
         for (const DesignRow& d : kDesigns)
             for (const ErrorPoint& p : errors.at(response.name).at(d.name))

@@ -25,7 +25,7 @@ std::vector<std::string_view> split(std::string_view text, std::string_view by)
     }
 }
 
-[[noreturn]] void refuse(std::string_view state, const std::string& why)
+[[noreturn]] void refuse_state(std::string_view state, const std::string& why)
 {
     throw BadValue("limit state " + in_quotes(state) + ": " + why);
 }
@@ -35,7 +35,7 @@ double number_of(std::string_view state, std::string_view text)
     try {
         return parse_quantity(text, "");
     } catch (const BadValue& bad) {
-        refuse(state, bad.what());
+        refuse_state(state, bad.what());
     }
 }
 
@@ -45,8 +45,8 @@ void read_term(std::string_view name, std::string_view term, fragility::UserLimi
     const auto words = split(term, " ");
     const bool share = words.front() == "rise" || words.front() == "drop";
     if (share && words.size() != 2)
-        refuse(name, in_quotes(term) + " has no share; write \"" + std::string(words.front()) +
-                         " 0.5\"");
+        refuse_state(name, in_quotes(term) + " has no share; write \"" +
+                               std::string(words.front()) + " 0.5\"");
     if (share) {
         (words.front() == "rise" ? state.rise : state.drop) = number_of(name, words[1]);
         return;
@@ -54,8 +54,9 @@ void read_term(std::string_view name, std::string_view term, fragility::UserLimi
     const double weight = words.size() > 1 ? number_of(name, words.front()) : 1.0;
     const std::string_view what = words.back();
     if (words.size() > 2 || !(weight > 0.0))
-        refuse(name, in_quotes(term) + " is no term; write a positive factor and one of " +
-                         listed(kTerms));
+        refuse_state(name, in_quotes(term) +
+                               " is no term; write a positive factor and one of " +
+                               listed(kTerms));
     if (what == "yield") {
         state.yield += weight;
     } else if (what == "peak") {
@@ -63,16 +64,17 @@ void read_term(std::string_view name, std::string_view term, fragility::UserLimi
     } else if (what == "ultimate") {
         state.ultimate += weight;
     } else {
-        refuse(name, in_quotes(what) + " is not read off curves; " + suggestion(what, kTerms));
+        refuse_state(name,
+                     in_quotes(what) + " is not read off curves; " + suggestion(what, kTerms));
     }
 }
 
 double drift_of(std::string_view name, std::string_view text)
 {
-    if (!text.ends_with('%')) refuse(name, in_quotes(text) + " is no drift in %");
+    if (!text.ends_with('%')) refuse_state(name, in_quotes(text) + " is no drift in %");
     const double percent = number_of(name, trimmed(text.substr(0, text.size() - 1)));
     if (!(percent > 0.0 && percent <= 100.0))
-        refuse(name, in_quotes(text) + " is out of range; must be in (0, 100] %");
+        refuse_state(name, in_quotes(text) + " is out of range; must be in (0, 100] %");
     return percent / 100.0;
 }
 
@@ -91,7 +93,7 @@ UserState parse_state(std::string_view text)
         rules.pop_back();
     }
     if (rules.size() > 1)
-        refuse(name, "only a drift may follow \"or\", such as \"ultimate or 1.0 %\"");
+        refuse_state(name, "only a drift may follow \"or\", such as \"ultimate or 1.0 %\"");
     if (!rules.empty())
         for (const std::string_view term : split(rules.front(), "+"))
             read_term(name, term, user.state);
@@ -145,7 +147,7 @@ std::vector<UserState> parse_user_states(std::string_view text)
         if (part.empty()) continue;
         states.push_back(parse_state(part));
         const fragility::UserLimitState& s = states.back().state;
-        if (!names.insert(s.name).second) refuse(s.name, "given twice; keep one of them");
+        if (!names.insert(s.name).second) refuse_state(s.name, "given twice; keep one of them");
         check_state(states.back());
     }
     return states;
