@@ -38,6 +38,12 @@ Table wall_table(const StudyWalls& study, const WallList& walls)
 {
     Table t = titled_table("walls", words_of(study));
     t.keys = 2;
+    const std::size_t all = all_walls(study).size();
+    if (walls.size() < all)
+        t.caption = std::to_string(walls.size()) + " of " + std::to_string(all) +
+                    " walls, those of the lowest sample numbers under each stress; drystone "
+                    "fragility writes all of them into walls.csv. " +
+                    t.caption;
     t.head = {"stress [MPa]", "sample",       "mode",
               "peak [kN]",    "at peak [mm]", {"ultimate [mm]", kCensored}};
     for (const StateName& s : study.states)

@@ -147,10 +147,10 @@ claims['tables are copied in four forms'] = () =>
             await page.until(`document.querySelector('#table-results .said').textContent === 'copied as ${form}'`);
             return page.evaluate('copied');
         };
-        assert.match(await copied('CSV'), /^stress \[MPa\],mode,walls,/);
+        assert.match(await copied('CSV'), /^stress \[MPa\],walls,failed,/);
         assert.match(await copied('Markdown'), /\| *stress \[MPa\] \|/);
         assert.match(await copied('LaTeX'), /\\begin\{table\}/);
-        assert.match(await copied('text'), /all +12 /);
+        assert.match(await copied('text'), /0\.5 +12 +0 /);
     });
 
 claims['charts of all stresses and of each can be chosen'] = () =>
@@ -173,7 +173,7 @@ claims['paper shows curves and tables and no buttons'] = () =>
         assert.equal(await page.evaluate(`getComputedStyle(document.querySelector('.controls')).display`), 'none');
         assert.notEqual(await page.evaluate(`getComputedStyle(document.querySelector('#table-results table')).display`), 'none');
         const named = await page.evaluate(`[...document.querySelectorAll('#fragility .choice button')].filter((b) => getComputedStyle(b).display !== 'none').map((b) => b.textContent)`);
-        assert.deepEqual(named, ['all']); // which stress a chart shows stays on paper
+        assert.deepEqual(named, ['paper ultimate', 'all']); // which limit state and stress a chart shows stays on paper
         const pdf = await page.pdf();
         assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
         const pages = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length;
