@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double rounded(double x) { return std::isfinite(x) ? std::stod(number(x, 6)) : kNone; }
+double six_digits(double x) { return std::isfinite(x) ? std::stod(number(x, 6)) : kNone; }
 
 /// Of all walls and joints, shown unit.
 std::vector<double> values_of(const StudyWalls& study, const StoredInput& input)
@@ -44,8 +44,8 @@ void add_density(Json& h, const StoredInput& input, double low, double high)
         const double x = low + (high - low) * i / (kPoints - 1);
         const double density = uq::pdf(*input.marginal, x / input.scale) / input.scale;
         if (!std::isfinite(density)) continue;
-        h["x"].push_back(rounded(x));
-        h["pdf"].push_back(rounded(density));
+        h["x"].push_back(six_digits(x));
+        h["pdf"].push_back(six_digits(density));
     }
 }
 
@@ -63,8 +63,8 @@ Json histogram(const StudyWalls& study, const StoredInput& input)
         density[std::min(bins - 1, static_cast<std::size_t>((v - *low) / width))] +=
             1.0 / (n * width);
     for (std::size_t i = 0; i <= bins; ++i)
-        h["edges"].push_back(rounded(*low + width * static_cast<double>(i)));
-    for (const double d : density) h["density"].push_back(rounded(d));
+        h["edges"].push_back(six_digits(*low + width * static_cast<double>(i)));
+    for (const double d : density) h["density"].push_back(six_digits(d));
     const double beyond = 0.12 * (*high - *low);
     add_density(h, input, *low - beyond, *high + beyond);
     const uq::Moments m = uq::moments(values);
@@ -80,15 +80,15 @@ Json running(const std::vector<uq::RunningMean>& means, std::size_t level,
 {
     Json r = {{"level", level}, {"key", key}};
     for (const uq::RunningMean& m : means) {
-        r["error"].push_back(rounded(100.0 * m.error));
-        r["band"].push_back(rounded(100.0 * m.band));
+        r["error"].push_back(six_digits(100.0 * m.error));
+        r["band"].push_back(six_digits(100.0 * m.band));
     }
     return r;
 }
 
 Json bar_of(const uq::Estimate& e)
 {
-    return {rounded(e.value), rounded(e.interval.lower), rounded(e.interval.upper)};
+    return {six_digits(e.value), rounded(e.interval.lower), rounded(e.interval.upper)};
 }
 
 } // namespace
