@@ -105,7 +105,7 @@ double largest(const std::vector<double>& v)
 }
 
 /// A block that a support keeps from moving sideways.
-bool is_supported(const Model& m, int block)
+bool held_sideways(const Model& m, int block)
 {
     const dem::Block& b = m.layout.blocks[block];
     const bool toe = m.wall.toe == dem::Toe::held && b.x1 == m.wall.length;
@@ -249,7 +249,7 @@ TEST_CASE("step tables: wall, beam and ground moved sideways together stretch no
         const StepTables t = dem::step_tables(m);
         const double x = 1e-3;
         std::vector<double> du =
-            stretches(m, t, {x, 0.0, 0.0, {}}, [&](int b) { return !is_supported(m, b); });
+            stretches(m, t, {x, 0.0, 0.0, {}}, [&](int b) { return !held_sideways(m, b); });
         add(t.beam, x, du);
         CHECK(largest(du) == Approx(x).epsilon(1e-12)); // the ground has not moved yet
         add(t.ground, x, du);
