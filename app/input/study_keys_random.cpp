@@ -150,6 +150,7 @@ constexpr std::array kKeys = {
         .meaning = "at which the rule gives up",
         .field = kAt<&Study::uq, &UqInput::most_samples>},
     Key{.name = "uq.pearson", .kind = Kind::text,
+        .effect = kWithRandom,
         .derived = {"none"},
         .meaning = "correlated variables: joint.friction_angle joint.stiffness_factor 0.3, ...",
         .field = kAt<&Study::uq, &UqInput::pearson>},

@@ -60,11 +60,6 @@ constexpr Condition kByFidelity{[](const Study& s) {
                                            !is_given(s, "solver.block_modes");
                                 },
                                 "solver.contact_points and solver.block_modes are given"};
-constexpr Condition kElastic{[](const Study& s) {
-                                 return s.discretisation.block_modes != 3 ||
-                                        s.discretisation.beam_modes != 3;
-                             },
-                             "blocks and beam are rigid"};
 constexpr Condition kSlowingDrive{[](const Study& s) { return s.solver.unbalance_limit > 0.0; },
                                   "solver.unbalance_limit is 0"};
 
@@ -123,7 +118,6 @@ constexpr std::array kKeys = {
         .meaning = "contact points evenly spaced, or Gauss-Lobatto",
         .field = kAt<&Study::discretisation, &Discretisation::face_rule>},
     Key{.name = "solver.zones_per_interval", .kind = Kind::count, .range = {'[', 1, 100, ']'},
-        .effect = kElastic,
         .meaning = "block zones between two contact points",
         .field = kAt<&Study::discretisation, &Discretisation::zones_per_interval>},
     Key{.name = "solver.block_modes", .kind = Kind::count, .range = kModeCount, .names = kModes,

@@ -42,11 +42,6 @@ void derive_shear_stiffness(Parameters& p, double course_height)
 
 bool rigid_blocks(const Study& s) { return s.discretisation.block_modes == 3; }
 
-bool shear_stiffness_given(const Study& s)
-{
-    return find_entry(s.source, "joint.shear_stiffness") != nullptr;
-}
-
 constexpr Condition kWithCracks{[](const Study& s) { return s.wall.cracks_in_units; },
                                 "wall.unit_cracks is no"};
 constexpr Condition kWithBaseJoint{
@@ -66,19 +61,8 @@ constexpr Condition kShiftedCourses{[](const Study& s) { return s.wall.bond_offs
 constexpr Condition kMovingFirstCourse{
     [](const Study& s) { return s.wall.base == dem::Base::joint || !rigid_blocks(s); },
     "the first course is rigid and clamped"};
-constexpr Condition kElasticStone{
-    [](const Study& s) { return !s.parameters.joint.wall_modulus.empty() || !rigid_blocks(s); },
-    "blocks are rigid and joint.normal_stiffness is given"};
-constexpr Condition kPoissonCounts{[](const Study& s) {
-                                       return !shear_stiffness_given(s) ||
-                                              s.wall.cracks_in_units || !rigid_blocks(s);
-                                   },
-                                   "blocks are rigid and joint.shear_stiffness is given"};
 constexpr Condition kWithGravity{[](const Study& s) { return s.load.gravity > 0.0; },
                                  "load.gravity is 0"};
-constexpr Condition kElasticBeam{
-    [](const Study& s) { return s.discretisation.beam_modes != 3; },
-    "the beam is rigid: solver.beam_modes is rigid"};
 constexpr Condition kTensileCracks{
     [](const Study& s) { return s.parameters.unit.tensile_strength > 0.0; },
     "unit.tensile_strength is 0"};
@@ -130,13 +114,11 @@ constexpr std::array kKeys = {
         .meaning = "toe side of the first course held sideways (paper, section 3)",
         .field = kAt<&Study::wall, &WallGeometry::toe>},
 
-    Key{.name = "stone.young_modulus", .unit = "GPa", .range = kModulus, .effect = kElasticStone,
-        .example = "15.5 GPa",
+    Key{.name = "stone.young_modulus", .unit = "GPa", .range = kModulus,        .example = "15.5 GPa",
         .varies = Varies::by_wall,
         .meaning = "E_stone of Eq. 2",
         .field = kAt<&Study::parameters, &Parameters::stone, &Elastic::young_modulus>},
-    Key{.name = "stone.poisson_ratio", .range = kPoisson, .effect = kPoissonCounts,
-        .example = "0.2",
+    Key{.name = "stone.poisson_ratio", .range = kPoisson,        .example = "0.2",
         .fixed_because = "because the walls of a study share the deformation modes of their blocks (through the "
                          "blocks, 0.1 to 0.3 moves the stiffness of the paper's wall by 0.6 % and its peak by 0.1 %)",
         .meaning = "also of k_s = k_n / (2 (1 + nu)) (paper, Table 4)",
@@ -228,12 +210,10 @@ constexpr std::array kKeys = {
     Key{.name = "beam.height", .unit = "m", .range = kHeight, .example = "0.10 m",
         .meaning = "of the loading beam on the wall",
         .field = kAt<&Study::beam, &Beam::height>},
-    Key{.name = "beam.young_modulus", .unit = "GPa", .range = kModulus, .effect = kElasticBeam,
-        .example = "30 GPa",
+    Key{.name = "beam.young_modulus", .unit = "GPa", .range = kModulus,        .example = "30 GPa",
         .meaning = "of the loading beam",
         .field = kAt<&Study::beam, &Beam::material, &Elastic::young_modulus>},
     Key{.name = "beam.poisson_ratio", .range = kPoisson,
-        .effect = kElasticBeam,
         .meaning = "of the loading beam; concrete",
         .field = kAt<&Study::beam, &Beam::material, &Elastic::poisson_ratio>},
     Key{.name = "beam.density", .unit = "kg/m3", .range = kDensity, .effect = kWithGravity,
