@@ -59,7 +59,7 @@ TEST_CASE("fragility means: a mode that does not occur is said in words, one wal
 {
     app::StudyWalls walls = scenes::study_walls(13);
     for (app::StudyWall& w : walls.levels[0].walls) w.reading.mode = dem::FailureMode::rocking;
-    walls.levels[0].walls[2].reading.mode = app::kMixed;
+    walls.levels[0].walls[2].reading.mode = dem::FailureMode::mixed;
     for (app::StudyWall& w : walls.levels[1].walls) w.reading.mode = dem::FailureMode::rocking;
     const app::Table t = app::mean_table(walls);
     CHECK(scenes::sound(t));

@@ -14,7 +14,7 @@ TEST_CASE("fragility modes: shares add up, and bounds count failed walls either 
           "[app][fragility_modes]")
 {
     app::StudyWalls walls = scenes::study_walls(8);
-    walls.levels[0].failed = 2;
+    walls.levels[0].failed_walls.resize(2);
     const app::Table t = app::mode_table(walls);
     REQUIRE(t.rows.size() == 4);
     CHECK(std::stoi(cell(t, 0, "walls with this mode")) +

@@ -76,7 +76,7 @@ TEST_CASE("fragility output: another run into the folder leaves nothing of the f
     app::StudyWalls ntc = scenes::study_walls(5), paper = ntc;
     ntc.states = {{"user", "early", "x"}, {"user", "late", "x"}};
     for (app::StudyLevel& level : ntc.levels)
-        for (app::StudyWall& w : level.walls) w.limits.assign(2, w.ultimate);
+        for (app::StudyWall& w : level.walls) w.reading.limits.assign(2, w.reading.ultimate);
     app::write_output(twice.path, app::study_output(ntc));
     CHECK(app::write_output(twice.path, app::study_output(paper)) > 0);
     app::write_output(once.path, app::study_output(paper));

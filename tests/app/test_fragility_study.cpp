@@ -80,7 +80,7 @@ TEST_CASE(
             CHECK(w.inputs[0] == Approx(row->inputs[0] * walls.inputs[0].scale));
         }
     const auto data = app::drift_data(walls);
-    CHECK(data.groups[0].walls[0].reading.limits[0]->lower ==
+    CHECK(data.groups[0].walls[0].limits[0]->lower ==
           Approx(100.0 * walls.levels[0].walls[0].reading.ultimate.displacement / 0.5)
               .epsilon(1e-14));
     CHECK(walls.inputs[0].unit == "deg");

@@ -31,7 +31,7 @@ TEST_CASE(
     "last",
     "[app][report_curves]")
 {
-    const app::WallCurve curve{{1.0, 2.0, 2.0, 4.0}, {10.0, 20.0, 12.0, 16.0}, {}};
+    const app::WallCurve curve{{1.0, 2.0, 2.0, 4.0}, {10.0, 20.0, 12.0, 16.0}};
     CHECK(app::resampled(curve, 0.5, 20) ==
           std::vector<double>{0, 5, 10, 15, 20, 13, 14, 15, 16});
     CHECK(app::resampled({}, 0.5, 20).empty());

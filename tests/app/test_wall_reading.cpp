@@ -79,7 +79,7 @@ TEST_CASE("wall reading: peak, ultimate displacement and mode follow the rules o
     CHECK(w.mode == dem::FailureMode::mixed);
     const app::WallReading never =
         app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules({"fragility.ultimate_share=0.5"}));
-    CHECK(is_censored(never.ultimate));
+    CHECK(app::is_censored(never.ultimate));
     CHECK(never.mode == dem::FailureMode::rocking);
     const app::WallReading cracked =
         app::read({kAt, kForce}, {0.9, 0.1, 1, 4},
@@ -109,7 +109,7 @@ TEST_CASE("wall reading: nothing is read off a push that turns back, or a wall t
     CHECK(w.no_reading.find("turns back") != std::string::npos);
     CHECK_FALSE(w.peak);
     REQUIRE(w.limits.size() == state_names(cyclic).size());
-    CHECK_FALSE(is_defined(w.limits.front()));
+    CHECK_FALSE(app::is_defined(w.limits.front()));
     CHECK(w.mode == dem::FailureMode::mixed); // cracked units and little rotation need no curve
     const std::vector<double> one = {0.0};
     CHECK(app::read({one, one}, {}, rules()).no_reading.find("came down") != std::string::npos);
