@@ -60,9 +60,12 @@ height = 1.3 m
 max_displacement = 2 cm
 targets = 5, -5, 10, -10 mm
 stop_below = 0
+top = link
+link_length = -2 m
 gravity = 9.80665 m/s2
 [solver]
 fidelity = simple
+kinematics = finite
 contact_points = 5
 face_rule = lobatto
 zones_per_interval = 3

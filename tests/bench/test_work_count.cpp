@@ -9,6 +9,13 @@
 
 #include <vector>
 
+/// What is counted here is the step of small displacements.
+template <>
+void dem::finite_step(const StepTables&, const SolverOptions&,
+                      const StepInput<counting::Counted>&, WallState<counting::Counted>&)
+{
+}
+
 namespace {
 
 using counting::Counted;
