@@ -204,8 +204,9 @@ TEST_CASE("summary: a wall whose numbers broke has null for every number of its 
     CHECK(j.at("no_reading") == "the numbers of this run are not finite");
     CHECK(null_keys(j) ==
           std::set<std::string>{"peak_force_kN", "displacement_at_peak_mm",
-                                "peak_is_last_point", "ultimate_displacement_mm", "mode",
-                                "stiffness_kN_per_mm", "settlement_mm", "energy_residual"});
+                                "collapse_displacement_mm", "peak_is_last_point",
+                                "ultimate_displacement_mm", "mode", "stiffness_kN_per_mm",
+                                "settlement_mm", "energy_residual"});
     CHECK(null_keys(j.at("energy")).size() == 6);
     CHECK(null_keys(j.at("mechanism")) ==
           std::set<std::string>{"rotation_share", "sliding_share"});
@@ -267,6 +268,9 @@ TEST_CASE("summary: what others read by name comes in a fixed order", "[app][sum
                                                "ultimate_displacement_mm",
                                                "ultimate_censored",
                                                "ultimate_rule",
+                                               "collapse_displacement_mm",
+                                               "collapse_censored",
+                                               "collapse_rule",
                                                "mode",
                                                "stiffness_kN_per_mm",
                                                "stiffness_rule",

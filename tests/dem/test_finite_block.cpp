@@ -166,7 +166,7 @@ TEST_CASE(
         [](const dem::CurvePoint& a, const dem::CurvePoint& b) { return a.force < b.force; });
     const Turned exact = c.at_peak();
     CHECK(peak->force == Approx(c.force(exact.th)).epsilon(3e-3));
-    // The peak is flat: within the noise of the drive (0.05 %) its place is uncertain by 10 %.
+    // The peak is flat: within the noise of the drive (0.05 %) its place is not sharp.
     for (const double th : {0.005, 0.01, 0.015})
         CHECK(force_at(r, Turned{th}.u()) == Approx(c.force(th)).epsilon(3e-3));
 }
