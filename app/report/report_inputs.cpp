@@ -88,7 +88,7 @@ Json running(const std::vector<uq::RunningMean>& means, std::size_t level,
 
 Json bar_of(const uq::Estimate& e)
 {
-    return {six_digits(e.value), rounded(e.interval.lower), rounded(e.interval.upper)};
+    return {six_digits(e.value), six_digits(e.interval.lower), six_digits(e.interval.upper)};
 }
 
 } // namespace
