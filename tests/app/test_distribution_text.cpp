@@ -66,8 +66,8 @@ TEST_CASE("distribution text: observations are a distribution", "[app][distribut
 TEST_CASE("distribution text: what is wrong is said, with what to write",
           "[app][distribution_text]")
 {
-    CHECK(complaint("normal(mean 3 MPa, cov 0.1, cov 0.2)", "MPa").find("does not have the parameters") !=
-          std::string::npos);
+    CHECK(complaint("normal(mean 3 MPa, cov 0.1, cov 0.2)", "MPa")
+              .find("does not have the parameters") != std::string::npos);
     CHECK(complaint("normal(mean 3 MPa, mean 4 MPa)", "MPa").find("given twice") !=
           std::string::npos);
     CHECK(complaint("normal(mean 3 MPa, cov -0.1)", "MPa").find("cov") != std::string::npos);
