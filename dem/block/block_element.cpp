@@ -58,9 +58,11 @@ Eigen::Index rigid_modes(const BlockSpec& spec)
     }
 }
 
-/// Translation and rotation of the pivot in each of the first modes, by least squares.
+/// Translation and rotation of the pivot in each of the first modes, by least squares. The normal equations serve: each
+/// point gives both translations, so that only the size of the block against its distance from the pivot enters.
 Eigen::MatrixXd rigid_motions(const BlockElement& e, Eigen::Index modes)
 {
+    if (modes == 0) return Eigen::MatrixXd(3, 0); // a held block; Eigen solves for at least one
     Eigen::MatrixXd field(e.phi.rows(), 3);
     for (std::size_t p = 0; p < e.points.size(); ++p) {
         const auto row = 2 * static_cast<Eigen::Index>(p);
@@ -68,7 +70,8 @@ Eigen::MatrixXd rigid_motions(const BlockElement& e, Eigen::Index modes)
         field.row(row + 1) << 0.0, 1.0, e.pivot.x - e.points[p].x;
     }
     const Eigen::MatrixXd phi = e.phi.leftCols(modes);
-    return field.colPivHouseholderQr().solve(phi);
+    const Eigen::Matrix3d normal = field.transpose() * field;
+    return normal.inverse() * (field.transpose() * phi);
 }
 
 } // namespace
