@@ -1,0 +1,60 @@
+#pragma once
+/// Reading the path of a push to and fro: its cycles, and the backbone of each direction.
+///
+/// Any consistent unit; displacements from the undeformed wall, of either sign. Between two points the path is a
+/// straight line.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fragility {
+
+/// A view of one push that may turn back.
+struct Path {
+    std::span<const double> displacement; ///< [length], finite, from 0
+    std::span<const double> force;        ///< [force], finite, one for each displacement
+};
+
+/// One cycle: it begins at zero displacement, visits one side or both, and ends where the path comes back to zero to
+/// begin the next one, or where the path ends.
+struct Cycle {
+    std::size_t begin = 0, end = 0; ///< first and last point of the path
+    bool closed = false;            ///< the path came back to zero displacement
+    double displacement_plus = 0.0,
+           displacement_minus = 0.0;            ///< extremes, >= 0 and <= 0 [length]
+    double force_plus = 0.0, force_minus = 0.0; ///< largest and smallest force, >= 0 and <= 0
+    double force_at_plus = 0.0, force_at_minus = 0.0; ///< at the extremes of displacement
+    double energy = 0.0; ///< work done in the cycle: the area of its loop [force x length]
+    /// Where the force comes back to zero after the extreme; nothing where the path does not unload.
+    std::optional<double> residual_plus, residual_minus;
+};
+
+/// @throws std::invalid_argument if the lengths differ or a value is not finite
+[[nodiscard]] std::vector<Cycle> cycles(const Path& path);
+
+/// Half the distance of both extremes.
+[[nodiscard]] double amplitude(const Cycle& cycle);
+
+/// Equivalent viscous damping: energy / (2 pi F d), with F d the mean of both sides (Jacobsen; Priestley, Calvi and
+/// Kowalsky 2007, Eq. 3.15). A cycle of one side counts as half a symmetric one. Nothing where F d is not positive.
+[[nodiscard]] std::optional<double> equivalent_damping(const Cycle& cycle);
+
+/// Slope of the line between both extremes [force / length]; nothing where the cycle has no width.
+[[nodiscard]] std::optional<double> secant_stiffness(const Cycle& cycle);
+
+/// Displacement and force of one direction, both positive in it; never decreasing displacements, from the origin.
+struct Backbone {
+    std::vector<double> displacement, force;
+};
+
+/// The parts of the path that lie farther out than all before. Cycles that repeat an amplitude add nothing; where a
+/// cycle passes the amplitude before, its force may lie below: a step.
+/// @param direction 1 or -1, else std::invalid_argument
+[[nodiscard]] Backbone backbone(const Path& path, int direction);
+
+/// Mean of the forces of both, as far as both reach.
+[[nodiscard]] Backbone mean(const Backbone& a, const Backbone& b);
+
+} // namespace fragility

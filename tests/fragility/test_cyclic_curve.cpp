@@ -1,0 +1,166 @@
+#include "fragility/cyclic_curve.hpp"
+
+#include "fragility/curve_reading.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+using namespace fragility;
+
+namespace {
+
+struct OwnedPath {
+    std::vector<double> displacement, force;
+    operator Path() const { return {displacement, force}; } // NOLINT: a view, as in scenes
+};
+
+/// A sliding joint of stiffness k and strength s, driven through the targets, with points where it begins to slide.
+OwnedPath sliding(double k, double s, const std::vector<double>& targets)
+{
+    OwnedPath p{{0.0}, {0.0}};
+    for (const double to : targets) {
+        const double from = p.displacement.back(), f = p.force.back();
+        const double way = to > from ? 1.0 : -1.0;
+        const double slides = from + (way * s - f) / k;
+        if (way * (to - slides) > 0.0) {
+            if (from * slides < 0.0) { // the zero between, as a recorder writes it
+                p.displacement.push_back(0.0);
+                p.force.push_back(f - k * from);
+            }
+            p.displacement.push_back(slides);
+            p.force.push_back(way * s);
+            p.displacement.push_back(to);
+            p.force.push_back(way * s);
+        } else {
+            p.displacement.push_back(to);
+            p.force.push_back(f + k * (to - from));
+        }
+    }
+    return p;
+}
+
+auto near(double value) { return Approx(value).epsilon(1e-12).margin(1e-12); }
+
+} // namespace
+
+TEST_CASE("cyclic curve: the loop of a sliding joint has its exact energy and damping",
+          "[fragility][cyclic]")
+{
+    const double k = 8.0, s = 2.0, d = 1.5;
+    const auto c = cycles(sliding(k, s, {d, -d, d, -d, d, -d, 0.0}));
+    REQUIRE(c.size() == 3);
+    // the second: the first begins on the virgin branch
+    CHECK(c[1].energy == near(4.0 * s * (d - s / k)));
+    CHECK(equivalent_damping(c[1]).value() ==
+          near(2.0 / std::numbers::pi * (1.0 - s / (k * d))));
+    CHECK(c[1].displacement_plus == d);
+    CHECK(c[1].displacement_minus == -d);
+    CHECK(amplitude(c[1]) == d);
+    CHECK(c[1].residual_plus.value() == near(d - s / k));
+    CHECK(c[1].residual_minus.value() == near(-d + s / k));
+    CHECK(secant_stiffness(c[1]).value() == near(s / d));
+    CHECK(c[1].closed);
+}
+
+TEST_CASE("cyclic curve: what goes back the way it came has no energy and no residual",
+          "[fragility][cyclic]")
+{
+    const OwnedPath p{{0, 1, 4, 1, 0, -1, -4, -1, 0}, {0, 3, 5, 3, 0, -3, -5, -3, 0}};
+    const auto c = cycles(p);
+    REQUIRE(c.size() == 1);
+    CHECK(c[0].energy == 0.0);
+    CHECK(c[0].residual_plus.value() == 0.0);
+    CHECK(c[0].residual_minus.value() == 0.0);
+    CHECK(equivalent_damping(c[0]).value() == 0.0);
+    CHECK(c[0].force_plus == 5.0);
+    CHECK(c[0].force_minus == -5.0);
+}
+
+TEST_CASE("cyclic curve: cycles are parted where the path comes back to zero",
+          "[fragility][cyclic]")
+{
+    SECTION("the side that came first begins each")
+    {
+        const auto c =
+            cycles(OwnedPath{{0, -1, 0, 1, 0, -2, 0, 2, 0}, {0, -1, 0, 1, 0, -2, 0, 2, 0}});
+        REQUIRE(c.size() == 2);
+        CHECK(c[0].begin == 0);
+        CHECK(c[0].end == 4);
+        CHECK(c[1].displacement_minus == -2.0);
+    }
+    SECTION("cycles of one side")
+    {
+        const auto c = cycles(OwnedPath{{0, 1, 0, 2, 0, 3}, {0, 2, 0, 3, 0, 4}});
+        REQUIRE(c.size() == 3);
+        CHECK(c[1].displacement_plus == 2.0);
+        CHECK(c[1].displacement_minus == 0.0);
+        CHECK(amplitude(c[1]) == 2.0);
+        CHECK_FALSE(c[2].closed);
+        CHECK_FALSE(c[2].residual_plus);
+    }
+    SECTION("no point at zero")
+    {
+        const auto c = cycles(OwnedPath{{0, 2, -2, 3, -3}, {0, 1, -1, 1, -1}});
+        REQUIRE(c.size() == 2);
+        CHECK(c[0].closed);
+        CHECK(c[1].begin == 2);
+        CHECK_FALSE(c[1].closed);
+    }
+    SECTION("a path that stays at zero has none")
+    {
+        CHECK(cycles(OwnedPath{{0, 0}, {0, 1}}).empty());
+    }
+}
+
+TEST_CASE("cyclic curve: the energies of all cycles are the work of the path",
+          "[fragility][cyclic]")
+{
+    const OwnedPath p = sliding(5.0, 1.0, {1, -1, 2, -2, 3, -3, 0});
+    double all = 0.0, work = 0.0;
+    for (const Cycle& c : cycles(p)) all += c.energy;
+    for (std::size_t i = 1; i < p.force.size(); ++i)
+        work +=
+            0.5 * (p.force[i] + p.force[i - 1]) * (p.displacement[i] - p.displacement[i - 1]);
+    CHECK(all == near(work));
+}
+
+TEST_CASE("cyclic curve: the backbone is what lies farther out than all before",
+          "[fragility][cyclic]")
+{
+    // +1 at 4, back, again to 1 at 3 (weaker), on to 2 at 5; the left side never beyond -1
+    const OwnedPath p{{0, 1, 0, -1, 0, 1, 2, 0}, {0, 4, 0, -6, 0, 3, 5, 0}};
+    const Backbone right = backbone(p, 1), left = backbone(p, -1);
+    CHECK(right.displacement == std::vector<double>{0, 1, 1, 2});
+    CHECK(right.force == std::vector<double>{0, 4, 3, 5});
+    CHECK(left.displacement == std::vector<double>{0, 1});
+    CHECK(left.force == std::vector<double>{0, 6});
+    CHECK_NOTHROW(check({right.displacement, right.force}));
+    CHECK(peak({right.displacement, right.force}).force == 5.0);
+}
+
+TEST_CASE("cyclic curve: the mean backbone reaches as far as both", "[fragility][cyclic]")
+{
+    const Backbone m = mean({{0, 1, 3}, {0, 4, 8}}, {{0, 2}, {0, 6}});
+    CHECK(m.displacement == std::vector<double>{0, 1, 2});
+    CHECK(m.force == std::vector<double>{0, 3.5, 6});
+}
+
+TEST_CASE("cyclic curve: a push one way is its own backbone, bit for bit",
+          "[fragility][cyclic]")
+{
+    const OwnedPath p{{0, 0.1, 0.25, 0.7}, {0.0, 3.3, 4.4, 1.1}};
+    CHECK(backbone(p, 1).displacement == p.displacement);
+    CHECK(backbone(p, 1).force == p.force);
+}
+
+TEST_CASE("cyclic curve: wrong input is refused", "[fragility][cyclic]")
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(cycles(OwnedPath{{0, 1}, {0}}), std::invalid_argument);
+    CHECK_THROWS_AS(cycles(OwnedPath{{0, nan}, {0, 1}}), std::invalid_argument);
+    CHECK_THROWS_AS(backbone(OwnedPath{{0, 1}, {0, 1}}, 0), std::invalid_argument);
+}
