@@ -76,6 +76,9 @@ double force_at(const Backbone& b, double x)
     return between(b.displacement[i - 1], b.force[i - 1], b.displacement[i], b.force[i], x);
 }
 
+/// Recorded points are means over a short way: the last of a path that ends at zero lies this share of its width off.
+constexpr double kHome = 0.005;
+
 /// A part of the path on one side of zero displacement, with the points between which it leaves and comes back.
 struct Excursion {
     int side = 0;
@@ -112,8 +115,10 @@ std::vector<Cycle> cycles(const Path& path)
         if (parts[k].side == parts.front().side && k + 1 < parts.size() &&
             parts[k + 1].side != parts[k].side)
             ++k;
-        const bool closed = k + 1 < parts.size() || path.displacement[parts[k].end] == 0.0;
-        found.push_back(cycle_between(path, begin, parts[k].end, closed));
+        found.push_back(cycle_between(path, begin, parts[k].end, k + 1 < parts.size()));
+        Cycle& c = found.back();
+        const double width = c.displacement_plus - c.displacement_minus;
+        c.closed = c.closed || std::abs(path.displacement[c.end]) <= kHome * width;
     }
     return found;
 }

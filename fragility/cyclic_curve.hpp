@@ -21,7 +21,7 @@ struct Path {
 /// begin the next one, or where the path ends.
 struct Cycle {
     std::size_t begin = 0, end = 0; ///< first and last point of the path
-    bool closed = false;            ///< the path came back to zero displacement
+    bool closed = false; ///< the path came back to zero displacement, to 0.5 % of its width
     double displacement_plus = 0.0,
            displacement_minus = 0.0;            ///< extremes, >= 0 and <= 0 [length]
     double force_plus = 0.0, force_minus = 0.0; ///< largest and smallest force, >= 0 and <= 0

@@ -7,6 +7,7 @@
 #include "app/input/study_checks.hpp"
 #include "app/input/study_keys.hpp"
 #include "dem/block/model.hpp"
+#include "fragility/cyclic_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -126,14 +127,48 @@ dem::Model model_of(const Study& study)
 
 namespace {
 
-/// True once the force is below a share of the largest so far. A push that turns back is not
-/// judged on its way back: forces of both signs count by size.
+std::vector<double> targets_of(const LoadInput& load)
+{
+    if (!load.targets.empty()) return load.targets;
+    std::vector<CyclicStage> stages = stages_of(load.protocol, load.max_displacement);
+    if (!load.amplitudes.empty()) stages.clear();
+    for (const double a : load.amplitudes) stages.push_back({a, load.repeats});
+    return stages.empty() ? std::vector{load.max_displacement} : cyclic_targets(stages);
+}
+
+/// True once the force is below a share of the largest so far, on a push that goes one way.
 std::function<bool(std::span<const dem::CurvePoint>)> stop_below(double share)
 {
     return [share](std::span<const dem::CurvePoint> curve) {
         double peak = 0.0;
         for (const dem::CurvePoint& p : curve) peak = std::max(peak, std::abs(p.force));
         return curve.size() > 1 && std::abs(curve.back().force) < share * peak;
+    };
+}
+
+/// True once the forces of a whole cycle are below a share of the largest so far, on both sides.
+std::function<bool(std::span<const dem::CurvePoint>)> stop_both_below(double share)
+{
+    return [share](std::span<const dem::CurvePoint> curve) {
+        const std::size_t n = curve.size(); // cycles end where the path passes zero
+        if (n < 2 || curve[n - 1].displacement * curve[n - 2].displacement > 0.0) return false;
+        std::vector<double> displacement, force;
+        for (const dem::CurvePoint& p : curve) {
+            displacement.push_back(p.displacement);
+            force.push_back(p.force);
+        }
+        double plus = 0.0, minus = 0.0;
+        bool weak = false;
+        for (const fragility::Cycle& c : fragility::cycles({displacement, force})) {
+            if (!c.closed) break;
+            plus = std::max(plus, c.force_plus);
+            minus = std::min(minus, c.force_minus);
+            // Half a cycle has not been to the other side yet.
+            weak =
+                (plus == 0.0 || (c.displacement_plus > 0.0 && c.force_plus < share * plus)) &&
+                (minus == 0.0 || (c.displacement_minus < 0.0 && c.force_minus > share * minus));
+        }
+        return weak;
     };
 }
 
@@ -155,14 +190,15 @@ bool turns_back(const std::vector<double>& targets)
 dem::PushPlan push_plan(const Study& study)
 {
     dem::PushPlan plan;
-    plan.targets = study.load.targets;
-    if (plan.targets.empty()) plan.targets = {study.load.max_displacement};
+    plan.targets = targets_of(study.load);
     plan.record_every = study.output.record_every;
     plan.snapshot_every = study.output.snapshot_every;
     const bool finite = study.solver.kinematics == dem::Kinematics::finite;
+    const bool to_and_fro = turns_back(plan.targets);
     if (study.load.stop_below > 0.0)
-        plan.decided = stop_below(study.load.stop_below);
-    else if (finite && !turns_back(plan.targets))
+        plan.decided = to_and_fro ? stop_both_below(study.load.stop_below)
+                                  : stop_below(study.load.stop_below);
+    else if (finite && !to_and_fro)
         plan.decided = at_zero_force;
     return plan;
 }

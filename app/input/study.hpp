@@ -2,6 +2,7 @@
 /// A study: everything one run needs, in SI, each value checked against its range and its
 /// fellows.
 
+#include "app/input/cyclic_protocol.hpp"
 #include "app/input/parameters.hpp"
 #include "app/input/study_file.hpp"
 #include "dem/block/discretisation.hpp"
@@ -33,6 +34,9 @@ struct LoadInput {
     double max_displacement = dem::PushPlan{}.targets.front(); ///< of the load line [m], > 0
     std::vector<double>
         targets; ///< displacements visited in order [m]; empty: max_displacement
+    std::vector<double> amplitudes; ///< of cycles, in order [m], > 0; empty: no cycles
+    int repeats = 1;                ///< cycles of each amplitude, >= 1
+    Protocol protocol = Protocol::none;
     double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
     /// Share of the peak that ends the push [-], in [0, 1). 0: zero force with finite displacements,
     /// never with small ones.

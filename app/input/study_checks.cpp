@@ -139,10 +139,8 @@ void check_load(const Study& study)
         }
         previous = target;
     }
-    if (study.load.stop_below > 0.0 && push_way(study).direction == 0) {
-        refuse(study, "load.stop_below",
-               "needs a push that does not turn back; remove it, or let load.targets grow");
-    }
+    if (!study.load.targets.empty() && !study.load.amplitudes.empty())
+        refuse(study, "load.amplitudes", "and load.targets exclude each other; remove one");
 }
 
 /// How the vertical load follows matters to a wall that moves.

@@ -20,6 +20,9 @@ constexpr std::array kKinematics = {named("small", dem::Kinematics::small),
 constexpr std::array kTopLoads = {
     named("dead", dem::TopLoad::dead), named("fixed_line", dem::TopLoad::fixed_line),
     named("follower", dem::TopLoad::follower), named("link", dem::TopLoad::link)};
+constexpr std::array kProtocols = {named("none", Protocol::none),
+                                   named("fema461", Protocol::fema461),
+                                   named("iso16670", Protocol::iso16670)};
 constexpr std::array kPreloads = {named("solved", dem::Preload::solved),
                                   named("ramped", dem::Preload::ramped)};
 constexpr std::array kFidelities = {
@@ -48,8 +51,11 @@ bool is_given(const Study& s, std::string_view key)
     return find_entry(s.source, key) != nullptr;
 }
 
-constexpr Condition kWithoutTargets{[](const Study& s) { return s.load.targets.empty(); },
-                                    "load.targets is given"};
+constexpr Condition kAlone{
+    [](const Study& s) { return s.load.targets.empty() && s.load.amplitudes.empty(); },
+    "load.targets or load.amplitudes is given"};
+constexpr Condition kWithAmplitudes{[](const Study& s) { return !s.load.amplitudes.empty(); },
+                                    "no load.amplitudes are given"};
 constexpr Condition kWithWeight{[](const Study& s) {
                                     return s.parameters.stone.density > 0.0 ||
                                            s.beam.material.density > 0.0;
@@ -78,13 +84,26 @@ constexpr std::array kKeys = {
         .meaning = "of the horizontal load above the floor, within the beam",
         .field = kAt<&Study::load, &LoadInput::height>},
     Key{.name = "load.max_displacement", .unit = "mm", .range = {'(', 0, 1000, ']'},
-        .effect = kWithoutTargets,
-        .meaning = "of the load line; targets replace it",
+        .effect = kAlone,
+        .meaning = "of the load line; targets and amplitudes replace it",
         .field = kAt<&Study::load, &LoadInput::max_displacement>},
     Key{.name = "load.targets", .kind = Kind::list, .unit = "mm", .range = {'[', -1000, 1000, ']'},
         .derived = {"max_displacement"},
         .meaning = "displacements visited in order; cyclic pushes change sign",
         .field = kAt<&Study::load, &LoadInput::targets>},
+    Key{.name = "load.amplitudes", .kind = Kind::list, .unit = "mm", .range = {'(', 0, 1000, ']'},
+        .derived = {"no cycles"},
+        .meaning = "of cycles, each to the right and to the left, in order; the push ends at zero",
+        .field = kAt<&Study::load, &LoadInput::amplitudes>},
+    Key{.name = "load.repeats", .kind = Kind::count, .range = {'[', 1, 10000, ']'},
+        .effect = kWithAmplitudes,
+        .meaning = "cycles of each amplitude",
+        .field = kAt<&Study::load, &LoadInput::repeats>},
+    Key{.name = "load.protocol", .kind = Kind::word, .names = kProtocols,
+        .effect = kAlone,
+        .meaning = "cycles as a standard has them, up to load.max_displacement: fema461 (ten"
+                   " amplitudes of two cycles) or iso16670 (five of one cycle, five of three)",
+        .field = kAt<&Study::load, &LoadInput::protocol>},
     Key{.name = "load.stop_below", .range = {'[', 0, 1, ')'},
         .meaning = "ends the push once the force is below this share of the peak; 0: at zero force"
                    " with finite displacements, else never",

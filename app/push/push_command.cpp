@@ -7,6 +7,7 @@
 #include "app/output/atomic_output.hpp"
 #include "app/output/capacity_csv.hpp"
 #include "app/output/cells.hpp"
+#include "app/output/cycles_csv.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/vtk_series.hpp"
@@ -96,6 +97,9 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
     if (!dem::failed(w.result.outcome)) {
         write_file(folder / "capacity.csv",
                    capacity_csv(w.displacement, w.force, w.loads.height));
+        if (push_way(study).direction == 0)
+            write_file(folder / "cycles.csv",
+                       cycles_csv(fragility::cycles({w.displacement, w.force})));
         write_file(folder / "capacity.svg", capacity_svg(study, w));
         WallPictureText text;
         text.vertical_load = stress_text(w.vertical_stress);

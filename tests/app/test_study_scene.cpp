@@ -141,6 +141,49 @@ TEST_CASE("study: stop_below ends the push once the force is below that share of
     CHECK(decided(curve));
 }
 
+TEST_CASE("study: amplitudes and protocols become displacements to visit", "[app][study]")
+{
+    const auto cycles =
+        app::push_plan(read_good({"load.amplitudes=3, 6 mm", "load.repeats=2"}));
+    REQUIRE(cycles.targets.size() == 9);
+    CHECK(cycles.targets[2] == Approx(0.003));
+    CHECK(cycles.targets[5] == Approx(-0.006));
+    CHECK(cycles.targets.back() == 0.0);
+    const app::Study fema = read_good({"load.protocol=fema461", "load.max_displacement=20 mm"});
+    CHECK(app::push_plan(fema).targets.size() == 41);
+    CHECK(app::push_way(fema).farthest == Approx(0.020));
+    CHECK(app::push_way(fema).direction == 0);
+}
+
+TEST_CASE("study: stop_below ends a push to and fro once a whole cycle is weak on both sides",
+          "[app][study]")
+{
+    const auto decided =
+        app::push_plan(read_good({"load.amplitudes=3, 6 mm", "load.stop_below=0.5"})).decided;
+    REQUIRE(decided);
+    std::vector<dem::CurvePoint> curve;
+    const auto visit = [&](double displacement, double force) {
+        curve.emplace_back();
+        curve.back().displacement = displacement;
+        curve.back().force = force;
+        return decided(curve);
+    };
+    for (const auto& [x, f] : {std::pair{0.0, 0.0},
+                               {1.0, 10.0},
+                               {0.0, 0.0},
+                               {-1.0, -10.0},
+                               {0.0, 0.0},
+                               {1.0, 4.0},
+                               {0.0, 0.0},
+                               {-1.0, -6.0},
+                               {0.0, 0.0},
+                               {1.0, 4.0},
+                               {0.0, 0.0},
+                               {-1.0, -4.0}})
+        CHECK_FALSE(visit(x, f));
+    CHECK(visit(0.0, 0.0));
+}
+
 TEST_CASE("study: loads carry the height of the load and gravity", "[app][study]")
 {
     const dem::Loads loads = app::loads(read(study_texts::kEverything), 0);

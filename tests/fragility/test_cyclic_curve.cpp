@@ -110,6 +110,11 @@ TEST_CASE("cyclic curve: cycles are parted where the path comes back to zero",
         CHECK(c[1].begin == 2);
         CHECK_FALSE(c[1].closed);
     }
+    SECTION("a path that ends beside zero has come back")
+    {
+        CHECK(cycles(OwnedPath{{0, 2, -2, -0.019}, {0, 1, -1, 0}}).back().closed);
+        CHECK_FALSE(cycles(OwnedPath{{0, 2, -2, -0.021}, {0, 1, -1, 0}}).back().closed);
+    }
     SECTION("a path that stays at zero has none")
     {
         CHECK(cycles(OwnedPath{{0, 0}, {0, 1}}).empty());

@@ -1,0 +1,53 @@
+#include "app/output/cycles_csv.hpp"
+
+#include "app/input/number_text.hpp"
+
+#include <cstddef>
+#include <optional>
+
+namespace app {
+namespace {
+
+constexpr int kDigits = 9; // as in capacity.csv
+constexpr double kMm = 1e3, kKn = 1e-3, kKnPerMm = 1e-6;
+
+std::string cell(std::optional<double> value, double scale)
+{
+    return ',' + (value ? number(*value * scale, kDigits) : std::string());
+}
+
+/// A combination of both residuals; nothing where one is missing.
+std::optional<double> combined(const fragility::Cycle& c, double minus_share)
+{
+    if (!c.residual_plus || !c.residual_minus) return std::nullopt;
+    return 0.5 * (*c.residual_plus + minus_share * *c.residual_minus);
+}
+
+} // namespace
+
+std::string cycles_csv(const std::vector<fragility::Cycle>& cycles)
+{
+    std::string table =
+        "cycle,amplitude_mm,force_plus_kN,force_minus_kN,energy_J,damping_percent,residual_"
+        "plus_mm,"
+        "residual_minus_mm,stiffness_kN_per_mm,stiffness_share,half_width_mm,shift_mm,"
+        "displacement_plus_mm,displacement_minus_mm,closed\n";
+    std::optional<double> first;
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        const fragility::Cycle& c = cycles[i];
+        const std::optional<double> stiffness = fragility::secant_stiffness(c);
+        if (!first) first = stiffness;
+        std::optional<double> share;
+        if (stiffness && *first > 0.0) share = *stiffness / *first;
+        table += std::to_string(i + 1) + cell(fragility::amplitude(c), kMm) +
+                 cell(c.force_plus, kKn) + cell(c.force_minus, kKn) + cell(c.energy, 1.0) +
+                 cell(fragility::equivalent_damping(c), 100.0) + cell(c.residual_plus, kMm) +
+                 cell(c.residual_minus, kMm) + cell(stiffness, kKnPerMm) + cell(share, 1.0) +
+                 cell(combined(c, -1.0), kMm) + cell(combined(c, 1.0), kMm) +
+                 cell(c.displacement_plus, kMm) + cell(c.displacement_minus, kMm) +
+                 (c.closed ? ",1\n" : ",0\n");
+    }
+    return table;
+}
+
+} // namespace app
