@@ -130,6 +130,10 @@ Mixture mixture_of(std::span<const ModeGroup> modes, double& n)
                                         m.fits.back().reason);
         m.shares.push_back(count(mode.limits, positive(mode.law)).n);
         n += m.shares.back();
+        if (!mode.described) {
+            m.fits.back() = Fit{};
+            m.fits.back().reason = "its law does not describe the walls";
+        }
     }
     if (!(n > 0.0)) throw std::invalid_argument("fragility curve: no walls");
     for (double& s : m.shares) s /= n;

@@ -24,6 +24,7 @@ fragility_curve(const Fit& fit, std::span<const double> drifts, double confidenc
 struct ModeGroup {
     std::vector<Observation> limits;
     Law law = Law::lognormal;
+    bool described = true; ///< by this law; false: counted like a mode without a fit
 };
 
 /// P = sum of shares times curves. Of a mode without a fit (too few of its walls, or none, reached

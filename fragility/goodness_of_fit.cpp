@@ -81,6 +81,7 @@ GoodnessOfFit goodness_of_fit(const Fit& f, std::span<const Observation> data,
     }
     g.distance = *found;
     const StoppingPoints stops(data);
+    replicates = std::min(replicates, std::max(kFewestReplicates, kMostDraws / data.size()));
     double further[3] = {1.0, 1.0, 1.0};
     for (std::size_t r = 0; r < replicates; ++r) {
         const auto sample = draw_law(f.law, stops, data.size(), bits, r);

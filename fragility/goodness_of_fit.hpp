@@ -24,6 +24,11 @@ struct Distances {
 [[nodiscard]] std::optional<Distances> distances(const Distribution& law,
                                                  std::span<const Observation> data);
 
+/// Walls drawn behind one p-value, at most: of many walls fewer samples are drawn, and not fewer than
+/// kFewestReplicates, which tell p < 0.01.
+constexpr std::size_t kMostDraws = 10'000'000;
+constexpr std::size_t kFewestReplicates = 199;
+
 /// p: share of samples of the fitted law, refitted, that lie further away. Since the parameters
 /// are fitted, tables for given parameters do not hold (Lilliefors 1967).
 struct GoodnessOfFit {

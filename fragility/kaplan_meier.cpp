@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -15,9 +14,15 @@ struct Here {
     double failed = 0.0, stopped = 0.0;
 };
 
-std::map<double, Here> tally(std::span<const Observation> data)
+struct Place {
+    double at;
+    Here here;
+};
+
+std::vector<Place> tally(std::span<const Observation> data)
 {
-    std::map<double, Here> all;
+    std::vector<Place> all;
+    all.reserve(data.size());
     for (std::size_t i = 0; i < data.size(); ++i) {
         const Observation& o = data[i];
         const Censoring kind = censoring(o, false);
@@ -25,8 +30,19 @@ std::map<double, Here> tally(std::span<const Observation> data)
             kind == Censoring::left || kind == Censoring::interval)
             throw std::invalid_argument("Kaplan-Meier: observation " + std::to_string(i + 1) +
                                         " is neither observed nor right-censored");
-        (kind == Censoring::none ? all[o.lower].failed : all[o.lower].stopped) += o.weight;
+        const bool failed = kind == Censoring::none;
+        all.push_back({o.lower, {failed ? o.weight : 0.0, failed ? 0.0 : o.weight}});
     }
+    std::ranges::stable_sort(all, {}, &Place::at);
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i].at == all[last].at) {
+            all[last].here.failed += all[i].here.failed;
+            all[last].here.stopped += all[i].here.stopped;
+        } else {
+            all[++last] = all[i];
+        }
+    all.resize(std::min(all.size(), last + 1));
     return all;
 }
 
@@ -47,7 +63,7 @@ KaplanMeier kaplan_meier(std::span<const Observation> data, double confidence)
     if (!(confidence > 0.0 && confidence < 1.0))
         throw std::invalid_argument("Kaplan-Meier: confidence must be in (0, 1), is " +
                                     std::to_string(confidence));
-    const std::map<double, Here> all = tally(data);
+    const std::vector<Place> all = tally(data);
     KaplanMeier k;
     double at_risk = 0.0;
     for (const Observation& o : data) at_risk += o.weight;

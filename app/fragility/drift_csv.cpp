@@ -16,8 +16,8 @@ namespace {
 /// Splits a text into records; what is left to check is whether they fit the head.
 class Splitter {
   public:
-    Splitter(const std::string& path, std::string_view text, char separator)
-        : path_(path), text_(text), separator_(separator)
+    Splitter(const std::string& path, std::string_view text, char separator, int first_line)
+        : path_(path), text_(text), separator_(separator), line_(first_line)
     {
     }
 
@@ -29,9 +29,10 @@ class Splitter {
             const std::size_t start = at_;
             while (cell(row)) {
             }
-            const bool blank =
-                row.cells.size() == 1 && row.cells[0].empty() && text_[start] != '"';
-            if (!blank) all.push_back(std::move(row));
+            const bool blank = std::ranges::all_of(
+                row.cells, [](const std::string& c) { return trimmed(c).empty(); });
+            const bool quoted = row.cells.size() == 1 && text_[start] == '"';
+            if (!blank || quoted) all.push_back(std::move(row));
         }
         return all;
     }
@@ -41,7 +42,15 @@ class Splitter {
     bool cell(CsvRow& row)
     {
         std::string content;
-        if (at_ < text_.size() && text_[at_] == '"') content = quoted();
+        if (at_ < text_.size() && text_[at_] == '"') {
+            content = quoted();
+            const std::string_view rest = text_.substr(at_, 2);
+            if (!rest.empty() && rest[0] != separator_ && rest[0] != '\n' && rest != "\r\n" &&
+                rest != "\r")
+                throw ConfigError(path_, line_, "",
+                                  "text behind the quote that closes a cell; write a quote "
+                                  "inside a cell as \"\"");
+        }
         while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n')
             content += text_[at_++];
         const bool more = at_ < text_.size() && text_[at_] == separator_;
@@ -72,7 +81,7 @@ class Splitter {
     std::string_view text_;
     char separator_;
     std::size_t at_ = 0;
-    int line_ = 1;
+    int line_;
 };
 
 char separator_of(std::string_view text)
@@ -109,12 +118,16 @@ void check_head(const std::string& path, const CsvRow& head)
     }
 }
 
-/// Without its unit in brackets.
-std::string_view bare(std::string_view head) { return trimmed(head.substr(0, head.find('['))); }
+/// Without its unit in brackets, [%] or (%).
+std::string_view bare(std::string_view head)
+{
+    const auto open = head.find_first_of("[(");
+    return open == 0 ? head : trimmed(head.substr(0, open));
+}
 
 std::string unit_of(std::string_view head)
 {
-    const auto open = head.find('['), close = head.find(']', open);
+    const auto open = head.find_first_of("[("), close = head.find_first_of("])", open);
     if (open == std::string_view::npos || close == std::string_view::npos) return {};
     return std::string(trimmed(head.substr(open + 1, close - open - 1)));
 }
@@ -135,11 +148,12 @@ bool read_censored(const Place& at, std::string text)
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
         return static_cast<char>(c < 128 ? std::tolower(c) : c);
     });
-    for (const char* const yes : {"1", "yes", "true", "censored"})
+    for (const char* const yes : {"1", "yes", "y", "true", "censored"})
         if (text == yes) return true;
-    for (const char* const no : {"0", "no", "false", "observed"})
+    for (const char* const no : {"0", "no", "n", "false", "observed"})
         if (text == no) return false;
-    refuse(at, in_quotes(text) + " does not say whether the value is a bound; write 1 or 0");
+    refuse(at, in_quotes(text) + " does not say whether the value is a bound; write 1, yes or "
+                                 "censored, or 0, no or observed");
 }
 
 double percent_per_unit(const std::string& unit)
@@ -153,20 +167,50 @@ double percent_per_unit(const std::string& unit)
 /// Indices of the columns asked for.
 struct Indices {
     std::vector<std::size_t> drift;
-    std::optional<std::size_t> censored, group;
+    std::vector<std::size_t> censored; ///< none, one of all drifts, or one for each
+    std::optional<std::size_t> group;
 };
+
+/// NA: not known.
+bool is_missing(std::string_view text)
+{
+    for (const char* const none : {"", "NA", "N/A", "na", "n/a", "-"})
+        if (text == none) return true;
+    return false;
+}
+
+/// "2.27", "> 2.27" or ">= 2.27" (a bound), or nothing.
+std::optional<fragility::Observation> drift_at(const std::string& path, const Csv& csv,
+                                               const CsvRow& row, std::size_t column,
+                                               bool bound)
+{
+    std::string_view text = trimmed(row.cells[column]);
+    if (is_missing(text)) return {};
+    CsvRow plain = row;
+    if (text.front() == '>') {
+        bound = true;
+        text.remove_prefix(text.starts_with(">=") ? 2 : 1);
+        plain.cells[column] = std::string(trimmed(text));
+    }
+    const double d = number_at(path, csv, plain, column);
+    if (!bound && d == 0.0)
+        refuse(
+            {path, row, csv.head[column]},
+            "is 0, where no limit state is reached; write the drift, or NA if it is not known");
+    return bound ? fragility::right_censored(d) : fragility::observed(d);
+}
 
 DriftWall read_wall(const std::string& path, const Csv& csv, const Indices& columns,
                     const CsvRow& row)
 {
     DriftWall wall;
-    bool bound = false;
-    if (columns.censored)
-        bound = read_censored({path, row, csv.head[*columns.censored]},
-                              std::string(trimmed(row.cells[*columns.censored])));
-    for (const std::size_t c : columns.drift) {
-        const double d = number_at(path, csv, row, c);
-        wall.limits.push_back(bound ? fragility::right_censored(d) : fragility::observed(d));
+    for (std::size_t i = 0; i < columns.drift.size(); ++i) {
+        bool bound = false;
+        if (!columns.censored.empty() && !is_missing(trimmed(row.cells[columns.drift[i]]))) {
+            const std::size_t c = columns.censored[columns.censored.size() == 1 ? 0 : i];
+            bound = read_censored({path, row, csv.head[c]}, std::string(trimmed(row.cells[c])));
+        }
+        wall.limits.push_back(drift_at(path, csv, row, columns.drift[i], bound));
     }
     return wall;
 }
@@ -195,6 +239,18 @@ void sort_groups(std::vector<DriftGroup>& groups)
     std::stable_sort(keyed.begin(), keyed.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = keyed[i].second;
+}
+
+/// One below the other, as many as fit on a screen.
+std::string all_of(const std::vector<std::string>& messages)
+{
+    constexpr std::size_t kShown = 20;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kShown, messages.size()); ++i)
+        text += "\n" + messages[i];
+    if (messages.size() > kShown)
+        text += "\nand " + std::to_string(messages.size() - kShown) + " more";
+    return text;
 }
 
 } // namespace
@@ -233,8 +289,15 @@ Csv parse_csv(const std::string& path, std::string_view text)
 {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     Csv csv;
-    csv.separator = separator_of(text);
-    csv.rows = Splitter(path, text, csv.separator).records();
+    int first_line = 1;
+    if (text.starts_with("sep=") && text.size() > 4) { // Excel names its separator so
+        csv.separator = text[4];
+        text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
+        first_line = 2;
+    } else {
+        csv.separator = separator_of(text);
+    }
+    csv.rows = Splitter(path, text, csv.separator, first_line).records();
     if (csv.rows.empty()) throw ConfigError(path, 0, "", "no head; name the columns in line 1");
     for (std::string& name : csv.rows.front().cells) name = std::string(trimmed(name));
     check_head(path, csv.rows.front());
@@ -248,8 +311,16 @@ Csv parse_csv(const std::string& path, std::string_view text)
     return csv;
 }
 
+void check_rows(const std::string& path, const Csv& csv)
+{
+    if (csv.rows.empty())
+        throw ConfigError(path, 0, "",
+                          "there is no row below the head; write one for each wall");
+}
+
 DriftData drift_data(const std::string& path, const Csv& csv, const DriftColumns& columns)
 {
+    check_rows(path, csv);
     Indices at;
     DriftData data;
     for (const std::string& name : columns.drift) {
@@ -261,21 +332,38 @@ DriftData drift_data(const std::string& path, const Csv& csv, const DriftColumns
         data.unit = unit;
         data.states.push_back({"", std::string(bare(head)), "column " + in_quotes(head)});
     }
-    if (!columns.censored.empty()) at.censored = find_column(path, csv, columns.censored);
+    for (const std::string& name : columns.censored)
+        at.censored.push_back(find_column(path, csv, name));
+    if (at.censored.size() > 1 && at.censored.size() != at.drift.size())
+        throw ConfigError("drystone", 0, "--censored",
+                          "given " + std::to_string(at.censored.size()) + " times for " +
+                              std::to_string(at.drift.size()) +
+                              " columns of drift; give it once, or once for each --drift");
     if (!columns.group.empty()) at.group = find_column(path, csv, columns.group);
     data.percent = percent_per_unit(data.unit);
     data.group_head = at.group ? csv.head[*at.group] : "group";
     data.source = std::filesystem::path(path).filename().string();
     data.drift = "Values as given in the table";
     std::map<std::string, std::size_t> places;
-    for (const CsvRow& row : csv.rows) {
-        DriftWall wall = read_wall(path, csv, at, row);
-        const std::string name = group_name(path, csv, at, row);
-        const auto [place, fresh] = places.emplace(name, data.groups.size());
-        if (fresh) data.groups.push_back({name, {}, {}, 0, 0});
-        data.groups[place->second].walls.push_back(std::move(wall));
-    }
-    if (data.groups.empty()) data.groups.push_back({"all", {}, {}, 0, 0});
+    std::vector<std::string> wrong; // all rows are read, so that all mistakes are named at once
+    std::size_t empty = 0;
+    for (const CsvRow& row : csv.rows) try {
+            DriftWall wall = read_wall(path, csv, at, row);
+            for (const auto& limit : wall.limits) empty += limit ? 0 : 1;
+            const std::string name = group_name(path, csv, at, row);
+            const auto [place, fresh] = places.emplace(name, data.groups.size());
+            if (fresh) data.groups.push_back({name, {}, {}, 0, 0, {}});
+            data.groups[place->second].walls.push_back(std::move(wall));
+        } catch (const ConfigError& e) {
+            wrong.emplace_back(e.what());
+        }
+    if (!wrong.empty())
+        throw ConfigError(path, 0, "",
+                          std::to_string(wrong.size()) +
+                              (wrong.size() == 1 ? " mistake:" : " mistakes:") + all_of(wrong));
+    if (empty > 0)
+        data.drift += "; " + std::to_string(empty) + (empty == 1 ? " cell" : " cells") +
+                      " without a value (empty or NA) left out";
     sort_groups(data.groups);
     return data;
 }

@@ -23,11 +23,11 @@ struct Csv {
 };
 
 /// Cells may be in double quotes, with "" for a quote and line breaks inside. Lines end in LF or
-/// CRLF; lines without any character and a byte order mark are passed over. The separator is the most
-/// frequent of comma, semicolon and tab in the head.
+/// CRLF; rows of empty cells and a byte order mark are passed over. The separator is the one that a first
+/// line "sep=;" names, or the most frequent of comma, semicolon and tab in the head.
 /// @param path only names it
 /// @throws ConfigError naming the line: no head, columns without or with equal names, too few or too
-/// many cells, a quote that is not closed
+/// many cells, a quote that is not closed, or text behind it
 [[nodiscard]] Csv parse_csv(const std::string& path, std::string_view text);
 
 /// The column of this name: "drift", or with its unit "drift [%]".
@@ -43,15 +43,20 @@ struct Csv {
 /// Columns of a table, by name: "drift" or, with its unit, "drift [%]".
 struct DriftColumns {
     std::vector<std::string> drift; ///< one or more limit states
-    std::string censored;           ///< empty: all values are observed
-    std::string group;              ///< empty: one group
+    std::vector<std::string>
+        censored;      ///< none: all values are observed; one for all, or one for each drift
+    std::string group; ///< empty: one group
 };
 
-/// Drifts >= 0; in the column of censoring 1, yes, true, censored: the wall had not reached the limit state
-/// at this drift; 0, no, false, observed: it did. With semicolons or tabs 1,5 is read as 1.5.
-/// Units: those in brackets in the head, [%], [-], [rad], [permille], [mm], ...
-/// @throws ConfigError naming row and column: no such column; an empty cell, NaN, infinite or negative
-/// value, no number
+/// @throws ConfigError without a row below the head
+void check_rows(const std::string& path, const Csv& csv);
+
+/// Drifts > 0; in the column of censoring 1, yes, y, true, censored: the wall had not reached the limit state
+/// at this drift; 0, no, n, false, observed: it did. "> 2.27" says so in the cell itself. Empty cells and NA:
+/// not known, left out and counted. With semicolons or tabs 1,5 is read as 1.5.
+/// Units: those in brackets in the head, [%], (%), [-], [rad], [permille], [mm], ...
+/// @throws ConfigError with all mistakes of the table, by row and column: no such column; a zero, infinite
+/// or negative value, no number
 [[nodiscard]] DriftData drift_data(const std::string& path, const Csv& csv,
                                    const DriftColumns& columns);
 

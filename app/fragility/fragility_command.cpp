@@ -2,6 +2,7 @@
 
 #include "app/fragility/damage_curves.hpp"
 #include "app/fragility/drift_csv.hpp"
+#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/fragility_curves.hpp"
 #include "app/fragility/fragility_inputs.hpp"
 #include "app/fragility/fragility_limits.hpp"
@@ -51,8 +52,19 @@ std::string read_file(const std::string& path)
     if (fs::is_directory(path)) throw ConfigError(path, 0, "", "is a directory; give a file");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw ConfigError(path, 0, "", "cannot be read");
-    std::string text(std::istreambuf_iterator<char>(in), {});
-    if (!is_text(text)) throw ConfigError(path, 0, "", "is no text in UTF-8");
+    constexpr std::size_t kMostBytes = std::size_t{1} << 28;
+    std::string text;
+    std::vector<char> part(std::size_t{1} << 20);
+    while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0) {
+        text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+        if (text.size() > kMostBytes)
+            throw ConfigError(path, 0, "", "is larger than 256 MiB; give a table of walls");
+    }
+    if (!is_text(text))
+        throw ConfigError(path, 0, "",
+                          "is no text in UTF-8; save it as \"CSV UTF-8\", or convert it: iconv "
+                          "-f latin1 -t utf-8 (of a table from Windows), -f utf-16 (\"Unicode "
+                          "text\")");
     return text;
 }
 
@@ -125,6 +137,7 @@ FragilityOutput output_of(const Command& command)
     if (study) return study_output(read_study_walls(command.study, command.overrides));
     const DriftOptions options = options_of(command.overrides);
     const Csv csv = parse_csv(command.study, read_file(command.study));
+    check_rows(command.study, csv);
     if (!command.intensity.empty())
         return damage_output(
             damage_counts(command.study, csv,
@@ -133,20 +146,19 @@ FragilityOutput output_of(const Command& command)
     DriftData data =
         drift_data(command.study, csv, {command.drift, command.censored, command.group});
     data.options = options;
-    return drift_output(data);
+    return drift_output(std::move(data));
 }
 
 } // namespace
 
-FragilityOutput drift_output(const DriftData& data)
+FragilityOutput drift_output(DriftData data)
 {
+    judge(data);
     FragilityOutput output;
     output.source = counts_text(data);
-    Table limits = performance_table(data), fits = fit_table(data);
-    note_rejected(fits, limits);
-    output.tables = {{"performance_limits", std::move(limits), true},
+    output.tables = {{"performance_limits", performance_table(data), true},
                      {"law_parameters", law_table(data)},
-                     {"goodness_of_fit", std::move(fits)}};
+                     {"goodness_of_fit", fit_table(data)}};
     if (Table model = stress_table(data); !model.rows.empty())
         output.tables.push_back({"stress_model", std::move(model)});
     for (NamedTable& t : curve_tables(data)) output.tables.push_back(std::move(t));

@@ -9,7 +9,7 @@
 namespace app {
 
 /// Tables, curves and pictures that need drifts alone.
-[[nodiscard]] FragilityOutput drift_output(const DriftData& data);
+[[nodiscard]] FragilityOutput drift_output(DriftData data);
 
 /// The same of a study, and what its walls tell beyond.
 [[nodiscard]] FragilityOutput study_output(const StudyWalls& walls);

@@ -1,9 +1,11 @@
 #include "app/fragility/fragility_curves.hpp"
 
+#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "fragility/fragility_curve.hpp"
 #include "fragility/kaplan_meier.hpp"
+#include "fragility/observed_quantile.hpp"
 
 #include <algorithm>
 
@@ -29,18 +31,35 @@ Number drift_cell(double drift, const std::vector<double>& drifts, double end)
     return {.value = drift, .decimals = decimals_for(drifts.back()), .known_to = end};
 }
 
-void add_fit(const DriftData& data, Row start,
-             const std::vector<fragility::Observation>& limits,
+void add_fit(const DriftData& data, std::size_t g, std::size_t state, int mode,
              const std::vector<double>& drifts, Table& t)
 {
-    const fragility::Fit fit = fragility::fit(data.options.law, limits);
-    start.emplace_back(count(static_cast<double>(limits.size())));
+    const auto limits = limits_of(data.groups[g], state, mode);
+    const JudgedFit judged = judged_fit(data, g, state, mode);
+    const fragility::Fit& fit = judged.fit;
+    Row start = {group_cell(data.groups[g]),
+                 mode < 0 ? std::string("all") : data.modes[static_cast<std::size_t>(mode)],
+                 count(static_cast<double>(limits.size()))};
     if (fit.outcome != fragility::FitOutcome::converged) {
         start.insert(start.end(), {{}, {}, {}, "No curve: " + fit.reason + "."});
         t.rows.push_back(std::move(start));
         return;
     }
     const double end = known_to(limits);
+    if (rejected(judged)) {
+        const auto shares = fragility::observed_shares(limits, drifts, data.options.confidence);
+        for (std::size_t i = 0; i < drifts.size(); ++i) {
+            const bool known = drifts[i] <= end * (1.0 + kEndsTogether);
+            t.rows.push_back(start);
+            t.rows.back().insert(
+                t.rows.back().end(),
+                {drift_cell(drifts[i], drifts, end),
+                 known ? with_interval(shares[i].share, shares[i].band, 4) : Number{},
+                 {},
+                 rejected_text(judged)});
+        }
+        return;
+    }
     for (const auto& p : fragility::fragility_curve(fit, drifts, data.options.confidence)) {
         t.rows.push_back(start);
         t.rows.back().insert(t.rows.back().end(), {drift_cell(p.drift, drifts, end),
@@ -50,10 +69,11 @@ void add_fit(const DriftData& data, Row start,
     }
 }
 
-void add_mixture(const DriftData& data, const DriftGroup& group, std::size_t state,
+void add_mixture(const DriftData& data, std::size_t g, std::size_t state,
                  const std::vector<double>& drifts, Table& t)
 {
-    const auto modes = mode_groups(data, group, state);
+    const DriftGroup& group = data.groups[g];
+    const auto modes = mode_groups(data, g, state);
     if (modes.size() < 2) return;
     double n = 0;
     for (const auto& m : modes) n += static_cast<double>(m.limits.size());
@@ -90,13 +110,15 @@ std::string state_file(const DriftState& s)
     return file_name((s.set.empty() ? "" : s.set + "_") + s.name);
 }
 
-std::vector<fragility::ModeGroup> mode_groups(const DriftData& data, const DriftGroup& group,
+std::vector<fragility::ModeGroup> mode_groups(const DriftData& data, std::size_t group,
                                               std::size_t state)
 {
     std::vector<fragility::ModeGroup> modes;
-    for (std::size_t m = 0; m < data.modes.size(); ++m) {
-        auto limits = limits_of(group, state, static_cast<int>(m));
-        if (!limits.empty()) modes.push_back({std::move(limits), data.options.law});
+    const int last = static_cast<int>(data.modes.size());
+    for (int m = last > 0 ? 0 : -1; m < last; ++m) {
+        auto limits = limits_of(data.groups[group], state, m);
+        const bool described = !rejected(judged_fit(data, group, state, m));
+        if (!limits.empty()) modes.push_back({std::move(limits), data.options.law, described});
     }
     return modes;
 }
@@ -135,11 +157,9 @@ Table curve_table(const DriftData& data, std::size_t state)
               {"note", kNote}};
     const std::vector<double> drifts = drift_grid(data, state, kTableDrifts);
     if (drifts.empty()) return t;
-    for (const DriftGroup& g : data.groups) {
-        add_fit(data, {group_cell(g), "all"}, limits_of(g, state), drifts, t);
-        for (std::size_t m = 0; m < data.modes.size(); ++m)
-            add_fit(data, {group_cell(g), data.modes[m]},
-                    limits_of(g, state, static_cast<int>(m)), drifts, t);
+    for (std::size_t g = 0; g < data.groups.size(); ++g) {
+        for (int m = -1; m < static_cast<int>(data.modes.size()); ++m)
+            add_fit(data, g, state, m, drifts, t);
         add_mixture(data, g, state, drifts, t);
     }
     return t;

@@ -21,9 +21,9 @@ namespace app {
 /// Steps without any law (Kaplan and Meier), with bands.
 [[nodiscard]] Table step_table(const DriftData& data, std::size_t state);
 
-/// Walls of one limit state by mode, without modes that do not occur.
+/// Walls of one limit state by mode, without modes that do not occur; data without modes are one.
 [[nodiscard]] std::vector<fragility::ModeGroup>
-mode_groups(const DriftData& data, const DriftGroup& group, std::size_t state);
+mode_groups(const DriftData& data, std::size_t group, std::size_t state);
 
 /// Why there is no mixture of these: values that their law does not have. Empty if there is one.
 [[nodiscard]] std::string no_mixture(const std::vector<fragility::ModeGroup>& modes);

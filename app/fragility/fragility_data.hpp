@@ -3,6 +3,8 @@
 /// computed from, whoever ran the walls.
 
 #include "app/output/table.hpp"
+#include "fragility/censored_fit.hpp"
+#include "fragility/goodness_of_fit.hpp"
 #include "fragility/law.hpp"
 #include "fragility/observation.hpp"
 
@@ -28,12 +30,19 @@ struct DriftWall {
     std::vector<std::optional<fragility::Observation>> limits;
 };
 
+/// A law fitted to limit drifts and its tests.
+struct JudgedFit {
+    fragility::Fit fit;
+    fragility::GoodnessOfFit tests;
+};
+
 struct DriftGroup {
     std::string name;             ///< "0.75 MPa"
     std::optional<double> stress; ///< [MPa]
     std::vector<DriftWall> walls; ///< that gave a result
     std::size_t failed = 0;       ///< ran and gave none
     std::size_t missing = 0;      ///< of the study, not in this file
+    std::vector<JudgedFit> fits;  ///< see app/fragility/drift_fits.hpp; empty: not judged yet
 };
 
 /// How numbers are made of the data.

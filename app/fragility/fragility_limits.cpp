@@ -1,12 +1,11 @@
 #include "app/fragility/fragility_limits.hpp"
 
+#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/table_texts.hpp"
-#include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
-#include "fragility/goodness_of_fit.hpp"
+#include "fragility/observed_quantile.hpp"
 #include "fragility/performance_limits.hpp"
 #include "fragility/stress_model.hpp"
-#include "uq/designs/stream.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,16 +23,43 @@ std::string without_fit(const fragility::PerformanceLimits& limits, const DriftG
                                : "The limit state is not defined on any curve.";
 }
 
-Row limits_row(const DriftData& data, const DriftGroup& group, std::size_t state)
+/// Shares observed in place of a law.
+void add_observed(const DriftData& data, const std::vector<Observation>& observations, Row& row)
 {
+    const auto quantiles = fragility::observed_quantiles(observations, fragility::kLimitShares,
+                                                         data.options.confidence);
+    for (const auto& q : quantiles) {
+        const int d = decimals_for(q.value.value_or(q.interval.lower));
+        if (q.value)
+            row.emplace_back(with_interval(*q.value, q.interval, d));
+        else if (q.interval.lower > 0.0)
+            row.emplace_back(
+                Number{.lower = q.interval.lower, .decimals = d, .sense = Sense::at_least});
+        else
+            row.emplace_back();
+    }
+}
+
+Row limits_row(const DriftData& data, std::size_t g, std::size_t state)
+{
+    const DriftGroup& group = data.groups[g];
     const auto observations = limits_of(group, state);
     const auto limits =
         fragility::performance_limits(data.options.law, observations, data.options.confidence);
+    const JudgedFit law = judged_fit(data, g, state);
     const double end = known_to(observations);
     const bool any = limits.n > 0.0;
-    Row row = {group_cell(group), state_name(data.states[state]), count(limits.n),
+    Row row = {group_cell(group),
+               state_name(data.states[state]),
+               count(limits.n),
                any ? plain_number(100.0 * limits.censored_share, 0) : Number{},
-               any ? plain_number(end, decimals_for(end)) : Number{}};
+               any ? plain_number(end, decimals_for(end)) : Number{},
+               limits.fitted ? Cell(describes(law) ? "law" : "observed") : Cell()};
+    if (limits.fitted && !describes(law)) {
+        add_observed(data, observations, row);
+        row.insert(row.end(), {{}, {}, {}, rejected_text(law)});
+        return row;
+    }
     if (!limits.fitted) {
         const int d = decimals_for(limits.bound.median_above);
         row.insert(row.end(), {{},
@@ -57,39 +83,28 @@ Row limits_row(const DriftData& data, const DriftGroup& group, std::size_t state
     return row;
 }
 
-/// The same for all limit states of a group: equal drifts have equal p-values.
-fragility::RandomBits bits_of(const DriftOptions& options, std::size_t group)
-{
-    const std::uint64_t seed = uq::replicate_seed(options.seed, group);
-    return [seed](std::uint64_t replicate, std::uint64_t draw) {
-        return uq::bits(seed, replicate, uq::Purpose::bootstrap, draw);
-    };
-}
-
 Row fit_row(const DriftData& data, std::size_t g, std::size_t state)
 {
-    const auto observations = limits_of(data.groups[g], state);
-    Row row = {group_cell(data.groups[g]), state_name(data.states[state]),
-               count(static_cast<double>(observations.size()))};
-    const fragility::Fit fit = fragility::fit(data.options.law, observations);
+    const DriftGroup& group = data.groups[g];
+    Row row = {group_cell(group), state_name(data.states[state]),
+               count(static_cast<double>(limits_of(group, state).size()))};
+    const JudgedFit f = judged_fit(data, g, state);
     std::string note;
-    if (fit.outcome != fragility::FitOutcome::converged) {
-        note = "No fit: " + fit.reason + ".";
+    if (f.fit.outcome != fragility::FitOutcome::converged) {
+        note = "No fit: " + f.fit.reason + ".";
+    } else if (f.tests.available) {
+        const auto& d = f.tests.distance;
+        for (const double x :
+             {d.kolmogorov_smirnov, f.tests.p_kolmogorov_smirnov, d.cramer_von_mises,
+              f.tests.p_cramer_von_mises, d.anderson_darling, f.tests.p_anderson_darling})
+            row.emplace_back(plain_number(x, 3));
+        row.emplace_back(count(static_cast<double>(f.tests.replicates)));
+        row.emplace_back(rejected(f) ? rejected_text(f) : std::string());
+        return row;
     } else if (data.options.bootstrap > 0) {
-        const auto good = fragility::goodness_of_fit(
-            fit, observations, bits_of(data.options, g), data.options.bootstrap);
-        if (good.available) {
-            const auto& d = good.distance;
-            for (const double x :
-                 {d.kolmogorov_smirnov, good.p_kolmogorov_smirnov, d.cramer_von_mises,
-                  good.p_cramer_von_mises, d.anderson_darling, good.p_anderson_darling})
-                row.emplace_back(plain_number(x, 3));
-            row.emplace_back();
-            return row;
-        }
-        note = "No test: " + good.reason + ".";
+        note = "No test: " + f.tests.reason + ".";
     }
-    row.insert(row.end(), {{}, {}, {}, {}, {}, {}, note});
+    row.insert(row.end(), {{}, {}, {}, {}, {}, {}, {}, note});
     return row;
 }
 
@@ -122,8 +137,35 @@ double known_near(const DriftData& data, std::size_t state, double stress)
     return end;
 }
 
+/// "0.4 MPa and 0.6 MPa": whose lognormal law the tests reject.
+std::string rejected_stresses(const DriftData& data, std::size_t state)
+{
+    std::string text;
+    for (std::size_t g = 0; g < data.groups.size(); ++g) {
+        const auto limits = limits_of(data.groups[g], state);
+        const bool lognormal = data.options.law == fragility::Law::lognormal;
+        if (rejected(lognormal ? judged_fit(data, g, state)
+                               : judged(data.options, fragility::Law::lognormal, limits, g)))
+            text += (text.empty() ? "" : " and ") + data.groups[g].name;
+    }
+    return text;
+}
+
 void add_model(const DriftData& data, std::size_t state, Table& t)
 {
+    if (const std::string who = rejected_stresses(data, state); !who.empty()) {
+        t.rows.push_back(
+            {state_name(data.states[state]),
+             {},
+             {},
+             {},
+             {},
+             {},
+             {},
+             {},
+             "No model: the goodness-of-fit tests reject the lognormal law at " + who + "."});
+        return;
+    }
     std::vector<fragility::StressedObservation> observations;
     for (const DriftGroup& g : data.groups)
         for (const Observation& o : limits_of(g, state)) observations.push_back({*g.stress, o});
@@ -160,8 +202,12 @@ Table performance_table(const DriftData& data)
 {
     Table t = titled_table("performance_limits", words_of(data));
     t.keys = 2;
-    t.head = {data.group_head, "limit state", "n", "censored [%]",
-              drift_head(data, "tested up to")};
+    t.head = {data.group_head,
+              "limit state",
+              "n",
+              "censored [%]",
+              drift_head(data, "tested up to"),
+              {"drifts from", kProgramsOnly}};
     for (const char* const share :
          {"5 % drift", "16 % drift", "median drift", "84 % drift", "95 % drift"})
         t.head.emplace_back(drift_head(data, share), kInterval | kExtrapolated);
@@ -169,9 +215,9 @@ Table performance_table(const DriftData& data)
                                  {"std error of ln median", kProgramsOnly},
                                  {"total dispersion", kProgramsOnly},
                                  {"note", kNote}});
-    for (const DriftGroup& group : data.groups)
+    for (std::size_t g = 0; g < data.groups.size(); ++g)
         for (std::size_t s = 0; s < data.states.size(); ++s)
-            t.rows.push_back(limits_row(data, group, s));
+            t.rows.push_back(limits_row(data, g, s));
     return t;
 }
 
@@ -179,28 +225,21 @@ Table fit_table(const DriftData& data)
 {
     Table t = titled_table("goodness_of_fit", words_of(data));
     t.keys = 2;
-    t.head = {data.group_head, "limit state",  "n", "D", "p of D", "W2", "p of W2", "A2",
-              "p of A2",       {"note", kNote}};
+    t.head = {data.group_head,
+              "limit state",
+              "n",
+              "D",
+              "p of D",
+              "W2",
+              "p of W2",
+              "A2",
+              "p of A2",
+              {"samples", kProgramsOnly},
+              {"note", kNote}};
     for (std::size_t g = 0; g < data.groups.size(); ++g)
         for (std::size_t s = 0; s < data.states.size(); ++s)
             t.rows.push_back(fit_row(data, g, s));
     return t;
-}
-
-void note_rejected(const Table& fits, Table& limits)
-{
-    constexpr double kRejected = 0.01;
-    for (std::size_t r = 0; r < fits.rows.size(); ++r) {
-        double least = 1.0;
-        for (std::size_t c = 0; c < fits.head.size(); ++c)
-            if (const auto* const p = std::get_if<Number>(&fits.rows[r][c]);
-                p && fits.head[c].name.starts_with("p of ") && p->value < least)
-                least = p->value;
-        if (least < kRejected)
-            limits.rows[r].back() =
-                "The goodness-of-fit tests reject the law (p = " + number(least, 2) +
-                "): its drifts do not describe these walls.";
-    }
 }
 
 Table stress_table(const DriftData& data)

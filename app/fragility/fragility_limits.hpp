@@ -9,7 +9,8 @@
 
 namespace app {
 
-/// 5, 16, 50, 84, 95 % drifts per group and limit state; without a fit a bound of the median and a note.
+/// 5, 16, 50, 84, 95 % drifts per group and limit state: of the law, or where the tests reject it of the
+/// shares observed; without a fit a bound of the median and a note.
 [[nodiscard]] Table performance_table(const DriftData& data);
 
 /// The own parameters of four laws with standard errors (ln median and dispersion, mean and standard
@@ -19,18 +20,14 @@ namespace app {
 /// Kolmogorov-Smirnov, Cramer-von Mises and Anderson-Darling distances of the law chosen, with p-values.
 [[nodiscard]] Table fit_table(const DriftData& data);
 
-/// Adds a note to each row of performance limits whose law the tests of goodness of fit reject.
-/// @param fits fit_table of the same data
-void note_rejected(const Table& fits, Table& limits);
-
 /// Median and dispersion of lognormal limit drifts as functions of the vertical stress, at the levels
-/// and half-way between them. Without stresses: no rows.
+/// and half-way between them; a note where the tests reject the law at one of them. Without stresses: no rows.
 [[nodiscard]] Table stress_table(const DriftData& data);
 
 /// One component per group, one limit state column group per limit state of one set, in the order of
 /// their medians (of the set, where one is missing): ID, Incomplete, Demand-Type, Demand-Unit, Demand-Offset, Demand-Directional,
 /// LS1-Family, LS1-Theta_0 (median [rad]), LS1-Theta_1 (dispersion), LS1-DamageStateWeights, ...
-/// Incomplete = 1 where a limit state has no fit, whose parameters are empty, or drifts no known unit.
+/// Incomplete = 1 where no lognormal law describes a limit state, whose parameters are empty, or drifts have no known unit.
 /// No two rows have one ID. Notes (pelicun passes them over): the group, and the drift up to which walls
 /// were tested, beyond which the law is extrapolated.
 [[nodiscard]] std::string pelicun_csv(const DriftData& data);

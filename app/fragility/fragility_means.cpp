@@ -1,11 +1,14 @@
 #include "app/fragility/fragility_means.hpp"
 
+#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "fragility/binomial.hpp"
+#include "fragility/observed_quantile.hpp"
 #include "fragility/performance_limits.hpp"
 #include "uq/estimates/estimate.hpp"
 
+#include <array>
 #include <numeric>
 
 namespace app {
@@ -66,12 +69,21 @@ Displacements displacements(const std::vector<const StudyWall*>& walls)
 }
 
 /// Median of observed and censored displacements together.
-Number median_cell(const StudyWalls& walls, const Displacements& d)
+Number median_cell(const StudyWalls& walls, const StudyLevel& level, const Displacements& d)
 {
     if (d.all.empty()) return {};
     const FragilityInput& f = walls.study.fragility;
     const auto limits = fragility::performance_limits(f.law, d.all, f.confidence);
     if (!limits.fitted) return median_bound(limits.bound, 1);
+    const DriftOptions options{f.law, f.confidence, static_cast<std::size_t>(f.bootstrap),
+                               walls.study.uq.seed};
+    const auto group = static_cast<std::size_t>(&level - walls.levels.data());
+    if (rejected(judged(options, f.law, d.all, group))) {
+        const std::array half = {0.5};
+        const auto median = fragility::observed_quantiles(d.all, half, f.confidence).front();
+        if (!median.value) return median_bound(limits.bound, 1);
+        return with_interval(*median.value, median.interval, 1);
+    }
     return with_interval(limits.drifts[2].drift, limits.drifts[2].interval, 1, known_to(d.all));
 }
 
@@ -110,7 +122,7 @@ Row mean_row(const StudyWalls& walls, const StudyLevel& level, int mode, std::si
                            count(static_cast<double>(d.observed.size())),
                            ended_cell(d.censored),
                            count(static_cast<double>(d.censored.size())),
-                           median_cell(walls, d),
+                           median_cell(walls, level, d),
                            {}});
     return row;
 }

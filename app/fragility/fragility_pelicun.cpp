@@ -1,10 +1,10 @@
 #include "app/fragility/fragility_limits.hpp"
 
+#include "app/fragility/drift_fits.hpp"
 #include "app/input/number_text.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/unique_names.hpp"
 #include "app/study/fragility_text.hpp"
-#include "fragility/censored_fit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,15 +22,20 @@ struct Parameters {
 };
 
 /// A lognormal fit of a limit state [rad]; nothing without.
-std::optional<Parameters> parameters(const DriftData& data, const DriftGroup& group,
-                                     std::size_t state)
+std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::size_t state,
+                                     std::string& rejection)
 {
     if (!(data.percent > 0.0)) return {};
-    const auto limits = limits_of(group, state);
-    const auto fit = fragility::fit(fragility::Law::lognormal, limits);
-    if (fit.outcome != fragility::FitOutcome::converged) return {};
+    const auto limits = limits_of(data.groups[g], state);
+    const JudgedFit f = data.options.law == fragility::Law::lognormal
+                            ? judged_fit(data, g, state)
+                            : judged(data.options, fragility::Law::lognormal, limits, g);
+    if (rejected(f))
+        rejection += "; " + state_name(data.states[state]) +
+                     ": the tests reject the lognormal law (p = " + number(least_p(f), 2) + ")";
+    if (!describes(f)) return {};
     const double radians = data.percent / 100.0;
-    return Parameters{std::exp(fit.law.location) * radians, fit.law.dispersion,
+    return Parameters{std::exp(f.fit.law.location) * radians, f.fit.law.dispersion,
                       known_to(limits) * radians};
 }
 
@@ -72,11 +77,12 @@ std::string notes(const DriftGroup& group, const std::vector<std::optional<Param
 }
 
 /// Limit states of one set in one row, or in several where it has more than fit in one.
-std::string line(const DriftData& data, const DriftGroup& group, const std::string& id,
+std::string line(const DriftData& data, std::size_t group, const std::string& id,
                  const std::vector<std::size_t>& states)
 {
     std::vector<std::optional<Parameters>> found;
-    for (const std::size_t s : states) found.push_back(parameters(data, group, s));
+    std::string rejection;
+    for (const std::size_t s : states) found.push_back(parameters(data, group, s, rejection));
     const bool whole = std::all_of(found.begin(), found.end(), [](auto& p) { return p; });
     if (whole)
         std::stable_sort(found.begin(), found.end(),
@@ -92,7 +98,7 @@ std::string line(const DriftData& data, const DriftGroup& group, const std::stri
             text += ",lognormal,,,";
         }
     }
-    return text + "," + csv_cell(notes(group, found)) + "\n";
+    return text + "," + csv_cell(notes(data.groups[group], found) + rejection) + "\n";
 }
 
 } // namespace
@@ -102,18 +108,18 @@ std::string pelicun_csv(const DriftData& data)
     std::string text = head_line();
     UniqueNames ids;
     for (const std::string& set : sets_of(data))
-        for (const DriftGroup& group : data.groups) {
+        for (std::size_t g = 0; g < data.groups.size(); ++g) {
             std::vector<std::size_t> states;
             for (std::size_t s = 0; s < data.states.size(); ++s)
                 if (data.states[s].set == set) states.push_back(s);
             std::size_t part = 0;
             while (!states.empty()) {
                 const std::size_t n = std::min(kMostStates, states.size());
-                std::string id =
-                    "DRYSTONE." + (set.empty() ? "" : id_part(set) + ".") + id_part(group.name);
+                std::string id = "DRYSTONE." + (set.empty() ? "" : id_part(set) + ".") +
+                                 id_part(data.groups[g].name);
                 if (states.size() > kMostStates || part > 0)
                     id += ".part" + std::to_string(++part);
-                text += line(data, group, ids.add(id),
+                text += line(data, g, ids.add(id),
                              {states.begin(), states.begin() + static_cast<std::ptrdiff_t>(n)});
                 states.erase(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(n));
             }

@@ -1,5 +1,6 @@
 #include "app/fragility/fragility_curves.hpp"
 
+#include "app/fragility/drift_fits.hpp"
 #include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
@@ -60,14 +61,12 @@ std::vector<Series> parted(const Series& line, double end)
     return parts;
 }
 
-/// Fitted curve from zero on; empty without a fit.
-Series fitted(const DriftData& data, const std::vector<Observation>& limits,
-              const std::vector<double>& drifts)
+/// Fitted curve from zero on; empty where no law describes the walls.
+Series fitted(const DriftData& data, const JudgedFit& law, const std::vector<double>& drifts)
 {
     Series s;
-    const auto fit = fragility::fit(data.options.law, limits);
-    if (fit.outcome != fragility::FitOutcome::converged) return s;
-    for (const auto& p : fragility::fragility_curve(fit, drifts, data.options.confidence)) {
+    if (!describes(law)) return s;
+    for (const auto& p : fragility::fragility_curve(law.fit, drifts, data.options.confidence)) {
         s.x.push_back(p.drift);
         s.y.push_back(p.probability);
     }
@@ -90,14 +89,15 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
     Chart c = empty_chart(data, short_title(data.states[state]));
     for (std::size_t g = 0; g < data.groups.size(); ++g) {
         const auto limits = limits_of(data.groups[g], state);
-        Series line = fitted(data, limits, drifts);
+        Series line = fitted(data, judged_fit(data, g, state), drifts);
         const bool found = !line.x.empty();
         line.name = data.groups[g].name;
         line.colour = colour(g);
         if (found)
             for (const Series& part : parted(line, known_to(limits))) c.series.push_back(part);
         if (!limits.empty())
-            c.series.push_back(steps(limits, found ? "" : line.name + " (no fit)", colour(g)));
+            c.series.push_back(
+                steps(limits, found ? "" : line.name + " (observed)", colour(g)));
     }
     const std::string file = "curve_" + state_file(data.states[state]);
     return {file,
@@ -137,13 +137,12 @@ NamedPicture one_group(const DriftData& data, std::size_t state, std::size_t g,
 {
     const DriftGroup& group = data.groups[g];
     Chart c = empty_chart(data, group.name + ", " + short_title(data.states[state]));
-    auto modes = mode_groups(data, group, state);
+    const auto modes = mode_groups(data, g, state);
     const auto all = limits_of(group, state);
-    if (data.modes.empty() && !all.empty()) modes = {{all, data.options.law}};
     if (no_mixture(modes).empty()) add_mixture(data, modes, drifts, c);
     for (std::size_t m = 0; m < data.modes.size(); ++m) {
         const auto limits = limits_of(group, state, static_cast<int>(m));
-        Series line = fitted(data, limits, drifts);
+        Series line = fitted(data, judged_fit(data, g, state, static_cast<int>(m)), drifts);
         if (line.x.empty()) continue;
         line.name = data.modes[m] + " walls alone";
         line.colour = colour(m + 1);

@@ -1,5 +1,7 @@
+#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/fragility_limits.hpp"
 #include "app/fragility/table_texts.hpp"
+#include "app/input/number_text.hpp"
 #include "app/output/cells.hpp"
 #include "fragility/censored_fit.hpp"
 
@@ -64,24 +66,25 @@ Cell value_of(const Parameter& p)
     return with_error(p.value, p.std_error, std::max(0, decimals_for(p.std_error) - 1));
 }
 
-Row law_row(const DriftGroup& group, const DriftState& state, Law law,
-            const std::vector<fragility::Observation>& observations)
+Row law_row(const DriftData& data, std::size_t g, std::size_t s, Law law)
 {
+    const auto observations = limits_of(data.groups[g], s);
     const fragility::Fit fit = fragility::fit(law, observations);
-    Row row = {group_cell(group), state_name(state), std::string(name(law)),
+    Row row = {group_cell(data.groups[g]), state_name(data.states[s]), std::string(name(law)),
                count(static_cast<double>(observations.size()))};
     if (fit.outcome != fragility::FitOutcome::converged) {
         row.insert(row.end(), {{}, {}, {}, {}, {}, {}, "No fit: " + fit.reason + "."});
         return row;
     }
+    const JudgedFit chosen = judged_fit(data, g, s);
+    const bool refused = law == data.options.law && rejected(chosen);
     const LawParameters p = parameters_of(fit);
-    row.insert(row.end(), {std::string(p.first.name),
-                           value_of(p.first),
-                           std::string(p.second.name),
-                           value_of(p.second),
-                           plain_number(p.correlation, 2),
-                           plain_number(fit.aic, 1),
-                           {}});
+    row.insert(row.end(),
+               {std::string(p.first.name), value_of(p.first), std::string(p.second.name),
+                value_of(p.second), plain_number(p.correlation, 2), plain_number(fit.aic, 1),
+                refused ? "The goodness-of-fit tests reject this law (p = " +
+                              number(least_p(chosen), 2) + ")."
+                        : std::string()});
     return row;
 }
 
@@ -102,12 +105,9 @@ Table law_table(const DriftData& data)
               "correlation",
               "AIC",
               {"note", kNote}};
-    for (const DriftGroup& group : data.groups)
-        for (std::size_t s = 0; s < data.states.size(); ++s) {
-            const auto observations = limits_of(group, s);
-            for (const Law law : kLaws)
-                t.rows.push_back(law_row(group, data.states[s], law, observations));
-        }
+    for (std::size_t g = 0; g < data.groups.size(); ++g)
+        for (std::size_t s = 0; s < data.states.size(); ++s)
+            for (const Law law : kLaws) t.rows.push_back(law_row(data, g, s, law));
     return t;
 }
 

@@ -26,15 +26,16 @@ struct Command {
     std::optional<int> sample;          ///< one wall of a study, >= 0
     std::string level; ///< the vertical stress as written; empty: the study has only one
     Shard shard;
-    std::string script;               ///< a job array is written to this file, nothing is run
-    bool rerun_failed = false;        ///< failed walls are run again
-    bool report = false;              ///< tables and page follow the study
-    bool partial = false;             ///< shards are merged although walls are missing
-    std::vector<std::string> drift;   ///< columns of a table
-    std::string censored, group;      ///< columns of a table; empty: none
-    std::string intensity, of, state; ///< columns of a table of counts; empty: none
-    std::vector<std::string> failed;  ///< columns of a table of counts
-    std::optional<int> walls;         ///< number of walls that a page shows, >= 0
+    std::string script;                ///< a job array is written to this file, nothing is run
+    bool rerun_failed = false;         ///< failed walls are run again
+    bool report = false;               ///< tables and page follow the study
+    bool partial = false;              ///< shards are merged although walls are missing
+    std::vector<std::string> drift;    ///< columns of a table
+    std::vector<std::string> censored; ///< of a table: for all drifts, or one for each
+    std::string group;                 ///< column of a table; empty: none
+    std::string intensity, of, state;  ///< columns of a table of counts; empty: none
+    std::vector<std::string> failed;   ///< columns of a table of counts
+    std::optional<int> walls;          ///< number of walls that a page shows, >= 0
 };
 
 } // namespace app

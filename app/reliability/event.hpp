@@ -23,6 +23,7 @@ struct ReliabilityProblem {
     int budget = 1000;       ///< evaluations at most
     double target_cov = 0.1; ///< of the probability [-]; not used by form, multi_fidelity
     std::uint64_t seed = 1;
+    bool rough = false; ///< answers scatter by some tenths of a percent, as those of walls do
 };
 
 /// From a study of walls: one level, the study's only one or --level.

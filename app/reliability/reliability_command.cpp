@@ -149,7 +149,12 @@ void write_table(const fs::path& out, const std::string& name, const Table& tabl
 ReliabilityProblem problem_of(const Command& command)
 {
     const StudyFile file = with_overrides(read_study_file(command.study), command.overrides);
-    if (is_program_study(file)) return program_event(read_program_study(file), command.threads);
+    if (is_program_study(file)) {
+        const Study study = read_program_study(file);
+        ReliabilityProblem problem = program_event(study, command.threads);
+        say_effects(study, command);
+        return problem;
+    }
     const Study study = read_study(file);
     ReliabilityProblem problem = wall_problem(study, command);
     say_effects(study, command);

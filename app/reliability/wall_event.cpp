@@ -112,6 +112,7 @@ ReliabilityProblem wall_problem(const Study& given, const Command& command)
     p.budget = study.reliability.budget;
     p.target_cov = study.reliability.target_cov;
     p.seed = study.uq.seed;
+    p.rough = true;
     if (const std::string why = too_small(p.method, p.budget, p.event.dimension); !why.empty())
         throw error_at(study.source, "reliability.budget", why);
     if (p.method == ReliabilityMethod::sobol && !study.uq.pearson.empty())

@@ -1,6 +1,7 @@
 #include "app/report/report_data.hpp"
 
 #include "app/fragility/fragility_inputs.hpp"
+#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/fragility_limits.hpp"
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"
@@ -136,7 +137,8 @@ Json overview_json(const StudyWalls& study)
 
 Json report_data(const StudyWalls& study, const WallList& listed)
 {
-    const DriftData data = drift_data(study);
+    DriftData data = drift_data(study);
+    judge(data);
     return {{"name", study.name},
             {"overview", overview_json(study)},
             {"levels", levels_json(study)},

@@ -45,7 +45,7 @@ Json curve_json(const DriftData& data, std::size_t state, std::size_t level,
                 const std::vector<double>& drifts)
 {
     const DriftGroup& group = data.groups[level];
-    const auto modes = mode_groups(data, group, state);
+    const auto modes = mode_groups(data, level, state);
     Json c = {{"level", level}, {"drift", Json::array()}, {"fitted", false}};
     for (const double d : drifts) c["drift"].push_back(rounded(d));
     if (no_mixture(modes).empty()) add_mixture(modes, drifts, data.options.confidence, c);

@@ -2,6 +2,7 @@
 
 #include "dem/block/block_modes.hpp"
 #include "dem/block/condensation.hpp"
+#include "dem/block/sparse_modes.hpp"
 
 #include <cassert>
 #include <cmath>
@@ -76,8 +77,49 @@ Eigen::MatrixXd rigid_motions(const BlockElement& e, Eigen::Index modes)
 
 } // namespace
 
+namespace {
+
+/// @param load modal load of given loads on the nodes
+template <class Load>
+void add_loads(const BlockSpec& spec, const ZoneGrid& grid, const Load& load, BlockElement& e)
+{
+    e.pivot = pivot_of(spec);
+    e.rigid = rigid_motions(e, rigid_modes(spec));
+    e.weight = -load(body_force(grid, spec.thickness, 1));
+    e.sway = load(body_force(grid, spec.thickness, 0));
+    e.top_load = load(top_pressure(grid, spec.thickness));
+}
+
+BlockElement element_of_many_points(const BlockSpec& spec)
+{
+    const SparseBlock block = sparse_block(spec);
+    const SparseModes modes = sparse_modes(spec, block);
+    BlockElement e;
+    e.points = block.points;
+    e.phi = modes.phi;
+    e.lambda = modes.lambda;
+    add_loads(
+        spec, block.grid,
+        [&](const Eigen::VectorXd& f) -> Eigen::VectorXd {
+            return modes.nodes.transpose() * f;
+        },
+        e);
+    const int nx = static_cast<int>(block.grid.x.size());
+    const std::vector<int> outline = outline_nodes(block.grid, block.points);
+    e.outline_phi.resize(2 * static_cast<Eigen::Index>(outline.size()), e.phi.cols());
+    for (std::size_t o = 0; o < outline.size(); ++o) {
+        e.outline.push_back({block.grid.x[outline[o] % nx], block.grid.z[outline[o] / nx]});
+        e.outline_phi.middleRows(2 * static_cast<Eigen::Index>(o), 2) =
+            modes.nodes.middleRows(2 * outline[o], 2);
+    }
+    return e;
+}
+
+} // namespace
+
 BlockElement block_element(const BlockSpec& spec)
 {
+    if (has_many_points(spec)) return element_of_many_points(spec);
     const Condensed c = condense(spec);
     const BlockModes modes = block_modes(spec, c);
 
@@ -85,11 +127,8 @@ BlockElement block_element(const BlockSpec& spec)
     e.points = c.points;
     e.phi = modes.phi;
     e.lambda = modes.lambda;
-    e.pivot = pivot_of(spec);
-    e.rigid = rigid_motions(e, rigid_modes(spec));
-    e.weight = -modal_load(c, e.phi, body_force(c.grid, spec.thickness, 1));
-    e.sway = modal_load(c, e.phi, body_force(c.grid, spec.thickness, 0));
-    e.top_load = modal_load(c, e.phi, top_pressure(c.grid, spec.thickness));
+    add_loads(
+        spec, c.grid, [&](const Eigen::VectorXd& f) { return modal_load(c, e.phi, f); }, e);
     e.outline = c.outline;
     e.outline_phi = c.outline_from_points * e.phi;
     return e;

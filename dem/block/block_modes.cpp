@@ -156,11 +156,10 @@ BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const Ma
     return full;
 }
 
-} // namespace
-
-MatrixXd contact_metric(const BlockSpec& spec, const Condensed& con)
+/// Of the contacts of a block with these points; entries (row, column, value) of 2 x 2 blocks.
+template <class Add>
+void each_contact(const BlockSpec& spec, const std::vector<Point>& points, Add add)
 {
-    MatrixXd c = MatrixXd::Zero(con.stiffness.rows(), con.stiffness.cols());
     for (const BlockEdge& e : spec.edges) {
         const double dx = e.to.x - e.from.x, dz = e.to.z - e.from.z,
                      length = std::hypot(dx, dz);
@@ -169,14 +168,48 @@ MatrixXd contact_metric(const BlockSpec& spec, const Condensed& con)
         for (std::size_t i = 0; i < e.points.position.size(); ++i) {
             const double s = e.points.position[i];
             const Point at{e.from.x + s * dx, e.from.z + s * dz};
-            const auto p = std::find_if(con.points.begin(), con.points.end(),
+            const auto p = std::find_if(points.begin(), points.end(),
                                         [at](Point q) { return same_place(at, q); }) -
-                           con.points.begin();
-            c.block<2, 2>(2 * p, 2 * p) +=
-                e.points.weight[i] * length * spec.thickness * stiffness;
+                           points.begin();
+            add(2 * static_cast<Index>(p),
+                e.points.weight[i] * length * spec.thickness * stiffness);
         }
     }
+}
+
+} // namespace
+
+MatrixXd contact_metric(const BlockSpec& spec, const Condensed& con)
+{
+    MatrixXd c = MatrixXd::Zero(con.stiffness.rows(), con.stiffness.cols());
+    each_contact(spec, con.points,
+                 [&](Index at, const Eigen::Matrix2d& k) { c.block<2, 2>(at, at) += k; });
     return c;
+}
+
+Eigen::SparseMatrix<double> sparse_metric(const BlockSpec& spec,
+                                          const std::vector<Point>& points, Index unknowns)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    each_contact(spec, points, [&](Index at, const Eigen::Matrix2d& k) {
+        for (int r = 0; r < 2; ++r)
+            for (int q = 0; q < 2; ++q)
+                entries.emplace_back(static_cast<int>(at) + r, static_cast<int>(at) + q,
+                                     k(r, q));
+    });
+    Eigen::SparseMatrix<double> c(unknowns, unknowns);
+    c.setFromTriplets(entries.begin(), entries.end());
+    return c;
+}
+
+LinearFields linear_fields(const BlockSpec& spec, const std::vector<Point>& points)
+{
+    const bool supported = spec.motion != Motion::free && spec.motion != Motion::driven;
+    if (supported) return {MatrixXd(), MatrixXd(), supported_fields(spec, points)};
+    LinearFields f{rigid_motions(spec, points), rigid_motions(spec, points),
+                   strains(spec, points)};
+    if (spec.motion == Motion::driven) f.moving = driven_motions(spec, points);
+    return f;
 }
 
 BlockModes block_modes(const BlockSpec& spec, const Condensed& c)

@@ -6,6 +6,7 @@
 #include "dem/block/condensation.hpp"
 
 #include <Eigen/Dense>
+#include <Eigen/Sparse>
 
 namespace dem {
 
@@ -16,6 +17,19 @@ struct BlockModes {
 
 /// C, the stiffness of the block's contacts while their other side is held, 2 points x 2 points [N/m].
 [[nodiscard]] Eigen::MatrixXd contact_metric(const BlockSpec& spec, const Condensed& c);
+
+/// The same, of a block whose unknowns begin with those of the points.
+[[nodiscard]] Eigen::SparseMatrix<double>
+sparse_metric(const BlockSpec& spec, const std::vector<Point>& points, Eigen::Index unknowns);
+
+/// Displacements at the points that modes begin with, 2 points x fields; none that a support forbids.
+struct LinearFields {
+    Eigen::MatrixXd rigid;  ///< of a block that no support touches
+    Eigen::MatrixXd moving; ///< those of them that it can make
+    Eigen::MatrixXd linear; ///< constant strains, or what a support allows
+};
+[[nodiscard]] LinearFields linear_fields(const BlockSpec& spec,
+                                         const std::vector<Point>& points);
 
 /// If spec.modes = m > 0, a free block keeps m modes: the three rigid motions first, then (from m = 6 on)
 /// the constant strains, so that a uniform stress is exact, then the modes with the smallest lambda,

@@ -80,7 +80,9 @@ enum class Source : char { inside, edge, held };
 
 struct Trace {
     std::vector<Source> source; ///< of each degree of freedom of the grid
-    Eigen::MatrixXd n;          ///< displacement of edge nodes from that of the points
+    std::vector<std::vector<std::pair<int, double>>>
+        rows;          ///< displacement of edge nodes from that of the points
+    Eigen::MatrixXd n; ///< the same of all nodes, once the inside is solved
 };
 
 /// Shapes at s of an edge that is straight between its own zone corners. Grid lines that come from other
@@ -103,10 +105,11 @@ void trace_edge(const BlockSpec& spec, const BlockEdge& e, const std::vector<Poi
     const std::vector<double> shape = straight_shapes(spec, e, s);
     for (int d = 0; d < 2; ++d) {
         t.source[2 * node + d] = Source::edge;
-        t.n.row(2 * node + d).setZero(); // a corner lies on two edges, which agree
+        t.rows[2 * node + d].clear(); // a corner lies on two edges, which agree
         for (std::size_t k = 0; k < shape.size(); ++k)
-            t.n(2 * node + d, 2 * index_of(points, along(e, e.points.position[k])) + d) =
-                shape[k];
+            if (shape[k] != 0.0)
+                t.rows[2 * node + d].emplace_back(
+                    2 * index_of(points, along(e, e.points.position[k])) + d, shape[k]);
     }
 }
 
@@ -114,7 +117,7 @@ Trace trace_nodes(const BlockSpec& spec, const ZoneGrid& grid, const std::vector
 {
     Trace t;
     t.source.assign(2 * grid.nodes(), Source::inside);
-    t.n = Eigen::MatrixXd::Zero(2 * grid.nodes(), 2 * static_cast<Eigen::Index>(points.size()));
+    t.rows.resize(t.source.size());
     for (int j = 0; j < static_cast<int>(grid.z.size()); ++j)
         for (int i = 0; i < static_cast<int>(grid.x.size()); ++i) {
             const Point p{grid.x[i], grid.z[j]};
@@ -131,6 +134,15 @@ Trace trace_nodes(const BlockSpec& spec, const ZoneGrid& grid, const std::vector
                     t.source[2 * node + d] = Source::held;
         }
     return t;
+}
+
+/// One row of `n` for each row of the grid.
+void spread_rows(Eigen::Index columns, Trace& t)
+{
+    t.n = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(t.rows.size()), columns);
+    for (std::size_t r = 0; r < t.rows.size(); ++r)
+        for (const auto& [column, shape] : t.rows[r])
+            t.n(static_cast<Eigen::Index>(r), column) = shape;
 }
 
 /// Fills the rows of the inside nodes from K_II u_I = -K_IE u_E.
@@ -160,7 +172,8 @@ void solve_inside(const Eigen::SparseMatrix<double>& k, Trace& t)
         if (number[i] >= 0) t.n.row(static_cast<Eigen::Index>(i)) = u.row(number[i]);
 }
 
-/// Boundary nodes, counter-clockwise from the lower left, that are corners or contact points.
+} // namespace
+
 std::vector<int> outline_nodes(const ZoneGrid& grid, const std::vector<Point>& points)
 {
     const int nx = static_cast<int>(grid.x.size()), nz = static_cast<int>(grid.z.size());
@@ -181,8 +194,6 @@ std::vector<int> outline_nodes(const ZoneGrid& grid, const std::vector<Point>& p
     return kept;
 }
 
-} // namespace
-
 bool same_place(Point a, Point b) { return same(a.x, b.x) && same(a.z, b.z); }
 
 Condensed condense(const BlockSpec& spec)
@@ -192,6 +203,7 @@ Condensed condense(const BlockSpec& spec)
     c.points = contact_points(spec);
     const Eigen::SparseMatrix<double> k = grid_stiffness(c.grid, spec.thickness, spec.material);
     Trace trace = trace_nodes(spec, c.grid, c.points);
+    spread_rows(2 * static_cast<Eigen::Index>(c.points.size()), trace);
     solve_inside(k, trace);
     c.nodes_from_points = trace.n;
     const Eigen::MatrixXd forces = k * trace.n;
@@ -210,6 +222,30 @@ Condensed condense(const BlockSpec& spec)
                 trace.n.row(2 * outline[o] + d);
     }
     return c;
+}
+
+SparseBlock sparse_block(const BlockSpec& spec)
+{
+    SparseBlock b;
+    b.grid = {grid_lines(spec, false), grid_lines(spec, true)};
+    b.points = contact_points(spec);
+    const Trace trace = trace_nodes(spec, b.grid, b.points);
+    const int outer = 2 * static_cast<int>(b.points.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    int column = outer;
+    for (std::size_t r = 0; r < trace.source.size(); ++r) {
+        for (const auto& [c, shape] : trace.rows[r])
+            entries.emplace_back(static_cast<int>(r), c, shape);
+        if (trace.source[r] == Source::inside)
+            entries.emplace_back(static_cast<int>(r), column++, 1.0);
+    }
+    b.nodes.resize(static_cast<int>(trace.source.size()), column);
+    b.nodes.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SparseMatrix<double> k = grid_stiffness(b.grid, spec.thickness, spec.material);
+    b.stiffness = Eigen::SparseMatrix<double>(b.nodes.transpose()) * k * b.nodes;
+    for (const Point p : b.points)
+        for (int d = 0; d < 2; ++d) b.held.push_back(is_held(spec, p, d));
+    return b;
 }
 
 Eigen::VectorXd condense_load(const Condensed& c, const Eigen::VectorXd& nodal)

@@ -27,6 +27,21 @@ struct Condensed {
 
 [[nodiscard]] Condensed condense(const BlockSpec& spec);
 
+/// The same block before its inside is eliminated: unknowns are the points, then the inside nodes. Nothing
+/// in it is dense, so that a loading beam of 1000 points costs no more than its zones.
+struct SparseBlock {
+    ZoneGrid grid;
+    std::vector<Point> points;             ///< contact points [m]
+    std::vector<bool> held;                ///< by row of the points
+    Eigen::SparseMatrix<double> nodes;     ///< 2 nodes x unknowns
+    Eigen::SparseMatrix<double> stiffness; ///< unknowns x unknowns [N/m]
+};
+[[nodiscard]] SparseBlock sparse_block(const BlockSpec& spec);
+
+/// Boundary nodes, counter-clockwise from the lower left, that are corners or contact points.
+[[nodiscard]] std::vector<int> outline_nodes(const ZoneGrid& grid,
+                                             const std::vector<Point>& points);
+
 /// The loads on the contact points that do the same work as the given loads on all nodes.
 [[nodiscard]] Eigen::VectorXd condense_load(const Condensed& c, const Eigen::VectorXd& nodal);
 

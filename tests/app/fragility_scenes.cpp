@@ -20,7 +20,7 @@ app::DriftData drifts(const std::vector<std::vector<double>>& groups)
     data.options.bootstrap = 99;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const double stress = 0.25 * static_cast<double>(g + 1);
-        app::DriftGroup group{"group " + std::to_string(g), stress, {}, 0, 0};
+        app::DriftGroup group{"group " + std::to_string(g), stress, {}, 0, 0, {}};
         for (const double d : groups[g])
             group.walls.push_back(
                 {-1,

@@ -1,5 +1,6 @@
 #include "app/fragility/fragility_limits.hpp"
 
+#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/fragility_curves.hpp"
 #include "app/fragility_scenes.hpp"
 
@@ -317,9 +318,41 @@ TEST_CASE(
     }
     app::DriftData data = scenes::drifts({two_heaps, one});
     data.options.bootstrap = 199;
-    app::Table limits = app::performance_table(data);
-    app::note_rejected(app::fit_table(data), limits);
+    app::judge(data);
+    const app::Table limits = app::performance_table(data);
     CHECK(cell(limits, 0, "note")
               .starts_with("The goodness-of-fit tests reject the law (p = 0.005)"));
     CHECK(cell(limits, 1, "note").empty());
+    CHECK(cell(limits, 0, "drifts from") == "observed");
+    CHECK(cell(limits, 1, "drifts from") == "law");
+    // values that were seen, not those of a law between the heaps
+    CHECK(number_in(limits, 0, "5 % drift [%]").value == 1.001);
+    CHECK(number_in(limits, 0, "median drift [%]").value == 1.019);
+    CHECK(number_in(limits, 0, "84 % drift [%]").value >= 3.0);
+    CHECK(cell(limits, 0, "dispersion").empty());
+    // the same in the curves, the pictures, the model and the file for pelicun
+    const app::Table curve = app::curve_table(data, 0);
+    for (std::size_t r = 0; r < curve.rows.size(); ++r) {
+        if (cell(curve, r, "stress [MPa]") != cell(curve, 0, "stress [MPa]")) continue;
+        const double drift = number_in(curve, r, "drift [%]").value;
+        if (drift > 1.05 && drift < 2.9)
+            CHECK(number_in(curve, r, "probability").value == Approx(0.5));
+    }
+    CHECK(app::curve_pictures(data)[0].svg.find("(observed)") != std::string::npos);
+    CHECK(cell(app::stress_table(data), 0, "note").starts_with("No model: "));
+    const std::string pelicun = app::pelicun_csv(data);
+    CHECK(pelicun.find(",1,Peak Interstory Drift Ratio") != std::string::npos);
+    CHECK(pelicun.find("the tests reject the lognormal law (p = 0.005)") != std::string::npos);
+    CHECK(
+        cell(app::law_table(data), 0, "note").starts_with("The goodness-of-fit tests reject"));
+}
+
+TEST_CASE("fragility limits: fits made once give the tables that each makes for itself",
+          "[app][fragility_limits]")
+{
+    app::DriftData data = scenes::drifts({{1.0, 2.0, 4.0, 2.0, 3.0, -3.9}, {2.0, 1.0, 1.5}});
+    data.options.bootstrap = 20;
+    const std::string apart = app::as_csv(app::fit_table(data));
+    app::judge(data);
+    CHECK(app::as_csv(app::fit_table(data)) == apart);
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -187,6 +188,63 @@ TEST_CASE(
     const auto told = [](const std::string& w) {
         return w.find("cannot run /nosuch/program: No such file or directory") !=
                std::string::npos;
+    };
+    CHECK(std::any_of(a.warnings.begin(), a.warnings.end(), told));
+}
+
+namespace {
+
+/// FORM of g(u) in two variables, whose answers scatter by some share of 1.
+ReliabilityProblem form_of(const std::function<double(double, double)>& g, double scatter)
+{
+    ReliabilityProblem p;
+    p.event.dimension = 2;
+    p.event.model = [g, scatter](const uq::Samples& s) {
+        uq::Responses r{Eigen::MatrixXd(s.x.rows(), 1),
+                        std::vector<std::string>(static_cast<std::size_t>(s.x.rows()))};
+        for (Eigen::Index i = 0; i < s.x.rows(); ++i) // a model without chance, yet rough
+            r.y(i, 0) = g(s.x(i, 0), s.x(i, 1)) +
+                        scatter * std::sin(1e5 * (s.x(i, 0) + 2.0 * s.x(i, 1)));
+        return r;
+    };
+    p.inputs = p.normal = {"a", "b"};
+    p.method = app::ReliabilityMethod::form;
+    p.rough = scatter > 0.0;
+    return p;
+}
+
+} // namespace
+
+TEST_CASE(
+    "reliability: FORM of a model that scatters finds its design point within the scatter",
+    "[app][reliability]")
+{
+    // a plane at beta = 3; the scatter is 1 % of a standard deviation of the response
+    const ReliabilityProblem p =
+        form_of([](double a, double b) { return 3.0 - 0.8 * a - 0.6 * b; }, 0.01);
+    std::vector<app::Evaluated> seen;
+    const ReliabilityAnswer a = answer(p, seen);
+    REQUIRE(a.methods.front().probability);
+    CHECK(*a.methods.front().probability == Approx(1.349898e-3).epsilon(0.15));
+    REQUIRE_FALSE(a.points.empty());
+    CHECK(a.points.front().beta == Approx(3.0).epsilon(0.01));
+    CHECK(a.sensitivities.front().shares[0].value == Approx(0.64).margin(0.08));
+    CHECK(a.methods.front().outcome.find("0 of 100 points looked at") != std::string::npos);
+}
+
+TEST_CASE("reliability: FORM says that the four-branch function has further design points",
+          "[app][reliability]")
+{
+    const auto four = [](double a, double b) {
+        const double bend = 3.0 + 0.1 * (a - b) * (a - b), sum = (a + b) / std::sqrt(2.0);
+        const double cut = 7.0 / std::sqrt(2.0);
+        return std::min({bend - sum, bend + sum, a - b + cut, b - a + cut});
+    };
+    std::vector<app::Evaluated> seen;
+    const ReliabilityAnswer a = answer(form_of(four, 0.0), seen);
+    const auto told = [](const std::string& w) {
+        return w.find("further design points") != std::string::npos ||
+               w.find("design points were found") != std::string::npos;
     };
     CHECK(std::any_of(a.warnings.begin(), a.warnings.end(), told));
 }

@@ -2,6 +2,7 @@
 #include "dem/block/block_element.hpp"
 #include "dem/block/block_modes.hpp"
 #include "dem/block/condensation.hpp"
+#include "dem/block/sparse_modes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -142,5 +143,31 @@ TEST_CASE("block modes: beyond the linear fields the softest modes are kept",
             CHECK(missed.dot(metric * missed) <
                   0.01 * (1 + 1e-9)); // of 1: nearly spanned by the linear fields
         }
+    }
+}
+
+TEST_CASE("block modes: without a dense matrix the same modes are found as with one",
+          "[dem][block_modes]")
+{
+    const int modes = GENERATE(3, 6, 15);
+    std::vector<BlockSpec> specs = all_motions(kLobatto);
+    specs.push_back(beam(kLobatto, false)); // long and soft in bending
+    specs.back().width = 4.0;
+    for (dem::BlockEdge& e : specs.back().edges) e.to.x *= 4.0 / beam(kLobatto, false).width;
+    for (const BlockSpec& plain : specs) {
+        const BlockSpec spec = with_modes(plain, modes);
+        const dem::Condensed c = dem::condense(spec);
+        const dem::BlockModes dense = dem::block_modes(spec, c);
+        const dem::SparseModes sparse = dem::sparse_modes(spec, dem::sparse_block(spec));
+        REQUIRE(sparse.phi.cols() == dense.phi.cols());
+        CHECK(largest(sparse.lambda - dense.lambda) <
+              1e-7 * std::max(1.0, largest(dense.lambda)));
+        // equal up to the signs and the turning of modes of one stiffness: what they span is the same
+        const MatrixXd metric = dem::contact_metric(spec, c);
+        const MatrixXd across = dense.phi.transpose() * metric * sparse.phi;
+        CHECK(largest(across * across.transpose() -
+                      MatrixXd::Identity(across.rows(), across.rows())) < 1e-6);
+        CHECK(largest(c.nodes_from_points * sparse.phi - sparse.nodes) <
+              1e-7 * largest(sparse.nodes));
     }
 }

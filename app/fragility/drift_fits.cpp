@@ -1,0 +1,89 @@
+#include "app/fragility/drift_fits.hpp"
+
+#include "app/input/number_text.hpp"
+#include "uq/designs/stream.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace app {
+namespace {
+
+bool same(const std::vector<fragility::Observation>& a,
+          const std::vector<fragility::Observation>& b)
+{
+    return std::ranges::equal(a, b, [](const auto& x, const auto& y) {
+        return x.lower == y.lower && x.upper == y.upper && x.weight == y.weight;
+    });
+}
+
+/// Place among the fits of a group.
+std::size_t place(const DriftData& data, std::size_t state, int mode)
+{
+    return state * (data.modes.size() + 1) + static_cast<std::size_t>(mode + 1);
+}
+
+} // namespace
+
+JudgedFit judged(const DriftOptions& options, fragility::Law law,
+                 std::span<const fragility::Observation> limits, std::size_t group)
+{
+    JudgedFit f{fragility::fit(law, limits), {}};
+    const std::uint64_t seed = uq::replicate_seed(options.seed, group);
+    const auto bits = [seed](std::uint64_t replicate, std::uint64_t draw) {
+        return uq::bits(seed, replicate, uq::Purpose::bootstrap, draw);
+    };
+    if (options.bootstrap > 0)
+        f.tests = fragility::goodness_of_fit(f.fit, limits, bits, options.bootstrap);
+    return f;
+}
+
+void judge(DriftData& data)
+{
+    for (std::size_t g = 0; g < data.groups.size(); ++g) {
+        DriftGroup& group = data.groups[g];
+        std::vector<std::vector<fragility::Observation>> seen; // many sets share a limit state
+        std::vector<JudgedFit> fits;
+        for (std::size_t s = 0; s < data.states.size(); ++s)
+            for (int m = -1; m < static_cast<int>(data.modes.size()); ++m) {
+                seen.push_back(limits_of(group, s, m));
+                const auto known = std::ranges::find_if(
+                    seen, [&](const auto& x) { return same(x, seen.back()); });
+                const auto i = static_cast<std::size_t>(known - seen.begin());
+                fits.push_back(i + 1 < seen.size()
+                                   ? JudgedFit(fits[i])
+                                   : judged(data.options, data.options.law, seen.back(), g));
+            }
+        group.fits = std::move(fits);
+    }
+}
+
+JudgedFit judged_fit(const DriftData& data, std::size_t group, std::size_t state, int mode)
+{
+    const DriftGroup& g = data.groups[group];
+    if (!g.fits.empty()) return g.fits[place(data, state, mode)];
+    return judged(data.options, data.options.law, limits_of(g, state, mode), group);
+}
+
+double least_p(const JudgedFit& f)
+{
+    if (!f.tests.available) return 1.0;
+    return std::min(
+        {f.tests.p_kolmogorov_smirnov, f.tests.p_cramer_von_mises, f.tests.p_anderson_darling});
+}
+
+bool rejected(const JudgedFit& f) { return least_p(f) < kRejected; }
+
+bool describes(const JudgedFit& f)
+{
+    return f.fit.outcome == fragility::FitOutcome::converged && !rejected(f);
+}
+
+std::string rejected_text(const JudgedFit& f)
+{
+    return "The goodness-of-fit tests reject the law (p = " + number(least_p(f), 2) +
+           "): shares observed stand in its place (Kaplan-Meier), with intervals that suppose "
+           "no law.";
+}
+
+} // namespace app

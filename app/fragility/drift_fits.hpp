@@ -1,0 +1,38 @@
+#pragma once
+/// The laws of limit drifts and whether the walls bear them out. One rule for every output: a law that
+/// a test of goodness of fit rejects at kRejected gives way to the shares observed (Kaplan-Meier).
+
+#include "app/fragility/fragility_data.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace app {
+
+constexpr double kRejected = 0.01; ///< level of each of the three tests [-]
+
+/// Fits and tests the law of one group.
+/// @param group its number, which keys the random samples: equal drifts have equal p-values
+[[nodiscard]] JudgedFit judged(const DriftOptions& options, fragility::Law law,
+                               std::span<const fragility::Observation> limits,
+                               std::size_t group);
+
+/// Fits and tests all laws once; without it each table does so for itself.
+void judge(DriftData& data);
+
+/// Of one limit state: of all walls of a group, or of one mode.
+[[nodiscard]] JudgedFit judged_fit(const DriftData& data, std::size_t group, std::size_t state,
+                                   int mode = -1);
+
+/// The smallest p-value of the three tests; 1 without tests.
+[[nodiscard]] double least_p(const JudgedFit& f);
+[[nodiscard]] bool rejected(const JudgedFit& f);
+
+/// There is a fit and no test rejects it.
+[[nodiscard]] bool describes(const JudgedFit& f);
+
+/// "The goodness-of-fit tests reject the law (p = 0.001): ..."
+[[nodiscard]] std::string rejected_text(const JudgedFit& f);
+
+} // namespace app
