@@ -23,6 +23,10 @@ constexpr double kNew = 0.01;
 /// as good as rigid.
 constexpr double kShift = 1e-7;
 
+/// Share of the square of a vector below which what is new in it is rounding [-]; then Lanczos begins anew.
+constexpr double kResidual = 1e-14;
+constexpr int kRestarts = 40;
+
 struct Problem {
     Sparse k, c; ///< of the open unknowns
     Eigen::SimplicialLDLT<Sparse> shifted;
@@ -74,22 +78,37 @@ MatrixXd with_inside(const Problem& p, const MatrixXd& at_points)
     return all;
 }
 
+/// A field with a part of every mode, the same in every run.
+VectorXd irregular(Index size, int which)
+{
+    VectorXd v(size);
+    for (Index i = 0; i < size; ++i)
+        v(i) = std::sin(1.0 + which + (1.7 + 0.31 * which) * static_cast<double>(i * i % 9973));
+    return v;
+}
+
 /// Softest first, C-orthogonal to `known`.
 MatrixXd softest(const Problem& p, const MatrixXd& known, Index wanted)
 {
     MatrixXd basis = known;
     const Index start = known.cols();
     const Index most = std::min<Index>(start + 6 * wanted + 40, p.c.nonZeros());
-    // a field with a part of every mode: irregular, and the same in every run
-    VectorXd v(p.k.cols());
-    for (Index i = 0; i < v.size(); ++i)
-        v(i) = std::sin(1.0 + 1.7 * static_cast<double>(i * i % 9973));
-    while (basis.cols() < most) {
+    // without what is known, or the solution would be a rigid motion 1e7 times as large as the rest
+    const auto fresh = [&](int which) -> VectorXd {
+        const VectorXd v = irregular(p.k.cols(), which);
+        return v - basis * (basis.transpose() * (p.c * v));
+    };
+    VectorXd v = fresh(0);
+    for (int restarts = 0; basis.cols() < most && restarts < kRestarts;) {
         v = p.shifted.solve(p.c * v);
-        if (!append(p.c, v, 1e-20, basis)) break;
-        v = basis.col(basis.cols() - 1);
+        if (append(p.c, v, kResidual, basis)) {
+            v = basis.rightCols(1);
+        } else { // what is left of v is rounding: begin anew
+            v = fresh(++restarts);
+        }
     }
     const MatrixXd q = basis.rightCols(basis.cols() - start);
+    if (q.cols() == 0) return q;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(q.transpose() * (p.k * q));
     return q * ritz.eigenvectors().leftCols(std::min(wanted, q.cols()));
 }

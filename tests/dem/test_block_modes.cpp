@@ -153,7 +153,9 @@ TEST_CASE("block modes: without a dense matrix the same modes are found as with 
     std::vector<BlockSpec> specs = all_motions(kLobatto);
     specs.push_back(beam(kLobatto, false)); // long and soft in bending
     specs.back().width = 4.0;
-    for (dem::BlockEdge& e : specs.back().edges) e.to.x *= 4.0 / beam(kLobatto, false).width;
+    const double longer = 4.0 / beam(kLobatto, false).width;
+    for (dem::BlockEdge& e : specs.back().edges)
+        for (double* const x : {&e.from.x, &e.to.x}) *x *= longer;
     for (const BlockSpec& plain : specs) {
         const BlockSpec spec = with_modes(plain, modes);
         const dem::Condensed c = dem::condense(spec);
@@ -167,7 +169,7 @@ TEST_CASE("block modes: without a dense matrix the same modes are found as with 
         const MatrixXd across = dense.phi.transpose() * metric * sparse.phi;
         CHECK(largest(across * across.transpose() -
                       MatrixXd::Identity(across.rows(), across.rows())) < 1e-6);
-        CHECK(largest(c.nodes_from_points * sparse.phi - sparse.nodes) <
+        CHECK(largest(c.nodes_from_points * sparse.phi - sparse.nodes) <=
               1e-7 * largest(sparse.nodes));
     }
 }
