@@ -50,7 +50,7 @@ export const colours = {
     mixed: '#D55E00',
     failed: '#767676',
     all: '#222222',
-    levels: ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#806600', '#56B4E9', '#222222'],
+    levels: ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#806600', '#56B4E9', '#222222', '#7F3C8D', '#8C564B', '#7F7F7F', '#6B8E23', '#F2666C'],
 };
 export const levelColour = (i) => colours.levels[i % colours.levels.length];
 export const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [10, 3, 2, 3, 2, 3], [14, 6], [1, 2]];

@@ -16,8 +16,9 @@ namespace {
 using fragility::Observation;
 
 constexpr std::size_t kChartDrifts = 120;
-constexpr std::array<const char*, 7> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                 "#E69F00", "#56B4E9", "#000000"};
+constexpr std::array<const char*, 12> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                  "#E69F00", "#56B4E9", "#000000", "#7F3C8D",
+                                                  "#8C564B", "#7F7F7F", "#9ACD32", "#F2666C"};
 
 std::string colour(std::size_t i) { return kColours[i % kColours.size()]; }
 

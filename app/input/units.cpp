@@ -123,6 +123,10 @@ double in_si(const Parts& parts, const Unit& expected)
     const auto names = alternatives(expected);
     if (std::find(names.begin(), names.end(), parts.unit) == names.end()) {
         const std::string is = "unit " + in_quotes(parts.unit);
+        if (parts.unit.starts_with('/')) {
+            throw BadValue(in_quotes(std::string(parts.number_text) + std::string(parts.unit)) +
+                           " is a fraction; write it as a decimal number, such as 0.3333");
+        }
         if (expected.name.empty()) {
             throw BadValue(is + " where none belongs; write " + in_quotes(parts.number_text));
         }

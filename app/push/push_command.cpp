@@ -13,6 +13,7 @@
 #include "app/output/vtk_series.hpp"
 #include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
+#include "app/push/hand_checks.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/reading/wall_words.hpp"
 #include "app/study/mode_rule.hpp"
@@ -182,8 +183,13 @@ int push_command(const Command& command)
     if (command.sample)
         write_file(fs::path(command.out) / "drawn.csv",
                    as_csv(drawn_table(study, wanted.front().draw)));
-    std::cout << as_text(level_table(study, walls), terminal_width()) << "written to "
-              << command.out << '\n';
+    std::cout << as_text(level_table(study, walls), terminal_width());
+    for (const PushedWall& w : walls)
+        for (const std::string& remark : hand_checks(study, w).remarks)
+            std::cout << wrapped("remark: " + stress_text(w.vertical_stress) + ": " + remark +
+                                     ".\n",
+                                 terminal_width());
+    std::cout << "written to " << command.out << '\n';
     return std::any_of(walls.begin(), walls.end(),
                        [](const PushedWall& w) { return dem::failed(w.result.outcome); });
 }

@@ -1,6 +1,7 @@
 #include "app/push/summary_json.hpp"
 
 #include "app/input/limit_state_text.hpp"
+#include "app/push/hand_checks.hpp"
 #include "app/reading/wall_words.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/version.hpp"
@@ -66,6 +67,19 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
              {{"rotation_share", t.rotation_share}, {"cracked_units", t.cracked_units}}}};
 }
 
+Json checks(const HandChecks& h)
+{
+    const auto maybe = [](const std::optional<double>& x, double scale) {
+        return x ? number_or_null(*x * scale) : Json(nullptr);
+    };
+    return {{"vertical_load_kN", number_or_null(h.vertical_load * kToKn)},
+            {"wall_weight_kN", number_or_null(h.wall_weight * kToKn)},
+            {"rigid_rocking_limit_kN", number_or_null(h.rocking_limit * kToKn)},
+            {"sliding_limit_kN", maybe(h.sliding_limit, kToKn)},
+            {"toe_stress_MPa", maybe(h.toe_stress, kToMpa)},
+            {"remarks", h.remarks}};
+}
+
 } // namespace
 
 std::string summary_json(const Study& study, const PushedWall& w)
@@ -100,6 +114,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["settlement_mm"] = whole ? number_or_null(w.result.settlement * kToMm) : Json(nullptr);
     j["limit_states"] = limit_states(w, reading_rules(study));
     j["mechanism"] = mechanism(w, f);
+    j["hand_checks"] = checks(hand_checks(study, w));
     j["energy_residual"] = number_or_null(energy_residual(w));
     j["energy"] = energy(w.result.energy);
     j["settled_before_push"] = w.result.settled;

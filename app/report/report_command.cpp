@@ -6,6 +6,7 @@
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_page.hpp"
+#include "app/study/study_file_head.hpp"
 #include "dem/block/model.hpp"
 
 #include <nlohmann/json.hpp>
@@ -103,6 +104,7 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
 int report_command(const Command& command, const FilmShelf& shelf)
 {
     const std::filesystem::path file = command.words.front(), out = command.out;
+    check_is_study(file);
     const StudyWalls study = read_study_walls(file, command.overrides, Keep::everything);
     Draft draft{
         study, "Drystone study " + file.stem().string(), walls_to_list(study, kMostListed), {}};

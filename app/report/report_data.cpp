@@ -1,7 +1,7 @@
 #include "app/report/report_data.hpp"
 
-#include "app/fragility/fragility_inputs.hpp"
 #include "app/fragility/drift_fits.hpp"
+#include "app/fragility/fragility_inputs.hpp"
 #include "app/fragility/fragility_limits.hpp"
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"

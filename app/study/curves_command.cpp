@@ -3,6 +3,7 @@
 #include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/study/study_file_head.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -30,6 +31,7 @@ void write_wall(std::ostream& out, const StoreHead& head, const WallRow& row)
 
 int curves_command(const Command& command)
 {
+    check_is_study(command.study);
     StoreReader reader(command.study);
     const fs::path file = command.out, part = command.out + ".part";
     if (file.has_parent_path()) make_folder(file.parent_path());

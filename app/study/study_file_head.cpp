@@ -1,6 +1,8 @@
 #include "app/study/study_file_head.hpp"
 
+#include "app/input/config_error.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/store/wall_file.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_identity.hpp"
 
@@ -9,6 +11,14 @@ namespace app {
 std::uint32_t samples_of(const Study& study)
 {
     return study.random.empty() ? 1u : static_cast<std::uint32_t>(study.uq.samples);
+}
+
+void check_is_study(const std::filesystem::path& file)
+{
+    if (std::filesystem::exists(file) && !begins_as_hdf5(file))
+        throw ConfigError(
+            file.string(), 0, "",
+            "is not the file of a study; give the FILE.h5 that drystone study wrote");
 }
 
 std::vector<std::uint32_t> design_sizes(const Study& study, const std::filesystem::path& file)

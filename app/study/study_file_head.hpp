@@ -19,6 +19,9 @@ namespace app {
 [[nodiscard]] std::vector<std::uint32_t> design_sizes(const Study& study,
                                                       const std::filesystem::path& file);
 
+/// @throws ConfigError for a file that is there and no HDF5 file
+void check_is_study(const std::filesystem::path& file);
+
 [[nodiscard]] StoreHead head_of(const Study& study, const SamplePlan& plan,
                                 std::vector<std::uint32_t> sizes);
 

@@ -234,6 +234,35 @@ TEST_CASE("summary: numbers that left their range are null, one by one", "[app][
     CHECK(j.at("displacement_at_peak_mm").get<double>() == Approx(12.0).epsilon(1e-14));
 }
 
+TEST_CASE("summary: hand checks are those of a rigid wall, and a force beyond them is remarked",
+          "[app][summary_json]")
+{
+    const app::Study study = study_texts::read_good(
+        {"wall.length=1 m", "wall.courses=10", "wall.course_height=0.1 m",
+         "wall.thickness=0.2 m", "wall.base=joint", "stone.density=2000 kg/m3",
+         "beam.height=0.1 m", "beam.density=2500 kg/m3", "beam.rotation=free",
+         "joint.friction_angle=5 deg", "load.height=1.1 m"});
+    PushedWall w = good_wall();
+    w.loads.height = 1.1;
+    w.loads.gravity = 10.0;
+    dem::FaceState base;
+    base.kind = dem::FaceKind::base_joint;
+    base.block_a = -1;
+    base.contacts = {{.sigma = -0.4e6}, {.sigma = -2.5e6}};
+    w.result.at_end.faces = {base};
+    const Json j = Json::parse(app::summary_json(study, w)).at("hand_checks");
+    // 0.5 MPa on 0.2 m2 and a beam of 0.5 kN; ten courses of 0.4 kN
+    CHECK(j.at("vertical_load_kN").get<double>() == Approx(100.5));
+    CHECK(j.at("wall_weight_kN").get<double>() == Approx(4.0));
+    CHECK(j.at("rigid_rocking_limit_kN").get<double>() == Approx(104.5 * 0.5 / 1.1));
+    CHECK(j.at("sliding_limit_kN").get<double>() ==
+          Approx(std::tan(5.0 * std::acos(-1.0) / 180.0) * 100.9));
+    CHECK(j.at("toe_stress_MPa").get<double>() == Approx(2.5));
+    REQUIRE(j.at("remarks").size() ==
+            1); // 40 kN is below rocking and far beyond sliding at 5 deg
+    CHECK(j.at("remarks")[0].get<std::string>().find("limit of sliding") != std::string::npos);
+}
+
 TEST_CASE("summary: a run that took no time has no speed", "[app][summary_json]")
 {
     PushedWall w = good_wall();
@@ -279,6 +308,7 @@ TEST_CASE("summary: what others read by name comes in a fixed order", "[app][sum
                                                "settlement_mm",
                                                "limit_states",
                                                "mechanism",
+                                               "hand_checks",
                                                "energy_residual",
                                                "energy",
                                                "settled_before_push",

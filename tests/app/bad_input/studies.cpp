@@ -132,6 +132,8 @@ constexpr std::array kStudies = {
         "study.ini:7: wall.base: \"fixd\" is not one of fixed or joint; did you mean \"fixed\"?"},
     BadStudy{"a number for a word", "[stone]", "base = 1\n[stone]",
         "study.ini:7: wall.base: \"1\" is not one of fixed or joint"},
+    BadStudy{"a fraction", "[stone]", "bond = 1/3\n[stone]",
+        "study.ini:7: wall.bond: \"1/3\" is a fraction; write it as a decimal number, such as 0.3333"},
     BadStudy{"unknown bond", "[stone]", "bond = flemish\n[stone]",
         "study.ini:7: wall.bond: \"flemish\" is not one of running, stack, [0, 1)"},
 

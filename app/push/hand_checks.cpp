@@ -1,0 +1,79 @@
+#include "app/push/hand_checks.hpp"
+
+#include "app/input/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr double kBeyond = 1.01; ///< of a limit, from which a result is remarked upon [-]
+
+/// The joints above the ground, or above a first course that is fixed.
+bool can_open_first(const Study& study, const dem::FaceState& face, const dem::Snapshot& wall)
+{
+    if (study.wall.base != dem::Base::fixed) return face.kind == dem::FaceKind::base_joint;
+    return face.kind == dem::FaceKind::bed_joint && face.block_a >= 0 &&
+           wall.blocks.at(static_cast<std::size_t>(face.block_a)).course == 1;
+}
+
+std::optional<double> compression(const Study& study, const dem::Snapshot& wall)
+{
+    std::optional<double> most;
+    for (const dem::FaceState& face : wall.faces)
+        if (can_open_first(study, face, wall))
+            for (const dem::ContactState& c : face.contacts)
+                most = std::max(most.value_or(0.0), -c.sigma);
+    return most;
+}
+
+std::string beyond(const char* what, double peak, double limit)
+{
+    return "the peak force is " + fixed(100.0 * (peak / limit - 1.0), 1) +
+           " % above the limit of " + what +
+           ": the push was too fast (raise solver.steps_per_mm), or the limit does not hold "
+           "for this wall";
+}
+
+} // namespace
+
+HandChecks hand_checks(const Study& study, const PushedWall& w)
+{
+    const dem::WallGeometry& g = study.wall;
+    const bool fixed_base = g.base == dem::Base::fixed;
+    const int turning = g.courses - (fixed_base ? 1 : 0);
+    const double course = study.parameters.stone.density * w.loads.gravity * g.length *
+                          g.thickness * g.course_height;
+    const double beam = study.beam.material.density * w.loads.gravity * g.length * g.thickness *
+                        study.beam.height;
+    HandChecks h;
+    h.vertical_load = w.vertical_stress * g.length * g.thickness + beam;
+    h.wall_weight = turning * course;
+    const double arm = w.loads.height - (fixed_base ? g.course_height : 0.0);
+    h.rocking_limit = (h.vertical_load + h.wall_weight) * 0.5 * g.length / arm;
+    const bool drawn = std::ranges::any_of(
+        study.random, [](const RandomInput& r) { return r.key == "joint.friction_angle"; });
+    if (!drawn)
+        h.sliding_limit = std::tan(study.parameters.joint.friction_angle) *
+                          (h.vertical_load + (turning > 0 ? course : 0.0));
+    if (!dem::failed(w.result.outcome)) h.toe_stress = compression(study, w.result.at_end);
+
+    if (turning == 0)
+        h.remarks.emplace_back(
+            "a single course on a fixed base: no joint can open or slide below "
+            "the beam, so that the wall cannot fail");
+    const double peak = peak_force(w.reading);
+    const bool free_beam = study.beam.rotation == dem::BeamRotation::free;
+    if (free_beam && turning > 0 && peak > kBeyond * h.rocking_limit)
+        h.remarks.push_back(beyond("rigid rocking", peak, h.rocking_limit));
+    if (h.sliding_limit && turning > 0 && peak > kBeyond * *h.sliding_limit)
+        h.remarks.push_back(beyond("sliding", peak, *h.sliding_limit));
+    if (!free_beam)
+        h.remarks.emplace_back(
+            "the beam does not turn: the rocking limit is that of a beam that "
+            "does, up to twice as much can be carried");
+    return h;
+}
+
+} // namespace app

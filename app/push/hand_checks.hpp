@@ -1,0 +1,32 @@
+#pragma once
+/// Closed forms that an engineer checks a push by: equilibrium of the wall as a rigid body, Coulomb friction,
+/// and the largest compression at the base.
+
+#include "app/study/pushed_wall.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct HandChecks {
+    double vertical_load = 0.0; ///< on the top, with the weight of the beam [N]
+    double wall_weight = 0.0;   ///< of the courses that can turn [N]
+    double rocking_limit =
+        0.0; ///< (N + W) L / (2 h): turning about the toe of the lowest joint that can
+             ///< open, h from there to the load line [N]
+    /// tan(phi) (N + weight of the top course), the least of the bed joints [N]; nothing where the angle is
+    /// drawn for each joint or wall
+    std::optional<double> sliding_limit;
+    /// Largest compression in the lowest joints that can open, at the end of the push [Pa]; nothing where the
+    /// push failed. Contacts carry it elastically: nothing in the model crushes.
+    std::optional<double> toe_stress;
+    std::vector<std::string>
+        remarks; ///< results beyond a limit, and what cannot happen in this wall
+};
+
+/// Limits of small displacements; units that crack, cohesion and the flexibility of the wall lower them.
+[[nodiscard]] HandChecks hand_checks(const Study& study, const PushedWall& wall);
+
+} // namespace app
