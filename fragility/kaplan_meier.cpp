@@ -14,14 +14,14 @@ struct Here {
     double failed = 0.0, stopped = 0.0;
 };
 
-struct Place {
+struct Tallied {
     double at;
     Here here;
 };
 
-std::vector<Place> tally(std::span<const Observation> data)
+std::vector<Tallied> tally(std::span<const Observation> data)
 {
-    std::vector<Place> all;
+    std::vector<Tallied> all;
     all.reserve(data.size());
     for (std::size_t i = 0; i < data.size(); ++i) {
         const Observation& o = data[i];
@@ -33,7 +33,7 @@ std::vector<Place> tally(std::span<const Observation> data)
         const bool failed = kind == Censoring::none;
         all.push_back({o.lower, {failed ? o.weight : 0.0, failed ? 0.0 : o.weight}});
     }
-    std::ranges::stable_sort(all, {}, &Place::at);
+    std::ranges::stable_sort(all, {}, &Tallied::at);
     std::size_t last = 0;
     for (std::size_t i = 1; i < all.size(); ++i)
         if (all[i].at == all[last].at) {
@@ -63,7 +63,7 @@ KaplanMeier kaplan_meier(std::span<const Observation> data, double confidence)
     if (!(confidence > 0.0 && confidence < 1.0))
         throw std::invalid_argument("Kaplan-Meier: confidence must be in (0, 1), is " +
                                     std::to_string(confidence));
-    const std::vector<Place> all = tally(data);
+    const std::vector<Tallied> all = tally(data);
     KaplanMeier k;
     double at_risk = 0.0;
     for (const Observation& o : data) at_risk += o.weight;

@@ -33,7 +33,7 @@ struct Problem {
 };
 
 /// Columns and rows of the unknowns that no support holds.
-Sparse opening(const SparseBlock& b)
+Sparse open_columns(const SparseBlock& b)
 {
     std::vector<Eigen::Triplet<double>> entries;
     int open = 0;
@@ -113,7 +113,7 @@ MatrixXd softest(const Problem& p, const MatrixXd& known, Index wanted)
     return q * ritz.eigenvectors().leftCols(std::min(wanted, q.cols()));
 }
 
-MatrixXd ritz(const Problem& p, const MatrixXd& basis, VectorXd& lambda)
+MatrixXd ritz_modes(const Problem& p, const MatrixXd& basis, VectorXd& lambda)
 {
     if (basis.cols() == 0) return basis;
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
@@ -140,7 +140,7 @@ bool has_many_points(const BlockSpec& spec)
 
 SparseModes sparse_modes(const BlockSpec& spec, const SparseBlock& block)
 {
-    const Sparse open = opening(block);
+    const Sparse open = open_columns(block);
     const Sparse close = open.transpose();
     Problem p;
     p.k = close * block.stiffness * open;
@@ -172,7 +172,8 @@ SparseModes sparse_modes(const BlockSpec& spec, const SparseBlock& block)
     if (basis.cols() < wanted) extend(p, softest(p, rigid, wanted), wanted, basis);
 
     VectorXd lambda;
-    const MatrixXd elastic = ritz(p, basis.rightCols(basis.cols() - rigid.cols()), lambda);
+    const MatrixXd elastic =
+        ritz_modes(p, basis.rightCols(basis.cols() - rigid.cols()), lambda);
     MatrixXd modes(p.k.cols(), moving.cols() + elastic.cols());
     modes << moving, elastic;
     SparseModes m;
