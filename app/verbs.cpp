@@ -26,7 +26,7 @@ int study_then_report(const Command& study)
 {
     FilmShelf films;
     const int code = study_command( // 1 if walls failed: the tables count them
-        study, [&](auto key, bool rocking, auto frames) { films.put(key, rocking, frames); });
+        study, [&](auto key, auto mode, auto frames) { films.put(key, mode, frames); });
     if (interrupted()) return code;
     const std::filesystem::path file = study.out;
     Command after;

@@ -1,6 +1,7 @@
-/// stability [OUT.md] [--scenes N] [--seed S] [--threads T] [--only K]: thousands of scenes drawn far
+/// stability [OUT.md] [--scenes N] [--seed S] [--threads T] [--only K] [--finite]: thousands of scenes drawn far
 /// outside the paper. Every wall must end as ok, collapsed, or failed with a reason; exit code 1
 /// if one does not. --only: one scene, wall by wall.
+/// --finite: with finite displacements.
 
 #include "app/input/number_text.hpp"
 #include "bench/report.hpp"
@@ -30,6 +31,7 @@ struct Request {
     std::uint64_t scenes = 5000, seed = 1;
     unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     std::optional<std::uint64_t> only;
+    dem::Kinematics kinematics = dem::Kinematics::small;
 };
 
 Request read(int argc, char** argv)
@@ -49,6 +51,8 @@ Request read(int argc, char** argv)
             r.threads = static_cast<unsigned>(number());
         else if (word == "--only")
             r.only = number();
+        else if (word == "--finite")
+            r.kinematics = dem::Kinematics::finite;
         else if (word.starts_with("-") || !r.out.empty())
             throw std::invalid_argument(word);
         else
@@ -109,7 +113,7 @@ std::vector<SceneReport> run_all(const Request& request)
         team.emplace_back([&, t] {
             for (std::uint64_t k = next++; k < request.scenes; k = next++) {
                 dog.begin(t, k);
-                reports[k] = bench::run_stress_scene(request.seed, k);
+                reports[k] = bench::run_stress_scene(request.seed, k, request.kinematics);
                 dog.end(t);
             }
             --working;
@@ -144,8 +148,11 @@ std::string opening(const bench::CampaignSums& s, const Request& request, double
 {
     using app::fixed;
     const auto count = [](auto n) { return std::to_string(n); };
-    return count(s.scenes) + " scenes (seed " + count(request.seed) + "), " + count(s.walls) +
-           " walls, " + fixed(1e-6 * static_cast<double>(s.steps), 1) + " million steps in " +
+    return count(s.scenes) +
+           (request.kinematics == dem::Kinematics::finite ? " scenes with finite displacements"
+                                                          : " scenes") +
+           " (seed " + count(request.seed) + "), " + count(s.walls) + " walls, " +
+           fixed(1e-6 * static_cast<double>(s.steps), 1) + " million steps in " +
            fixed(seconds, 0) + " s on " + count(request.threads) + " threads, " +
            fixed(s.walls / s.seconds, 0) +
            " walls/s and core.\n\n"
@@ -214,7 +221,8 @@ bench::Report report_of(const std::vector<SceneReport>& scenes, const Request& r
 int main(int argc, char** argv)
 try {
     const Request request = read(argc, argv);
-    if (request.only) return show(bench::run_stress_scene(request.seed, *request.only));
+    if (request.only)
+        return show(bench::run_stress_scene(request.seed, *request.only, request.kinematics));
     const auto start = Clock::now();
     const std::vector<SceneReport> scenes = run_all(request);
     const bench::Report report = report_of(scenes, request, since(start));
@@ -224,8 +232,8 @@ try {
         bench::write_report(request.out, report);
     return bench::sums_of(scenes).broken_rules == 0 ? 0 : 1;
 } catch (const std::invalid_argument& e) {
-    std::cerr
-        << e.what()
-        << "\nusage: stability [OUT.md] [--scenes N] [--seed S] [--threads T] [--only K]\n";
+    std::cerr << e.what()
+              << "\nusage: stability [OUT.md] [--scenes N] [--seed S] [--threads T] [--only K] "
+                 "[--finite]\n";
     return 2;
 }

@@ -118,12 +118,14 @@ void run(const StressScene& s, SceneReport& report)
 
 } // namespace
 
-SceneReport run_stress_scene(std::uint64_t seed, std::uint64_t number)
+SceneReport run_stress_scene(std::uint64_t seed, std::uint64_t number,
+                             dem::Kinematics kinematics)
 {
     const double start = dem::thread_seconds();
     SceneReport report;
     report.number = number;
     report.scene = stress_scene(seed, number);
+    report.scene.solver.kinematics = kinematics;
     try {
         run(report.scene, report);
     } catch (const std::exception& e) {

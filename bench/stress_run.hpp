@@ -29,7 +29,8 @@ struct SceneReport {
 
 /// Pushes the walls of a scene side by side, on this thread. Where one wall is spoilt, once more
 /// without it: its neighbours must not notice.
-[[nodiscard]] SceneReport run_stress_scene(std::uint64_t seed, std::uint64_t number);
+[[nodiscard]] SceneReport run_stress_scene(std::uint64_t seed, std::uint64_t number,
+                                           dem::Kinematics kinematics = dem::Kinematics::small);
 
 [[nodiscard]] const char* name_of(dem::Outcome outcome);
 

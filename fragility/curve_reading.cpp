@@ -44,6 +44,11 @@ LimitDisplacement censored_at_end(const Curve& c, std::string_view reason)
     return {c.displacement.back(), Reading::censored, reason};
 }
 
+LimitDisplacement came_down_at_end(const Curve& c)
+{
+    return {c.displacement.back(), Reading::observed, "the wall came down"};
+}
+
 } // namespace
 
 void check(const Curve& c)
@@ -120,6 +125,7 @@ LimitDisplacement drop_after_peak(const Curve& c, double share, Crossing crossin
 
     std::size_t first = top + 1;
     while (first < c.force.size() && above(first)) ++first;
+    if (first == c.force.size() && c.came_down) return came_down_at_end(c);
     if (first == c.force.size())
         return censored_at_end(
             c, rises_to_end(c, top) ? "the force still rises where the curve ends"
@@ -128,6 +134,7 @@ LimitDisplacement drop_after_peak(const Curve& c, double share, Crossing crossin
         return {crossing_before(c, first, level), Reading::observed, {}};
 
     std::size_t last = c.force.size() - 1;
+    if (above(last) && c.came_down) return came_down_at_end(c);
     if (above(last)) return censored_at_end(c, "the force has recovered where the curve ends");
     while (!above(last - 1)) --last; // stops at the peak at the latest
     return {crossing_before(c, last, level), Reading::observed, {}};

@@ -16,6 +16,8 @@ namespace fragility {
 struct Curve {
     std::span<const double> displacement; ///< [length], >= 0, never decreasing, finite
     std::span<const double> force;        ///< [force], finite, one for each displacement
+    bool came_down =
+        false; ///< the curve ends because the wall came down: no force is left there
 };
 
 /// @throws std::invalid_argument naming the point, if the curve is empty or breaks a rule of
@@ -75,7 +77,7 @@ enum class Crossing {
 constexpr double kUltimateShare = 0.80;
 
 /// Displacement after the first peak at which the force comes down to `share` of it. Touching
-/// the level counts.
+/// the level counts, and so does a wall that came down: where its curve ends, at the latest.
 /// @param share in [0, 1); 0: no force is left; else std::invalid_argument
 [[nodiscard]] LimitDisplacement drop_after_peak(const Curve& curve,
                                                 double share = kUltimateShare,

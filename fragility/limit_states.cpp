@@ -10,7 +10,7 @@ namespace {
 /// What the three sets are made of.
 struct Parts {
     Peak top;
-    LimitDisplacement ultimate;
+    LimitDisplacement ultimate, collapse;
     LimitDisplacement yield;
     std::string ultimate_rule;
     std::string bilinear_rule;
@@ -54,7 +54,10 @@ Parts read_parts(const Curve& curve, const LimitStateOptions& o)
     const Peak top = peak(curve);
     const LimitDisplacement ultimate = drop_after_peak(curve, o.ultimate_share, o.crossing);
     const char* order = o.crossing == Crossing::first ? "first" : "last";
-    return {top, ultimate, yield_of(curve, ultimate, top, o.bilinear_share),
+    return {top,
+            ultimate,
+            drop_after_peak(curve, 0.0),
+            yield_of(curve, ultimate, top, o.bilinear_share),
             std::string(order) + " drop to " + percent(o.ultimate_share) + " of the peak",
             "yield of the equal-energy bilinear through " + percent(o.bilinear_share) +
                 " of the peak"};
@@ -89,12 +92,19 @@ std::vector<LimitState> paper(const Parts& p)
     return {{"ultimate", p.ultimate_rule, p.ultimate}};
 }
 
+std::vector<LimitState> collapse(const Parts& p)
+{
+    return {
+        {"collapse", "no force is left after the peak, or the wall comes down", p.collapse}};
+}
+
 /// A set of limit states is a row here and a function above.
 struct Set {
     std::string_view name;
     std::vector<LimitState> (*read)(const Parts&);
 };
-constexpr std::array kSets = {Set{"paper", paper}, Set{"ntc", ntc}, Set{"ec8", ec8}};
+constexpr std::array kSets = {Set{"paper", paper}, Set{"ntc", ntc}, Set{"ec8", ec8},
+                              Set{"collapse", collapse}};
 
 constexpr auto kNames = [] {
     std::array<std::string_view, kSets.size()> names;

@@ -3,7 +3,7 @@ import { element, choice, fixed, figures, percent, words, colours, levelColour }
 import { chart, key, placeTip, dashOf } from './chart.js';
 
 const kFewest = 5; // walls of a mean with an interval: that of fewer hides the chart
-const modeDash = (mode) => (mode === 'rocking' ? [] : [7, 4]);
+const modeDash = (mode) => (({ rocking: [], sliding: [2, 3] })[mode] ?? [7, 4]);
 const kSvg = 'http://www.w3.org/2000/svg';
 
 export function wallName(data, w) {
@@ -72,13 +72,13 @@ export class Capacity {
         const walls = this.members();
         const mode = (w) => this.data.walls[w].mode;
         const thin = (m) => Math.max(0.08, Math.min(0.6, 35 / walls.filter((w) => mode(w) === m).length));
-        const alpha = { rocking: thin('rocking'), mixed: thin('mixed'), failed: thin('failed') };
+        const alpha = { rocking: thin('rocking'), sliding: thin('sliding'), mixed: thin('mixed'), failed: thin('failed') };
         const series = walls.map((w) => ({ data: this.curves.forces(w), colour: colours[mode(w)], width: 1, alpha: alpha[mode(w)] }));
         const means = this.data.means.filter((m) => m.level === level && m.mode !== 'all');
         for (const m of means) series.push({ ...this.meanSeries(m, colours[m.mode], modeDash(m.mode), `mean of ${m.walls} ${m.mode} walls`), halo: walls.length > 1 });
         this.walls = walls;
         this.drawn = this.plotChart(series, `Force against displacement of ${walls.length} walls under ${this.data.levels[level].name}`);
-        const keys = ['rocking', 'mixed', 'failed'].filter((mode) => walls.some((w) => this.data.walls[w].mode === mode));
+        const keys = ['rocking', 'sliding', 'mixed', 'failed'].filter((mode) => walls.some((w) => this.data.walls[w].mode === mode));
         this.legend.replaceChildren(key([...keys.map((m) => ({ label: `${m} wall`, colour: colours[m], width: 1 })), ...series.filter((s) => s.label)]),
             element('p', { class: 'note' }, walls.length ? '' : 'No wall under this stress gave a curve.'));
         this.watch();

@@ -47,6 +47,7 @@ export function section(id, title, ...children) {
 /** Okabe and Ito (2008): told apart with every kind of colour vision. */
 export const colours = {
     rocking: '#0072B2',
+    sliding: '#009E73',
     mixed: '#D55E00',
     failed: '#767676',
     all: '#222222',

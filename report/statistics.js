@@ -70,16 +70,17 @@ export function modes(data, host) {
     const series = [];
     if (model) series.push({ label: `logistic regression, ${percent(data)} band`, colour: colours.rocking, data: on(model.value), band: [on(model.lower), on(model.upper)] });
     series.push({ label: `share of rocking walls, ${percent(data)} interval (failed walls counted either way)`, colour: '#222222', points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.value ?? null) });
+    if (levels.some((l) => l.sliding > 0)) series.push({ label: 'share of sliding walls', colour: colours.sliding, points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.sliding ?? null) });
     const where = plot();
     host.append(where, key(series), element('p', { class: 'note' }, data.modes.note));
     const [low, high] = [x[0], x.at(-1)];
     const room = (high - low || 1) * 0.06;
     chart(where, {
-        label: 'Share of rocking walls against vertical stress', x, series, xLabel: 'vertical stress [MPa]', yLabel: 'share rocking', yRange: [-0.02, 1.02], xRange: [low - room, high + room], height: 320,
+        label: 'Shares of modes against vertical stress', x, series, xLabel: 'vertical stress [MPa]', yLabel: 'share of walls', yRange: [-0.02, 1.02], xRange: [low - room, high + room], height: 320,
         draw: (u) => drawIntervals(u, levels.map((l) => ({ x: l.stress, lower: l.lower, upper: l.upper })), '#222222'),
         tip: (i) => {
             const l = levels.find((k) => k.stress === x[i]);
-            return l ? `${figures(l.stress)} MPa, ${l.walls} walls\nrocking ${fixed(100 * l.value, 0)} % [${fixed(100 * l.lower, 0)}, ${fixed(100 * l.upper, 0)}]` : `${fixed(x[i], 2)} MPa`;
+            return l ? `${figures(l.stress)} MPa, ${l.walls} walls\nrocking ${fixed(100 * l.value, 0)} % [${fixed(100 * l.lower, 0)}, ${fixed(100 * l.upper, 0)}]${l.sliding > 0 ? `\nsliding ${fixed(100 * l.sliding, 0)} %` : ''}` : `${fixed(x[i], 2)} MPa`;
         },
     });
 }

@@ -107,7 +107,7 @@ Table curve_titled(const char* name, const DriftData& data, std::size_t state)
 
 std::string state_file(const DriftState& s)
 {
-    return file_name((s.set.empty() ? "" : s.set + "_") + s.name);
+    return file_name(s.set.empty() || s.set == s.name ? s.name : s.set + "_" + s.name);
 }
 
 std::vector<fragility::ModeGroup> mode_groups(const DriftData& data, std::size_t group,

@@ -4,6 +4,8 @@
 #include "app/output/cells.hpp"
 #include "app/study/study_walls.hpp"
 
+#include <algorithm>
+
 namespace app {
 
 std::vector<fragility::Observation> limits_of(const DriftGroup& group, std::size_t state,
@@ -27,7 +29,8 @@ Cell group_cell(const DriftGroup& group)
 
 std::string state_name(const DriftState& state)
 {
-    return state.set.empty() ? state.name : state.set + " " + state.name;
+    return state.set.empty() || state.set == state.name ? state.name
+                                                        : state.set + " " + state.name;
 }
 
 std::string counts_text(const DriftData& data)
@@ -51,7 +54,8 @@ DriftData drift_data(const StudyWalls& walls)
     data.drift =
         "Drift: displacement of the load line / its height, " + number(walls.height, 6) + " m";
     data.group_head = "stress [MPa]";
-    data.modes = {mode_name(kRocking), mode_name(kMixed)};
+    const std::vector<int> modes = modes_of(walls);
+    for (const int mode : modes) data.modes.emplace_back(mode_name(mode));
     const FragilityInput& f = walls.study.fragility;
     data.options = {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap),
                     walls.study.uq.seed};
@@ -61,7 +65,8 @@ DriftData drift_data(const StudyWalls& walls)
         DriftGroup group{number(mpa, 12) + " MPa",  mpa,           {},
                          level.failed_walls.size(), level.missing, {}};
         for (const StudyWall& w : level.walls) {
-            DriftWall wall{mode_of(w), {}};
+            const auto mode = std::find(modes.begin(), modes.end(), mode_of(w));
+            DriftWall wall{static_cast<int>(mode - modes.begin()), {}};
             for (const auto& limit : w.reading.limits)
                 wall.limits.push_back(fragility::observation(limit, 100.0 / walls.height));
             group.walls.push_back(std::move(wall));

@@ -135,7 +135,8 @@ std::vector<NamedPicture> input_pictures(const StudyWalls& walls)
         c.title = "Peak force and joint friction angle, " + stress;
         c.x_label = "joint friction angle [deg]";
         c.y_label = "peak force [kN]";
-        Series modes[2] = {{"rocking", {}, {}, "#0072B2", LineStyle::none, 1.0, true},
+        Series modes[3] = {{"rocking", {}, {}, "#0072B2", LineStyle::none, 1.0, true},
+                           {"sliding", {}, {}, "#009E73", LineStyle::none, 1.0, true},
                            {"mixed", {}, {}, "#D55E00", LineStyle::none, 1.0, true}};
         for (const StudyWall& w : level.walls) {
             modes[mode_of(w)].x.push_back(w.inputs[input]);

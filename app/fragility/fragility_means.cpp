@@ -146,7 +146,7 @@ Table mean_table(const StudyWalls& walls)
                                  "censored",
                                  {"median displacement [mm]", kInterval | kExtrapolated},
                                  {"note", kNote}});
-    for (const int mode : {kRocking, kMixed})
+    for (const int mode : modes_of(walls))
         for (const StudyLevel& level : walls.levels)
             t.rows.push_back(mean_row(walls, level, mode, t.head.size()));
     return t;

@@ -14,7 +14,7 @@ namespace app {
 /// of the mode: Tables 6 (rocking), 7 (mixed) and 8 (both) of the paper, one below the other.
 [[nodiscard]] Table mean_table(const StudyWalls& walls);
 
-constexpr int kAllModes = 2; ///< after kRocking and kMixed
+constexpr int kAllModes = 3; ///< after the modes
 
 /// Forces of the walls of a group at one step [kN].
 struct MeanPoint {

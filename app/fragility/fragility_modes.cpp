@@ -1,5 +1,6 @@
 #include "app/fragility/fragility_modes.hpp"
 
+#include "app/fragility/fragility_means.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
@@ -39,15 +40,24 @@ double slid(const StudyLevel& level)
                       [](const StudyWall& w) { return w.reading.slid; }));
 }
 
+bool slides_count_as_rocking(const StudyWalls& walls)
+{
+    return walls.study.fragility.mode.modes == dem::ModeRule::two;
+}
+
 Row mode_row(const StudyWalls& walls, const StudyLevel& level, int mode)
 {
     const double confidence = walls.study.fragility.confidence;
     const auto n = static_cast<double>(level.walls.size());
     const auto failed = static_cast<double>(level.failed_walls.size());
     const double k = walls_with(level, mode);
-    Row row = {stress_cell(level), mode_name(mode),
-               count(k),           mode == kRocking ? count(slid(level)) : Number{},
-               count(n),           count(failed)};
+    Row row = {stress_cell(level),
+               mode_name(mode),
+               count(k),
+               mode == kRocking && slides_count_as_rocking(walls) ? count(slid(level))
+                                                                  : Number{},
+               count(n),
+               count(failed)};
     if (n == 0.0) {
         row.insert(row.end(), {{},
                                {},
@@ -76,14 +86,18 @@ std::optional<std::size_t> friction_of(const StudyWalls& walls)
     return {};
 }
 
-fragility::ModeData mode_data(const StudyLevel& level, std::size_t input)
+/// Walls that rock and walls of another mode.
+fragility::ModeData mode_data(const StudyLevel& level, std::size_t input, int other)
 {
-    const auto n = static_cast<Eigen::Index>(level.walls.size());
+    std::vector<const StudyWall*> walls;
+    for (const StudyWall& w : level.walls)
+        if (mode_of(w) == kRocking || mode_of(w) == other) walls.push_back(&w);
+    const auto n = static_cast<Eigen::Index>(walls.size());
     fragility::ModeData data{Eigen::MatrixXd(n, 1), Eigen::MatrixXd::Zero(n, 2)};
     for (Eigen::Index i = 0; i < n; ++i) {
-        const StudyWall& w = level.walls[static_cast<std::size_t>(i)];
+        const StudyWall& w = *walls[static_cast<std::size_t>(i)];
         data.covariates(i, 0) = w.inputs[input];
-        data.counts(i, mode_of(w)) = 1.0;
+        data.counts(i, mode_of(w) == kRocking ? 0 : 1) = 1.0;
     }
     return data;
 }
@@ -98,27 +112,26 @@ fragility::Interval physical(fragility::Interval i)
 }
 
 Row equal_row(const StudyWalls& walls, const StudyLevel& level,
-              const std::optional<std::size_t>& input)
+              const std::optional<std::size_t>& input, int other)
 {
-    const auto n = static_cast<double>(level.walls.size());
-    const double rocking = walls_with(level, kRocking);
-    Row row = {stress_cell(level), count(n), count(rocking)};
+    const double rocking = walls_with(level, kRocking), n = rocking + walls_with(level, other);
+    Row row = {stress_cell(level), mode_name(other), count(n), count(rocking)};
     const auto only_note = [&](const std::string& text, Cell slope = {}) {
         row.insert(row.end(), {{}, std::move(slope), {}, text});
         return row;
     };
     if (!input) return only_note("joint.friction_angle does not vary in this study.");
-    if (n == 0) return only_note("No wall gave a result.");
+    if (level.walls.empty()) return only_note("No wall gave a result.");
     if (rocking == 0 || rocking == n)
-        return only_note(std::string("All walls are ") + (rocking == 0 ? "mixed" : "rocking") +
+        return only_note(std::string("No wall is ") +
+                         mode_name(rocking == n ? other : kRocking) +
                          ": the data have no such angle.");
-    const auto data = mode_data(level, *input);
+    const auto data = mode_data(level, *input, other);
     const auto model = fragility::fit_modes_safely(data);
     if (model.outcome != fragility::ModelOutcome::converged)
         return only_note("No model: " + model.reason + ".");
-    const auto equal =
-        fragility::equal_modes(model, data, kRocking, kMixed, 0, Eigen::VectorXd::Zero(1),
-                               walls.study.fragility.confidence);
+    const auto equal = fragility::equal_modes(model, data, 0, 1, 0, Eigen::VectorXd::Zero(1),
+                                              walls.study.fragility.confidence);
     if (!equal.found) return only_note("No such angle: " + equal.reason + ".");
     const Number slope = with_error(model.coefficients(0, 1), model.std_errors(0, 1), 3);
     const bool firth = model.penalty == fragility::ModePenalty::firth;
@@ -161,11 +174,12 @@ std::vector<std::vector<double>> figures_of(const StudyLevel& level)
     return figures;
 }
 
-int mode_by_figures(std::span<const double> figures, std::span<const double> thresholds)
+int mode_by_figures(std::span<const double> figures, std::span<const double> thresholds,
+                    dem::ModeRule modes)
 {
     const dem::Mechanism m{figures[0], 0.0, static_cast<int>(figures[1]), 0};
     return static_cast<int>(dem::failure_mode(
-        m, figures[2] > 0.5, {thresholds[0], static_cast<int>(thresholds[1])}));
+        m, figures[2] > 0.5, {thresholds[0], static_cast<int>(thresholds[1]), modes}));
 }
 
 } // namespace
@@ -186,15 +200,16 @@ Table mode_table(const StudyWalls& walls)
               {"share with failed walls [%]", kRange},
               {"note", kNote}};
     for (const StudyLevel& level : walls.levels)
-        for (const int mode : {kRocking, kMixed})
-            t.rows.push_back(mode_row(walls, level, mode));
+        for (const int mode : modes_of(walls)) t.rows.push_back(mode_row(walls, level, mode));
     return t;
 }
 
 Table equal_modes_table(const StudyWalls& walls)
 {
     Table t = titled_table("equal_modes", words_of(walls));
+    t.keys = 2;
     t.head = {"stress [MPa]",
+              "other mode",
               "n",
               "rocking",
               {"angle [deg]", kInterval},
@@ -203,7 +218,8 @@ Table equal_modes_table(const StudyWalls& walls)
               {"note", kNote}};
     const auto input = friction_of(walls);
     for (const StudyLevel& level : walls.levels)
-        t.rows.push_back(equal_row(walls, level, input));
+        for (const int other : modes_of(walls))
+            if (other != kRocking) t.rows.push_back(equal_row(walls, level, input, other));
     return t;
 }
 
@@ -213,23 +229,32 @@ Table threshold_table(const StudyWalls& walls)
     t.keys = 2;
     t.head = {"rotation share", "cracked units"};
     std::vector<std::vector<double>> all;
+    std::vector<int> shown = modes_of(walls);
+    std::erase(shown, kRocking);
     for (const StudyLevel& level : walls.levels) {
-        t.head.emplace_back("mixed at " + number(level.stress * 1e-6, 12) + " MPa [%]");
+        for (const int mode : shown)
+            t.head.emplace_back(mode_name(mode) + (" at " + number(level.stress * 1e-6, 12)) +
+                                " MPa [%]");
         for (const auto& f : figures_of(level)) all.push_back(f);
     }
     t.head.emplace_back("walls that change their mode [%]");
     if (all.empty()) return t;
     const ThresholdGrid grid = grid_of(walls.study.fragility);
-    const auto overall = fragility::mode_shares(all, grid.points, mode_by_figures, 2);
+    const fragility::ModeRule rule = [&](auto figures, auto thresholds) {
+        return mode_by_figures(figures, thresholds, walls.study.fragility.mode.modes);
+    };
+    const auto overall = fragility::mode_shares(all, grid.points, rule, kAllModes);
     for (const auto& point : grid.points) t.rows.push_back({given(point[0]), count(point[1])});
     for (const StudyLevel& level : walls.levels) {
         const auto figures = figures_of(level);
         std::vector<fragility::ThresholdShares> shares;
         if (!figures.empty())
-            shares = fragility::mode_shares(figures, grid.points, mode_by_figures, 2);
+            shares = fragility::mode_shares(figures, grid.points, rule, kAllModes);
         for (std::size_t p = 0; p < grid.points.size(); ++p)
-            t.rows[p].emplace_back(
-                shares.empty() ? Number{} : plain_number(100.0 * shares[p].shares[kMixed], 0));
+            for (const int mode : shown)
+                t.rows[p].emplace_back(shares.empty()
+                                           ? Number{}
+                                           : plain_number(100.0 * shares[p].shares[mode], 0));
     }
     for (std::size_t p = 0; p < grid.points.size(); ++p)
         t.rows[p].emplace_back(plain_number(100.0 * overall[p].moved, 1));

@@ -71,6 +71,10 @@ Words words_of(const StudyWalls& walls)
     Words words = words_of(drift_data(walls));
     words["rule"] = mode_rule_text(walls.study.fragility);
     words["fall"] = percent_text(walls.study.fragility.ultimate_share);
+    words["fallen"] = walls.study.fragility.mode.modes == dem::ModeRule::two
+                          ? " A wall whose force fell to " + words["fall"] +
+                                " of its peak is mixed whatever the thresholds."
+                          : "";
     words["ultimate"] = ultimate_text(walls.study.fragility);
     words["height"] = number(walls.height, 6);
     words["spatial"] = walls.study.uq.spatial == Spatial::none

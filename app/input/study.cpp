@@ -112,8 +112,12 @@ std::string effective_configuration(const Study& study)
 
 dem::Loads loads(const Study& study, int level)
 {
-    return {study.load.vertical_stress.at(static_cast<std::size_t>(level)), study.load.height,
-            study.load.gravity, study.load.top, study.load.link_length};
+    return {study.load.vertical_stress.at(static_cast<std::size_t>(level)),
+            study.load.height,
+            study.load.gravity,
+            study.load.top,
+            study.load.link_length,
+            study.load.pattern};
 }
 
 dem::Model model_of(const Study& study)
@@ -195,6 +199,7 @@ dem::PushPlan push_plan(const Study& study)
     plan.snapshot_every = study.output.snapshot_every;
     const bool finite = study.solver.kinematics == dem::Kinematics::finite;
     const bool to_and_fro = turns_back(plan.targets);
+    if (finite && !to_and_fro) plan.drop = fragility::kUltimateShare;
     if (study.load.stop_below > 0.0)
         plan.decided = to_and_fro ? stop_both_below(study.load.stop_below)
                                   : stop_below(study.load.stop_below);

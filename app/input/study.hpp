@@ -30,7 +30,8 @@ namespace app {
 
 struct LoadInput {
     std::vector<double> vertical_stress; ///< stress levels [Pa], >= 0, at least one
-    double height = 0.0;                 ///< of the horizontal load above the floor [m]
+    double height =
+        0.0; ///< of the horizontal load, or of the resultant of body forces, above the floor [m]
     double max_displacement = dem::PushPlan{}.targets.front(); ///< of the load line [m], > 0
     std::vector<double>
         targets; ///< displacements visited in order [m]; empty: max_displacement
@@ -43,6 +44,7 @@ struct LoadInput {
     double stop_below = 0.0;
     dem::TopLoad top = dem::Loads{}.top;
     double link_length = dem::Loads{}.link_length; ///< [m], of TopLoad::link
+    dem::LoadPattern pattern = dem::Loads{}.pattern;
 };
 
 struct OutputInput {

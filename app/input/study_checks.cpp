@@ -110,7 +110,7 @@ void check_pieces(const Study& study)
                    " mm long; choose wall.length, unit_length and bond so that none is below 1 "
                    "mm");
     };
-    const dem::Layout layout = dem::lay_out(wall, study.beam.height);
+    const dem::Layout layout = dem::lay_out(wall, study.beam.present ? study.beam.height : 0.0);
     for (const dem::Block& b : layout.blocks) {
         if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
     }
@@ -125,7 +125,8 @@ void check_load(const Study& study)
     constexpr double kRounding = 1e-9; // [m]
     const double top = study.wall.courses * study.wall.course_height;
     const double low = top - kRounding, high = top + study.beam.height + kRounding;
-    if (study.load.height < low || study.load.height > high) {
+    const bool body = study.load.pattern == dem::LoadPattern::body;
+    if (!body && (study.load.height < low || study.load.height > high)) {
         refuse(study, "load.height",
                "must lie within the loading beam, from " + text(top, "m") + " to " +
                    text(top + study.beam.height, "m"));
@@ -141,6 +142,27 @@ void check_load(const Study& study)
     }
     if (!study.load.targets.empty() && !study.load.amplitudes.empty())
         refuse(study, "load.amplitudes", "and load.targets exclude each other; remove one");
+}
+
+/// What pushes, and what there is to push.
+void check_pattern(const Study& study)
+{
+    const bool body = study.load.pattern == dem::LoadPattern::body;
+    if (body && find_entry(study.source, "load.height"))
+        refuse(study, "load.height",
+               "body forces act on every block; remove it, or write load.pattern = beam");
+    if (body && study.beam.rotation == dem::BeamRotation::fixed)
+        refuse(study, "beam.rotation",
+               "body forces move the beam with the wall; write free, or load.pattern = beam");
+    if (study.beam.present) return;
+    if (!body)
+        refuse(study, "beam.present",
+               "without a beam nothing pushes the wall; write load.pattern = body");
+    for (const double stress : study.load.vertical_stress)
+        if (stress > 0.0)
+            refuse(study, "load.vertical_stress",
+                   text(stress, "MPa") +
+                       " has no beam to act on; write 0 MPa, or beam.present = yes");
 }
 
 /// How the vertical load follows matters to a wall that moves.
@@ -208,6 +230,7 @@ void check_relations(const Study& study)
 {
     check_residuals(study);
     check_pieces(study);
+    check_pattern(study);
     check_load(study);
     check_top_load(study);
     check_output(study);

@@ -51,6 +51,8 @@ constexpr std::array kKernels = {named("exponential", FieldKernel::exponential),
                                  named("all", FieldKernel::all)};
 constexpr std::array kCrossings = {named("first", fragility::Crossing::first),
                                    named("last", fragility::Crossing::last)};
+constexpr std::array kModeRules = {named("two", dem::ModeRule::two),
+                                   named("three", dem::ModeRule::three)};
 constexpr std::array kDriftLaws = {
     named("lognormal", fragility::Law::lognormal), named("normal", fragility::Law::normal),
     named("weibull", fragility::Law::weibull), named("gamma", fragility::Law::gamma)};
@@ -206,8 +208,11 @@ constexpr std::array kKeys = {
         .verbs = "study fragility",
         .meaning = "samples behind the p-values of fits; 0 none",
         .field = kAt<&Study::fragility, &FragilityInput::bootstrap>},
+    Key{.name = "fragility.modes", .kind = Kind::word, .names = kModeRules,
+        .meaning = "three: rocking, sliding, mixed; two (paper): walls that slide whole count as rocking, all that lose load as mixed",
+        .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::modes>},
     Key{.name = "fragility.rotation_share", .range = {'(', 0, 1, ')'},
-        .meaning = "rotation / displacement below which a cracked wall is of mixed mode",
+        .meaning = "rotation / displacement below which a wall does not rock: it slides, or is of mixed mode where cracked",
         .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::rotation_share>},
     Key{.name = "fragility.cracked_units", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
         .meaning = "units cracked through from which it counts as cracked; 0: sliding is enough",

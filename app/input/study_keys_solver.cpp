@@ -23,6 +23,8 @@ constexpr std::array kTopLoads = {
 constexpr std::array kProtocols = {named("none", Protocol::none),
                                    named("fema461", Protocol::fema461),
                                    named("iso16670", Protocol::iso16670)};
+constexpr std::array kPatterns = {named("beam", dem::LoadPattern::beam),
+                                  named("body", dem::LoadPattern::body)};
 constexpr std::array kPreloads = {named("solved", dem::Preload::solved),
                                   named("ramped", dem::Preload::ramped)};
 constexpr std::array kFidelities = {
@@ -31,9 +33,16 @@ constexpr std::array kFidelities = {
     named("fine", dem::Fidelity::fine)};
 constexpr std::array kModes = {named("all", 0), named("rigid", 3)};
 
+/// Top of the beam, or the centre of gravity of what body forces push.
 void derive_load_height(Study& s)
 {
-    s.load.height = s.wall.courses * s.wall.course_height + s.beam.height;
+    const double wall = s.wall.courses * s.wall.course_height;
+    const double beam = s.beam.present ? s.beam.height : 0.0;
+    s.load.height = wall + beam;
+    if (s.load.pattern == dem::LoadPattern::beam) return;
+    const double stone = s.parameters.stone.density * wall,
+                 top = s.beam.material.density * beam;
+    s.load.height = (0.5 * wall * stone + (wall + 0.5 * beam) * top) / (stone + top);
 }
 
 void derive_contact_points(Study& s)
@@ -80,8 +89,8 @@ constexpr std::array kKeys = {
         .meaning = "stress levels, through the beam on length x thickness",
         .field = kAt<&Study::load, &LoadInput::vertical_stress>},
     Key{.name = "load.height", .unit = "m", .range = {'(', 0, 10010, ']'},
-        .derived = {"top of the beam", derive_load_height},
-        .meaning = "of the horizontal load above the floor, within the beam",
+        .derived = {"top of the beam; of body forces the centre of gravity", derive_load_height},
+        .meaning = "of the horizontal load above the floor, within the beam; drifts are displacements over it",
         .field = kAt<&Study::load, &LoadInput::height>},
     Key{.name = "load.max_displacement", .unit = "mm", .range = {'(', 0, 1000, ']'},
         .effect = kAlone,
@@ -108,6 +117,10 @@ constexpr std::array kKeys = {
         .meaning = "ends the push once the force is below this share of the peak; 0: at zero force"
                    " with finite displacements, else never",
         .field = kAt<&Study::load, &LoadInput::stop_below>},
+    Key{.name = "load.pattern", .kind = Kind::word, .names = kPatterns,
+        .meaning = "what pushes: the beam at its load line, or body: forces on all blocks in proportion to"
+                   " their weight; displacements are then the mean of the wall by weight",
+        .field = kAt<&Study::load, &LoadInput::pattern>},
     Key{.name = "load.top", .kind = Kind::word, .names = kTopLoads,
         .meaning = "how the vertical load follows the beam: dead (moves with it), fixed_line (in"
                    " space), follower (normal to it), link (docs/theory.md)",
@@ -174,6 +187,10 @@ constexpr std::array kKeys = {
         .effect = kSlowingDrive,
         .meaning = "slowest drive, as a share of full speed",
         .field = kAt<&Study::solver, &SolverOptions::min_speed>},
+    Key{.name = "solver.max_speed", .range = {'[', 1, 100, ']'},
+        .effect = kSlowingDrive,
+        .meaning = "fastest drive where the unbalance is below a quarter of its limit, as a multiple of full speed",
+        .field = kAt<&Study::solver, &SolverOptions::max_speed>},
 
     Key{.name = "solver.energy_tolerance", .range = {'(', 0, 1, ')'},
         .meaning = "largest energy residual; beyond it the step is halved, in the end the wall failed",

@@ -47,6 +47,8 @@ constexpr Condition kWithCracks{[](const Study& s) { return s.wall.cracks_in_uni
 constexpr Condition kWithBaseJoint{
     [](const Study& s) { return s.wall.base == dem::Base::joint; },
     "there is no base joint; write wall.base = joint, or remove it", true};
+constexpr Condition kWithBeam{[](const Study& s) { return s.beam.present; },
+                              "there is no beam; write beam.present = yes, or remove it", true};
 constexpr Condition kWithBeamJoint{
     [](const Study& s) { return s.beam.interface == dem::BeamInterface::joint; },
     "there is no beam joint; write beam.interface = joint, or remove it", true};
@@ -207,20 +209,26 @@ constexpr std::array kKeys = {
         .meaning = "an open crack closes to the origin, or with k_n (paper, Table 1) and stays propped",
         .field = kAt<&Study::solver, &SolverOptions::unloading>},
 
-    Key{.name = "beam.height", .unit = "m", .range = kHeight, .example = "0.10 m",
+    Key{.name = "beam.present", .kind = Kind::word, .names = kYesNo,
+        .meaning = "no: a wall alone, pushed by load.pattern = body",
+        .field = kAt<&Study::beam, &Beam::present>},
+    Key{.name = "beam.height", .unit = "m", .range = kHeight, .used = kWithBeam, .example = "0.10 m",
         .meaning = "of the loading beam on the wall",
         .field = kAt<&Study::beam, &Beam::height>},
-    Key{.name = "beam.young_modulus", .unit = "GPa", .range = kModulus,        .example = "30 GPa",
+    Key{.name = "beam.young_modulus", .unit = "GPa", .range = kModulus, .used = kWithBeam, .example = "30 GPa",
         .meaning = "of the loading beam",
         .field = kAt<&Study::beam, &Beam::material, &Elastic::young_modulus>},
     Key{.name = "beam.poisson_ratio", .range = kPoisson,
+        .used = kWithBeam,
         .meaning = "of the loading beam; concrete",
         .field = kAt<&Study::beam, &Beam::material, &Elastic::poisson_ratio>},
-    Key{.name = "beam.density", .unit = "kg/m3", .range = kDensity, .effect = kWithGravity,
+    Key{.name = "beam.density", .unit = "kg/m3", .range = kDensity,
+        .used = kWithBeam, .effect = kWithGravity,
         .example = "2400 kg/m3",
         .meaning = "weight of the loading beam",
         .field = kAt<&Study::beam, &Beam::material, &Elastic::density>},
     Key{.name = "beam.interface", .kind = Kind::word, .names = kInterfaces,
+        .used = kWithBeam,
         .meaning = "beam glued to the top course, or on a dry joint",
         .field = kAt<&Study::beam, &Beam::interface>},
     Key{.name = "beam.friction_angle", .unit = "deg", .range = kAngle,
@@ -230,6 +238,7 @@ constexpr std::array kKeys = {
         .meaning = "under the beam, only with interface = joint",
         .field = kAt<&Study::parameters, &Parameters::beam_friction_angle>},
     Key{.name = "beam.rotation", .kind = Kind::word, .names = kRotations,
+        .used = kWithBeam,
         .meaning = "the beam may turn, or stays level",
         .field = kAt<&Study::beam, &Beam::rotation>},
 

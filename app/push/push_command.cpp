@@ -90,14 +90,26 @@ std::string configuration(const Study& study, const PushedWall& w, std::optional
            effective_configuration(study);
 }
 
+BodyForceColumns body_force_columns(const PushedWall& w)
+{
+    BodyForceColumns columns;
+    if (w.loads.pattern != dem::LoadPattern::body) return columns;
+    for (const dem::CurvePoint& p : w.result.curve) {
+        columns.load_factor.push_back(p.force / w.result.weight);
+        columns.corner.push_back(p.corner);
+    }
+    return columns;
+}
+
 void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
                 std::optional<int> sample)
 {
     make_folder(folder);
     write_file(folder / "study.ini", configuration(study, w, sample));
     if (!dem::failed(w.result.outcome)) {
-        write_file(folder / "capacity.csv",
-                   capacity_csv(w.displacement, w.force, w.loads.height));
+        write_file(
+            folder / "capacity.csv",
+            capacity_csv(w.displacement, w.force, w.loads.height, body_force_columns(w)));
         if (push_way(study).direction == 0)
             write_file(folder / "cycles.csv",
                        cycles_csv(fragility::cycles({w.displacement, w.force})));

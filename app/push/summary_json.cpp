@@ -64,7 +64,9 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
             {"slid_whole", w.reading.slid},
             {"mode_rule", mode_rule_text(f)},
             {"mode_thresholds",
-             {{"rotation_share", t.rotation_share}, {"cracked_units", t.cracked_units}}}};
+             {{"rotation_share", t.rotation_share},
+              {"cracked_units", t.cracked_units},
+              {"modes", t.modes == dem::ModeRule::two ? 2 : 3}}}};
 }
 
 Json checks(const HandChecks& h)
@@ -91,17 +93,19 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["vertical_stress_MPa"] = w.vertical_stress * kToMpa;
     j["outcome"] = words(w.result.outcome);
     j["peak_force_kN"] = number_or_null(peak_force(r) * kToKn);
+    if (w.loads.pattern == dem::LoadPattern::body) {
+        j["peak_load_factor"] = number_or_null(peak_force(r) / w.result.weight);
+        j["load_factor_rule"] = "horizontal body force over weight; displacements are means "
+                                "over the wall by weight";
+    }
     j["displacement_at_peak_mm"] = number_or_null(peak_displacement(r) * kToMm);
     j["peak_is_last_point"] = r.peak ? Json(r.peak->at_end) : Json(nullptr);
     j["ultimate_displacement_mm"] = displacement_mm(r.ultimate);
     j["ultimate_censored"] = is_censored(r.ultimate);
     j["ultimate_rule"] =
         ultimate_text(f) + "; if it never does, censored at the last displacement";
-    const fragility::LimitDisplacement collapsed =
-        collapse({w.displacement, w.force}, w.result.outcome == dem::Outcome::lost_equilibrium,
-                 reading_rules(study));
-    j["collapse_displacement_mm"] = displacement_mm(collapsed);
-    j["collapse_censored"] = is_censored(collapsed);
+    j["collapse_displacement_mm"] = displacement_mm(r.collapse);
+    j["collapse_censored"] = is_censored(r.collapse);
     j["collapse_rule"] =
         "force after the peak first comes down to zero, or the wall comes down; if neither "
         "happens, censored at the last displacement";

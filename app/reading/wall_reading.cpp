@@ -43,12 +43,21 @@ void read_curve(const fragility::Curve& curve, const ReadingRules& rules, WallRe
     w.ultimate =
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
     w.dropped = is_observed(w.ultimate);
+    w.collapse = fragility::drop_after_peak(curve, 0.0);
     w.limits.clear();
     for (const std::string_view set : rules.sets)
         for (const auto& s : fragility::read_limit_states(curve, set, rules.options))
             w.limits.push_back(s.limit);
     for (const auto& s : fragility::read_limit_states(curve, user_states(rules), rules.options))
         w.limits.push_back(s.limit);
+}
+
+/// A push to the left, in its own direction.
+void read_mirrored(const fragility::Curve& curve, const ReadingRules& rules, WallReading& w)
+{
+    const auto displacement = turned_round(curve.displacement),
+               force = turned_round(curve.force);
+    read_curve({displacement, force, curve.came_down}, rules, w);
 }
 
 } // namespace
@@ -79,22 +88,6 @@ WallReading not_read(const ReadingRules& rules, std::string why)
     return w;
 }
 
-fragility::LimitDisplacement collapse(const fragility::Curve& curve, bool came_down,
-                                      const ReadingRules& rules)
-{
-    if (curve.displacement.size() < 2 || rules.direction == 0)
-        return {0.0, Reading::not_defined, "nothing is read off this wall"};
-    const auto displacement =
-        rules.direction > 0 ? std::vector(curve.displacement.begin(), curve.displacement.end())
-                            : turned_round(curve.displacement);
-    const auto force = rules.direction > 0 ? std::vector(curve.force.begin(), curve.force.end())
-                                           : turned_round(curve.force);
-    fragility::LimitDisplacement c = fragility::drop_after_peak({displacement, force}, 0.0);
-    if (came_down && is_censored(c))
-        c = {displacement.back(), Reading::observed, "the wall came down"};
-    return c;
-}
-
 WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                  const ReadingRules& rules)
 {
@@ -107,7 +100,7 @@ WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
     else if (rules.direction > 0)
         read_curve(curve, rules, w);
     else
-        read_curve({turned_round(curve.displacement), turned_round(curve.force)}, rules, w);
+        read_mirrored(curve, rules, w);
     w.mode = dem::failure_mode(mechanism, w.dropped, rules.mode);
     w.slid = slid_whole(mechanism, w.dropped, rules.mode);
     return w;

@@ -43,27 +43,23 @@ struct WallReading {
     std::string no_reading; ///< why nothing is read off the curve; empty where it is read
     std::optional<fragility::Peak> peak; ///< [N] [m]
     std::optional<double> stiffness; ///< secant at fragility::kSecantShare of the peak [N/m]
-    fragility::LimitDisplacement ultimate;            ///< [m]
+    fragility::LimitDisplacement ultimate; ///< [m]
+    fragility::LimitDisplacement collapse; ///< no force left, or the wall came down [m]
     std::vector<fragility::LimitDisplacement> limits; ///< [m], in the order of state_names
     dem::FailureMode mode = dem::FailureMode::rocking;
     bool dropped = false; ///< the force fell to the ultimate share of the peak
-    bool slid = false; ///< the wall slid along a course and did not crack: it counts as rocking
+    bool slid =
+        false; ///< the wall slid whole, which counts as rocking where there are two modes
 };
 
 /// @param curve as the solver wrote it, [m] and [N], of a wall that did not fail
 [[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                                const ReadingRules& rules);
 
-/// Where a wall has no strength left: its force comes down to zero after the peak, or it comes down.
-/// Censored at the last displacement [m] where neither happens, not defined for a push that turns back.
-/// @param came_down the push ended because the wall lost its equilibrium
-[[nodiscard]] fragility::LimitDisplacement collapse(const fragility::Curve& curve,
-                                                    bool came_down, const ReadingRules& rules);
-
 /// A wall without a curve to read: nothing is defined.
 [[nodiscard]] WallReading not_read(const ReadingRules& rules, std::string why);
 
-/// A wall that neither overturned nor cracked nor lost load: the rule counts it as rocking.
+/// A wall that neither overturned nor cracked nor lost load and counts as rocking (ModeRule::two).
 [[nodiscard]] bool slid_whole(const dem::Mechanism& mechanism, bool dropped,
                               const dem::ModeThresholds& thresholds);
 

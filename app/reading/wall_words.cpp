@@ -4,7 +4,7 @@ namespace app {
 
 std::string_view words(dem::FailureMode mode)
 {
-    return mode == dem::FailureMode::rocking ? "rocking" : "mixed";
+    return kModes.at(static_cast<std::size_t>(mode));
 }
 
 std::string_view words(fragility::Reading reading)

@@ -10,14 +10,15 @@
 
 namespace app {
 
-inline constexpr std::array kModes = {dem::FailureMode::rocking, dem::FailureMode::mixed};
+/// In the order of dem::FailureMode.
+inline constexpr std::array<std::string_view, 3> kModes = {"rocking", "sliding", "mixed"};
 
 /// In the order of dem::Outcome.
 inline constexpr std::array<std::string_view, 7> kOutcomes = {
     "reached target", "decided",      "lost equilibrium", "not finite",
     "energy astray",  "out of steps", "no wall"};
 
-[[nodiscard]] std::string_view words(dem::FailureMode mode); ///< "rocking", "mixed"
+[[nodiscard]] std::string_view words(dem::FailureMode mode); ///< "rocking", "sliding", "mixed"
 [[nodiscard]] std::string_view
 words(fragility::Reading reading);                          ///< "observed", "censored", ...
 [[nodiscard]] std::string_view words(dem::Outcome outcome); ///< "reached target", ...

@@ -6,9 +6,9 @@
 
 namespace app {
 
-void FilmShelf::put(WallKey key, bool rocking, std::span<const dem::Snapshot> frames)
+void FilmShelf::put(WallKey key, dem::FailureMode mode, std::span<const dem::Snapshot> frames)
 {
-    Samples& samples = films_[{key.level, rocking}];
+    Samples& samples = films_[{key.level, mode}];
     const std::size_t most = walls_in_page(frames.front().blocks.size());
     if (samples.size() >= most && key.sample > samples.rbegin()->first) return;
     samples[key.sample] = film_of(frames);
@@ -17,8 +17,9 @@ void FilmShelf::put(WallKey key, bool rocking, std::span<const dem::Snapshot> fr
 
 const Film* FilmShelf::find(WallKey key) const
 {
-    for (const bool rocking : {false, true}) {
-        const auto group = films_.find({key.level, rocking});
+    using enum dem::FailureMode;
+    for (const dem::FailureMode mode : {rocking, sliding, mixed}) {
+        const auto group = films_.find({key.level, mode});
         if (group == films_.end()) continue;
         const auto film = group->second.find(key.sample);
         if (film != group->second.end()) return &film->second;

@@ -3,6 +3,7 @@
 
 #include "app/report/report_film.hpp"
 #include "app/store/store_row.hpp"
+#include "dem/scene/mechanism.hpp"
 
 #include <cstdint>
 #include <map>
@@ -16,14 +17,14 @@ namespace app {
 class FilmShelf {
   public:
     /// Each wall once.
-    void put(WallKey key, bool rocking, std::span<const dem::Snapshot> frames);
+    void put(WallKey key, dem::FailureMode mode, std::span<const dem::Snapshot> frames);
 
     /// nullptr: not here
     [[nodiscard]] const Film* find(WallKey key) const;
 
   private:
     using Samples = std::map<std::uint32_t, Film>;
-    std::map<std::pair<std::uint32_t, bool>, Samples> films_; ///< by level and rocking
+    std::map<std::pair<std::uint32_t, dem::FailureMode>, Samples> films_; ///< by level and mode
 };
 
 } // namespace app

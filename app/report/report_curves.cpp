@@ -61,7 +61,7 @@ Json mean_curves_json(const StudyWalls& study)
     const auto rounded = [](double kn) { return std::round(kn * 1e3) / 1e3; };
     Json means = Json::array();
     for (std::size_t level = 0; level < study.levels.size(); ++level)
-        for (const int mode : {kAllModes, kRocking, kMixed}) {
+        for (const int mode : {kAllModes, kRocking, kSliding, kMixed}) {
             const auto points = mean_points(study, study.levels[level], mode);
             if (points.empty() || points.front().walls < 2) continue;
             Json mean = {{"level", level},

@@ -120,14 +120,16 @@ void add_model(Json& modes, const fragility::ModeData& data, double confidence)
 
 struct ModeCount {
     double stress = 0.0; ///< [MPa]
-    double rocking = 0.0, walls = 0.0, failed = 0.0;
+    double rocking = 0.0, sliding = 0.0, walls = 0.0, failed = 0.0;
 };
 
 ModeCount mode_count(const StudyWalls& study, std::size_t level)
 {
     ModeCount c{1e-6 * study.levels[level].stress};
-    for (const StudyWall& w : study.levels[level].walls)
+    for (const StudyWall& w : study.levels[level].walls) {
         c.rocking += w.reading.mode == dem::FailureMode::rocking ? 1.0 : 0.0;
+        c.sliding += w.reading.mode == dem::FailureMode::sliding ? 1.0 : 0.0;
+    }
     c.walls = static_cast<double>(study.levels[level].walls.size());
     c.failed = static_cast<double>(study.levels[level].failed_walls.size());
     return c;
@@ -177,6 +179,7 @@ Json modes_json(const StudyWalls& study)
                                    {"value", s.value},
                                    {"lower", s.bounds.lower},
                                    {"upper", s.bounds.upper},
+                                   {"sliding", c.sliding / c.walls},
                                    {"walls", c.walls}});
         counts.push_back(c);
     }

@@ -123,13 +123,14 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
     const auto& walls = level.walls;
     if (walls.empty()) return stress_text(level.stress) + ": no wall gave a result.";
     std::vector<double> peaks;
-    double rocking = 0.0;
+    double rocking = 0.0, sliding = 0.0;
     std::size_t came_down = 0, known = 0, slid = 0;
     for (const StudyWall& w : walls) {
         const WallReading& r = w.reading;
         known += is_defined(r.ultimate) ? 1 : 0;
         if (r.peak) peaks.push_back(r.peak->force * 1e-3);
         rocking += r.mode == dem::FailureMode::rocking ? 1.0 : 0.0;
+        sliding += r.mode == dem::FailureMode::sliding ? 1.0 : 0.0;
         slid += r.slid ? 1 : 0;
         came_down += is_observed(r.ultimate) ? 1 : 0;
     }
@@ -149,6 +150,9 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
                          fragility::BinomialInterval::wilson, f.confidence);
     return text + percent(s.value) + " % rocked [" + percent(s.bounds.lower) + ", " +
            percent(s.bounds.upper) + "]" +
+           (sliding > 0.0
+                ? ", " + percent(sliding / static_cast<double>(walls.size())) + " % slid"
+                : "") +
            (slid > 0 ? ", counting " + std::to_string(slid) + " that slid whole" : "") +
            (known == 0 ? "."
                        : "; " + std::to_string(came_down) + " of " + std::to_string(known) +

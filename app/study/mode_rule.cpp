@@ -5,6 +5,16 @@
 
 namespace app {
 
+namespace {
+
+std::string units_text(int cracked)
+{
+    if (cracked == 0) return "cracked or not";
+    return (cracked == 1 ? "a unit" : std::to_string(cracked) + " units") + " cracked through";
+}
+
+} // namespace
+
 std::string ultimate_text(const FragilityInput& f)
 {
     const bool first = f.crossing == fragility::Crossing::first;
@@ -15,13 +25,17 @@ std::string ultimate_text(const FragilityInput& f)
 std::string mode_rule_text(const FragilityInput& f)
 {
     const dem::ModeThresholds& t = f.mode;
+    if (t.modes == dem::ModeRule::three) {
+        const std::string share = number(t.rotation_share, 6);
+        return "Mixed: " + units_text(t.cracked_units) + ", and the " + ultimate_text(f) +
+               " or less than " + share +
+               " of the displacement is rotation; else rocking, or sliding below that share";
+    }
     const std::string dropped = "Mixed: the " + ultimate_text(f) + ", or ";
     const std::string overturns =
         "less than " + number(t.rotation_share, 6) + " of the displacement is rotation";
     if (t.cracked_units == 0) return dropped + overturns + "; else rocking";
-    return dropped +
-           (t.cracked_units == 1 ? "a unit" : std::to_string(t.cracked_units) + " units") +
-           " cracked through and " + overturns +
+    return dropped + units_text(t.cracked_units) + " and " + overturns +
            "; else rocking, with it walls that slid along a course and did not crack";
 }
 

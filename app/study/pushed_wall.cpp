@@ -24,8 +24,9 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
         w.displacement.push_back(kept(p.displacement));
         w.force.push_back(kept(p.force));
     }
-    w.mechanism = dem::mechanism(w.result.at_end, w.loads.height);
-    w.reading = read({w.displacement, w.force}, w.mechanism, rules);
+    w.mechanism = dem::mechanism(w.result.at_drop.value_or(w.result.at_end), w.loads.height);
+    const bool came_down = w.result.outcome == dem::Outcome::lost_equilibrium;
+    w.reading = read({w.displacement, w.force, came_down}, w.mechanism, rules);
     return w;
 }
 

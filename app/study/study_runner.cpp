@@ -83,8 +83,7 @@ RunProgress run_walls(const Study& study, const dem::Model& model, const SampleP
         ++so_far.done;
         rows.add(row_of(walls[i], drawn, wall));
         if (frames && !failed)
-            frames(walls[i], wall.reading.mode == dem::FailureMode::rocking,
-                   frames_of(std::move(wall.result)));
+            frames(walls[i], wall.reading.mode, frames_of(std::move(wall.result)));
         if (seen) seen(so_far);
     };
     try {

@@ -5,6 +5,8 @@
 #include "app/study/mode_rule.hpp"
 #include "uq/estimates/estimate.hpp"
 
+#include <array>
+#include <string>
 #include <vector>
 
 namespace app {
@@ -24,35 +26,36 @@ Number cov_cell(const std::vector<double>& values)
     return plain_number(uq::estimate_sd(values).value / uq::estimate_mean(values).value, 2);
 }
 
-Row cells(const StudyLevel& level, double confidence)
+Row cells(const StudyLevel& level, const std::vector<int>& modes, double confidence)
 {
     const std::size_t n = level.walls.size();
-    std::size_t rocking = 0, censored = 0;
+    std::size_t censored = 0;
+    std::array<std::size_t, 3> of_mode{};
     std::vector<double> peaks, ultimate;
     for (const StudyWall& w : level.walls) {
         const WallReading& r = w.reading;
-        rocking += r.mode == dem::FailureMode::rocking ? 1 : 0;
+        ++of_mode[static_cast<std::size_t>(mode_of(w))];
         // A push that turns back has no reading: its walls are sound, their peaks are not defined.
         if (r.peak) peaks.push_back(r.peak->force);
         if (is_observed(r.ultimate)) ultimate.push_back(r.ultimate.displacement);
         censored += is_censored(r.ultimate) ? 1 : 0;
     }
-    Number share;
-    if (n > 0) {
-        const uq::Estimate p =
-            uq::estimate_probability(rocking, n, level.failed_walls.size(), confidence);
-        share = with_interval(100.0 * p.value, 100.0 * p.interval.lower,
-                              100.0 * p.interval.upper, 0);
-    }
-    return {given(level.stress * 1e-6),
-            count(static_cast<double>(n)),
-            count(static_cast<double>(level.failed_walls.size())),
-            mean_cell(peaks, 1e-3),
-            cov_cell(peaks),
-            share,
-            mean_cell(ultimate, 1e3),
-            count(static_cast<double>(ultimate.size())),
-            count(static_cast<double>(censored))};
+    const auto share = [&](int mode) -> Number {
+        if (n == 0) return {};
+        const uq::Estimate p = uq::estimate_probability(
+            of_mode[static_cast<std::size_t>(mode)], n, level.failed_walls.size(), confidence);
+        return with_interval(100.0 * p.value, 100.0 * p.interval.lower,
+                             100.0 * p.interval.upper, 0);
+    };
+    Row row = {given(level.stress * 1e-6), count(static_cast<double>(n)),
+               count(static_cast<double>(level.failed_walls.size())), mean_cell(peaks, 1e-3),
+               cov_cell(peaks)};
+    for (const int mode : modes)
+        if (mode != kMixed) row.emplace_back(share(mode));
+    row.insert(row.end(),
+               {mean_cell(ultimate, 1e3), count(static_cast<double>(ultimate.size())),
+                count(static_cast<double>(censored))});
+    return row;
 }
 
 } // namespace
@@ -66,20 +69,19 @@ StudySummary summarise(const StudyWalls& walls)
         "Walls per vertical stress. Errors are standard errors of independent samples; a Latin "
         "hypercube has less. The " +
         percent_text(f.confidence) +
-        " interval counts the failed walls once as rocking and once as mixed. Ultimate: where "
+        " interval counts the failed walls once as of that mode and once as not. Ultimate: "
+        "where "
         "the " +
         ultimate_text(f) + ", as the mean of the walls on which that was observed.";
-    s.table.head = {"stress [MPa]",
-                    "walls",
-                    "failed",
-                    {"peak [kN]", kError},
-                    "COV",
-                    {"rocking [%]", kInterval},
-                    {"ultimate [mm]", kError},
-                    "observed",
-                    "censored"};
+    s.table.head = {"stress [MPa]", "walls", "failed", {"peak [kN]", kError}, "COV"};
+    const std::vector<int> modes = modes_of(walls);
+    for (const int mode : modes)
+        if (mode != kMixed)
+            s.table.head.emplace_back(mode_name(mode) + std::string(" [%]"), kInterval);
+    s.table.head.insert(s.table.head.end(),
+                        {{"ultimate [mm]", kError}, "observed", "censored"});
     for (const StudyLevel& level : walls.levels) {
-        s.table.rows.push_back(cells(level, f.confidence));
+        s.table.rows.push_back(cells(level, modes, f.confidence));
         s.failed += level.failed_walls.size();
         s.missing += level.missing;
     }

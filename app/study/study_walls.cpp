@@ -16,14 +16,14 @@ namespace {
 
 /// Columns of the facts that a reading needs, looked up once.
 struct Columns {
-    std::size_t rotation, sliding, cracked;
+    std::size_t rotation, sliding, cracked, outcome;
 };
 
 Columns columns_of(const StoreHead& head)
 {
     return {column_of(head.responses, "rotation_share"),
-            column_of(head.responses, "sliding_share"),
-            column_of(head.counts, "cracked_units")};
+            column_of(head.responses, "sliding_share"), column_of(head.counts, "cracked_units"),
+            column_of(head.counts, "outcome")};
 }
 
 /// In the direction of the push.
@@ -51,7 +51,10 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, K
     }
     w.mechanism = {row.responses[c.rotation], row.responses[c.sliding],
                    static_cast<int>(row.counts[c.cracked]), 0};
-    w.reading = read({row.curve.displacement, row.curve.force}, w.mechanism, all.rules);
+    const bool came_down =
+        row.counts[c.outcome] == static_cast<std::int64_t>(dem::Outcome::lost_equilibrium);
+    w.reading =
+        read({row.curve.displacement, row.curve.force, came_down}, w.mechanism, all.rules);
     if (keep == Keep::readings) return w;
     WallCurve curve = along(row.curve, all.rules.direction);
     if (w.reading.no_reading.empty()) w.forces = resampled(curve, all.step, kCurveSteps + 1);
@@ -162,10 +165,13 @@ std::string trouble_text(const StudyWalls& walls)
     return text;
 }
 
-const char* mode_name(int mode)
+std::vector<int> modes_of(const StudyWalls& study)
 {
-    return words(mode == kRocking ? dem::FailureMode::rocking : dem::FailureMode::mixed).data();
+    if (study.study.fragility.mode.modes == dem::ModeRule::two) return {kRocking, kMixed};
+    return {kRocking, kSliding, kMixed};
 }
+
+const char* mode_name(int mode) { return words(static_cast<dem::FailureMode>(mode)).data(); }
 
 std::string stress_text(double stress)
 {

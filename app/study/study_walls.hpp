@@ -15,8 +15,9 @@
 
 namespace app {
 
-constexpr int kRocking = 0, kMixed = 1;        ///< modes, in the order of dem::FailureMode
-[[nodiscard]] const char* mode_name(int mode); ///< "rocking", "mixed"
+constexpr int kRocking = 0, kSliding = 1,
+              kMixed = 2;                      ///< modes, in the order of dem::FailureMode
+[[nodiscard]] const char* mode_name(int mode); ///< "rocking", "sliding", "mixed"
 constexpr std::size_t kCurveSteps = 120;       ///< of the grid of displacements for mean curves
 
 struct StudyWall {
@@ -33,7 +34,7 @@ struct StudyWall {
     WallCurve curve;           ///< in the direction of the push (Keep::everything)
 };
 
-/// kRocking or kMixed
+/// kRocking, kSliding or kMixed
 [[nodiscard]] inline int mode_of(const StudyWall& wall)
 {
     return static_cast<int>(wall.reading.mode);
@@ -61,6 +62,9 @@ struct StudyWalls {
     bool shared =
         false; ///< one design for all levels: walls of two levels depend on each other
 };
+
+/// The modes that the study tells apart (fragility.modes).
+[[nodiscard]] std::vector<int> modes_of(const StudyWalls& study);
 
 /// What is kept of each wall beside its reading.
 enum class Keep {

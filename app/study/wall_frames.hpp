@@ -23,7 +23,7 @@ constexpr int kFilmFrames = 60; ///< evenly over the way, and the wall before th
 [[nodiscard]] std::vector<dem::Snapshot> frames_of(dem::PushResult&& result);
 
 /// Takes the frames of a wall that gave a result.
-using FrameTaker =
-    std::function<void(WallKey key, bool rocking, std::span<const dem::Snapshot> frames)>;
+using FrameTaker = std::function<void(WallKey key, dem::FailureMode mode,
+                                      std::span<const dem::Snapshot> frames)>;
 
 } // namespace app

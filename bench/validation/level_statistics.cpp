@@ -43,8 +43,10 @@ Sample sample(const std::vector<double>& values)
 }
 
 LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level,
-                                 const dem::ModeThresholds& mode)
+                                 const dem::ModeThresholds& thresholds)
 {
+    dem::ModeThresholds mode = thresholds;
+    mode.modes = dem::ModeRule::two; // the paper's
     const app::StudyLevel& l = walls.levels.at(level);
     const std::size_t friction = input_of(walls, "joint.friction_angle"),
                       strength = input_of(walls, "unit.tensile_strength");

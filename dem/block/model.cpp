@@ -28,10 +28,11 @@ FacePoints points_of(const Face& f, const WallGeometry& wall, const Discretisati
     return face_points(d.face_rule, intervals + 1, d.zones_per_interval);
 }
 
-Motion motion_of(const WallGeometry& wall, const Layout& layout, int block)
+Motion motion_of(const WallGeometry& wall, const Layout& layout, LoadPattern pattern, int block)
 {
     const Block& b = layout.blocks[block];
-    if (block == layout.beam) return Motion::driven;
+    if (block == layout.beam)
+        return pattern == LoadPattern::beam ? Motion::driven : Motion::free;
     if (b.course != 1) return Motion::free;
     const bool toe = wall.toe == Toe::held && b.x1 == wall.length;
     if (wall.base == Base::fixed)
@@ -73,7 +74,7 @@ BlockSpec spec_of(int block, const std::vector<int>& faces, const Model& m,
     s.height = b.z1 - b.z0;
     s.thickness = m.wall.thickness;
     s.material = is_beam ? m.beam.material : m.stone;
-    s.motion = motion_of(m.wall, m.layout, block);
+    s.motion = motion_of(m.wall, m.layout, m.loads.pattern, block);
     s.load_height = m.loads.height - b.z0;
     s.rotation_fixed = is_beam && m.beam.rotation == BeamRotation::fixed;
     s.face_rule = d.face_rule;
@@ -165,14 +166,20 @@ void check(const WallGeometry& wall, const Elastic& stone, const Beam& beam, con
             "a wall needs positive sizes and at least one course");
     require(wall.bond_offset >= 0 && wall.bond_offset < 1,
             "bond offset must be in [0, 1) unit lengths");
-    require(beam.height > 0, "beam height must be positive");
-    for (const Elastic& m : {stone, beam.material})
+    require(beam.height > 0 || !beam.present, "beam height must be positive");
+    const bool driven = loads.pattern == LoadPattern::beam;
+    require(beam.present || !driven, "without a beam a wall is pushed by body forces only");
+    require(beam.present || loads.vertical_stress == 0.0,
+            "without a beam there is nothing for the vertical stress to act on");
+    require(driven || beam.rotation == BeamRotation::free,
+            "body forces move the beam with the wall: its rotation cannot be fixed");
+    for (const Elastic& m : {stone, beam.present ? beam.material : stone})
         require(m.young_modulus > 0 && m.poisson_ratio >= 0 && m.poisson_ratio < 0.5 &&
                     m.density >= 0,
                 "elastic: E > 0, Poisson's ratio in [0, 0.5), density >= 0");
     require(loads.vertical_stress >= 0 && loads.gravity >= 0,
             "vertical stress and gravity must not be negative");
-    require(loads.height >= top - 1e-9 && loads.height <= top + beam.height + 1e-9,
+    require(!driven || (loads.height >= top - 1e-9 && loads.height <= top + beam.height + 1e-9),
             "the load line must lie within the beam");
     require(reference.joint.kn > 0 && reference.joint.ks > 0,
             "the reference stiffness of the joints must be positive");
@@ -197,7 +204,7 @@ Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& bea
     m.loads = loads;
     m.stone = stone;
     m.reference = reference;
-    m.layout = lay_out(wall, beam.height);
+    m.layout = lay_out(wall, beam.present ? beam.height : 0.0);
     place_blocks(reference, d, m);
     connect(d, m);
     return m;

@@ -96,12 +96,14 @@ Layout lay_out(const WallGeometry& wall, double beam_height)
     }
     const double top = wall.courses * wall.course_height;
     layout.beam = static_cast<int>(layout.blocks.size());
-    layout.blocks.push_back({0.0, wall.length, top, top + beam_height, 0, 0});
+    if (beam_height > 0.0)
+        layout.blocks.push_back({0.0, wall.length, top, top + beam_height, 0, 0});
 
     if (wall.base == Base::joint) add_base_faces(first[1], layout);
     for (int c = 0; c < wall.courses; ++c) {
         add_vertical_faces(first[c], first[c + 1], layout);
         const bool last = c + 1 == wall.courses;
+        if (last && beam_height == 0.0) break;
         add_bed_faces(first[c], first[c + 1], first[c + 1],
                       last ? layout.beam + 1 : first[c + 2],
                       last ? FaceKind::beam_joint : FaceKind::bed_joint, layout);

@@ -32,14 +32,14 @@ struct Face {
 /// The faces at the base and at the beam have no ID.
 struct Layout {
     std::vector<Block>
-        blocks; ///< course by course from the bottom, each from left to right; the beam is the last
+        blocks; ///< course by course from the bottom, each from left to right; a beam is the last
     std::vector<Face> faces;
     int n_joints = 0;
     int n_cracks = 0;
-    int beam = 0; ///< index of the loading beam
+    int beam = 0; ///< index of the loading beam; without one the number of blocks
 };
 
-/// @param beam_height [m], > 0
+/// @param beam_height [m]; 0: no beam
 [[nodiscard]] Layout lay_out(const WallGeometry& wall, double beam_height);
 
 } // namespace dem

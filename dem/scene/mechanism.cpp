@@ -67,6 +67,10 @@ FailureMode failure_mode(const Mechanism& m, bool load_dropped, const ModeThresh
 {
     const bool cracked = m.cracked_units >= t.cracked_units;
     const bool overturns = m.rotation_share >= t.rotation_share;
+    if (t.modes == ModeRule::three) {
+        if (cracked && (load_dropped || !overturns)) return FailureMode::mixed;
+        return overturns ? FailureMode::rocking : FailureMode::sliding;
+    }
     return load_dropped || (cracked && !overturns) ? FailureMode::mixed : FailureMode::rocking;
 }
 

@@ -20,10 +20,15 @@ struct Mechanism {
 [[nodiscard]] Mechanism mechanism(const Snapshot& wall, double height);
 
 enum class FailureMode {
-    /// The wall rocks and keeps its load. A wall that slides along one course without cracking counts
-    /// as rocking too.
-    rocking,
-    mixed ///< diagonal shear: units crack and bed joints slide
+    rocking, ///< the wall overturns
+    sliding, ///< it moves along its joints, and its units stay whole
+    mixed    ///< diagonal shear: units crack and bed joints slide
+};
+
+/// How many modes are told apart.
+enum class ModeRule {
+    two,  ///< the paper's: walls that slide whole count as rocking, all that lose load as mixed
+    three ///< rocking, sliding, mixed
 };
 
 /// Thresholds of the rule; they are the same for all stress levels. They are our choice, because the
@@ -33,9 +38,12 @@ struct ModeThresholds {
     double rotation_share = 0.5; ///< a wall below this share does not overturn [-], in (0, 1)
     /// A wall with so many units cracked through counts as cracked, >= 0; with 0, sliding is enough.
     int cracked_units = 1;
+    ModeRule modes = ModeRule::three;
 };
 
-/// The mode is mixed if the load dropped (80 % rule), or if units cracked through and less than the
+/// Of three modes: mixed if units cracked through and either the load dropped or less than the given
+/// share of the displacement is rotation; else rocking, or sliding below that share.
+/// Of two: mixed if the load dropped (80 % rule), or if units cracked through and less than the
 /// given share of the displacement is rotation. Otherwise it is rocking (paper, section 4.2: "the mixed-mode involves the
 /// cracking in the units and sliding in the bed-joints", the drop "is not present in the rocking
 /// mechanism", rocking leaves "localized damage at the corners").

@@ -53,6 +53,7 @@ struct Beam {
     Elastic material;
     BeamInterface interface = BeamInterface::tied;
     BeamRotation rotation = BeamRotation::free;
+    bool present = true; ///< without a beam a wall has body forces only
     friend bool operator==(const Beam&, const Beam&) = default;
 };
 
@@ -99,6 +100,13 @@ enum class TopLoad {
     link        ///< along a strut to a hinge above, or a tendon to one below
 };
 
+/// What pushes the wall.
+enum class LoadPattern {
+    beam, ///< the horizontal displacement of the load line in the beam is prescribed
+    body  ///< horizontal forces on all blocks, in proportion to their weight; their conjugate
+          ///< displacement, the mean of the blocks' displacements by weight, is prescribed
+};
+
 /// Loads on the wall. The vertical stress acts on length x thickness, through the beam.
 struct Loads {
     double vertical_stress = 0.0; ///< [Pa], >= 0, compression
@@ -106,6 +114,7 @@ struct Loads {
     double gravity = 9.81; ///< [m/s2], >= 0
     TopLoad top = TopLoad::dead;
     double link_length = 0.0; ///< of TopLoad::link [m]: > 0 hinge above the beam, < 0 below
+    LoadPattern pattern = LoadPattern::beam;
 };
 
 } // namespace dem

@@ -46,12 +46,14 @@ void run_batch(const Task& task, int most_lanes,
         last = now;
     };
     while (running > 0) {
-        StepInput<Real> in{Real(0.0), Real(0.0)}; // a lane without a wall stays at rest
+        StepInput<Real> in{Real(0.0), Real(0.0),
+                           Real(0.0)}; // a lane without a wall stays at rest
         for (int i = 0; i < lanes<Real>; ++i)
             if (runs[i]) {
                 const WallRun::Input one = runs[i]->next(dem::lane(state.top_force, i));
                 set_lane(in.load_factor, i, one.load_factor);
                 set_lane(in.drive, i, one.drive);
+                set_lane(in.held, i, one.held);
             }
         step(task.tables, task.options, in, state);
         for (int i = 0; i < lanes<Real>; ++i) {

@@ -14,6 +14,8 @@ struct CurvePoint {
     double unbalance = 0.0;    ///< mean of |load - base shear| [N]
     Energy
         energy; ///< at the end of the interval [J]; zeros if PushPlan::energy_at_points is false
+    /// Horizontal, of the upper right corner at the end of the interval [m]; only with body forces.
+    double corner = 0.0;
 };
 
 } // namespace dem

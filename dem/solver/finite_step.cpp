@@ -1,67 +1,14 @@
 #include "dem/solver/finite_step.hpp"
 
 #include "dem/kinematics/overlap.hpp"
-#include "dem/solver/damping_force.hpp"
+#include "dem/solver/body_step.hpp"
+#include "dem/solver/finite_motion.hpp"
 
 #include <array>
 
 namespace dem {
 
 namespace {
-
-/// What one mode gains in a step; sums the work of the loads and of damping.
-template <Damping kDamping, class Real> struct ModeStep {
-    WallState<Real>& s;
-    Real gamma, lost, work;
-    ModeStep(double damping_factor, WallState<Real>& state)
-        : s(state), gamma(damping_factor), lost(state.damping), work(state.work)
-    {
-    }
-    /// @param total force on the mode, the load included
-    Real advance(int mode, Real total, Real load)
-    {
-        const Real before = s.v[mode];
-        const Real damping = damping_force<kDamping>(gamma, total, s.last_force[mode], before);
-        const Real v = multiply_add(total + damping, s.laws.inv_mass[mode], before);
-        lost -= damping * (Real(0.5) * (before + v));
-        work = multiply_add(load, v, work);
-        s.v[mode] = v;
-        s.last_force[mode] = total;
-        return v;
-    }
-};
-
-/// Along the axes in which the rigid modes of a block are written.
-template <class Real> struct Axes {
-    Real c, s;
-    Axes(bool turns, const Turn<Real>& t)
-        : c(turns ? t.c : Real(1.0)), s(turns ? t.s : Real(0.0))
-    {
-    }
-    [[nodiscard]] std::array<Real, 3> on(Real fx, Real fz, Real moment) const
-    {
-        return {fx * c - fz * s, fx * s + fz * c, moment};
-    }
-};
-
-/// Outer forces on a block but for what its elastic modes feel.
-template <class Real>
-OuterForce<Real> outer_force(const FiniteTables& t, int block, const Turn<Real>& turn,
-                             Real load_factor, const WallState<Real>& s)
-{
-    const FiniteTables::BlockRow& row = t.blocks[block];
-    const Real arm_x = multiply_add(Real(row.centre_x), turn.c, Real(row.centre_z) * turn.s);
-    const Real weight = load_factor * s.finite.weight[block];
-    OuterForce<Real> f{Real(0.0), -weight, arm_x * weight};
-    if (block == t.beam) {
-        const OuterForce<Real> top =
-            top_load(t.load, s.finite.frames[block], turn, load_factor * s.finite.vertical);
-        f.fx += top.fx;
-        f.fz += top.fz;
-        f.moment += top.moment;
-    }
-    return f;
-}
 
 /// Moves the frame of a block by its rigid modes.
 template <Damping kDamping, class Real>
@@ -85,14 +32,9 @@ void move_frame(const FiniteTables& t, int block, int first_mode, const Turn<Rea
         for (int d = 0; d < 3; ++d)
             moved[d] = multiply_add(Real(row.motion[d][i]), v, moved[d]);
     }
-    frame.vx = moved[0] * axes.c + moved[1] * axes.s;
-    frame.vz = moved[1] * axes.c - moved[0] * axes.s;
+    set_motion(axes, moved, frame);
     if (block == t.beam) frame.vx = in.drive;
-    frame.spin = moved[2];
-    frame.x += frame.vx;
-    frame.z += frame.vz;
-    frame.turn += frame.spin;
-    frame.half = half_turn(frame.turn);
+    advance(frame);
 }
 
 template <Damping kDamping, class Real>
@@ -344,6 +286,12 @@ template <class Real>
 void finite_step(const StepTables& t, const SolverOptions& options, const StepInput<Real>& in,
                  WallState<Real>& s)
 {
+    if (t.body_forces) {
+        move_by_body_forces(t, options, in, s);
+        advance_contacts(t, options, s);
+        s.base_shear = horizontal_force(t.finite, s) + s.body_factor * s.laws.supported_weight;
+        return;
+    }
     if (options.damping == Damping::local)
         move_blocks<Damping::local>(t, options.damping_factor, in, s);
     else

@@ -137,8 +137,10 @@ void add_reaches(const Model& m, const StepTables& tables, FiniteTables& t)
 }
 
 /// The load acts in the middle of the beam's top.
-LoadPoint load_point(const Model& m, const FiniteTables::BlockRow& beam)
+LoadPoint load_point(const Model& m, const FiniteTables& t)
 {
+    if (t.beam == t.ground) return {}; // no beam, and nothing on it
+    const FiniteTables::BlockRow& beam = t.blocks[t.beam];
     const Block& b = m.layout.blocks[m.layout.beam];
     LoadPoint p;
     p.x = 0.5 * (b.x0 + b.x1);
@@ -173,7 +175,7 @@ FiniteTables finite_tables(const Model& m, const StepTables& tables)
     add(tables.tied, m.tied, tables.first_tied);
     add(tables.cracks, m.cracks, tables.first_crack);
     add_reaches(m, tables, t);
-    t.load = load_point(m, t.blocks[t.beam]);
+    t.load = load_point(m, t);
     t.load_area = m.wall.length * m.wall.thickness;
     return t;
 }

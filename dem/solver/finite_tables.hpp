@@ -39,7 +39,7 @@ struct FiniteTables {
     std::vector<int> supported; ///< frames that hand their forces to the ground
     LoadPoint load;
     double load_area = 0.0;   ///< on which the vertical stress acts [m2]
-    int beam = 0, ground = 0; ///< frames
+    int beam = 0, ground = 0; ///< frames; without a beam they are the same
 };
 
 [[nodiscard]] FiniteTables finite_tables(const Model& model, const StepTables& tables);

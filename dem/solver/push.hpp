@@ -9,6 +9,7 @@
 #include "dem/solver/solver_options.hpp"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,7 +48,8 @@ struct PushResult {
     std::vector<CurvePoint> curve; ///< the first point is the wall before the push
     /// As PushPlan::snapshot_every asks, in the order of the push; the first is before the push.
     std::vector<Snapshot> snapshots;
-    Snapshot at_peak; ///< at the curve point with the largest force
+    Snapshot at_peak;                ///< at the curve point with the largest force
+    std::optional<Snapshot> at_drop; ///< where the force first came down to PushPlan::drop
     Snapshot at_end;
     Energy energy;         ///< at the end
     double residual = 0.0; ///< largest |energy residual| wherever it was read [-]
@@ -61,6 +63,8 @@ struct PushResult {
     double settlement = 0.0; ///< of the beam under vertical load alone [m], positive downwards
     /// Number of crack contacts with f_T > sqrt(2 G k_n), which break at once and release more than G.
     int snap_back_contacts = 0;
+    double weight =
+        0.0; ///< of all blocks, with body forces [N]: force over it is the load factor
     RunCost cost;
 };
 
@@ -73,6 +77,9 @@ struct PushPlan {
     /// Whether the energy is balanced at every curve point, or only every few hundred steps.
     bool energy_at_points = true;
     bool snapshot_at_peak = true;
+    /// A snapshot is taken where the force first comes down to this share of its peak [-], in [0, 1);
+    /// 0 takes none.
+    double drop = 0.0;
     /// Is asked at each curve point and ends the push by returning true. May be empty.
     std::function<bool(std::span<const CurvePoint>)> decided;
     /// Is told every few hundred steps how far the push is, done in [0, 1]. May be empty.

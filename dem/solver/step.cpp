@@ -1,5 +1,6 @@
 #include "dem/solver/step.hpp"
 
+#include "dem/solver/body_step.hpp"
 #include "dem/solver/damping_force.hpp"
 #include "dem/solver/finite_step.hpp"
 
@@ -128,7 +129,9 @@ void step(const StepTables& t, const SolverOptions& options, const StepInput<Rea
           WallState<Real>& s)
 {
     if (options.kinematics == Kinematics::finite) return finite_step(t, options, in, s);
-    if (options.damping == Damping::local)
+    if (t.body_forces)
+        move_by_body_forces(t, options, in, s);
+    else if (options.damping == Damping::local)
         move_blocks<Damping::local>(t, options.damping_factor, in, s);
     else
         move_blocks<Damping::combined>(t, options.damping_factor, in, s);
@@ -140,6 +143,10 @@ void step(const StepTables& t, const SolverOptions& options, const StepInput<Rea
     else
         advance_cracks<ContactLaw::uncoupled>(t, options.shortcuts, s);
 
+    if (t.body_forces) {
+        s.base_shear = s.body_factor * s.laws.supported_weight - horizontal_force(t.ground, s);
+        return;
+    }
     const Real before = s.top_force;
     s.top_force = horizontal_force(t.beam, s);
     s.base_shear = -horizontal_force(t.ground, s);

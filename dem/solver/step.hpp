@@ -10,7 +10,8 @@ namespace dem {
 /// What the outside does to each wall during a step.
 template <class Real> struct StepInput {
     Real load_factor{1.0}; ///< share of self-weight and vertical load acting [-]
-    Real drive{0.0};       ///< displacement of the load line in this step [m]
+    Real drive{0.0};       ///< prescribed displacement in this step [m]
+    Real held{0.0};        ///< of body forces: 1 where the displacement is prescribed, else 0
 };
 
 template <class Real>

@@ -153,7 +153,9 @@ StepTables step_tables(const Model& m)
     t.cracks = runs_of(m.cracks, t.first_crack, [](const Contact& c) { return c.material; });
     for (int k = 0; k < t.n_contacts; ++k) t.area.push_back(contact_of(m, t, k).area);
     tabulate_blocks(m, t);
-    t.beam = shares(m, t, [&m](int block) { return block == m.layout.beam; });
+    t.body_forces = m.loads.pattern == LoadPattern::body;
+    if (!t.body_forces)
+        t.beam = shares(m, t, [&m](int block) { return block == m.layout.beam; });
     t.ground =
         shares(m, t, [&m](int block) { return block == kGround || is_supported(m, block); });
     t.finite = finite_tables(m, t);

@@ -36,6 +36,7 @@ struct StepTables {
     std::vector<double> area;              ///< by contact [m2]
     std::vector<ContactRun> dry, tied, cracks;
     int first_tied = 0, first_crack = 0, n_contacts = 0;
+    bool body_forces = false;            ///< push the wall, in place of a drive of the beam
     std::vector<HorizontalShare> beam;   ///< what moves with the drive
     std::vector<HorizontalShare> ground; ///< what hands horizontal force to the ground
     FiniteTables finite;

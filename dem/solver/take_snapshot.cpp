@@ -26,7 +26,8 @@ BlockState block_state(const Model& m, const Eigen::VectorXd& q, int block, doub
     s.unit = b.unit;
     for (std::size_t p = 0; p < e.outline.size(); ++p) {
         s.outline.push_back({b.x0 + e.outline[p].x, b.z0 + e.outline[p].z});
-        const double pushed = block == m.layout.beam ? drive : 0.0;
+        const bool driven = m.loads.pattern == LoadPattern::beam && block == m.layout.beam;
+        const double pushed = driven ? drive : 0.0;
         const auto row = 2 * static_cast<Eigen::Index>(p);
         s.displacement.push_back({u(row) + pushed, u(row + 1)});
     }
@@ -100,7 +101,34 @@ std::vector<double> slips(const StepTables& t, const WallState<Real>& state, int
     return slip;
 }
 
+template <class Real>
+BlockState block_now(const Model& m, const StepTables& t, const WallState<Real>& state,
+                     int lane, int block, double drive)
+{
+    Eigen::VectorXd q(t.blocks[block].modes);
+    for (int i = 0; i < t.blocks[block].modes; ++i)
+        q(i) = dem::lane(state.q[t.blocks[block].first_mode + i], lane);
+    const bool finite = !state.finite.frames.empty();
+    BlockState s = block_state(m, q, block, finite ? 0.0 : drive);
+    if (finite)
+        turn_with(t.finite.blocks[block], frame_of(state.finite.frames[block], lane), s);
+    return s;
+}
+
 } // namespace
+
+template <class Real>
+double corner_displacement(const Model& m, const StepTables& t, const WallState<Real>& state,
+                           int lane, double drive)
+{
+    const BlockState b =
+        block_now(m, t, state, lane, static_cast<int>(t.blocks.size()) - 1, drive);
+    std::size_t corner = 0;
+    for (std::size_t p = 0; p < b.outline.size(); ++p)
+        if (b.outline[p].x + b.outline[p].z > b.outline[corner].x + b.outline[corner].z)
+            corner = p;
+    return b.displacement[corner].x;
+}
 
 template <class Real>
 Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real>& state,
@@ -110,16 +138,8 @@ Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real
     Snapshot s;
     s.displacement = drive;
     s.force = force;
-    for (int b = 0; b < static_cast<int>(m.layout.blocks.size()); ++b) {
-        Eigen::VectorXd q(t.blocks[b].modes);
-        for (int i = 0; i < t.blocks[b].modes; ++i)
-            q(i) = at(state.q[t.blocks[b].first_mode + i]);
-        const bool finite = !state.finite.frames.empty();
-        s.blocks.push_back(block_state(m, q, b, finite ? 0.0 : drive));
-        if (finite)
-            turn_with(t.finite.blocks[b], frame_of(state.finite.frames[b], lane),
-                      s.blocks.back());
-    }
+    for (int b = 0; b < static_cast<int>(m.layout.blocks.size()); ++b)
+        s.blocks.push_back(block_now(m, t, state, lane, b, drive));
     s.faces = empty_faces(m.layout);
     const std::vector<double> slip = slips(t, state, lane, drive);
     int number = 0;
@@ -141,5 +161,9 @@ template Snapshot take_snapshot(const Model&, const StepTables&, const WallState
                                 double, double);
 template Snapshot take_snapshot(const Model&, const StepTables&, const WallState<Pack>&, int,
                                 double, double);
+template double corner_displacement(const Model&, const StepTables&, const WallState<double>&,
+                                    int, double);
+template double corner_displacement(const Model&, const StepTables&, const WallState<Pack>&,
+                                    int, double);
 
 } // namespace dem

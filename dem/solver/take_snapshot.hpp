@@ -12,4 +12,9 @@ template <class Real>
                                      const WallState<Real>& state, int lane, double drive,
                                      double force);
 
+/// Horizontal displacement of the upper right corner of the last block [m].
+template <class Real>
+[[nodiscard]] double corner_displacement(const Model& model, const StepTables& tables,
+                                         const WallState<Real>& state, int lane, double drive);
+
 } // namespace dem

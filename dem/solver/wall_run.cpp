@@ -1,6 +1,7 @@
 #include "dem/solver/wall_run.hpp"
 
 #include "dem/block/model.hpp"
+#include "dem/solver/drive_speed.hpp"
 #include "dem/solver/finite_step.hpp"
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/static_start.hpp"
@@ -29,19 +30,6 @@ int count_snap_back(const Model& m, const WallMaterials& w)
     return n;
 }
 
-/// Vertical load and self-weight of the stone with the model's density [N]. Unbalance is measured by it.
-double vertical_load(const Model& m, const WallMaterials& w)
-{
-    double force =
-        w.vertical_stress.value_or(m.loads.vertical_stress) * m.wall.length * m.wall.thickness;
-    for (const Block& b : m.layout.blocks) {
-        const Elastic& material = b.course == 0 ? m.beam.material : m.stone;
-        const double volume = (b.x1 - b.x0) * (b.z1 - b.z0) * m.wall.thickness;
-        force += volume * material.density * m.loads.gravity;
-    }
-    return force;
-}
-
 /// Mean settlement of the beam's lower face [m].
 double settlement_of(const Snapshot& s)
 {
@@ -68,9 +56,11 @@ template <class Real> double largest_opening(const WallState<Real>& s, int lane)
 
 WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
     : task_(&task), number_(number), materials_(std::move(materials)), options_(task.options),
-      vertical_load_(vertical_load(task.model, materials_)),
+      follows_(unbalance_measure(task.model, materials_)),
       drive_(task.plan.targets, task.options), recorder_(task.plan.record_every)
 {
+    options_.steps_per_mm = steps_per_mm_of(task.model, materials_, options_);
+    drive_ = Drive(task.plan.targets, options_);
     result_.snap_back_contacts = count_snap_back(task.model, materials_);
 }
 
@@ -110,7 +100,7 @@ WallRun::Input WallRun::next(double top_force)
     load_factor_ = drive_.load_factor();
     force_before_ = top_force;
     step_drive_ = drive_.advance();
-    return {load_factor_, step_drive_};
+    return {load_factor_, step_drive_, drive_.settling() ? 0.0 : 1.0};
 }
 
 template <class Real> void WallRun::begin_push(const WallState<Real>& state, int lane)
@@ -134,7 +124,10 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
         e = energy_of(task_->tables, state, lane);
         result_.residual = std::max(result_.residual, std::abs(e.residual()));
     }
-    const CurvePoint p = recorder_.take(drive_.position(), e);
+    CurvePoint p = recorder_.take(drive_.position(), e);
+    if (task_->tables.body_forces)
+        p.corner =
+            corner_displacement(task_->model, task_->tables, state, lane, drive_.position());
     result_.curve.push_back(p);
     const auto snapshot = [&] {
         return take_snapshot(task_->model, task_->tables, state, lane, drive_.position(),
@@ -142,8 +135,12 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     };
     if (std::abs(p.force) > peak_) {
         peak_ = std::abs(p.force);
+        result_.at_drop.reset();
         if (task_->plan.snapshot_at_peak) result_.at_peak = snapshot();
     }
+    if (task_->plan.drop > 0.0 && !result_.at_drop &&
+        std::abs(p.force) <= task_->plan.drop * peak_)
+        result_.at_drop = snapshot();
     if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_) {
         result_.snapshots.push_back(snapshot());
         next_snapshot_ += task_->plan.snapshot_every;
@@ -180,7 +177,7 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     way_ += std::abs(step_drive_);
     recorder_.add(step_drive_, force_before_, top, base);
     const double missing = top + dem::lane(state.load_x, lane) - base;
-    if (vertical_load_ > 0.0) drive_.feel(std::abs(missing) / vertical_load_);
+    if (follows_ > 0.0) drive_.feel(std::abs(missing) / follows_);
     const bool room_for_another = drive_.left() > 0.5 * task_->plan.record_every;
     const bool wanted = drive_.finished() || (recorder_.due() && room_for_another);
     if (wanted && recorder_.any()) take_point(state, lane);
@@ -248,6 +245,7 @@ template <class Real> PushResult WallRun::finish(const WallState<Real>& state, i
     r.at_end = take_snapshot(task_->model, task_->tables, state, lane, drive_.position(),
                              r.curve.empty() ? dem::lane(state.top_force, lane)
                                              : r.curve.back().force);
+    r.weight = dem::lane(state.laws.whole_weight, lane);
     r.cost.contact_updates = r.cost.steps * task_->tables.n_contacts;
     return std::move(r);
 }

@@ -28,7 +28,7 @@ class WallRun {
 
     /// What the outside does to the wall in the next step.
     struct Input {
-        double load_factor, drive;
+        double load_factor, drive, held;
     };
     [[nodiscard]] Input next(double top_force);
 
@@ -55,7 +55,7 @@ class WallRun {
     std::size_t number_;
     WallMaterials materials_;
     SolverOptions options_; ///< with this wall's own step
-    double vertical_load_;  ///< on the base, self-weight included [N]
+    double follows_;        ///< by which unbalance is measured (drive_speed.hpp) [N]
     Drive drive_;
     Recorder recorder_;
     PushResult result_;

@@ -95,8 +95,29 @@ void set_modes(const Model& m, const StepTables& t, const WallMaterials& w,
             set_lane(s.laws.elasticity[mode], lane, lambda);
             set_lane(s.laws.load[mode], lane, load);
             set_lane(s.laws.inv_mass[mode], lane, 4.0 * f2 / (lambda + 2.0 * ratio[b]));
+            if (!t.body_forces) continue;
+            const double pull = material.density * m.loads.gravity; // [N/m3]
+            set_lane(s.laws.weight[mode], lane, pull * e.weight(i));
+            set_lane(s.laws.sway[mode], lane, pull * e.sway(i));
         }
     }
+}
+
+/// Weights of one lane.
+template <class Real>
+void set_weights(const Model& m, const WallMaterials& w, int lane, LaneLaws<Real>& laws)
+{
+    double whole = 0.0, supported = 0.0; // [N]
+    for (int b = 0; b < static_cast<int>(m.layout.blocks.size()); ++b) {
+        const Block& block = m.layout.blocks[b];
+        const Elastic& material = b == m.layout.beam ? m.beam.material : w.stone;
+        const double volume = (block.x1 - block.x0) * (block.z1 - block.z0) * m.wall.thickness;
+        const double weight = volume * material.density * m.loads.gravity;
+        whole += weight;
+        if (is_supported(m, b)) supported += weight;
+    }
+    set_lane(laws.whole_weight, lane, whole);
+    set_lane(laws.supported_weight, lane, supported);
 }
 
 } // namespace
@@ -106,7 +127,7 @@ template <class Real> void clear_lane(const StepTables& t, int lane, WallState<R
     for (auto* values : {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n})
         for (Real& x : *values) set_lane(x, lane, 0.0);
     for (Real* x : {&s.work, &s.friction, &s.fracture, &s.damping, &s.top_force, &s.base_shear,
-                    &s.load_x})
+                    &s.load_x, &s.body_factor})
         set_lane(*x, lane, 0.0);
     if (!s.finite.frames.empty()) clear_lane(t.finite, lane, s.finite);
 }
@@ -136,6 +157,7 @@ void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
         }
     }
     set_modes(m, t, w, options, lane, s);
+    if (t.body_forces) set_weights(m, w, lane, s.laws);
     if (!s.finite.frames.empty()) load_lane(m, t.finite, w, lane, s.finite);
 }
 
@@ -146,6 +168,9 @@ WallState<Real> empty_lanes(const Model& m, const StepTables& t, Kinematics kine
     for (auto* by_mode :
          {&s.q, &s.v, &s.last_force, &s.laws.inv_mass, &s.laws.load, &s.laws.elasticity})
         by_mode->assign(m.n_modes, Real(0.0));
+    if (t.body_forces)
+        for (auto* by_mode : {&s.laws.weight, &s.laws.sway, &s.total, &s.loaded, &s.pull})
+            by_mode->assign(m.n_modes, Real(0.0));
     int most = 0;
     for (const auto& b : t.blocks) most = std::max(most, b.modes);
     s.block_force.assign(most, Real(0.0));

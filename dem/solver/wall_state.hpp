@@ -18,7 +18,10 @@ namespace dem {
 template <class Real> struct LaneLaws {
     std::vector<Real> inv_mass; ///< by mode: 1 / fictitious mass [1/step2]
     std::vector<Real> load;     ///< by mode: self-weight and vertical stress in full [sqrt(J)]
-    std::vector<Real> elasticity;       ///< by mode: lambda of this wall's stone [-]
+    std::vector<Real> elasticity; ///< by mode: lambda of this wall's stone [-]
+    /// Of body forces, else empty. By mode: self-weight, and the same acting to the right [sqrt(J)].
+    std::vector<Real> weight, sway;
+    Real whole_weight{0.0}, supported_weight{0.0}; ///< of all blocks, of those on supports [N]
     std::vector<DryLaw<Real>> dry;      ///< by joint ID - 1, then the joints at base and beam
     std::vector<DryLaw<Real>> tied;     ///< one, of the beam
     std::vector<CrackLaw<Real>> cracks; ///< by crack ID - 1
@@ -40,9 +43,13 @@ template <class Real> struct WallState {
     };
     std::vector<Memory> cracks;                                 ///< by crack contact
     Real work{0.0}, friction{0.0}, fracture{0.0}, damping{0.0}; ///< energy so far [J]
-    Real top_force{0.0};      ///< of the drive on the beam [N]
-    Real base_shear{0.0};     ///< of the wall on the ground [N]
-    Real load_x{0.0};         ///< horizontal part of the loads, beside the drive [N]
+    Real top_force{0.0};   ///< of the drive on the beam [N]
+    Real base_shear{0.0};  ///< of the wall on the ground [N]
+    Real load_x{0.0};      ///< horizontal part of the loads, beside the drive [N]
+    Real body_factor{0.0}; ///< body force over weight [-]
+    /// By mode: forces, vertical loads, and what a body force of the weight does [sqrt(J)]; of body
+    /// forces, else empty.
+    std::vector<Real> total, loaded, pull;
     FiniteState<Real> finite; ///< empty where displacements are small
     LaneLaws<Real> laws;
 };

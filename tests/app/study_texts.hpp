@@ -45,6 +45,7 @@ tension_reduces_shear = no
 snap_back = weakens
 unloading = elastic
 [beam]
+present = yes
 height = 0.20 m
 young_modulus = 25 GPa
 poisson_ratio = 0.15
@@ -62,6 +63,7 @@ targets = 5, -5, 10, -10 mm
 repeats = 1
 protocol = none
 stop_below = 0
+pattern = beam
 top = link
 link_length = -2 m
 gravity = 9.80665 m/s2
@@ -82,6 +84,7 @@ preload_steps = 4000
 preload_unbalance = 1e-5
 unbalance_limit = 0.01
 min_speed = 0.1
+max_speed = 3
 energy_tolerance = 0.02
 most_steps = 1000000
 [output]
@@ -118,6 +121,7 @@ bilinear_share = 0.7
 law = weibull
 confidence = 0.9
 bootstrap = 200
+modes = two
 rotation_share = 0.4
 cracked_units = 2
 )";

@@ -19,8 +19,10 @@ TEST_CASE("film shelf: it keeps the lowest sample numbers of each stress and mod
     app::FilmShelf shelf;
     for (std::uint32_t i = 0; i < 3 * most; ++i) {
         const std::uint32_t sample = (7 * i) % (3 * most); // 0 to 3 most - 1, mixed up
-        shelf.put({0, sample}, true, frames);
-        shelf.put({1, sample}, sample % 2 == 0, frames);
+        shelf.put({0, sample}, dem::FailureMode::rocking, frames);
+        shelf.put({1, sample},
+                  sample % 2 == 0 ? dem::FailureMode::rocking : dem::FailureMode::sliding,
+                  frames);
     }
     for (std::uint32_t sample = 0; sample < 3 * most; ++sample) {
         CHECK((shelf.find({0, sample}) != nullptr) == (sample < most));

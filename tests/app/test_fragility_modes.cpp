@@ -39,7 +39,7 @@ TEST_CASE("fragility modes: a mode that does not occur has the share 0 with an u
     CHECK(cell(t, 1, "Clopper-Pearson [%]") == "0.0 to 30.8"); // 1 - 0.025^(1/10)
     const app::Table equal = app::equal_modes_table(walls);
     CHECK(cell(equal, 0, "angle [deg]").empty());
-    CHECK(cell(equal, 0, "note") == "All walls are rocking: the data have no such angle.");
+    CHECK(cell(equal, 0, "note") == "No wall is mixed: the data have no such angle.");
     CHECK(cell(equal, 0, "slope [1/deg]").empty());
 }
 
@@ -118,10 +118,10 @@ TEST_CASE("fragility modes: walls that slid whole count as rocking and are told 
     CHECK(t.caption.find(
               "a unit cracked through and less than 0.5 of the displacement is rotation") !=
           std::string::npos);
-    walls.study.fragility.mode = {0.4, 0};
+    walls.study.fragility.mode = {0.4, 0, dem::ModeRule::two};
     CHECK(app::mode_table(walls).caption.find("80 % of the peak, or less than 0.4") !=
           std::string::npos);
-    walls.study.fragility.mode = {0.4, 3};
+    walls.study.fragility.mode = {0.4, 3, dem::ModeRule::two};
     CHECK(app::mode_table(walls).caption.find("3 units cracked through") != std::string::npos);
 }
 
@@ -146,4 +146,32 @@ TEST_CASE("fragility modes: thresholds move walls that cracked, not walls whose 
         CHECK(cell(t, r, "mixed at 0.5 MPa [%]") == (mixed ? "100" : "10"));
         CHECK(cell(t, r, "walls that change their mode [%]") == (mixed ? "0.0" : "95.0"));
     }
+}
+
+TEST_CASE("fragility modes: three modes have their shares, their angles and their thresholds",
+          "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(20);
+    walls.study.fragility.mode.modes = dem::ModeRule::three;
+    for (app::StudyLevel& level : walls.levels)
+        for (app::StudyWall& w : level.walls) {
+            w.reading.dropped = false;
+            w.mechanism.rotation_share = w.key.sample % 4 == 0 ? 0.1 : 0.9;
+            w.mechanism.cracked_units = 0;
+            w.reading.mode = dem::failure_mode(w.mechanism, false);
+        }
+    const app::Table shares = app::mode_table(walls);
+    REQUIRE(shares.rows.size() == 6);
+    CHECK(cell(shares, 1, "mode") == "sliding");
+    CHECK(cell(shares, 1, "share [%]").starts_with("25.0"));
+    CHECK(cell(shares, 0, "slid without cracking").empty());
+    CHECK(cell(shares, 2, "share [%]").starts_with("0.0"));
+    const app::Table equal = app::equal_modes_table(walls);
+    CHECK(cell(equal, 0, "other mode") == "sliding");
+    CHECK(cell(equal, 0, "n") == "20");
+    CHECK(cell(equal, 1, "note") == "No wall is mixed: the data have no such angle.");
+    const app::Table t = app::threshold_table(walls);
+    CHECK(cell(t, 0, "sliding at 0.5 MPa [%]") == "25");
+    CHECK(cell(t, 0, "mixed at 0.5 MPa [%]") == "0");
+    CHECK(scenes::sound(t));
 }

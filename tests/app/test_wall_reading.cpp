@@ -73,7 +73,8 @@ void check_stored(const std::filesystem::path& file, const std::vector<std::stri
 TEST_CASE("wall reading: peak, ultimate displacement and mode follow the rules of the study",
           "[app][wall_reading]")
 {
-    const app::WallReading w = app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules());
+    const app::WallReading w =
+        app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules({"fragility.modes=two"}));
     CHECK(w.peak->force == 50e3);
     CHECK(w.ultimate.displacement == Approx(0.015).epsilon(1e-14)); // 40 kN
     CHECK(w.mode == dem::FailureMode::mixed);
@@ -86,9 +87,40 @@ TEST_CASE("wall reading: peak, ultimate displacement and mode follow the rules o
                   rules({"fragility.ultimate_share=0.5", "fragility.rotation_share=0.95"}));
     CHECK(cracked.mode == dem::FailureMode::mixed);
     const app::WallReading slid =
-        app::read({kAt, kForce}, {0.1, 0.9, 0, 0}, rules({"fragility.ultimate_share=0.5"}));
+        app::read({kAt, kForce}, {0.1, 0.9, 0, 0},
+                  rules({"fragility.ultimate_share=0.5", "fragility.modes=two"}));
     CHECK(slid.slid);
     CHECK(slid.mode == dem::FailureMode::rocking);
+    const app::WallReading slides = app::read({kAt, kForce}, {0.1, 0.9, 0, 0}, rules());
+    CHECK_FALSE(slides.slid);
+    CHECK(slides.mode == dem::FailureMode::sliding);
+    CHECK(app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules()).mode ==
+          dem::FailureMode::rocking);
+}
+
+TEST_CASE(
+    "wall reading: a wall that came down has collapsed where its curve ends, one whose force "
+    "came to zero where it did, and another is censored",
+    "[app][wall_reading]")
+{
+    const app::ReadingRules all = rules({"fragility.limit_states=paper, collapse"});
+    REQUIRE(state_names(all).back().set == "collapse");
+    const app::WallReading stands = app::read({kAt, kForce}, {}, all);
+    CHECK(app::is_censored(stands.collapse));
+    CHECK(app::is_censored(stands.limits.back()));
+    const app::WallReading fell = app::read({kAt, kForce, true}, {}, all);
+    CHECK(app::is_observed(fell.limits.back()));
+    CHECK(fell.limits.back().displacement == kAt.back());
+    CHECK(fell.collapse.displacement == kAt.back());
+    CHECK(fell.ultimate.displacement == stands.ultimate.displacement); // it had dropped before
+    std::vector<double> at = kAt, force = kForce;
+    at.push_back(2.0 * kAt.back());
+    force.push_back(-kForce.back());
+    const app::WallReading zero = app::read({at, force}, {}, all);
+    CHECK(zero.limits.back().displacement == Approx(1.5 * kAt.back()).epsilon(1e-12));
+    const app::ReadingRules left = rules({"load.targets=-4 mm"});
+    CHECK(app::read({negative(at), negative(force)}, {}, left).collapse.displacement ==
+          zero.collapse.displacement);
 }
 
 TEST_CASE("wall reading: a push to the left is read like one to the right",

@@ -15,6 +15,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_model_elasticity.cpp
     dem/test_pack.cpp
     dem/test_contact_operator.cpp
+    dem/test_body_forces.cpp
     dem/test_finite_block.cpp
     dem/test_finite_wall.cpp
     dem/test_overlap.cpp

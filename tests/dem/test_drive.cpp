@@ -1,4 +1,8 @@
+#include "dem/block/model.hpp"
 #include "dem/solver/drive.hpp"
+#include "dem/solver/drive_speed.hpp"
+#include "dem/solver/push.hpp"
+#include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -252,4 +256,65 @@ TEST_CASE("drive: without a way to go it is done once the vertical load is carri
     CHECK(d.advance() == 0.0);
     CHECK(d.position() == 0.0);
     CHECK(d.done() == 1.0);
+}
+
+TEST_CASE("drive: the walls of the paper are pushed as fast as asked for, a stiff and slender "
+          "one no faster "
+          "than it can follow",
+          "[dem][drive]")
+{
+    const dem::SolverOptions o;
+    for (const double stress : {0.15, 0.50, 0.75, 1.00, 1.25}) {
+        const scenes::Scene s = scenes::paper_wall(stress);
+        const dem::Model m = scenes::model_of(s);
+        CHECK(dem::steps_per_mm_of(m, scenes::uniform(s, m), o) == o.steps_per_mm);
+    }
+    scenes::Scene s = scenes::paper_wall(0.50);
+    s.wall.length = 0.4;
+    s.wall.courses = 12;
+    s.wall.base = dem::Base::joint;
+    s.wall.toe = dem::Toe::free;
+    s.wall.cracks_in_units = false;
+    s.loads.height = 1.2 + s.beam.height;
+    s.joint.kn = s.joint.ks = 1e12;
+    dem::Discretisation d;
+    d.contact_points = 2;
+    d.block_modes = d.beam_modes = 3;
+    const dem::Model m = scenes::model_of(s, d);
+    CHECK(dem::steps_per_mm_of(m, scenes::uniform(s, m), o) > 2.0 * o.steps_per_mm);
+    dem::PushPlan plan;
+    plan.targets = {2e-3};
+    const dem::PushResult r = dem::push(m, scenes::uniform(s, m), plan, o);
+    const double limit =
+        dem::vertical_load(m, scenes::uniform(s, m)) * s.wall.length / (2.0 * s.loads.height);
+    INFO(scenes::peak_force(r) / limit);
+    CHECK(scenes::peak_force(r) < 1.01 * limit);
+}
+
+TEST_CASE(
+    "drive: where the wall is calm it goes faster than full speed, never faster than allowed",
+    "[dem][drive]")
+{
+    dem::SolverOptions o;
+    o.max_speed = 4.0;
+    dem::Drive drive({1.0}, o);
+    drive.settle([] { return 0.0; });
+    for (int i = 0; i < 20000 && drive.settling(); ++i) {
+        static_cast<void>(drive.advance());
+        drive.settle([] { return 0.0; });
+    }
+    REQUIRE_FALSE(drive.settling());
+    const double full = 1e-3 / o.steps_per_mm;
+    const auto speed_at = [&](double unbalance) {
+        double speed = 0.0;
+        for (int i = 0; i < 5000; ++i) {
+            drive.feel(unbalance);
+            speed = drive.advance();
+        }
+        return speed / full;
+    };
+    CHECK(speed_at(0.0) == Approx(4.0));
+    CHECK(speed_at(0.1 * o.unbalance_limit) == Approx(2.5));
+    CHECK(speed_at(0.5 * o.unbalance_limit) == Approx(1.0));
+    CHECK(speed_at(4.0 * o.unbalance_limit) == Approx(0.25));
 }

@@ -1,6 +1,7 @@
 /// Walls of several blocks with finite displacements.
 
 #include "dem/block/model.hpp"
+#include "dem/kinematics/overlap.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "dem/solver/finite_step.hpp"
 #include "small_wall.hpp"
@@ -118,4 +119,64 @@ TEST_CASE(
           2e-4 * force(dem::Kinematics::small, 4e-3));
     CHECK(one == Approx(0.0065).epsilon(0.3));
     CHECK(two / one == Approx(2.0).epsilon(0.15));
+}
+
+TEST_CASE("finite wall: a wall that is turned rigidly by any angle feels nothing",
+          "[dem][finite]")
+{
+    const double th = GENERATE(0.01, -0.7, 1.5, 3.0, -6.0);
+    scenes::Scene scene = small_wall::scene();
+    scene.wall.base = dem::Base::joint;
+    scene.wall.toe = dem::Toe::free;
+    const dem::Model m = small_wall::model(scene);
+    const dem::FiniteTables t = dem::step_tables(m).finite;
+    std::vector<dem::BlockFrame<double>> frames(t.blocks.size() + 1);
+    for (std::size_t b = 0; b < frames.size(); ++b) {
+        const bool ground = b == t.blocks.size();
+        const double x = ground ? 0.0 : t.blocks[b].x, z = ground ? 0.0 : t.blocks[b].z;
+        auto& f = frames[b];
+        f.x = 0.3 + x * std::cos(th) + z * std::sin(th);
+        f.z = -0.2 + z * std::cos(th) - x * std::sin(th);
+        f.turn = th;
+        f.half = dem::half_turn(th);
+        f.spin = 0.01; // and goes on turning about the origin
+        f.vx = f.spin * f.z;
+        f.vz = -f.spin * f.x;
+    }
+    for (const dem::FacePair& p : t.pairs) {
+        const auto o = dem::overlap_of(p, frames[p.a], frames[p.b]);
+        CHECK(std::abs(o.gap) < 1e-10);
+        CHECK(std::abs(o.widening) < 1e-10);
+        CHECK(std::abs(dem::share_of(p, o) - 1.0) < 1e-10);
+        CHECK(std::abs(dem::slip_of(o, frames[p.a], frames[p.b])) < 1e-10);
+    }
+}
+
+TEST_CASE(
+    "finite wall: a beam that slides over a head joint takes tan(phi) N all the way, without "
+    "a jump",
+    "[dem][finite]")
+{
+    scenes::Scene s = small_wall::scene(0.50, 1);
+    s.wall.cracks_in_units = false;
+    s.wall.unit_length = 0.1;
+    s.beam.interface = dem::BeamInterface::joint;
+    s.joint.tan_phi = 0.3;
+    const dem::Model m = small_wall::model(s);
+    dem::PushPlan plan =
+        small_wall::to(0.15); // over the head joint at 0.1 m; further out the beam would tilt
+    plan.record_every = 2e-4;
+    const dem::PushResult r = dem::push(m, scenes::uniform(s, m), plan, finite());
+    const double force =
+        0.3 * (0.50e6 * 0.6 * 0.2 + s.beam.material.density * 9.81 * 0.6 * 0.2 * s.beam.height);
+    double farthest = 0.0, jump = 0.0;
+    for (std::size_t i = 1; i < r.curve.size(); ++i) {
+        if (r.curve[i].displacement < 2e-3) continue;
+        farthest = std::max(farthest, std::abs(r.curve[i].force / force - 1.0));
+        jump = std::max(jump, std::abs(r.curve[i].force - r.curve[i - 1].force) / force);
+    }
+    INFO("farthest " << farthest << ", jump " << jump);
+    CHECK(r.residual < 0.01);
+    CHECK(farthest < 0.005);
+    CHECK(jump < 0.001);
 }

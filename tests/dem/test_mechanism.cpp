@@ -11,6 +11,8 @@ namespace {
 using dem::FaceKind;
 using dem::FailureMode;
 using dem::Mechanism;
+using dem::ModeRule;
+using dem::ModeThresholds;
 using dem::Point;
 using dem::Snapshot;
 
@@ -116,7 +118,8 @@ TEST_CASE("mechanism: a course that slides carries the whole displacement on one
     const Mechanism m = dem::mechanism(s, kTop);
     CHECK(m.sliding_share == Approx(1.0).epsilon(1e-12));
     CHECK(m.rotation_share == 0.0);
-    CHECK(mode_of(s) == FailureMode::rocking); // it keeps its load and its units
+    CHECK(mode_of(s) == FailureMode::sliding);
+    CHECK(dem::failure_mode(m, false, {0.5, 1, ModeRule::two}) == FailureMode::rocking);
     CHECK(dem::failure_mode(m, false, {0.5, 0}) == FailureMode::mixed);
 }
 
@@ -207,22 +210,45 @@ TEST_CASE("mechanism: a wall whose joints are all open does not slide", "[dem][m
     CHECK(dem::mechanism(s, kTop).sliding_share == 0.0);
 }
 
-TEST_CASE("mechanism: a drop makes a mode mixed, and so do cracks with little rotation",
-          "[dem][mechanism]")
+TEST_CASE(
+    "mechanism: of two modes, a drop makes a mode mixed, and so do cracks with little rotation",
+    "[dem][mechanism]")
 {
     using enum FailureMode;
+    const auto rule = [](double share, int cracked) {
+        return ModeThresholds{share, cracked, ModeRule::two};
+    };
     const Mechanism rocks{0.5, 0.1, 0, 5}; // half is enough
-    CHECK(dem::failure_mode(rocks, false) == rocking);
-    CHECK(dem::failure_mode(rocks, true) == mixed);
+    CHECK(dem::failure_mode(rocks, false, rule(0.5, 1)) == rocking);
+    CHECK(dem::failure_mode(rocks, true, rule(0.5, 1)) == mixed);
     Mechanism cracked = rocks, slid = rocks, both = rocks;
     cracked.cracked_units = both.cracked_units = 1;
     slid.rotation_share = both.rotation_share = GENERATE(0.49, -0.1);
-    CHECK(dem::failure_mode(cracked, false) == rocking); // damage at a corner
-    CHECK(dem::failure_mode(slid, false) == rocking);
-    CHECK(dem::failure_mode(both, false) == mixed);
-    CHECK(dem::failure_mode(both, false, {0.5, 2}) == rocking);
-    CHECK(dem::failure_mode(slid, false, {0.5, 0}) == mixed);
-    CHECK(dem::failure_mode(cracked, false, {0.51, 1}) == mixed);
+    CHECK(dem::failure_mode(cracked, false, rule(0.5, 1)) == rocking); // damage at a corner
+    CHECK(dem::failure_mode(slid, false, rule(0.5, 1)) == rocking);
+    CHECK(dem::failure_mode(both, false, rule(0.5, 1)) == mixed);
+    CHECK(dem::failure_mode(both, false, rule(0.5, 2)) == rocking);
+    CHECK(dem::failure_mode(slid, false, rule(0.5, 0)) == mixed);
+    CHECK(dem::failure_mode(cracked, false, rule(0.51, 1)) == mixed);
+}
+
+TEST_CASE(
+    "mechanism: of three modes, whole walls rock or slide whether or not they lose load, and "
+    "cracked ones are mixed unless they overturn and keep it",
+    "[dem][mechanism]")
+{
+    using enum FailureMode;
+    const bool dropped = GENERATE(false, true);
+    Mechanism rocks{0.5, 0.1, 0, 5};
+    CHECK(dem::failure_mode(rocks, dropped) == rocking);
+    rocks.cracked_units = 1;
+    CHECK(dem::failure_mode(rocks, dropped) == (dropped ? mixed : rocking));
+    Mechanism slides{GENERATE(0.49, -0.1), 0.9, 0, 5};
+    CHECK(dem::failure_mode(slides, dropped) == sliding);
+    CHECK(dem::failure_mode(slides, dropped, {0.5, 0}) == mixed);
+    slides.cracked_units = 1;
+    CHECK(dem::failure_mode(slides, dropped) == mixed);
+    CHECK(dem::failure_mode(slides, dropped, {0.5, 2}) == sliding);
 }
 
 TEST_CASE("mechanism: a stair of opened joints rocks, a diagonal crack through units does not",
@@ -242,5 +268,5 @@ TEST_CASE("mechanism: a stair of opened joints rocks, a diagonal crack through u
 
     const Mechanism rest = dem::mechanism(scenes::wall_at_rest(), load_height);
     CHECK(rest.cracked_contacts == 0);
-    CHECK(dem::failure_mode(rest, false) == FailureMode::rocking);
+    CHECK(dem::failure_mode(rest, false, {0.5, 1, ModeRule::two}) == FailureMode::rocking);
 }
