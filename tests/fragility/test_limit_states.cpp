@@ -188,7 +188,7 @@ TEST_CASE("limit states: sets have the names of study files", "[fragility][limit
 {
     const auto sets = limit_state_sets();
     CHECK(std::vector<std::string_view>(sets.begin(), sets.end()) ==
-          std::vector<std::string_view>{"paper", "ntc", "ec8"});
+          std::vector<std::string_view>{"paper", "ntc", "ec8", "collapse"});
     for (const std::string_view set : sets)
         CHECK_FALSE(read_limit_states(scenes::triangle(), set).empty());
     CHECK_THROWS_AS(read_limit_states(scenes::triangle(), "NTC"), std::invalid_argument);
