@@ -248,7 +248,9 @@ TEST_CASE("summary: hand checks are those of a rigid wall, and a force beyond th
     dem::FaceState base;
     base.kind = dem::FaceKind::base_joint;
     base.block_a = -1;
-    base.contacts = {{.sigma = -0.4e6}, {.sigma = -2.5e6}};
+    base.contacts.resize(2);
+    base.contacts[0].sigma = -0.4e6;
+    base.contacts[1].sigma = -2.5e6;
     w.result.at_end.faces = {base};
     const Json j = Json::parse(app::summary_json(study, w)).at("hand_checks");
     // 0.5 MPa on 0.2 m2 and a beam of 0.5 kN; ten courses of 0.4 kN
