@@ -68,9 +68,9 @@ TEST_CASE(
     const auto file = folder.path / "small.h5", bare = folder.path / "bare.h5";
     app::FilmShelf all, one;
     scenes::run_study(file, "samples = 3", "",
-                      [&](app::WallKey key, bool rocking, auto frames) {
-                          all.put(key, rocking, frames);
-                          if (key == app::WallKey{1, 2}) one.put(key, rocking, frames);
+                      [&](app::WallKey key, dem::FailureMode mode, auto frames) {
+                          all.put(key, mode, frames);
+                          if (key == app::WallKey{1, 2}) one.put(key, mode, frames);
                       });
     scenes::run_study(bare, "samples = 3");
     const auto read = [](const auto& path) {

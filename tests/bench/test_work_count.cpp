@@ -9,10 +9,17 @@
 
 #include <vector>
 
-/// What is counted here is the step of small displacements.
+/// What is counted here is the step of small displacements under a load on the beam.
 template <>
 void dem::finite_step(const StepTables&, const SolverOptions&,
                       const StepInput<counting::Counted>&, WallState<counting::Counted>&)
+{
+}
+
+template <>
+void dem::move_by_body_forces(const StepTables&, const SolverOptions&,
+                              const StepInput<counting::Counted>&,
+                              WallState<counting::Counted>&)
 {
 }
 
