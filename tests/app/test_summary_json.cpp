@@ -54,6 +54,7 @@ PushedWall good_wall()
     w.reading.peak = fragility::Peak{50e3, 0.012, false};
     w.reading.stiffness = 25e6;
     w.reading.ultimate = reading(0.018, fragility::Reading::observed);
+    w.reading.collapse = reading(0.030, fragility::Reading::censored);
     w.reading.limits = {
         reading(0.018, fragility::Reading::observed),
         reading(0.0, fragility::Reading::not_defined, "no elastic branch"),
@@ -243,6 +244,7 @@ TEST_CASE("summary: hand checks are those of a rigid wall, and a force beyond th
          "beam.height=0.1 m", "beam.density=2500 kg/m3", "beam.rotation=free",
          "joint.friction_angle=5 deg", "load.height=1.1 m"});
     PushedWall w = good_wall();
+    w.reading.peak = fragility::Peak{40e3, 0.012, false};
     w.loads.height = 1.1;
     w.loads.gravity = 10.0;
     dem::FaceState base;
@@ -280,11 +282,13 @@ TEST_CASE("summary: a push that turns back has no readings, but a mode", "[app][
     w.reading.peak.reset();
     w.reading.stiffness.reset();
     w.reading.ultimate = {};
+    w.reading.collapse = {};
     w.reading.no_reading = "the push turns back";
     const Json j = summary(w);
-    CHECK(null_keys(j) == std::set<std::string>{
-                              "peak_force_kN", "displacement_at_peak_mm", "peak_is_last_point",
-                              "ultimate_displacement_mm", "stiffness_kN_per_mm"});
+    CHECK(null_keys(j) ==
+          std::set<std::string>{"peak_force_kN", "displacement_at_peak_mm",
+                                "peak_is_last_point", "ultimate_displacement_mm",
+                                "collapse_displacement_mm", "stiffness_kN_per_mm"});
     CHECK(j.at("ultimate_censored") == false);
     CHECK(j.at("mode") == "mixed");
 }
