@@ -27,8 +27,8 @@ std::string mode_rule_text(const FragilityInput& f)
     const dem::ModeThresholds& t = f.mode;
     if (t.modes == dem::ModeRule::three) {
         const std::string share = number(t.rotation_share, 6);
-        return "Mixed: " + units_text(t.cracked_units) + ", and the " + ultimate_text(f) +
-               " or less than " + share +
+        return "Mixed: " + units_text(t.cracked_units) + ", and either the " +
+               ultimate_text(f) + " or less than " + share +
                " of the displacement is rotation; else rocking, or sliding below that share";
     }
     const std::string dropped = "Mixed: the " + ultimate_text(f) + ", or ";
