@@ -106,7 +106,7 @@ claim_walls_that_fail_are_kept_named_and_counted() {
     study failed --set solver.energy_tolerance=1e-14 --set uq.samples=3 >"$work/said" || code=$?
     [[ $code == 1 ]] || fail "exit code $code"
     grep -q '6 failed: the energy ledger does not close' "$work/said" || fail "$(cat "$work/said")"
-    grep -q '0.5 MPa sample 0' "$work/said" || fail "not named: $(cat "$work/said")"
+    grep -q '0.50 MPa sample 0' "$work/said" || fail "not named: $(cat "$work/said")"
     # run again alone, they fail again, the same bits
     cp "$work/failed.h5" "$work/first.h5"
     study failed --set solver.energy_tolerance=1e-14 --set uq.samples=3 --rerun-failed >/dev/null || :
@@ -147,8 +147,8 @@ claim_tables_and_page_follow_where_asked() {
     [[ -s $work/other/README.md && -s $work/other.html ]] || fail "no tables or page of other.hdf5"
     head -c 2000 "$work/other.hdf5" >"$work/cut.hdf5"
     refused 1 "cut.hdf5' is damaged" "$program" fragility "$work/cut.hdf5"
-    refused 2 "not of a shard" study part --shard 1/2 --report
-    refused 2 "not of a shard" study part --slurm "$work/job.sh" --report
+    refused 2 "a shard has no report" study part --shard 1/2 --report
+    refused 2 "a shard has no report" study part --slurm "$work/job.sh" --report
 }
 
 claim_two_runs_on_one_file_are_refused() {
