@@ -5,6 +5,7 @@
 #include "app/push/push_command.hpp"
 #include "app/reliability/reliability_command.hpp"
 #include "app/report/report_command.hpp"
+#include "app/serve/serve_command.hpp"
 #include "app/study/curves_command.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/merge_command.hpp"
@@ -111,6 +112,13 @@ constexpr std::array kVerbs = {
          .out = OutKind::file,
          .extension = ".csv",
          .run = curves_command},
+    Verb{.name = "serve",
+         .words = "STUDY.ini",
+         .meaning = "answer other programs: walls of a study over UM-Bridge (HTTP)",
+         .example = "drystone serve configs/quick.ini --port 4242",
+         .out = OutKind::none,
+         .sections = "wall stone joint unit beam base load solver output uq fragility",
+         .run = serve_command},
     Verb{.name = "merge",
          .words = "OUT.h5 SHARD.h5...",
          .meaning = "merge the shards of one study into one file",

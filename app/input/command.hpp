@@ -35,7 +35,11 @@ struct Command {
     std::string group;                 ///< column of a table; empty: none
     std::string intensity, of, state;  ///< columns of a table of counts; empty: none
     std::vector<std::string> failed;   ///< columns of a table of counts
-    std::optional<int> walls;          ///< number of walls that a page shows, >= 0
+    std::string address = "127.0.0.1"; ///< at which a server listens
+    int port = 4242;                   ///< of a server; 0: any free one
+    std::vector<std::string> inputs; ///< keys that a server takes; empty: the random variables
+    std::vector<std::string> responses; ///< that a server gives; empty: the peak force
+    std::optional<int> walls;           ///< number of walls that a page shows, >= 0
 };
 
 } // namespace app

@@ -217,7 +217,7 @@ Command parse_command_line(std::span<const Verb> verbs,
     const Verb& verb = asked_verb(verbs, given, command.words);
     command.verb = &verb;
     check_words(verb, command.words);
-    if (verb.out == OutKind::none) return command;
+    if (command.words.empty()) return command;
     command.study = command.words.front();
     apply_all(verb, given, command);
     check_study_options(command);

@@ -23,13 +23,6 @@ std::string range_text(const Key& key)
            key.range.right + (key.unit.empty() ? "" : " ") + std::string(key.unit);
 }
 
-bool in_range(double si, const Key& key)
-{
-    const double low = to_si(key.range.low, key.unit), high = to_si(key.range.high, key.unit);
-    return (key.range.left == '[' ? si >= low : si > low) &&
-           (key.range.right == ']' ? si <= high : si < high);
-}
-
 bool starts_with_letter(std::string_view text)
 {
     const char c = text.empty() ? '\0' : text.front();
@@ -64,6 +57,13 @@ void cut_off(const Key& key, std::string_view text, RandomInput& random)
 }
 
 } // namespace
+
+bool in_range(double si, const Key& key)
+{
+    const double low = to_si(key.range.low, key.unit), high = to_si(key.range.high, key.unit);
+    return (key.range.left == '[' ? si >= low : si > low) &&
+           (key.range.right == ']' ? si <= high : si < high);
+}
 
 std::optional<RandomInput> parse_random(const Key& key, std::string_view text)
 {

@@ -23,6 +23,9 @@ namespace app {
 /// list.
 [[nodiscard]] std::string value_text(const Key& key, const Study& study);
 
+/// Whether a number lies in the range of its key.
+[[nodiscard]] bool in_range(double si, const Key& key);
+
 /// "[0, 90) deg", "whole or shifted"
 [[nodiscard]] std::string allowed_values(const Key& key);
 

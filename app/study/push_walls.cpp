@@ -24,18 +24,19 @@ class Running {
     std::optional<dem::WallMaterials> start(std::size_t i)
     {
         if (interrupted()) throw Interrupted();
-        WantedWall wanted = list_.wall(i);
-        const int level = wanted.level;
+        std::optional<WantedWall> wanted = list_.wall(i);
+        if (!wanted) return {};
+        const int level = wanted->level;
         try {
             dem::WallMaterials materials =
-                wall_materials(study_, model_.layout, level, wanted.draw);
+                wall_materials(study_, model_.layout, level, wanted->draw);
             dem::check(model_, materials);
             const std::lock_guard lock(mutex_);
-            started_.emplace(i, std::move(wanted));
+            started_.emplace(i, std::move(*wanted));
             return materials;
         } catch (const std::invalid_argument& bad) {
             const std::lock_guard lock(mutex_);
-            list_.done(i, wanted.draw, no_wall(study_, level, bad.what()));
+            list_.done(i, wanted->draw, no_wall(study_, level, bad.what()));
             return {};
         }
     }
@@ -68,6 +69,7 @@ void push_walls(const Study& study, const dem::Model& model, const dem::PushPlan
     ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
         running.finish(i, std::move(result));
     };
+    ensemble.open = list.open;
     dem::Workers workers;
     workers.threads = threads;
     workers.scalar = list.size <= static_cast<std::size_t>(threads); // no register to fill

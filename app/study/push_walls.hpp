@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 namespace app {
 
@@ -14,11 +15,13 @@ namespace app {
 struct PushList {
     std::size_t size = 0;
     /// Wall `i`, asked for from any thread when its turn comes, so that a study of any size needs
-    /// no more memory than what is running.
-    std::function<WantedWall(std::size_t i)> wall;
+    /// no more memory than what is running. Nothing: there is none for now.
+    std::function<std::optional<WantedWall>(std::size_t i)> wall;
     /// Takes each wall when it is there, one at a time, in no order. A draw that makes no wall is a
     /// failed wall with its reason.
     std::function<void(std::size_t i, const WallDraw& draw, PushedWall&& wall)> done;
+    /// Walls may come while others run: dem::Ensemble::open.
+    bool open = false;
 };
 
 /// A wall has the same bits whatever the number of threads and the walls beside it.

@@ -10,6 +10,9 @@ namespace dem {
 
 namespace {
 
+/// A free lane asks for a wall again after so many steps, some milliseconds.
+constexpr int kAskEvery = 64; // choice
+
 /// Puts the next wall into a free lane, if there is one.
 template <class Real>
 std::optional<WallRun> start(const Task& task,
@@ -45,7 +48,16 @@ void run_batch(const Task& task, int most_lanes,
             if (run) run->spend(each);
         last = now;
     };
-    while (running > 0) {
+    const auto fill_free_lanes = [&] {
+        for (int i = 0; i < std::min(most_lanes, lanes<Real>); ++i)
+            if (!runs[i])
+                if (std::optional<WallRun> run = start(task, next, i, state)) {
+                    share_time();
+                    runs[i] = std::move(run);
+                    ++running;
+                }
+    };
+    for (long long steps = 1; running > 0; ++steps) {
         StepInput<Real> in{Real(0.0), Real(0.0),
                            Real(0.0)}; // a lane without a wall stays at rest
         for (int i = 0; i < lanes<Real>; ++i)
@@ -64,6 +76,9 @@ void run_batch(const Task& task, int most_lanes,
             runs[i] = start(task, next, i, state);
             running -= !runs[i].has_value();
         }
+        if (steps % kAskEvery == 0 && running > 0 &&
+            running < std::min(most_lanes, lanes<Real>))
+            fill_free_lanes();
     }
 }
 

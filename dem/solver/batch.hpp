@@ -14,7 +14,7 @@ struct NumberedWall {
     WallMaterials materials;
 };
 
-/// Pushes the walls that `next` hands out, until it has no more.
+/// Pushes the walls that `next` hands out, until all are done and it has no more. Free lanes ask again while others run.
 /// @param most_lanes number of lanes to use, >= 1; fewer than there are leaves walls for other threads
 /// @param done takes each result as soon as it is there
 template <class Real>

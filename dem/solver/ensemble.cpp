@@ -29,6 +29,8 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
             if (std::optional<WallMaterials> materials = ensemble.wall(number)) {
                 check(model, *materials);
                 return NumberedWall{number, std::move(*materials)};
+            } else if (ensemble.open) {
+                break;
             }
         return {};
     };
@@ -46,8 +48,9 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
     };
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const int threads = workers.threads > 0 ? workers.threads : static_cast<int>(cores);
-    const int most_lanes = static_cast<int>(std::min<std::size_t>(
-        1000, (ensemble.size + threads - 1) / static_cast<std::size_t>(threads)));
+    const auto teams = static_cast<std::size_t>(threads);
+    const int most_lanes = static_cast<int>(
+        std::min<std::size_t>(1000, ensemble.size / teams + (ensemble.size % teams != 0)));
     const auto work = [&] {
         try {
             workers.scalar ? run_batch<double>(task, most_lanes, next, done)

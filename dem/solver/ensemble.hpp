@@ -54,6 +54,9 @@ struct Ensemble {
     std::function<std::optional<WallMaterials>(std::size_t number)> wall;
     /// Takes each result as soon as it is there, one at a time, in no particular order.
     std::function<void(std::size_t number, PushResult&&)> done;
+    /// Walls may come while others run: if `wall` returns nothing, the lane asks again a little later. The
+    /// ensemble ends when no wall runs.
+    bool open = false;
 };
 
 struct Workers {

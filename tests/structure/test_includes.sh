@@ -24,6 +24,7 @@ declare -A knows=(
     [app/sampling]="dem/ uq/ app/input"
     [app/study]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling"
     [app/reliability]="dem/ fragility uq/ app app/reading app/input app/output app/store app/sampling app/study"
+    [app/serve]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/reliability"
     [app/push]="dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
     [app/report]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/fragility]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"

@@ -1,0 +1,19 @@
+find_path(HTTPLIB_INCLUDE_DIR httplib.h REQUIRED)
+find_library(HTTPLIB_LIBRARY cpp-httplib) # where it is not compiled, the header is all
+
+drystone_library(app_serve
+    serve/http_server.cpp
+    serve/serve_command.cpp
+    serve/served_walls.cpp
+    serve/umbridge.cpp
+    serve/wall_queue.cpp)
+target_link_libraries(drystone_app_serve
+    PUBLIC drystone_app_reliability drystone_app_study
+    PRIVATE nlohmann_json::nlohmann_json Threads::Threads)
+# One file alone has the header of HTTP, compiled as Debian's library is.
+set_source_files_properties(serve/http_server.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+if(HTTPLIB_LIBRARY)
+    set_source_files_properties(serve/http_server.cpp PROPERTIES
+        COMPILE_DEFINITIONS "CPPHTTPLIB_OPENSSL_SUPPORT;CPPHTTPLIB_ZLIB_SUPPORT;CPPHTTPLIB_BROTLI_SUPPORT")
+    target_link_libraries(drystone_app_serve PRIVATE ${HTTPLIB_LIBRARY})
+endif()

@@ -1,0 +1,134 @@
+#include "app/serve/http_server.hpp"
+
+#include <httplib.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <stdexcept>
+#include <stop_token>
+#include <thread>
+
+namespace app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kJson = "application/json";
+
+void send(httplib::Response& response, const HttpReply& reply)
+{
+    response.status = reply.status;
+    response.set_content(reply.body, kJson);
+}
+
+/// The body of a request, within the limits; or why not.
+struct Body {
+    std::string text;
+    int status = 200;
+    std::string trouble;
+};
+
+Body read_body(const httplib::Request& request, const httplib::Response& response,
+               const httplib::ContentReader& read, const HttpOptions& o)
+{
+    Body body;
+    if (request.is_multipart_form_data()) return {{}, 400, "send the JSON itself, not a form"};
+    const auto begin = Clock::now();
+    const bool whole = read([&](const char* data, std::size_t n) {
+        if (body.text.size() + n > o.most_bytes)
+            body.status = 413;
+        else if (std::chrono::duration<double>(Clock::now() - begin).count() > o.most_seconds)
+            body.status = 408;
+        else
+            body.text.append(data, n);
+        return body.status == 200;
+    });
+    if (!whole && response.status == 413) body.status = 413; // by its Content-Length
+    if (body.status == 413)
+        body.trouble = "the request is larger than " + std::to_string(o.most_bytes) + " bytes";
+    else if (body.status == 408)
+        body.trouble = "the request did not arrive in time";
+    else if (!whole)
+        body = {{}, 400, "the request is broken off or malformed"};
+    return body;
+}
+
+/// What the library refuses by itself: unknown paths and methods, headers that are none.
+HttpReply refused(int status)
+{
+    if (status == 404) return umbridge_error(404, "InvalidInput", "no such path or method");
+    if (status == 413) return umbridge_error(413, "InvalidInput", "the request is too large");
+    return umbridge_error(status, "InvalidInput", "the request is malformed");
+}
+
+/// The library would let another program listen at the same port.
+void only_one(socket_t socket)
+{
+    const int yes = 1;
+    ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+void set_limits(httplib::Server& server, const HttpOptions& o)
+{
+    server.set_payload_max_length(o.most_bytes);
+    server.set_read_timeout(o.silent_seconds);
+    server.set_write_timeout(o.silent_seconds);
+    server.set_keep_alive_timeout(o.silent_seconds);
+    server.set_keep_alive_max_count(1'000'000);
+    server.set_tcp_nodelay(true);
+    server.set_socket_options(only_one);
+    server.new_task_queue = [n = static_cast<std::size_t>(o.connections)] {
+        return new httplib::ThreadPool(n); // the library takes it
+    };
+}
+
+void set_answers(httplib::Server& server, const HttpOptions& o,
+                 std::span<const ServedModel> models)
+{
+    server.Get("/Info", [models](const httplib::Request&, httplib::Response& response) {
+        send(response, umbridge_info(models));
+    });
+    for (const char* const path : kUmbridgePaths)
+        server.Post(path, [=](const httplib::Request& request, httplib::Response& response,
+                              const httplib::ContentReader& read) {
+            const Body body = read_body(request, response, read, o);
+            send(response, body.status == 200
+                               ? umbridge_reply(models, path, body.text)
+                               : umbridge_error(body.status, "InvalidInput", body.trouble));
+            if (body.status != 200) response.set_header("Connection", "close");
+        });
+    server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
+        if (response.body.empty()) send(response, refused(response.status));
+    });
+    server.set_exception_handler(
+        [](const httplib::Request&, httplib::Response& response, std::exception_ptr) {
+            send(response, umbridge_error(500, "InvalidOutput", "the server is ending"));
+        });
+}
+
+} // namespace
+
+void serve_http(const HttpOptions& options, std::span<const ServedModel> models,
+                const std::function<void(int port)>& listening,
+                const std::function<bool()>& ended)
+{
+    httplib::Server server;
+    set_limits(server, options);
+    set_answers(server, options, models);
+    const int port = options.port == 0 ? server.bind_to_any_port(options.address)
+                     : server.bind_to_port(options.address, options.port) ? options.port
+                                                                          : -1;
+    if (port < 0)
+        throw std::runtime_error("cannot listen at " + options.address + ":" +
+                                 std::to_string(options.port) + ": " + std::strerror(errno));
+    const std::jthread watch([&](const std::stop_token& done) {
+        while (!done.stop_requested() && !ended())
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        server.stop();
+    });
+    listening(port);
+    server.listen_after_bind();
+}
+
+} // namespace app

@@ -1,0 +1,69 @@
+#include "app/serve/serve_command.hpp"
+
+#include "app/input/key_effects.hpp"
+#include "app/serve/http_server.hpp"
+#include "app/serve/served_walls.hpp"
+#include "app/serve/wall_queue.hpp"
+#include "app/study/interrupt.hpp"
+#include "dem/block/model.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace app {
+namespace {
+
+/// Requests of walls that are asked for while the others are pushed wait here.
+constexpr int kConnectionsPerThread = 64; // choice: four times the lanes of the widest register
+
+void list(const char* what, const std::vector<ServedColumn>& columns)
+{
+    constexpr std::size_t kShown = 8;
+    std::cout << "  " << what << ": ";
+    for (std::size_t i = 0; i < columns.size() && i < kShown; ++i)
+        std::cout << (i > 0 ? ", " : "") << columns[i].name << " [" << columns[i].unit << "]";
+    if (columns.size() > kShown) std::cout << ", ... (" << columns.size() << ")";
+    std::cout << '\n';
+}
+
+void say(const HttpOptions& options, int port, const std::vector<ServedModel>& models)
+{
+    std::cout << "UM-Bridge at http://" << options.address << ":" << port << ", until Ctrl-C\n";
+    for (const ServedModel& model : models) {
+        std::cout << model.name << '\n';
+        list("in", model.inputs);
+        list("out", model.outputs);
+    }
+    std::cout.flush();
+    if (!options.address.starts_with("127.") && options.address != "localhost" &&
+        options.address != "::1")
+        std::cerr << "drystone: whoever reaches " << options.address
+                  << " can push walls here; there is no password\n";
+}
+
+} // namespace
+
+int serve_command(const Command& command)
+{
+    const Study given =
+        read_study(with_overrides(read_study_file(command.study), command.overrides));
+    const ServedStudy served = served_study(given, command.inputs);
+    say_effects(given, command);
+    const dem::Model model = model_of(served.study);
+    catch_interrupts();
+    WallQueue queue(served.study, model, command.threads);
+    const std::vector<ServedModel> models = served_models(
+        served, std::filesystem::path(command.study).stem().string(),
+        command.responses.empty() ? std::vector<std::string>{"peak_force"} : command.responses,
+        [&](WantedWall wall) { return queue.push(std::move(wall)); });
+    HttpOptions options;
+    options.address = command.address;
+    options.port = command.port;
+    options.connections =
+        std::max(options.connections, kConnectionsPerThread * command.threads);
+    serve_http(
+        options, models, [&](int port) { say(options, port, models); }, interrupted);
+    return 0;
+}
+
+} // namespace app

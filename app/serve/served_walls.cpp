@@ -1,0 +1,230 @@
+#include "app/serve/served_walls.hpp"
+
+#include "app/input/key_values.hpp"
+#include "app/input/number_text.hpp"
+#include "app/input/study_keys.hpp"
+#include "app/input/units.hpp"
+#include "app/input/words.hpp"
+#include "app/reading/wall_response.hpp"
+#include "app/reliability/wall_black_box.hpp"
+#include "app/sampling/sample_plan.hpp"
+#include "app/study/study_walls.hpp"
+#include "dem/scene/layout.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+namespace app {
+namespace {
+
+/// A number of a wall beside those of kWallResponses.
+struct OtherResponse {
+    std::string_view name, unit, meaning;
+    double (*read)(const PushedWall&);
+};
+
+constexpr OtherResponse kOthers[] = {
+    {"ultimate_censored", "-", "1: the ultimate displacement is only a lower bound",
+     [](const PushedWall& w) { return is_censored(w.reading.ultimate) ? 1.0 : 0.0; }},
+    {"cracked_units", "-", "units cracked through",
+     [](const PushedWall& w) { return static_cast<double>(w.mechanism.cracked_units); }},
+    {"rotation_share", "-", "rotation of the beam x height / displacement",
+     [](const PushedWall& w) { return w.mechanism.rotation_share; }},
+    {"sliding_share", "-", "slip of the closed bed joints / displacement",
+     [](const PushedWall& w) { return w.mechanism.sliding_share; }},
+    {"energy_residual", "-", "largest share of the work that the ledger misses",
+     energy_residual},
+};
+
+/// What all models of a server share.
+struct Shared {
+    dem::Layout layout;
+    std::vector<int> sites; ///< of each input
+    std::vector<const Key*> keys;
+    std::vector<std::function<double(const PushedWall&)>> outputs;
+    WallPush push;
+};
+
+RandomInput fixed_input(const Study& study, const Key& key)
+{
+    if (key.field.place == nullptr || key.varies == Varies::never)
+        throw error_at(study.source, key.name,
+                       "cannot be an input: it changes the wall itself, not its materials");
+    Parameters p = study.parameters;
+    RandomInput input;
+    input.key = key.name;
+    input.unit = key.unit;
+    input.place = key.field.place;
+    input.mean = key.field.place(p);
+    input.varies = key.varies;
+    return input;
+}
+
+RandomInput input_named(const Study& study, const std::string& name)
+{
+    for (const RandomInput& input : study.random)
+        if (input.key == name) return input;
+    const Key* const key = find_key(name);
+    if (key == nullptr)
+        throw ConfigError("drystone", 0, "--input", in_quotes(name) + " is no key of a study");
+    if (find_entry(study.source, name) == nullptr)
+        throw error_at(study.source, name,
+                       "follows from others; give it a value, or --set " + name +
+                           "=..., so that it can be an input");
+    return fixed_input(study, *key);
+}
+
+std::vector<ServedColumn> output_columns(const std::vector<std::string>& names, Shared& shared)
+{
+    std::vector<ServedColumn> columns;
+    std::vector<std::string_view> known;
+    for (const WallResponse& r : kWallResponses) known.push_back(r.name);
+    for (const OtherResponse& r : kOthers) known.push_back(r.name);
+    for (const std::string& name : names) {
+        const auto r = std::ranges::find(kWallResponses, name, &WallResponse::name);
+        if (r != kWallResponses.end()) {
+            const auto unit = r->unit == "%" ? "-" : si_unit(r->unit);
+            columns.push_back({name, std::string(unit), std::string(r->words)});
+            shared.outputs.emplace_back(
+                [r](const PushedWall& w) { return r->read(w.reading, w.loads.height); });
+            continue;
+        }
+        const auto other = std::ranges::find(kOthers, name, &OtherResponse::name);
+        if (other == std::end(kOthers))
+            throw ConfigError("drystone", 0, "--response",
+                              in_quotes(name) + " is no response; " + suggestion(name, known));
+        columns.push_back({name, std::string(other->unit), std::string(other->meaning)});
+        shared.outputs.emplace_back(other->read);
+    }
+    return columns;
+}
+
+/// @throws BadValue
+WallDraw draw_of(const Shared& shared, std::span<const double> x)
+{
+    WallDraw draw;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < shared.sites.size(); ++i) {
+        std::vector<double> values;
+        for (int site = 0; site < shared.sites[i]; ++site, ++next) {
+            const Key& key = *shared.keys[i];
+            if (!in_range(x[next], key))
+                throw BadValue(std::string(key.name) + " = " + number(x[next], 17) + " " +
+                               std::string(si_unit(key.unit)) +
+                               " is out of range; must be in " + allowed_values(key));
+            values.push_back(x[next]);
+        }
+        draw.values.push_back(std::move(values));
+    }
+    return draw;
+}
+
+/// @throws BadValue, std::runtime_error
+std::vector<double> answer(const Shared& shared, const PushedWall& wall)
+{
+    const std::string& why = wall.reading.no_reading;
+    if (wall.result.outcome == dem::Outcome::no_wall) throw BadValue(why);
+    if (!why.empty()) throw std::runtime_error(why);
+    std::vector<double> y;
+    for (const auto& output : shared.outputs) y.push_back(output(wall));
+    return y;
+}
+
+std::vector<ServedColumn> physical_columns(const Shared& shared)
+{
+    std::vector<ServedColumn> columns;
+    for (std::size_t i = 0; i < shared.sites.size(); ++i) {
+        const Key& key = *shared.keys[i];
+        const std::string unit = key.unit.empty() ? "-" : std::string(si_unit(key.unit));
+        for (int site = 1; site <= shared.sites[i]; ++site)
+            columns.push_back({std::string(key.name) +
+                                   (shared.sites[i] == 1 ? "" : "." + std::to_string(site)),
+                               unit, std::string(key.meaning)});
+    }
+    return columns;
+}
+
+/// The same model over standard normal coordinates.
+ServedModel normal_model(const Study& given, const Shared& shared, const ServedModel& physical)
+{
+    Study study = given;
+    study.uq.design = uq::DesignKind::monte_carlo; // the coordinates come from the client
+    const std::vector<std::uint32_t> one = {1};
+    const SamplePlan plan = sample_plan(study, shared.layout, one);
+    ServedModel model;
+    model.name = physical.name + "_normal";
+    model.outputs = physical.outputs;
+    for (int i = 1; i <= plan.values.n_columns; ++i)
+        model.inputs.push_back({"z" + std::to_string(i), "-", "standard normal"});
+    for (std::size_t i = 0; i < plan.values.columns.size(); ++i)
+        for (const int column : plan.values.columns[i])
+            model.inputs[static_cast<std::size_t>(column)].meaning =
+                "standard normal coordinate of " + plan.inputs[i].key;
+    model.evaluate = [to_physical = wall_map(study, plan),
+                      at = physical.evaluate](std::span<const double> z) {
+        const Eigen::MatrixXd row =
+            Eigen::Map<const Eigen::RowVectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
+        const Eigen::MatrixXd x = to_physical(row);
+        return at({x.data(), static_cast<std::size_t>(x.size())});
+    };
+    return model;
+}
+
+std::string model_name(const Study& study, const std::string& name, double stress)
+{
+    if (study.load.vertical_stress.size() == 1) return name;
+    std::string level = stress_text(stress);
+    std::ranges::replace(level, ' ', '_');
+    return name + "_" + level;
+}
+
+} // namespace
+
+ServedStudy served_study(const Study& study, const std::vector<std::string>& inputs)
+{
+    ServedStudy served{study, inputs.empty() && study.uq.spatial != Spatial::stratified};
+    if (!inputs.empty()) {
+        served.study.random.clear();
+        for (const std::string& name : inputs)
+            served.study.random.push_back(input_named(study, name));
+    }
+    if (served.study.random.empty())
+        throw error_at(
+            study.source, "joint.friction_angle",
+            "no value of this study is a distribution; write e.g. \"friction_angle = "
+            "normal(mean 31.8 deg, cov 0.20)\", or name inputs: --input "
+            "joint.friction_angle");
+    return served;
+}
+
+std::vector<ServedModel> served_models(const ServedStudy& served, const std::string& name,
+                                       const std::vector<std::string>& responses,
+                                       const WallPush& push)
+{
+    const Study& study = served.study;
+    const auto shared = std::make_shared<Shared>(
+        Shared{dem::lay_out(study.wall, study.beam.height), {}, {}, {}, push});
+    for (const RandomInput& input : study.random) {
+        shared->sites.push_back(values_per_wall(input, study.uq.spatial, shared->layout));
+        shared->keys.push_back(find_key(input.key));
+    }
+    const std::vector<ServedColumn> outputs = output_columns(responses, *shared);
+    std::vector<ServedModel> models;
+    for (std::size_t l = 0; l < study.load.vertical_stress.size(); ++l) {
+        const int level = static_cast<int>(l);
+        ServedModel model;
+        model.name = model_name(study, name, study.load.vertical_stress[l]);
+        model.inputs = physical_columns(*shared);
+        model.outputs = outputs;
+        model.evaluate = [shared, level](std::span<const double> x) {
+            return answer(*shared, shared->push({level, draw_of(*shared, x)}));
+        };
+        if (served.distributions) models.push_back(normal_model(study, *shared, model));
+        models.push_back(std::move(model));
+    }
+    return models;
+}
+
+} // namespace app

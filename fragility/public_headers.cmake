@@ -1,0 +1,27 @@
+# Installed with the library. The other headers are its own business.
+set(FRAGILITY_PUBLIC_HEADERS
+    bilinear.hpp
+    binomial.hpp
+    bootstrap_random.hpp
+    censored_fit.hpp
+    censored_sample.hpp
+    curve_reading.hpp
+    equal_modes.hpp
+    fit_intervals.hpp
+    fragility_curve.hpp
+    goodness_of_fit.hpp
+    interval.hpp
+    kaplan_meier.hpp
+    law.hpp
+    limit_states.hpp
+    maximise.hpp
+    median_bound.hpp
+    mode_lack_of_fit.hpp
+    mode_model.hpp
+    mode_sensitivity.hpp
+    model_outcome.hpp
+    observation.hpp
+    ordinal_fit.hpp
+    performance_limits.hpp
+    sample_quantile.hpp
+    stress_model.hpp)
