@@ -6,6 +6,7 @@ set(FRAGILITY_PUBLIC_HEADERS
     censored_fit.hpp
     censored_sample.hpp
     curve_reading.hpp
+    cyclic_curve.hpp
     equal_modes.hpp
     fit_intervals.hpp
     fragility_curve.hpp
