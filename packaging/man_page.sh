@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# man_page.sh PROGRAM   the manual page, from what the program says of itself; to stdout
+# man_page.sh PROGRAM FILE.gz   the manual page, from what the program says of itself
 set -euo pipefail
 program=$1
 version=$("$program" version)
@@ -9,23 +9,27 @@ verbatim() { # text as it is: backslashes, hyphens and dots at the start of a li
         -e 's/\\/\\e/g' -e 's/-/\\-/g' -e "s/^[.']/\\\\\&&/"
 }
 
-echo ".TH DRYSTONE 1 \"\" \"$version\" \"User Commands\""
-echo .SH NAME
-echo 'drystone \- in-plane push of dry-joint stone masonry walls by the discrete element method'
-echo .SH SYNOPSIS
-echo '.B drystone'
-echo 'VERB [FILE] [options]'
-echo .SH DESCRIPTION
-echo .nf
-"$program" help | tail -n +2 | verbatim
-echo .fi
-for verb in $("$program" help | awk '/^  drystone / {print $2}'); do
-    [[ $verb != help && $verb != version ]] || continue
-    echo ".SH ${verb^^}"
+page() {
+    echo ".TH DRYSTONE 1 \"\" \"$version\" \"User Commands\""
+    echo .SH NAME
+    echo 'drystone \- in-plane push of dry-joint stone masonry walls by the discrete element method'
+    echo .SH SYNOPSIS
+    echo '.B drystone'
+    echo 'VERB [FILE] [options]'
+    echo .SH DESCRIPTION
     echo .nf
-    "$program" help "$verb" | verbatim
+    "$program" help | tail -n +2 | verbatim
     echo .fi
-done
-echo .SH FILES
-echo '.I /usr/share/doc/drystone/examples'
-echo 'holds example studies.'
+    for verb in $("$program" help | awk '/^  drystone / {print $2}'); do
+        [[ $verb != help && $verb != version ]] || continue
+        echo ".SH ${verb^^}"
+        echo .nf
+        "$program" help "$verb" | verbatim
+        echo .fi
+    done
+    echo .SH FILES
+    echo '.I /usr/share/doc/drystone/examples'
+    echo 'holds example studies.'
+}
+
+page | gzip -9n >"$2"
