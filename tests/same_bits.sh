@@ -20,7 +20,7 @@ unity() { [[ $1 == *-O0* ]] && echo OFF || echo ON; }
 
 build() { # $1: directory, $2: compiler, $3: flags
     cmake -S . -B "$1" -G Ninja -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_COMPILER="$2" \
-        -DCMAKE_CXX_FLAGS="$3 -DNDEBUG" -DDRYSTONE_WERROR=OFF -DDRYSTONE_BUILD_TESTS=OFF \
+        -DCMAKE_CXX_FLAGS="$3 -DNDEBUG" -DDRYSTONE_WERROR=OFF -DDRYSTONE_BUILD_TESTS=OFF -DDRYSTONE_PYTHON=OFF \
         -DCMAKE_UNITY_BUILD="$(unity "$3")" -DDRYSTONE_PRECOMPILED_HEADERS=OFF >"$1.log" 2>&1 &&
         cmake --build "$1" --target curve_hash >>"$1.log" 2>&1 && return
     tail -n 20 -- "$1.log"

@@ -17,6 +17,10 @@ enum class OutKind {
     none        ///< the verb writes no file
 };
 
+/// Sections of a study file that make a wall and the numbers read off it.
+inline constexpr std::string_view kWallSections =
+    "wall stone joint unit beam base load solver output uq fragility";
+
 /// One row of the table of verbs.
 struct Verb {
     std::string_view name;

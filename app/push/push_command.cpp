@@ -5,7 +5,6 @@
 #include "app/input/study.hpp"
 #include "app/input/units.hpp"
 #include "app/output/atomic_output.hpp"
-#include "app/output/capacity_csv.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/cycles_csv.hpp"
 #include "app/output/markup.hpp"
@@ -13,6 +12,7 @@
 #include "app/output/vtk_series.hpp"
 #include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
+#include "app/push/capacity_text.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/reading/wall_words.hpp"
@@ -90,26 +90,13 @@ std::string configuration(const Study& study, const PushedWall& w, std::optional
            effective_configuration(study);
 }
 
-BodyForceColumns body_force_columns(const PushedWall& w)
-{
-    BodyForceColumns columns;
-    if (w.loads.pattern != dem::LoadPattern::body) return columns;
-    for (const dem::CurvePoint& p : w.result.curve) {
-        columns.load_factor.push_back(p.force / w.result.weight);
-        columns.corner.push_back(p.corner);
-    }
-    return columns;
-}
-
 void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
                 std::optional<int> sample)
 {
     make_folder(folder);
     write_file(folder / "study.ini", configuration(study, w, sample));
     if (!dem::failed(w.result.outcome)) {
-        write_file(
-            folder / "capacity.csv",
-            capacity_csv(w.displacement, w.force, w.loads.height, body_force_columns(w)));
+        write_file(folder / "capacity.csv", capacity_text(w));
         if (push_way(study).direction == 0)
             write_file(folder / "cycles.csv",
                        cycles_csv(fragility::cycles({w.displacement, w.force})));

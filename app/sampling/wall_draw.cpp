@@ -1,5 +1,14 @@
 #include "app/sampling/wall_draw.hpp"
 
+#include "app/input/key_values.hpp"
+#include "app/input/number_text.hpp"
+#include "app/input/study_keys.hpp"
+#include "app/input/units.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+
 namespace app {
 namespace {
 
@@ -29,6 +38,29 @@ int values_per_wall(const RandomInput& input, Spatial spatial, const dem::Layout
     if (input.varies == Varies::by_joint) return layout.n_joints;
     if (input.varies == Varies::by_crack) return layout.n_cracks;
     return 1;
+}
+
+WallDraw checked_draw(std::span<const RandomInput> inputs, std::span<const int> sites,
+                      std::span<const double> values)
+{
+    const int wanted = std::accumulate(sites.begin(), sites.end(), 0);
+    if (values.size() != static_cast<std::size_t>(wanted))
+        throw BadValue(std::to_string(values.size()) + " values; the wall takes " +
+                       std::to_string(wanted));
+    WallDraw draw;
+    const double* next = values.data();
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const Key& key = *find_key(inputs[i].key);
+        draw.values.emplace_back(next, next + sites[i]);
+        next += sites[i];
+        for (const double x : draw.values.back())
+            if (!in_range(x, key))
+                throw BadValue(inputs[i].key + " = " +
+                               (std::isfinite(x) ? number(x, 17) : std::to_string(x)) + " " +
+                               std::string(si_unit(key.unit)) +
+                               " is out of range; must be in " + allowed_values(key));
+    }
+    return draw;
 }
 
 dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout, int level,

@@ -4,6 +4,7 @@
 #include "app/input/study.hpp"
 #include "dem/scene/layout.hpp"
 
+#include <span>
 #include <vector>
 
 namespace app {
@@ -22,6 +23,13 @@ struct WantedWall {
 /// How many values an input has in a wall.
 [[nodiscard]] int values_per_wall(const RandomInput& input, Spatial spatial,
                                   const dem::Layout& layout);
+
+/// The draw with these values, one after the other; each must lie in the range of its key.
+/// @param sites values of each input in a wall, as values_per_wall
+/// @param values in SI
+/// @throws BadValue (app/input/units.hpp) naming the key
+[[nodiscard]] WallDraw checked_draw(std::span<const RandomInput> inputs,
+                                    std::span<const int> sites, std::span<const double> values);
 
 /// Builds the wall's materials from one draw. Parameters derived from random ones are recomputed
 /// for every wall or joint. Base and beam joints follow values drawn per wall, and the mean of

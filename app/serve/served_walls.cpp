@@ -1,7 +1,5 @@
 #include "app/serve/served_walls.hpp"
 
-#include "app/input/key_values.hpp"
-#include "app/input/number_text.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
 #include "app/input/words.hpp"
@@ -41,8 +39,8 @@ constexpr OtherResponse kOthers[] = {
 /// What all models of a server share.
 struct Shared {
     dem::Layout layout;
+    std::vector<RandomInput> inputs;
     std::vector<int> sites; ///< of each input
-    std::vector<const Key*> keys;
     std::vector<std::function<double(const PushedWall&)>> outputs;
     WallPush push;
 };
@@ -101,26 +99,6 @@ std::vector<ServedColumn> output_columns(const std::vector<std::string>& names, 
     return columns;
 }
 
-/// @throws BadValue
-WallDraw draw_of(const Shared& shared, std::span<const double> x)
-{
-    WallDraw draw;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < shared.sites.size(); ++i) {
-        std::vector<double> values;
-        for (int site = 0; site < shared.sites[i]; ++site, ++next) {
-            const Key& key = *shared.keys[i];
-            if (!in_range(x[next], key))
-                throw BadValue(std::string(key.name) + " = " + number(x[next], 17) + " " +
-                               std::string(si_unit(key.unit)) +
-                               " is out of range; must be in " + allowed_values(key));
-            values.push_back(x[next]);
-        }
-        draw.values.push_back(std::move(values));
-    }
-    return draw;
-}
-
 /// @throws BadValue, std::runtime_error
 std::vector<double> answer(const Shared& shared, const PushedWall& wall)
 {
@@ -136,7 +114,7 @@ std::vector<ServedColumn> physical_columns(const Shared& shared)
 {
     std::vector<ServedColumn> columns;
     for (std::size_t i = 0; i < shared.sites.size(); ++i) {
-        const Key& key = *shared.keys[i];
+        const Key& key = *find_key(shared.inputs[i].key);
         const std::string unit = key.unit.empty() ? "-" : std::string(si_unit(key.unit));
         for (int site = 1; site <= shared.sites[i]; ++site)
             columns.push_back({std::string(key.name) +
@@ -205,11 +183,9 @@ std::vector<ServedModel> served_models(const ServedStudy& served, const std::str
 {
     const Study& study = served.study;
     const auto shared = std::make_shared<Shared>(
-        Shared{dem::lay_out(study.wall, study.beam.height), {}, {}, {}, push});
-    for (const RandomInput& input : study.random) {
+        Shared{dem::lay_out(study.wall, study.beam.height), study.random, {}, {}, push});
+    for (const RandomInput& input : study.random)
         shared->sites.push_back(values_per_wall(input, study.uq.spatial, shared->layout));
-        shared->keys.push_back(find_key(input.key));
-    }
     const std::vector<ServedColumn> outputs = output_columns(responses, *shared);
     std::vector<ServedModel> models;
     for (std::size_t l = 0; l < study.load.vertical_stress.size(); ++l) {
@@ -219,7 +195,8 @@ std::vector<ServedModel> served_models(const ServedStudy& served, const std::str
         model.inputs = physical_columns(*shared);
         model.outputs = outputs;
         model.evaluate = [shared, level](std::span<const double> x) {
-            return answer(*shared, shared->push({level, draw_of(*shared, x)}));
+            return answer(
+                *shared, shared->push({level, checked_draw(shared->inputs, shared->sites, x)}));
         };
         if (served.distributions) models.push_back(normal_model(study, *shared, model));
         models.push_back(std::move(model));

@@ -2,21 +2,16 @@
 
 #include "app/input/key_effects.hpp"
 #include "app/input/number_text.hpp"
-#include "app/output/atomic_output.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/study/interrupt.hpp"
-#include "app/study/provenance.hpp"
+#include "app/study/run_study.hpp"
 #include "app/study/slurm_command.hpp"
-#include "app/study/study_file_head.hpp"
-#include "app/study/study_runner.hpp"
-#include "app/study/study_stopping.hpp"
-#include "app/study/study_summary.hpp"
-#include "app/study/study_walls.hpp"
-#include "dem/block/model.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 namespace app {
 namespace {
@@ -43,67 +38,35 @@ std::string progress_text(const RunProgress& p, double seconds)
            fixed(static_cast<double>(p.done) / std::max(seconds, 1e-9), 1) + " walls/s";
 }
 
-/// One process at work on a study.
-struct Work {
-    const Study& study;
-    const Command& command;
-    fs::path file;
-    dem::Model model;
-    FrameTaker frames;
+/// Shows how far a study is: a line for each round of walls.
+class RunLine {
+  public:
+    explicit RunLine(bool quiet) : quiet_(quiet) {}
+    void see(const RunProgress& p)
+    {
+        if (p.done == 0) {
+            start_ = steady_seconds();
+            line_.emplace(std::cerr, stderr_progress(quiet_), steady_seconds);
+        }
+        const std::string text = progress_text(p, steady_seconds() - start_);
+        if (p.done < p.all)
+            line_->update(static_cast<double>(p.done) / static_cast<double>(p.all), text);
+        else
+            line_->finish(text);
+    }
+
+  private:
+    bool quiet_;
+    double start_ = 0.0; ///< of the round [s]
+    std::optional<Progress> line_;
 };
 
-/// @return whether it ran to the end
-bool run(const Work& w, const SamplePlan& plan, Store& store)
+/// Pushes the walls, with a line on stderr meanwhile.
+StudyRunEnd run_with_line(const Study& study, StudyRun run, bool quiet)
 {
-    const std::vector<WallKey> walls =
-        pending_walls(store, w.command.shard, w.command.rerun_failed);
-    Progress progress(std::cerr, stderr_progress(w.command.quiet), steady_seconds);
-    const double start = steady_seconds();
-    RunProgress last;
-    try {
-        last = run_walls(
-            w.study, w.model, plan, walls, w.command.threads, store,
-            [&](const RunProgress& p) {
-                progress.update(static_cast<double>(p.done) / static_cast<double>(p.all),
-                                progress_text(p, steady_seconds() - start));
-            },
-            w.frames);
-    } catch (const Interrupted&) {
-        return false;
-    }
-    progress.finish(progress_text(last, steady_seconds() - start));
-    return true;
-}
-
-/// Brings the file to the last of `sizes`. @return whether it ran to the end
-bool work_on(const Work& w, const std::vector<std::uint32_t>& sizes)
-{
-    const SamplePlan plan = sample_plan(w.study, w.model.layout, sizes);
-    StoreHead head = head_of(w.study, plan, sizes);
-    head.shard = static_cast<std::uint32_t>(w.command.shard.index);
-    head.shards = static_cast<std::uint32_t>(w.command.shard.count);
-    head.sessions = {this_session(w.command.threads)};
-    Store store(w.file, head);
-    const bool whole = run(w, plan, store);
-    store.compact();
-    return whole;
-}
-
-/// Adds samples until the rule of the study is content, if it has one.
-bool work_until_enough(const Work& w, std::string& remark)
-{
-    std::vector<std::uint32_t> sizes = design_sizes(w.study, w.file);
-    bool whole = work_on(w, sizes);
-    if (w.study.uq.stop == kNoStop || w.study.random.empty()) return whole;
-    while (whole) {
-        const StoppingState state =
-            stopping_state(read_study_walls(w.file, {}, Keep::readings));
-        remark = state.remark;
-        if (state.next <= sizes.back()) break;
-        sizes.push_back(state.next);
-        whole = work_on(w, sizes);
-    }
-    return whole;
+    RunLine line(quiet);
+    run.seen = [&](const RunProgress& p) { line.see(p); };
+    return run_study(study, run);
 }
 
 void check_stop(const Study& study, const Command& command)
@@ -112,14 +75,6 @@ void check_stop(const Study& study, const Command& command)
     if (study.uq.stop != kNoStop && shards)
         throw error_at(study.source, "uq.stop",
                        "a shard cannot tell when the study is enough; give uq.samples");
-}
-
-void write_summary(const fs::path& file, const Table& table)
-{
-    const fs::path stem = file.parent_path() / (file.stem().string() + "_summary");
-    write_file(stem.string() + ".csv", as_csv(table));
-    write_file(stem.string() + ".md", as_markdown(table));
-    write_file(stem.string() + ".tex", as_latex(table));
 }
 
 } // namespace
@@ -131,19 +86,20 @@ int study_command(const Command& command, const FrameTaker& frames)
     check_stop(study, command);
     say_effects(study, command);
     if (!command.script.empty()) return write_slurm_script(study, command);
-    const Work work{study, command, shard_file(command.out, command.shard), model_of(study),
-                    frames};
-    if (work.file.has_parent_path()) make_folder(work.file.parent_path());
+    StudyRun run;
+    run.file = shard_file(command.out, command.shard);
+    run.shard = command.shard;
+    run.threads = command.threads;
+    run.rerun_failed = command.rerun_failed;
+    run.frames = frames;
     catch_interrupts();
-    std::string remark;
-    const bool whole = work_until_enough(work, remark);
-    const StudySummary summary = summarise(read_study_walls(work.file, {}, Keep::readings));
-    if (command.shard.count == 1) write_summary(work.file, summary.table);
-    std::cout << as_text(summary.table, terminal_width()) << summary.remarks << remark
-              << "written to " << work.file.string() << '\n';
-    if (!whole)
+    const StudyRunEnd end = run_with_line(study, run, command.quiet);
+    const StudySummary summary = study_summary(run.file, command.shard.count == 1);
+    std::cout << as_text(summary.table, terminal_width()) << summary.remarks << end.remark
+              << "written to " << run.file.string() << '\n';
+    if (!end.whole)
         std::cerr << "drystone: interrupted; the same command goes on where it stopped\n";
-    return whole && summary.failed == 0 ? 0 : 1;
+    return end.whole && summary.failed == 0 ? 0 : 1;
 }
 
 } // namespace app

@@ -28,10 +28,11 @@ declare -A knows=(
     [app/push]="dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
     [app/report]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/fragility]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
+    [python/src]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/push app/fragility"
 )
 
 broken=0
-for folder in dem dem/*/ fragility uq uq/*/ app/*/; do
+for folder in dem dem/*/ fragility uq uq/*/ app/*/ python/src; do
     folder=${folder%/}
     compgen -G "$folder/*.?pp" >/dev/null || continue
     if [[ -z ${knows[$folder]+listed} ]]; then

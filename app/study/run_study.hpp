@@ -1,0 +1,41 @@
+#pragma once
+/// All walls of a study into one file, whoever asks for it.
+
+#include "app/input/command.hpp"
+#include "app/input/study.hpp"
+#include "app/study/study_runner.hpp"
+#include "app/study/study_summary.hpp"
+#include "app/study/wall_frames.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace app {
+
+struct StudyRun {
+    std::filesystem::path
+        file; ///< goes on where it stops; its folder is made if it is not there
+    Shard shard;
+    int threads = 1; ///< >= 1
+    bool rerun_failed = false;
+    /// Told before the first wall of a round and after each wall, one at a time, from any thread. A study with a stopping rule
+    /// may have several rounds. It may throw Interrupted, which ends the run as a signal does.
+    std::function<void(const RunProgress&)> seen;
+    FrameTaker frames; ///< of the walls that this run pushes
+};
+
+struct StudyRunEnd {
+    bool whole = false; ///< else it was interrupted; the same run goes on where it stopped
+    std::string remark; ///< of the stopping rule
+};
+
+/// Adds samples until the rule of the study is content, if it has one.
+/// @throws ConfigError, StoreError, and what `seen` throws but Interrupted; walls that are finished are kept
+[[nodiscard]] StudyRunEnd run_study(const Study& study, const StudyRun& run);
+
+/// One row per stress level, also into FILE_summary.csv, .md and .tex beside FILE.h5.
+/// @param write false: of a shard nothing is written
+[[nodiscard]] StudySummary study_summary(const std::filesystem::path& file, bool write);
+
+} // namespace app

@@ -1,0 +1,112 @@
+"""The file of a study."""
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy
+
+from drystone._load import core as _core
+
+if TYPE_CHECKING:
+    import pandas
+
+
+class Drifts(NamedTuple):
+    """Limit drifts of walls, as drystone.fragility takes them: fit(*drifts)."""
+    values: numpy.ndarray
+    """[%] of the height of the load line"""
+    censored: numpy.ndarray
+    """True: the wall had not reached the limit state at this drift"""
+
+
+class Results:
+    """What the file of a study holds, by wall: level by level, sample by sample. NaN: not defined on this wall."""
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self.path: str = os.fspath(path)
+        file = _core.read_walls(self.path)
+        self.level: numpy.ndarray = file["level"]
+        """Number of the vertical stress of each wall, from 0."""
+        self.sample: numpy.ndarray = file["sample"]
+        """Number of each wall under its vertical stress, from 0."""
+        self.failed: numpy.ndarray = file["status"] != 0
+        """Walls whose run failed; `reasons` says why."""
+        self.reasons: list[str] = file["reasons"]
+        self.vertical_stress: numpy.ndarray = file["vertical_stress"]
+        """Of each level [Pa]."""
+        self.missing: int = file["missing"]
+        """Walls of the study that the file has not."""
+        self.configuration: str = file["configuration"]
+        """The study file in full."""
+        self.inputs: dict[str, numpy.ndarray]
+        """Random values of the walls in SI, by name."""
+        self.responses: dict[str, numpy.ndarray]
+        """peak_force [N], peak_displacement [m], ..., by name; `units` and `meanings` say what they are."""
+        self.counts: dict[str, numpy.ndarray]
+        """cracked_units, ..., by name."""
+        self.units: dict[str, str] = {}
+        self.meanings: dict[str, str] = {}
+        for group in ("inputs", "responses", "counts"):
+            arrays, about = file[group]
+            setattr(self, group, arrays)
+            for name, (unit, meaning) in about.items():
+                self.units[name], self.meanings[name] = unit, meaning
+
+    def __len__(self) -> int:
+        return len(self.level)
+
+    @cached_property
+    def curves(self) -> list[tuple[numpy.ndarray, numpy.ndarray]]:
+        """Displacement [m] and force [N] of each wall."""
+        return _core.read_curves(self.path)
+
+    def frame(self) -> pandas.DataFrame:
+        """Inputs, responses and counts as a table of pandas, by level and sample, in SI."""
+        import pandas
+        index = pandas.MultiIndex.from_arrays([self.level, self.sample], names=["level", "sample"])
+        stress = {"vertical_stress": self.vertical_stress[self.level]}
+        return pandas.DataFrame({**stress, **self.inputs, **self.responses, **self.counts, "failed": self.failed}, index)
+
+    def curve_frame(self) -> pandas.DataFrame:
+        """All curves as a table of pandas: displacement [m], force [N], by level and sample."""
+        import pandas
+        points = [len(force) for _, force in self.curves]
+        index = pandas.MultiIndex.from_arrays([numpy.repeat(self.level, points), numpy.repeat(self.sample, points)],
+                                              names=["level", "sample"])
+        displacement, force = (numpy.concatenate([c[i] for c in self.curves]) if points else numpy.empty(0) for i in (0, 1))
+        return pandas.DataFrame({"displacement": displacement, "force": force}, index)
+
+    @property
+    def limit_states(self) -> list[str]:
+        """Names that `drifts` takes: "ntc SLV"."""
+        return _core.read_drifts(self.path, [])[0]
+
+    def drifts(self, limit_state: str, level: int = 0, set: Mapping[str, str] | None = None) -> Drifts:
+        """Drifts at which the walls under a vertical stress reached a limit state.
+
+        :param limit_state: one of `limit_states`
+        :param set: fragility.key: value, in place of the study's
+        """
+        states, levels = _core.read_drifts(self.path, [f"{key}={value}" for key, value in (set or {}).items()])
+        if limit_state not in states:
+            raise ValueError(f"{limit_state!r} is none of {', '.join(states)}")
+        values, censored = levels[level][states.index(limit_state)]
+        return Drifts(values, numpy.array(censored, bool))
+
+    def __repr__(self) -> str:
+        return f"<Results {self.path}: {len(self)} walls, {int(self.failed.sum())} failed, {self.missing} still to run>"
+
+
+def open(path: str | os.PathLike[str]) -> Results:
+    """Reads the file of a study; a study that is still running too.
+
+    >>> results = open("runs/paper.h5")      # doctest: +SKIP
+    >>> results.responses["peak_force"]      # doctest: +SKIP
+    >>> results.frame().groupby("level").mean()  # doctest: +SKIP
+
+    :raises StoreError: no such file, damaged, of another program
+    """
+    return Results(path)

@@ -1,0 +1,203 @@
+"""Studies, and walls pushed one by one."""
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Union
+
+import numpy
+
+from drystone._load import core as _core
+from drystone._results import Results, open as _open
+
+if TYPE_CHECKING:
+    import pandas
+
+Value = Union[str, int, float, bool, Sequence[Union[int, float]]]
+"""Of a key of the study file: as it is written there, "0.50 MPa", or a number without unit."""
+
+
+def _text(value: Value) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (Sequence, numpy.ndarray)):
+        return ", ".join(_text(each) for each in value)
+    return repr(value.item() if isinstance(value, numpy.generic) else value)
+
+
+def _overrides(set: Mapping[str, Value] | None) -> list[str]:
+    return [f"{key}={_text(value)}" for key, value in (set or {}).items()]
+
+
+class Push:
+    """One wall pushed. Its curve is an array of numpy, to be plotted as it is."""
+
+    def __init__(self, wall: Any) -> None:
+        self._wall = wall
+        self._summary: dict[str, Any] | None = None
+
+    @property
+    def displacement(self) -> numpy.ndarray:
+        """Of the load line [m]."""
+        return self._wall.displacement
+
+    @property
+    def force(self) -> numpy.ndarray:
+        """Horizontal load [N]."""
+        return self._wall.force
+
+    @property
+    def drift(self) -> numpy.ndarray:
+        """Displacement over the height of the load line [-]."""
+        return self._wall.displacement / self._wall.height
+
+    @property
+    def height(self) -> float:
+        """Of the load line above the floor [m]."""
+        return self._wall.height
+
+    @property
+    def vertical_stress(self) -> float:
+        """[Pa]"""
+        return self._wall.vertical_stress
+
+    @property
+    def level(self) -> int:
+        """Number of the vertical stress in the study, from 0."""
+        return self._wall.level
+
+    @property
+    def sample(self) -> int | None:
+        """Number of the wall in the study, from 0; None: not one of its walls."""
+        return self._wall.sample
+
+    @property
+    def failed(self) -> bool:
+        """Whether the numbers of the run broke; summary["outcome"] says how."""
+        return self._wall.failed
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """What summary.json of the command line holds: peak_force_kN, ultimate_displacement_mm, mode, ... What is not
+        defined on this wall is None."""
+        if self._summary is None:
+            self._summary = json.loads(self._wall.summary_json())
+        return self._summary
+
+    def capacity_csv(self) -> str:
+        """The text of capacity.csv as the command line writes it: displacement [mm], drift [%], force [kN]."""
+        return self._wall.capacity_csv()
+
+    def frame(self) -> pandas.DataFrame:
+        """The curve as a table of pandas: displacement [m], drift [-], force [N]."""
+        import pandas
+        return pandas.DataFrame({"displacement": self.displacement, "drift": self.drift, "force": self.force})
+
+    def __repr__(self) -> str:
+        peak = "failed" if self.failed else f"peak {self.summary['peak_force_kN']:.4g} kN"
+        return f"<Push under {self.vertical_stress * 1e-6:.2f} MPa: {peak}>"
+
+
+class Study:
+    """A study file, or the file of its results, with values in place of its own.
+
+    >>> study = Study("configs/quick.ini", set={"uq.samples": 8, "solver.fidelity": "rigid"})  # doctest: +SKIP
+
+    :param path: STUDY.ini, or FILE.h5
+    :param set: section.key: value
+    :raises ConfigError: FILE:LINE: KEY: what is wrong and what to write
+    """
+
+    def __init__(self, path: str | os.PathLike[str], set: Mapping[str, Value] | None = None) -> None:
+        self._study = _core.LoadedStudy(os.fspath(path), _overrides(set))
+        for note in self._study.notes().splitlines():
+            warnings.warn(note.removeprefix("note: "), stacklevel=2)
+
+    @property
+    def vertical_stress(self) -> numpy.ndarray:
+        """Of each level [Pa]."""
+        return numpy.array(self._study.vertical_stress)
+
+    @property
+    def samples(self) -> int:
+        """Walls under each vertical stress."""
+        return self._study.samples
+
+    @property
+    def configuration(self) -> str:
+        """The study in full, as a study file that reads back to the same study."""
+        return self._study.configuration
+
+    @property
+    def inputs(self) -> list[str]:
+        """Names of the random values of a wall; of values per joint one for each: "joint.friction_angle.17"."""
+        return [name for name, _, _ in self._study.columns()]
+
+    @property
+    def units(self) -> list[str]:
+        """Of the inputs: "Pa", "rad", "-"."""
+        return [unit for _, unit, _ in self._study.columns()]
+
+    def draws(self, level: int = 0) -> numpy.ndarray:
+        """Random values of the walls under a vertical stress, in SI: one row per sample, columns as `inputs`."""
+        return self._study.draws(level)
+
+    def frame(self) -> pandas.DataFrame:
+        """All draws as a table of pandas, by level and sample, in SI."""
+        import pandas
+        levels = range(len(self.vertical_stress))
+        index = pandas.MultiIndex.from_product([levels, range(self.samples)], names=["level", "sample"])
+        return pandas.DataFrame(numpy.vstack([self.draws(level) for level in levels]), index, self.inputs)
+
+    def push(self, samples: Iterable[int] | None = None, level: int | None = None, *,
+             inputs: Sequence[Sequence[float]] | numpy.ndarray | None = None, threads: int = 0) -> list[Push]:
+        """Pushes walls side by side, each with the bits that it has alone and in a study.
+
+        :param samples: numbers of the walls, from 0; None: all
+        :param level: number of the vertical stress, from 0; None: all of them, one after the other
+        :param inputs: in place of samples: one row per wall, columns as `inputs`, in SI; needs the level where there are several
+        :param threads: 0: all of this machine
+        """
+        if inputs is not None:
+            if samples is not None:
+                raise TypeError("give samples or inputs, not both")
+            if level is None and len(self.vertical_stress) > 1:
+                raise TypeError("inputs need the level under which these walls are pushed")
+            rows = numpy.atleast_2d(numpy.asarray(inputs, float))
+            walls = self._study.push_values(level or 0, rows, threads)
+        else:
+            levels = range(len(self.vertical_stress)) if level is None else [level]
+            chosen = list(range(self.samples) if samples is None else samples)
+            walls = self._study.push_samples([(at, sample) for at in levels for sample in chosen], threads)
+        return [Push(wall) for wall in walls]
+
+    def run(self, out: str | os.PathLike[str], *, threads: int = 0, rerun_failed: bool = False,
+            progress: Callable[[int, int, int], object] | None = None) -> Results:
+        """Pushes what the file has not yet, as `drystone study --out` does, and opens it. After Ctrl-C the same call goes on.
+
+        While it runs, no other thread of this process may use HDF5. The callback may.
+
+        :param out: FILE.h5
+        :param progress: called after each wall with the walls that are done, that failed, and all of this run
+        """
+        self._study.run(os.fspath(out), threads, rerun_failed, progress)
+        return _open(out)
+
+
+def push(study: str | os.PathLike[str], set: Mapping[str, Value] | None = None, *, sample: int | None = None,
+         level: str = "", threads: int = 0) -> Push:
+    """Pushes one wall, as `drystone push` does.
+
+    >>> push("configs/wall.ini", set={"load.vertical_stress": "0.30 MPa"})  # doctest: +SKIP
+
+    :param study: STUDY.ini, or FILE.h5
+    :param set: section.key: value
+    :param sample: of a study with distributions, from 0
+    :param level: the vertical stress, "0.75 MPa", of a study with several
+    :raises ConfigError: FILE:LINE: KEY: what is wrong and what to write
+    """
+    return Push(Study(study, set)._study.push(sample, level, threads))

@@ -1,0 +1,48 @@
+#pragma once
+/// A study file as Python holds it.
+
+#include "app/input/study.hpp"
+#include "app/sampling/sample_plan.hpp"
+#include "app/study/pushed_wall.hpp"
+#include "app/study/wanted_walls.hpp"
+#include "dem/block/model.hpp"
+#include "dem/scene/layout.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bindings {
+
+struct LoadedStudy {
+    app::StudySource source;
+    dem::Layout layout;
+    std::optional<app::SamplePlan> plan; ///< made when it is first needed
+    std::optional<dem::Model> model;     ///< made when it is first needed
+};
+
+/// @param path study file, or file of results
+/// @param overrides section.key=value
+/// @throws app::ConfigError, app::StoreError
+[[nodiscard]] std::shared_ptr<LoadedStudy>
+load_study(const std::string& path, const std::vector<std::string>& overrides);
+
+/// @throws app::ConfigError
+[[nodiscard]] const app::SamplePlan& plan_of(LoadedStudy& study);
+[[nodiscard]] const dem::Model& model_of(LoadedStudy& study);
+
+/// A wall and the study whose rules read it.
+struct WallOfStudy {
+    std::shared_ptr<const LoadedStudy> study;
+    app::PushedWall wall;
+    int level = 0;
+    std::optional<int> sample;
+};
+
+/// Pushes walls side by side; the interpreter is free meanwhile.
+/// @param threads 0: all of this machine
+[[nodiscard]] std::vector<app::PushedWall>
+push_beside_python(LoadedStudy& study, const std::vector<app::WantedWall>& wanted, int threads);
+
+} // namespace bindings

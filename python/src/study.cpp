@@ -1,0 +1,219 @@
+#include "app/input/key_effects.hpp"
+#include "app/input/option.hpp"
+#include "app/input/verb.hpp"
+#include "app/push/capacity_text.hpp"
+#include "app/push/summary_json.hpp"
+#include "app/study/interrupt.hpp"
+#include "app/study/run_study.hpp"
+#include "app/study/study_columns.hpp"
+#include "app/study/study_file_head.hpp"
+#include "python/src/arrays.hpp"
+#include "python/src/beside_python.hpp"
+#include "python/src/bind.hpp"
+#include "python/src/loaded_study.hpp"
+
+#include <pybind11/stl.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+namespace bindings {
+namespace {
+
+namespace py = pybind11;
+using StudyPointer = std::shared_ptr<LoadedStudy>;
+
+std::string notes(const LoadedStudy& study)
+{
+    const app::Verb verb{.name = "study", .sections = app::kWallSections};
+    return app::effect_notes(study.source.study, verb);
+}
+
+int samples(const LoadedStudy& study) { return static_cast<int>(study.source.sizes.back()); }
+
+void check_level(const LoadedStudy& study, int level)
+{
+    if (level < 0 || level >= static_cast<int>(study.source.study.load.vertical_stress.size()))
+        throw py::index_error("level " + std::to_string(level) + ": the study has " +
+                              std::to_string(study.source.study.load.vertical_stress.size()));
+}
+
+void check_sample(const LoadedStudy& study, int sample)
+{
+    if (sample < 0 || sample >= samples(study))
+        throw py::index_error("sample " + std::to_string(sample) + ": the study has " +
+                              std::to_string(samples(study)) + ", from 0");
+}
+
+/// The given columns: name, unit, meaning.
+py::list columns(LoadedStudy& study)
+{
+    py::list list;
+    for (const app::Column& c : app::input_columns(plan_of(study)))
+        list.append(py::make_tuple(c.name, c.unit, c.meaning));
+    return list;
+}
+
+py::array_t<double> draws(LoadedStudy& study, int level)
+{
+    check_level(study, level);
+    const app::SamplePlan& plan = plan_of(study);
+    const auto rows = static_cast<std::size_t>(samples(study));
+    std::vector<double> all;
+    for (std::size_t sample = 0; sample < rows; ++sample) {
+        const std::vector<double> row =
+            app::flattened(app::draw(plan, level, static_cast<int>(sample)));
+        all.insert(all.end(), row.begin(), row.end());
+    }
+    const std::size_t width = all.size() / rows;
+    return array_of(std::move(all), rows, width);
+}
+
+std::vector<WallOfStudy> with_study(const StudyPointer& study,
+                                    const std::vector<app::WantedWall>& wanted,
+                                    const std::vector<std::optional<int>>& of, int threads)
+{
+    std::vector<app::PushedWall> walls = push_beside_python(*study, wanted, threads);
+    std::vector<WallOfStudy> all;
+    for (std::size_t i = 0; i < walls.size(); ++i)
+        all.push_back({study, std::move(walls[i]), wanted[i].level, of[i]});
+    return all;
+}
+
+/// What `drystone push` pushes, under one stress.
+WallOfStudy push(const StudyPointer& study, std::optional<int> sample, const std::string& level,
+                 int threads)
+{
+    app::Command command;
+    command.sample = sample;
+    command.level = level;
+    const std::vector<app::WantedWall> all = app::wanted_walls(study->source, command);
+    const int asked = app::level_of(study->source.study, level);
+    for (const app::WantedWall& wall : all)
+        if (wall.level == asked)
+            return std::move(with_study(study, {wall}, {sample}, threads).front());
+    throw std::logic_error("a level without a wall");
+}
+
+std::vector<WallOfStudy> push_samples(const StudyPointer& study,
+                                      const std::vector<std::pair<int, int>>& asked,
+                                      int threads)
+{
+    const app::SamplePlan& plan = plan_of(*study);
+    std::vector<app::WantedWall> wanted;
+    std::vector<std::optional<int>> of;
+    for (const auto& [level, sample] : asked) {
+        check_level(*study, level);
+        check_sample(*study, sample);
+        wanted.push_back({level, app::draw(plan, level, sample)});
+        of.emplace_back(sample);
+    }
+    return with_study(study, wanted, of, threads);
+}
+
+/// @param values one row per wall, in SI
+std::vector<WallOfStudy> push_values(const StudyPointer& study, int level,
+                                     const GivenNumbers& values, int threads)
+{
+    check_level(*study, level);
+    const app::Study& s = study->source.study;
+    std::vector<int> sites;
+    for (const app::RandomInput& input : s.random)
+        sites.push_back(app::values_per_wall(input, s.uq.spatial, study->layout));
+    std::vector<app::WantedWall> wanted;
+    const auto width = static_cast<std::size_t>(values.shape(1));
+    for (py::ssize_t row = 0; row < values.shape(0); ++row)
+        wanted.push_back(
+            {level, app::checked_draw(s.random, sites, {values.data(row, 0), width})});
+    return with_study(study, wanted, std::vector<std::optional<int>>(wanted.size()), threads);
+}
+
+/// @param progress called with done, failed and all after each wall; None: nothing
+void run(const LoadedStudy& study, const std::string& out, int threads, bool rerun_failed,
+         const py::object& progress)
+{
+    const Hdf5Turn turn;
+    bool whole = false;
+    beside_python([&](Caller& python) {
+        app::StudyRun asked;
+        asked.file = out;
+        asked.threads = threads > 0 ? threads : app::default_threads();
+        asked.rerun_failed = rerun_failed;
+        asked.seen = [&](const app::RunProgress& p) {
+            if (progress.is_none()) return python.end_if_asked();
+            python.visit([&] { progress(p.done, p.failed, p.all); });
+        };
+        whole = app::run_study(study.source.study, asked).whole;
+        if (whole) (void)app::study_summary(out, true);
+    });
+    if (!whole)
+        throw std::runtime_error(
+            "the run was interrupted; the same call goes on where it stopped");
+}
+
+/// The numbers of a wall, not copied and not to be written.
+py::array_t<double> view(const std::vector<double>& numbers, const py::object& owner)
+{
+    py::array_t<double> array(static_cast<py::ssize_t>(numbers.size()), numbers.data(), owner);
+    array.attr("flags").attr("writeable") = false;
+    return array;
+}
+
+void bind_wall(py::module_& m)
+{
+    py::class_<WallOfStudy>(m, "Wall")
+        .def_property_readonly("level", [](const WallOfStudy& w) { return w.level; })
+        .def_property_readonly("sample", [](const WallOfStudy& w) { return w.sample; })
+        .def_property_readonly("vertical_stress",
+                               [](const WallOfStudy& w) { return w.wall.vertical_stress; })
+        .def_property_readonly("height",
+                               [](const WallOfStudy& w) { return w.wall.loads.height; })
+        .def_property_readonly(
+            "failed", [](const WallOfStudy& w) { return dem::failed(w.wall.result.outcome); })
+        .def_property_readonly("displacement",
+                               [](const py::object& self) {
+                                   return view(
+                                       self.cast<const WallOfStudy&>().wall.displacement, self);
+                               })
+        .def_property_readonly("force",
+                               [](const py::object& self) {
+                                   return view(self.cast<const WallOfStudy&>().wall.force,
+                                               self);
+                               })
+        .def("capacity_csv", [](const WallOfStudy& w) { return app::capacity_text(w.wall); })
+        .def("summary_json", [](const WallOfStudy& w) {
+            return app::summary_json(w.study->source.study, w.wall);
+        });
+}
+
+} // namespace
+
+void bind_study(py::module_& m)
+{
+    bind_wall(m);
+    py::class_<LoadedStudy, StudyPointer>(m, "LoadedStudy")
+        .def(py::init(&load_study), py::arg("path"), py::arg("overrides"))
+        .def("notes", &notes)
+        .def_property_readonly("samples", &samples)
+        .def_property_readonly(
+            "vertical_stress",
+            [](const LoadedStudy& s) { return s.source.study.load.vertical_stress; })
+        .def_property_readonly(
+            "configuration",
+            [](const LoadedStudy& s) { return app::effective_configuration(s.source.study); })
+        .def("level_of",
+             [](const LoadedStudy& s, const std::string& text) {
+                 return app::level_of(s.source.study, text);
+             })
+        .def("columns", &columns)
+        .def("draws", &draws, py::arg("level"))
+        .def("push", &push, py::arg("sample"), py::arg("level"), py::arg("threads"))
+        .def("push_samples", &push_samples, py::arg("walls"), py::arg("threads"))
+        .def("push_values", &push_values, py::arg("level"), py::arg("values"),
+             py::arg("threads"))
+        .def("run", &run, py::arg("out"), py::arg("threads"), py::arg("rerun_failed"),
+             py::arg("progress"));
+}
+
+} // namespace bindings
