@@ -1,0 +1,104 @@
+#!/usr/bin/python3
+"""Fits and samples of the Python module, against the tables of the command line."""
+import math
+import time
+import unittest
+
+import numpy
+
+import drystone
+
+from scene import InFolder, QUICK, run, table
+
+
+class FitIsThatOfTheCommandLine(InFolder):
+    DRIFTS = [1.26, 1.89, 1.62, 2.27, 0.93, 3.00, 0.84, 1.10, 0.71, 1.45, 0.98, 1.30]
+    STOOD = [0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 1]
+
+    def command_line(self, law="lognormal"):
+        data = self.folder / "drifts.csv"
+        data.write_text("drift [%],stood\n" + "".join(f"{d},{c}\n" for d, c in zip(self.DRIFTS, self.STOOD)))
+        done = run("fragility", data, "--drift", "drift", "--censored", "stood", "--set", f"fragility.law={law}",
+                   "--out", self.folder / law)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.folder / law / "tables"
+
+    def test_laws(self):
+        rows = table(self.command_line() / "law_parameters.csv")
+        self.assertEqual(len(rows), 4)
+        for row in rows:
+            fit = drystone.fragility.fit(self.DRIFTS, self.STOOD, law=row["law"])
+            self.assertEqual(fit.aic, float(row["AIC"]))
+            self.assertEqual((fit.n, fit.n_censored), (12, 3))
+            if row["law"] in ("lognormal", "normal"):
+                self.assertEqual((fit.location, fit.dispersion), (float(row["first value"]), float(row["second value"])))
+                self.assertEqual(fit.location_error, float(row["first value std error"]))
+                # The table takes it from the covariance of its own parameters: the last bit differs.
+                error = float(row["second value std error"])
+                self.assertTrue(math.isclose(fit.dispersion_error, error, rel_tol=4e-16), row)
+            else:
+                shape = {"weibull": 1 / fit.dispersion, "gamma": 1 / fit.dispersion**2}[row["law"]]
+                self.assertTrue(math.isclose(shape, float(row["first value"]), rel_tol=4e-16), row)
+
+    def test_performance_limits(self):
+        for law in ("lognormal", "weibull"):
+            row, = table(self.command_line(law) / "../performance_limits.csv")
+            limits = drystone.fragility.performance_limits(self.DRIFTS, self.STOOD, law)
+            fit = drystone.fragility.fit(self.DRIFTS, self.STOOD, law)
+            for i, name in enumerate(("5 % drift", "16 % drift", "median drift", "84 % drift", "95 % drift")):
+                self.assertEqual(limits.drift[i], float(row[f"{name} [%]"]))
+                self.assertEqual(limits.lower[i], float(row[f"{name} lower [%]"]))
+                self.assertEqual(limits.upper[i], float(row[f"{name} upper [%]"]))
+                self.assertEqual(fit.quantile(limits.share[i]), limits.drift[i])
+                self.assertEqual(fit.interval(limits.share[i]), (limits.lower[i], limits.upper[i]))
+            self.assertEqual(limits.dispersion, float(row["dispersion"]))
+            self.assertEqual(fit.interval("dispersion"), limits.dispersion_interval)
+            self.assertEqual(100 * limits.censored_share, float(row["censored [%]"]))
+            self.assertEqual(fit.median, limits.drift[2])
+
+    def test_kaplan_meier(self):
+        rows = table(self.command_line() / "steps_drift.csv")
+        steps = drystone.fragility.kaplan_meier(self.DRIFTS, self.STOOD)
+        for column, name in ((steps.at, "drift [%]"), (steps.probability, "share"), (steps.lower, "share lower"),
+                             (steps.upper, "share upper"), (steps.at_risk, "walls at risk")):
+            self.assertEqual(list(column), [float(row[name]) for row in rows])
+        self.assertEqual(steps.end, 3.0)
+
+    def test_curve(self):
+        fit = drystone.fragility.fit(self.DRIFTS, self.STOOD)
+        x = numpy.array([[0.5, 1.0], [2.0, fit.median]])
+        self.assertEqual(fit.cdf(x).shape, (2, 2))
+        self.assertEqual(fit.cdf(1.0), fit.cdf(x)[0, 1])
+        self.assertAlmostEqual(fit.cdf(1.0), 0.5 * math.erfc((fit.location - 0.0) / fit.dispersion / math.sqrt(2)), 14)
+
+    def test_many_fits_are_quick(self):
+        begin = time.process_time()
+        for _ in range(1000):
+            drystone.fragility.fit(self.DRIFTS, self.STOOD)
+        self.assertLess(time.process_time() - begin, 10.0)  # 0.05 s where nothing else runs
+
+
+class SamplesAreThoseOfStudies(InFolder):
+    def test_same_bits(self):
+        text = "normal(mean 1, cov 0.25, from 0.2, to 3)"
+        keys = ("joint.stiffness_factor", "unit.stiffness_factor")
+        fixed = {"joint.friction_angle": "31.8 deg", "unit.friction_angle": "35 deg", "unit.tensile_strength": "3.7 MPa"}
+        for design in ("lhs", "lhs_centred", "monte_carlo", "sobol"):
+            study = drystone.Study(QUICK, set={**fixed, **{key: text for key in keys}, "uq.samples": 16, "uq.seed": 7,
+                                               "uq.design": design, "uq.shared": "yes", "uq.pearson": " ".join(keys) + " 0.5"})
+            sample = drystone.uq.sample({key: text for key in keys}, 16, seed=7, design=design, pearson={keys: 0.5})
+            self.assertEqual(list(sample), study.inputs)
+            self.assertTrue(numpy.array_equal(numpy.column_stack(list(sample.values())), study.draws(0)), design)
+
+    def test_bad_input(self):
+        for variables, n, more, message in (
+                ({"x": "normal(mean 1)"}, 4, {}, r"^uq\.sample: x: "),
+                ({"x": "normal(mean 1, cov 0.1)"}, 0, {}, r"^uq\.sample: samples: "),
+                ({"x": "normal(mean 1, cov 0.1)"}, 4, {"design": "grid"}, r"^uq\.sample: design: "),
+                ({"x": "normal(mean 1, cov 0.1)"}, 4, {"pearson": {("x", "y"): 0.3}}, r"^uq\.sample.*y.* is no random input"),
+                ({}, 4, {}, r"^uq\.sample: variables: none")):
+            with self.assertRaisesRegex(drystone.ConfigError, message):
+                drystone.uq.sample(variables, n, **more)
+
+
+unittest.main()
