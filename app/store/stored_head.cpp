@@ -117,7 +117,8 @@ void put_head(const hdf5::File& file, const StoreHead& head)
         samples.push_back(level.samples);
     }
     put_numbers(file, "/levels/vertical_stress", stress);
-    put_attribute(file, "/levels/vertical_stress", "unit", "Pa");
+    for (const char* name : {"unit", "units"}) // the second is what netCDF programs look for
+        put_attribute(file, "/levels/vertical_stress", name, "Pa");
     put_numbers(file, "/levels/samples", samples);
     put_numbers(file, "/design_sizes", head.design_sizes);
     for (const auto& [name, member] : kSession)
@@ -136,6 +137,7 @@ void put_columns(const hdf5::File& file, const StoreHead& head)
             names += (names.empty() ? "" : " ") + column.name;
             const std::string dataset = group + "/" + column.name;
             put_attribute(file, dataset, "unit", column.unit);
+            put_attribute(file, dataset, "units", column.unit == "-" ? "1" : column.unit);
             put_attribute(file, dataset, "meaning", column.meaning);
             if (with_nan) put_attribute(file, dataset, "missing", missing);
         }

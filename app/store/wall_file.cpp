@@ -1,5 +1,6 @@
 #include "app/store/wall_file.hpp"
 
+#include "app/store/dimensions.hpp"
 #include "app/store/store_disk.hpp"
 #include "app/store/store_error.hpp"
 #include "app/store/stored_head.hpp"
@@ -76,6 +77,7 @@ void write_wall_file(const fs::path& file, const StoreHead& head, const RowSourc
     put_head(written, head);
     write_rows(written, head, source);
     put_columns(written, head);
+    put_dimensions(written, head, source.walls, source.points);
     hdf5::close_file(std::move(written));
     tell(reached, StoreStage::rows_written);
     sync_file(path);

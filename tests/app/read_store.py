@@ -50,8 +50,19 @@ def check_layout(study, text):
     assert keys == sorted(keys)
     failed = study["walls/status"][:] != 0
     assert ((study["walls/reason"][:] != b"") == failed).all()
+    for path, axes in (("walls/inputs", ["/wall", "/input"]), ("responses/peak_force", ["/wall"]),
+                       ("curves/force", ["/curve_point"]), ("levels/samples", ["/stress_level"])):
+        if path in study:
+            assert [axis[0].name for axis in study[path].dims] == axes, path
+    study.visititems(lambda name, item: named(name, item))
     assert "vertical" not in study["configuration"][0].decode()
     assert study.attrs["layout"] == 2
+
+
+def named(name, item):
+    """netCDF programs open a file only if every axis has a name."""
+    if isinstance(item, h5py.Dataset) and item.attrs.get("CLASS") != b"DIMENSION_SCALE":
+        assert all(len(axis) == 1 for axis in item.dims), name
 
 
 def main():

@@ -18,3 +18,9 @@ add_test(NAME "app_store: h5py reads the study as documented"
          COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/app/read_store.py
                  $<TARGET_FILE:test_app_store> ${PROJECT_SOURCE_DIR}/docs/store.md)
 set_tests_properties("app_store: h5py reads the study as documented" PROPERTIES SKIP_RETURN_CODE 77)
+
+# Its lines for xarray and R, where their packages are.
+add_test(NAME "app_store: xarray and R read the study as documented"
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app/read_tables.sh $<TARGET_FILE:drystone>
+                 ${PROJECT_SOURCE_DIR}/configs/quick.ini ${PROJECT_SOURCE_DIR}/docs/store.md)
+set_tests_properties("app_store: xarray and R read the study as documented" PROPERTIES SKIP_RETURN_CODE 77 LABELS "study;slow")

@@ -51,6 +51,21 @@ std::string hdf5_with_layout(const fs::path& path, std::optional<std::uint64_t> 
     return scenes::read_text(path);
 }
 
+/// Where the first chunk of a dataset lies, and its size [byte].
+std::pair<std::size_t, std::size_t> first_chunk(const fs::path& path, const char* dataset)
+{
+    const app::hdf5::File file = app::hdf5::open_file(path);
+    const hid_t d = H5Dopen2(file.id.get(), dataset, H5P_DEFAULT), space = H5Dget_space(d);
+    unsigned mask = 0;
+    haddr_t at = 0;
+    hsize_t size = 0;
+    const herr_t found = H5Dget_chunk_info(d, space, 0, nullptr, &mask, &at, &size);
+    H5Sclose(space);
+    H5Dclose(d);
+    REQUIRE(found >= 0);
+    return {at, size};
+}
+
 /// A small file system of its own, for root.
 class SmallDisk {
   public:
@@ -309,7 +324,12 @@ TEST_CASE(
     SECTION("empty") { bytes.clear(), words = "is empty"; }
     SECTION("text") { bytes = "[wall]\n", words = "not the file of a study"; }
     SECTION("cut") { bytes.resize(bytes.size() - 1), words = "truncated file"; }
-    SECTION("flipped") { bytes[bytes.size() / 2] ^= 1, words = "is damaged: cannot "; }
+    SECTION("flipped")
+    {
+        const auto [at, size] =
+            first_chunk(file, GENERATE("/walls/level", "/levels/vertical_stress", "/identity"));
+        bytes[at + size / 2] ^= 1, words = "is damaged: cannot ";
+    }
     SECTION("of version 0.1.0")
     {
         bytes = hdf5_with_layout(folder.path / "old.h5", 1);
@@ -324,6 +344,23 @@ TEST_CASE(
     CHECK_THROWS_WITH(StoreReader(file), Contains(words));
     CHECK_THROWS_WITH(Store(file, store_head(30)), Contains(words));
     CHECK(scenes::read_text(file) == bytes);
+}
+
+TEST_CASE("store: a bit flipped in the numbers of a wall is refused when they are read",
+          "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    Store(file, store_head(30)).append(store_rows(0, 10));
+    Store(file, store_head(30)).compact();
+    std::string bytes = scenes::read_text(file);
+    const auto [at, size] =
+        first_chunk(file, GENERATE("/walls/inputs", "/responses/peak_force", "/curves/force"));
+    bytes[at + size / 2] ^= 1;
+    std::ofstream(file, std::ios::binary) << bytes;
+    StoreReader reader(file);
+    CHECK_THROWS_WITH(reader.for_each_row([](const app::WallRow&) {}),
+                      Contains("is damaged: cannot "));
 }
 
 TEST_CASE("store: folders, pipes and missing files are refused", "[app][store_disk]")
