@@ -22,7 +22,6 @@ namespace {
 
 using namespace fragility;
 
-constexpr double kRejected = 0.01;    ///< as app/fragility/drift_fits.hpp
 constexpr std::size_t kSamples = 199; ///< behind a p-value
 constexpr double kFirst = 0.6;        ///< share of the lower heap
 constexpr std::array<Distribution, 2> kHeaps{Distribution{Law::lognormal, 0.0, 0.05},
@@ -63,9 +62,7 @@ bool rejected(const std::vector<Observation>& data, std::uint64_t which)
     const auto bits = [which](std::uint64_t r, std::uint64_t draw) {
         return fit_data::bits(100'000'000 + 1000 * which + r, draw);
     };
-    const GoodnessOfFit g = goodness_of_fit(fit(Law::lognormal, data), data, bits, kSamples);
-    return g.available && std::min({g.p_kolmogorov_smirnov, g.p_cramer_von_mises,
-                                    g.p_anderson_darling}) < kRejected;
+    return least_p(goodness_of_fit(fit(Law::lognormal, data), data, bits, kSamples)) < kRejected;
 }
 
 struct Tally {

@@ -66,6 +66,13 @@ std::optional<Distances> distances(const Distribution& law, std::span<const Obse
     return d;
 }
 
+double least_p(const GoodnessOfFit& tests)
+{
+    if (!tests.available) return 1.0;
+    return std::min(
+        {tests.p_kolmogorov_smirnov, tests.p_cramer_von_mises, tests.p_anderson_darling});
+}
+
 GoodnessOfFit goodness_of_fit(const Fit& f, std::span<const Observation> data,
                               const RandomBits& bits, std::size_t replicates)
 {

@@ -42,6 +42,11 @@ struct GoodnessOfFit {
     std::size_t failed = 0;
 };
 
+constexpr double kRejected = 0.01; ///< level of each of the three tests [-]
+
+/// The smallest p-value of the three tests; 1 without tests.
+[[nodiscard]] double least_p(const GoodnessOfFit& tests);
+
 [[nodiscard]] GoodnessOfFit goodness_of_fit(const Fit& fit, std::span<const Observation> data,
                                             const RandomBits& bits,
                                             std::size_t replicates = 1000);

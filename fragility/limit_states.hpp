@@ -38,8 +38,8 @@ struct LimitState {
 ///   paper  ultimate = displacement where the force falls to 80 % of the peak (the paper, section 4.2)
 ///   ntc    SLC = ultimate, SLV = 3/4 SLC, SLD = min(d_y, d at the peak), SLO = 2/3 SLD
 ///          (Circolare 7/2019, C8.7.1.3.1, existing masonry)
-///   collapse  no force is left after the peak, or the wall came down
 ///   ec8    NC = ultimate, SD = 3/4 NC, DL = d_y (EN 1998-3:2005, Annex C)
+///   collapse  no force is left after the peak, or the wall came down
 /// with d_y the yield displacement of the equal-energy bilinear up to the ultimate
 /// displacement. The code's second condition for SLD, "all piers of a storey at their peak, not
 /// before 3/4 of the peak base shear", is the displacement at the peak for one wall.

@@ -28,14 +28,14 @@ struct ObservedQuantile {
 observed_quantiles(std::span<const Observation> data, std::span<const double> shares,
                    double confidence = 0.95);
 
+struct ObservedShare {
+    double share; ///< of walls at or below a value [-]
+    Interval band;
+};
 /// The share at each value with its beta product band [-]. Beyond the last wall the share is not known:
 /// the band goes up to 1 there.
 /// @param values ascending
 /// @throws as observed_quantiles
-struct ObservedShare {
-    double share;
-    Interval band;
-};
 [[nodiscard]] std::vector<ObservedShare> observed_shares(std::span<const Observation> data,
                                                          std::span<const double> values,
                                                          double confidence = 0.95);

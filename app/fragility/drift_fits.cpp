@@ -65,14 +65,10 @@ JudgedFit judged_fit(const DriftData& data, std::size_t group, std::size_t state
     return judged(data.options, data.options.law, limits_of(g, state, mode), group);
 }
 
-double least_p(const JudgedFit& f)
+bool rejected(const JudgedFit& f)
 {
-    if (!f.tests.available) return 1.0;
-    return std::min(
-        {f.tests.p_kolmogorov_smirnov, f.tests.p_cramer_von_mises, f.tests.p_anderson_darling});
+    return fragility::least_p(f.tests) < fragility::kRejected;
 }
-
-bool rejected(const JudgedFit& f) { return least_p(f) < kRejected; }
 
 bool describes(const JudgedFit& f)
 {
@@ -81,7 +77,7 @@ bool describes(const JudgedFit& f)
 
 std::string rejected_text(const JudgedFit& f)
 {
-    return "The goodness-of-fit tests reject the law (p = " + number(least_p(f), 2) +
+    return "The goodness-of-fit tests reject the law (p = " + number(fragility::least_p(f.tests), 2) +
            "): shares observed stand in its place (Kaplan-Meier), with intervals that suppose "
            "no law.";
 }

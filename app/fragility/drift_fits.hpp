@@ -1,6 +1,6 @@
 #pragma once
 /// The laws of limit drifts and whether the walls bear them out. One rule for every output: a law that
-/// a test of goodness of fit rejects at kRejected gives way to the shares observed (Kaplan-Meier).
+/// a test of goodness of fit rejects at fragility::kRejected gives way to the shares observed (Kaplan-Meier).
 
 #include "app/fragility/fragility_data.hpp"
 
@@ -9,8 +9,6 @@
 #include <string>
 
 namespace app {
-
-constexpr double kRejected = 0.01; ///< level of each of the three tests [-]
 
 /// Fits and tests the law of one group.
 /// @param group its number, which keys the random samples: equal drifts have equal p-values
@@ -25,8 +23,6 @@ void judge(DriftData& data);
 [[nodiscard]] JudgedFit judged_fit(const DriftData& data, std::size_t group, std::size_t state,
                                    int mode = -1);
 
-/// The smallest p-value of the three tests; 1 without tests.
-[[nodiscard]] double least_p(const JudgedFit& f);
 [[nodiscard]] bool rejected(const JudgedFit& f);
 
 /// There is a fit and no test rejects it.

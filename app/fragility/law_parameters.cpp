@@ -83,7 +83,7 @@ Row law_row(const DriftData& data, std::size_t g, std::size_t s, Law law)
                {std::string(p.first.name), value_of(p.first), std::string(p.second.name),
                 value_of(p.second), plain_number(p.correlation, 2), plain_number(fit.aic, 1),
                 refused ? "The goodness-of-fit tests reject this law (p = " +
-                              number(least_p(chosen), 2) + ")."
+                              number(fragility::least_p(chosen.tests), 2) + ")."
                         : std::string()});
     return row;
 }

@@ -141,7 +141,8 @@ void check_load(const Study& study)
         previous = target;
     }
     if (!study.load.targets.empty() && !study.load.amplitudes.empty())
-        refuse(study, "load.amplitudes", "and load.targets exclude each other; remove one");
+        refuse(study, "load.amplitudes",
+               "load.targets says the way of the push too; remove one of them");
 }
 
 /// What pushes, and what there is to push.
@@ -154,6 +155,12 @@ void check_pattern(const Study& study)
     if (body && study.beam.rotation == dem::BeamRotation::fixed)
         refuse(study, "beam.rotation",
                "body forces move the beam with the wall; write free, or load.pattern = beam");
+    if (body && study.load.gravity == 0.0)
+        refuse(study, "load.gravity", "body forces are in proportion to weight; write 9.81 m/s2");
+    const bool heavy_beam = study.beam.present && study.beam.material.density > 0.0;
+    if (body && study.parameters.stone.density == 0.0 && !heavy_beam)
+        refuse(study, "stone.density",
+               "body forces are in proportion to weight; write for example 2300 kg/m3");
     if (study.beam.present) return;
     if (!body)
         refuse(study, "beam.present",

@@ -45,24 +45,40 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     const int turning = g.courses - (fixed_base ? 1 : 0);
     const double course = study.parameters.stone.density * w.loads.gravity * g.length *
                           g.thickness * g.course_height;
-    const double beam = study.beam.material.density * w.loads.gravity * g.length * g.thickness *
-                        study.beam.height;
+    const double beam = study.beam.present ? study.beam.material.density * w.loads.gravity *
+                                                 g.length * g.thickness * study.beam.height
+                                           : 0.0;
     HandChecks h;
     h.vertical_load = w.vertical_stress * g.length * g.thickness + beam;
     h.wall_weight = turning * course;
-    const double arm = w.loads.height - (fixed_base ? g.course_height : 0.0);
-    h.rocking_limit = (h.vertical_load + h.wall_weight) * 0.5 * g.length / arm;
+    const double restoring = (h.vertical_load + h.wall_weight) * 0.5 * g.length; // [N m]
+    const double floor = fixed_base ? g.course_height : 0.0; // of the joint that opens
+    const double moving = h.wall_weight + beam;              // what body forces push above it
+    const bool body = w.loads.pattern == dem::LoadPattern::body && moving > 0.0;
+    if (body) {
+        const double wall_height = turning * g.course_height;
+        const double turned = 0.5 * h.wall_weight * wall_height +
+                              beam * (wall_height + 0.5 * study.beam.height);
+        h.rocking_limit = restoring / turned * w.result.weight;
+    } else {
+        h.rocking_limit = restoring / (w.loads.height - floor);
+    }
     const bool drawn = std::ranges::any_of(
         study.random, [](const RandomInput& r) { return r.key == "joint.friction_angle"; });
-    if (!drawn)
-        h.sliding_limit = std::tan(study.parameters.joint.friction_angle) *
-                          (h.vertical_load + (turning > 0 ? course : 0.0));
+    const double tan_phi = std::tan(study.parameters.joint.friction_angle);
+    if (!drawn && body)
+        h.sliding_limit =
+            tan_phi * (h.vertical_load + h.wall_weight) / moving * w.result.weight;
+    else if (!drawn)
+        h.sliding_limit = tan_phi * (h.vertical_load + (turning > 0 ? course : 0.0));
     if (!dem::failed(w.result.outcome)) h.toe_stress = compression(study, w.result.at_end);
 
     if (turning == 0)
         h.remarks.emplace_back(
-            "a single course on a fixed base: no joint can open or slide below "
-            "the beam, so that the wall cannot fail");
+            study.beam.present
+                ? "a single course on a fixed base: no joint can open or slide below "
+                  "the beam, so that the wall cannot fail"
+                : "a single course on a fixed base: nothing can move");
     const double peak = peak_force(w.reading);
     const bool free_beam = study.beam.rotation == dem::BeamRotation::free;
     if (free_beam && turning > 0 && peak > kBeyond * h.rocking_limit)

@@ -13,11 +13,13 @@ namespace app {
 struct HandChecks {
     double vertical_load = 0.0; ///< on the top, with the weight of the beam [N]
     double wall_weight = 0.0;   ///< of the courses that can turn [N]
-    double rocking_limit =
-        0.0; ///< (N + W) L / (2 h): turning about the toe of the lowest joint that can
-             ///< open, h from there to the load line [N]
-    /// tan(phi) (N + weight of the top course), the least of the bed joints [N]; nothing where the angle is
-    /// drawn for each joint or wall
+    /// (N + W) L / (2 h): turning about the toe of the lowest joint that can open, h from there to the load
+    /// line [N]. Body forces: f times the weight of all blocks, with f = (N + W) L / 2 over the moment of the
+    /// weight above that joint turned sideways.
+    double rocking_limit = 0.0;
+    /// tan(phi) (N + weight of the top course), the least of the bed joints [N]. Body forces: f times the weight
+    /// of all blocks, with f = tan(phi) (N + W) over the weight above the lowest joint, which is the least.
+    /// Nothing where the angle is drawn for each joint or wall.
     std::optional<double> sliding_limit;
     /// Largest compression in the lowest joints that can open, at the end of the push [Pa]; nothing where the
     /// push failed. Contacts carry it elastically: nothing in the model crushes.

@@ -70,8 +70,7 @@ StudySummary summarise(const StudyWalls& walls)
         "hypercube has less. The " +
         percent_text(f.confidence) +
         " interval counts the failed walls once as of that mode and once as not. Ultimate: "
-        "where "
-        "the " +
+        "where the " +
         ultimate_text(f) + ", as the mean of the walls on which that was observed.";
     s.table.head = {"stress [MPa]", "walls", "failed", {"peak [kN]", kError}, "COV"};
     const std::vector<int> modes = modes_of(walls);

@@ -75,10 +75,6 @@ Eigen::MatrixXd rigid_motions(const BlockElement& e, Eigen::Index modes)
     return normal.inverse() * (field.transpose() * phi);
 }
 
-} // namespace
-
-namespace {
-
 /// @param load modal load of given loads on the nodes
 template <class Load>
 void add_loads(const BlockSpec& spec, const ZoneGrid& grid, const Load& load, BlockElement& e)

@@ -173,6 +173,9 @@ void check(const WallGeometry& wall, const Elastic& stone, const Beam& beam, con
             "without a beam there is nothing for the vertical stress to act on");
     require(driven || beam.rotation == BeamRotation::free,
             "body forces move the beam with the wall: its rotation cannot be fixed");
+    const bool heavy = stone.density > 0 || (beam.present && beam.material.density > 0);
+    require(driven || (heavy && loads.gravity > 0),
+            "body forces are in proportion to weight: density and gravity must be positive");
     for (const Elastic& m : {stone, beam.present ? beam.material : stone})
         require(m.young_modulus > 0 && m.poisson_ratio >= 0 && m.poisson_ratio < 0.5 &&
                     m.density >= 0,

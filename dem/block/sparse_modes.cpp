@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace dem {
 
@@ -160,16 +161,17 @@ SparseModes sparse_modes(const BlockSpec& spec, const SparseBlock& block)
     const LinearFields fields = linear_fields(spec, block.points);
     const bool supported = fields.rigid.cols() == 0;
     const bool hinged = spec.motion == Motion::held_right_corner;
-    const Index wanted = std::min<Index>(spec.modes - (supported && !hinged ? 3
-                                                       : supported          ? 1
-                                                                            : 0),
-                                         points);
+    const int rigid_held = !supported ? 0 : hinged ? 1 : 3; // of the modes asked for
+    const Index wanted = std::min<Index>(spec.modes - rigid_held, points);
     MatrixXd rigid(p.k.cols(), 0), moving(p.k.cols(), 0);
     extend(p, field(fields.rigid), 3, rigid);
     extend(p, field(fields.moving), 3, moving);
     MatrixXd basis = rigid;
     if (wanted > rigid.cols()) extend(p, field(fields.linear), wanted, basis);
     if (basis.cols() < wanted) extend(p, softest(p, rigid, wanted), wanted, basis);
+    if (basis.cols() < wanted)
+        throw std::runtime_error("block: the search for its softest modes found " +
+                                 std::to_string(basis.cols()) + " of " + std::to_string(wanted));
 
     VectorXd lambda;
     const MatrixXd elastic =

@@ -52,15 +52,21 @@ template <class Real> double largest_opening(const WallState<Real>& s, int lane)
     return worst;
 }
 
+SolverOptions at_own_speed(const Task& task, const WallMaterials& materials)
+{
+    SolverOptions options = task.options;
+    options.steps_per_mm = steps_per_mm_of(task.model, materials, options);
+    return options;
+}
+
 } // namespace
 
 WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
-    : task_(&task), number_(number), materials_(std::move(materials)), options_(task.options),
-      follows_(unbalance_measure(task.model, materials_)),
-      drive_(task.plan.targets, task.options), recorder_(task.plan.record_every)
+    : task_(&task), number_(number), materials_(std::move(materials)),
+      options_(at_own_speed(task, materials_)),
+      unbalance_scale_(unbalance_measure(task.model, materials_)),
+      drive_(task.plan.targets, options_), recorder_(task.plan.record_every)
 {
-    options_.steps_per_mm = steps_per_mm_of(task.model, materials_, options_);
-    drive_ = Drive(task.plan.targets, options_);
     result_.snap_back_contacts = count_snap_back(task.model, materials_);
 }
 
@@ -177,7 +183,7 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     way_ += std::abs(step_drive_);
     recorder_.add(step_drive_, force_before_, top, base);
     const double missing = top + dem::lane(state.load_x, lane) - base;
-    if (follows_ > 0.0) drive_.feel(std::abs(missing) / follows_);
+    if (unbalance_scale_ > 0.0) drive_.feel(std::abs(missing) / unbalance_scale_);
     const bool room_for_another = drive_.left() > 0.5 * task_->plan.record_every;
     const bool wanted = drive_.finished() || (recorder_.due() && room_for_another);
     if (wanted && recorder_.any()) take_point(state, lane);

@@ -54,8 +54,8 @@ class WallRun {
     const Task* task_;
     std::size_t number_;
     WallMaterials materials_;
-    SolverOptions options_; ///< with this wall's own step
-    double follows_;        ///< by which unbalance is measured (drive_speed.hpp) [N]
+    SolverOptions options_;  ///< with this wall's own speed and step
+    double unbalance_scale_; ///< by which unbalance is measured (drive_speed.hpp) [N]
     Drive drive_;
     Recorder recorder_;
     PushResult result_;

@@ -267,6 +267,25 @@ TEST_CASE("summary: hand checks are those of a rigid wall, and a force beyond th
     CHECK(j.at("remarks")[0].get<std::string>().find("limit of sliding") != std::string::npos);
 }
 
+TEST_CASE("summary: hand checks of body forces are those of a rigid wall", "[app][summary_json]")
+{
+    const app::Study study = study_texts::read_good(
+        {"wall.length=1 m", "wall.courses=10", "wall.course_height=0.1 m",
+         "wall.thickness=0.2 m", "stone.density=2000 kg/m3", "beam.height=0.1 m",
+         "beam.density=2500 kg/m3", "beam.rotation=free", "joint.friction_angle=5 deg"});
+    PushedWall w = good_wall();
+    w.vertical_stress = 0.0;
+    w.loads.pattern = dem::LoadPattern::body;
+    w.loads.gravity = 10.0;
+    w.result.weight = 4.5e3;
+    const Json j = Json::parse(app::summary_json(study, w)).at("hand_checks");
+    // Nine courses of 0.4 kN that can turn, and a beam of 0.5 kN: f = 4.1 * 0.5 / (3.6 * 0.45 + 0.5 * 0.95)
+    const double f = 2.05 / (3.6 * 0.45 + 0.5 * 0.95);
+    CHECK(j.at("rigid_rocking_limit_kN").get<double>() == Approx(4.5 * f));
+    CHECK(j.at("sliding_limit_kN").get<double>() ==
+          Approx(std::tan(5.0 * std::acos(-1.0) / 180.0) * 4.5));
+}
+
 TEST_CASE("summary: a run that took no time has no speed", "[app][summary_json]")
 {
     PushedWall w = good_wall();
