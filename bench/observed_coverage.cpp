@@ -62,7 +62,8 @@ bool rejected(const std::vector<Observation>& data, std::uint64_t which)
     const auto bits = [which](std::uint64_t r, std::uint64_t draw) {
         return fit_data::bits(100'000'000 + 1000 * which + r, draw);
     };
-    return least_p(goodness_of_fit(fit(Law::lognormal, data), data, bits, kSamples)) < kRejected;
+    return least_p(goodness_of_fit(fit(Law::lognormal, data), data, bits, kSamples)) <
+           kRejected;
 }
 
 struct Tally {

@@ -65,10 +65,7 @@ JudgedFit judged_fit(const DriftData& data, std::size_t group, std::size_t state
     return judged(data.options, data.options.law, limits_of(g, state, mode), group);
 }
 
-bool rejected(const JudgedFit& f)
-{
-    return fragility::least_p(f.tests) < fragility::kRejected;
-}
+bool rejected(const JudgedFit& f) { return fragility::least_p(f.tests) < fragility::kRejected; }
 
 bool describes(const JudgedFit& f)
 {
@@ -77,7 +74,8 @@ bool describes(const JudgedFit& f)
 
 std::string rejected_text(const JudgedFit& f)
 {
-    return "The goodness-of-fit tests reject the law (p = " + number(fragility::least_p(f.tests), 2) +
+    return "The goodness-of-fit tests reject the law (p = " +
+           number(fragility::least_p(f.tests), 2) +
            "): shares observed stand in its place (Kaplan-Meier), with intervals that suppose "
            "no law.";
 }

@@ -32,7 +32,8 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
                             : judged(data.options, fragility::Law::lognormal, limits, g);
     if (rejected(f))
         rejection += "; " + state_name(data.states[state]) +
-                     ": the tests reject the lognormal law (p = " + number(fragility::least_p(f.tests), 2) + ")";
+                     ": the tests reject the lognormal law (p = " +
+                     number(fragility::least_p(f.tests), 2) + ")";
     if (!describes(f)) return {};
     const double radians = data.percent / 100.0;
     return Parameters{std::exp(f.fit.law.location) * radians, f.fit.law.dispersion,

@@ -156,7 +156,8 @@ void check_pattern(const Study& study)
         refuse(study, "beam.rotation",
                "body forces move the beam with the wall; write free, or load.pattern = beam");
     if (body && study.load.gravity == 0.0)
-        refuse(study, "load.gravity", "body forces are in proportion to weight; write 9.81 m/s2");
+        refuse(study, "load.gravity",
+               "body forces are in proportion to weight; write 9.81 m/s2");
     const bool heavy_beam = study.beam.present && study.beam.material.density > 0.0;
     if (body && study.parameters.stone.density == 0.0 && !heavy_beam)
         refuse(study, "stone.density",

@@ -187,11 +187,6 @@ constexpr std::array kKeys = {
         .effect = kSlowingDrive,
         .meaning = "slowest drive, as a share of full speed",
         .field = kAt<&Study::solver, &SolverOptions::min_speed>},
-    Key{.name = "solver.max_speed", .range = {'[', 1, 100, ']'},
-        .effect = kSlowingDrive,
-        .meaning = "fastest drive where the unbalance is below a quarter of its limit, as a multiple of full speed",
-        .field = kAt<&Study::solver, &SolverOptions::max_speed>},
-
     Key{.name = "solver.energy_tolerance", .range = {'(', 0, 1, ')'},
         .meaning = "largest energy residual; beyond it the step is halved, in the end the wall failed",
         .field = kAt<&Study::solver, &SolverOptions::energy_tolerance>},

@@ -57,8 +57,8 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     const bool body = w.loads.pattern == dem::LoadPattern::body && moving > 0.0;
     if (body) {
         const double wall_height = turning * g.course_height;
-        const double turned = 0.5 * h.wall_weight * wall_height +
-                              beam * (wall_height + 0.5 * study.beam.height);
+        const double turned =
+            0.5 * h.wall_weight * wall_height + beam * (wall_height + 0.5 * study.beam.height);
         h.rocking_limit = restoring / turned * w.result.weight;
     } else {
         h.rocking_limit = restoring / (w.loads.height - floor);

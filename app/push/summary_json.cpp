@@ -50,7 +50,8 @@ Json energy(const dem::Energy& e)
     return {
         {"work_J", number_or_null(e.work)},         {"elastic_J", number_or_null(e.elastic)},
         {"friction_J", number_or_null(e.friction)}, {"fracture_J", number_or_null(e.fracture)},
-        {"damping_J", number_or_null(e.damping)},   {"kinetic_J", number_or_null(e.kinetic)}};
+        {"damping_J", number_or_null(e.damping)},   {"kinetic_J", number_or_null(e.kinetic)},
+        {"lifted_J", number_or_null(e.lifted)}};
 }
 
 Json mechanism(const PushedWall& w, const FragilityInput& f)

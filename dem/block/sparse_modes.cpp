@@ -171,7 +171,8 @@ SparseModes sparse_modes(const BlockSpec& spec, const SparseBlock& block)
     if (basis.cols() < wanted) extend(p, softest(p, rigid, wanted), wanted, basis);
     if (basis.cols() < wanted)
         throw std::runtime_error("block: the search for its softest modes found " +
-                                 std::to_string(basis.cols()) + " of " + std::to_string(wanted));
+                                 std::to_string(basis.cols()) + " of " +
+                                 std::to_string(wanted));
 
     VectorXd lambda;
     const MatrixXd elastic =

@@ -12,9 +12,6 @@ constexpr double kStartSteps = 500;
 // Number of steps over which the unbalance is smoothed before it slows the drive.
 constexpr double kSmoothingSteps = 50;
 
-// Share of the limit of unbalance below which a wall is calm.
-constexpr double kCalm = 0.25;
-
 } // namespace
 
 Drive::Drive(std::vector<double> targets, const SolverOptions& options)
@@ -42,12 +39,9 @@ double Drive::advance()
     ++step_;
     if (settling_ || finished()) return 0.0;
     const double limit = options_.unbalance_limit;
-    double calm = limit > 0.0 && unbalance_ > limit
-                      ? std::max(options_.min_speed, limit / unbalance_)
-                      : 1.0;
-    // Faster than full speed only well below the limit, so that speed and unbalance do not chase each other.
-    if (options_.max_speed > 1.0 && limit > 0.0 && unbalance_ < kCalm * limit)
-        calm = std::min(options_.max_speed, kCalm * limit / std::max(unbalance_, 1e-300));
+    const double calm = limit > 0.0 && unbalance_ > limit
+                            ? std::max(options_.min_speed, limit / unbalance_)
+                            : 1.0;
     speed_ = std::min(full_speed_ * calm, speed_ + full_speed_ / kStartSteps);
     const double left = targets_[target_] - position_;
     const double way = std::min(speed_, std::abs(left));

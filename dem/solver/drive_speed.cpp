@@ -9,8 +9,9 @@ namespace dem {
 
 namespace {
 
-constexpr double kStepsPerCourse = 60.0; // tuned, see tests/dem/test_drive.cpp
-constexpr double kMostSlowing = 20.0;    // stiffer than stone on stone, no wall needs more
+constexpr double kStepsPerCourse =
+    60.0; // a free choice; docs/theory.md, section 4, Speed, has its effect
+constexpr double kMostSlowing = 20.0; // stiffer than stone on stone, no wall needs more
 
 /// Of joints and stone in series over a course [Pa].
 double wall_modulus(const Model& m, const WallMaterials& w)

@@ -8,7 +8,7 @@ namespace dem {
 double Energy::residual() const
 {
     const double found = kinetic + elastic + friction + fracture + damping;
-    const double scale = std::max(found, std::abs(work));
+    const double scale = std::max(found, std::abs(work)) + lifted;
     return scale == 0.0 ? 0.0 : (work - found) / scale; // NaN stays NaN
 }
 

@@ -11,6 +11,9 @@ struct Energy {
     double friction = 0.0; ///< slip under friction
     double fracture = 0.0; ///< tension softening, and cohesion lost in shear
     double damping = 0.0;
+    /// Of the push: what the drive has put into weight and vertical load, which rise as a wall rocks, >= 0. It
+    /// is in `work` already, with the opposite sign.
+    double lifted = 0.0;
     /// The part of the work that is not accounted for, as a share of all energy that passed through the
     /// wall [-].
     [[nodiscard]] double residual() const;

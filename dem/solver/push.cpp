@@ -77,7 +77,6 @@ void check(const PushPlan& plan, const SolverOptions& o)
     require(plan.drop >= 0 && plan.drop < 1, "the share at the drop must lie in [0, 1)");
     require(plan.snapshot_every >= 0, "the spacing of snapshots must not be negative");
     require(o.steps_per_mm > 0, "steps per mm must be positive");
-    require(o.max_speed >= 1, "the fastest drive must be at least the full speed");
     require(o.damping_factor >= 0 && o.damping_factor < 1,
             "the damping factor must lie in [0, 1)");
     require(o.step_fraction > 0, "the step fraction must be positive");

@@ -37,8 +37,6 @@ struct SolverOptions {
     /// |top force - base shear| / vertical load above which the drive slows [-]; with 0 it never slows.
     double unbalance_limit = 0.001;
     double min_speed = 0.01; ///< slowest drive, as a share of full speed, in (0, 1]
-    double max_speed =
-        1.0; ///< fastest drive where the wall is calm, as a multiple of full speed, >= 1
     Preload preload = Preload::solved;
     long long preload_steps =
         3000; ///< largest number of steps to come to rest under vertical load

@@ -112,6 +112,7 @@ WallRun::Input WallRun::next(double top_force)
 template <class Real> void WallRun::begin_push(const WallState<Real>& state, int lane)
 {
     const Energy e = energy_of(task_->tables, state, lane);
+    work_before_push_ = e.work;
     result_.residual = std::max(result_.residual, std::abs(e.residual()));
     const double force = dem::lane(state.top_force, lane);
     result_.curve.push_back({0.0, force, dem::lane(state.base_shear, lane), 0.0, e});
@@ -123,11 +124,19 @@ template <class Real> void WallRun::begin_push(const WallState<Real>& state, int
     next_snapshot_ = task_->plan.snapshot_every;
 }
 
+template <class Real> Energy WallRun::energy(const WallState<Real>& state, int lane) const
+{
+    Energy e = energy_of(task_->tables, state, lane);
+    if (!drive_.settling())
+        e.lifted = std::max(0.0, drive_work_ - (e.work - work_before_push_));
+    return e;
+}
+
 template <class Real> void WallRun::take_point(const WallState<Real>& state, int lane)
 {
     Energy e;
     if (task_->plan.energy_at_points) {
-        e = energy_of(task_->tables, state, lane);
+        e = energy(state, lane);
         result_.residual = std::max(result_.residual, std::abs(e.residual()));
     }
     CurvePoint p = recorder_.take(drive_.position(), e);
@@ -181,6 +190,7 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     const double top = dem::lane(state.top_force, lane),
                  base = dem::lane(state.base_shear, lane);
     way_ += std::abs(step_drive_);
+    drive_work_ += 0.5 * (force_before_ + top) * step_drive_;
     recorder_.add(step_drive_, force_before_, top, base);
     const double missing = top + dem::lane(state.load_x, lane) - base;
     if (unbalance_scale_ > 0.0) drive_.feel(std::abs(missing) / unbalance_scale_);
@@ -193,7 +203,7 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
 /// apart has not lost its equilibrium. Its balance is not finite if any number of the wall is not.
 template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int lane)
 {
-    const double residual = std::abs(energy_of(task_->tables, state, lane).residual());
+    const double residual = std::abs(energy(state, lane).residual());
     if (!std::isfinite(residual)) return Outcome::not_finite;
     result_.residual = std::max(result_.residual, residual); // the largest at any point counts
     if (result_.residual > options_.energy_tolerance) return Outcome::energy_astray;
@@ -238,7 +248,7 @@ void WallRun::reduce_step()
     result_ = std::move(fresh);
     drive_ = Drive(task_->plan.targets, options_);
     recorder_ = Recorder(task_->plan.record_every);
-    peak_ = way_ = next_snapshot_ = 0.0;
+    peak_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
     steps_ = 0;
     decided_ = false;
 }
@@ -247,7 +257,7 @@ template <class Real> PushResult WallRun::finish(const WallState<Real>& state, i
 {
     PushResult& r = result_;
     r.step_fraction = options_.step_fraction;
-    r.energy = energy_of(task_->tables, state, lane);
+    r.energy = energy(state, lane);
     r.at_end = take_snapshot(task_->model, task_->tables, state, lane, drive_.position(),
                              r.curve.empty() ? dem::lane(state.top_force, lane)
                                              : r.curve.back().force);

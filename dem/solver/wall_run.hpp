@@ -46,6 +46,8 @@ class WallRun {
     template <class Real> void settle(WallState<Real>& state, int lane);
     template <class Real> void go_on(const WallState<Real>& state, int lane);
     template <class Real> void take_point(const WallState<Real>& state, int lane);
+    template <class Real>
+    [[nodiscard]] Energy energy(const WallState<Real>& state, int lane) const;
     template <class Real> [[nodiscard]] Outcome judge(const WallState<Real>& state, int lane);
 
     [[nodiscard]] WallState<double> with_stable_step();
@@ -59,12 +61,14 @@ class WallRun {
     Drive drive_;
     Recorder recorder_;
     PushResult result_;
-    double load_factor_ = 0.0;   ///< of the step [-]
-    double force_before_ = 0.0;  ///< of the drive, before the step [N]
-    double step_drive_ = 0.0;    ///< of the step [m]
-    double peak_ = 0.0;          ///< largest force so far, either way [N]
-    double way_ = 0.0;           ///< displacement travelled since the start of the push [m]
-    double next_snapshot_ = 0.0; ///< travelled displacement at which it is due [m]
+    double load_factor_ = 0.0;      ///< of the step [-]
+    double force_before_ = 0.0;     ///< of the drive, before the step [N]
+    double step_drive_ = 0.0;       ///< of the step [m]
+    double peak_ = 0.0;             ///< largest force so far, either way [N]
+    double way_ = 0.0;              ///< displacement travelled since the start of the push [m]
+    double drive_work_ = 0.0;       ///< since the start of the push [J]
+    double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]
+    double next_snapshot_ = 0.0;    ///< travelled displacement at which it is due [m]
     /// Steps since the last restart, so that checks fall on the same steps as in a run that used the
     /// smaller step from the beginning.
     long long steps_ = 0;

@@ -84,7 +84,6 @@ preload_steps = 4000
 preload_unbalance = 1e-5
 unbalance_limit = 0.01
 min_speed = 0.1
-max_speed = 3
 energy_tolerance = 0.02
 most_steps = 1000000
 [output]

@@ -110,10 +110,12 @@ TEST_CASE("body forces: what has no weight cannot be pushed by them", "[dem][bod
 {
     scenes::Scene s = alone(1.0, 0.9, 1, 10.0);
     s.stone.density = 0.0;
-    CHECK_THROWS_WITH(scenes::model_of(s, two_points()), Catch::Contains("density and gravity"));
+    CHECK_THROWS_WITH(scenes::model_of(s, two_points()),
+                      Catch::Contains("density and gravity"));
     s.stone.density = 2000.0;
     s.loads.gravity = 0.0;
-    CHECK_THROWS_WITH(scenes::model_of(s, two_points()), Catch::Contains("density and gravity"));
+    CHECK_THROWS_WITH(scenes::model_of(s, two_points()),
+                      Catch::Contains("density and gravity"));
 }
 
 // Portioli (2020) and Portioli et al. (2021), read off a figure: 0.64 at 0, 0.56 at 0.06 m, 0.49 at 0.10 m,

@@ -290,31 +290,3 @@ TEST_CASE("drive: the walls of the paper are pushed as fast as asked for, a stif
     INFO(scenes::peak_force(r) / limit);
     CHECK(scenes::peak_force(r) < 1.01 * limit);
 }
-
-TEST_CASE(
-    "drive: where the wall is calm it goes faster than full speed, never faster than allowed",
-    "[dem][drive]")
-{
-    dem::SolverOptions o;
-    o.max_speed = 4.0;
-    dem::Drive drive({1.0}, o);
-    drive.settle([] { return 0.0; });
-    for (int i = 0; i < 20000 && drive.settling(); ++i) {
-        static_cast<void>(drive.advance());
-        drive.settle([] { return 0.0; });
-    }
-    REQUIRE_FALSE(drive.settling());
-    const double full = 1e-3 / o.steps_per_mm;
-    const auto speed_at = [&](double unbalance) {
-        double speed = 0.0;
-        for (int i = 0; i < 5000; ++i) {
-            drive.feel(unbalance);
-            speed = drive.advance();
-        }
-        return speed / full;
-    };
-    CHECK(speed_at(0.0) == Approx(4.0));
-    CHECK(speed_at(0.1 * o.unbalance_limit) == Approx(2.5));
-    CHECK(speed_at(0.5 * o.unbalance_limit) == Approx(1.0));
-    CHECK(speed_at(4.0 * o.unbalance_limit) == Approx(0.25));
-}

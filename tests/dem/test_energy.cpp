@@ -30,6 +30,16 @@ TEST_CASE("energy: the residual is the share of the work not found", "[dem][ener
     CHECK(e.residual() == Approx(-0.2).epsilon(1e-14));
 }
 
+TEST_CASE("energy: what the drive has put into weight and load has passed through the wall too",
+          "[dem][energy]")
+{
+    Energy e; // the drive has done 1000 J, of which 900 J lifted the load
+    e.work = 100.0;
+    e.friction = 99.0;
+    e.lifted = 900.0;
+    CHECK(e.residual() == Approx(1e-3).epsilon(1e-14));
+}
+
 TEST_CASE("energy: work given back counts with its sign", "[dem][energy]")
 {
     Energy e;

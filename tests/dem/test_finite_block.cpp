@@ -116,6 +116,27 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("finite block: what the drive puts into weight and load is their rise",
+          "[dem][finite]")
+{
+    const dem::PushResult r = pushed(block(1e11), rigid(3), 0.212);
+    const auto rise = [](double th) {
+        return kWeight * 0.5 * (std::sin(th) + std::cos(th) - 1.0) +
+               kLoad * (Turned{th}.z() - 1.0);
+    };
+    const auto turned = [](double u) { // by Newton's method
+        double th = u;
+        for (int i = 0; i < 20; ++i)
+            th -= (Turned{th}.u() - u) / (std::cos(th) + 0.5 * std::sin(th));
+        return th;
+    };
+    for (const std::size_t i : {r.curve.size() / 4, r.curve.size() / 2, r.curve.size() - 1}) {
+        INFO(r.curve[i].displacement);
+        CHECK(r.curve[i].energy.lifted ==
+              Approx(rise(turned(r.curve[i].displacement))).epsilon(2e-3));
+    }
+}
+
 TEST_CASE("finite block: under dead load it has no force left at tan(th) = (L/2)(W + N)/(h (N "
           "+ W/2))",
           "[dem][finite]")

@@ -97,6 +97,7 @@ FormResult form(const LimitState& s, const FormOptions& o)
     check_options(o);
     FormResult r;
     r.ledger.limit = o.max_evaluations;
+    r.ledger.known.emplace(); // both searches of a start begin at the same point
     for (int k = 0; k < o.starts && !r.ledger.used_up; ++k) {
         const Eigen::VectorXd u = start(k, s.dimension, o);
         r.searches.push_back(search_hl_rf(s, u, o.search, r.ledger));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace uq {
@@ -22,7 +23,9 @@ void check(const LimitState& s)
     if (!std::isfinite(s.threshold)) refuse("threshold must be finite");
 }
 
-Eigen::VectorXd limit_values(const LimitState& s, const Eigen::MatrixXd& u, Ledger& ledger)
+namespace {
+
+Eigen::VectorXd asked_values(const LimitState& s, const Eigen::MatrixXd& u, Ledger& ledger)
 {
     const Eigen::Index n = u.rows();
     if (n == 0) return {};
@@ -45,6 +48,35 @@ Eigen::VectorXd limit_values(const LimitState& s, const Eigen::MatrixXd& u, Ledg
     }
     const double sign = s.passing == Passing::at_or_below ? 1.0 : -1.0;
     return sign * (r.y.col(s.response).array() - s.threshold);
+}
+
+/// Asks for the rows that are not known yet, each once.
+Eigen::VectorXd recalled_values(const LimitState& s, const Eigen::MatrixXd& u, Ledger& ledger)
+{
+    const auto point = [&](Eigen::Index i) {
+        const Eigen::VectorXd row = u.row(i);
+        return std::vector<double>(row.begin(), row.end());
+    };
+    std::set<std::vector<double>> seen;
+    std::vector<Eigen::Index> fresh;
+    for (Eigen::Index i = 0; i < u.rows(); ++i)
+        if (!ledger.known->contains(point(i)) && seen.insert(point(i)).second)
+            fresh.push_back(i);
+    const Eigen::VectorXd g = asked_values(s, u(fresh, Eigen::all), ledger);
+    if (ledger.used_up)
+        return Eigen::VectorXd::Constant(u.rows(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t k = 0; k < fresh.size(); ++k)
+        (*ledger.known)[point(fresh[k])] = g(static_cast<Eigen::Index>(k));
+    Eigen::VectorXd all(u.rows());
+    for (Eigen::Index i = 0; i < u.rows(); ++i) all(i) = ledger.known->at(point(i));
+    return all;
+}
+
+} // namespace
+
+Eigen::VectorXd limit_values(const LimitState& s, const Eigen::MatrixXd& u, Ledger& ledger)
+{
+    return ledger.known ? recalled_values(s, u, ledger) : asked_values(s, u, ledger);
 }
 
 } // namespace uq

@@ -8,6 +8,9 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <optional>
+#include <vector>
 
 namespace uq {
 
@@ -44,6 +47,8 @@ struct Ledger {
     std::vector<FailedSample> failed;
     std::size_t limit = std::numeric_limits<std::size_t>::max(); ///< evaluations allowed
     bool used_up = false; ///< more evaluations than allowed were wanted; they were not made
+    /// Of an analysis that comes back to points it has been at: g by u, so that no point is asked for twice.
+    std::optional<std::map<std::vector<double>, double>> known;
 };
 
 /// g of each row of `u`, and the ledger brought up to date. A value is not a number if its
