@@ -215,7 +215,7 @@ std::set<std::string_view> sweep(const std::string& text)
 } // namespace
 
 TEST_CASE("key effects: every key that is read changes the push, or is named as without effect",
-          "[app][key_effects]")
+          "[slow][app][key_effects]")
 {
     std::set<std::string_view> effective;
     for (const std::string& text : {kAll, kCorrelated, kLeast}) effective.merge(sweep(text));

@@ -73,7 +73,7 @@ bool h5dump_reads(const fs::path& file)
 TEST_CASE(
     "store: killed 30 times at random, it loses no wall that was acknowledged and ends as "
     "if never killed",
-    "[app][store_kill]")
+    "[slow][app][store_kill]")
 {
     constexpr std::uint32_t samples = 2500;
     const scenes::MemoryFolder folder;

@@ -148,7 +148,7 @@ TEST_CASE("wall reading: nothing is read off a push that turns back, or a wall t
 }
 
 TEST_CASE("wall reading: a fresh wall and a stored one give the same numbers for every key",
-          "[app][wall_reading]")
+          "[slow][app][wall_reading]")
 {
     const scenes::TemporaryFolder folder;
     const auto file = folder.path / "study.h5";

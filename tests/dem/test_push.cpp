@@ -62,7 +62,7 @@ TEST_CASE(
 }
 
 TEST_CASE("push: the ledger closes as well with cracks that stay propped, to and fro too",
-          "[dem][push]")
+          "[slow][dem][push]")
 {
     int propped = 0; // walls in which a crack closed again
     for (const double stress : {0.75, 1.25})
