@@ -102,12 +102,17 @@ class Drawing {
     drawLoad(film, t, scale, force) {
         const beam = this.geometry.blocks.findIndex((b) => b[4] === 0);
         const b = this.geometry.blocks[beam];
-        const u = this.moved(film, beam, b[0], b[3], t);
-        const tip = [(b[0] + scale * u[0]) * 1e3 - 12 * this.k, -(this.size.height + scale * u[1]) * 1e3];
-        const length = this.k * (60 + 90 * (force?.share ?? 0));
-        this.arrow.setAttribute('d', `M${tip[0] - length} ${tip[1]}H${tip[0] - 30 * this.k}M${tip[0]} ${tip[1]}l${-34 * this.k} ${-16 * this.k}v${32 * this.k}z`);
+        // Where the force is not known, as in cycles, the arrow points to where the beam has gone.
+        const left = force ? force.value < 0 : this.moved(film, beam, b[0], b[3], t)[0] < 0;
+        const side = left ? b[2] : b[0];
+        const way = left ? -1 : 1;
+        const u = this.moved(film, beam, side, b[3], t);
+        const tip = [(side + scale * u[0]) * 1e3 - way * 12 * this.k, -(this.size.height + scale * u[1]) * 1e3];
+        const length = way * this.k * (60 + 90 * (force?.share ?? 0));
+        this.arrow.setAttribute('d', `M${tip[0] - length} ${tip[1]}H${tip[0] - way * 30 * this.k}M${tip[0]} ${tip[1]}l${-way * 34 * this.k} ${-16 * this.k}v${32 * this.k}z`);
         this.load.textContent = force ? `${fixed(force.value)} kN` : '';
         this.load.setAttribute('x', tip[0] - length);
+        this.load.setAttribute('text-anchor', left ? 'end' : 'start');
         this.load.setAttribute('y', tip[1] - 28 * this.k);
     }
 }
@@ -208,7 +213,7 @@ export class WallView {
         if (!this.film) return;
         const d = this.film.displacement(this.t) * 1e3;
         const f = this.capacity?.force(this.wall, d) ?? null;
-        const force = f === null ? null : { value: f, share: Math.max(0, f / (this.data.walls[this.wall].peak || 1)) };
+        const force = f === null ? null : { value: f, share: Math.min(1, Math.abs(f / (this.data.walls[this.wall].peak || 1))) };
         this.drawing.draw(this.film, this.t, this.scale, this.shown, this.largest, force);
         this.factor.textContent = `${fixed(this.scale, this.scale < 10 ? 1 : 0)} times`;
         const drift = fixed(d / (10 * this.data.height), 2);

@@ -61,7 +61,7 @@ DriftData drift_data(const StudyWalls& walls)
                     walls.study.uq.seed};
     for (const StateName& s : walls.states) data.states.push_back({s.set, s.name, s.rule});
     for (const StudyLevel& level : walls.levels) {
-        const double mpa = level.stress * 1e-6;
+        const double mpa = level.stress / 1e6;
         DriftGroup group{number(mpa, 12) + " MPa",  mpa,           {},
                          level.failed_walls.size(), level.missing, {}};
         for (const StudyWall& w : level.walls) {

@@ -66,7 +66,7 @@ void add_rows(const StudyWalls& walls, const StudyLevel& level, Response respons
 {
     const Influences found = influences(walls, level, response);
     for (const Influence& i : found.inputs)
-        t.rows.push_back({given(level.stress * 1e-6), words(response), i.key,
+        t.rows.push_back({given(level.stress / 1e6), words(response), i.key,
                           count(static_cast<double>(found.walls)), estimate_cell(i.pearson),
                           estimate_cell(i.spearman), estimate_cell(i.partial),
                           estimate_cell(i.standardised), plain_number(found.r2, 2),
@@ -130,7 +130,7 @@ std::vector<NamedPicture> input_pictures(const StudyWalls& walls)
     if (input == walls.inputs.size()) return pictures;
     for (const StudyLevel& level : walls.levels) {
         if (level.walls.empty()) continue;
-        const std::string stress = number(level.stress * 1e-6, 12) + " MPa";
+        const std::string stress = number(level.stress / 1e6, 12) + " MPa";
         Chart c;
         c.title = "Peak force and joint friction angle, " + stress;
         c.x_label = "joint friction angle [deg]";

@@ -55,7 +55,7 @@ std::string early_text(const StudyWalls& walls)
         if (early == 0) continue;
         text += (text.empty() ? " Runs that ended before the full push: " : ", ") +
                 std::to_string(early) + " of " + std::to_string(group.size()) + " at " +
-                number(level.stress * 1e-6, 12) + " MPa";
+                number(level.stress / 1e6, 12) + " MPa";
     }
     if (text.empty()) return text;
     const double share = walls.study.load.stop_below;
@@ -83,7 +83,7 @@ NamedPicture picture(const StudyWalls& walls, int mode)
             low.y.push_back(p.low);
             high.y.push_back(p.high);
         }
-        mean.name = number(walls.levels[l].stress * 1e-6, 6) + " MPa";
+        mean.name = number(walls.levels[l].stress / 1e6, 6) + " MPa";
         for (Series* const s : {&mean, &low, &high})
             s->colour = kStressColours[l % kStressColours.size()];
         low.line = high.line = LineStyle::dotted;
@@ -138,7 +138,7 @@ Table mean_curve_table(const StudyWalls& walls)
         for (int mode = 0; mode <= kAllModes; ++mode) {
             const auto points = mean_points(walls, level, mode);
             for (std::size_t i = 0; i < points.size(); i += kTableStep)
-                t.rows.push_back({given(level.stress * 1e-6), group_name(mode),
+                t.rows.push_back({given(level.stress / 1e6), group_name(mode),
                                   plain_number(points[i].drift, 3),
                                   count(static_cast<double>(points[i].walls)),
                                   with_interval(points[i].mean, points[i].interval.lower,

@@ -91,7 +91,7 @@ Row mean_row(const StudyWalls& walls, const StudyLevel& level, int mode, std::si
 {
     const auto group = walls_of(level, mode);
     const auto n = static_cast<double>(group.size());
-    Row row = {given(level.stress * 1e-6), mode_name(mode), count(n)};
+    Row row = {given(level.stress / 1e6), mode_name(mode), count(n)};
     if (group.empty()) {
         row.resize(columns);
         row.back() =

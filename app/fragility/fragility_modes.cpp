@@ -18,7 +18,7 @@
 namespace app {
 namespace {
 
-Number stress_cell(const StudyLevel& level) { return given(level.stress * 1e-6); }
+Number stress_cell(const StudyLevel& level) { return given(level.stress / 1e6); }
 
 double walls_with(const StudyLevel& level, int mode)
 {
@@ -233,7 +233,7 @@ Table threshold_table(const StudyWalls& walls)
     std::erase(shown, kRocking);
     for (const StudyLevel& level : walls.levels) {
         for (const int mode : shown)
-            t.head.emplace_back(mode_name(mode) + (" at " + number(level.stress * 1e-6, 12)) +
+            t.head.emplace_back(mode_name(mode) + (" at " + number(level.stress / 1e6, 12)) +
                                 " MPa [%]");
         for (const auto& f : figures_of(level)) all.push_back(f);
     }

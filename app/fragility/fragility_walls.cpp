@@ -19,7 +19,7 @@ Row wall_row(const StudyWalls& study, const StudyWall& w)
 {
     const WallReading& r = w.reading;
     Row row = {
-        given(study.levels[w.key.level].stress * 1e-6),   count(w.key.sample),
+        given(study.levels[w.key.level].stress / 1e6),    count(w.key.sample),
         std::string(w.failed ? "failed" : words(r.mode)), plain_number(peak_force(r) * 1e-3, 2),
         plain_number(peak_displacement(r) * 1e3, 2),      limit_cell(r.ultimate)};
     for (const fragility::LimitDisplacement& d : r.limits) row.emplace_back(limit_cell(d));

@@ -11,7 +11,7 @@ std::string capacity_svg(const Study& study, const PushedWall& w)
 {
     Chart chart;
     chart.title =
-        "Capacity curve, vertical stress " + fixed(w.vertical_stress * 1e-6, 2) + " MPa";
+        "Capacity curve, vertical stress " + fixed(w.vertical_stress / 1e6, 2) + " MPa";
     chart.x_label = "Displacement [mm]";
     chart.y_label = "Horizontal force [kN]";
     chart.top = TopAxis{"Drift [%]", 100.0 / (w.loads.height * 1e3)};

@@ -120,7 +120,7 @@ Row level_row(const PushedWall& w)
                       .decimals = 2,
                       .sense = is_censored(r.ultimate) ? Sense::above : Sense::equal};
     };
-    return {given(w.vertical_stress * 1e-6),
+    return {given(w.vertical_stress / 1e6),
             plain_number(peak_force(r) * 1e-3, 2),
             plain_number(peak_displacement(r) * 1e3, 2),
             r.stiffness ? plain_number(*r.stiffness * 1e-6, 1) : Number{},

@@ -1,13 +1,17 @@
 #include "app/reliability/reliability_command.hpp"
 
 #include "app/input/key_effects.hpp"
+#include "app/input/study_keys.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
+#include "app/reliability/kept_evaluations.hpp"
 #include "app/reliability/methods.hpp"
 #include "app/study/interrupt.hpp"
+#include "app/study/study_identity.hpp"
 #include "app/study/wanted_walls.hpp"
+#include "app/version.hpp"
 
 #include <gsl/gsl_cdf.h>
 #include <nlohmann/json.hpp>
@@ -16,6 +20,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 
 namespace app {
 namespace {
@@ -146,19 +151,27 @@ void write_table(const fs::path& out, const std::string& name, const Table& tabl
     write_file(out / (name + ".tex"), as_latex(table));
 }
 
-ReliabilityProblem problem_of(const Command& command)
+struct Question {
+    ReliabilityProblem problem;
+    std::string model; ///< what its answers depend on
+};
+
+Question question_of(const Command& command)
 {
     const StudyFile file = with_overrides(read_study_file(command.study), command.overrides);
-    if (is_program_study(file)) {
-        const Study study = read_program_study(file);
-        ReliabilityProblem problem = program_event(study, command.threads);
-        say_effects(study, command);
-        return problem;
+    const bool program = is_program_study(file);
+    const Study study = program ? read_program_study(file) : read_study(file);
+    Question q{program ? program_event(study, command.threads) : wall_problem(study, command),
+               std::string(kVersion) + '\n'};
+    for (const Entry& e : file.entries) {
+        const std::string_view section = section_of(e.key);
+        if (program ? section != "reliability" : section == "fragility")
+            q.model += e.key + " = " + e.value + '\n';
     }
-    const Study study = read_study(file);
-    ReliabilityProblem problem = wall_problem(study, command);
+    if (!program) q.model += identity_text(study) + "level = " + command.level + '\n';
+    q.model += "response = " + std::to_string(q.problem.event.response) + '\n';
     say_effects(study, command);
-    return problem;
+    return q;
 }
 
 void write_evaluations(const Command& command, const ReliabilityProblem& problem,
@@ -170,8 +183,15 @@ void write_evaluations(const Command& command, const ReliabilityProblem& problem
 }
 
 /// The answer; the evaluations are written whether there is one or not.
-ReliabilityAnswer answered(const Command& command, const ReliabilityProblem& problem)
+ReliabilityAnswer answered(const Command& command, const Question& question)
 {
+    make_folder(command.out);
+    KeptEvaluations kept(fs::path(command.out) / "unfinished.jsonl", question.model);
+    if (kept.found() > 0 && !command.quiet)
+        std::cerr << "going on: " << kept.found() << " evaluations were made before\n";
+    ReliabilityProblem problem = question.problem;
+    problem.event.model = kept.around(problem.event.model, problem.event.response);
+    problem.event.response = 0;
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
     std::vector<Evaluated> seen;
     const auto on_batch = [&] {
@@ -182,8 +202,11 @@ ReliabilityAnswer answered(const Command& command, const ReliabilityProblem& pro
     try {
         const ReliabilityAnswer a = answer(problem, seen, on_batch);
         write_evaluations(command, problem, seen);
+        kept.remove();
         progress.finish(std::to_string(seen.size()) + " evaluations");
         return a;
+    } catch (const KeptEvaluations::NotKept& full) {
+        throw std::runtime_error(full.what);
     } catch (...) {
         write_evaluations(command, problem, seen);
         throw;
@@ -212,17 +235,18 @@ void write(const Command& command, const ReliabilityProblem& problem,
 
 int reliability_command(const Command& command)
 {
-    const ReliabilityProblem problem = problem_of(command);
+    const Question question = question_of(command);
+    const ReliabilityProblem& problem = question.problem;
     catch_interrupts();
     try {
-        const ReliabilityAnswer a = answered(command, problem);
+        const ReliabilityAnswer a = answered(command, question);
         write(command, problem, a);
         const bool any = std::ranges::any_of(
             a.methods, [](const MethodAnswer& m) { return m.probability || m.upper; });
         return any && a.failed.size() < a.evaluations ? 0 : 1;
     } catch (const Interrupted&) {
         std::cerr << "drystone: interrupted; the evaluations made so far are in " << command.out
-                  << "/evaluations.csv\n";
+                  << "/evaluations.csv, and the same command goes on with them\n";
         return 1;
     }
 }

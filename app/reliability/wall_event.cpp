@@ -99,7 +99,7 @@ ReliabilityProblem wall_problem(const Study& given, const Command& command)
     p.event.response = static_cast<Eigen::Index>(study.reliability.response);
     p.event.threshold = demand.value;
     const double stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
-    p.words = demand.words + " under " + number(stress * 1e-6, 12) + " MPa";
+    p.words = demand.words + " under " + number(stress / 1e6, 12) + " MPa";
     for (const Column& c : input_columns(plan))
         p.inputs.push_back(c.name + " [" + c.unit + "]");
     const auto& columns = plan.values.columns; // of the design, of each input

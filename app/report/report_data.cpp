@@ -37,7 +37,7 @@ Json levels_json(const StudyWalls& study)
 {
     Json levels = Json::array();
     for (const StudyLevel& l : study.levels)
-        levels.push_back({{"stress", l.stress * 1e-6}, {"name", stress_text(l.stress)}});
+        levels.push_back({{"stress", l.stress / 1e6}, {"name", stress_text(l.stress)}});
     return levels;
 }
 

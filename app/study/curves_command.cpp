@@ -20,8 +20,8 @@ constexpr int kDigits = 9; // as capacity.csv
 void write_wall(std::ostream& out, const StoreHead& head, const WallRow& row)
 {
     const std::string key = std::to_string(row.key.level) + ',' +
-                            number(head.levels[row.key.level].vertical_stress * 1e-6, 12) +
-                            ',' + std::to_string(row.key.sample) + ',';
+                            number(head.levels[row.key.level].vertical_stress / 1e6, 12) + ',' +
+                            std::to_string(row.key.sample) + ',';
     for (std::size_t i = 0; i < row.curve.displacement.size(); ++i)
         out << key << number(row.curve.displacement[i] * 1e3, kDigits) << ','
             << number(row.curve.force[i] * 1e-3, kDigits) << '\n';

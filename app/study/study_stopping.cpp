@@ -48,7 +48,7 @@ StoppingState stopping_state(const StudyWalls& walls)
             values.push_back(value_of(w.reading, walls.study));
         const uq::StoppingDecision d = uq::judge(rule, values);
         state.next = std::max(state.next, static_cast<std::uint32_t>(d.next_n));
-        state.remark += number(level.stress * 1e-6, 12) +
+        state.remark += number(level.stress / 1e6, 12) +
                         " MPa: " + std::to_string(values.size()) + " walls, half width " +
                         number(d.half_width, 3) + " of " + number(rule.half_width, 3) + ", " +
                         std::string(words(d.reason)) + "\n";

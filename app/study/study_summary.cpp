@@ -47,7 +47,7 @@ Row cells(const StudyLevel& level, const std::vector<int>& modes, double confide
         return with_interval(100.0 * p.value, 100.0 * p.interval.lower,
                              100.0 * p.interval.upper, 0);
     };
-    Row row = {given(level.stress * 1e-6), count(static_cast<double>(n)),
+    Row row = {given(level.stress / 1e6), count(static_cast<double>(n)),
                count(static_cast<double>(level.failed_walls.size())), mean_cell(peaks, 1e-3),
                cov_cell(peaks)};
     for (const int mode : modes)

@@ -175,7 +175,7 @@ const char* mode_name(int mode) { return words(static_cast<dem::FailureMode>(mod
 
 std::string stress_text(double stress)
 {
-    const std::string all = number(stress * 1e-6, 12), two = fixed(stress * 1e-6, 2);
+    const std::string all = number(stress / 1e6, 12), two = fixed(stress / 1e6, 2);
     return (number(std::stod(two), 12) == all ? two : all) + " MPa";
 }
 

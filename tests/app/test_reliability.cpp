@@ -1,8 +1,11 @@
 #include "app/input/config_error.hpp"
 #include "app/reliability/event.hpp"
+#include "app/reliability/kept_evaluations.hpp"
 #include "app/reliability/methods.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/study_scenes.hpp"
 #include "tests/scenes/temporary_folder.hpp"
+#include "uq/reliability/evaluate.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -247,6 +250,56 @@ TEST_CASE("reliability: FORM says that the four-branch function has further desi
                w.find("design points were found") != std::string::npos;
     };
     CHECK(std::any_of(a.warnings.begin(), a.warnings.end(), told));
+}
+
+TEST_CASE("reliability: an interrupted run goes on with the evaluations that it has made",
+          "[app][reliability]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto file = folder.path / "unfinished.jsonl";
+    std::size_t asked = 0, stop_at = 100;
+    const uq::BlackBox model = [&](const uq::Samples& s) {
+        if (asked >= stop_at) throw app::Interrupted();
+        asked += s.id.size();
+        uq::Responses r{Eigen::MatrixXd(s.x.rows(), 2), std::vector<std::string>(s.id.size())};
+        for (Eigen::Index i = 0; i < s.x.rows(); ++i) {
+            r.y.row(i) << 0.0, std::sqrt(s.x(i, 0)); // not a number below zero: failed
+        }
+        return r;
+    };
+    uq::Samples samples{Eigen::VectorXd::LinSpaced(200, -0.3, 2.1), {}};
+    for (std::uint64_t i = 0; i < 200; ++i) samples.id.push_back(i);
+    const uq::Responses whole = uq::evaluate(
+        [&](const uq::Samples& s) {
+            stop_at = 1000;
+            return model(s);
+        },
+        samples, 2);
+    asked = 0;
+    stop_at = 100;
+    {
+        app::KeptEvaluations kept(file, "model 1");
+        CHECK_THROWS_AS(kept.around(model, 1)(samples), app::Interrupted);
+        CHECK(kept.found() == 0);
+    }
+    const std::size_t made = asked;
+    CHECK(made >= 100);
+    std::ofstream(file, std::ios::app) << R"({"x":[1.0],"y":)"; // cut off by a kill
+    stop_at = 1000;
+    app::KeptEvaluations kept(file, "model 1");
+    CHECK(kept.found() == made);
+    const uq::Responses r = kept.around(model, 1)(samples);
+    CHECK(asked == 200);
+    REQUIRE(r.y.cols() == 1);
+    for (Eigen::Index i = 0; i < 200; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        CHECK(r.failure[at] == whole.failure[at]);
+        if (r.failure[at].empty()) CHECK(r.y(i, 0) == whole.y(i, 1));
+    }
+    CHECK_THROWS_WITH(app::KeptEvaluations(file, "model 2"),
+                      Catch::Contains("of another study") && Catch::Contains("--out"));
+    kept.remove();
+    CHECK_FALSE(std::filesystem::exists(file));
 }
 
 TEST_CASE("reliability: Monte Carlo on the wall counts the walls at or below the demand",

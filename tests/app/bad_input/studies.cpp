@@ -89,7 +89,7 @@ constexpr std::array kStudies = {
     BadStudy{"unit of another quantity", "friction_angle = 31.8 deg", "friction_angle = 31.8 MPa",
         "study.ini:13: joint.friction_angle: unit \"MPa\" is not an angle; use rad or deg"},
     BadStudy{"unit in small letters", "young_modulus = 30 GPa", "young_modulus = 30 gpa",
-        "study.ini:20: beam.young_modulus: unit \"gpa\" is not a stress; use Pa, kPa, MPa, GPa or N/mm2"},
+        "study.ini:20: beam.young_modulus: unit \"gpa\" is not a stress; use Pa, kPa, MPa, GPa, N/mm2, kN/m2 or bar"},
     BadStudy{"unit where none belongs", "poisson_ratio = 0.2", "poisson_ratio = 0.2 m",
         "study.ini:9: stone.poisson_ratio: unit \"m\" where none belongs; write \"0.2\""},
     BadStudy{"nan", "density = 2300 kg/m3", "density = nan kg/m3",

@@ -1,0 +1,110 @@
+#include "app/reliability/kept_evaluations.hpp"
+
+#include "uq/reliability/evaluate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+using KeptJson = nlohmann::json;
+
+constexpr Eigen::Index kAtOnce = 32; ///< samples that a kill may lose
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::string as_line(const KeptJson& j)
+{
+    return j.dump(-1, ' ', false, KeptJson::error_handler_t::replace) + "\n";
+}
+
+} // namespace
+
+KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
+    : file_(std::move(file))
+{
+    std::ifstream in(file_);
+    std::string line;
+    std::uintmax_t sound = 0; // bytes of whole lines
+    const bool begun = in && std::getline(in, line) && !in.eof();
+    if (begun) {
+        const KeptJson head = KeptJson::parse(line, nullptr, false);
+        if (!head.is_object() || head.value("model", "") != model)
+            throw std::runtime_error(
+                "'" + file_.string() +
+                "' holds the evaluations of an interrupted run of another study; remove it, or "
+                "write into another folder with --out");
+        sound = line.size() + 1;
+        while (std::getline(in, line) && !in.eof()) {
+            const KeptJson j = KeptJson::parse(line, nullptr, false);
+            if (!j.is_object() || !j.contains("x") || !j.contains("y") || !j.contains("why"))
+                throw std::runtime_error(
+                    "'" + file_.string() +
+                    "' is damaged; remove it: its evaluations are made again");
+            const KeptJson& y = j["y"];
+            known_[j["x"].get<std::vector<double>>()] = {y.is_null() ? kNan : y.get<double>(),
+                                                         j["why"].get<std::string>()};
+            sound += line.size() + 1;
+        }
+    }
+    in.close();
+    found_ = known_.size();
+    if (begun) fs::resize_file(file_, sound);
+    out_.open(file_, begun ? std::ios::app : std::ios::trunc);
+    if (!begun) out_ << as_line({{"model", model}}) << std::flush;
+    if (!out_) throw std::runtime_error("cannot write '" + file_.string() + "'");
+}
+
+void KeptEvaluations::keep(const std::vector<double>& x, const Answer& a)
+{
+    out_ << as_line(
+        {{"x", x}, {"y", a.failure.empty() ? KeptJson(a.y) : KeptJson(nullptr)}, {"why", a.failure}});
+    known_[x] = a;
+}
+
+uq::BlackBox KeptEvaluations::around(uq::BlackBox model, Eigen::Index response)
+{
+    return [this, model = std::move(model), response](const uq::Samples& samples) {
+        const auto row = [&](Eigen::Index i) {
+            const Eigen::VectorXd x = samples.x.row(i);
+            return std::vector<double>(x.begin(), x.end());
+        };
+        std::vector<Eigen::Index> fresh;
+        for (Eigen::Index i = 0; i < samples.x.rows(); ++i)
+            if (!known_.contains(row(i))) fresh.push_back(i);
+        for (std::size_t first = 0; first < fresh.size(); first += kAtOnce) {
+            const std::size_t n = std::min<std::size_t>(kAtOnce, fresh.size() - first);
+            const std::vector<Eigen::Index> part(fresh.begin() + static_cast<long>(first),
+                                                 fresh.begin() + static_cast<long>(first + n));
+            uq::Samples few{samples.x(part, Eigen::all), {}};
+            for (const Eigen::Index i : part)
+                few.id.push_back(samples.id[static_cast<std::size_t>(i)]);
+            const uq::Responses r = uq::evaluate(model, few, response + 1);
+            for (std::size_t k = 0; k < n; ++k)
+                keep(row(part[k]), {r.y(static_cast<Eigen::Index>(k), response), r.failure[k]});
+            if (!out_.flush())
+                throw NotKept{"cannot write '" + file_.string() +
+                              "'; make space there and run the same command again"};
+        }
+        uq::Responses all{Eigen::MatrixXd(samples.x.rows(), 1), {}};
+        for (Eigen::Index i = 0; i < samples.x.rows(); ++i) {
+            const Answer& a = known_.at(row(i));
+            all.y(i, 0) = a.y;
+            all.failure.push_back(a.failure);
+        }
+        return all;
+    };
+}
+
+void KeptEvaluations::remove()
+{
+    out_.close();
+    fs::remove(file_);
+}
+
+} // namespace app

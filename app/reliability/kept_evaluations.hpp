@@ -1,0 +1,55 @@
+#pragma once
+/// Evaluations on disk while `reliability` runs, so that the same command goes on after Ctrl-C or a kill.
+///
+/// The file has a line of JSON for each evaluation, after one that says what the model is. It goes when the
+/// answer is there: what another program answers today need not be what it answers tomorrow.
+
+#include "uq/reliability/black_box.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace app {
+
+class KeptEvaluations {
+  public:
+    /// Reads what an interrupted run has left. A last line that a kill has cut off is dropped.
+    /// @param model what the answers depend on, in words
+    /// @throws std::runtime_error if the file is that of another model, damaged, or cannot be written
+    KeptEvaluations(std::filesystem::path file, const std::string& model);
+
+    /// Thrown by the model of around() where the disk takes no more. No std::exception, which would be a failed
+    /// sample.
+    struct NotKept {
+        std::string what;
+    };
+
+    /// Evaluations that were there at the start.
+    [[nodiscard]] std::size_t found() const { return found_; }
+
+    /// The model, asked only for what is not known, a few samples at a time, each few kept as they come.
+    /// @param response the column that is kept; the only one of the answers
+    /// The model that is returned must not outlive this.
+    [[nodiscard]] uq::BlackBox around(uq::BlackBox model, Eigen::Index response);
+
+    /// The answer is there.
+    void remove();
+
+  private:
+    struct Answer {
+        double y;
+        std::string failure;
+    };
+    void keep(const std::vector<double>& x, const Answer& answer);
+
+    std::filesystem::path file_;
+    std::ofstream out_;
+    std::map<std::vector<double>, Answer> known_;
+    std::size_t found_ = 0;
+};
+
+} // namespace app
