@@ -24,6 +24,7 @@ struct Command {
     int threads = 1;                    ///< >= 1
     bool quiet = false;                 ///< no progress is shown
     std::optional<int> sample;          ///< one wall of a study, >= 0
+    bool mean_wall = false;             ///< the wall in which each random value is its mean
     std::string level; ///< the vertical stress as written; empty: the study has only one
     Shard shard;
     std::string script;                ///< a job array is written to this file, nothing is run

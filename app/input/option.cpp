@@ -64,8 +64,11 @@ std::vector<Option> table()
         {"quiet", "", "no progress on stderr (default: progress)",
          "push study sample reliability fragility report curves merge serve", false,
          [](Command& c, Text) { c.quiet = true; }},
-        {"sample", "K", "wall K, from 0, of a study with distributions", "push", false,
-         [](Command& c, Text v) { c.sample = whole_number(v, 0, 1e9); }},
+        {"sample", "K", "wall K, from 0, of a study with distributions; or mean: the wall of their means", "push", false,
+         [](Command& c, Text v) {
+             c.mean_wall = v == "mean";
+             if (!c.mean_wall) c.sample = whole_number(v, 0, 1e9);
+         }},
         {"level", "STRESS", "vertical stress, such as \"0.75 MPa\", where the study has several", "push reliability", false,
          [](Command& c, Text v) { c.level = v; }},
         {"shard", "I/N", "part I of N, I from 1; each part is written to a file of its own", "study", false,

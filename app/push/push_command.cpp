@@ -84,7 +84,10 @@ Table drawn_table(const Study& study, const WallDraw& draw)
 /// The study as it was used. Of a study with distributions it says which wall was pushed.
 std::string configuration(const Study& study, const PushedWall& w, std::optional<int> sample)
 {
-    if (!sample) return effective_configuration(study);
+    if (!sample && study.random.empty()) return effective_configuration(study);
+    if (!sample)
+        return "# The wall in which each value is the mean of its distribution, under " +
+               stress_text(w.vertical_stress) + ".\n" + effective_configuration(study);
     return "# Wall " + std::to_string(*sample) + " of this study, under " +
            stress_text(w.vertical_stress) + "; the values drawn for it are in drawn.csv.\n" +
            effective_configuration(study);

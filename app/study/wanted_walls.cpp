@@ -46,12 +46,13 @@ std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& c
 {
     const Study& study = source.study;
     if (!command.sample) {
-        if (!study.random.empty())
+        if (!study.random.empty() && !command.mean_wall)
             throw error_at(
                 study.source, study.random.front().key,
                 "is a distribution, but a push takes numbers; write --sample 0 for the "
-                "first wall of the study, or --set " +
+                "first wall of the study, --sample mean for that of the means, or --set " +
                     study.random.front().key + "=...");
+        if (!command.level.empty()) return {{level_of(study, command.level), {}}};
         std::vector<WantedWall> all;
         for (std::size_t i = 0; i < study.load.vertical_stress.size(); ++i)
             all.push_back({static_cast<int>(i), {}});

@@ -24,8 +24,8 @@ struct StudySource {
 /// @throws ConfigError about --level
 [[nodiscard]] int level_of(const Study& study, const std::string& text);
 
-/// --sample and --level: that wall of a study with distributions. Without: the numbers of a study under
-/// all its levels.
+/// --sample and --level: that wall of a study with distributions. Without, or with --sample mean: the numbers of a
+/// study, of distributions their means, under all its levels or that of --level.
 /// @throws ConfigError
 [[nodiscard]] std::vector<WantedWall> wanted_walls(const StudySource& source,
                                                    const Command& command);

@@ -31,6 +31,7 @@ Written push(const std::string& study, const fs::path& out, std::vector<std::str
     command.out = out.string();
     command.overrides = std::move(overrides);
     command.threads = threads;
+    command.mean_wall = study == "quick.ini";
     command.quiet = true;
     std::ostringstream terminal;
     std::streambuf* screen = std::cout.rdbuf(terminal.rdbuf());
@@ -73,6 +74,25 @@ TEST_CASE("push command: the study it wrote gives the same curve again", "[app][
     REQUIRE(push(again.string(), folder.path / "b", {}).code == 0);
     CHECK(read_text(folder.path / "a" / "capacity.csv") ==
           read_text(folder.path / "b" / "capacity.csv"));
+}
+
+TEST_CASE("push command: the wall of means is that of a study with the means for numbers",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::vector<std::string> means = {
+        "joint.friction_angle=31.8 deg", "joint.stiffness_factor=1",
+        "unit.tensile_strength=3.7 MPa", "unit.friction_angle=35 deg",
+        "unit.stiffness_factor=1"};
+    std::vector<std::string> numbers = kCoarse;
+    numbers.insert(numbers.end(), means.begin(), means.end());
+    CHECK(push("quick.ini", folder.path / "mean", kCoarse).code == 0);
+    CHECK(push("quick.ini", folder.path / "numbers", numbers).code == 0);
+    for (const char* level : {"0.50_MPa", "1.00_MPa", "1.25_MPa"})
+        CHECK(read_text(folder.path / "mean" / level / "capacity.csv") ==
+              read_text(folder.path / "numbers" / level / "capacity.csv"));
+    CHECK(read_text(folder.path / "mean" / "0.50_MPa" / "study.ini")
+              .starts_with("# The wall in which"));
 }
 
 TEST_CASE("push command: one thread and two give the same bits", "[app][push_command]")
