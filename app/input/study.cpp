@@ -196,7 +196,7 @@ dem::PushPlan push_plan(const Study& study)
     dem::PushPlan plan;
     plan.targets = targets_of(study.load);
     plan.record_every = study.output.record_every;
-    plan.snapshot_every = study.output.snapshot_every;
+    plan.snapshot_every = study.output.paraview ? study.output.snapshot_every : 0.0;
     const bool finite = study.solver.kinematics == dem::Kinematics::finite;
     const bool to_and_fro = turns_back(plan.targets);
     if (finite && !to_and_fro) plan.drop = fragility::kUltimateShare;

@@ -10,6 +10,7 @@ namespace {
 using dem::Discretisation;
 using dem::SolverOptions;
 
+constexpr std::array kSwitch = {named("yes", true), named("no", false)};
 constexpr std::array kPrecisions = {named("double", false), named("single", true)};
 constexpr std::array kFaceRules = {named("even", dem::FaceRule::even),
                                    named("lobatto", dem::FaceRule::lobatto)};
@@ -70,6 +71,8 @@ constexpr Condition kWithWeight{[](const Study& s) {
                                            s.beam.material.density > 0.0;
                                 },
                                 "stone and beam have no weight"};
+constexpr Condition kWithSeries{[](const Study& s) { return s.output.paraview; },
+                                "output.paraview is no"};
 constexpr Condition kByFidelity{[](const Study& s) {
                                     return !is_given(s, "solver.contact_points") ||
                                            !is_given(s, "solver.block_modes");
@@ -198,9 +201,14 @@ constexpr std::array kKeys = {
         .meaning = "spacing of the points of the capacity curve",
         .field = kAt<&Study::output, &OutputInput::record_every>},
     Key{.name = "output.snapshot_every", .unit = "mm", .range = {'[', 0, 1000, ']'},
+        .effect = kWithSeries,
         .verbs = "push",
         .meaning = "spacing of the ParaView series; 0 only both ends",
         .field = kAt<&Study::output, &OutputInput::snapshot_every>},
+    Key{.name = "output.paraview", .kind = Kind::word, .names = kSwitch,
+        .verbs = "push",
+        .meaning = "a series for ParaView in the folder series",
+        .field = kAt<&Study::output, &OutputInput::paraview>},
     Key{.name = "output.curves", .kind = Kind::word, .names = kPrecisions,
         .verbs = "study",
         .meaning = "precision of the curves in the file of a study; single: half the size",

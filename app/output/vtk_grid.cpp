@@ -2,7 +2,10 @@
 
 #include "app/input/number_text.hpp"
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -12,43 +15,67 @@ namespace {
 
 constexpr const char* kHeader = "<?xml version=\"1.0\"?>\n";
 
-void append(VtkArray& array, const std::string& value)
+template <class T> void append(VtkArray& array, T value)
 {
-    array.values += value;
-    array.values += ++array.tuples % 8 == 0 ? '\n' : ' ';
+    static_assert(std::endian::native == std::endian::little);
+    const auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+    array.bytes.append(bytes.data(), bytes.size());
 }
 
-std::string checked(const VtkArray& array, double value)
+double checked(const VtkArray& array, double value)
 {
     if (!std::isfinite(value))
         throw std::invalid_argument("time series: a value of '" + array.name +
                                     "' is not finite");
-    return number(value, 17);
+    return value;
 }
 
-std::string array_text(const VtkArray& array, bool field)
+/// The head of an array; its bytes go behind those of the others, each after their number.
+std::string array_text(const VtkArray& array, bool field, std::string& appended)
 {
     std::string text = "<DataArray type=\"" + array.type + "\" Name=\"" + array.name + '"';
     if (array.components > 1)
         text += " NumberOfComponents=\"" + std::to_string(array.components) + '"';
     if (field) text += " NumberOfTuples=\"" + std::to_string(array.tuples) + '"';
-    return text + " format=\"ascii\">\n" + array.values + "\n</DataArray>\n";
+    text += " format=\"appended\" offset=\"" + std::to_string(appended.size()) + "\"/>\n";
+    VtkArray size{"", "UInt64"};
+    append(size, static_cast<std::uint64_t>(array.bytes.size()));
+    appended += size.bytes + array.bytes;
+    return text;
 }
 
-std::string section(const std::string& name, const std::vector<VtkArray>& arrays)
+std::string section(const std::string& name, const std::vector<VtkArray>& arrays,
+                    std::string& appended)
 {
     std::string text = '<' + name + ">\n";
-    for (const VtkArray& array : arrays) text += array_text(array, name == "FieldData");
+    for (const VtkArray& array : arrays)
+        text += array_text(array, name == "FieldData", appended);
     return text + "</" + name + ">\n";
 }
 
 } // namespace
 
-void VtkArray::add(double value) { append(*this, checked(*this, value)); }
-void VtkArray::add(int value) { append(*this, std::to_string(value)); }
+void VtkArray::add(double value)
+{
+    append(*this, checked(*this, value));
+    ++tuples;
+}
+
+void VtkArray::add(int value)
+{
+    if (type == "Int64")
+        append(*this, static_cast<std::int64_t>(value));
+    else if (type == "UInt8")
+        append(*this, static_cast<std::uint8_t>(value));
+    else
+        append(*this, static_cast<std::int32_t>(value));
+    ++tuples;
+}
+
 void VtkArray::add(dem::Point vector)
 {
-    append(*this, checked(*this, vector.x) + " 0 " + checked(*this, vector.z));
+    for (const double x : {vector.x, 0.0, vector.z}) append(*this, checked(*this, x));
+    ++tuples;
 }
 
 VtkArray vtk_reals(std::string name) { return {std::move(name), "Float64"}; }
@@ -69,15 +96,20 @@ void VtkGrid::end_cell(int type)
 
 std::string vtu_text(const VtkGrid& grid)
 {
-    return std::string(kHeader) +
-           "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-           "header_type=\"UInt64\">\n<UnstructuredGrid>\n" +
-           section("FieldData", grid.field_data) + "<Piece NumberOfPoints=\"" +
-           std::to_string(grid.points.tuples) + "\" NumberOfCells=\"" +
-           std::to_string(grid.types.tuples) + "\">\n" + section("PointData", grid.point_data) +
-           section("CellData", grid.cell_data) + section("Points", {grid.points}) +
-           section("Cells", {grid.connectivity, grid.offsets, grid.types}) +
-           "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    std::string bytes;
+    std::string text =
+        std::string(kHeader) +
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+        "header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+    text += section("FieldData", grid.field_data, bytes);
+    text += "<Piece NumberOfPoints=\"" + std::to_string(grid.points.tuples) +
+            "\" NumberOfCells=\"" + std::to_string(grid.types.tuples) + "\">\n";
+    text += section("PointData", grid.point_data, bytes);
+    text += section("CellData", grid.cell_data, bytes);
+    text += section("Points", {grid.points}, bytes);
+    text += section("Cells", {grid.connectivity, grid.offsets, grid.types}, bytes);
+    return text + "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" + bytes +
+           "\n</AppendedData>\n</VTKFile>\n";
 }
 
 std::string pvd_text(const std::vector<double>& times, const std::vector<std::string>& files)

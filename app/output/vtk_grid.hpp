@@ -1,5 +1,5 @@
 #pragma once
-/// An unstructured grid as VTK XML text.
+/// An unstructured grid in the format of VTK: XML, with the numbers appended as bytes.
 
 #include "dem/scene/snapshot.hpp"
 
@@ -13,7 +13,7 @@ struct VtkArray {
     std::string name;
     std::string type; ///< of VTK XML: Float64, Int32, Int64, UInt8
     int components = 1;
-    std::string values = {}; ///< ASCII; every double reads back the same
+    std::string bytes = {}; ///< of the values, little-endian
     int tuples = 0;
 
     void add(double value);
@@ -41,7 +41,7 @@ struct VtkGrid {
     void end_cell(int type);
 };
 
-/// The text of a .vtu file.
+/// The content of a .vtu file.
 [[nodiscard]] std::string vtu_text(const VtkGrid& grid);
 
 /// The text of a .pvd file: `files` at `times`, of equal length.

@@ -125,15 +125,24 @@ std::string joints_vtu(const dem::Snapshot& wall)
     return vtu_text(grid);
 }
 
+void remove_vtk_series(const std::filesystem::path& folder)
+{
+    std::error_code nothing_there;
+    // first what names the others
+    for (const char* name : {"wall.pvd", "joints.pvd"})
+        std::filesystem::remove(folder / name, nothing_there);
+    for (const char* stem : {"wall", "joints"})
+        for (std::size_t i = 0;
+             std::filesystem::remove(folder / file_name(stem, i), nothing_there); ++i) {
+        }
+    std::filesystem::remove(folder, nothing_there); // stays if others have put something there
+}
+
 void write_vtk_series(const std::filesystem::path& folder,
                       const std::vector<dem::Snapshot>& walls)
 {
+    remove_vtk_series(folder);
     make_folder(folder);
-    // an earlier series must not name files that this one is about to replace
-    for (const char* name : {"wall.pvd", "joints.pvd"}) {
-        std::error_code nothing_there;
-        std::filesystem::remove(folder / name, nothing_there);
-    }
     const std::vector<double> way = way_of_load(walls);
     std::vector<double> times;
     std::vector<std::string> blocks, joints;

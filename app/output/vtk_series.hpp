@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// XML of an unstructured grid (ASCII, every double reads back the same). SI units.
+/// An unstructured grid (VTK XML, numbers as bytes). SI units.
 ///   blocks: a polygon each; points: displacement; cells: course, unit, block (index from 0)
 ///   joints: a poly-line through the contacts of each face; points: displacement (mean of both
 ///   sides), opening, slip, sigma, tau,
@@ -22,9 +22,12 @@ namespace app {
 
 /// Creates `folder` if needed and writes wall_0000.vtu ..., joints_0000.vtu ..., then wall.pvd
 /// and joints.pvd, which name them. Time is the way of the load line in mm: its displacement in
-/// a monotonic push. Of snapshots at the same time the last is kept. Throws std::runtime_error
+/// a monotonic push. Of snapshots at the same time the last is kept. Files of an earlier series are removed. Throws std::runtime_error
 /// if a file cannot be written.
 void write_vtk_series(const std::filesystem::path& folder,
                       const std::vector<dem::Snapshot>& walls);
+
+/// Removes what write_vtk_series has written there, and the folder if nothing else is in it.
+void remove_vtk_series(const std::filesystem::path& folder);
 
 } // namespace app

@@ -108,8 +108,10 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
         text.vertical_load = stress_text(w.vertical_stress);
         text.load_height = w.loads.height;
         write_file(folder / "wall.svg", wall_picture(w.result.at_peak, w.result.at_end, text));
-        write_vtk_series(folder / "series", w.result.snapshots);
+        if (study.output.paraview) write_vtk_series(folder / "series", w.result.snapshots);
     }
+    if (dem::failed(w.result.outcome) || !study.output.paraview)
+        remove_vtk_series(folder / "series"); // of an earlier run
     write_file(folder / "summary.json",
                summary_json(study, w)); // last: its presence says the rest is whole
 }

@@ -10,8 +10,12 @@ namespace app {
 namespace {
 
 /// Of no consequence for a wall.
-constexpr std::array<std::string_view, 5> kFree = {
-    "uq.samples", "uq.stop", "uq.stop_half_width", "uq.most_samples", "output.snapshot_every"};
+constexpr std::array<std::string_view, 6> kFree = {"uq.samples",
+                                                   "uq.stop",
+                                                   "uq.stop_half_width",
+                                                   "uq.most_samples",
+                                                   "output.snapshot_every",
+                                                   "output.paraview"};
 
 std::string value_of(const Key& key, const Study& study)
 {

@@ -90,6 +90,7 @@ most_steps = 1000000
 record_every = 0.1 mm
 snapshot_every = 0 mm
 curves = single
+paraview = no
 [uq]
 design = sobol
 samples = 7

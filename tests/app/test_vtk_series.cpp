@@ -7,8 +7,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -21,15 +25,33 @@ using scenes::read_text;
 
 namespace {
 
+template <class T> std::vector<double> numbers(const char* bytes, std::size_t size)
+{
+    std::vector<double> values;
+    for (std::size_t at = 0; at < size; at += sizeof(T)) {
+        T value;
+        std::memcpy(&value, bytes + at, sizeof(T));
+        values.push_back(static_cast<double>(value));
+    }
+    return values;
+}
+
 std::vector<double> array(const std::string& vtu, const std::string& name)
 {
-    for (const scenes::Xml& data : elements(parse_xml(vtu), "DataArray")) {
+    const std::string tag = "<AppendedData encoding=\"raw\">\n_";
+    const std::size_t bytes = vtu.find(tag) + tag.size();
+    for (const scenes::Xml& data :
+         elements(parse_xml(vtu.substr(0, bytes) + "</AppendedData></VTKFile>"), "DataArray")) {
         if (attribute(data, "Name") != name) continue;
-        std::istringstream in(data.data());
-        std::vector<double> values;
-        for (std::string word; in >> word;)
-            values.push_back(std::strtod(word.c_str(), nullptr));
-        return values;
+        const char* at = vtu.data() + bytes + std::stoul(attribute(data, "offset"));
+        std::uint64_t size = 0;
+        std::memcpy(&size, at, sizeof(size));
+        at += sizeof(size);
+        const std::string type = attribute(data, "type");
+        if (type == "Float64") return numbers<double>(at, size);
+        if (type == "Int64") return numbers<std::int64_t>(at, size);
+        if (type == "Int32") return numbers<std::int32_t>(at, size);
+        return numbers<std::uint8_t>(at, size);
     }
     return {};
 }
@@ -153,6 +175,18 @@ TEST_CASE("vtk series: of walls at the same time the last is kept", "[app][vtk_s
     app::write_vtk_series(folder.path, walls);
     CHECK(listed(folder.path / "wall.pvd", "file").size() == 3);
     CHECK(array(read_text(folder.path / "wall_0002.vtu"), "force").at(0) == 77.0);
+}
+
+TEST_CASE("vtk series: no file of an earlier series stays", "[app][vtk_series]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path series = folder.path / "series";
+    app::write_vtk_series(series, a_push());
+    app::write_vtk_series(series, {scenes::wall_at_rest(), scenes::diagonal_crack(0.02, 0.6)});
+    CHECK(std::distance(fs::directory_iterator(series), {}) == 6);
+    std::ofstream(series / "notes.txt") << "mine";
+    app::remove_vtk_series(series);
+    CHECK(std::distance(fs::directory_iterator(series), {}) == 1);
 }
 
 TEST_CASE("vtk series: a value that is not finite is refused, and no series is listed",
