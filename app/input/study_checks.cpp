@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +22,7 @@ namespace {
 /// With 12 digits, so that three courses of 0.4 m end at 1.2 m.
 std::string text(double si, std::string_view unit)
 {
-    const double shown = std::stod(number(si, 12));
-    return format_quantities(std::span(&shown, 1), unit);
+    return number(from_si(si, unit), 12) + " " + std::string(unit);
 }
 
 std::string level_text(const Study& study, std::size_t level)

@@ -71,7 +71,7 @@ PushedWall broken_wall()
     w.vertical_stress = 0.5e6;
     w.loads.height = 1.1;
     w.result.outcome = dem::Outcome::not_finite;
-    w.result.energy = {kNan, kNan, kNan, kNan, kNan, kNan};
+    w.result.energy = {kNan, kNan, kNan, kNan, kNan, kNan, kNan};
     w.result.curve = {{0.0, 0.0, 0.0, 0.0, balanced()},
                       {0.01, kNan, kNan, kNan, w.result.energy}};
     w.result.settlement = kNan;

@@ -87,7 +87,7 @@ constexpr std::array kStudies = {
     BadStudy{"wrong unit", "thickness = 0.20 m", "thickness = 0.20 mm2",
         "study.ini:6: wall.thickness: unit \"mm2\" is not a length; use m, cm or mm"},
     BadStudy{"unit of another quantity", "friction_angle = 31.8 deg", "friction_angle = 31.8 MPa",
-        "study.ini:13: joint.friction_angle: unit \"MPa\" is not an angle; use rad or deg"},
+        "study.ini:13: joint.friction_angle: unit \"MPa\" is not an angle; use rad, deg or \u00b0"},
     BadStudy{"unit in small letters", "young_modulus = 30 GPa", "young_modulus = 30 gpa",
         "study.ini:20: beam.young_modulus: unit \"gpa\" is not a stress; use Pa, kPa, MPa, GPa, N/mm2, kN/m2 or bar"},
     BadStudy{"unit where none belongs", "poisson_ratio = 0.2", "poisson_ratio = 0.2 m",
@@ -156,8 +156,8 @@ constexpr std::array kStudies = {
         "study.ini:2: wall.length: \"1000 m\" is out of range; must be in [0.001, 100] m"},
 
     // values at odds with each other
-    BadStudy{"a stress level without modulus", "wall_modulus = 566, 768 MPa", "wall_modulus = 566 MPa",
-        "study.ini:12: joint.wall_modulus: stress level 2 (0.5 MPa) has no value; write 2 values, one for each of load.vertical_stress"},
+    BadStudy{"a stress level without modulus", "vertical_stress = 0.15, 0.50 MPa", "vertical_stress = 0.15, 0.50, 0.75 MPa",
+        "study.ini:12: joint.wall_modulus: stress level 3 (0.75 MPa) has no value; write 3 values, one for each of load.vertical_stress"},
     BadStudy{"a modulus without stress level", "wall_modulus = 566, 768 MPa", "wall_modulus = 566, 768, 1057 MPa",
         "study.ini:12: joint.wall_modulus: has 3 values, load.vertical_stress 2; write one for each stress level"},
     BadStudy{"a level without normal stiffness", "wall_modulus = 566, 768 MPa", "normal_stiffness = 5, 8, 11 GPa/m",
