@@ -13,14 +13,13 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-using KeptJson = nlohmann::json;
 
 constexpr Eigen::Index kAtOnce = 32; ///< samples that a kill may lose
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-std::string as_line(const KeptJson& j)
+std::string as_line(const nlohmann::json& j)
 {
-    return j.dump(-1, ' ', false, KeptJson::error_handler_t::replace) + "\n";
+    return j.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 } // namespace
@@ -33,7 +32,7 @@ KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
     std::uintmax_t sound = 0; // bytes of whole lines
     const bool begun = in && std::getline(in, line) && !in.eof();
     if (begun) {
-        const KeptJson head = KeptJson::parse(line, nullptr, false);
+        const nlohmann::json head = nlohmann::json::parse(line, nullptr, false);
         if (!head.is_object() || head.value("model", "") != model)
             throw std::runtime_error(
                 "'" + file_.string() +
@@ -41,12 +40,12 @@ KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
                 "write into another folder with --out");
         sound = line.size() + 1;
         while (std::getline(in, line) && !in.eof()) {
-            const KeptJson j = KeptJson::parse(line, nullptr, false);
+            const nlohmann::json j = nlohmann::json::parse(line, nullptr, false);
             if (!j.is_object() || !j.contains("x") || !j.contains("y") || !j.contains("why"))
                 throw std::runtime_error(
                     "'" + file_.string() +
                     "' is damaged; remove it: its evaluations are made again");
-            const KeptJson& y = j["y"];
+            const nlohmann::json& y = j["y"];
             known_[j["x"].get<std::vector<double>>()] = {y.is_null() ? kNan : y.get<double>(),
                                                          j["why"].get<std::string>()};
             sound += line.size() + 1;
@@ -62,8 +61,9 @@ KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
 
 void KeptEvaluations::keep(const std::vector<double>& x, const Answer& a)
 {
-    out_ << as_line(
-        {{"x", x}, {"y", a.failure.empty() ? KeptJson(a.y) : KeptJson(nullptr)}, {"why", a.failure}});
+    out_ << as_line({{"x", x},
+                     {"y", a.failure.empty() ? nlohmann::json(a.y) : nlohmann::json(nullptr)},
+                     {"why", a.failure}});
     known_[x] = a;
 }
 
