@@ -20,7 +20,6 @@ auto near(double value, double tolerance = 1e-9)
     return Approx(value).epsilon(tolerance).margin(0.0);
 }
 const RandomBits kBits = fit_data::bits;
-constexpr double kZ = 1.959963984540054;
 
 ModeGroup first(std::size_t n, double limit)
 {
