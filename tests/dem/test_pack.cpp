@@ -171,7 +171,7 @@ TEST_CASE("pack: what is not a number in one lane stays there", "[dem][pack]")
             const Pack after = mixed(a.pack, b.pack, c.pack);
             CHECK(std::isnan(after[k]));
             for (int i = 0; i < dem::lanes<Pack>; ++i)
-                if (i != k) REQUIRE(bits::same(before[i], after[i]));
+                if (i != k) REQUIRE(bits::same_number(before[i], after[i]));
         }
 }
 
