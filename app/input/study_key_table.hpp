@@ -3,6 +3,7 @@
 
 #include "app/input/study_keys.hpp"
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -13,6 +14,8 @@ constexpr Named named(std::string_view word, auto value)
 {
     return {word, static_cast<double>(value)};
 }
+
+inline constexpr std::array kYesNo = {named("yes", true), named("no", false)};
 
 [[nodiscard]] std::span<const Key> wall_keys();   ///< wall, stone, joint, unit, beam, base
 [[nodiscard]] std::span<const Key> solver_keys(); ///< load, solver, output

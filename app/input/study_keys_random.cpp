@@ -11,7 +11,6 @@ namespace {
 
 using Mode = dem::ModeThresholds;
 
-constexpr std::array kYesNo = {named("yes", true), named("no", false)};
 constexpr std::array kFidelities = {
     named("rigid", dem::Fidelity::rigid), named("simple", dem::Fidelity::simple),
     named("standard", dem::Fidelity::standard), named("zones", dem::Fidelity::zones),

@@ -10,7 +10,6 @@ namespace {
 using dem::Discretisation;
 using dem::SolverOptions;
 
-constexpr std::array kSwitch = {named("yes", true), named("no", false)};
 constexpr std::array kPrecisions = {named("double", false), named("single", true)};
 constexpr std::array kFaceRules = {named("even", dem::FaceRule::even),
                                    named("lobatto", dem::FaceRule::lobatto)};
@@ -203,9 +202,9 @@ constexpr std::array kKeys = {
     Key{.name = "output.snapshot_every", .unit = "mm", .range = {'[', 0, 1000, ']'},
         .effect = kWithSeries,
         .verbs = "push",
-        .meaning = "spacing of the ParaView series; 0 only both ends",
+        .meaning = "spacing of the ParaView series; 0: only the peak and the end",
         .field = kAt<&Study::output, &OutputInput::snapshot_every>},
-    Key{.name = "output.paraview", .kind = Kind::word, .names = kSwitch,
+    Key{.name = "output.paraview", .kind = Kind::word, .names = kYesNo,
         .verbs = "push",
         .meaning = "a series for ParaView in the folder series",
         .field = kAt<&Study::output, &OutputInput::paraview>},

@@ -14,7 +14,6 @@ using dem::SolverOptions;
 using dem::WallGeometry;
 
 constexpr std::array kBonds = {named("running", 0.5), named("stack", 0)};
-constexpr std::array kYesNo = {named("yes", true), named("no", false)};
 constexpr std::array kFirstCourses = {named("whole", dem::FirstCourse::whole),
                                       named("shifted", dem::FirstCourse::shifted)};
 constexpr std::array kBases = {named("fixed", dem::Base::fixed),

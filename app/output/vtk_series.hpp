@@ -22,8 +22,8 @@ namespace app {
 
 /// Creates `folder` if needed and writes wall_0000.vtu ..., joints_0000.vtu ..., then wall.pvd
 /// and joints.pvd, which name them. Time is the way of the load line in mm: its displacement in
-/// a monotonic push. Of snapshots at the same time the last is kept. Files of an earlier series are removed. Throws std::runtime_error
-/// if a file cannot be written.
+/// a monotonic push. Of snapshots at the same time the last is kept. Files of an earlier series are
+/// removed. Throws std::runtime_error if a file cannot be written.
 void write_vtk_series(const std::filesystem::path& folder,
                       const std::vector<dem::Snapshot>& walls);
 

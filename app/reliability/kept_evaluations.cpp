@@ -1,5 +1,6 @@
 #include "app/reliability/kept_evaluations.hpp"
 
+#include "app/input/config_error.hpp"
 #include "uq/reliability/evaluate.hpp"
 
 #include <nlohmann/json.hpp>
@@ -32,22 +33,23 @@ KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
     std::uintmax_t sound = 0; // bytes of whole lines
     const bool begun = in && std::getline(in, line) && !in.eof();
     if (begun) {
-        const nlohmann::json head = nlohmann::json::parse(line, nullptr, false);
-        if (!head.is_object() || head.value("model", "") != model)
-            throw std::runtime_error(
-                "'" + file_.string() +
-                "' holds the evaluations of an interrupted run of another study; remove it, or "
-                "write into another folder with --out");
+        if (line + "\n" != as_line({{"model", model}}))
+            throw ConfigError("drystone", 0, "--out",
+                              "'" + file_.string() +
+                                  "' holds the evaluations of an interrupted run of another "
+                                  "study; remove it, or name another folder");
         sound = line.size() + 1;
         while (std::getline(in, line) && !in.eof()) {
-            const nlohmann::json j = nlohmann::json::parse(line, nullptr, false);
-            if (!j.is_object() || !j.contains("x") || !j.contains("y") || !j.contains("why"))
+            try {
+                const nlohmann::json j = nlohmann::json::parse(line);
+                const nlohmann::json& y = j.at("y");
+                known_[j.at("x").get<std::vector<double>>()] = {
+                    y.is_null() ? kNan : y.get<double>(), j.at("why").get<std::string>()};
+            } catch (const nlohmann::json::exception&) {
                 throw std::runtime_error(
                     "'" + file_.string() +
                     "' is damaged; remove it: its evaluations are made again");
-            const nlohmann::json& y = j["y"];
-            known_[j["x"].get<std::vector<double>>()] = {y.is_null() ? kNan : y.get<double>(),
-                                                         j["why"].get<std::string>()};
+            }
             sound += line.size() + 1;
         }
     }

@@ -19,7 +19,8 @@ class KeptEvaluations {
   public:
     /// Reads what an interrupted run has left. A last line that a kill has cut off is dropped.
     /// @param model what the answers depend on, in words
-    /// @throws std::runtime_error if the file is that of another model, damaged, or cannot be written
+    /// @throws ConfigError if the file is that of another model; std::runtime_error if it is damaged or cannot be
+    /// written
     KeptEvaluations(std::filesystem::path file, const std::string& model);
 
     /// Thrown by the model of around() where the disk takes no more. No std::exception, which would be a failed

@@ -76,6 +76,23 @@ TEST_CASE("push command: the study it wrote gives the same curve again", "[app][
           read_text(folder.path / "b" / "capacity.csv"));
 }
 
+TEST_CASE("push command: the series is spaced, of peak and end alone, or left out",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto files = [&](const std::string& setting) {
+        std::vector<std::string> overrides = kCoarse;
+        overrides.back() = setting;
+        CHECK(push("wall.ini", folder.path / "out", overrides).code == 0);
+        const fs::path series = folder.path / "out" / "series";
+        return fs::exists(series) ? std::distance(fs::directory_iterator(series), {}) : 0;
+    };
+    CHECK(files("output.snapshot_every=1 mm") == 12); // five walls, twice, and what names them
+    const auto ends = files("output.snapshot_every=0 mm");
+    CHECK((ends == 4 || ends == 6)); // the peak may be the end
+    CHECK(files("output.paraview=no") == 0);
+}
+
 TEST_CASE("push command: the wall of means is that of a study with the means for numbers",
           "[app][push_command]")
 {

@@ -311,15 +311,21 @@ TEST_CASE("store: a second process is refused and told of the first, until that 
     ::close(ready[1]);
 }
 
+/// Writes a file of ten walls that is whole. @return its bytes
+static std::string ten_walls(const fs::path& file)
+{
+    Store(file, store_head(30)).append(store_rows(0, 10));
+    Store(file, store_head(30)).compact();
+    return scenes::read_text(file);
+}
+
 TEST_CASE(
     "store: files of something else, damaged or of another layout are refused with a reason",
     "[app][store_disk]")
 {
     const scenes::TemporaryFolder folder;
     const fs::path file = folder.path / "a.h5";
-    Store(file, store_head(30)).append(store_rows(0, 10));
-    Store(file, store_head(30)).compact();
-    std::string bytes = scenes::read_text(file);
+    std::string bytes = ten_walls(file);
     std::string words;
     SECTION("empty") { bytes.clear(), words = "is empty"; }
     SECTION("text") { bytes = "[wall]\n", words = "not the file of a study"; }
@@ -351,9 +357,7 @@ TEST_CASE("store: a bit flipped in the numbers of a wall is refused when they ar
 {
     const scenes::TemporaryFolder folder;
     const fs::path file = folder.path / "a.h5";
-    Store(file, store_head(30)).append(store_rows(0, 10));
-    Store(file, store_head(30)).compact();
-    std::string bytes = scenes::read_text(file);
+    std::string bytes = ten_walls(file);
     const auto [at, size] =
         first_chunk(file, GENERATE("/walls/inputs", "/responses/peak_force", "/curves/force"));
     bytes[at + size / 2] ^= 1;
