@@ -20,6 +20,7 @@ declare -A knows=(
     [app/store]=""
     [app/reading]="dem/ fragility"
     [app/input]="dem/ fragility app/reading uq/marginals uq/designs"
+    [app/drawing]="dem/ app/input"
     [app/output]="dem/ fragility app/input"
     [app/sampling]="dem/ uq/ app/input"
     [app/study]="dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling"

@@ -1,0 +1,43 @@
+#pragma once
+/// A wall drawn or photographed by somebody else, as polygons that fit together: blocks that touch share their
+/// corners bit by bit, so that a common face is a side of both. docs/drawings.md says what is read and refused.
+
+#include "dem/scene/snapshot.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// One block. The lower left corner of all blocks together is (0, 0), z points upwards.
+struct DrawnBlock {
+    /// Counter-clockwise and simple [m]. No corner is within `snap` of the straight line of its neighbours, unless
+    /// another block has a corner there. A common face has the same two corners in both blocks.
+    std::vector<dem::Point> outline;
+    std::string layer; ///< UTF-8; empty where the format has none
+    std::string place; ///< where it stands in the file, for messages: "line 1234"
+};
+
+struct Drawing {
+    std::vector<DrawnBlock> blocks; ///< in the order of the file
+    std::vector<std::string>
+        notes; ///< what was closed, simplified, ignored: full sentences with counts
+};
+
+struct DrawingOptions {
+    double unit = 1.0; ///< length of one unit of the drawing [m], > 0; of DXF, JSON, SVG
+    double snap =
+        5e-4; ///< gaps and overlaps up to this are closed [m], in [0, 0.1]; of DXF, JSON, SVG
+    double width = 0.0;     ///< of a picture [m], > 0; of PNG
+    double height = 0.0;    ///< of a picture [m], > 0; of PNG
+    double simplify = 5e-3; ///< tolerance of outlines traced from a picture [m], >= 0; of PNG
+};
+
+/// Reads the format that the file's extension names: .dxf, .json, .svg or .png. The same file and options give the
+/// same bits. Cost: n log n in the number of corners.
+/// @throws ConfigError `file:line: what is wrong and what to write`, with coordinates in the unit of the drawing
+[[nodiscard]] Drawing read_drawing(const std::filesystem::path& path,
+                                   const DrawingOptions& options);
+
+} // namespace app

@@ -1,0 +1,66 @@
+#include "app/drawing/drawing_file.hpp"
+
+#include "app/input/config_error.hpp"
+#include "app/input/text_file.hpp"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <system_error>
+
+namespace app {
+
+std::string read_drawing_bytes(const std::filesystem::path& path)
+{
+    constexpr std::size_t kLargest = 64'000'000; // [bytes]; 20 000 blocks take about 10 MB
+    const auto refuse_file = [&](const std::string& why) {
+        throw ConfigError(path.string(), 0, "", why);
+    };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        refuse_file("is a directory; give a drawing: .dxf, .json, .svg or .png");
+    }
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    const int cause = errno;
+    if (!file) refuse_file("cannot be read (" + std::generic_category().message(cause) + ")");
+    std::string bytes, piece(1 << 16, '\0');
+    while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())),
+           file.gcount() > 0) {
+        bytes.append(piece, 0, static_cast<std::size_t>(file.gcount()));
+        if (bytes.size() > kLargest)
+            refuse_file("is larger than 64 MB; draw a part of the wall");
+    }
+    if (file.bad()) refuse_file("cannot be read to its end");
+    if (bytes.empty()) refuse_file("is empty; export the drawing again");
+    return bytes;
+}
+
+std::string readable_name(std::string_view bytes)
+{
+    const bool utf8 = is_text(bytes);
+    std::string name;
+    for (const char c : bytes) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f) {
+            name += ' ';
+        } else if (byte < 0x80 || utf8) {
+            name += c;
+        } else {
+            name += static_cast<char>(0xc0 | (byte >> 6));
+            name += static_cast<char>(0x80 | (byte & 0x3f));
+        }
+    }
+    return name;
+}
+
+bool read_number(std::string_view text, double& value)
+{
+    if (text.starts_with('+')) text.remove_prefix(1); // from_chars knows no plus
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+}
+
+} // namespace app

@@ -1,0 +1,21 @@
+#pragma once
+/// The bytes of a drawing.
+
+#include "app/drawing/raw_drawing.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace app {
+
+/// @throws ConfigError if the file cannot be read, is empty or larger than 64 MB
+[[nodiscard]] std::string read_drawing_bytes(const std::filesystem::path& path);
+
+/// The text as UTF-8 without control characters: bytes that are not UTF-8 are taken as Latin-1. For names of layers.
+[[nodiscard]] std::string readable_name(std::string_view bytes);
+
+/// Reads a whole text as one number, whatever the locale. False if it is none, or not finite.
+[[nodiscard]] bool read_number(std::string_view text, double& value);
+
+} // namespace app

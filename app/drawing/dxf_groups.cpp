@@ -1,0 +1,78 @@
+#include "app/drawing/dxf_groups.hpp"
+
+#include "app/drawing/drawing_file.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace app {
+namespace {
+
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+} // namespace
+
+std::string_view DxfGroups::take_line()
+{
+    const std::size_t end = text_.find('\n', at_);
+    const std::string_view line =
+        text_.substr(at_, end == std::string_view::npos ? end : end - at_);
+    at_ = end == std::string_view::npos ? text_.size() : end + 1;
+    ++line_;
+    return trimmed(line);
+}
+
+bool DxfGroups::next(DxfGroup& group)
+{
+    last_ = at_;
+    if (at_ >= text_.size()) return false;
+    const std::string_view code = take_line();
+    if (code.empty() && at_ >= text_.size()) return false; // an empty line at the end
+    double number = 0.0;
+    if (!read_number(code, number) || number != std::floor(number) || std::abs(number) > 2000) {
+        refuse(frame_, line_,
+               "\"" + readable_name(code.substr(0, 40)) +
+                   "\" is no group code of DXF; save the drawing as ASCII DXF again");
+    }
+    if (at_ >= text_.size())
+        refuse(frame_, line_, "the file ends within a pair; save the drawing as DXF again");
+    group.code = static_cast<int>(number);
+    group.value = take_line();
+    group.line = line_;
+    return true;
+}
+
+void DxfGroups::step_back()
+{
+    at_ = last_;
+    line_ -= 2;
+}
+
+double dxf_number(const DrawingFrame& frame, const DxfGroup& group)
+{
+    double value = 0.0;
+    if (!read_number(group.value, value)) {
+        refuse(frame, group.line,
+               "\"" + readable_name(group.value.substr(0, 40)) +
+                   "\" is no number; save the drawing as DXF again");
+    }
+    return value;
+}
+
+int dxf_integer(const DrawingFrame& frame, const DxfGroup& group)
+{
+    const double value = dxf_number(frame, group);
+    if (value != std::floor(value) || std::abs(value) > 1e9) {
+        refuse(frame, group.line,
+               "\"" + readable_name(group.value.substr(0, 40)) +
+                   "\" is no whole number; save the drawing as DXF again");
+    }
+    return static_cast<int>(value);
+}
+
+} // namespace app

@@ -1,0 +1,253 @@
+#include "app/drawing/outline_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace app {
+namespace {
+
+/// Node n was put onto the side from a to b.
+struct OnSide {
+    int a = 0, n = 0, b = 0;
+    friend auto operator<=>(const OnSide&, const OnSide&) = default;
+};
+
+struct Fitting {
+    std::vector<dem::Point> drawn; ///< where the nodes were [m]
+    std::vector<OnSide> on_sides;
+    std::size_t joined = 0, straight = 0;
+    double farthest = 0.0; ///< that a corner was moved to another [m]
+};
+
+dem::Point at(const OutlineNetwork& network, int n)
+{
+    return network.nodes[static_cast<std::size_t>(n)];
+}
+
+[[noreturn]] void refuse_crowd(const OutlineNetwork& network, const TooCrowded& crowd)
+{
+    refuse(network.frame, 0,
+           "has too many corners or sides near " + coordinates(network.frame, crowd.at) +
+               "; simplify the drawing there");
+}
+
+void refuse_repeated(const OutlineNetwork& network, const Ring& ring)
+{
+    std::vector<int> sorted = ring.corners;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice == sorted.end()) return;
+    refuse(network.frame, ring.line,
+           "the outline of this block comes within wall.snap (" + millimetres(network.snap) +
+               ") of itself at " + coordinates(network.frame, at(network, *twice)) +
+               "; draw it apart, or make wall.snap smaller");
+}
+
+/// Each corner once; a block that shrinks to less than a triangle is refused.
+void renumber(OutlineNetwork& network, const std::vector<int>& node)
+{
+    for (Ring& ring : network.rings) {
+        std::vector<int> corners;
+        const int old = ring.corners.front();
+        for (const int c : ring.corners) {
+            const int n = node[static_cast<std::size_t>(c)];
+            if (corners.empty() || corners.back() != n) corners.push_back(n);
+        }
+        while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+        if (corners.size() < 3) {
+            refuse(network.frame, ring.line,
+                   "the block at " + coordinates(network.frame, at(network, old)) +
+                       " has no area, or is smaller than wall.snap (" +
+                       millimetres(network.snap) + "); delete it");
+        }
+        ring.corners = std::move(corners);
+        refuse_repeated(network, ring);
+    }
+}
+
+/// The nodes that rings have, in order.
+std::vector<int> used_nodes(const OutlineNetwork& network)
+{
+    std::vector<int> used;
+    for (const Ring& ring : network.rings)
+        used.insert(used.end(), ring.corners.begin(), ring.corners.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    return used;
+}
+
+void join_corners(OutlineNetwork& network, Fitting& fitting)
+{
+    const std::vector<int> used = used_nodes(network);
+    std::vector<dem::Point> points;
+    for (const int n : used) points.push_back(at(network, n));
+    const Welded welded = weld(points, network.snap);
+    if (welded.farthest > 2.0 * network.snap) {
+        refuse(network.frame, 0,
+               "corners follow each other at less than wall.snap (" +
+                   millimetres(network.snap) + ") near " +
+                   coordinates(network.frame, points[welded.farthest_point]) +
+                   "; make wall.snap smaller, or the drawing coarser");
+    }
+    fitting.joined += welded.moved;
+    fitting.farthest = std::max(fitting.farthest, welded.farthest);
+    std::vector<int> node(network.nodes.size());
+    for (std::size_t i = 0; i < used.size(); ++i)
+        node[static_cast<std::size_t>(used[i])] =
+            used[static_cast<std::size_t>(welded.node[i])];
+    renumber(network, node);
+    const auto now = [&](int n) { return node[static_cast<std::size_t>(n)]; };
+    for (OnSide& o : fitting.on_sides) o = {now(o.a), now(o.n), now(o.b)};
+    std::erase_if(fitting.on_sides,
+                  [](const OnSide& o) { return o.a == o.n || o.n == o.b || o.a == o.b; });
+}
+
+/// The node of the ring that is farthest from p.
+dem::Point farthest_from(const OutlineNetwork& network, const Ring& ring, dem::Point p)
+{
+    dem::Point found = p;
+    double most = 0.0;
+    for (const int n : ring.corners) {
+        const dem::Point q = at(network, n);
+        const double distance = std::hypot(q.x - p.x, q.z - p.z);
+        if (distance <= most) continue;
+        most = distance;
+        found = q;
+    }
+    return found;
+}
+
+void refuse_thin(const OutlineNetwork& network)
+{
+    for (const Ring& ring : network.rings) {
+        const dem::Point a = farthest_from(network, ring, at(network, ring.corners.front()));
+        const dem::Point b = farthest_from(network, ring, a);
+        double share = 0.0;
+        const bool thin = std::all_of(ring.corners.begin(), ring.corners.end(), [&](int n) {
+            return distance_to_segment(at(network, n), a, b, share) <= network.snap;
+        });
+        if (!thin) continue;
+        refuse(network.frame, ring.line,
+               "the block from " + coordinates(network.frame, a) + " to " +
+                   coordinates(network.frame, b) +
+                   " has no area, or is thinner than wall.snap (" + millimetres(network.snap) +
+                   "); delete it");
+    }
+}
+
+void put_on_floor(OutlineNetwork& network)
+{
+    for (dem::Point& p : network.nodes)
+        if (p.z <= network.snap) p.z = 0.0;
+}
+
+bool put_on_sides(OutlineNetwork& network, Fitting& fitting)
+{
+    const NetworkSides all = network_sides(network);
+    const std::vector<std::vector<int>> found =
+        nodes_on_sides(network.nodes, all.sides, network.snap);
+    const std::size_t before = fitting.on_sides.size();
+    for (std::size_t s = 0; s < found.size(); ++s)
+        for (const int n : found[s])
+            fitting.on_sides.push_back({all.sides[s].a, n, all.sides[s].b});
+    if (fitting.on_sides.size() == before) return false;
+    for (Ring& ring : network.rings) {
+        std::vector<int> corners;
+        for (std::size_t i = 0; i < ring.corners.size(); ++i) {
+            const int a = ring.corners[i], b = ring.corners[(i + 1) % ring.corners.size()];
+            const Side side{std::min(a, b), std::max(a, b)};
+            const auto it = std::lower_bound(all.sides.begin(), all.sides.end(), side);
+            const std::vector<int>& between =
+                found[static_cast<std::size_t>(it - all.sides.begin())];
+            corners.push_back(a);
+            if (a < b)
+                corners.insert(corners.end(), between.begin(), between.end());
+            else
+                corners.insert(corners.end(), between.rbegin(), between.rend());
+        }
+        ring.corners = std::move(corners);
+        refuse_repeated(network, ring);
+    }
+    return true;
+}
+
+/// Moves the nodes on sides until the sides are straight again. A side may end at nodes that move too: the sweeps converge
+/// to lines through the ends of each joint.
+void straighten_sides(OutlineNetwork& network, const Fitting& fitting)
+{
+    constexpr double kStraight = 1e-9; // [m]; a corner drawn on a side stays as drawn
+    if (fitting.on_sides.empty()) return;
+    const std::size_t most =
+        std::min<std::size_t>(20'000, 100'000'000 / fitting.on_sides.size() + 1);
+    bool moved = true;
+    for (std::size_t sweep = 0; sweep < most && moved; ++sweep) {
+        moved = false;
+        for (const OnSide& o : fitting.on_sides) {
+            const dem::Point a = at(network, o.a), b = at(network, o.b), p = at(network, o.n);
+            double share = 0.0;
+            if (distance_to_segment(p, a, b, share) <= kStraight) continue;
+            const dem::Point on{a.x + share * (b.x - a.x),
+                                p.z == 0.0 ? 0.0 : a.z + share * (b.z - a.z)};
+            const dem::Point was = fitting.drawn[static_cast<std::size_t>(o.n)];
+            if (std::hypot(on.x - was.x, on.z - was.z) > 2.0 * network.snap) continue;
+            moved |= std::hypot(on.x - p.x, on.z - p.z) > 0.1 * kStraight;
+            network.nodes[static_cast<std::size_t>(o.n)] = on;
+        }
+    }
+}
+
+void note_fitting(OutlineNetwork& network, const Fitting& fitting)
+{
+    std::set<int> on_sides;
+    double farthest = 0.0;
+    for (const OnSide& o : fitting.on_sides) {
+        const dem::Point was = fitting.drawn[static_cast<std::size_t>(o.n)],
+                         now = at(network, o.n);
+        on_sides.insert(o.n);
+        farthest = std::max(farthest, std::hypot(now.x - was.x, now.z - was.z));
+    }
+    if (fitting.joined > 0) {
+        network.notes.push_back(counted(fitting.joined, "corner was", "corners were") +
+                                " joined to others, at most " + millimetres(fitting.farthest) +
+                                " away.");
+    }
+    if (farthest > 1e-9) {
+        network.notes.push_back(
+            counted(on_sides.size(), "corner lies", "corners lie") +
+            " on sides of other blocks; to this end corners were moved by at most " +
+            millimetres(farthest) + ".");
+    }
+    if (fitting.straight > 0) {
+        network.notes.push_back(
+            counted(fitting.straight, "corner", "corners") +
+            " on straight lines left out, where no other block has a corner.");
+    }
+}
+
+} // namespace
+
+void fit_corners(OutlineNetwork& network)
+{
+    constexpr int kMostRounds = 8; // one or two do
+    try {
+        Fitting fitting;
+        join_corners(network, fitting);
+        put_on_floor(network);
+        refuse_thin(network);
+        fitting.straight = straighten(network);
+        fitting.drawn = network.nodes;
+        for (int round = 0; round < kMostRounds; ++round) {
+            const bool put = put_on_sides(network, fitting);
+            if (!put) break;
+            straighten_sides(network, fitting);
+            join_corners(network, fitting);
+        }
+        note_fitting(network, fitting);
+    } catch (const TooCrowded& crowd) {
+        refuse_crowd(network, crowd);
+    }
+}
+
+} // namespace app

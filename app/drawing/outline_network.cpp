@@ -1,0 +1,37 @@
+#include "app/drawing/outline_network.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+
+NetworkSides network_sides(const OutlineNetwork& network)
+{
+    std::vector<std::pair<Side, int>> all;
+    for (std::size_t r = 0; r < network.rings.size(); ++r) {
+        const std::vector<int>& corners = network.rings[r].corners;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const int a = corners[i], b = corners[(i + 1) % corners.size()];
+            all.push_back({{std::min(a, b), std::max(a, b)}, static_cast<int>(r)});
+        }
+    }
+    std::sort(all.begin(), all.end());
+    NetworkSides found;
+    for (const auto& [side, ring] : all) {
+        if (!found.sides.empty() && found.sides.back() == side) continue;
+        found.sides.push_back(side);
+        found.ring.push_back(ring);
+    }
+    return found;
+}
+
+std::vector<std::vector<int>> rings_of_nodes(const OutlineNetwork& network)
+{
+    std::vector<std::vector<int>> rings(network.nodes.size());
+    for (std::size_t r = 0; r < network.rings.size(); ++r)
+        for (const int n : network.rings[r].corners)
+            rings[static_cast<std::size_t>(n)].push_back(static_cast<int>(r));
+    return rings;
+}
+
+} // namespace app

@@ -1,0 +1,59 @@
+#pragma once
+/// Outlines that share corners.
+
+#include "app/drawing/raw_drawing.hpp"
+#include "app/drawing/sides.hpp"
+#include "dem/scene/snapshot.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct Ring {
+    std::vector<int> corners; ///< indices of nodes
+    std::string layer;
+    int line = 0; ///< of the file, from 1
+};
+
+struct OutlineNetwork {
+    DrawingFrame frame;
+    double snap = 0.0;             ///< [m], at least kLeastSnap
+    std::vector<dem::Point> nodes; ///< [m]; not all are used
+    std::vector<Ring> rings;
+    std::vector<std::string> notes;
+};
+
+constexpr double kLeastSnap =
+    1e-7; // [m]; closer than this, corners and sides are the same to the solver
+
+/// The sides of all rings, each once with a < b, and one ring that each belongs to.
+struct NetworkSides {
+    std::vector<Side> sides;
+    std::vector<int> ring;
+};
+[[nodiscard]] NetworkSides network_sides(const OutlineNetwork& network);
+
+/// The rings that have each node, in order.
+[[nodiscard]] std::vector<std::vector<int>> rings_of_nodes(const OutlineNetwork& network);
+
+/// Joins corners that coincide within snap, puts corners within snap of another block's side onto it (the side gets that
+/// corner too), and those within snap of the floor onto the floor; leaves out corners on straight lines that no other
+/// block has.
+/// @throws ConfigError where an outline is smaller than snap, or comes within snap of itself
+void fit_corners(OutlineNetwork& network);
+
+/// Leaves out corners that lie within snap of the straight line between those beside them and that one block alone has.
+/// Returns how many.
+std::size_t straighten(OutlineNetwork& network);
+
+/// Turns all rings counter-clockwise.
+/// @throws ConfigError for outlines that cross themselves, have no area, overlap, lie within each other, or stand on
+/// nothing
+void check_outlines(OutlineNetwork& network);
+
+/// Adds notes of gaps a little wider than snap.
+void note_gaps(OutlineNetwork& network);
+
+} // namespace app

@@ -1,0 +1,74 @@
+#include "app/drawing/raw_drawing.hpp"
+
+#include "app/input/config_error.hpp"
+#include "app/input/number_text.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace app {
+
+void refuse(const DrawingFrame& frame, int line, std::string_view why)
+{
+    throw ConfigError(frame.file, line, "", why);
+}
+
+std::string raw_coordinates(const DrawingFrame& frame, dem::Point at)
+{
+    const double second = frame.z_down ? -at.z : at.z;
+    return "(" + number(at.x, 8) + ", " + number(second + 0.0, 8) + ")";
+}
+
+std::string coordinates(const DrawingFrame& frame, dem::Point at)
+{
+    // the conversion to metres and back must not turn 0.3 into 0.30000000000000004, nor 2 into 1.9999999
+    const auto back = [&](double metres, double origin) {
+        const double value = metres / frame.unit + origin;
+        return std::abs(value) < 1e-9 ? 0.0 : value;
+    };
+    return raw_coordinates(frame, {back(at.x, frame.origin.x), back(at.z, frame.origin.z)});
+}
+
+std::string millimetres(double length)
+{
+    return number(length * 1e3, length < 0.1 ? 3 : 6) + " mm";
+}
+
+std::string counted(std::size_t n, std::string_view one, std::string_view more)
+{
+    return std::to_string(n) + " " + std::string(n == 1 ? one : more);
+}
+
+dem::Point checked_point(const DrawingFrame& frame, int line, double x, double z)
+{
+    constexpr double kLargest = 1e9; // 1000 km in mm
+    if (!(std::abs(x) <= kLargest && std::abs(z) <= kLargest)) {
+        refuse(frame, line,
+               "a coordinate is no number between -1e9 and 1e9; draw the wall near the origin");
+    }
+    return {x + 0.0, z + 0.0}; // no -0.0
+}
+
+void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double snap)
+{
+    const DrawingFrame& frame = drawing.frame;
+    std::vector<dem::Point>& corners = outline.corners;
+    if (drawing.outlines.size() >= kMostBlocks) {
+        refuse(frame, outline.line,
+               "has more than " + std::to_string(kMostBlocks) +
+                   " blocks; draw a part of the wall");
+    }
+    if (corners.empty()) refuse(frame, outline.line, "an outline has no corners; delete it");
+    const dem::Point first = corners.front(), last = corners.back();
+    const double gap = std::hypot(last.x - first.x, last.z - first.z) * frame.unit;
+    if (!closed && (gap > snap || corners.size() < 3)) {
+        refuse(frame, outline.line,
+               "this outline is open: it begins at " + raw_coordinates(frame, first) +
+                   " and ends at " + raw_coordinates(frame, last) + ", " + millimetres(gap) +
+                   " apart; close it, or delete it if it is no block");
+    }
+    if (corners.size() > 1 && gap <= snap) corners.pop_back();
+    drawing.outlines.push_back(std::move(outline));
+}
+
+} // namespace app

@@ -1,0 +1,72 @@
+#pragma once
+/// What a drawing holds before its outlines are fitted together, in its own unit, and how it is refused.
+
+#include "dem/scene/snapshot.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+constexpr std::size_t kMostBlocks = 20'000;
+constexpr std::size_t kMostCorners = 1'000'000;
+
+/// A polygon, closed by the side from its last corner to its first.
+struct RawOutline {
+    std::vector<dem::Point> corners; ///< in the drawing's unit, z upwards
+    std::string layer;
+    int line = 0; ///< of the file, from 1
+};
+
+/// A straight line that is a side of one or two blocks.
+struct RawLine {
+    dem::Point from, to; ///< in the drawing's unit, z upwards
+    std::string layer;
+    int line = 0; ///< of the file, from 1
+};
+
+/// Names the file and writes its coordinates.
+struct DrawingFrame {
+    std::string file;
+    double unit = 1.0;   ///< length of one unit of the drawing [m]
+    bool z_down = false; ///< the second coordinate of the file points downwards
+    dem::Point origin;   ///< what became (0, 0), in the drawing's unit, z upwards
+};
+
+struct RawDrawing {
+    DrawingFrame frame;
+    std::vector<RawOutline> outlines;
+    std::vector<RawLine> lines;
+    std::vector<std::string> notes;
+    double own_unit =
+        0.0; ///< length of one unit [m] that the file itself states; 0 if it states none
+    std::string own_unit_name; ///< such as "mm"; empty if the file states none
+};
+
+/// @throws ConfigError always: "file:line: why"
+[[noreturn]] void refuse(const DrawingFrame& frame, int line, std::string_view why);
+
+/// "(12.5, 3)" of a point in the drawing's unit, z upwards, as the file has it.
+[[nodiscard]] std::string raw_coordinates(const DrawingFrame& frame, dem::Point at);
+
+/// The same of a point in metres from the origin.
+[[nodiscard]] std::string coordinates(const DrawingFrame& frame, dem::Point at);
+
+/// "0.4 mm" of a length in metres.
+[[nodiscard]] std::string millimetres(double length);
+
+/// "1 block", "2 blocks".
+[[nodiscard]] std::string counted(std::size_t n, std::string_view one, std::string_view more);
+
+/// Adds a chain of corners that is a closed outline: `closed`, or its ends coincide within `snap`.
+/// @param snap [m]
+/// @throws ConfigError if it is open, or a coordinate is no finite number
+void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double snap);
+
+/// A point whose coordinates are finite and at most 1e9.
+/// @throws ConfigError
+[[nodiscard]] dem::Point checked_point(const DrawingFrame& frame, int line, double x, double z);
+
+} // namespace app

@@ -1,0 +1,50 @@
+#include "app/drawing/drawing.hpp"
+#include "app/drawing/drawing_file.hpp"
+#include "app/drawing/dxf_drawing.hpp"
+#include "app/drawing/fit_drawing.hpp"
+#include "app/drawing/json_drawing.hpp"
+#include "app/input/config_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace app {
+namespace {
+
+std::string extension_of(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return extension;
+}
+
+void check_options(const std::string& file, const DrawingOptions& options)
+{
+    if (!(options.unit >= 1e-6 && options.unit <= 1e3)) {
+        throw ConfigError(file, 0, "", "the length of a unit must be in [1e-6, 1000] m");
+    }
+    if (!(options.snap >= 0.0 && options.snap <= 0.1)) {
+        throw ConfigError(file, 0, "", "wall.snap must be in [0, 100] mm");
+    }
+}
+
+} // namespace
+
+Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& options)
+{
+    const std::string extension = extension_of(path);
+    const DrawingFrame frame{path.string(), options.unit, extension == ".svg", {}};
+    check_options(frame.file, options);
+    const double snap = options.snap;
+    if (extension == ".dxf")
+        return fit_drawing(read_dxf(frame, read_drawing_bytes(path), snap), snap);
+    if (extension == ".json")
+        return fit_drawing(read_json_drawing(frame, read_drawing_bytes(path), snap), snap);
+    throw ConfigError(frame.file, 0, "",
+                      "is no drawing that can be read; give a .dxf, .json, .svg or .png file");
+}
+
+} // namespace app

@@ -1,0 +1,67 @@
+#pragma once
+/// Sides between corners that several blocks share: which corners are one, which lie on a side, which sides cross.
+
+#include "dem/scene/snapshot.hpp"
+
+#include <compare>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace app {
+
+/// A piece of a drawing holds so much that comparing it would take minutes; `at` says where.
+struct TooCrowded : std::runtime_error {
+    explicit TooCrowded(dem::Point where)
+        : std::runtime_error("too many corners in one place"), at(where)
+    {
+    }
+    dem::Point at;
+};
+
+struct Welded {
+    std::vector<int> node; ///< of each point: index of the first point that it coincides with
+    double farthest = 0.0; ///< largest distance between a point and its node [m]
+    std::size_t farthest_point = 0;
+    std::size_t moved = 0; ///< points more than 1e-9 m from their node
+};
+
+/// Points within `snap` of each other are one, and so are those that others connect; the first of them stays where it
+/// is. Nodes are more than `snap` apart afterwards.
+/// @throws TooCrowded
+[[nodiscard]] Welded weld(std::span<const dem::Point> points, double snap);
+
+/// Two nodes; a side of one block or of two.
+struct Side {
+    int a = 0, b = 0;
+    friend auto operator<=>(const Side&, const Side&) = default;
+};
+
+/// The distance of p from the segment; `share` is where on it, in [0, 1].
+[[nodiscard]] double distance_to_segment(dem::Point p, dem::Point a, dem::Point b,
+                                         double& share);
+
+/// For each side the nodes within `snap` of it that are not its ends, in the order from a to b. Only nodes that a side has
+/// are looked at.
+/// @throws TooCrowded
+[[nodiscard]] std::vector<std::vector<int>>
+nodes_on_sides(std::span<const dem::Point> nodes, std::span<const Side> sides, double snap);
+
+struct Crossing {
+    int first = 0, second = 0; ///< indices of sides, first < second
+    dem::Point at;
+};
+
+/// The crossing whose sides come first, of sides that share no node.
+/// @throws TooCrowded
+[[nodiscard]] std::optional<Crossing> first_crossing(std::span<const dem::Point> nodes,
+                                                     std::span<const Side> sides);
+
+/// Every crossing of sides that share no node, each once, in order.
+/// @throws TooCrowded
+[[nodiscard]] std::vector<Crossing> all_crossings(std::span<const dem::Point> nodes,
+                                                  std::span<const Side> sides);
+
+} // namespace app

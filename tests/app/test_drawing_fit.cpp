@@ -1,0 +1,166 @@
+#include "app/drawing_scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using scenes::area;
+using scenes::drawing_of;
+using scenes::json_text;
+using scenes::Outline;
+using scenes::rectangle;
+
+namespace {
+
+/// A wall of courses, every second of them shifted by half a unit, in mm.
+std::vector<Outline> running_bond(int units, int courses)
+{
+    std::vector<Outline> blocks;
+    for (int c = 0; c < courses; ++c) {
+        std::vector<double> joints{0.0};
+        for (int u = 0; u <= units; ++u) {
+            const double x = 200.0 * u + (c % 2 == 1 ? 100.0 : 0.0);
+            if (x > joints.back()) joints.push_back(std::min(x, 200.0 * units));
+        }
+        for (std::size_t j = 0; j + 1 < joints.size(); ++j)
+            if (joints[j + 1] > joints[j])
+                blocks.push_back(
+                    rectangle(joints[j], 100.0 * c, joints[j + 1], 100.0 * (c + 1)));
+    }
+    return blocks;
+}
+
+/// Each corner moved by up to `most`, the same way in every run.
+void disturb(std::vector<Outline>& blocks, double most)
+{
+    unsigned state = 1;
+    for (Outline& outline : blocks)
+        for (double& x : outline) {
+            state = state * 1664525U + 1013904223U;
+            x += most * (static_cast<double>(state >> 8) / 8388608.0 - 1.0);
+        }
+}
+
+constexpr app::DrawingOptions kMillimetres{.unit = 1e-3, .snap = 5e-4};
+
+} // namespace
+
+TEST_CASE("drawing fit: what is drawn exactly stays as it is", "[app][drawing_fit]")
+{
+    const app::Drawing wall = drawing_of("w.json", json_text(running_bond(5, 6)), kMillimetres);
+    CHECK(wall.notes.empty());
+    CHECK(wall.blocks.size() == 33);
+    CHECK(area(wall) == Approx(0.6).epsilon(1e-14));
+    CHECK(scenes::common_sides(wall) ==
+          4 * 3 + 5 * 3 + 5 * 10); // head joints; halves of bed joints
+    for (const app::DrawnBlock& block : wall.blocks)
+        for (const dem::Point& p : block.outline)
+            CHECK(p.x * 10.0 == Approx(std::round(p.x * 10.0)).epsilon(1e-15));
+}
+
+TEST_CASE(
+    "drawing fit: gaps and overlaps of 0.3 mm vanish, and common faces are common to the bit",
+    "[app][drawing_fit]")
+{
+    std::vector<Outline> blocks = running_bond(5, 6);
+    disturb(blocks, 0.1); // corners that coincide are up to 0.28 mm apart
+    const app::Drawing wall = drawing_of("w.json", json_text(blocks), kMillimetres);
+    CHECK(wall.blocks.size() == 33);
+    CHECK(scenes::common_sides(wall) == 77);
+    CHECK(scenes::notes(wall, "joined to others"));
+    // No gap is left inside: the blocks cover what the outline around all of them encloses.
+    double around = 0.0;
+    for (std::size_t i = 0; i < wall.blocks.size(); ++i)
+        for (std::size_t k = 0; k < wall.blocks[i].outline.size(); ++k) {
+            const std::vector<dem::Point>& o = wall.blocks[i].outline;
+            const dem::Point a = o[k], b = o[(k + 1) % o.size()];
+            const bool outside = (a.z == 0.0 && b.z == 0.0) || (a.z > 0.599 && b.z > 0.599) ||
+                                 (a.x < 0.001 && b.x < 0.001) || (a.x > 0.999 && b.x > 0.999);
+            if (outside) around += (a.x * b.z - a.z * b.x) / 2.0;
+        }
+    CHECK(area(wall) == Approx(around).epsilon(1e-12));
+    CHECK(area(wall) == Approx(0.6).epsilon(1e-3));
+}
+
+TEST_CASE("drawing fit: a gap of 0.3 mm between two blocks closes exactly",
+          "[app][drawing_fit]")
+{
+    const app::Drawing two = drawing_of(
+        "w.json", json_text({rectangle(0, 0, 100, 100), rectangle(100.3, 0, 200, 100)}),
+        kMillimetres);
+    CHECK(area(two) == Approx(0.02).epsilon(1e-14));
+    CHECK(scenes::common_sides(two) == 1);
+    const app::Drawing overlapping = drawing_of(
+        "w.json", json_text({rectangle(0, 0, 100.3, 100), rectangle(100, 0, 200, 100)}),
+        kMillimetres);
+    CHECK(area(overlapping) == Approx(0.02).epsilon(1e-14));
+    CHECK(scenes::common_sides(overlapping) == 1);
+}
+
+TEST_CASE("drawing fit: a corner near the middle of a side is put onto it, and the side stays "
+          "straight",
+          "[app][drawing_fit]")
+{
+    const app::Drawing wall =
+        drawing_of("w.json",
+                   json_text({rectangle(0, 0, 300, 100), rectangle(0, 100, 100, 200),
+                              rectangle(100, 100.3, 300, 200)}),
+                   kMillimetres);
+    CHECK(area(wall) == Approx(0.06).epsilon(1e-12));
+    REQUIRE(wall.blocks[0].outline.size() == 5);
+    CHECK(scenes::common_sides(wall) == 3);
+
+    const app::Drawing off =
+        drawing_of("w.json",
+                   json_text({rectangle(0, 0, 300, 100), rectangle(50, 100.2, 150, 200),
+                              rectangle(150, 99.7, 250, 200)}),
+                   kMillimetres);
+    CHECK(scenes::common_sides(off) == 3);
+    for (const dem::Point& p : off.blocks[0].outline)
+        CHECK((p.z == 0.0 || std::abs(p.z - 0.1) < 1e-8));
+}
+
+TEST_CASE("drawing fit: corners on straight lines go unless another block has a corner there",
+          "[app][drawing_fit]")
+{
+    const app::Drawing wall = drawing_of(
+        "w.json",
+        json_text({{0, 0, 50, 0.3, 100, 0, 200, 0, 200, 50, 200, 100, 100, 100, 0, 100},
+                   rectangle(100, 100, 200, 200),
+                   {0, 100, 100, 100, 100, 200, 50, 201, 0, 200}}),
+        kMillimetres);
+    CHECK(wall.blocks[0].outline.size() == 5);
+    CHECK(wall.blocks[2].outline.size() == 5); // 1 mm is a corner
+    CHECK(scenes::notes(wall, "3 corners on straight lines left out"));
+}
+
+TEST_CASE("drawing fit: the same drawing gives the same bits, and a fitted one stays as it is",
+          "[app][drawing_fit]")
+{
+    std::vector<Outline> blocks = running_bond(4, 4);
+    disturb(blocks, 0.15);
+    const auto outlines = [](const app::Drawing& drawing) {
+        std::vector<Outline> all;
+        for (const app::DrawnBlock& block : drawing.blocks) {
+            all.emplace_back();
+            for (const dem::Point& p : block.outline)
+                all.back().insert(all.back().end(), {p.x, p.z});
+        }
+        return all;
+    };
+    const std::vector<Outline> once =
+        outlines(drawing_of("w.json", json_text(blocks), kMillimetres));
+    CHECK(once == outlines(drawing_of("w.json", json_text(blocks), kMillimetres)));
+    CHECK(once == outlines(drawing_of("w.json", json_text(once), {.unit = 1.0, .snap = 5e-4})));
+}
+
+TEST_CASE("drawing fit: gaps a little wider than snap are told", "[app][drawing_fit]")
+{
+    const app::Drawing wall = drawing_of(
+        "w.json", json_text({rectangle(0, 0, 100, 100), rectangle(101, 0, 200, 100)}),
+        kMillimetres);
+    CHECK(scenes::notes(wall, "up to 1 mm away, and do not touch it"));
+    CHECK(scenes::common_sides(wall) == 0);
+}

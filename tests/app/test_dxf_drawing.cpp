@@ -1,0 +1,95 @@
+#include "app/drawing_scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+using scenes::area;
+using scenes::drawing_of;
+using scenes::dxf_line;
+using scenes::dxf_text;
+using scenes::lwpolyline;
+
+TEST_CASE(
+    "dxf drawing: polylines closed by flag, by a repeated corner or within snap, with layers",
+    "[app][dxf_drawing]")
+{
+    const app::Drawing drawing = drawing_of(
+        "w.dxf",
+        dxf_text(lwpolyline(scenes::rectangle(0, 0, 300, 100), true, "stone") +
+                 lwpolyline({300, 0, 600, 0, 600, 100, 300, 100, 300, 0}, false, "brick") +
+                 lwpolyline({0, 100, 600, 100, 600, 200, 0, 200, 0, 100.4}, false) +
+                 "0\nPOLYLINE\n8\nold\n66\n1\n70\n1\n0\nVERTEX\n10\n0\n20\n200\n0\nVERTEX\n10\n"
+                 "600\n20\n200\n"
+                 "0\nVERTEX\n10\n300\n20\n300\n0\nSEQEND\n0\nTEXT\n1\nwall\n0\nPOINT\n10\n5\n20"
+                 "\n5\n0\nTEXT\n1\nb\n"),
+        {.unit = 1e-3});
+    REQUIRE(drawing.blocks.size() == 4);
+    CHECK(area(drawing) == Approx(0.03 + 0.03 + 0.06 + 0.03).epsilon(1e-12));
+    CHECK(drawing.blocks[0].layer == "stone");
+    CHECK(drawing.blocks[1].layer == "brick");
+    CHECK(drawing.blocks[3].layer == "old");
+    CHECK(drawing.blocks[0].place == "line 6");
+    CHECK(scenes::notes(drawing, "1 POINT, 2 TEXT"));
+    CHECK(scenes::common_sides(drawing) == 4); // the upper one has two below it
+}
+
+TEST_CASE("dxf drawing: lines close around blocks, shared or drawn twice", "[app][dxf_drawing]")
+{
+    const std::string frame = dxf_line(0, 0, 4, 0) + dxf_line(4, 0, 4, 2) +
+                              dxf_line(4, 2, 0, 2) + dxf_line(0, 2, 0, 0);
+    const app::Drawing shared =
+        drawing_of("w.dxf", dxf_text(frame + dxf_line(0, 1, 4, 1, "bed") +
+                                     dxf_line(2, 0, 2, 1) + dxf_line(1, 1, 1, 2)));
+    CHECK(shared.blocks.size() == 4);
+    CHECK(area(shared) == 8.0);
+    CHECK(scenes::notes(shared, "7 lines enclose 4 blocks"));
+
+    const app::Drawing apart =
+        drawing_of("w.dxf", dxf_text(frame + dxf_line(4, 0, 5, 0) + dxf_line(5, 0, 5, 2) +
+                                     dxf_line(5, 2, 4, 2) + dxf_line(4, 2, 4, 0)));
+    CHECK(apart.blocks.size() == 2);
+    CHECK(area(apart) == 10.0);
+}
+
+TEST_CASE(
+    "dxf drawing: units that the file states are compared, the paper space is passed over",
+    "[app][dxf_drawing]")
+{
+    const std::string block = lwpolyline(scenes::rectangle(0, 0, 2, 1));
+    const std::string text =
+        "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n9\n$X\n70\n6\n0\nENDSEC\n" +
+        dxf_text(block + "0\nLINE\n67\n1\n10\n0\n20\n0\n11\n5\n21\n5\n");
+    const app::Drawing drawing = drawing_of("w.dxf", text, {.unit = 1.0});
+    CHECK(scenes::notes(drawing, "its unit is mm; it was read with a unit of 1000 mm"));
+    CHECK(scenes::notes(drawing, "1 entity of the paper space"));
+    CHECK(area(drawing) == 2.0);
+    CHECK_FALSE(scenes::notes(drawing_of("w.dxf", dxf_text(block)), "its unit"));
+}
+
+TEST_CASE("dxf drawing: an entity seen from behind is mirrored", "[app][dxf_drawing]")
+{
+    const app::Drawing drawing = drawing_of(
+        "w.dxf", dxf_text(lwpolyline(scenes::rectangle(0, 0, 1, 1)) +
+                          lwpolyline({0, 0, 1, 0, 1, 1}) + "210\n0\n220\n0\n230\n-1\n"));
+    REQUIRE(drawing.blocks.size() == 2); // at x in [0, 1] and [-1, 0]
+    CHECK(scenes::common_sides(drawing) == 0);
+    double right = 0.0;
+    for (const dem::Point& p : drawing.blocks[0].outline) right = std::max(right, p.x);
+    CHECK(right == 2.0);
+}
+
+TEST_CASE("dxf drawing: a portal drawn by others reads unedited", "[app][dxf_drawing]")
+{
+    // Drawings of other programs are not part of this repository: their folder is named by the environment.
+    const char* folder = std::getenv("DRYSTONE_DRAWINGS");
+    if (folder == nullptr) return;
+    const app::Drawing drawing =
+        app::read_drawing(std::filesystem::path(folder) / "Portal.dxf", {.unit = 1e-3});
+    CHECK(drawing.blocks.size() == 41);
+    CHECK(area(drawing) == Approx(3.4068).epsilon(1e-4));
+    CHECK(drawing.notes.empty());
+    CHECK(scenes::common_sides(drawing) == 87);
+}
