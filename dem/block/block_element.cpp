@@ -17,22 +17,24 @@ Eigen::VectorXd modal_load(const Condensed& c, const Eigen::MatrixXd& phi,
     return phi.transpose() * condense_load(c, nodal);
 }
 
-Eigen::VectorXd body_force(const ZoneGrid& grid, double thickness, int direction)
+Eigen::VectorXd body_force(const Mesh& mesh, double thickness, int direction)
 {
-    const Eigen::VectorXd area = nodal_areas(grid);
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(2 * grid.nodes());
-    for (int n = 0; n < grid.nodes(); ++n) f(2 * n + direction) = area(n) * thickness;
+    const Eigen::VectorXd area = nodal_areas(mesh);
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(2 * area.size());
+    for (Eigen::Index n = 0; n < area.size(); ++n) f(2 * n + direction) = area(n) * thickness;
     return f;
 }
 
-Eigen::VectorXd top_pressure(const ZoneGrid& grid, double thickness)
+/// On the top of a rectangle; outlines carry no load of their own.
+Eigen::VectorXd top_pressure(const BlockSpec& spec, const Mesh& mesh)
 {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(2 * grid.nodes());
-    const int top = static_cast<int>(grid.z.size()) - 1;
-    for (int i = 0; i + 1 < static_cast<int>(grid.x.size()); ++i) {
-        const double half = 0.5 * (grid.x[i + 1] - grid.x[i]) * thickness;
-        f(2 * grid.node(i, top) + 1) -= half;
-        f(2 * grid.node(i + 1, top) + 1) -= half;
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh.nodes.size()));
+    for (const auto& r : mesh.rectangles) {
+        const Point right = mesh.nodes[r[2]], left = mesh.nodes[r[3]];
+        if (!same_place(left, {left.x, spec.height})) continue;
+        const double half = 0.5 * (right.x - left.x) * spec.thickness;
+        f(2 * r[3] + 1) -= half;
+        f(2 * r[2] + 1) -= half;
     }
     return f;
 }
@@ -77,13 +79,13 @@ Eigen::MatrixXd rigid_motions(const BlockElement& e, Eigen::Index modes)
 
 /// @param load modal load of given loads on the nodes
 template <class Load>
-void add_loads(const BlockSpec& spec, const ZoneGrid& grid, const Load& load, BlockElement& e)
+void add_loads(const BlockSpec& spec, const Mesh& mesh, const Load& load, BlockElement& e)
 {
     e.pivot = pivot_of(spec);
     e.rigid = rigid_motions(e, rigid_modes(spec));
-    e.weight = -load(body_force(grid, spec.thickness, 1));
-    e.sway = load(body_force(grid, spec.thickness, 0));
-    e.top_load = load(top_pressure(grid, spec.thickness));
+    e.weight = -load(body_force(mesh, spec.thickness, 1));
+    e.sway = load(body_force(mesh, spec.thickness, 0));
+    e.top_load = load(top_pressure(spec, mesh));
 }
 
 BlockElement element_of_many_points(const BlockSpec& spec)
@@ -95,16 +97,15 @@ BlockElement element_of_many_points(const BlockSpec& spec)
     e.phi = modes.phi;
     e.lambda = modes.lambda;
     add_loads(
-        spec, block.grid,
+        spec, block.mesh,
         [&](const Eigen::VectorXd& f) -> Eigen::VectorXd {
             return modes.nodes.transpose() * f;
         },
         e);
-    const int nx = static_cast<int>(block.grid.x.size());
-    const std::vector<int> outline = outline_nodes(block.grid, block.points);
+    const std::vector<int> outline = outline_nodes(spec, block.mesh, block.points);
     e.outline_phi.resize(2 * static_cast<Eigen::Index>(outline.size()), e.phi.cols());
     for (std::size_t o = 0; o < outline.size(); ++o) {
-        e.outline.push_back({block.grid.x[outline[o] % nx], block.grid.z[outline[o] / nx]});
+        e.outline.push_back(block.mesh.nodes[outline[o]]);
         e.outline_phi.middleRows(2 * static_cast<Eigen::Index>(o), 2) =
             modes.nodes.middleRows(2 * outline[o], 2);
     }
@@ -124,7 +125,7 @@ BlockElement block_element(const BlockSpec& spec)
     e.phi = modes.phi;
     e.lambda = modes.lambda;
     add_loads(
-        spec, c.grid, [&](const Eigen::VectorXd& f) { return modal_load(c, e.phi, f); }, e);
+        spec, c.mesh, [&](const Eigen::VectorXd& f) { return modal_load(c, e.phi, f); }, e);
     e.outline = c.outline;
     e.outline_phi = c.outline_from_points * e.phi;
     return e;

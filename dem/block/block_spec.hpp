@@ -2,8 +2,7 @@
 /// The specification of one block: size, stone, contact faces, support, and how finely it is resolved.
 
 #include "dem/block/face_rule.hpp"
-#include "dem/scene/snapshot.hpp"
-#include "dem/scene/wall.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <vector>
 
@@ -18,17 +17,9 @@ struct BlockEdge {
     double ks = 0.0; ///< [Pa/m], > 0
 };
 
-/// Support of a block.
-enum class Motion {
-    free,
-    clamped_bottom,            ///< the bottom face is fixed
-    clamped_bottom_held_right, ///< in addition, the right side has no horizontal displacement
-    held_right_corner,         ///< the lower right corner has no horizontal displacement
-    driven ///< the loading beam: the horizontal displacement of its load line is prescribed
-};
-
 struct BlockSpec {
-    double width = 0.0, height = 0.0, thickness = 0.0; ///< [m]
+    double width = 0.0, height = 0.0, thickness = 0.0; ///< extent [m]
+    std::vector<Point> outline; ///< counter-clockwise [m]; empty: a rectangle
     Elastic material;
     std::vector<BlockEdge> edges;
     Motion motion = Motion::free;
@@ -39,6 +30,9 @@ struct BlockSpec {
     int zones_per_interval = 1;
     double zone_size = 0.0; ///< along sides without contacts [m]
     int modes = 0;          ///< number of modes kept; 0 keeps all
+
+    /// Of the triangles inside an outline, whose strains vary [m].
+    [[nodiscard]] double size_inside() const { return 2.0 * zone_size; }
 };
 
 } // namespace dem

@@ -113,27 +113,82 @@ void trace_edge(const BlockSpec& spec, const BlockEdge& e, const std::vector<Poi
     }
 }
 
-Trace trace_nodes(const BlockSpec& spec, const ZoneGrid& grid, const std::vector<Point>& points)
+/// Where a point lies on an edge, 0 to 1; outside that range where it does not lie on it.
+double place_on(const BlockEdge& e, Point p)
+{
+    const double dx = e.to.x - e.from.x, dz = e.to.z - e.from.z;
+    double s = 0.0, off = 0.0;
+    if (is_vertical(e)) {
+        off = p.x - e.from.x;
+        s = (p.z - e.from.z) / dz;
+    } else if (same(e.from.z, e.to.z)) {
+        off = p.z - e.from.z;
+        s = (p.x - e.from.x) / dx;
+    } else {
+        const double length = std::hypot(dx, dz);
+        off = ((p.z - e.from.z) * dx - (p.x - e.from.x) * dz) / length;
+        s = ((p.x - e.from.x) * dx + (p.z - e.from.z) * dz) / (length * length);
+    }
+    return std::abs(off) < kSamePlace && s > -1e-6 && s < 1 + 1e-6 ? std::clamp(s, 0.0, 1.0)
+                                                                   : -1.0;
+}
+
+Trace trace_nodes(const BlockSpec& spec, const Mesh& mesh, const std::vector<Point>& points)
 {
     Trace t;
-    t.source.assign(2 * grid.nodes(), Source::inside);
+    t.source.assign(2 * mesh.nodes.size(), Source::inside);
     t.rows.resize(t.source.size());
-    for (int j = 0; j < static_cast<int>(grid.z.size()); ++j)
-        for (int i = 0; i < static_cast<int>(grid.x.size()); ++i) {
-            const Point p{grid.x[i], grid.z[j]};
-            const int node = grid.node(i, j);
-            for (const BlockEdge& e : spec.edges) {
-                const bool on_line = is_vertical(e) ? same(p.x, e.from.x) : same(p.z, e.from.z);
-                const double s = is_vertical(e) ? (p.z - e.from.z) / (e.to.z - e.from.z)
-                                                : (p.x - e.from.x) / (e.to.x - e.from.x);
-                if (on_line && s > -1e-6 && s < 1 + 1e-6)
-                    trace_edge(spec, e, points, node, std::clamp(s, 0.0, 1.0), t);
-            }
-            for (int d = 0; d < 2; ++d)
-                if (is_held(spec, p, d) && t.source[2 * node + d] == Source::inside)
-                    t.source[2 * node + d] = Source::held;
-        }
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        const Point p = mesh.nodes[n];
+        const int node = static_cast<int>(n);
+        for (const BlockEdge& e : spec.edges)
+            if (const double s = place_on(e, p); s >= 0.0)
+                trace_edge(spec, e, points, node, s, t);
+        for (int d = 0; d < 2; ++d)
+            if (is_held(spec, p, d) && t.source[2 * n + d] == Source::inside)
+                t.source[2 * n + d] = Source::held;
+    }
     return t;
+}
+
+std::vector<Point> corners_of(const BlockSpec& spec)
+{
+    if (!spec.outline.empty()) return spec.outline;
+    return {{0.0, 0.0}, {spec.width, 0.0}, {spec.width, spec.height}, {0.0, spec.height}};
+}
+
+/// Corners and zone corners along the outline. Where there are no contacts they are evenly spaced.
+std::vector<Point> ring_of(const BlockSpec& spec)
+{
+    std::vector<Point> ring;
+    for (std::size_t i = 0; i < spec.outline.size(); ++i) {
+        const Point a = spec.outline[i], b = spec.outline[(i + 1) % spec.outline.size()];
+        const double length = std::hypot(b.x - a.x, b.z - a.z);
+        const BlockEdge side{a, b, {}, 0.0, 0.0};
+        std::vector<double> stops{0.0, length};
+        for (const BlockEdge& e : spec.edges)
+            for (const double s : edge_nodes(e.points, spec.zones_per_interval))
+                if (const double at = place_on(side, along(e, s)); at >= 0.0)
+                    stops.push_back(at * length);
+        std::sort(stops.begin(), stops.end());
+        stops.erase(std::unique(stops.begin(), stops.end(), same), stops.end());
+        if (!same(stops.back(), length)) stops.push_back(length);
+        for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
+            const double gap = stops[k + 1] - stops[k];
+            const int n =
+                std::max(1, static_cast<int>(std::ceil(gap / spec.size_inside() - 1e-9)));
+            for (int j = 0; j < n; ++j)
+                ring.push_back(along(side, (stops[k] + gap * j / n) / length));
+        }
+    }
+    return ring;
+}
+
+Mesh mesh_of(const BlockSpec& spec)
+{
+    if (spec.outline.empty())
+        return grid_mesh({grid_lines(spec, false), grid_lines(spec, true)});
+    return triangle_mesh(ring_of(spec), spec.size_inside());
 }
 
 /// One row of `n` for each row of the grid.
@@ -174,23 +229,17 @@ void solve_inside(const Eigen::SparseMatrix<double>& k, Trace& t)
 
 } // namespace
 
-std::vector<int> outline_nodes(const ZoneGrid& grid, const std::vector<Point>& points)
+std::vector<int> outline_nodes(const BlockSpec& spec, const Mesh& mesh,
+                               const std::vector<Point>& points)
 {
-    const int nx = static_cast<int>(grid.x.size()), nz = static_cast<int>(grid.z.size());
-    std::vector<int> ring;
-    for (int i = 0; i < nx - 1; ++i) ring.push_back(grid.node(i, 0));
-    for (int j = 0; j < nz - 1; ++j) ring.push_back(grid.node(nx - 1, j));
-    for (int i = nx - 1; i > 0; --i) ring.push_back(grid.node(i, nz - 1));
-    for (int j = nz - 1; j > 0; --j) ring.push_back(grid.node(0, j));
+    const std::vector<Point> corners = corners_of(spec);
+    const auto is_one_of = [](const std::vector<Point>& list, Point p) {
+        return std::any_of(list.begin(), list.end(), [p](Point q) { return same_place(p, q); });
+    };
     std::vector<int> kept;
-    for (const int n : ring) {
-        const int i = n % nx, j = n / nx;
-        const bool corner = (i == 0 || i == nx - 1) && (j == 0 || j == nz - 1);
-        const Point p{grid.x[i], grid.z[j]};
-        if (corner || std::any_of(points.begin(), points.end(),
-                                  [p](Point q) { return same_place(p, q); }))
+    for (const int n : mesh.ring)
+        if (is_one_of(corners, mesh.nodes[n]) || is_one_of(points, mesh.nodes[n]))
             kept.push_back(n);
-    }
     return kept;
 }
 
@@ -199,10 +248,10 @@ bool same_place(Point a, Point b) { return same(a.x, b.x) && same(a.z, b.z); }
 Condensed condense(const BlockSpec& spec)
 {
     Condensed c;
-    c.grid = {grid_lines(spec, false), grid_lines(spec, true)};
+    c.mesh = mesh_of(spec);
     c.points = contact_points(spec);
-    const Eigen::SparseMatrix<double> k = grid_stiffness(c.grid, spec.thickness, spec.material);
-    Trace trace = trace_nodes(spec, c.grid, c.points);
+    const Eigen::SparseMatrix<double> k = mesh_stiffness(c.mesh, spec.thickness, spec.material);
+    Trace trace = trace_nodes(spec, c.mesh, c.points);
     spread_rows(2 * static_cast<Eigen::Index>(c.points.size()), trace);
     solve_inside(k, trace);
     c.nodes_from_points = trace.n;
@@ -212,11 +261,10 @@ Condensed condense(const BlockSpec& spec)
     for (const Point p : c.points)
         for (int d = 0; d < 2; ++d) c.held.push_back(is_held(spec, p, d));
 
-    const std::vector<int> outline = outline_nodes(c.grid, c.points);
-    const int nx = static_cast<int>(c.grid.x.size());
+    const std::vector<int> outline = outline_nodes(spec, c.mesh, c.points);
     c.outline_from_points.resize(2 * static_cast<Eigen::Index>(outline.size()), trace.n.cols());
     for (std::size_t o = 0; o < outline.size(); ++o) {
-        c.outline.push_back({c.grid.x[outline[o] % nx], c.grid.z[outline[o] / nx]});
+        c.outline.push_back(c.mesh.nodes[outline[o]]);
         for (int d = 0; d < 2; ++d)
             c.outline_from_points.row(2 * static_cast<Eigen::Index>(o) + d) =
                 trace.n.row(2 * outline[o] + d);
@@ -227,9 +275,9 @@ Condensed condense(const BlockSpec& spec)
 SparseBlock sparse_block(const BlockSpec& spec)
 {
     SparseBlock b;
-    b.grid = {grid_lines(spec, false), grid_lines(spec, true)};
+    b.mesh = mesh_of(spec);
     b.points = contact_points(spec);
-    const Trace trace = trace_nodes(spec, b.grid, b.points);
+    const Trace trace = trace_nodes(spec, b.mesh, b.points);
     const int outer = 2 * static_cast<int>(b.points.size());
     std::vector<Eigen::Triplet<double>> entries;
     int column = outer;
@@ -241,7 +289,7 @@ SparseBlock sparse_block(const BlockSpec& spec)
     }
     b.nodes.resize(static_cast<int>(trace.source.size()), column);
     b.nodes.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SparseMatrix<double> k = grid_stiffness(b.grid, spec.thickness, spec.material);
+    const Eigen::SparseMatrix<double> k = mesh_stiffness(b.mesh, spec.thickness, spec.material);
     b.stiffness = Eigen::SparseMatrix<double>(b.nodes.transpose()) * k * b.nodes;
     for (const Point p : b.points)
         for (int d = 0; d < 2; ++d) b.held.push_back(is_held(spec, p, d));

@@ -2,7 +2,7 @@
 /// Static condensation of a block's zones onto the contact points of its faces.
 
 #include "dem/block/block_spec.hpp"
-#include "dem/block/zones.hpp"
+#include "dem/block/mesh.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -14,7 +14,7 @@ namespace dem {
 /// A block reduced to its contact points. Nodes on an edge follow the contact points of that edge,
 /// clamped nodes do not move, and all other nodes are in equilibrium.
 struct Condensed {
-    ZoneGrid grid;
+    Mesh mesh;
     std::vector<Point> points; ///< contact points [m]
     Eigen::MatrixXd stiffness; ///< 2 points x 2 points [N/m]
     std::vector<bool> held;    ///< by row: whether the displacement is prescribed as zero
@@ -30,7 +30,7 @@ struct Condensed {
 /// The same block before its inside is eliminated: unknowns are the points, then the inside nodes. Nothing
 /// in it is dense, so that a loading beam of 1000 points costs no more than its zones.
 struct SparseBlock {
-    ZoneGrid grid;
+    Mesh mesh;
     std::vector<Point> points;             ///< contact points [m]
     std::vector<bool> held;                ///< by row of the points
     Eigen::SparseMatrix<double> nodes;     ///< 2 nodes x unknowns
@@ -38,8 +38,8 @@ struct SparseBlock {
 };
 [[nodiscard]] SparseBlock sparse_block(const BlockSpec& spec);
 
-/// Boundary nodes, counter-clockwise from the lower left, that are corners or contact points.
-[[nodiscard]] std::vector<int> outline_nodes(const ZoneGrid& grid,
+/// Boundary nodes, counter-clockwise, that are corners or contact points.
+[[nodiscard]] std::vector<int> outline_nodes(const BlockSpec& spec, const Mesh& mesh,
                                              const std::vector<Point>& points);
 
 /// The loads on the contact points that do the same work as the given loads on all nodes.

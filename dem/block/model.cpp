@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace dem {
 
 namespace {
 
-bool is_bed(const Face& f) { return f.from.z == f.to.z; }
+constexpr int kMostLobattoPoints = 12;
 
 struct Stiffness {
     double kn, ks;
@@ -20,31 +22,28 @@ Stiffness reference_of(const Face& f, const ReferenceStiffness& r)
 }
 
 /// Contact points along a face. They are as dense as on the face of a half unit.
-FacePoints points_of(const Face& f, const WallGeometry& wall, const Discretisation& d)
+FacePoints points_of(const Face& f, const Layout& layout, const Discretisation& d)
 {
     const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
-    const double interval = 0.5 * wall.unit_length / (d.contact_points - 1);
-    const int intervals = std::max(1, static_cast<int>(std::lround(length / interval)));
-    return face_points(d.face_rule, intervals + 1, d.zones_per_interval);
+    const double interval = layout.half_unit / (d.contact_points - 1);
+    int points = std::max(1, static_cast<int>(std::lround(length / interval))) + 1;
+    if (d.face_rule == FaceRule::lobatto) points = std::min(points, kMostLobattoPoints);
+    return face_points(d.face_rule, points, d.zones_per_interval);
 }
 
-Motion motion_of(const WallGeometry& wall, const Layout& layout, LoadPattern pattern, int block)
+Motion motion_of(const Layout& layout, LoadPattern pattern, int block)
 {
-    const Block& b = layout.blocks[block];
-    if (block == layout.beam)
-        return pattern == LoadPattern::beam ? Motion::driven : Motion::free;
-    if (b.course != 1) return Motion::free;
-    const bool toe = wall.toe == Toe::held && b.x1 == wall.length;
-    if (wall.base == Base::fixed)
-        return toe ? Motion::clamped_bottom_held_right : Motion::clamped_bottom;
-    return toe ? Motion::held_right_corner : Motion::free;
+    const bool driven = block == layout.beam && pattern == LoadPattern::beam;
+    return driven ? Motion::driven : layout.blocks[block].motion;
 }
 
 /// Everything that a block's element depends on, as numbers. Blocks with equal keys share one element.
 std::vector<double> key_of(const BlockSpec& s)
 {
     const auto micron = [](double x) { return std::round(x * 1e6); };
-    std::vector<double> key{micron(s.width), micron(s.height), static_cast<double>(s.motion)};
+    std::vector<double> key{micron(s.width), micron(s.height), static_cast<double>(s.motion),
+                            s.material.young_modulus, s.material.poisson_ratio};
+    for (const Point p : s.outline) key.insert(key.end(), {micron(p.x), micron(p.z)});
     for (const BlockEdge& e : s.edges)
         for (const double x :
              {micron(e.from.x), micron(e.from.z), micron(e.to.x), micron(e.to.z), e.kn, e.ks,
@@ -72,21 +71,22 @@ BlockSpec spec_of(int block, const std::vector<int>& faces, const Model& m,
     BlockSpec s;
     s.width = b.x1 - b.x0;
     s.height = b.z1 - b.z0;
-    s.thickness = m.wall.thickness;
-    s.material = is_beam ? m.beam.material : m.stone;
-    s.motion = motion_of(m.wall, m.layout, m.loads.pattern, block);
+    for (const Point p : b.outline) s.outline.push_back({p.x - b.x0, p.z - b.z0});
+    s.thickness = m.layout.thickness;
+    s.material = stone_of(m, block, m.stone);
+    s.motion = motion_of(m.layout, m.loads.pattern, block);
     s.load_height = m.loads.height - b.z0;
     s.rotation_fixed = is_beam && m.beam.rotation == BeamRotation::fixed;
     s.face_rule = d.face_rule;
     s.zones_per_interval = d.zones_per_interval;
-    s.zone_size = 0.5 * m.wall.unit_length / ((d.contact_points - 1) * d.zones_per_interval);
+    s.zone_size = m.layout.half_unit / ((d.contact_points - 1) * d.zones_per_interval);
     s.modes = is_beam ? d.beam_modes : d.block_modes;
     for (const int face : faces) {
         const Face& f = m.layout.faces[face];
         const auto [kn, ks] = reference_of(f, reference);
         s.edges.push_back({{f.from.x - b.x0, f.from.z - b.z0},
                            {f.to.x - b.x0, f.to.z - b.z0},
-                           points_of(f, m.wall, d),
+                           points_of(f, m.layout, d),
                            kn,
                            ks});
     }
@@ -98,6 +98,9 @@ void place_blocks(const ReferenceStiffness& reference, const Discretisation& d, 
     const std::vector<std::vector<int>> faces = faces_by_block(m.layout);
     std::vector<std::vector<double>> keys;
     for (int block = 0; block < static_cast<int>(m.layout.blocks.size()); ++block) {
+        if (faces[block].empty())
+            throw std::invalid_argument("block " + std::to_string(block + 1) +
+                                        " touches no other and does not stand on the ground");
         const BlockSpec spec = spec_of(block, faces[block], m, reference, d);
         const std::vector<double> key = key_of(spec);
         const auto known = std::find(keys.begin(), keys.end(), key);
@@ -140,32 +143,28 @@ void connect(const Discretisation& d, Model& m)
 {
     for (std::size_t i = 0; i < m.layout.faces.size(); ++i) {
         const Face& f = m.layout.faces[i];
-        const FacePoints points = points_of(f, m.wall, d);
+        const FacePoints points = points_of(f, m.layout, d);
         const double dx = f.to.x - f.from.x, dz = f.to.z - f.from.z,
                      length = std::hypot(dx, dz);
         for (std::size_t k = 0; k < points.position.size(); ++k) {
             const Point at{f.from.x + points.position[k] * dx,
                            f.from.z + points.position[k] * dz};
-            list_of(f, m).push_back({point_of(m, f.a, at), point_of(m, f.b, at),
-                                     is_bed(f) ? 0.0 : 1.0, is_bed(f) ? 1.0 : 0.0,
-                                     points.weight[k] * length * m.wall.thickness,
+            list_of(f, m).push_back({point_of(m, f.a, at), point_of(m, f.b, at), f.normal.x,
+                                     f.normal.z, points.weight[k] * length * m.layout.thickness,
                                      material_of(f), static_cast<int>(i)});
         }
     }
 }
 
-void check(const WallGeometry& wall, const Elastic& stone, const Beam& beam, const Loads& loads,
+void check(const Layout& layout, const Elastic& stone, const Beam& beam, const Loads& loads,
            const ReferenceStiffness& reference, const Discretisation& d)
 {
     const auto require = [](bool ok, const char* what) {
         if (!ok) throw std::invalid_argument(what);
     };
-    const double top = wall.courses * wall.course_height;
-    require(wall.courses >= 1 && wall.length > 0 && wall.thickness > 0 &&
-                wall.course_height > 0 && wall.unit_length > 0,
-            "a wall needs positive sizes and at least one course");
-    require(wall.bond_offset >= 0 && wall.bond_offset < 1,
-            "bond offset must be in [0, 1) unit lengths");
+    const double top = layout.height;
+    require(layout.thickness > 0 && layout.half_unit > 0 && layout.course_height > 0,
+            "a wall needs positive sizes");
     require(beam.height > 0 || !beam.present, "beam height must be positive");
     const bool driven = loads.pattern == LoadPattern::beam;
     require(beam.present || !driven, "without a beam a wall is pushed by body forces only");
@@ -186,7 +185,7 @@ void check(const WallGeometry& wall, const Elastic& stone, const Beam& beam, con
             "the load line must lie within the beam");
     require(reference.joint.kn > 0 && reference.joint.ks > 0,
             "the reference stiffness of the joints must be positive");
-    require(!wall.cracks_in_units || (reference.crack.kn > 0 && reference.crack.ks > 0),
+    require(layout.n_cracks == 0 || (reference.crack.kn > 0 && reference.crack.ks > 0),
             "the reference stiffness of the cracks must be positive");
     require(d.contact_points >= 2 && d.zones_per_interval >= 1,
             "at least 2 contact points and 1 zone");
@@ -196,21 +195,39 @@ void check(const WallGeometry& wall, const Elastic& stone, const Beam& beam, con
 
 } // namespace
 
-Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& beam,
-                 const Loads& loads, const ReferenceStiffness& reference,
-                 const Discretisation& d)
+Model discretise(Layout layout, const Elastic& stone, const Beam& beam, const Loads& loads,
+                 const ReferenceStiffness& reference, const Discretisation& d)
 {
-    check(wall, stone, beam, loads, reference, d);
+    check(layout, stone, beam, loads, reference, d);
     Model m;
-    m.wall = wall;
     m.beam = beam;
     m.loads = loads;
     m.stone = stone;
     m.reference = reference;
-    m.layout = lay_out(wall, beam.present ? beam.height : 0.0);
+    m.layout = std::move(layout);
     place_blocks(reference, d, m);
     connect(d, m);
     return m;
+}
+
+Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& beam,
+                 const Loads& loads, const ReferenceStiffness& reference,
+                 const Discretisation& d)
+{
+    return discretise(lay_out(wall, beam.present ? beam.height : 0.0), stone, beam, loads,
+                      reference, d);
+}
+
+const Elastic& stone_of(const Model& m, int block, const Elastic& stone)
+{
+    if (block == m.layout.beam) return m.beam.material;
+    const int material = m.layout.blocks[block].material;
+    return material == 0 ? stone : m.layout.stones[material - 1];
+}
+
+bool is_supported(const Model& m, int block)
+{
+    return block != m.layout.beam && m.layout.blocks[block].motion != Motion::free;
 }
 
 } // namespace dem

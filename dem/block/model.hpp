@@ -37,7 +37,6 @@ struct ReferenceStiffness {
 };
 
 struct Model {
-    WallGeometry wall;
     Beam beam;
     Loads loads;
     Elastic stone; ///< reference values, from which the elasticity of a sample is scaled
@@ -53,9 +52,21 @@ struct Model {
     int ground_point = 0; ///< equal to n_points; it never moves
 };
 
-/// @throws std::invalid_argument if a value is outside its range or the load line is outside the beam
+/// @throws std::invalid_argument if a value is outside its range, a block touches no other, or the load line is
+/// outside the beam
+[[nodiscard]] Model discretise(Layout layout, const Elastic& stone, const Beam& beam,
+                               const Loads& loads, const ReferenceStiffness& reference,
+                               const Discretisation& discretisation = {});
+
+/// The same of a wall in courses.
 [[nodiscard]] Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& beam,
                                const Loads& loads, const ReferenceStiffness& reference,
                                const Discretisation& discretisation = {});
+
+/// The stone of a block, with its Young's modulus and density, where the wall's own is `stone`.
+[[nodiscard]] const Elastic& stone_of(const Model& model, int block, const Elastic& stone);
+
+/// Whether the horizontal forces on a block go straight into the ground.
+[[nodiscard]] bool is_supported(const Model& model, int block);
 
 } // namespace dem

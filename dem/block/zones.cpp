@@ -55,40 +55,4 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(double width, double height, double t
     return k.topLeftCorner<8, 8>() - across.transpose() * inner.ldlt().solve(across);
 }
 
-Eigen::SparseMatrix<double> grid_stiffness(const ZoneGrid& grid, double thickness,
-                                           const Elastic& material)
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t j = 0; j + 1 < grid.z.size(); ++j)
-        for (std::size_t i = 0; i + 1 < grid.x.size(); ++i) {
-            const auto k = zone_stiffness(grid.x[i + 1] - grid.x[i], grid.z[j + 1] - grid.z[j],
-                                          thickness, material);
-            const int a = static_cast<int>(i), b = static_cast<int>(j);
-            const std::array<int, 4> corner = {grid.node(a, b), grid.node(a + 1, b),
-                                               grid.node(a + 1, b + 1), grid.node(a, b + 1)};
-            for (int r = 0; r < 8; ++r)
-                for (int c = 0; c < 8; ++c)
-                    entries.emplace_back(2 * corner[r / 2] + r % 2, 2 * corner[c / 2] + c % 2,
-                                         k(r, c));
-        }
-    Eigen::SparseMatrix<double> stiffness(2 * grid.nodes(), 2 * grid.nodes());
-    stiffness.setFromTriplets(entries.begin(), entries.end());
-    return stiffness;
-}
-
-Eigen::VectorXd nodal_areas(const ZoneGrid& grid)
-{
-    Eigen::VectorXd area = Eigen::VectorXd::Zero(grid.nodes());
-    for (std::size_t j = 0; j + 1 < grid.z.size(); ++j)
-        for (std::size_t i = 0; i + 1 < grid.x.size(); ++i) {
-            const int a = static_cast<int>(i), b = static_cast<int>(j);
-            const double quarter =
-                0.25 * (grid.x[i + 1] - grid.x[i]) * (grid.z[j + 1] - grid.z[j]);
-            for (const int n : {grid.node(a, b), grid.node(a + 1, b), grid.node(a + 1, b + 1),
-                                grid.node(a, b + 1)})
-                area(n) += quarter;
-        }
-    return area;
-}
-
 } // namespace dem

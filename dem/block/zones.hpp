@@ -7,7 +7,6 @@
 #include "dem/scene/wall.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/Sparse>
 
 #include <vector>
 
@@ -28,12 +27,5 @@ struct ZoneGrid {
 /// Stiffness of one zone [N/m], nodes counter-clockwise from the lower left.
 [[nodiscard]] Eigen::Matrix<double, 8, 8>
 zone_stiffness(double width, double height, double thickness, const Elastic& material);
-
-/// Stiffness of the grid, 2 nodes x 2 nodes [N/m].
-[[nodiscard]] Eigen::SparseMatrix<double> grid_stiffness(const ZoneGrid& grid, double thickness,
-                                                         const Elastic& material);
-
-/// The area that belongs to each node, a quarter of each zone around it [m2].
-[[nodiscard]] Eigen::VectorXd nodal_areas(const ZoneGrid& grid);
 
 } // namespace dem

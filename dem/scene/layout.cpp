@@ -1,13 +1,45 @@
 #include "dem/scene/layout.hpp"
 
+#include "dem/scene/polygon.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace dem {
 
 namespace {
 
 constexpr double kSmallestPiece = 1e-6; // [m]; a shorter piece comes from rounding of the sizes
+
+void check(const WallGeometry& wall)
+{
+    if (!(wall.courses >= 1 && wall.length > 0 && wall.thickness > 0 &&
+          wall.course_height > 0 && wall.unit_length > 0))
+        throw std::invalid_argument("a wall needs positive sizes and at least one course");
+    if (!(wall.bond_offset >= 0 && wall.bond_offset < 1))
+        throw std::invalid_argument("bond offset must be in [0, 1) unit lengths");
+}
+
+Block rectangle(double x0, double x1, double z0, double z1, int course, int unit)
+{
+    Block b;
+    b.x0 = x0;
+    b.x1 = x1;
+    b.z0 = z0;
+    b.z1 = z1;
+    b.course = course;
+    b.unit = unit;
+    return b;
+}
+
+Motion support_of(const WallGeometry& wall, const Block& b)
+{
+    const bool toe = wall.toe == Toe::held && b.x1 == wall.length;
+    if (wall.base == Base::fixed)
+        return toe ? Motion::clamped_bottom_held_right : Motion::clamped_bottom;
+    return toe ? Motion::held_right_corner : Motion::free;
+}
 
 bool is_shifted(const WallGeometry& wall, int course)
 {
@@ -35,10 +67,10 @@ void add_course(const WallGeometry& wall, int course, int& unit, Layout& layout)
         const bool whole = x[i + 1] - x[i] > wall.unit_length - kSmallestPiece;
         const double middle = 0.5 * (x[i] + x[i + 1]);
         if (whole && wall.cracks_in_units) {
-            layout.blocks.push_back({x[i], middle, z0, z1, course, unit});
-            layout.blocks.push_back({middle, x[i + 1], z0, z1, course, unit});
+            layout.blocks.push_back(rectangle(x[i], middle, z0, z1, course, unit));
+            layout.blocks.push_back(rectangle(middle, x[i + 1], z0, z1, course, unit));
         } else {
-            layout.blocks.push_back({x[i], x[i + 1], z0, z1, course, unit});
+            layout.blocks.push_back(rectangle(x[i], x[i + 1], z0, z1, course, unit));
         }
     }
 }
@@ -55,7 +87,8 @@ void add_vertical_faces(int first, int last, Layout& layout)
                                 b - 1,
                                 b,
                                 {right.x0, right.z0},
-                                {right.x0, right.z1}});
+                                {right.x0, right.z1},
+                                {1.0, 0.0}});
     }
 }
 
@@ -67,7 +100,8 @@ void add_bed_faces(int a0, int a1, int b0, int b1, FaceKind kind, Layout& layout
         const double x0 = std::max(below.x0, above.x0), x1 = std::min(below.x1, above.x1);
         if (x1 - x0 > kSmallestPiece) {
             const int id = kind == FaceKind::bed_joint ? ++layout.n_joints : 0;
-            layout.faces.push_back({kind, id, a, b, {x0, above.z0}, {x1, above.z0}});
+            layout.faces.push_back(
+                {kind, id, a, b, {x0, above.z0}, {x1, above.z0}, {0.0, 1.0}});
         }
         if (below.x1 < above.x1 + kSmallestPiece) ++a;
         if (above.x1 < below.x1 + kSmallestPiece) ++b;
@@ -78,26 +112,52 @@ void add_base_faces(int last, Layout& layout)
 {
     for (int b = 0; b < last; ++b) {
         const Block& block = layout.blocks[b];
-        layout.faces.push_back(
-            {FaceKind::base_joint, 0, kGround, b, {block.x0, 0.0}, {block.x1, 0.0}});
+        layout.faces.push_back({FaceKind::base_joint,
+                                0,
+                                kGround,
+                                b,
+                                {block.x0, 0.0},
+                                {block.x1, 0.0},
+                                {0.0, 1.0}});
     }
 }
 
 } // namespace
 
+double area_of(const Block& b)
+{
+    if (b.outline.empty()) return (b.x1 - b.x0) * (b.z1 - b.z0);
+    return polygon_area(b.outline);
+}
+
+Point centre_of(const Block& b)
+{
+    if (b.outline.empty()) return {0.5 * (b.x0 + b.x1), 0.5 * (b.z0 + b.z1)};
+    return polygon_centre(b.outline);
+}
+
 Layout lay_out(const WallGeometry& wall, double beam_height)
 {
+    check(wall);
     Layout layout;
+    layout.thickness = wall.thickness;
+    layout.length = wall.length;
+    layout.height = wall.courses * wall.course_height;
+    layout.courses = wall.courses;
+    layout.course_height = wall.course_height;
+    layout.half_unit = 0.5 * wall.unit_length;
     std::vector<int> first{0}; // first block of each course, and one past the last
     int unit = 0;
     for (int course = 1; course <= wall.courses; ++course) {
         add_course(wall, course, unit, layout);
         first.push_back(static_cast<int>(layout.blocks.size()));
     }
-    const double top = wall.courses * wall.course_height;
+    for (int b = 0; b < first[1]; ++b)
+        layout.blocks[b].motion = support_of(wall, layout.blocks[b]);
+    const double top = layout.height;
     layout.beam = static_cast<int>(layout.blocks.size());
     if (beam_height > 0.0)
-        layout.blocks.push_back({0.0, wall.length, top, top + beam_height, 0, 0});
+        layout.blocks.push_back(rectangle(0.0, wall.length, top, top + beam_height, 0, 0));
 
     if (wall.base == Base::joint) add_base_faces(first[1], layout);
     for (int c = 0; c < wall.courses; ++c) {

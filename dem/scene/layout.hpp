@@ -1,5 +1,7 @@
 #pragma once
-/// The blocks of a wall, the faces where they touch, and the IDs of joints and cracks.
+/// The scene that the solver takes: blocks with their outlines, the faces where they touch, the IDs of joints
+/// and cracks, supports, and what the vertical load acts on. lay_out() makes it of a wall in courses,
+/// drawn_layout() of outlines from anywhere.
 
 #include "dem/scene/snapshot.hpp"
 #include "dem/scene/wall.hpp"
@@ -10,12 +12,25 @@ namespace dem {
 
 constexpr int kGround = -1; ///< block index of the ground in Face
 
-/// A rectangular block. A whole unit consists of two blocks with a potential crack between them.
+/// Support of a block.
+enum class Motion {
+    free,
+    clamped_bottom,            ///< the bottom face is fixed
+    clamped_bottom_held_right, ///< in addition, the right side has no horizontal displacement
+    held_right_corner,         ///< the lower right corner has no horizontal displacement
+    driven ///< the loading beam: the horizontal displacement of its load line is prescribed
+};
+
+/// A block between joints and potential cracks. A whole unit of a wall in courses consists of two blocks
+/// with a potential crack between them.
 struct Block {
-    double x0 = 0.0, x1 = 0.0; ///< [m]
-    double z0 = 0.0, z1 = 0.0; ///< [m]
-    int course = 0;            ///< from 1 at the bottom; 0 is the loading beam
-    int unit = 0;              ///< number of the unit from 1; 0 is the loading beam
+    double x0 = 0.0, x1 = 0.0; ///< extent [m]; the block's own frame begins at (x0, z0)
+    double z0 = 0.0, z1 = 0.0; ///< extent [m]
+    int course = 0; ///< from 1 at the bottom; 0 is the loading beam. Without courses: by height
+    int unit = 0;   ///< number of the unit from 1; 0 is the loading beam
+    std::vector<Point> outline; ///< counter-clockwise [m]; empty: a rectangle
+    int material = 0;           ///< 0: the stone of the wall; k: Layout::stones[k - 1]
+    Motion motion = Motion::free;
 };
 
 /// A straight piece of joint between block a (below, or left) and block b (above, or right).
@@ -24,11 +39,13 @@ struct Face {
     int id = 0; ///< joint ID or crack ID, from 1; 0 for the joints at the base and at the beam
     int a = kGround; ///< index in Layout::blocks
     int b = 0;       ///< index in Layout::blocks
-    Point from, to;  ///< end points [m], left to right or bottom to top
+    Point from, to; ///< end points [m]; the normal points to the left of this way where nz > nx
+    Point normal;   ///< unit vector from a to b; the tangent is (nz, -nx)
 };
 
-/// Joint IDs run course by course from the bottom: first the head joints of a course from left to
-/// right, then the pieces of bed joint above it from left to right. Crack IDs run in the same order.
+/// Joint IDs of a wall in courses run course by course from the bottom: first the head joints of a course from
+/// left to right, then the pieces of bed joint above it from left to right. Crack IDs run in the same
+/// order. Without courses joint IDs run from the bottom to the top and from left to right, by the middle of the face.
 /// The faces at the base and at the beam have no ID.
 struct Layout {
     std::vector<Block>
@@ -36,10 +53,23 @@ struct Layout {
     std::vector<Face> faces;
     int n_joints = 0;
     int n_cracks = 0;
-    int beam = 0; ///< index of the loading beam; without one the number of blocks
+    int beam = 0;               ///< index of the loading beam; without one the number of blocks
+    double thickness = 0.0;     ///< out of plane [m]
+    double length = 0.0;        ///< on which the vertical stress acts [m]
+    double height = 0.0;        ///< of the masonry, without the beam [m]
+    int courses = 0;            ///< without courses: height over the mean height of a block
+    double course_height = 0.0; ///< [m]
+    double half_unit = 0.0; ///< length of face that Discretisation::contact_points is for [m]
+    bool coursed = true;    ///< blocks are rectangles in level courses
+    std::vector<Elastic> stones; ///< of blocks that are not of the wall's stone
 };
 
+/// Area of a block [m2] and the middle of this area.
+[[nodiscard]] double area_of(const Block& block);
+[[nodiscard]] Point centre_of(const Block& block);
+
 /// @param beam_height [m]; 0: no beam
+/// @throws std::invalid_argument if a size is outside its range
 [[nodiscard]] Layout lay_out(const WallGeometry& wall, double beam_height);
 
 } // namespace dem

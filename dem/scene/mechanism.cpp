@@ -29,17 +29,19 @@ double sliding(const Snapshot& wall)
     struct Sum {
         double slip = 0.0, area = 0.0;
     };
-    std::map<double, Sum> by_height;
+    std::map<int, Sum> by_course; // below the joint
     for (const FaceState& f : wall.faces)
-        if (is_bed(f.kind))
+        if (is_bed(f.kind)) {
+            const int course = f.block_a < 0 ? 0 : wall.blocks[f.block_a].course;
             for (const ContactState& c : f.contacts)
                 if (c.sigma < 0.0) {
-                    Sum& sum = by_height[std::round(c.at.z * 1e6)];
+                    Sum& sum = by_course[course];
                     sum.slip += c.slip * c.area;
                     sum.area += c.area;
                 }
+        }
     double total = 0.0;
-    for (const auto& [height, sum] : by_height) total += sum.slip / sum.area;
+    for (const auto& [course, sum] : by_course) total += sum.slip / sum.area;
     return total;
 }
 

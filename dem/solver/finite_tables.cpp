@@ -11,8 +11,9 @@ namespace dem {
 
 namespace {
 
-constexpr double kFar = 1e3; // [m], half the length of the ground
-constexpr int kReach = 3;    // blocks onto which a block can slide, to either side
+constexpr double kFar = 1e3;     // [m], half the length of the ground
+constexpr double kOnLine = 1e-6; // [m]
+constexpr int kReach = 3;        // blocks onto which a block can slide, to either side
 
 FiniteTables::BlockRow block_row(const Model& m, int block)
 {
@@ -25,9 +26,10 @@ FiniteTables::BlockRow block_row(const Model& m, int block)
     row.turns_axes = row.rigid == 3;
     row.x = b.x0 + e.pivot.x;
     row.z = b.z0 + e.pivot.z;
-    row.centre_x = 0.5 * (b.x0 + b.x1) - row.x;
-    row.centre_z = 0.5 * (b.z0 + b.z1) - row.z;
-    row.volume = (b.x1 - b.x0) * (b.z1 - b.z0) * m.wall.thickness;
+    const Point centre = centre_of(b);
+    row.centre_x = centre.x - row.x;
+    row.centre_z = centre.z - row.z;
+    row.volume = area_of(b) * m.layout.thickness;
     return row;
 }
 
@@ -46,6 +48,28 @@ ContactOperator without(int modes, const ContactOperator& all)
     return a;
 }
 
+/// The corners of the straight part of an outline that a face lies on.
+std::vector<Point> corners_of_side(const Block& b, const Contact& c, const Face& f)
+{
+    if (b.outline.empty()) return {{b.x0, b.z0}, {b.x0, b.z1}, {b.x1, b.z0}, {b.x1, b.z1}};
+    const std::size_t n = b.outline.size();
+    const auto off = [&](Point p) {
+        return std::abs(c.nx * (p.x - f.from.x) + c.nz * (p.z - f.from.z));
+    };
+    const auto along = [&](Point p) { return c.nz * p.x - c.nx * p.z; };
+    const auto on_line = [&](std::size_t i) { return off(b.outline[i % n]) < kOnLine; };
+    const double middle = 0.5 * (along(f.from) + along(f.to));
+    for (std::size_t i = 0; i < n; ++i) {
+        const double s0 = along(b.outline[i]), s1 = along(b.outline[(i + 1) % n]);
+        if (!on_line(i) || !on_line(i + 1) || (s0 - middle) * (s1 - middle) > 0.0) continue;
+        std::size_t first = i + n, last = i + n + 1;
+        while (on_line(first - 1)) --first;
+        while (on_line(last + 1)) ++last;
+        return {b.outline[first % n], b.outline[last % n]};
+    }
+    return {f.from, f.to};
+}
+
 /// The side of a block that a face lies on.
 Side side_of(const Model& m, const FiniteTables& t, int block, const Contact& c, const Face& f)
 {
@@ -54,12 +78,11 @@ Side side_of(const Model& m, const FiniteTables& t, int block, const Contact& c,
     const FiniteTables::BlockRow& row = t.blocks[block];
     const Block& b = m.layout.blocks[block];
     Side s{kFar, -kFar, c.nx * (f.from.x - row.x) + c.nz * (f.from.z - row.z)};
-    for (const double x : {b.x0, b.x1})
-        for (const double z : {b.z0, b.z1}) {
-            const double along = tx * (x - row.x) + tz * (z - row.z);
-            s.from = std::min(s.from, along);
-            s.to = std::max(s.to, along);
-        }
+    for (const Point p : corners_of_side(b, c, f)) {
+        const double along = tx * (p.x - row.x) + tz * (p.z - row.z);
+        s.from = std::min(s.from, along);
+        s.to = std::max(s.to, along);
+    }
     return s;
 }
 
@@ -102,7 +125,7 @@ FacePair further_pair(const Model& m, const FiniteTables& t, const FacePair& hom
     FacePair p = home;
     p.a = below;
     p.side_a = side_of(m, t, below, level,
-                       Face{FaceKind::bed_joint, 0, below, home.b, {0, z}, {0, z}});
+                       Face{FaceKind::bed_joint, 0, below, home.b, {0, z}, {0, z}, {0, 1}});
     (far ? p.side_a.from : p.side_a.to) += (far ? 1.0 : -1.0) * kRoundedCorner * home.length;
     return p;
 }
@@ -174,9 +197,9 @@ FiniteTables finite_tables(const Model& m, const StepTables& tables)
     add(tables.dry, m.dry, 0);
     add(tables.tied, m.tied, tables.first_tied);
     add(tables.cracks, m.cracks, tables.first_crack);
-    add_reaches(m, tables, t);
+    if (m.layout.coursed) add_reaches(m, tables, t);
     t.load = load_point(m, t);
-    t.load_area = m.wall.length * m.wall.thickness;
+    t.load_area = m.layout.length * m.layout.thickness;
     return t;
 }
 

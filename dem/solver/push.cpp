@@ -66,7 +66,8 @@ void check(const Model& m, const WallMaterials& w)
     for (std::size_t i = 0; i < w.cracks.size(); ++i)
         check_crack(numbered("crack", i), w.cracks[i]);
     check_joint("beam joint", w.beam_joint);
-    if (m.wall.base == Base::joint) check_joint("base joint", w.base_joint);
+    if (std::ranges::any_of(m.layout.faces, [](const Face& f) { return f.a == kGround; }))
+        check_joint("base joint", w.base_joint);
 }
 
 void check(const PushPlan& plan, const SolverOptions& o)

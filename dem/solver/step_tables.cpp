@@ -135,13 +135,6 @@ void tabulate_blocks(const Model& m, StepTables& t)
 
 } // namespace
 
-bool is_supported(const Model& m, int block)
-{
-    const Block& b = m.layout.blocks[block];
-    const bool at_toe = m.wall.toe == Toe::held && b.x1 == m.wall.length;
-    return b.course == 1 && (m.wall.base == Base::fixed || at_toe);
-}
-
 StepTables step_tables(const Model& m)
 {
     StepTables t;

@@ -44,7 +44,4 @@ struct StepTables {
 
 [[nodiscard]] StepTables step_tables(const Model& model);
 
-/// Whether the horizontal forces on a block go straight into the ground.
-[[nodiscard]] bool is_supported(const Model& model, int block);
-
 } // namespace dem

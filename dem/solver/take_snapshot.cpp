@@ -121,8 +121,12 @@ template <class Real>
 double corner_displacement(const Model& m, const StepTables& t, const WallState<Real>& state,
                            int lane, double drive)
 {
-    const BlockState b =
-        block_now(m, t, state, lane, static_cast<int>(t.blocks.size()) - 1, drive);
+    const std::vector<Block>& blocks = m.layout.blocks;
+    std::size_t top_right = 0;
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+        if (blocks[k].x1 + blocks[k].z1 >= blocks[top_right].x1 + blocks[top_right].z1)
+            top_right = k;
+    const BlockState b = block_now(m, t, state, lane, static_cast<int>(top_right), drive);
     std::size_t corner = 0;
     for (std::size_t p = 0; p < b.outline.size(); ++p)
         if (b.outline[p].x + b.outline[p].z > b.outline[corner].x + b.outline[corner].z)

@@ -207,8 +207,8 @@ template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int l
     if (!std::isfinite(residual)) return Outcome::not_finite;
     result_.residual = std::max(result_.residual, residual); // the largest at any point counts
     if (result_.residual > options_.energy_tolerance) return Outcome::energy_astray;
-    const double height = task_->model.wall.courses * task_->model.wall.course_height;
-    if (largest_opening(state, lane) > height) return Outcome::lost_equilibrium;
+    if (largest_opening(state, lane) > task_->model.layout.height)
+        return Outcome::lost_equilibrium;
     if (result_.cost.steps >= options_.most_steps) return Outcome::out_of_steps;
     return Outcome::reached_target;
 }

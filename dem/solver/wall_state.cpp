@@ -82,8 +82,9 @@ void set_modes(const Model& m, const StepTables& t, const WallMaterials& w,
     for (std::size_t b = 0; b < t.blocks.size(); ++b) {
         const bool is_beam = static_cast<int>(b) == m.layout.beam;
         const BlockElement& e = m.elements[t.blocks[b].element];
-        const Elastic& material = is_beam ? m.beam.material : w.stone;
-        const double softer = is_beam ? 1.0 : w.stone.young_modulus / m.stone.young_modulus;
+        const Elastic& material = stone_of(m, static_cast<int>(b), w.stone);
+        const double softer =
+            material.young_modulus / stone_of(m, static_cast<int>(b), m.stone).young_modulus;
         for (int i = 0; i < t.blocks[b].modes; ++i) {
             const int mode = t.blocks[b].first_mode + i;
             const double lambda = t.lambda[mode] * softer;
@@ -109,10 +110,8 @@ void set_weights(const Model& m, const WallMaterials& w, int lane, LaneLaws<Real
 {
     double whole = 0.0, supported = 0.0; // [N]
     for (int b = 0; b < static_cast<int>(m.layout.blocks.size()); ++b) {
-        const Block& block = m.layout.blocks[b];
-        const Elastic& material = b == m.layout.beam ? m.beam.material : w.stone;
-        const double volume = (block.x1 - block.x0) * (block.z1 - block.z0) * m.wall.thickness;
-        const double weight = volume * material.density * m.loads.gravity;
+        const double volume = area_of(m.layout.blocks[b]) * m.layout.thickness;
+        const double weight = volume * stone_of(m, b, w.stone).density * m.loads.gravity;
         whole += weight;
         if (is_supported(m, b)) supported += weight;
     }

@@ -105,11 +105,11 @@ double largest(const std::vector<double>& v)
 }
 
 /// A block that a support keeps from moving sideways.
-bool held_sideways(const Model& m, int block)
+bool held_sideways(const Model& m, const dem::WallGeometry& wall, int block)
 {
     const dem::Block& b = m.layout.blocks[block];
-    const bool toe = m.wall.toe == dem::Toe::held && b.x1 == m.wall.length;
-    return b.course == 1 && (m.wall.base == dem::Base::fixed || toe);
+    const bool toe = wall.toe == dem::Toe::held && b.x1 == wall.length;
+    return b.course == 1 && (wall.base == dem::Base::fixed || toe);
 }
 
 } // namespace
@@ -248,8 +248,8 @@ TEST_CASE("step tables: wall, beam and ground moved sideways together stretch no
         const Model m = scenes::model_of(s);
         const StepTables t = dem::step_tables(m);
         const double x = 1e-3;
-        std::vector<double> du =
-            stretches(m, t, {x, 0.0, 0.0, {}}, [&](int b) { return !held_sideways(m, b); });
+        std::vector<double> du = stretches(m, t, {x, 0.0, 0.0, {}},
+                                           [&](int b) { return !held_sideways(m, s.wall, b); });
         add(t.beam, x, du);
         CHECK(largest(du) == Approx(x).epsilon(1e-12)); // the ground has not moved yet
         add(t.ground, x, du);

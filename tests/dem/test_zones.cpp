@@ -1,4 +1,4 @@
-#include "dem/block/zones.hpp"
+#include "dem/block/mesh.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
@@ -90,8 +90,8 @@ std::vector<int> free_rows(const ZoneGrid& grid, const Free& is_free)
 /// Lowest circular frequency of the grid with its mass lumped at the nodes [rad/s].
 double lowest_frequency(const ZoneGrid& grid, const Elastic& material, const Free& is_free)
 {
-    const MatrixXd k = dem::grid_stiffness(grid, kThickness, material);
-    const VectorXd area = dem::nodal_areas(grid);
+    const MatrixXd k = dem::mesh_stiffness(dem::grid_mesh(grid), kThickness, material);
+    const VectorXd area = dem::nodal_areas(dem::grid_mesh(grid));
     const std::vector<int> rows = free_rows(grid, is_free);
     VectorXd inv_root_mass(rows.size());
     for (std::size_t r = 0; r < rows.size(); ++r)
@@ -126,7 +126,8 @@ double cantilever_tip(int columns, int rows, const Elastic& material)
 {
     const double height = 0.1, thickness = 0.1, load = 1e3;
     const ZoneGrid grid{even_lines(1.0, columns), even_lines(height, rows)};
-    Eigen::SparseMatrix<double> k = dem::grid_stiffness(grid, thickness, material);
+    Eigen::SparseMatrix<double> k =
+        dem::mesh_stiffness(dem::grid_mesh(grid), thickness, material);
     for (int j = 0; j <= rows; ++j)
         for (int d = 0; d < 2; ++d) {
             const int row = 2 * grid.node(0, j) + d;
@@ -151,7 +152,7 @@ TEST_CASE("zones: a linear field on irregular grid lines needs the consistent bo
           "[dem][zones]")
 {
     const ZoneGrid grid = irregular_grid();
-    const MatrixXd k = dem::grid_stiffness(grid, kThickness, kStone);
+    const MatrixXd k = dem::mesh_stiffness(dem::grid_mesh(grid), kThickness, kStone);
     const Eigen::Vector3d strain =
         GENERATE(Eigen::Vector3d(1e-4, 0, 0), Eigen::Vector3d(0, 1e-4, 0),
                  Eigen::Vector3d(0, 0, 1e-4), Eigen::Vector3d(3e-4, -2e-4, 5e-4));
@@ -164,7 +165,7 @@ TEST_CASE("zones: a linear field on irregular grid lines needs the consistent bo
 TEST_CASE("zones: rigid motions need no force, every other motion does", "[dem][zones]")
 {
     const ZoneGrid grid = irregular_grid();
-    const MatrixXd k = dem::grid_stiffness(grid, kThickness, kStone);
+    const MatrixXd k = dem::mesh_stiffness(dem::grid_mesh(grid), kThickness, kStone);
     VectorXd right = VectorXd::Zero(k.rows()), up = right;
     for (int n = 0; n < grid.nodes(); ++n) right(2 * n) = up(2 * n + 1) = 1.0;
     for (const VectorXd& u : {right, up, linear_field(grid, {0, 0, 0}, 1.0)})
@@ -178,7 +179,8 @@ TEST_CASE("zones: rigid motions need no force, every other motion does", "[dem][
 
 TEST_CASE("zones: stiffness is symmetric", "[dem][zones]")
 {
-    const MatrixXd k = dem::grid_stiffness(irregular_grid(), kThickness, kStone);
+    const MatrixXd k =
+        dem::mesh_stiffness(dem::grid_mesh(irregular_grid()), kThickness, kStone);
     CHECK((k - k.transpose()).cwiseAbs().maxCoeff() < 1e-15 * k.cwiseAbs().maxCoeff());
 }
 
@@ -201,7 +203,7 @@ TEST_CASE("zones: nodal areas add up to the grid, a linear function over them to
           "[dem][zones]")
 {
     const ZoneGrid grid = irregular_grid();
-    const VectorXd area = dem::nodal_areas(grid);
+    const VectorXd area = dem::nodal_areas(dem::grid_mesh(grid));
     const double width = 0.20, height = 0.11, x_mean = 0.07, z_mean = 0.075;
     CHECK(area.sum() == Approx(width * height).epsilon(1e-14));
     double x = 0.0, z = 0.0;

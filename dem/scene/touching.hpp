@@ -1,0 +1,23 @@
+#pragma once
+/// Where outlines touch.
+
+#include "dem/scene/layout.hpp"
+
+#include <vector>
+
+namespace dem {
+
+/// A common straight piece of the outlines of two blocks, a below or left of b.
+struct Touch {
+    int a = 0, b = 0;
+    Point from, to; ///< left to right, or bottom to top where it is steeper than 45 degrees [m]
+    Point normal;   ///< from a to b
+};
+
+/// Corners of a block, counter-clockwise.
+[[nodiscard]] std::vector<Point> corners_of(const Block& block);
+
+/// In the order of the pairs. Pieces that are one straight line are one touch.
+[[nodiscard]] std::vector<Touch> touching(const std::vector<Block>& blocks);
+
+} // namespace dem
