@@ -1,0 +1,60 @@
+#pragma once
+/// The borders between the stones of a picture, each traced once: chains of points between junctions.
+
+#include "app/drawing/picture.hpp"
+#include "dem/scene/snapshot.hpp"
+
+#include <vector>
+
+namespace app {
+
+/// Where three or more areas meet, the surroundings of the picture being one; and the four corners of the frame.
+struct Junction {
+    dem::Point at;         ///< [m], from the lower left corner of the picture
+    bool on_frame = false; ///< of the picture
+};
+
+/// A border between two areas, without another junction inside.
+struct Chain {
+    int from = 0, to = 0; ///< indices of junctions
+    int left = 0,
+        right =
+            0; ///< stones beside it, walking from `from` to `to`; kMortar outside of the picture
+    std::vector<dem::Point> points; ///< with both ends [m]
+    bool gone = false;              ///< closed to a point
+
+    [[nodiscard]] bool on_frame() const { return left == kMortar || right == kMortar; }
+};
+
+struct ChainNetwork {
+    std::vector<Junction> junctions;
+    std::vector<Chain> chains;
+};
+
+/// @param width, height of the picture [m]
+/// @throws ConfigError if a stone lies within another
+[[nodiscard]] ChainNetwork trace_borders(const DrawingFrame& frame, const Labels& labels,
+                                         double width, double height);
+
+/// Closes borders shorter than `least` to points, the shortest first, where no stone then touches itself, and each stone
+/// keeps three borders; the frame stays. Returns how many.
+/// @param least [m]
+std::size_t close_short_chains(ChainNetwork& network, int stones, double least);
+
+/// The part of each chain that is kept: the points further than `tolerance` from the line through those kept (Douglas and
+/// Peucker 1973, Cartographica 10, 112-122). Where borders would cross or touch, their tolerance is halved until they do not;
+/// with 0 no point but those on straight lines goes.
+struct SimplifiedChains {
+    std::vector<std::vector<dem::Point>> points; ///< of each chain, with both ends
+    std::size_t finer = 0;                       ///< chains with a smaller tolerance
+    bool crossing = false;                       ///< some still cross or touch
+};
+[[nodiscard]] SimplifiedChains simplify_chains(const ChainNetwork& network, double tolerance);
+
+/// The outline of each stone, counter-clockwise.
+/// @throws ConfigError if a stone encloses others
+[[nodiscard]] std::vector<std::vector<dem::Point>>
+outlines_of(const DrawingFrame& frame, const ChainNetwork& network,
+            const SimplifiedChains& simplified, int stones);
+
+} // namespace app

@@ -1,0 +1,188 @@
+#include "app/drawing/picture.hpp"
+
+#include "app/input/number_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace app {
+namespace {
+
+// What counts as bright stones on dark mortar; docs/drawings.md tells the user.
+constexpr int kGreyDifference = 24;     // between the colours of a grey pixel, of 255
+constexpr double kGreyShare = 0.98;     // of the pixels must be grey
+constexpr double kLeastContrast = 80.0; // between the two mean greys
+constexpr double kSpread = 40.0;        // of a pixel from the mean grey of its class
+constexpr double kSpreadShare = 0.90;   // of the pixels must be within
+constexpr int kBlack = 8;               // mortar where each stone has its own colour
+constexpr double kLeastCover = 0.3;     // of the picture must be stones
+
+struct Colour {
+    int red = 0, green = 0, blue = 0;
+    [[nodiscard]] int grey() const { return (red + green + blue) / 3; }
+    [[nodiscard]] bool is_grey() const
+    {
+        return std::max({red, green, blue}) - std::min({red, green, blue}) <= kGreyDifference;
+    }
+    [[nodiscard]] int code() const { return red << 16 | green << 8 | blue; }
+};
+
+/// Black where the pixel is more transparent than not.
+Colour colour_of(const Picture& picture, std::size_t pixel)
+{
+    const std::uint8_t* p = picture.rgba.data() + 4 * pixel;
+    return p[3] < 128 ? Colour{} : Colour{p[0], p[1], p[2]};
+}
+
+struct TwoGreys {
+    bool are = false;
+    double dark = 0.0, bright = 0.0; ///< mean greys
+};
+
+/// Greys divided where the variance between the classes is largest (Otsu 1979, IEEE Trans. SMC 9, 62-66).
+TwoGreys two_greys(const Picture& picture, std::size_t pixels)
+{
+    std::array<double, 256> histogram{};
+    std::size_t grey = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const Colour c = colour_of(picture, i);
+        grey += c.is_grey() ? 1 : 0;
+        histogram[static_cast<std::size_t>(c.grey())] += 1.0;
+    }
+    const double n = static_cast<double>(pixels);
+    double sum = 0.0;
+    for (std::size_t g = 0; g < 256; ++g) sum += static_cast<double>(g) * histogram[g];
+    TwoGreys best;
+    double most = 0.0, below = 0.0, sum_below = 0.0;
+    for (std::size_t g = 0; g < 255; ++g) {
+        below += histogram[g];
+        sum_below += static_cast<double>(g) * histogram[g];
+        if (below == 0.0 || below == n) continue;
+        const double dark = sum_below / below, bright = (sum - sum_below) / (n - below);
+        const double variance = below * (n - below) * (bright - dark) * (bright - dark);
+        if (variance <= most) continue;
+        most = variance;
+        best = {false, dark, bright};
+    }
+    double near = 0.0;
+    for (std::size_t g = 0; g < 256; ++g) {
+        const double value = static_cast<double>(g);
+        if (std::min(std::abs(value - best.dark), std::abs(value - best.bright)) <= kSpread)
+            near += histogram[g];
+    }
+    best.are = static_cast<double>(grey) >= kGreyShare * n &&
+               best.bright - best.dark >= kLeastContrast && near >= kSpreadShare * n;
+    return best;
+}
+
+/// A number for each pixel: pixels of one stone have the same one. kMortar for mortar.
+std::vector<int> kinds_of(const Picture& picture, std::size_t pixels, const TwoGreys& greys)
+{
+    std::vector<int> kind(pixels);
+    const double middle = 0.5 * (greys.dark + greys.bright);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const Colour c = colour_of(picture, i);
+        const bool black = std::max({c.red, c.green, c.blue}) <= kBlack;
+        if (greys.are)
+            kind[i] = c.grey() > middle ? 0 : kMortar;
+        else
+            kind[i] = black ? kMortar : c.code();
+    }
+    return kind;
+}
+
+struct Pieces {
+    std::size_t dirt = 0;    ///< pieces that were too small
+    std::size_t covered = 0; ///< pixels of stones
+};
+
+/// Collects the connected pixels of one kind, from `first`.
+void collect_piece(const Labels& labels, const std::vector<int>& kind, std::size_t first,
+                   std::vector<char>& seen, std::vector<std::size_t>& piece)
+{
+    piece.assign(1, first);
+    seen[first] = 1;
+    const auto columns = static_cast<std::size_t>(labels.columns), all = labels.label.size();
+    const auto visit = [&](std::size_t pixel) {
+        if (seen[pixel] || kind[pixel] != kind[first]) return;
+        seen[pixel] = 1;
+        piece.push_back(pixel);
+    };
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+        const std::size_t p = piece[k];
+        if (p % columns > 0) visit(p - 1);
+        if (p % columns + 1 < columns) visit(p + 1);
+        if (p >= columns) visit(p - columns);
+        if (p + columns < all) visit(p + columns);
+    }
+}
+
+Pieces number_pieces(const DrawingFrame& frame, Labels& labels, const std::vector<int>& kind,
+                     double least_pixels)
+{
+    std::vector<char> seen(labels.label.size());
+    std::vector<std::size_t> piece;
+    Pieces pieces;
+    for (std::size_t i = 0; i < labels.label.size(); ++i) {
+        if (seen[i] || kind[i] == kMortar) continue;
+        collect_piece(labels, kind, i, seen, piece);
+        if (static_cast<double>(piece.size()) < least_pixels) {
+            ++pieces.dirt;
+            continue;
+        }
+        if (labels.stones >= static_cast<int>(kMostBlocks)) {
+            refuse(frame, 0,
+                   "has more than " + std::to_string(kMostBlocks) +
+                       " stones; take a picture of a part of the wall");
+        }
+        for (const std::size_t pixel : piece) labels.label[pixel] = labels.stones;
+        pieces.covered += piece.size();
+        ++labels.stones;
+    }
+    return pieces;
+}
+
+} // namespace
+
+Labels find_stones(const DrawingFrame& frame, const Picture& picture, PixelSize pixel,
+                   double dirt, std::vector<std::string>& notes)
+{
+    constexpr double kLeastPixels = 16.0; // fewer have no shape
+    Labels labels{picture.columns, picture.rows, 0, {}};
+    const std::size_t pixels = picture.rgba.size() / 4;
+    labels.label.assign(pixels, kMortar);
+    const double pixel_area = pixel.width * pixel.height;
+    const TwoGreys greys = two_greys(picture, pixels);
+    const double least = std::max(kLeastPixels, dirt / pixel_area);
+    const Pieces pieces = number_pieces(frame, labels, kinds_of(picture, pixels, greys), least);
+    const double covered = static_cast<double>(pieces.covered),
+                 share = covered / static_cast<double>(pixels);
+    if (share < kLeastCover) {
+        refuse(frame, 0,
+               "was taken as " +
+                   std::string(greys.are ? "bright stones on dark mortar"
+                                         : "stones of one colour each") +
+                   ", and stones cover " + fixed(100.0 * share, 1) +
+                   " % of it; paint the stones white on black, or each in one colour of its "
+                   "own with black mortar");
+    }
+    notes.push_back(
+        greys.are
+            ? "The picture has bright stones (grey " + fixed(greys.bright, 0) +
+                  " of 255) on dark mortar (" + fixed(greys.dark, 0) + ")."
+            : "In the picture each connected area of one colour is a stone; black is mortar.");
+    notes.push_back(
+        counted(static_cast<std::size_t>(labels.stones), "stone covers ", "stones cover ") +
+        number(covered * pixel_area, 5) + " m2 of " +
+        number(static_cast<double>(pixels) * pixel_area, 5) + " m2 (" +
+        fixed(100.0 * share, 1) + " %); the mortar between them was divided at its middle.");
+    if (pieces.dirt > 0) {
+        notes.push_back(counted(pieces.dirt, "area", "areas") + " smaller than " +
+                        number(least * pixel_area * 1e4, 3) + " cm2 taken as dirt.");
+    }
+    return labels;
+}
+
+} // namespace app

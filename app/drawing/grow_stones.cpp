@@ -1,0 +1,166 @@
+#include "app/drawing/picture.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace app {
+namespace {
+
+constexpr int kFar = std::numeric_limits<int>::max();
+
+/// The nearest stone pixel in the same column.
+struct InColumn {
+    std::vector<int> distance, label; ///< [pixels]; kFar where the column has no stone
+};
+
+InColumn nearest_in_column(const Labels& labels)
+{
+    InColumn nearest{std::vector<int>(labels.label.size(), kFar), labels.label};
+    const auto pass = [&](int row, int from) {
+        for (int column = 0; column < labels.columns; ++column) {
+            const std::size_t p = labels.pixel(column, row), q = labels.pixel(column, from);
+            if (nearest.distance[q] == kFar || nearest.distance[q] + 1 >= nearest.distance[p])
+                continue;
+            nearest.distance[p] = nearest.distance[q] + 1;
+            nearest.label[p] = nearest.label[q];
+        }
+    };
+    for (std::size_t p = 0; p < labels.label.size(); ++p)
+        if (labels.label[p] != kMortar) nearest.distance[p] = 0;
+    for (int row = 1; row < labels.rows; ++row) pass(row, row - 1);
+    for (int row = labels.rows - 2; row >= 0; --row) pass(row, row + 1);
+    return nearest;
+}
+
+/// One parabola of the lower envelope over a row.
+struct Parabola {
+    int column = 0;
+    double height = 0.0; ///< squared distance at its own column [m2]
+    double from = 0.0;   ///< where it begins to be the lowest [columns]
+};
+
+/// The label of the nearest stone pixel for each pixel of a row: the lower envelope of the parabolas of all columns
+/// (Felzenszwalb and Huttenlocher 2012, Theory of Computing 8, 415-428). Of two equally near the left one.
+void grow_row(Labels& labels, const InColumn& nearest, PixelSize size, int row,
+              std::vector<Parabola>& envelope)
+{
+    const double w2 = size.width * size.width, h2 = size.height * size.height;
+    envelope.clear();
+    for (int column = 0; column < labels.columns; ++column) {
+        const int distance = nearest.distance[labels.pixel(column, row)];
+        if (distance == kFar) continue;
+        Parabola next{column, h2 * distance * distance, -1.0};
+        while (!envelope.empty()) {
+            const Parabola& last = envelope.back();
+            const double c = next.column, d = last.column;
+            next.from =
+                (next.height - last.height + w2 * (c * c - d * d)) / (2.0 * w2 * (c - d));
+            if (next.from > last.from) break;
+            envelope.pop_back();
+            next.from = -1.0;
+        }
+        envelope.push_back(next);
+    }
+    std::size_t k = 0;
+    for (int column = 0; column < labels.columns; ++column) {
+        while (k + 1 < envelope.size() && envelope[k + 1].from < column) ++k;
+        labels.label[labels.pixel(column, row)] =
+            nearest.label[labels.pixel(envelope[k].column, row)];
+    }
+}
+
+template <class Visit>
+void visit_neighbours(const Labels& labels, std::size_t p, const Visit& visit)
+{
+    const auto columns = static_cast<std::size_t>(labels.columns);
+    if (p % columns > 0) visit(p - 1);
+    if (p % columns + 1 < columns) visit(p + 1);
+    if (p >= columns) visit(p - columns);
+    if (p + columns < labels.label.size()) visit(p + columns);
+}
+
+/// Of each stone the largest connected piece stays; the others become mortar.
+void keep_largest_pieces(Labels& labels)
+{
+    std::vector<int> piece_of(labels.label.size(), -1);
+    std::vector<std::size_t> queue, size;
+    std::vector<int> largest(static_cast<std::size_t>(labels.stones), -1);
+    for (std::size_t first = 0; first < labels.label.size(); ++first) {
+        if (piece_of[first] >= 0 || labels.label[first] == kMortar) continue;
+        const int piece = static_cast<int>(size.size());
+        queue.assign(1, first);
+        piece_of[first] = piece;
+        for (std::size_t k = 0; k < queue.size(); ++k)
+            visit_neighbours(labels, queue[k], [&](std::size_t q) {
+                if (piece_of[q] >= 0 || labels.label[q] != labels.label[first]) return;
+                piece_of[q] = piece;
+                queue.push_back(q);
+            });
+        size.push_back(queue.size());
+        int& best = largest[static_cast<std::size_t>(labels.label[first])];
+        if (best < 0 || size[static_cast<std::size_t>(best)] < queue.size()) best = piece;
+    }
+    for (std::size_t p = 0; p < labels.label.size(); ++p)
+        if (labels.label[p] != kMortar &&
+            piece_of[p] != largest[static_cast<std::size_t>(labels.label[p])])
+            labels.label[p] = kMortar;
+}
+
+/// Mortar is taken pixel by pixel by the stones beside it.
+void fill_mortar(Labels& labels)
+{
+    std::vector<std::size_t> queue;
+    for (std::size_t p = 0; p < labels.label.size(); ++p) {
+        if (labels.label[p] == kMortar) continue;
+        bool beside = false;
+        visit_neighbours(labels, p,
+                         [&](std::size_t q) { beside |= labels.label[q] == kMortar; });
+        if (beside) queue.push_back(p);
+    }
+    for (std::size_t k = 0; k < queue.size(); ++k)
+        visit_neighbours(labels, queue[k], [&](std::size_t q) {
+            if (labels.label[q] != kMortar) return;
+            labels.label[q] = labels.label[queue[k]];
+            queue.push_back(q);
+        });
+}
+
+/// Where a stone touches itself at the corner of a pixel alone, one pixel beside the corner is given to it. Returns how
+/// often.
+std::size_t close_corners(Labels& labels)
+{
+    std::size_t n = 0;
+    for (int row = 0; row + 1 < labels.rows; ++row)
+        for (int column = 0; column + 1 < labels.columns; ++column) {
+            int& a = labels.label[labels.pixel(column, row)];
+            int& b = labels.label[labels.pixel(column + 1, row)];
+            int& c = labels.label[labels.pixel(column, row + 1)];
+            int& d = labels.label[labels.pixel(column + 1, row + 1)];
+            if (a == d && b != a && c != a)
+                b = a, ++n;
+            else if (b == c && a != b && d != b)
+                a = b, ++n;
+        }
+    return n;
+}
+
+} // namespace
+
+Labels grow_stones(const DrawingFrame& frame, Labels labels, PixelSize size)
+{
+    constexpr int kMostRounds = 50; // a few do
+    const InColumn nearest = nearest_in_column(labels);
+    std::vector<Parabola> envelope;
+    for (int row = 0; row < labels.rows; ++row) grow_row(labels, nearest, size, row, envelope);
+    for (int round = 0; round < kMostRounds; ++round) {
+        keep_largest_pieces(labels);
+        fill_mortar(labels);
+        if (close_corners(labels) == 0) return labels;
+    }
+    refuse(frame, 0,
+           "has stones that touch at corners of pixels in too many places; remove the noise of "
+           "the picture");
+}
+
+} // namespace app

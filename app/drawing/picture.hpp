@@ -1,0 +1,61 @@
+#pragma once
+/// Pictures of stones: pixels, and which stone each belongs to. Rows count from the top.
+
+#include "app/drawing/raw_drawing.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+struct Picture {
+    int columns = 0, rows = 0;
+    std::vector<std::uint8_t> rgba; ///< four bytes per pixel, row by row
+};
+
+/// @throws ConfigError if it is no PNG, is damaged, or has more than 40 million pixels
+[[nodiscard]] Picture read_png(const DrawingFrame& frame, std::string_view bytes);
+
+constexpr int kMortar = -1; ///< label of what is no stone
+
+/// Stones are numbered from 0 in the order of their first pixels.
+struct Labels {
+    int columns = 0, rows = 0, stones = 0;
+    std::vector<int> label; ///< of each pixel, row by row
+
+    [[nodiscard]] std::size_t pixel(int column, int row) const
+    {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(column);
+    }
+    /// kMortar outside of the picture.
+    [[nodiscard]] int at(int column, int row) const
+    {
+        const bool inside = column >= 0 && column < columns && row >= 0 && row < rows;
+        return inside ? label[pixel(column, row)] : kMortar;
+    }
+};
+
+/// Size of a pixel.
+struct PixelSize {
+    double width = 0.0, height = 0.0; ///< [m]
+};
+
+/// The stones of a picture. A grey picture of two greys (docs/drawings.md) has bright stones on dark mortar; in any other,
+/// each connected area of one colour is a stone, and black and transparent pixels are mortar. Areas smaller than `dirt`
+/// become mortar. Notes say what was understood.
+/// @param dirt [m2]
+/// @throws ConfigError if there are no stones, or too many
+[[nodiscard]] Labels find_stones(const DrawingFrame& frame, const Picture& picture,
+                                 PixelSize pixel, double dirt, std::vector<std::string>& notes);
+
+/// Stones grow over the mortar: each pixel goes to the stone nearest to its centre. Each stone is one piece afterwards, and
+/// touches itself at no corner of a pixel.
+/// @throws ConfigError if that cannot be had
+[[nodiscard]] Labels grow_stones(const DrawingFrame& frame, Labels labels, PixelSize pixel);
+
+} // namespace app

@@ -1,0 +1,142 @@
+#include "app/drawing/picture_drawing.hpp"
+
+#include "app/drawing/border_chains.hpp"
+#include "app/drawing/picture.hpp"
+#include "app/drawing/sides.hpp"
+#include "app/input/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace app {
+namespace {
+
+constexpr double kShortest =
+    3.0;                      // times simplify: borders shorter than this are closed to points
+constexpr double kDirt = 2.0; // times simplify, squared: stones smaller than this are dirt
+
+void check_picture_options(const DrawingFrame& frame, const DrawingOptions& options)
+{
+    constexpr double kSmallest = 0.05, kLargest = 100.0; // [m]
+    const auto fits = [&](double length) { return length >= kSmallest && length <= kLargest; };
+    if (!fits(options.width) || !fits(options.height)) {
+        refuse(frame, 0,
+               "is a picture of " + number(options.width, 4) + " x " +
+                   number(options.height, 4) +
+                   " m; give the size of what it shows, 0.05 to 100 m each: "
+                   "wall.picture_width, wall.picture_height");
+    }
+    if (!(options.simplify >= 0.0 &&
+          options.simplify <= 0.1 * std::min(options.width, options.height))) {
+        refuse(frame, 0, "wall.simplify must be in [0, 0.1] of the picture's smaller side");
+    }
+}
+
+void note_pixels(Drawing& drawing, PixelSize pixel, double simplify)
+{
+    const double larger = std::max(pixel.width, pixel.height),
+                 ratio = larger / std::min(pixel.width, pixel.height);
+    if (ratio > 1.05) {
+        drawing.notes.push_back("Pixels of this size are " + number(pixel.width * 1e3, 4) +
+                                " x " + number(pixel.height * 1e3, 4) +
+                                " mm: the picture is stretched, or its size is not as given.");
+    }
+    if (simplify < larger) {
+        drawing.notes.push_back("The tolerance of outlines, " + millimetres(simplify) +
+                                ", is smaller than a pixel: outlines have steps.");
+    }
+}
+
+struct Borders {
+    ChainNetwork network;
+    SimplifiedChains simplified;
+    std::size_t closed = 0;
+};
+
+Borders borders_of(const DrawingFrame& frame, const Labels& labels,
+                   const DrawingOptions& options)
+{
+    Borders borders;
+    const ChainNetwork traced = trace_borders(frame, labels, options.width, options.height);
+    for (const double shortest :
+         {kShortest, 0.0}) { // without closing, and with a tolerance of 0, nothing can cross
+        borders.network = traced;
+        borders.closed =
+            close_short_chains(borders.network, labels.stones, shortest * options.simplify);
+        borders.simplified = simplify_chains(borders.network, options.simplify);
+        if (!borders.simplified.crossing) return borders;
+    }
+    refuse(frame, 0, "has borders that cross when simplified; make wall.simplify smaller");
+}
+
+void note_borders(Drawing& drawing, const Borders& borders, double simplify)
+{
+    std::size_t before = 0, after = 0;
+    for (std::size_t c = 0; c < borders.network.chains.size(); ++c) {
+        if (borders.network.chains[c].gone) continue;
+        before += borders.network.chains[c].points.size() - 1;
+        after += borders.simplified.points[c].size() - 1;
+    }
+    drawing.notes.push_back("Borders between stones simplified to " + millimetres(simplify) +
+                            ": " + std::to_string(after) + " sides of " +
+                            std::to_string(before) + ".");
+    if (borders.closed > 0) {
+        drawing.notes.push_back(counted(borders.closed, "border", "borders") +
+                                " shorter than " + millimetres(kShortest * simplify) +
+                                " closed to points.");
+    }
+    if (borders.simplified.finer > 0) {
+        drawing.notes.push_back(counted(borders.simplified.finer, "border", "borders") +
+                                " simplified less, because they would have touched others.");
+    }
+}
+
+/// "pixel (3, 0)": the first of each stone.
+std::vector<std::string> places_of(const Labels& labels)
+{
+    std::vector<std::string> places(static_cast<std::size_t>(labels.stones));
+    for (int row = 0; row < labels.rows; ++row)
+        for (int column = 0; column < labels.columns; ++column) {
+            const int stone = labels.at(column, row);
+            if (stone == kMortar || !places[static_cast<std::size_t>(stone)].empty()) continue;
+            places[static_cast<std::size_t>(stone)] =
+                "pixel (" + std::to_string(column) + ", " + std::to_string(row) + ")";
+        }
+    return places;
+}
+
+} // namespace
+
+Drawing read_picture(const DrawingFrame& frame, std::string_view bytes,
+                     const DrawingOptions& options)
+{
+    check_picture_options(frame, options);
+    Drawing drawing;
+    Labels labels;
+    PixelSize pixel;
+    {
+        const Picture picture = read_png(frame, bytes);
+        pixel = {options.width / picture.columns, options.height / picture.rows};
+        const double dirt = kDirt * options.simplify;
+        labels = find_stones(frame, picture, pixel, dirt * dirt, drawing.notes);
+    }
+    const std::vector<std::string> places = places_of(labels);
+    labels = grow_stones(frame, std::move(labels), pixel);
+    note_pixels(drawing, pixel, options.simplify);
+    try {
+        const Borders borders = borders_of(frame, labels, options);
+        note_borders(drawing, borders, options.simplify);
+        std::vector<std::vector<dem::Point>> outlines =
+            outlines_of(frame, borders.network, borders.simplified, labels.stones);
+        for (std::size_t i = 0; i < outlines.size(); ++i)
+            drawing.blocks.push_back({std::move(outlines[i]), "", places[i]});
+    } catch (const TooCrowded& crowd) {
+        refuse(frame, 0,
+               "has too many borders near " + raw_coordinates(frame, crowd.at) +
+                   " m; make the picture smaller");
+    }
+    return drawing;
+}
+
+} // namespace app
