@@ -68,7 +68,7 @@ void check_size(const RawDrawing& raw, const Extent& e)
 
 void note_unit(RawDrawing& raw)
 {
-    if (raw.own_unit <= 0.0 || std::abs(raw.own_unit / raw.frame.unit - 1.0) < 1e-6) return;
+    if (raw.own_unit <= 0.0 || std::abs(raw.own_unit / raw.frame.unit - 1.0) < 1e-3) return;
     raw.notes.push_back("The file says that its unit is " +
                         (raw.own_unit_name.empty() ? number(raw.own_unit * 1e3, 6) + " mm"
                                                    : raw.own_unit_name) +

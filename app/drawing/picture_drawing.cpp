@@ -12,8 +12,9 @@
 namespace app {
 namespace {
 
-constexpr double kShortest =
-    3.0;                      // times simplify: borders shorter than this are closed to points
+// Borders shorter than this times simplify are closed to points. Their ends move by simplify at most then, so that the
+// borders that end there stay as straight as they were.
+constexpr double kShortest = 2.0;
 constexpr double kDirt = 2.0; // times simplify, squared: stones smaller than this are dirt
 
 void check_picture_options(const DrawingFrame& frame, const DrawingOptions& options)

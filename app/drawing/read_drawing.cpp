@@ -4,6 +4,7 @@
 #include "app/drawing/fit_drawing.hpp"
 #include "app/drawing/json_drawing.hpp"
 #include "app/drawing/picture_drawing.hpp"
+#include "app/drawing/svg_drawing.hpp"
 #include "app/input/config_error.hpp"
 
 #include <algorithm>
@@ -44,6 +45,8 @@ Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& op
         return fit_drawing(read_dxf(frame, read_drawing_bytes(path), snap), snap);
     if (extension == ".json")
         return fit_drawing(read_json_drawing(frame, read_drawing_bytes(path), snap), snap);
+    if (extension == ".svg")
+        return fit_drawing(read_svg(frame, read_drawing_bytes(path), snap), snap);
     if (extension == ".png") return read_picture(frame, read_drawing_bytes(path), options);
     throw ConfigError(frame.file, 0, "",
                       "is no drawing that can be read; give a .dxf, .json, .svg or .png file");

@@ -4,8 +4,12 @@
 #include "app/input/number_text.hpp"
 #include "scenes/temporary_folder.hpp"
 
+#include <png.h>
+
+#include <algorithm>
 #include <fstream>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 
 namespace scenes {
@@ -70,6 +74,54 @@ std::string dxf_line(double x, double y, double to_x, double to_y, const std::st
     return "0\nLINE\n8\n" + layer + "\n10\n" + app::number(x, 17) + "\n20\n" +
            app::number(y, 17) + "\n11\n" + app::number(to_x, 17) + "\n21\n" +
            app::number(to_y, 17) + "\n";
+}
+
+std::vector<Outline> running_bond(int units, int courses)
+{
+    std::vector<Outline> blocks;
+    for (int c = 0; c < courses; ++c) {
+        std::vector<double> joints{0.0};
+        for (int u = 0; u <= units; ++u) {
+            const double x = 200.0 * u + (c % 2 == 1 ? 100.0 : 0.0);
+            if (x > joints.back()) joints.push_back(std::min(x, 200.0 * units));
+        }
+        for (std::size_t j = 0; j + 1 < joints.size(); ++j)
+            if (joints[j + 1] > joints[j])
+                blocks.push_back(
+                    rectangle(joints[j], 100.0 * c, joints[j + 1], 100.0 * (c + 1)));
+    }
+    return blocks;
+}
+
+Pixels pixels(int columns, int rows, int colour)
+{
+    return {columns, rows, std::vector<int>(static_cast<std::size_t>(columns * rows), colour)};
+}
+
+void Pixels::fill(int left, int top, int right, int bottom, int value)
+{
+    for (int row = top; row < bottom; ++row)
+        for (int column = left; column < right; ++column) at(column, row) = value;
+}
+
+std::string png_bytes(const Pixels& picture)
+{
+    std::vector<unsigned char> rgb;
+    for (const int c : picture.colour)
+        for (const int shift : {16, 8, 0})
+            rgb.push_back(static_cast<unsigned char>(c >> shift & 0xff));
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(picture.columns);
+    image.height = static_cast<png_uint_32>(picture.rows);
+    image.format = PNG_FORMAT_RGB;
+    png_alloc_size_t size = 0;
+    if (!png_image_write_to_memory(&image, nullptr, &size, 0, rgb.data(), 0, nullptr))
+        throw std::runtime_error(image.message);
+    std::string bytes(size, '\0');
+    if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr))
+        throw std::runtime_error(image.message);
+    return bytes;
 }
 
 double area(const app::DrawnBlock& block)

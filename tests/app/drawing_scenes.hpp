@@ -3,6 +3,7 @@
 
 #include "app/drawing/drawing.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,25 @@ using Outline = std::vector<double>;
 
 [[nodiscard]] std::string dxf_line(double x, double y, double to_x, double to_y,
                                    const std::string& layer = "0");
+
+/// A wall of courses of rectangles of 200 x 100, every second of them shifted by half a unit.
+[[nodiscard]] std::vector<Outline> running_bond(int units, int courses);
+
+/// A picture of grey or coloured pixels: each 0xRRGGBB.
+struct Pixels {
+    int columns = 0, rows = 0;
+    std::vector<int> colour; ///< row by row, from the top
+
+    [[nodiscard]] int& at(int column, int row)
+    {
+        return colour[static_cast<std::size_t>(row * columns + column)];
+    }
+    void fill(int left, int top, int right, int bottom, int value);
+};
+[[nodiscard]] Pixels pixels(int columns, int rows, int colour = 0);
+
+/// The bytes of a PNG file.
+[[nodiscard]] std::string png_bytes(const Pixels& picture);
 
 [[nodiscard]] double area(const app::DrawnBlock& block);
 [[nodiscard]] double area(const app::Drawing& drawing);

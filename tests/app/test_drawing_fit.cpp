@@ -11,26 +11,9 @@ using scenes::drawing_of;
 using scenes::json_text;
 using scenes::Outline;
 using scenes::rectangle;
+using scenes::running_bond;
 
 namespace {
-
-/// A wall of courses, every second of them shifted by half a unit, in mm.
-std::vector<Outline> running_bond(int units, int courses)
-{
-    std::vector<Outline> blocks;
-    for (int c = 0; c < courses; ++c) {
-        std::vector<double> joints{0.0};
-        for (int u = 0; u <= units; ++u) {
-            const double x = 200.0 * u + (c % 2 == 1 ? 100.0 : 0.0);
-            if (x > joints.back()) joints.push_back(std::min(x, 200.0 * units));
-        }
-        for (std::size_t j = 0; j + 1 < joints.size(); ++j)
-            if (joints[j + 1] > joints[j])
-                blocks.push_back(
-                    rectangle(joints[j], 100.0 * c, joints[j + 1], 100.0 * (c + 1)));
-    }
-    return blocks;
-}
 
 /// Each corner moved by up to `most`, the same way in every run.
 void disturb(std::vector<Outline>& blocks, double most)

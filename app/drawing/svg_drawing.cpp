@@ -1,0 +1,281 @@
+#include "app/drawing/svg_drawing.hpp"
+
+#include "app/drawing/drawing_file.hpp"
+#include "app/drawing/svg_geometry.hpp"
+#include "app/input/number_text.hpp"
+
+#include <expat.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <map>
+#include <memory>
+#include <new>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace app {
+namespace {
+
+constexpr std::size_t kDeepest = 256; // groups within groups
+
+/// What an element hands down to those within it.
+struct SvgGroup {
+    SvgTransform transform;
+    std::string label, id; ///< of the innermost group that has one
+};
+
+struct SvgContent {
+    RawDrawing drawing;
+    double snap = 0.0;
+    XML_Parser parser = nullptr;
+    std::vector<SvgGroup> groups;
+    std::size_t skipped = 0; ///< depth within an element that is passed over
+    std::map<std::string, std::size_t> ignored;
+    std::exception_ptr error; ///< kept while the parser, which is C, returns
+};
+
+struct SvgElement {
+    std::string_view name;
+    const XML_Char** attributes = nullptr;
+    SvgPlace place;
+
+    /// A null pointer if it has no such attribute.
+    [[nodiscard]] const char* find(std::string_view wanted) const
+    {
+        for (const XML_Char** a = attributes; *a != nullptr; a += 2)
+            if (wanted == *a) return a[1];
+        return nullptr;
+    }
+    [[nodiscard]] double length(std::string_view wanted) const
+    {
+        const char* text = find(wanted);
+        return text ? svg_length(place, wanted, text) : 0.0;
+    }
+};
+
+dem::Point placed(const SvgContent& content, const SvgElement& element,
+                  const SvgTransform& transform, SvgPoint p)
+{
+    const SvgPoint at = apply(transform, p);
+    return checked_point(content.drawing.frame, element.place.line, at.x, -at.y);
+}
+
+void add_polygon(SvgContent& content, const SvgElement& element, const SvgGroup& group,
+                 const std::vector<SvgPoint>& points, bool closed)
+{
+    RawOutline outline{{}, group.label.empty() ? group.id : group.label, element.place.line};
+    for (const SvgPoint& p : points)
+        outline.corners.push_back(placed(content, element, group.transform, p));
+    add_outline(content.drawing, std::move(outline), closed, content.snap);
+}
+
+void add_rectangle(SvgContent& content, const SvgElement& element, const SvgGroup& group)
+{
+    const double x = element.length("x"), y = element.length("y");
+    const double width = element.length("width"), height = element.length("height");
+    if (element.length("rx") != 0.0 || element.length("ry") != 0.0) {
+        refuse(content.drawing.frame, element.place.line,
+               "the rectangle at (" + number(x, 8) + ", " + number(y, 8) +
+                   ") has rounded corners; set rx and ry to 0");
+    }
+    add_polygon(content, element, group,
+                {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, true);
+}
+
+void add_svg_line(SvgContent& content, const SvgElement& element, const SvgGroup& group)
+{
+    if (content.drawing.lines.size() >= kMostCorners) {
+        refuse(content.drawing.frame, element.place.line,
+               "has more than 1000000 lines; draw a part of the wall");
+    }
+    content.drawing.lines.push_back({placed(content, element, group.transform,
+                                            {element.length("x1"), element.length("y1")}),
+                                     placed(content, element, group.transform,
+                                            {element.length("x2"), element.length("y2")}),
+                                     group.label.empty() ? group.id : group.label,
+                                     element.place.line});
+}
+
+/// True if the element draws; what lies within it is then passed over.
+bool add_shape(SvgContent& content, const SvgElement& element, const SvgGroup& group)
+{
+    const auto text = [&](const char* attribute) -> std::string_view {
+        const char* found = element.find(attribute);
+        return found ? found : "";
+    };
+    if (element.name == "path") {
+        for (const SvgSubpath& path : svg_path(element.place, text("d")))
+            if (path.points.size() > 1)
+                add_polygon(content, element, group, path.points, path.closed);
+    } else if (element.name == "polygon") {
+        add_polygon(content, element, group, svg_points(element.place, text("points")), true);
+    } else if (element.name == "polyline") {
+        add_polygon(content, element, group, svg_points(element.place, text("points")), false);
+    } else if (element.name == "rect") {
+        add_rectangle(content, element, group);
+    } else if (element.name == "line") {
+        add_svg_line(content, element, group);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void refuse_shape(const SvgContent& content, const SvgElement& element, const SvgGroup& group)
+{
+    const auto at = [&](std::string_view x, std::string_view y) {
+        return raw_coordinates(
+            content.drawing.frame,
+            placed(content, element, group.transform, {element.length(x), element.length(y)}));
+    };
+    if (element.name == "circle" || element.name == "ellipse") {
+        refuse(content.drawing.frame, element.place.line,
+               "at " + at("cx", "cy") + " is a " + std::string(element.name) +
+                   "; convert it to a path of straight pieces");
+    }
+    if (element.name == "use") {
+        refuse(
+            content.drawing.frame, element.place.line,
+            "at " + at("x", "y") +
+                " is a clone (use); unlink it, so that its outline is in the drawing itself");
+    }
+    if (element.name == "svg") {
+        refuse(content.drawing.frame, element.place.line,
+               "has a drawing within the drawing (svg); ungroup it");
+    }
+}
+
+/// Unit of the drawing from width="1000mm" and viewBox="0 0 1000 800".
+void read_root(SvgContent& content, const SvgElement& element)
+{
+    const char *width = element.find("width"), *box = element.find("viewBox");
+    if (!width || !box) return;
+    const std::string_view text = width;
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
+    std::size_t end = digits; // "1em" is not 1e
+    while (end > 0 && (text[end - 1] == 'e' || text[end - 1] == 'E')) --end;
+    const std::string_view unit = text.substr(end);
+    constexpr std::array<std::pair<std::string_view, double>, 3> kLengths = {
+        {{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}}};
+    double length = 0.0;
+    const auto known = std::find_if(kLengths.begin(), kLengths.end(),
+                                    [&](const auto& u) { return u.first == unit; });
+    const std::vector<SvgPoint> corners = svg_points(element.place, box);
+    if (known == kLengths.end() || !read_number(text.substr(0, end), length) ||
+        corners.size() != 2)
+        return;
+    if (corners[1].x > 0.0 && length > 0.0)
+        content.drawing.own_unit = length * known->second / corners[1].x;
+}
+
+SvgGroup group_of(const SvgContent& content, const SvgElement& element)
+{
+    SvgGroup group = content.groups.empty() ? SvgGroup{} : content.groups.back();
+    if (const char* transform = element.find("transform")) {
+        group.transform = group.transform * svg_transform(element.place, transform);
+    }
+    return group;
+}
+
+void begin_group(SvgContent& content, const SvgElement& element, SvgGroup group)
+{
+    if (content.groups.size() >= kDeepest) {
+        refuse(content.drawing.frame, element.place.line,
+               "groups within groups, more than 256 deep, are no drawing");
+    }
+    if (element.name == "g") {
+        const char *label = element.find("inkscape:label"), *id = element.find("id");
+        if (label) group.label = readable_name(label);
+        if (id) group.id = readable_name(id);
+    }
+    content.groups.push_back(std::move(group));
+}
+
+void begin_element(SvgContent& content, std::string_view name, const XML_Char** attributes)
+{
+    constexpr std::array<std::string_view, 14> kSilent = {
+        "defs",   "title",  "desc", "metadata", "style",  "script",         "clipPath",
+        "marker", "symbol", "mask", "pattern",  "filter", "linearGradient", "radialGradient"};
+    if (content.skipped > 0) {
+        ++content.skipped;
+        return;
+    }
+    if (name.starts_with("svg:")) name.remove_prefix(4);
+    const SvgElement element{
+        name,
+        attributes,
+        {&content.drawing.frame, static_cast<int>(XML_GetCurrentLineNumber(content.parser))}};
+    if (content.groups.empty()) {
+        if (name != "svg")
+            refuse(content.drawing.frame, element.place.line,
+                   "is no SVG: it begins with <" + readable_name(name.substr(0, 40)) + ">");
+        read_root(content, element);
+        return begin_group(content, element, {});
+    }
+    if (name == "g" || name == "a" || name == "switch")
+        return begin_group(content, element, group_of(content, element));
+    content.skipped = 1;
+    if (name.find(':') != std::string_view::npos)
+        return; // of the drawing program, such as sodipodi:namedview
+    if (std::find(kSilent.begin(), kSilent.end(), name) != kSilent.end()) return;
+    const SvgGroup group = group_of(content, element);
+    if (add_shape(content, element, group)) return;
+    refuse_shape(content, element, group);
+    ++content.ignored[readable_name(name.substr(0, 40))];
+}
+
+void XMLCALL on_begin(void* data, const XML_Char* name, const XML_Char** attributes)
+{
+    SvgContent& content = *static_cast<SvgContent*>(data);
+    if (content.error) return;
+    try {
+        begin_element(content, name, attributes);
+    } catch (...) {
+        content.error = std::current_exception();
+        XML_StopParser(content.parser, XML_FALSE);
+    }
+}
+
+void XMLCALL on_end(void* data, const XML_Char*)
+{
+    SvgContent& content = *static_cast<SvgContent*>(data);
+    if (content.skipped > 0)
+        --content.skipped;
+    else if (!content.groups.empty())
+        content.groups.pop_back();
+}
+
+} // namespace
+
+RawDrawing read_svg(const DrawingFrame& frame, std::string_view bytes, double snap)
+{
+    SvgContent content;
+    content.drawing.frame = frame;
+    content.snap = snap;
+    const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(
+        XML_ParserCreate(nullptr), XML_ParserFree);
+    if (!parser) throw std::bad_alloc();
+    content.parser = parser.get();
+    XML_SetUserData(parser.get(), &content);
+    XML_SetElementHandler(parser.get(), on_begin, on_end);
+    const XML_Status status =
+        XML_Parse(parser.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE);
+    if (content.error) std::rethrow_exception(content.error);
+    if (status != XML_STATUS_OK) {
+        refuse(frame, static_cast<int>(XML_GetCurrentLineNumber(parser.get())),
+               "is no XML (" + std::string(XML_ErrorString(XML_GetErrorCode(parser.get()))) +
+                   "); export the drawing again");
+    }
+    std::string list;
+    for (const auto& [name, n] : content.ignored)
+        list += (list.empty() ? "" : ", ") + std::to_string(n) + " " + name;
+    if (!list.empty())
+        content.drawing.notes.push_back("Ignored, because they are no outlines: " + list + ".");
+    return std::move(content.drawing);
+}
+
+} // namespace app

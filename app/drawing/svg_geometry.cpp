@@ -1,0 +1,229 @@
+#include "app/drawing/svg_geometry.hpp"
+
+#include "app/drawing/drawing_file.hpp"
+#include "app/input/number_text.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <system_error>
+
+namespace app {
+namespace {
+
+constexpr std::string_view kBlank = " \t\r\n\f";
+
+/// Takes numbers and letters from the front of a text.
+struct SvgReader {
+    SvgPlace place;
+    std::string_view rest;
+
+    void skip_blanks()
+    {
+        const std::size_t n = rest.find_first_not_of(kBlank);
+        rest.remove_prefix(n == std::string_view::npos ? rest.size() : n);
+    }
+    void skip_separator()
+    {
+        skip_blanks();
+        if (rest.starts_with(',')) rest.remove_prefix(1);
+        skip_blanks();
+    }
+    [[nodiscard]] bool at_number()
+    {
+        skip_separator();
+        return !rest.empty() &&
+               std::string_view("+-.0123456789").find(rest.front()) != std::string_view::npos;
+    }
+    double number()
+    {
+        skip_separator();
+        if (rest.starts_with('+')) rest.remove_prefix(1);
+        double value = 0.0;
+        const bool digit =
+            !rest.empty() &&
+            std::string_view("-.0123456789").find(rest.front()) != std::string_view::npos;
+        const auto [end, error] =
+            std::from_chars(rest.data(), rest.data() + rest.size(), value);
+        if (!digit || error != std::errc() || !std::isfinite(value) || std::abs(value) > 1e12) {
+            refuse(*place.frame, place.line,
+                   "expected a number at \"" + readable_name(rest.substr(0, 20)) +
+                       "\"; export the drawing again");
+        }
+        rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+        return value;
+    }
+};
+
+std::string svg_coordinates(SvgPoint p)
+{
+    return "(" + number(p.x, 8) + ", " + number(p.y, 8) + ")";
+}
+
+SvgTransform transform_of(const SvgPlace& place, std::string_view name,
+                          const std::vector<double>& v)
+{
+    const std::size_t n = v.size();
+    constexpr double kRadians = std::numbers::pi / 180.0;
+    if (name == "matrix" && n == 6) return {v[0], v[1], v[2], v[3], v[4], v[5]};
+    if (name == "translate" && (n == 1 || n == 2))
+        return {1, 0, 0, 1, v[0], n == 2 ? v[1] : 0.0};
+    if (name == "scale" && (n == 1 || n == 2)) return {v[0], 0, 0, n == 2 ? v[1] : v[0], 0, 0};
+    if (name == "skewX" && n == 1) return {1, 0, std::tan(v[0] * kRadians), 1, 0, 0};
+    if (name == "skewY" && n == 1) return {1, std::tan(v[0] * kRadians), 0, 1, 0, 0};
+    if (name == "rotate" && (n == 1 || n == 3)) {
+        const double c = std::cos(v[0] * kRadians), s = std::sin(v[0] * kRadians);
+        const SvgTransform turn{c, s, -s, c, 0, 0};
+        if (n == 1) return turn;
+        return SvgTransform{1, 0, 0, 1, v[1], v[2]} * turn *
+               SvgTransform{1, 0, 0, 1, -v[1], -v[2]};
+    }
+    refuse(*place.frame, place.line,
+           "the transform \"" + readable_name(name.substr(0, 40)) + "\" with " +
+               counted(n, "number", "numbers") +
+               " is unknown; apply the transforms in the drawing program");
+}
+
+struct Pen {
+    SvgPoint at, begin;
+    std::vector<SvgSubpath> paths;
+
+    void move(SvgPoint p)
+    {
+        at = begin = p;
+        paths.push_back({{p}, false});
+    }
+    void draw(SvgPoint p)
+    {
+        if (paths.empty() || paths.back().closed) paths.push_back({{at}, false});
+        paths.back().points.push_back(p);
+        at = p;
+    }
+    void close()
+    {
+        if (!paths.empty()) paths.back().closed = true;
+        at = begin;
+    }
+};
+
+/// One command with one set of numbers. Upper-case letters take coordinates, lower-case ones distances.
+void follow(Pen& pen, SvgReader& reader, char command)
+{
+    const bool relative = command >= 'a';
+    const SvgPoint from = relative ? pen.at : SvgPoint{};
+    switch (command) {
+    case 'H':
+    case 'h':
+        pen.draw({from.x + reader.number(), pen.at.y});
+        break;
+    case 'V':
+    case 'v':
+        pen.draw({pen.at.x, from.y + reader.number()});
+        break;
+    default: {
+        const double x = reader.number(), y = reader.number();
+        const SvgPoint to{from.x + x, from.y + y};
+        if (command == 'M' || command == 'm')
+            pen.move(to);
+        else
+            pen.draw(to);
+    }
+    }
+}
+
+} // namespace
+
+SvgTransform operator*(const SvgTransform& o, const SvgTransform& i)
+{
+    return {o.a * i.a + o.c * i.b, o.b * i.a + o.d * i.b,       o.a * i.c + o.c * i.d,
+            o.b * i.c + o.d * i.d, o.a * i.e + o.c * i.f + o.e, o.b * i.e + o.d * i.f + o.f};
+}
+
+SvgPoint apply(const SvgTransform& t, SvgPoint p)
+{
+    return {t.a * p.x + t.c * p.y + t.e, t.b * p.x + t.d * p.y + t.f};
+}
+
+SvgTransform svg_transform(const SvgPlace& place, std::string_view text)
+{
+    SvgTransform whole;
+    SvgReader reader{place, text};
+    while (reader.skip_separator(), !reader.rest.empty()) {
+        const std::size_t open = reader.rest.find('('), close = reader.rest.find(')');
+        if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
+            refuse(*place.frame, place.line,
+                   "the transform \"" + readable_name(text.substr(0, 40)) +
+                       "\" has no numbers in brackets; export the drawing again");
+        }
+        std::string_view name = reader.rest.substr(0, open);
+        name = name.substr(0, name.find_last_not_of(kBlank) + 1);
+        std::vector<double> numbers;
+        SvgReader inner{place, reader.rest.substr(open + 1, close - open - 1)};
+        while (numbers.size() < 7 && inner.at_number()) numbers.push_back(inner.number());
+        whole = whole * transform_of(place, name, numbers);
+        reader.rest.remove_prefix(close + 1);
+    }
+    return whole;
+}
+
+std::vector<SvgPoint> svg_points(const SvgPlace& place, std::string_view text)
+{
+    std::vector<SvgPoint> points;
+    SvgReader reader{place, text};
+    while (reader.skip_separator(), !reader.rest.empty()) {
+        const double x = reader.number();
+        points.push_back({x, reader.number()});
+    }
+    return points;
+}
+
+std::vector<SvgSubpath> svg_path(const SvgPlace& place, std::string_view text)
+{
+    Pen pen;
+    SvgReader reader{place, text};
+    char command = '\0';
+    while (reader.skip_separator(), !reader.rest.empty()) {
+        if (!reader.at_number()) {
+            command = reader.rest.front();
+            reader.rest.remove_prefix(1);
+            if (std::string_view("CcSsQqTtAa").find(command) != std::string_view::npos) {
+                refuse(*place.frame, place.line,
+                       "a path has a curve (" + std::string(1, command) + ") that begins at " +
+                           svg_coordinates(pen.at) +
+                           " before transforms; convert it to straight pieces (in Inkscape: "
+                           "Extensions, Modify Path, Flatten Beziers)");
+            }
+            if (std::string_view("MmLlHhVvZz").find(command) == std::string_view::npos) {
+                refuse(*place.frame, place.line,
+                       "a path has the command \"" + readable_name(std::string(1, command)) +
+                           "\", which is unknown; export the drawing again");
+            }
+        } else if (command == '\0' || command == 'Z' || command == 'z') {
+            refuse(*place.frame, place.line,
+                   "a path has numbers without a command; export the drawing again");
+        }
+        if (command == 'Z' || command == 'z') {
+            pen.close();
+            continue;
+        }
+        follow(pen, reader, command);
+        if (command == 'M') command = 'L'; // further points of a move are drawn
+        if (command == 'm') command = 'l';
+    }
+    return pen.paths;
+}
+
+double svg_length(const SvgPlace& place, std::string_view name, std::string_view text)
+{
+    SvgReader reader{place, text};
+    const double value = reader.number();
+    reader.skip_blanks();
+    if (reader.rest.empty() || reader.rest == "px") return value;
+    refuse(*place.frame, place.line,
+           std::string(name) + " is \"" + readable_name(text.substr(0, 40)) +
+               "\"; give it without a unit, in units of the drawing");
+}
+
+} // namespace app

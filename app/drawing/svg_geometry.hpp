@@ -1,0 +1,49 @@
+#pragma once
+/// What the attributes of SVG elements say: transforms, points and paths. y points downwards.
+
+#include "app/drawing/raw_drawing.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// x' = a x + c y + e, y' = b x + d y + f.
+struct SvgTransform {
+    double a = 1.0, b = 0.0, c = 0.0, d = 1.0, e = 0.0, f = 0.0;
+};
+
+/// First the inner, then the outer one.
+[[nodiscard]] SvgTransform operator*(const SvgTransform& outer, const SvgTransform& inner);
+
+/// A point of SVG, y downwards.
+struct SvgPoint {
+    double x = 0.0, y = 0.0;
+};
+[[nodiscard]] SvgPoint apply(const SvgTransform& t, SvgPoint p);
+
+/// Where an attribute stands, for messages.
+struct SvgPlace {
+    const DrawingFrame* frame = nullptr;
+    int line = 0;
+};
+
+/// "translate(1, 2) rotate(30)". @throws ConfigError
+[[nodiscard]] SvgTransform svg_transform(const SvgPlace& place, std::string_view text);
+
+/// "0,0 1,0 1,1". @throws ConfigError
+[[nodiscard]] std::vector<SvgPoint> svg_points(const SvgPlace& place, std::string_view text);
+
+struct SvgSubpath {
+    std::vector<SvgPoint> points;
+    bool closed = false; ///< by Z
+};
+
+/// "M 0 0 h 1 v 1 z m ...". @throws ConfigError for curves, with the point where they begin
+[[nodiscard]] std::vector<SvgSubpath> svg_path(const SvgPlace& place, std::string_view text);
+
+/// A length without unit, or in px. @throws ConfigError
+[[nodiscard]] double svg_length(const SvgPlace& place, std::string_view name,
+                                std::string_view text);
+
+} // namespace app

@@ -1,0 +1,59 @@
+#include "app/drawing/write_drawing.hpp"
+
+#include "app/drawing/drawing_file.hpp"
+#include "app/input/number_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace app {
+namespace {
+
+/// A number of units that times `unit` is this length, to the last bit if there is one.
+std::string in_units(double metres, double unit)
+{
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    const double value = metres / unit;
+    for (const double near : {value, std::nextafter(value, kFar), std::nextafter(value, -kFar)})
+        if (near * unit == metres) return number(near, 17);
+    return number(value, 17);
+}
+
+} // namespace
+
+std::string write_drawing_json(std::span<const DrawnBlock> blocks, double unit)
+{
+    std::string text = "{\"blocks\": [";
+    for (const DrawnBlock& block : blocks) {
+        text += &block == &blocks.front() ? "\n{" : ",\n{";
+        if (!block.layer.empty())
+            text += "\"layer\": " + nlohmann::json(readable_name(block.layer)).dump() + ", ";
+        text += "\"outline\": [";
+        for (const dem::Point& p : block.outline) {
+            text += &p == &block.outline.front() ? "[" : ", [";
+            text += in_units(p.x, unit) + ", " + in_units(p.z, unit) + "]";
+        }
+        text += "]}";
+    }
+    return text + "\n]}\n";
+}
+
+std::string write_drawing_dxf(std::span<const DrawnBlock> blocks, double unit)
+{
+    std::string text =
+        "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
+    for (const DrawnBlock& block : blocks) {
+        const std::string layer = block.layer.empty() ? "0" : readable_name(block.layer);
+        text += "0\nPOLYLINE\n8\n" + layer + "\n66\n1\n10\n0.0\n20\n0.0\n30\n0.0\n70\n1\n";
+        for (const dem::Point& p : block.outline) {
+            text += "0\nVERTEX\n8\n" + layer + "\n10\n" + in_units(p.x, unit) + "\n20\n" +
+                    in_units(p.z, unit) + "\n30\n0.0\n";
+        }
+        text += "0\nSEQEND\n8\n" + layer + "\n";
+    }
+    return text + "0\nENDSEC\n0\nEOF\n";
+}
+
+} // namespace app

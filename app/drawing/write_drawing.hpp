@@ -1,0 +1,22 @@
+#pragma once
+/// Blocks as files that read_drawing and other programs read.
+
+#include "app/drawing/drawing.hpp"
+
+#include <span>
+#include <string>
+
+namespace app {
+
+/// {"blocks": [{"layer": ..., "outline": [[x, z], ...]}, ...]}, one block per line. Read again with the same unit it gives
+/// the same coordinates to the last bit, where a decimal number of that unit has them, and else to the last bit but one.
+/// @param unit length of one unit of the file [m]
+[[nodiscard]] std::string write_drawing_json(std::span<const DrawnBlock> blocks,
+                                             double unit = 1.0);
+
+/// DXF of R12: closed POLYLINEs with layers. The digits are those of write_drawing_json.
+/// @param unit length of one unit of the file [m]
+[[nodiscard]] std::string write_drawing_dxf(std::span<const DrawnBlock> blocks,
+                                            double unit = 1.0);
+
+} // namespace app

@@ -1,0 +1,271 @@
+#include "app/drawing_scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+using scenes::area;
+using scenes::drawing_of;
+using scenes::Pixels;
+using scenes::pixels;
+using scenes::png_bytes;
+
+namespace {
+
+constexpr int kWhite = 0xffffff;
+
+using SideKey = std::tuple<double, double, double, double>;
+
+/// Every side is a side of another block too, to the bit, or lies on the frame: all there is of it.
+void check_fills(const app::Drawing& drawing, double width, double height)
+{
+    std::map<SideKey, int> sides;
+    for (const app::DrawnBlock& block : drawing.blocks) {
+        CHECK(area(block) > 0.0);
+        for (std::size_t i = 0; i < block.outline.size(); ++i) {
+            const dem::Point a = block.outline[i],
+                             b = block.outline[(i + 1) % block.outline.size()];
+            CHECK(++sides[{a.x, a.z, b.x, b.z}] == 1);
+        }
+    }
+    double frame = 0.0;
+    for (const auto& [side, n] : sides) {
+        const auto& [ax, az, bx, bz] = side;
+        if (sides.contains({bx, bz, ax, az})) continue;
+        CHECK(((ax == bx && (ax == 0.0 || ax == width)) ||
+               (az == bz && (az == 0.0 || az == height))));
+        frame += std::hypot(bx - ax, bz - az);
+    }
+    CHECK(frame == Approx(2.0 * (width + height)).epsilon(1e-12));
+    CHECK(std::abs(area(drawing) - width * height) < 1e-12 * width * height);
+}
+
+double turn(const SideKey& s, double x, double z)
+{
+    const auto& [ax, az, bx, bz] = s;
+    return (bx - ax) * (z - az) - (bz - az) * (x - ax);
+}
+
+/// Pairs of sides that cross, each with each.
+int crossings(const app::Drawing& drawing)
+{
+    std::vector<SideKey> sides;
+    for (const app::DrawnBlock& block : drawing.blocks)
+        for (std::size_t i = 0; i < block.outline.size(); ++i) {
+            const dem::Point a = block.outline[i],
+                             b = block.outline[(i + 1) % block.outline.size()];
+            sides.emplace_back(a.x, a.z, b.x, b.z);
+        }
+    int n = 0;
+    for (const SideKey& s : sides)
+        for (const SideKey& t : sides) {
+            const auto& [ax, az, bx, bz] = s;
+            const auto& [cx, cz, dx, dz] = t;
+            n += turn(s, cx, cz) * turn(s, dx, dz) < -1e-24 &&
+                         turn(t, ax, az) * turn(t, bx, bz) < -1e-24
+                     ? 1
+                     : 0;
+        }
+    return n;
+}
+
+bool contains(const app::DrawnBlock& block, double x, double z)
+{
+    bool inside = false;
+    for (std::size_t i = 0; i < block.outline.size(); ++i) {
+        const dem::Point a = block.outline[i],
+                         b = block.outline[(i + 1) % block.outline.size()];
+        if ((a.z > z) != (b.z > z) && x < a.x + (z - a.z) / (b.z - a.z) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+struct Seed {
+    double x = 0.0, y = 0.0;
+};
+
+/// Seeds at random, the same in every run.
+std::vector<Seed> seeds(int n, double width, double height)
+{
+    std::vector<Seed> all;
+    unsigned state = 7;
+    const auto random = [&] {
+        state = state * 1664525U + 1013904223U;
+        return static_cast<double>(state >> 8) / 16777216.0;
+    };
+    for (int i = 0; i < n; ++i) {
+        const double x = width * random();
+        all.push_back({x, height * random()});
+    }
+    return all;
+}
+
+/// Rubble: cells around seeds; mortar where the two nearest seeds are almost equally near.
+/// @param mortar width of it [pixels]
+/// @param bright colour of the stone of a seed
+template <class Colour>
+Pixels rubble(int columns, int rows, int stones, double mortar, const Colour& bright)
+{
+    const std::vector<Seed> all = seeds(stones, columns, rows);
+    Pixels picture = pixels(columns, rows);
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            std::vector<std::pair<double, int>> near;
+            for (int i = 0; i < stones; ++i)
+                near.emplace_back(std::hypot(all[static_cast<std::size_t>(i)].x - column,
+                                             all[static_cast<std::size_t>(i)].y - row),
+                                  i);
+            std::partial_sort(near.begin(), near.begin() + 2, near.end());
+            if (near[1].first - near[0].first >= mortar)
+                picture.at(column, row) = bright(near[0].second);
+        }
+    return picture;
+}
+
+} // namespace
+
+TEST_CASE("picture drawing: white stones grow to the middle of the mortar and fill the picture",
+          "[app][picture_drawing]")
+{
+    Pixels picture = pixels(200, 100);
+    picture.fill(0, 0, 90, 50, kWhite);    // upper left
+    picture.fill(110, 4, 200, 50, kWhite); // upper right
+    picture.fill(0, 60, 200, 100, kWhite); // below
+    picture.fill(50, 53, 52, 55, kWhite);  // dirt
+    const app::Drawing wall = drawing_of("w.png", png_bytes(picture),
+                                         {.width = 2.0, .height = 1.0, .simplify = 0.03});
+    REQUIRE(wall.blocks.size() == 3);
+    check_fills(wall, 2.0, 1.0);
+    const auto has = [&](std::size_t block, double x, double z) {
+        const std::vector<dem::Point>& o = wall.blocks[block].outline;
+        return std::any_of(o.begin(), o.end(),
+                           [&](const dem::Point& p) { return p.x == x && p.z == z; });
+    };
+    CHECK(
+        (has(0, 1.0, 1.0) && has(1, 1.0, 1.0))); // the middle of the mortar between 90 and 110
+    CHECK((has(0, 0.0, 0.45) && has(2, 0.0, 0.45))); // between 50 and 60
+    CHECK((has(1, 2.0, 0.45) && has(2, 2.0, 0.45)));
+    CHECK(wall.blocks[1].place == "pixel (110, 4)");
+    CHECK(scenes::notes(wall, "bright stones (grey 255 of 255) on dark mortar (0)"));
+    CHECK(scenes::notes(wall, "3 stones cover 1.664 m2 of 2 m2 (83.2 %)"));
+    CHECK(scenes::notes(wall, "1 area smaller than 36 cm2 taken as dirt"));
+}
+
+TEST_CASE("picture drawing: stones of one colour each may touch, and black is mortar",
+          "[app][picture_drawing]")
+{
+    Pixels picture = pixels(100, 100);
+    picture.fill(0, 0, 50, 48, 0xa04020);
+    picture.fill(50, 0, 100, 48, 0xa04021);
+    picture.fill(0, 52, 100, 100, 0x3060c0);
+    const app::Drawing wall = drawing_of("w.png", png_bytes(picture),
+                                         {.width = 1.0, .height = 1.0, .simplify = 0.02});
+    REQUIRE(wall.blocks.size() == 3);
+    check_fills(wall, 1.0, 1.0);
+    CHECK(area(wall.blocks[0]) == Approx(0.25).epsilon(1e-12));
+    CHECK(scenes::notes(wall, "each connected area of one colour is a stone"));
+}
+
+TEST_CASE("picture drawing: every pixel of a rubble wall is in exactly one block, and stones "
+          "keep their shape",
+          "[app][picture_drawing]")
+{
+    const Pixels picture = rubble(240, 200, 40, 6.0, [](int) { return kWhite; });
+    const app::DrawingOptions options{.width = 1.2, .height = 1.0, .simplify = 0.01};
+    const app::Drawing wall = drawing_of("w.png", png_bytes(picture), options);
+    CHECK(wall.blocks.size() > 25);
+    check_fills(wall, 1.2, 1.0);
+    CHECK(crossings(wall) == 0);
+    int stones = 0, mixed = 0;
+    for (int row = 0; row < picture.rows; row += 3)
+        for (int column = 0; column < picture.columns; column += 3) {
+            int in = 0;
+            for (const app::DrawnBlock& block : wall.blocks)
+                in +=
+                    contains(block, 0.005 * (column + 0.5), 0.005 * (picture.rows - row - 0.5))
+                        ? 1
+                        : 0;
+            mixed += in == 1 ? 0 : 1;
+            ++stones;
+        }
+    CHECK(stones > 5000);
+    CHECK(mixed == 0);
+}
+
+TEST_CASE("picture drawing: borders do not cross, however coarse they are",
+          "[app][picture_drawing]")
+{
+    const Pixels picture =
+        rubble(120, 100, 60, 2.0, [](int i) { return 0x203040 + 0x010301 * i; });
+    for (const double simplify : {0.0, 0.004, 0.02, 0.05}) {
+        INFO(simplify);
+        const app::Drawing wall = drawing_of(
+            "w.png", png_bytes(picture), {.width = 1.2, .height = 1.0, .simplify = simplify});
+        check_fills(wall, 1.2, 1.0);
+        CHECK(crossings(wall) == 0);
+    }
+}
+
+TEST_CASE("picture drawing: borders much shorter than the tolerance are closed to points",
+          "[app][picture_drawing]")
+{
+    Pixels picture = pixels(100, 100);
+    picture.fill(0, 0, 50, 50, 0x400000);
+    picture.fill(50, 0, 100, 52, 0x500000);
+    picture.fill(0, 50, 50, 100, 0x600000);
+    picture.fill(50, 52, 100, 100, 0x700000);
+    const auto wall = [&](double simplify) {
+        return drawing_of("w.png", png_bytes(picture),
+                          {.width = 1.0, .height = 1.0, .simplify = simplify});
+    };
+    CHECK(scenes::common_sides(wall(0.009)) ==
+          5); // the short one, of 20 mm, has a side of its own
+    CHECK(scenes::common_sides(wall(0.011)) == 4); // 22 mm
+    CHECK(scenes::notes(wall(0.011), "1 border shorter than 22 mm closed to points"));
+    check_fills(wall(0.011), 1.0, 1.0);
+}
+
+TEST_CASE("picture drawing: pictures of no wall are refused", "[app][picture_drawing]")
+{
+    const app::DrawingOptions metre{.width = 1.0, .height = 1.0};
+    const auto why = [&](const std::string& bytes, const app::DrawingOptions& options) {
+        return scenes::refusal("w.png", bytes, options);
+    };
+    Pixels island = pixels(100, 100);
+    island.fill(0, 0, 100, 100, kWhite);
+    island.fill(30, 30, 70, 70, 0);
+    island.fill(40, 40, 60, 60, kWhite);
+    const std::string good = png_bytes(rubble(40, 40, 4, 2.0, [](int) { return kWhite; }));
+    CHECK(why(good, metre) == "read");
+    CHECK(why(good, {}).starts_with("w.png: is a picture of 0 x 0 m; give the size"));
+    CHECK(why(good, {.width = 1000.0, .height = 1200.0}).find("wall.picture_width") !=
+          std::string::npos);
+    CHECK(why(good.substr(0, good.size() / 2), metre)
+              .starts_with("w.png: is no PNG that can be read"));
+    CHECK(why("GIF89a", metre).starts_with("w.png: is no PNG that can be read"));
+    CHECK(why(png_bytes(pixels(50, 50)), metre).find("stones cover 0.0 % of it") !=
+          std::string::npos);
+    CHECK(why(png_bytes(island), metre)
+              .starts_with("w.png: one stone encloses another at pixel ("));
+}
+
+TEST_CASE("picture drawing: a rubble wall drawn by others becomes a wall",
+          "[app][picture_drawing]")
+{
+    // Drawings of other programs are not part of this repository: their folder is named by the environment.
+    const char* folder = std::getenv("DRYSTONE_DRAWINGS");
+    if (folder == nullptr) return;
+    const app::Drawing wall = app::read_drawing(std::filesystem::path(folder) / "WR1_100.png",
+                                                {.width = 1.0, .height = 1.2});
+    CHECK(wall.blocks.size() == 48);
+    check_fills(wall, 1.0, 1.2);
+    CHECK(crossings(wall) == 0);
+}
