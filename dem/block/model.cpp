@@ -9,8 +9,6 @@ namespace dem {
 
 namespace {
 
-constexpr int kMostLobattoPoints = 12;
-
 struct Stiffness {
     double kn, ks;
 };
@@ -26,9 +24,8 @@ FacePoints points_of(const Face& f, const Layout& layout, const Discretisation& 
 {
     const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
     const double interval = layout.half_unit / (d.contact_points - 1);
-    int points = std::max(1, static_cast<int>(std::lround(length / interval))) + 1;
-    if (d.face_rule == FaceRule::lobatto) points = std::min(points, kMostLobattoPoints);
-    return face_points(d.face_rule, points, d.zones_per_interval);
+    const int intervals = std::max(1, static_cast<int>(std::lround(length / interval)));
+    return face_points(d.face_rule, intervals + 1, d.zones_per_interval);
 }
 
 Motion motion_of(const Layout& layout, LoadPattern pattern, int block)
