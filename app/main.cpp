@@ -1,7 +1,7 @@
 /// drystone VERB STUDY.ini [options].  Exit codes: 0 done, 1 failed, 2 your input.
 
 #include "app/input/command_line.hpp"
-#include "app/input/config_error.hpp"
+#include "app/text/config_error.hpp"
 #include "app/verbs.hpp"
 
 #include <csignal>

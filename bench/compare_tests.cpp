@@ -7,9 +7,9 @@
 /// With the last argument also laws.svg: coupled against uncoupled law at 1.25 MPa, as Fig. 7
 /// of the paper. EXPERIMENTS_DIR: the digitised curves, see bench/measured_walls.hpp.
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/chart_svg.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/comparison.hpp"
 #include "bench/curve_table.hpp"
 #include "bench/measured_walls.hpp"

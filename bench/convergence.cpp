@@ -2,9 +2,9 @@
 /// free choice of the discretisation and the solver, one at a time from the reference; and the
 /// effect of the modelling choices.
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/convergence_sweeps.hpp"
 #include "bench/machine.hpp"
 

@@ -1,6 +1,6 @@
 #include "bench/convergence_sweeps.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 namespace bench {
 

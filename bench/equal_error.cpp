@@ -1,7 +1,7 @@
 #include "bench/equal_error.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/table.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/nodal_scheme.hpp"
 #include "scenes/paper_wall.hpp"
 

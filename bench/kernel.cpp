@@ -1,7 +1,7 @@
 /// kernel [OUT.md]: what one step costs on one core, rung by rung of the fidelity ladder, against
 /// what the core could do, measured in the same run.
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/core_speed.hpp"
 #include "bench/machine.hpp"
 #include "bench/pushed_walls.hpp"

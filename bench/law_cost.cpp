@@ -1,7 +1,7 @@
 #include "bench/law_cost.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/table.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/contact/contact_law.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 /// paper_walls OUT.md: the paper's 350 walls in one run; the error of drive and step, wall by wall;
 /// the error of the discretisation, on ensembles.
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/machine.hpp"
 #include "bench/sweep.hpp"
 

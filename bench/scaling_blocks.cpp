@@ -1,4 +1,4 @@
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/scaling_parts.hpp"
 #include "bench/shortest.hpp"
 #include "bench/work_count.hpp"

@@ -1,9 +1,9 @@
 /// skipped OUT.md: what a scene does not need, what leaving it out saves, and what that does to the
 /// answer.
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/law_cost.hpp"
 #include "bench/machine.hpp"
 #include "dem/block/model.hpp"

@@ -3,7 +3,7 @@
 /// if one does not. --only: one scene, wall by wall.
 /// --finite: with finite displacements.
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/report.hpp"
 #include "bench/stress_tables.hpp"
 

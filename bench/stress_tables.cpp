@@ -1,6 +1,6 @@
 #include "bench/stress_tables.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 #include "dem/solver/stability_limit.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "bench/uq_sampling.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/machine.hpp"
 #include "bench/report.hpp"
 #include "uq/designs/design.hpp"

@@ -3,9 +3,9 @@
 
 #include "bench/work_precision.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/equal_error.hpp"
 #include "bench/machine.hpp"
 #include "bench/nodal_answer.hpp"

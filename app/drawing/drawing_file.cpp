@@ -1,7 +1,7 @@
 #include "app/drawing/drawing_file.hpp"
 
-#include "app/input/config_error.hpp"
-#include "app/input/text_file.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/text_file.hpp"
 
 #include <cerrno>
 #include <charconv>

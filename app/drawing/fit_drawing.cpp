@@ -2,7 +2,7 @@
 
 #include "app/drawing/line_faces.hpp"
 #include "app/drawing/outline_network.hpp"
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "app/drawing/border_chains.hpp"
 #include "app/drawing/picture.hpp"
 #include "app/drawing/sides.hpp"
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "app/drawing/raw_drawing.hpp"
 
-#include "app/input/config_error.hpp"
-#include "app/input/number_text.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/number_text.hpp"
 
 #include <cmath>
 #include <utility>

@@ -5,7 +5,7 @@
 #include "app/drawing/json_drawing.hpp"
 #include "app/drawing/picture_drawing.hpp"
 #include "app/drawing/svg_drawing.hpp"
-#include "app/input/config_error.hpp"
+#include "app/text/config_error.hpp"
 
 #include <algorithm>
 #include <cmath>

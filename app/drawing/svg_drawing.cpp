@@ -2,7 +2,7 @@
 
 #include "app/drawing/drawing_file.hpp"
 #include "app/drawing/svg_geometry.hpp"
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <expat.h>
 

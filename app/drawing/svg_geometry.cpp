@@ -1,7 +1,7 @@
 #include "app/drawing/svg_geometry.hpp"
 
 #include "app/drawing/drawing_file.hpp"
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "app/drawing/write_drawing.hpp"
 
 #include "app/drawing/drawing_file.hpp"
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 #include "app/fragility/damage_counts.hpp"
 
-#include "app/input/config_error.hpp"
-#include "app/input/number_text.hpp"
-#include "app/input/words.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <cmath>

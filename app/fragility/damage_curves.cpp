@@ -1,8 +1,8 @@
 #include "app/fragility/damage_curves.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>

@@ -1,7 +1,7 @@
 #include "app/fragility/drift_csv.hpp"
 
-#include "app/input/config_error.hpp"
-#include "app/input/words.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "app/fragility/drift_fits.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "uq/designs/stream.hpp"
 
 #include <algorithm>

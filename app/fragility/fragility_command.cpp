@@ -9,13 +9,13 @@
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
-#include "app/input/config_error.hpp"
 #include "app/input/key_values.hpp"
-#include "app/input/text_file.hpp"
 #include "app/input/units.hpp"
-#include "app/input/words.hpp"
 #include "app/output/markup.hpp"
 #include "app/store/wall_file.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/text_file.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <fstream>

@@ -1,8 +1,8 @@
 #include "app/fragility/fragility_data.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/cells.hpp"
 #include "app/study/study_walls.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #include "app/fragility/fragility_inputs.hpp"
 
 #include "app/fragility/table_texts.hpp"
-#include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 #include "uq/sensitivity/correlation_measures.hpp"
 #include "uq/sensitivity/regression.hpp"
 

@@ -1,10 +1,10 @@
 #include "app/fragility/fragility_means.hpp"
 
 #include "app/fragility/table_texts.hpp"
-#include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/resampled_curve.hpp"
+#include "app/text/number_text.hpp"
 #include "fragility/sample_quantile.hpp"
 #include "uq/estimates/estimate.hpp"
 

@@ -2,9 +2,9 @@
 
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/table_texts.hpp"
-#include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "fragility/binomial.hpp"
 #include "fragility/equal_modes.hpp"

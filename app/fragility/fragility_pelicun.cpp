@@ -1,10 +1,10 @@
 #include "app/fragility/fragility_limits.hpp"
 
 #include "app/fragility/drift_fits.hpp"
-#include "app/input/number_text.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/unique_names.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "app/fragility/fragility_curves.hpp"
 
 #include "app/fragility/drift_fits.hpp"
-#include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 #include "fragility/fragility_curve.hpp"
 #include "fragility/kaplan_meier.hpp"
 

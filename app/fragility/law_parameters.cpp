@@ -1,8 +1,8 @@
 #include "app/fragility/drift_fits.hpp"
 #include "app/fragility/fragility_limits.hpp"
 #include "app/fragility/table_texts.hpp"
-#include "app/input/number_text.hpp"
 #include "app/output/cells.hpp"
+#include "app/text/number_text.hpp"
 #include "fragility/censored_fit.hpp"
 
 #include <algorithm>

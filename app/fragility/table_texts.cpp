@@ -1,8 +1,8 @@
 #include "app/fragility/table_texts.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/text/number_text.hpp"
 
 #include <stdexcept>
 

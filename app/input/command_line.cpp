@@ -1,9 +1,9 @@
 #include "app/input/command_line.hpp"
 
-#include "app/input/config_error.hpp"
 #include "app/input/option.hpp"
 #include "app/input/units.hpp"
-#include "app/input/words.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/words.hpp"
 
 #include <boost/program_options/errors.hpp>
 #include <boost/program_options/parsers.hpp>

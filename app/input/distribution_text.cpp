@@ -1,7 +1,7 @@
 #include "app/input/distribution_text.hpp"
 
 #include "app/input/units.hpp"
-#include "app/input/words.hpp"
+#include "app/text/words.hpp"
 #include "uq/marginals/marginal_forms.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "app/input/key_values.hpp"
 #include "app/input/units.hpp"
-#include "app/input/words.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <string>

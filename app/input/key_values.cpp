@@ -1,9 +1,9 @@
 #include "app/input/key_values.hpp"
 
 #include "app/input/distribution_text.hpp"
-#include "app/input/number_text.hpp"
 #include "app/input/units.hpp"
-#include "app/input/words.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 

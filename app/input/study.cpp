@@ -3,9 +3,9 @@
 #include "app/input/key_reading.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/limit_state_text.hpp"
-#include "app/input/number_text.hpp"
 #include "app/input/study_checks.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 #include "fragility/cyclic_curve.hpp"
 

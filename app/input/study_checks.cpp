@@ -1,7 +1,7 @@
 #include "app/input/study_checks.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/input/units.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "app/input/study_file.hpp"
 
-#include "app/input/text_file.hpp"
-#include "app/input/words.hpp"
+#include "app/text/text_file.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <sstream>

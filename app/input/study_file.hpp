@@ -2,7 +2,7 @@
 /// A study file as text: sections, keys and values, each with its line. What they mean:
 /// app/input/study.
 
-#include "app/input/config_error.hpp"
+#include "app/text/config_error.hpp"
 
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
 #include "app/input/units.hpp"
 
-#include "app/input/number_text.hpp"
-#include "app/input/words.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "app/output/capacity_csv.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <cstddef>
 #include <stdexcept>

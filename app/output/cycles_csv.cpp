@@ -1,6 +1,6 @@
 #include "app/output/cycles_csv.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "app/output/progress.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "app/output/result_folder.hpp"
 
-#include "app/input/config_error.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/text/config_error.hpp"
 
 #include <cstdint>
 #include <fstream>

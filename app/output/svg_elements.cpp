@@ -1,6 +1,6 @@
 #include "app/output/svg_elements.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <cmath>
 #include <stdexcept>

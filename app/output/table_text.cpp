@@ -1,7 +1,7 @@
 #include "app/output/table.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/markup.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "app/output/vtk_grid.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <array>
 #include <bit>

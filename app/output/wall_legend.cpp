@@ -1,7 +1,7 @@
 #include "app/output/wall_legend.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/wall_body.hpp"
+#include "app/text/number_text.hpp"
 
 #include <array>
 #include <cmath>

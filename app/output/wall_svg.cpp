@@ -1,11 +1,11 @@
 #include "app/output/wall_svg.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/svg_elements.hpp"
 #include "app/output/wall_body.hpp"
 #include "app/output/wall_legend.hpp"
 #include "app/output/wall_marks.hpp"
 #include "app/output/wall_view.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <array>

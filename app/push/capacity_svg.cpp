@@ -1,9 +1,9 @@
 #include "app/push/capacity_svg.hpp"
 
 #include "app/input/limit_state_text.hpp"
-#include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 
 namespace app {
 

@@ -1,6 +1,6 @@
 #include "app/push/hand_checks.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "app/push/push_command.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/number_text.hpp"
 #include "app/input/study.hpp"
 #include "app/input/units.hpp"
 #include "app/output/atomic_output.hpp"
@@ -20,6 +19,7 @@
 #include "app/study/push_walls.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "app/reliability/kept_evaluations.hpp"
 
-#include "app/input/config_error.hpp"
+#include "app/text/config_error.hpp"
 #include "uq/reliability/evaluate.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
-#include "app/input/words.hpp"
 #include "app/reliability/event.hpp"
 #include "app/reliability/methods.hpp"
 #include "app/sampling/study_dependence.hpp"
 #include "app/study/interrupt.hpp"
+#include "app/text/words.hpp"
 #include "uq/designs/normal_copula.hpp"
 #include "uq/reliability/external_program.hpp"
 

@@ -1,4 +1,3 @@
-#include "app/input/number_text.hpp"
 #include "app/input/units.hpp"
 #include "app/reading/wall_response.hpp"
 #include "app/reliability/event.hpp"
@@ -7,6 +6,7 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/wanted_walls.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 #include "dem/scene/layout.hpp"
 

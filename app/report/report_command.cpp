@@ -1,12 +1,12 @@
 #include "app/report/report_command.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/progress.hpp"
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_page.hpp"
 #include "app/study/study_file_head.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 
 #include <nlohmann/json.hpp>

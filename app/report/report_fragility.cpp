@@ -1,8 +1,8 @@
 #include "app/report/report_fragility.hpp"
 
 #include "app/fragility/fragility_curves.hpp"
-#include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 #include "fragility/binomial.hpp"
 #include "fragility/equal_modes.hpp"
 #include "fragility/fragility_curve.hpp"

@@ -1,7 +1,7 @@
 #include "app/report/report_inputs.hpp"
 
 #include "app/fragility/fragility_inputs.hpp"
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "uq/estimates/running_mean.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #include "app/report/report_overview.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/text/number_text.hpp"
 #include "fragility/binomial.hpp"
 #include "uq/estimates/estimate.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/sampling/study_dependence.hpp"
 
 #include "app/input/units.hpp"
-#include "app/input/words.hpp"
+#include "app/text/words.hpp"
 
 #include <sstream>
 #include <stdexcept>

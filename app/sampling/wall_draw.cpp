@@ -1,9 +1,9 @@
 #include "app/sampling/wall_draw.hpp"
 
 #include "app/input/key_values.hpp"
-#include "app/input/number_text.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
+#include "app/text/number_text.hpp"
 
 #include <cmath>
 #include <numeric>

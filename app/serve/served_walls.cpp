@@ -2,11 +2,11 @@
 
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
-#include "app/input/words.hpp"
 #include "app/reading/wall_response.hpp"
 #include "app/reliability/wall_black_box.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/study_walls.hpp"
+#include "app/text/words.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "app/study/curves_command.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/study_file_head.hpp"
+#include "app/text/number_text.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,7 @@
 #include "app/study/mode_rule.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 
 namespace app {
 

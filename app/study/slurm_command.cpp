@@ -1,11 +1,11 @@
 #include "app/study/slurm_command.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/wall_frames.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 #include "dem/solver/solver_lanes.hpp"
 

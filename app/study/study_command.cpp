@@ -1,12 +1,12 @@
 #include "app/study/study_command.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/number_text.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/run_study.hpp"
 #include "app/study/slurm_command.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <filesystem>

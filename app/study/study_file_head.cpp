@@ -1,10 +1,10 @@
 #include "app/study/study_file_head.hpp"
 
-#include "app/input/config_error.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/store/wall_file.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_identity.hpp"
+#include "app/text/config_error.hpp"
 
 namespace app {
 

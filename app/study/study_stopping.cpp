@@ -1,7 +1,7 @@
 #include "app/study/study_stopping.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/reading/wall_response.hpp"
+#include "app/text/number_text.hpp"
 #include "uq/estimates/stopping.hpp"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 #include "app/study/study_walls.hpp"
 
-#include "app/input/config_error.hpp"
 #include "app/input/limit_state_text.hpp"
-#include "app/input/number_text.hpp"
 #include "app/reading/wall_words.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/resampled_curve.hpp"
 #include "app/study/study_columns.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,10 +1,10 @@
 #include "app/study/wanted_walls.hpp"
 
 #include "app/input/units.hpp"
-#include "app/input/words.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/study_file_head.hpp"
+#include "app/text/words.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "bench/validation/damping_table.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/validation/cells.hpp"
 #include "bench/validation/paper_tables.hpp"
 

@@ -1,6 +1,6 @@
 #include "bench/validation/effects.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "bench/validation/joint_inputs.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/validation/cells.hpp"
 
 #include <string>

@@ -1,7 +1,7 @@
 #include "bench/validation/paper_comparison.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/validation/cells.hpp"
 #include "bench/validation/paper_tables.hpp"
 #include "fragility/binomial.hpp"

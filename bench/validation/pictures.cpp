@@ -1,8 +1,8 @@
 #include "bench/validation/pictures.hpp"
 
-#include "app/input/number_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/validation/paper_tables.hpp"
 #include "fragility/binomial.hpp"
 #include "uq/estimates/running_mean.hpp"

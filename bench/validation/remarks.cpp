@@ -1,6 +1,6 @@
 #include "bench/validation/remarks.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/validation/paper_tables.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "app/input/units.hpp"
-#include "app/input/words.hpp"
+#include "app/text/words.hpp"
 #include "fragility/censored_fit.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/kaplan_meier.hpp"

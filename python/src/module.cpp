@@ -1,6 +1,6 @@
-#include "app/input/config_error.hpp"
 #include "app/input/units.hpp"
 #include "app/store/store_error.hpp"
+#include "app/text/config_error.hpp"
 #include "app/version.hpp"
 #include "dem/solver/solver_lanes.hpp"
 #include "python/src/bind.hpp"

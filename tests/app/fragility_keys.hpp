@@ -2,8 +2,8 @@
 /// Every key of [fragility] with a value that is not its default, from the table of keys.
 
 #include "app/input/key_values.hpp"
-#include "app/input/number_text.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/text/number_text.hpp"
 
 #include <stdexcept>
 #include <string>

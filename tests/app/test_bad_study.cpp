@@ -2,9 +2,9 @@
 
 #include "app/bad_input/cases.hpp"
 #include "app/input/command_line.hpp"
-#include "app/input/config_error.hpp"
 #include "app/input/study.hpp"
 #include "app/input/study_file.hpp"
+#include "app/text/config_error.hpp"
 
 #include <catch2/catch.hpp>
 

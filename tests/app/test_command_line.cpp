@@ -1,9 +1,9 @@
 #include "app/input/command_line.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/number_text.hpp"
 #include "app/input/option.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/text/number_text.hpp"
 #include "app/verbs.hpp"
 
 #include <catch2/catch.hpp>

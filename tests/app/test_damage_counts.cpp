@@ -1,7 +1,7 @@
 #include "app/fragility/damage_counts.hpp"
 
 #include "app/fragility/damage_curves.hpp"
-#include "app/input/config_error.hpp"
+#include "app/text/config_error.hpp"
 
 #include <catch2/catch.hpp>
 

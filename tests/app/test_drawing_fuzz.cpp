@@ -1,6 +1,6 @@
 #include "app/drawing/write_drawing.hpp"
 #include "app/drawing_scenes.hpp"
-#include "app/input/config_error.hpp"
+#include "app/text/config_error.hpp"
 #include "scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>

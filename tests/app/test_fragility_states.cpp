@@ -1,8 +1,8 @@
 #include "app/input/limit_state_text.hpp"
 
-#include "app/input/config_error.hpp"
 #include "app/input/units.hpp"
 #include "app/study_scenes.hpp"
+#include "app/text/config_error.hpp"
 
 #include <catch2/catch.hpp>
 

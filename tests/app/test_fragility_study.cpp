@@ -1,7 +1,6 @@
 #include "app/fragility/fragility_command.hpp"
 
 #include "app/input/command_line.hpp"
-#include "app/input/config_error.hpp"
 #include "app/store/store.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/study_columns.hpp"
@@ -9,6 +8,7 @@
 #include "app/study/study_runner.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study_scenes.hpp"
+#include "app/text/config_error.hpp"
 #include "app/verbs.hpp"
 #include "dem/block/model.hpp"
 #include "tests/scenes/temporary_folder.hpp"

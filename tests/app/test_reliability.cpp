@@ -1,9 +1,9 @@
-#include "app/input/config_error.hpp"
 #include "app/reliability/event.hpp"
 #include "app/reliability/kept_evaluations.hpp"
 #include "app/reliability/methods.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study_scenes.hpp"
+#include "app/text/config_error.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 #include "uq/reliability/evaluate.hpp"
 

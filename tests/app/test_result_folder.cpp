@@ -1,6 +1,6 @@
 #include "app/output/result_folder.hpp"
 
-#include "app/input/config_error.hpp"
+#include "app/text/config_error.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>

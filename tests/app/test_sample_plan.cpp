@@ -1,8 +1,8 @@
-#include "app/input/config_error.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/sampling/wall_sites.hpp"
 #include "app/study/study_identity.hpp"
 #include "app/study_scenes.hpp"
+#include "app/text/config_error.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "app/input/study_file.hpp"
 
-#include "app/input/text_file.hpp"
+#include "app/text/text_file.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "app/output/vtk_series.hpp"
 
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 #include "tests/scenes/xml_tree.hpp"

@@ -1,5 +1,5 @@
-#include "app/input/config_error.hpp"
 #include "app/input/study.hpp"
+#include "app/text/config_error.hpp"
 #include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>

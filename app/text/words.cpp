@@ -1,4 +1,4 @@
-#include "app/input/words.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "app/input/number_text.hpp"
+#include "app/text/number_text.hpp"
 
 #include <array>
 #include <cassert>

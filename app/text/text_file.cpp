@@ -1,6 +1,6 @@
-#include "app/input/text_file.hpp"
+#include "app/text/text_file.hpp"
 
-#include "app/input/config_error.hpp"
+#include "app/text/config_error.hpp"
 
 #include <cerrno>
 #include <cstddef>

@@ -1,0 +1,30 @@
+#pragma once
+/// The blocks and joints of a study's wall: courses by their keys, or outlines that were drawn.
+
+#include "app/input/study.hpp"
+#include "dem/scene/layout.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// Reads the outlines of `wall.geometry` or `wall.outlines` into the study, and what follows from them.
+/// @throws ConfigError at the drawing, or at a key of the study
+void read_geometry(Study& study);
+
+[[nodiscard]] bool is_drawn(const Study& study);
+
+/// Of the wall with its beam.
+[[nodiscard]] dem::Layout layout_of(const Study& study);
+
+/// "0 0, 0.2 0, 0.2 0.1, 0 0.1; ...": corners in metres, to all digits, counter-clockwise. A layer that is not the
+/// wall's own stone stands in front: "lintel: 0 0, ...".
+[[nodiscard]] std::string outlines_text(const Study& study);
+
+/// A short text that differs where outlines do.
+[[nodiscard]] std::string outlines_mark(const Study& study);
+
+} // namespace app
