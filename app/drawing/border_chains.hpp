@@ -49,6 +49,7 @@ struct SimplifiedChains {
     std::size_t finer = 0;                       ///< chains with a smaller tolerance
     bool crossing = false;                       ///< some still cross or touch
 };
+/// @throws TooCrowded
 [[nodiscard]] SimplifiedChains simplify_chains(const ChainNetwork& network, double tolerance);
 
 /// The outline of each stone, counter-clockwise.

@@ -173,26 +173,25 @@ bool put_on_sides(OutlineNetwork& network, Fitting& fitting)
     return true;
 }
 
-/// Moves the nodes on sides until the sides are straight again. A side may end at nodes that move too: the sweeps converge
-/// to lines through the ends of each joint.
+/// Moves the nodes on sides until the sides are straight again, to what the solver can see. A side may end at nodes that move
+/// too: the sweeps converge to a line through all of a bed joint.
 void straighten_sides(OutlineNetwork& network, const Fitting& fitting)
 {
-    constexpr double kStraight = 1e-9; // [m]; a corner drawn on a side stays as drawn
     if (fitting.on_sides.empty()) return;
     const std::size_t most =
-        std::min<std::size_t>(20'000, 100'000'000 / fitting.on_sides.size() + 1);
+        std::min<std::size_t>(20'000, 20'000'000 / fitting.on_sides.size() + 1);
     bool moved = true;
     for (std::size_t sweep = 0; sweep < most && moved; ++sweep) {
         moved = false;
         for (const OnSide& o : fitting.on_sides) {
             const dem::Point a = at(network, o.a), b = at(network, o.b), p = at(network, o.n);
             double share = 0.0;
-            if (distance_to_segment(p, a, b, share) <= kStraight) continue;
+            if (distance_to_segment(p, a, b, share) <= kLeastSnap) continue;
             const dem::Point on{a.x + share * (b.x - a.x),
                                 p.z == 0.0 ? 0.0 : a.z + share * (b.z - a.z)};
             const dem::Point was = fitting.drawn[static_cast<std::size_t>(o.n)];
             if (std::hypot(on.x - was.x, on.z - was.z) > 2.0 * network.snap) continue;
-            moved |= std::hypot(on.x - p.x, on.z - p.z) > 0.1 * kStraight;
+            moved |= std::hypot(on.x - p.x, on.z - p.z) > 0.1 * kLeastSnap;
             network.nodes[static_cast<std::size_t>(o.n)] = on;
         }
     }
@@ -213,7 +212,7 @@ void note_fitting(OutlineNetwork& network, const Fitting& fitting)
                                 " joined to others, at most " + millimetres(fitting.farthest) +
                                 " away.");
     }
-    if (farthest > 1e-9) {
+    if (farthest > kLeastSnap) {
         network.notes.push_back(
             counted(on_sides.size(), "corner lies", "corners lie") +
             " on sides of other blocks; to this end corners were moved by at most " +

@@ -149,7 +149,7 @@ std::size_t close_corners(Labels& labels)
 
 Labels grow_stones(const DrawingFrame& frame, Labels labels, PixelSize size)
 {
-    constexpr int kMostRounds = 50; // a few do
+    constexpr int kMostRounds = 20; // a few do
     const InColumn nearest = nearest_in_column(labels);
     std::vector<Parabola> envelope;
     for (int row = 0; row < labels.rows; ++row) grow_row(labels, nearest, size, row, envelope);

@@ -149,7 +149,8 @@ bool is_polygon(const json& object)
            data->is_object() && data->contains("points") && (*data)["points"].is_array();
 }
 
-void add_object(JsonContent& content, const json& object, int line)
+/// True if it was something.
+bool add_object(JsonContent& content, const json& object, int line)
 {
     RawDrawing& drawing = content.drawing;
     if (object.contains("outline")) {
@@ -173,10 +174,13 @@ void add_object(JsonContent& content, const json& object, int line)
         for (std::size_t i = 0; i < polygon.points.size(); ++i)
             face.push_back(static_cast<int>(i));
         content.meshes.push_back(std::move(polygon));
+    } else {
+        return false;
     }
+    return true;
 }
 
-/// Called by the parser whenever something begins or ends. Objects are taken when they end.
+/// Called by the parser whenever something begins or ends. Objects are taken when they end, and then forgotten.
 bool take(JsonContent& content, int depth, json::parse_event_t event, json& parsed)
 {
     const auto level = static_cast<std::size_t>(depth);
@@ -194,8 +198,7 @@ bool take(JsonContent& content, int depth, json::parse_event_t event, json& pars
         content.begun.push_back(content.line);
         break;
     case json::parse_event_t::object_end:
-        add_object(content, parsed, content.begun[level]);
-        break;
+        return !add_object(content, parsed, content.begun[level]);
     case json::parse_event_t::array_end:
         if (depth == 2 && content.key == "blocks") {
             add_outline(content.drawing,

@@ -106,15 +106,21 @@ void refuse_loose_ends(const RawDrawing& drawing, const LineNetwork& network, do
     }
 }
 
-/// The half line that follows around the face on the left.
-std::size_t next_around(const LineNetwork& network, std::size_t i)
+/// The half line that follows around the face on the left of each.
+std::vector<std::size_t> next_around(const LineNetwork& network)
 {
-    const HalfLine& h = network.half_lines[i];
-    const std::size_t first = network.begin[static_cast<std::size_t>(h.to)];
-    const std::size_t n = network.begin[static_cast<std::size_t>(h.to) + 1] - first;
-    std::size_t back = 0;
-    while (network.half_lines[first + back].to != h.from) ++back;
-    return first + (back + n - 1) % n; // the next one clockwise
+    std::map<Side, std::size_t> index;
+    for (std::size_t i = 0; i < network.half_lines.size(); ++i) {
+        index[{network.half_lines[i].from, network.half_lines[i].to}] = i;
+    }
+    std::vector<std::size_t> next;
+    for (const HalfLine& h : network.half_lines) {
+        const std::size_t back = index[{h.to, h.from}],
+                          first = network.begin[static_cast<std::size_t>(h.to)];
+        const std::size_t last = network.begin[static_cast<std::size_t>(h.to) + 1] - 1;
+        next.push_back(back == first ? last : back - 1); // the next one clockwise
+    }
+    return next;
 }
 
 /// The layer that most of the length is on; of equal ones that of the first line.
@@ -156,13 +162,14 @@ void add_face(RawDrawing& drawing, const LineNetwork& network,
 
 void add_faces(RawDrawing& drawing, const LineNetwork& network)
 {
+    const std::vector<std::size_t> next = next_around(network);
     const std::size_t none = network.half_lines.size();
     std::vector<std::size_t> face_of(none, none);
     std::vector<std::vector<std::size_t>> faces;
     for (std::size_t first = 0; first < none; ++first) {
         if (face_of[first] != none) continue;
         std::vector<std::size_t>& face = faces.emplace_back();
-        for (std::size_t i = first; face_of[i] == none; i = next_around(network, i)) {
+        for (std::size_t i = first; face_of[i] == none; i = next[i]) {
             face_of[i] = faces.size() - 1;
             face.push_back(i);
         }

@@ -9,14 +9,19 @@ namespace app {
 namespace {
 
 /// The points of a chain that are kept, by a stack of intervals instead of recursion.
-std::vector<dem::Point> simplified(const std::vector<dem::Point>& points, double tolerance)
+/// @param work distances computed so far, of all chains
+std::vector<dem::Point> simplified(const std::vector<dem::Point>& points, double tolerance,
+                                   std::size_t& work)
 {
+    constexpr std::size_t kMostWork = 300'000'000; // a few seconds
     std::vector<char> keep(points.size());
     keep.front() = keep.back() = 1;
     std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
     while (!open.empty()) {
         const auto [first, last] = open.back();
         open.pop_back();
+        work += last - first;
+        if (work > kMostWork) throw TooCrowded(points[first]);
         double most = std::max(tolerance, 1e-12);
         std::size_t farthest = first;
         for (std::size_t i = first + 1; i < last; ++i) {
@@ -107,6 +112,7 @@ SimplifiedChains simplify_chains(const ChainNetwork& network, double tolerance)
 {
     constexpr int kHalvings = 6; // then no point but those on straight lines goes
     SimplifiedChains result;
+    std::size_t work = 0;
     result.points.resize(network.chains.size());
     std::vector<int> halved(network.chains.size());
     std::vector<char> marked(network.chains.size(), 1);
@@ -114,7 +120,7 @@ SimplifiedChains simplify_chains(const ChainNetwork& network, double tolerance)
         for (std::size_t c = 0; c < network.chains.size(); ++c) {
             if (!marked[c] || network.chains[c].gone) continue;
             const double own = halved[c] > kHalvings ? 0.0 : std::ldexp(tolerance, -halved[c]);
-            result.points[c] = simplified(network.chains[c].points, own);
+            result.points[c] = simplified(network.chains[c].points, own, work);
         }
         std::fill(marked.begin(), marked.end(), 0);
         result.crossing = mark_conflicts(sides_of(network, result.points), marked);
