@@ -5,6 +5,7 @@
 #include "app/input/limit_state_text.hpp"
 #include "app/input/study_checks.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 #include "fragility/cyclic_curve.hpp"
@@ -56,6 +57,7 @@ Study read_study(const StudyFile& file)
     study.source = file;
     for (const Key& key : study_keys()) read_key(key, study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
+    read_geometry(study);
     check_stiffness(study);
     derive(study);
     check_relations(study);
@@ -64,6 +66,16 @@ Study read_study(const StudyFile& file)
 }
 
 namespace {
+
+/// A study stands alone: what was read from a drawing stands in it.
+std::string written_value(const Key& key, const Entry* entry, const Study& study)
+{
+    if (is_drawn(study)) {
+        if (key.name == "wall.outlines") return outlines_text(study);
+        if (says_how_a_file_is_read(key)) return {};
+    }
+    return entry != nullptr ? entry->value : value_text(key, study);
+}
 
 /// How often a draw would lie outside the range of its key, where it is cut off.
 std::string cut_text(const Key& key, const Study& study, bool first)
@@ -84,7 +96,7 @@ std::string effective_configuration(const Study& study)
     for (const Key& key : study_keys()) {
         const Entry* entry = find_entry(study.source, key.name);
         if (entry == nullptr && !is_used(key, study)) continue;
-        const std::string value = entry != nullptr ? entry->value : value_text(key, study);
+        const std::string value = written_value(key, entry, study);
         if (value.empty()) continue;
         if (section_of(key.name) != section) {
             section = section_of(key.name);
@@ -124,7 +136,7 @@ dem::Model model_of(const Study& study)
 {
     const Parameters& p = study.parameters;
     const double h = study.wall.course_height;
-    return dem::discretise(study.wall, p.stone, study.beam, loads(study, 0),
+    return dem::discretise(layout_of(study), p.stone, study.beam, loads(study, 0),
                            {joint_material(p, h, 0), crack_material(p, h, 0)},
                            study.discretisation);
 }

@@ -6,6 +6,7 @@
 #include "app/input/parameters.hpp"
 #include "app/input/study_file.hpp"
 #include "dem/block/discretisation.hpp"
+#include "dem/scene/drawn_layout.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "dem/scene/paper_materials.hpp"
 #include "dem/scene/wall.hpp"
@@ -27,6 +28,22 @@ struct Model;
 }
 
 namespace app {
+
+/// A wall that is drawn, in place of courses.
+struct GeometryInput {
+    std::string file;                 ///< drawing or picture; empty: none
+    std::string outlines;             ///< in place of a file, as outlines_text() writes them
+    double length_unit = 1e-3;        ///< of the drawing [m]
+    double snap = 5e-4;               ///< gaps and overlaps that are closed [m], >= 0
+    double picture_width = 0.0;       ///< [m]; 0: not given
+    double picture_height = 0.0;      ///< [m]; 0: not given
+    double simplify = 5e-3;           ///< tolerance of outlines traced from a picture [m], >= 0
+    std::string layer_stones;         ///< "NAME: E, Poisson's ratio, density; ..."
+    std::vector<std::string> layers;  ///< whose stone is not the wall's
+    std::vector<dem::Elastic> stones; ///< of these layers
+    std::vector<dem::DrawnUnit> units; ///< what was read
+    std::vector<std::string> notes;    ///< what was closed, simplified or ignored on the way
+};
 
 struct LoadInput {
     std::vector<double> vertical_stress; ///< stress levels [Pa], >= 0, at least one
@@ -144,6 +161,7 @@ struct FragilityInput {
 
 struct Study {
     dem::WallGeometry wall;
+    GeometryInput geometry;
     Parameters parameters;
     dem::Beam beam{.material = {.poisson_ratio = 0.2}}; // choice: concrete
     LoadInput load;

@@ -1,4 +1,5 @@
 #include "app/input/study_checks.hpp"
+#include "app/input/wall_geometry.hpp"
 
 #include "app/input/units.hpp"
 #include "app/text/number_text.hpp"
@@ -95,11 +96,11 @@ void check_pieces(const Study& study)
     constexpr double kSmallest = 1e-3; // [m]
     constexpr double kMostUnits = 1e5;
     const dem::WallGeometry& wall = study.wall;
-    if (wall.length < wall.unit_length) {
+    if (!is_drawn(study) && wall.length < wall.unit_length) {
         refuse(study, "wall.length",
                "must be at least one wall.unit_length, " + text(wall.unit_length, "m"));
     }
-    if (wall.courses * (wall.length / wall.unit_length) > kMostUnits) {
+    if (!is_drawn(study) && wall.courses * (wall.length / wall.unit_length) > kMostUnits) {
         refuse(study, "wall.unit_length", "makes a wall of more than 100000 units");
     }
     const std::string_view culprit =
@@ -110,7 +111,8 @@ void check_pieces(const Study& study)
                    " mm long; choose wall.length, unit_length and bond so that none is below 1 "
                    "mm");
     };
-    const dem::Layout layout = dem::lay_out(wall, study.beam.present ? study.beam.height : 0.0);
+    if (is_drawn(study)) return; // as drawn
+    const dem::Layout layout = layout_of(study);
     for (const dem::Block& b : layout.blocks) {
         if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
     }
@@ -123,7 +125,7 @@ void check_pieces(const Study& study)
 void check_load(const Study& study)
 {
     constexpr double kRounding = 1e-9; // [m]
-    const double top = study.wall.courses * study.wall.course_height;
+    const double top = wall_height(study);
     const double low = top - kRounding, high = top + study.beam.height + kRounding;
     const bool body = study.load.pattern == dem::LoadPattern::body;
     if (!body && (study.load.height < low || study.load.height > high)) {

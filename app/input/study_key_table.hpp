@@ -17,6 +17,10 @@ constexpr Named named(std::string_view word, auto value)
 
 inline constexpr std::array kYesNo = {named("yes", true), named("no", false)};
 
+/// Keys that say how a file is read.
+inline constexpr Condition kOfFile{[](const Study& s) { return !s.geometry.file.empty(); },
+                                   "there is no wall.geometry to read; remove it", true};
+
 [[nodiscard]] std::span<const Key> wall_keys();   ///< wall, stone, joint, unit, beam, base
 [[nodiscard]] std::span<const Key> solver_keys(); ///< load, solver, output
 [[nodiscard]] std::span<const Key> random_keys(); ///< uq, reliability, fragility

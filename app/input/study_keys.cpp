@@ -37,6 +37,11 @@ bool holds(const Condition& condition, const Study& study)
 
 } // namespace
 
+bool says_how_a_file_is_read(const Key& key)
+{
+    return key.name == "wall.geometry" || key.used.holds == kOfFile.holds;
+}
+
 bool is_used(const Key& key, const Study& study) { return holds(key.used, study); }
 
 std::string_view why_no_effect(const Key& key, const Study& study)

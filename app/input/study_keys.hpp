@@ -80,6 +80,9 @@ struct Key {
 /// nullptr if there is none.
 [[nodiscard]] const Key* find_key(std::string_view name);
 
+/// Whether a key tells of a file whose content the study keeps.
+[[nodiscard]] bool says_how_a_file_is_read(const Key& key);
+
 [[nodiscard]] bool is_used(const Key& key, const Study& study);
 
 /// Why the value of a key changes nothing in this study; empty if it does.

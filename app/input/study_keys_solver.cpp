@@ -1,6 +1,7 @@
 /// Load, solver and output: keys of the study file.
 
 #include "app/input/study_key_table.hpp"
+#include "app/input/wall_geometry.hpp"
 
 #include <array>
 
@@ -36,7 +37,7 @@ constexpr std::array kModes = {named("all", 0), named("rigid", 3)};
 /// Top of the beam, or the centre of gravity of what body forces push.
 void derive_load_height(Study& s)
 {
-    const double wall = s.wall.courses * s.wall.course_height;
+    const double wall = wall_height(s);
     const double beam = s.beam.present ? s.beam.height : 0.0;
     s.load.height = wall + beam;
     if (s.load.pattern == dem::LoadPattern::beam) return;

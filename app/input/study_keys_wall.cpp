@@ -41,8 +41,6 @@ void derive_shear_stiffness(Parameters& p, double course_height)
 
 bool rigid_blocks(const Study& s) { return s.discretisation.block_modes == 3; }
 
-constexpr Condition kWithCracks{[](const Study& s) { return s.wall.cracks_in_units; },
-                                "wall.unit_cracks is no"};
 constexpr Condition kWithBaseJoint{
     [](const Study& s) { return s.wall.base == dem::Base::joint; },
     "there is no base joint; write wall.base = joint, or remove it", true};
@@ -51,6 +49,31 @@ constexpr Condition kWithBeam{[](const Study& s) { return s.beam.present; },
 constexpr Condition kWithBeamJoint{
     [](const Study& s) { return s.beam.interface == dem::BeamInterface::joint; },
     "there is no beam joint; write beam.interface = joint, or remove it", true};
+
+bool is_picture(const Study& s) { return s.geometry.file.ends_with(".png"); }
+constexpr Condition kOfDrawing{[](const Study& s) { return !is_picture(s); },
+                               "wall.geometry is a picture"};
+constexpr Condition kOfPicture{is_picture, "wall.geometry is no picture"};
+constexpr Condition kWhereDrawn{
+    [](const Study& s) { return !s.geometry.file.empty() || !s.geometry.outlines.empty(); },
+    "the wall is not drawn; write wall.geometry, or remove it", true};
+constexpr Condition kInCourses{
+    [](const Study& s) { return s.geometry.file.empty() && s.geometry.outlines.empty(); },
+    "the wall is drawn, not laid in courses; remove it", true};
+/// Not needed by a wall that is drawn, but of use to it.
+template <auto kKey>
+constexpr Condition kInCoursesOrGiven{[](const Study& s) {
+    return kInCourses.holds(s) || find_entry(s.source, kKey) != nullptr;
+}};
+constexpr const char kUnitLength[] = "wall.unit_length", kCourseHeight[] = "wall.course_height";
+constexpr Condition kWithWholeUnits = kInCoursesOrGiven<kUnitLength>;
+constexpr Condition kWithCracks{
+    [](const Study& s) { return s.wall.cracks_in_units && kWithWholeUnits.holds(s); },
+    "no unit can crack: wall.unit_cracks is no, or a drawn wall has no wall.unit_length that "
+    "tells whole "
+    "units"};
+constexpr std::array kLengthUnits = {named("mm", 1e-3), named("cm", 1e-2), named("m", 1.0),
+                                     named("in", 0.0254), named("ft", 0.3048)};
 
 constexpr Condition kSeveralCourses{[](const Study& s) {
                                         return s.wall.courses > 1 ||
@@ -81,37 +104,67 @@ constexpr Range kFactor{'(', 0, 1000, ']'};    // [-]
 
 // clang-format off
 constexpr std::array kKeys = {
-    Key{.name = "wall.length", .unit = "m", .range = kLength, .example = "1.00 m",
+    Key{.name = "wall.geometry", .kind = Kind::text,
+        .meaning = "a drawing of the blocks (.dxf, .json, .svg) or a picture of the stones (.png), in place of courses; from the folder of the study",
+        .field = kAt<&Study::geometry, &GeometryInput::file>},
+    Key{.name = "wall.outlines", .kind = Kind::text,
+        .meaning = "the same as text: corners x z in metres, counter-clockwise, between commas; blocks between semicolons",
+        .field = kAt<&Study::geometry, &GeometryInput::outlines>},
+    Key{.name = "wall.length_unit", .kind = Kind::word, .names = kLengthUnits, .used = kOfFile,
+        .effect = kOfDrawing,
+        .meaning = "of the drawing",
+        .field = kAt<&Study::geometry, &GeometryInput::length_unit>},
+    Key{.name = "wall.snap", .unit = "mm", .range = {'[', 0, 100, ']'}, .used = kOfFile,
+        .effect = kOfDrawing,
+        .meaning = "gaps and overlaps of a drawing up to this are closed",
+        .field = kAt<&Study::geometry, &GeometryInput::snap>},
+    Key{.name = "wall.picture_width", .unit = "m", .range = kLength, .used = kOfFile,
+        .effect = kOfPicture,
+        .meaning = "of the picture from edge to edge",
+        .field = kAt<&Study::geometry, &GeometryInput::picture_width>},
+    Key{.name = "wall.picture_height", .unit = "m", .range = kLength, .used = kOfFile,
+        .effect = kOfPicture,
+        .meaning = "of the picture from edge to edge",
+        .field = kAt<&Study::geometry, &GeometryInput::picture_height>},
+    Key{.name = "wall.simplify", .unit = "mm", .range = {'[', 0, 1000, ']'}, .used = kOfFile,
+        .effect = kOfPicture,
+        .meaning = "how far an outline may be from the stone's in the picture",
+        .field = kAt<&Study::geometry, &GeometryInput::simplify>},
+    Key{.name = "wall.layer_stones", .kind = Kind::text, .used = kWhereDrawn,
+        .meaning = "stone of layers that is not the wall's: lintel: 30 GPa, 0.2, 2500 kg/m3; ...",
+        .field = kAt<&Study::geometry, &GeometryInput::layer_stones>},
+    Key{.name = "wall.length", .unit = "m", .range = kLength, .used = kInCourses, .example = "1.00 m",
         .meaning = "along the push",
         .field = kAt<&Study::wall, &WallGeometry::length>},
-    Key{.name = "wall.courses", .kind = Kind::count, .range = {'[', 1, 1000, ']'}, .example = "10",
+    Key{.name = "wall.courses", .kind = Kind::count, .range = {'[', 1, 1000, ']'}, .used = kInCourses, .example = "10",
         .meaning = "number of courses",
         .field = kAt<&Study::wall, &WallGeometry::courses>},
-    Key{.name = "wall.course_height", .unit = "m", .range = kHeight, .example = "0.10 m",
+    Key{.name = "wall.course_height", .unit = "m", .range = kHeight, .used = kInCoursesOrGiven<kCourseHeight>, .example = "0.10 m",
         .meaning = "height of a course, h of Eq. 2",
         .field = kAt<&Study::wall, &WallGeometry::course_height>},
-    Key{.name = "wall.unit_length", .unit = "m", .range = kLength, .example = "0.20 m",
+    Key{.name = "wall.unit_length", .unit = "m", .range = kLength, .used = kInCoursesOrGiven<kUnitLength>, .example = "0.20 m",
         .meaning = "length of a whole unit",
         .field = kAt<&Study::wall, &WallGeometry::unit_length>},
     Key{.name = "wall.thickness", .unit = "m", .range = kLength, .example = "0.20 m",
         .meaning = "of the wall, out of plane",
         .field = kAt<&Study::wall, &WallGeometry::thickness>},
     Key{.name = "wall.bond", .range = {'[', 0, 1, ')'}, .names = kBonds,
-        .effect = kSeveralCourses,
+        .used = kInCourses, .effect = kSeveralCourses,
         .meaning = "shift of every second course in unit lengths; running 0.5, stack 0",
         .field = kAt<&Study::wall, &WallGeometry::bond_offset>},
     Key{.name = "wall.first_course", .kind = Kind::word, .names = kFirstCourses,
-        .effect = kShiftedCourses,
+        .used = kInCourses, .effect = kShiftedCourses,
         .meaning = "bottom course starts with a whole unit or with the shifted piece",
         .field = kAt<&Study::wall, &WallGeometry::first_course>},
     Key{.name = "wall.unit_cracks", .kind = Kind::word, .names = kYesNo,
+        .used = kWithWholeUnits,
         .meaning = "a potential crack at mid-length of each whole unit (paper, Fig. 2)",
         .field = kAt<&Study::wall, &WallGeometry::cracks_in_units>},
     Key{.name = "wall.base", .kind = Kind::word, .names = kBases,
         .meaning = "bottom face clamped (paper, section 3), or on a dry joint",
         .field = kAt<&Study::wall, &WallGeometry::base>},
     Key{.name = "wall.toe", .kind = Kind::word, .names = kToes,
-        .effect = kMovingFirstCourse,
+        .used = kInCourses, .effect = kMovingFirstCourse,
         .meaning = "toe side of the first course held sideways (paper, section 3)",
         .field = kAt<&Study::wall, &WallGeometry::toe>},
 

@@ -17,6 +17,9 @@ void read_geometry(Study& study);
 
 [[nodiscard]] bool is_drawn(const Study& study);
 
+/// Of the masonry above the floor, without the beam [m].
+[[nodiscard]] double wall_height(const Study& study);
+
 /// Of the wall with its beam.
 [[nodiscard]] dem::Layout layout_of(const Study& study);
 

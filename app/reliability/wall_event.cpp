@@ -1,4 +1,5 @@
 #include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_response.hpp"
 #include "app/reliability/event.hpp"
 #include "app/reliability/methods.hpp"
@@ -89,8 +90,7 @@ ReliabilityProblem wall_problem(const Study& given, const Command& command)
     const Demand demand = demand_of(study);
     check_reached(study, demand);
     const std::vector<std::uint32_t> one = {1};
-    const SamplePlan plan =
-        sample_plan(study, dem::lay_out(study.wall, study.beam.height), one);
+    const SamplePlan plan = sample_plan(study, layout_of(study), one);
 
     ReliabilityProblem p;
     p.event.model = wall_model(study, plan, level, command.threads);

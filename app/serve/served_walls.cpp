@@ -2,6 +2,7 @@
 
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_response.hpp"
 #include "app/reliability/wall_black_box.hpp"
 #include "app/sampling/sample_plan.hpp"
@@ -182,8 +183,8 @@ std::vector<ServedModel> served_models(const ServedStudy& served, const std::str
                                        const WallPush& push)
 {
     const Study& study = served.study;
-    const auto shared = std::make_shared<Shared>(
-        Shared{dem::lay_out(study.wall, study.beam.height), study.random, {}, {}, push});
+    const auto shared =
+        std::make_shared<Shared>(Shared{layout_of(study), study.random, {}, {}, push});
     for (const RandomInput& input : study.random)
         shared->sites.push_back(values_per_wall(input, study.uq.spatial, shared->layout));
     const std::vector<ServedColumn> outputs = output_columns(responses, *shared);

@@ -2,6 +2,7 @@
 
 #include "app/input/key_effects.hpp"
 #include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/cells.hpp"
 #include "app/sampling/sample_plan.hpp"
@@ -59,7 +60,7 @@ int sample_command(const Command& command)
                        "nothing to draw: no value of this study is a distribution; write e.g. "
                        "\"friction_angle = normal(mean 31.8 deg, cov 0.20)\"");
     say_effects(study, command);
-    const dem::Layout layout = dem::lay_out(study.wall, study.beam.height);
+    const dem::Layout layout = layout_of(study);
     const SamplePlan plan = sample_plan(study, layout, source.sizes);
     Table table = head_of(plan);
     for (std::size_t level = 0; level < study.load.vertical_stress.size(); ++level)

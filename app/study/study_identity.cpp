@@ -1,6 +1,7 @@
 #include "app/study/study_identity.hpp"
 
 #include "app/input/key_values.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/version.hpp"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ constexpr std::array<std::string_view, 6> kFree = {"uq.samples",
 
 std::string value_of(const Key& key, const Study& study)
 {
+    if (key.name == "wall.outlines" && is_drawn(study)) return outlines_mark(study);
     const bool random = std::any_of(study.random.begin(), study.random.end(),
                                     [&](const RandomInput& r) { return r.key == key.name; });
     return random ? find_entry(study.source, key.name)->value : value_text(key, study);
@@ -34,6 +36,8 @@ std::string identity_text(const Study& study)
         if (std::find(kFree.begin(), kFree.end(), key.name) != kFree.end()) continue;
         const std::string_view section = section_of(key.name);
         if (section == "reliability" || section == "fragility") continue;
+        if (is_drawn(study) && says_how_a_file_is_read(key))
+            continue; // its outlines stand for it
         const std::string value = value_of(key, study);
         if (!value.empty()) text += std::string(key.name) + " = " + value + "\n";
     }

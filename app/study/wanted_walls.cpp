@@ -1,6 +1,7 @@
 #include "app/study/wanted_walls.hpp"
 
 #include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/study_file_head.hpp"
@@ -64,7 +65,7 @@ std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& c
                           std::to_string(*command.sample) + " is out of range; the study has " +
                               std::to_string(samples) + " samples, from 0");
     const int level = level_of(study, command.level);
-    const dem::Layout layout = dem::lay_out(study.wall, study.beam.height);
+    const dem::Layout layout = layout_of(study);
     const SamplePlan plan = sample_plan(study, layout, source.sizes);
     return {{level, draw(plan, level, *command.sample)}};
 }

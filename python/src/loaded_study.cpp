@@ -1,6 +1,7 @@
 #include "python/src/loaded_study.hpp"
 
 #include "app/input/option.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/study/push_walls.hpp"
 #include "python/src/beside_python.hpp"
 
@@ -17,7 +18,7 @@ std::shared_ptr<LoadedStudy> load_study(const std::string& path,
     command.study = path;
     command.overrides = overrides;
     app::StudySource source = app::study_source(command);
-    dem::Layout layout = dem::lay_out(source.study.wall, source.study.beam.height);
+    dem::Layout layout = layout_of(source.study);
     return std::make_shared<LoadedStudy>(
         LoadedStudy{std::move(source), std::move(layout), {}, {}});
 }

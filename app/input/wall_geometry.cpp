@@ -1,0 +1,231 @@
+#include "app/input/wall_geometry.hpp"
+
+#include "app/drawing/drawing.hpp"
+#include "app/input/units.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
+#include "dem/scene/drawn_layout.hpp"
+#include "dem/scene/polygon.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+
+namespace app {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char at)
+{
+    std::vector<std::string_view> parts;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t to = std::min(text.find(at, from), text.size());
+        if (const std::string_view part = trimmed(text.substr(from, to - from)); !part.empty())
+            parts.push_back(part);
+        from = to + 1;
+    }
+    return parts;
+}
+
+double parse_coordinate(std::string_view text)
+{
+    double x = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    if (error != std::errc() || end != text.data() + text.size() || !(std::abs(x) < 1e4))
+        throw BadValue(in_quotes(text) + " is not a coordinate in metres");
+    return x;
+}
+
+dem::Point parse_corner(std::string_view text)
+{
+    const std::vector<std::string_view> xz = split(text, ' ');
+    if (xz.size() != 2)
+        throw BadValue(in_quotes(text) + " is not a corner; write x and z in metres: 0.2 0.1");
+    return {parse_coordinate(xz[0]), parse_coordinate(xz[1])};
+}
+
+/// "NAME: rest", or the whole text where there is no name.
+std::pair<std::string, std::string_view> named_part(std::string_view text)
+{
+    const std::size_t colon = text.find(':');
+    if (colon == std::string_view::npos) return {"", text};
+    return {std::string(trimmed(text.substr(0, colon))), trimmed(text.substr(colon + 1))};
+}
+
+/// 0 where the layer is of the wall's own stone.
+int material_of(const std::vector<std::string>& layers, std::string_view layer)
+{
+    const auto at = std::find(layers.begin(), layers.end(), layer);
+    return at == layers.end() ? 0 : 1 + static_cast<int>(at - layers.begin());
+}
+
+std::vector<dem::DrawnUnit> parse_outlines(const GeometryInput& g)
+{
+    std::vector<dem::DrawnUnit> units;
+    for (const std::string_view part : split(g.outlines, ';')) {
+        const auto [layer, corners] = named_part(part);
+        dem::DrawnUnit unit;
+        unit.material = material_of(g.layers, layer);
+        for (const std::string_view corner : split(corners, ','))
+            unit.outline.push_back(parse_corner(corner));
+        if (unit.outline.size() < 3 || !(dem::polygon_area(unit.outline) > 0.0))
+            throw BadValue(in_quotes(part) +
+                           " is no outline; it needs three corners, counter-clockwise");
+        units.push_back(std::move(unit));
+    }
+    if (units.empty()) throw BadValue("there is no outline");
+    return units;
+}
+
+/// "NAME: E, Poisson's ratio, density; ..."
+void parse_layer_stones(Study& study)
+{
+    GeometryInput& g = study.geometry;
+    for (const std::string_view part : split(g.layer_stones, ';')) {
+        const auto [name, values] = named_part(part);
+        const std::vector<std::string_view> v = split(values, ',');
+        if (name.empty() || v.size() != 3)
+            throw BadValue(in_quotes(part) +
+                           " is no stone of a layer; write for example \"lintel: 30 GPa, 0.2, "
+                           "2500 kg/m3\"");
+        const dem::Elastic stone{parse_quantity(v[0], "GPa"), parse_quantity(v[1], ""),
+                                 parse_quantity(v[2], "kg/m3")};
+        if (!(stone.young_modulus > 0.0 && stone.poisson_ratio >= 0.0 &&
+              stone.poisson_ratio < 0.5 && stone.density >= 0.0))
+            throw BadValue(
+                in_quotes(part) +
+                ": Young's modulus must be positive, Poisson's ratio in [0, 0.5), the "
+                "density not negative");
+        g.layers.push_back(name);
+        g.stones.push_back(stone);
+    }
+}
+
+std::filesystem::path path_of(const Study& study)
+{
+    const std::filesystem::path path = study.geometry.file;
+    const Entry* entry = find_entry(study.source, "wall.geometry");
+    if (path.is_absolute() || entry == nullptr || entry->line == 0) return path;
+    return std::filesystem::path(study.source.path).parent_path() / path;
+}
+
+void read_file(Study& study)
+{
+    GeometryInput& g = study.geometry;
+    const std::filesystem::path path = path_of(study);
+    if (path.extension() == ".png")
+        for (const auto& [key, size] : {std::pair{"wall.picture_width", g.picture_width},
+                                        std::pair{"wall.picture_height", g.picture_height}})
+            if (size == 0.0)
+                throw error_at(
+                    study.source, key,
+                    "missing; a picture does not say its size: write for example 1.20 m");
+    const Drawing drawing = read_drawing(
+        path, {g.length_unit, g.snap, g.picture_width, g.picture_height, g.simplify});
+    g.notes = drawing.notes;
+    for (const DrawnBlock& b : drawing.blocks)
+        g.units.push_back({b.outline, material_of(g.layers, b.layer)});
+    for (const std::string& layer : g.layers)
+        if (std::ranges::none_of(drawing.blocks,
+                                 [&](const DrawnBlock& b) { return b.layer == layer; }))
+            throw error_at(study.source, "wall.layer_stones",
+                           "the drawing has no layer " + in_quotes(layer));
+}
+
+std::string outline_text(const dem::DrawnUnit& unit)
+{
+    std::string text;
+    for (const dem::Point p : unit.outline)
+        text += (text.empty() ? "" : ", ") + number(p.x, 17) + " " + number(p.z, 17);
+    return text;
+}
+
+dem::DrawnWall drawn_wall(const Study& study)
+{
+    dem::DrawnWall wall;
+    wall.units = study.geometry.units;
+    wall.stones = study.geometry.stones;
+    wall.thickness = study.wall.thickness;
+    wall.base = study.wall.base;
+    const bool given = find_entry(study.source, "wall.unit_length") != nullptr;
+    wall.unit_length = given ? study.wall.unit_length : 0.0;
+    wall.cracks_in_units = given && study.wall.cracks_in_units;
+    return wall;
+}
+
+} // namespace
+
+bool is_drawn(const Study& study) { return !study.geometry.units.empty(); }
+
+void read_geometry(Study& study)
+{
+    GeometryInput& g = study.geometry;
+    const std::string_view key = g.file.empty() ? "wall.outlines" : "wall.geometry";
+    if (g.file.empty() && g.outlines.empty()) return;
+    if (!g.file.empty() && !g.outlines.empty())
+        throw error_at(study.source, "wall.outlines",
+                       "wall.geometry draws the wall too; remove one of them");
+    try {
+        parse_layer_stones(study);
+    } catch (const BadValue& bad) {
+        throw error_at(study.source, "wall.layer_stones", bad.what());
+    }
+    try {
+        if (g.file.empty())
+            g.units = parse_outlines(g);
+        else
+            read_file(study);
+        const dem::Layout layout = dem::drawn_layout(drawn_wall(study), 0.0);
+        if (find_entry(study.source, "wall.course_height") == nullptr)
+            study.wall.course_height = layout.course_height;
+        study.wall.cracks_in_units = layout.n_cracks > 0;
+    } catch (const BadValue& bad) {
+        throw error_at(study.source, key, bad.what());
+    } catch (const std::invalid_argument& bad) {
+        throw error_at(study.source, key, bad.what());
+    }
+}
+
+double wall_height(const Study& study)
+{
+    if (!is_drawn(study)) return study.wall.courses * study.wall.course_height;
+    double top = 0.0;
+    for (const dem::DrawnUnit& unit : study.geometry.units)
+        for (const dem::Point p : unit.outline) top = std::max(top, p.z);
+    return top;
+}
+
+dem::Layout layout_of(const Study& study)
+{
+    const double beam = study.beam.present ? study.beam.height : 0.0;
+    if (!is_drawn(study)) return dem::lay_out(study.wall, beam);
+    dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam);
+    layout.course_height = study.wall.course_height; // h of Eq. 2
+    return layout;
+}
+
+std::string outlines_text(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    std::string text;
+    for (const dem::DrawnUnit& unit : g.units) {
+        if (!text.empty()) text += "; ";
+        if (unit.material > 0)
+            text += g.layers[static_cast<std::size_t>(unit.material - 1)] + ": ";
+        text += outline_text(unit);
+    }
+    return text;
+}
+
+std::string outlines_mark(const Study& study)
+{
+    std::uint64_t hash = 14695981039346656037ULL; // FNV-1a
+    for (const char c : outlines_text(study)) {
+        hash ^= static_cast<unsigned char>(c);
+        hash *= 1099511628211ULL;
+    }
+    return std::to_string(study.geometry.units.size()) + " outlines, " + std::to_string(hash);
+}
+
+} // namespace app
