@@ -54,11 +54,7 @@ bool can_close(const ChainNetwork& network, const Meeting& m, const Chain& chain
     std::vector<int> common; // a third area at both ends would touch itself
     std::set_intersection(m.areas[from].begin(), m.areas[from].end(), m.areas[to].begin(),
                           m.areas[to].end(), std::back_inserter(common));
-    if (common.size() != 2) return false;
-    std::vector<int> both;
-    std::set_intersection(m.chains[from].begin(), m.chains[from].end(), m.chains[to].begin(),
-                          m.chains[to].end(), std::back_inserter(both));
-    return both.size() == 1;
+    return common.size() == 2;
 }
 
 void close_chain(ChainNetwork& network, Meeting& m, int c)

@@ -11,7 +11,6 @@ namespace {
 /// Node n was put onto the side from a to b.
 struct OnSide {
     int a = 0, n = 0, b = 0;
-    friend auto operator<=>(const OnSide&, const OnSide&) = default;
 };
 
 struct Fitting {

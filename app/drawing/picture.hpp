@@ -53,9 +53,9 @@ struct PixelSize {
 [[nodiscard]] Labels find_stones(const DrawingFrame& frame, const Picture& picture,
                                  PixelSize pixel, double dirt, std::vector<std::string>& notes);
 
-/// Stones grow over the mortar: each pixel goes to the stone nearest to its centre. Each stone is one piece afterwards, and
-/// touches itself at no corner of a pixel.
-/// @throws ConfigError if that cannot be had
-[[nodiscard]] Labels grow_stones(const DrawingFrame& frame, Labels labels, PixelSize pixel);
+/// Stones grow over the mortar: each pixel goes to the stone nearest to its centre. Each stone is one piece afterwards, its
+/// pixels connected through their sides.
+/// @param labels with one stone at least
+[[nodiscard]] Labels grow_stones(Labels labels, PixelSize pixel);
 
 } // namespace app

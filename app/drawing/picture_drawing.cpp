@@ -123,7 +123,7 @@ Drawing read_picture(const DrawingFrame& frame, std::string_view bytes,
         labels = find_stones(frame, picture, pixel, dirt * dirt, drawing.notes);
     }
     const std::vector<std::string> places = places_of(labels);
-    labels = grow_stones(frame, std::move(labels), pixel);
+    labels = grow_stones(std::move(labels), pixel);
     note_pixels(drawing, pixel, options.simplify);
     try {
         const Borders borders = borders_of(frame, labels, options);

@@ -20,7 +20,7 @@
 namespace app {
 namespace {
 
-constexpr std::size_t kDeepest = 256; // groups within groups
+constexpr std::size_t kDeepestGroup = 256; // groups within groups
 
 /// What an element hands down to those within it.
 struct SvgGroup {
@@ -183,7 +183,7 @@ SvgGroup group_of(const SvgContent& content, const SvgElement& element)
 
 void begin_group(SvgContent& content, const SvgElement& element, SvgGroup group)
 {
-    if (content.groups.size() >= kDeepest) {
+    if (content.groups.size() >= kDeepestGroup) {
         refuse(content.drawing.frame, element.place.line,
                "groups within groups, more than 256 deep, are no drawing");
     }

@@ -5,21 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <limits>
-
 namespace app {
 namespace {
 
-/// A number of units that times `unit` is this length, to the last bit if there is one.
-std::string in_units(double metres, double unit)
-{
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    const double value = metres / unit;
-    for (const double near : {value, std::nextafter(value, kFar), std::nextafter(value, -kFar)})
-        if (near * unit == metres) return number(near, 17);
-    return number(value, 17);
-}
+/// All digits of a length in units.
+std::string in_units(double metres, double unit) { return number(metres / unit, 17); }
 
 } // namespace
 

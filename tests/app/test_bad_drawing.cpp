@@ -50,6 +50,8 @@ TEST_CASE("bad drawing: outlines that are no blocks are refused with their place
             "w.json:3: this block overlaps", "(1, 0)"},
            {"w.json", json_text({rectangle(0, 0, 2, 2), {2, 0, 2, 2, 1, 1}}),
             "w.json:3: this block overlaps", "line 2"},
+           {"w.json", json_text({rectangle(0, 0, 2, 2), {2, 0, 1.5, 1, 1, 0.5}}),
+            "w.json:3: this block overlaps the block of line 2 at (2, 0)", "side by side"},
            {"w.json", json_text({rectangle(0, 0, 1, 1), rectangle(0, 0, 1, 1)}),
             "w.json:3: this block is drawn twice", "(0, 0)"},
            {"w.json", json_text({rectangle(0, 0, 3, 3), rectangle(1, 1, 2, 2)}),

@@ -65,6 +65,11 @@ TEST_CASE("json drawing: meshes of COMPAS, flat or boxes, in lists and within as
     CHECK(scenes::notes(boxes, "prisms along y"));
     CHECK(boxes.blocks[1].place == "line 3");
 
+    std::string triangles = compas_box(0, 0);
+    triangles.replace(triangles.find("[0, 1, 5, 4]"), 12, "[0, 1, 5], \"6\": [0, 5, 4]");
+    CHECK(area(drawing_of("w.json", triangles)) == Approx(1.0).epsilon(1e-12));
+    CHECK(drawing_of("w.json", triangles).blocks.size() == 1);
+
     const app::Drawing assembly = drawing_of(
         "w.json",
         R"({"dtype": "compas_assembly.datastructures/Assembly", "data": {"graph": {"data": {"node": {"0": {"block": )" +

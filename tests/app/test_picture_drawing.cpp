@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -212,6 +213,71 @@ TEST_CASE("picture drawing: borders do not cross, however coarse they are",
         check_fills(wall, 1.2, 1.0);
         CHECK(crossings(wall) == 0);
     }
+}
+
+TEST_CASE("picture drawing: stones thinner than the tolerance keep their place between others",
+          "[app][picture_drawing]")
+{
+    Pixels picture = pixels(200, 100, 0x600000);
+    picture.fill(0, 50, 200, 100, 0x006000);
+    for (int column = 20; column < 180;
+         ++column) { // a lens: its two borders have the same ends
+        const int half = 1 + static_cast<int>(3.0 * std::sin(3.14 * (column - 20) / 160.0));
+        picture.fill(column, 50 - half, column + 1, 50 + half, 0x000060);
+    }
+    const app::Drawing wall = drawing_of("w.png", png_bytes(picture),
+                                         {.width = 2.0, .height = 1.0, .simplify = 0.06});
+    CHECK(wall.blocks.size() == 3);
+    check_fills(wall, 2.0, 1.0);
+    CHECK(crossings(wall) == 0);
+    CHECK(scenes::notes(wall, "simplified less, because they would have touched others"));
+}
+
+TEST_CASE("picture drawing: stones that grow stay in one piece", "[app][picture_drawing]")
+{
+    Pixels picture = pixels(40, 40); // the tip of one cell hangs by the corner of a pixel
+    int colour = 0x400000;
+    for (const auto& [left, top, right, bottom] : {std::array{11, 1, 20, 11},
+                                                   {5, 23, 15, 36},
+                                                   {20, 19, 36, 30},
+                                                   {0, 11, 12, 21},
+                                                   {14, 14, 21, 17}})
+        picture.fill(left, top, right, bottom, colour += 0x100000);
+    const app::Drawing wall =
+        drawing_of("w.png", png_bytes(picture), {.width = 1.0, .height = 1.0, .simplify = 0.0});
+    CHECK(wall.blocks.size() == 5);
+    check_fills(wall, 1.0, 1.0);
+}
+
+TEST_CASE("picture drawing: a stone of three borders keeps them, however short",
+          "[app][picture_drawing]")
+{
+    Pixels picture = pixels(100, 100, 0x600000);
+    picture.fill(20, 0, 100, 50, 0x006000);
+    picture.fill(20, 50, 100, 100, 0x606000);
+    for (int column = 20; column < 80; ++column) {
+        const int half = (80 - column) / 12;
+        picture.fill(column, 50 - half, column + 1, 50 + half, 0x000060);
+    }
+    const app::Drawing wall = drawing_of("w.png", png_bytes(picture),
+                                         {.width = 1.0, .height = 1.0, .simplify = 0.051});
+    CHECK(wall.blocks.size() == 4);
+    check_fills(wall, 1.0, 1.0);
+    CHECK_FALSE(scenes::notes(wall, "closed to points"));
+}
+
+TEST_CASE("picture drawing: a short border stays where a stone would touch itself",
+          "[app][picture_drawing]")
+{
+    Pixels picture = pixels(100, 100, 0x600000); // around a pocket whose neck is 20 mm wide
+    picture.fill(70, 0, 100, 100, 0x006000);
+    picture.fill(20, 20, 60, 80, 0x000060);
+    picture.fill(20, 60, 60, 80, 0x606000);
+    picture.fill(60, 49, 70, 51, 0x000060);
+    const app::Drawing wall = drawing_of("w.png", png_bytes(picture),
+                                         {.width = 1.0, .height = 1.0, .simplify = 0.015});
+    CHECK(wall.blocks.size() == 4);
+    check_fills(wall, 1.0, 1.0);
 }
 
 TEST_CASE("picture drawing: borders much shorter than the tolerance are closed to points",

@@ -42,7 +42,7 @@ TEST_CASE("svg drawing: transforms of groups and shapes are applied, and groups 
 {
     const app::Drawing wall =
         drawing_of("w.svg", svg_text(R"x(<g id="g1" transform="translate(10, 20) scale(2)">
-        <g xmlns:inkscape="i" inkscape:label="bricks" transform="rotate(90)"><rect id="r" width="1" height="2"/></g>
+        <g xmlns:inkscape="i" inkscape:label="bricks" transform="rotate(45) rotate(45)"><rect id="r" width="1" height="2"/></g>
         <rect width="1" height="1" transform="matrix(1 0 0 1 0 0)"/></g>
         <rect x="12" y="20" width="1" height="2" transform="rotate(180 12.5 21) skewX(0)"/>)x"));
     REQUIRE(wall.blocks.size() == 3);

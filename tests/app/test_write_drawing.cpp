@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ TEST_CASE(
 {
     std::vector<scenes::Outline> outlines = scenes::running_bond(4, 5);
     for (scenes::Outline& outline : outlines)
-        for (double& x : outline) x *= 1.0 / 3.0; // no round numbers
+        for (double& x : outline) x *= 1.0 / 7.0; // no round numbers
     app::Drawing wall =
         scenes::drawing_of("w.json", scenes::json_text(outlines), {.unit = 1e-3});
     wall.blocks[1].layer = "brick \"old\" \xc3\xa9";
