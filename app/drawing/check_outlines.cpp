@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace app {
@@ -20,21 +19,13 @@ const Ring& ring_at(const OutlineNetwork& network, int r)
     return network.rings[static_cast<std::size_t>(r)];
 }
 
-/// "the block of line 12", or of its first corner where the file has no lines.
-std::string named(const OutlineNetwork& network, const Ring& ring)
-{
-    if (ring.line > 0) return "the block of line " + std::to_string(ring.line);
-    return "the block at " +
-           coordinates(network.frame, position(network, ring.corners.front()));
-}
-
 [[noreturn]] void refuse_overlap(const OutlineNetwork& network, int one, int other,
                                  dem::Point where)
 {
     const auto [first, second] = std::minmax(one, other);
     const Ring& ring = ring_at(network, second);
     refuse(network.frame, ring.line,
-           "this block overlaps " + named(network, ring_at(network, first)) + " at " +
+           "this block overlaps " + block_name(network, ring_at(network, first)) + " at " +
                coordinates(network.frame, where) + " by more than wall.snap (" +
                millimetres(network.snap) + "); draw them side by side");
 }
@@ -99,7 +90,7 @@ void check_shared_sides(const OutlineNetwork& network)
                                position(network, side.a));
             refuse(network.frame, ring.line,
                    "this block is drawn twice: " +
-                       named(network, ring_at(network, known->second)) +
+                       block_name(network, ring_at(network, known->second)) +
                        " has the same corners, such as " +
                        coordinates(network.frame, position(network, side.a)) +
                        "; delete one of them");
@@ -154,116 +145,6 @@ void check_sectors(const OutlineNetwork& network)
     }
 }
 
-bool contains(const OutlineNetwork& network, const Ring& ring, dem::Point p)
-{
-    bool inside = false;
-    for (std::size_t i = 0; i < ring.corners.size(); ++i) {
-        const dem::Point a = position(network, ring.corners[i]);
-        const dem::Point b = position(network, ring.corners[(i + 1) % ring.corners.size()]);
-        if ((a.z > p.z) == (b.z > p.z)) continue;
-        if (p.x < a.x + (p.z - a.z) / (b.z - a.z) * (b.x - a.x)) inside = !inside;
-    }
-    return inside;
-}
-
-struct Box {
-    dem::Point low, high;
-};
-
-Box box_of(const OutlineNetwork& network, const Ring& ring)
-{
-    Box box{position(network, ring.corners.front()), position(network, ring.corners.front())};
-    for (const int n : ring.corners) {
-        const dem::Point p = position(network, n);
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.z, p.z)};
-    }
-    return box;
-}
-
-/// Sets of rings: that of each ring is named by its first.
-struct RingSets {
-    std::vector<int> parent;
-    explicit RingSets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0); }
-    int root(int i)
-    {
-        while (parent[static_cast<std::size_t>(i)] != i) {
-            int& up = parent[static_cast<std::size_t>(i)];
-            i = up = parent[static_cast<std::size_t>(up)];
-        }
-        return i;
-    }
-    void unite(int i, int j)
-    {
-        const int a = root(i), b = root(j);
-        parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
-};
-
-/// Where no sides cross and the blocks at each corner lie one after the other, a block within another shares no corner
-/// with it, nor do the blocks that hang together with it: one corner of each such group tells.
-void check_hidden(const OutlineNetwork& network, RingSets& touching)
-{
-    std::vector<Box> boxes;
-    for (const Ring& ring : network.rings) boxes.push_back(box_of(network, ring));
-    for (std::size_t i = 0; i < network.rings.size(); ++i) {
-        if (touching.root(static_cast<int>(i)) != static_cast<int>(i)) continue;
-        const dem::Point p = position(network, network.rings[i].corners.front());
-        for (std::size_t j = 0; j < network.rings.size(); ++j) {
-            const Box& box = boxes[j];
-            if (p.x < box.low.x || p.x > box.high.x || p.z < box.low.z || p.z > box.high.z)
-                continue;
-            if (touching.root(static_cast<int>(j)) == static_cast<int>(i) ||
-                !contains(network, network.rings[j], p))
-                continue;
-            refuse(network.frame, network.rings[i].line,
-                   "this block lies within " + named(network, network.rings[j]) + ", at " +
-                       coordinates(network.frame, p) +
-                       "; delete one of them, or draw the outer one around it");
-        }
-    }
-}
-
-RingSets rings_that_share(const OutlineNetwork& network, bool sides)
-{
-    RingSets sets(network.rings.size());
-    std::map<Side, int> owner;
-    for (std::size_t r = 0; r < network.rings.size(); ++r) {
-        const std::vector<int>& c = network.rings[r].corners;
-        for (std::size_t i = 0; i < c.size(); ++i) {
-            const int a = c[i], b = sides ? c[(i + 1) % c.size()] : a;
-            const auto [known, is_new] =
-                owner.emplace(Side{std::min(a, b), std::max(a, b)}, static_cast<int>(r));
-            if (!is_new) sets.unite(known->second, static_cast<int>(r));
-        }
-    }
-    return sets;
-}
-
-void check_floating(const OutlineNetwork& network)
-{
-    RingSets joined = rings_that_share(network, true);
-    std::vector<char> stands(network.rings.size());
-    for (std::size_t r = 0; r < network.rings.size(); ++r)
-        for (const int n : network.rings[r].corners)
-            if (position(network, n).z == 0.0)
-                stands[static_cast<std::size_t>(joined.root(static_cast<int>(r)))] = 1;
-    std::size_t floating = 0;
-    const Ring* first = nullptr;
-    for (std::size_t r = 0; r < network.rings.size(); ++r) {
-        if (stands[static_cast<std::size_t>(joined.root(static_cast<int>(r)))]) continue;
-        if (++floating == 1) first = &network.rings[r];
-    }
-    if (!first) return;
-    refuse(network.frame, first->line,
-           "the block at " +
-               coordinates(network.frame, position(network, first->corners.front())) +
-               " stands neither on the floor nor on blocks that do (" +
-               counted(floating, "such block", "such blocks") +
-               "); close the gaps, or make wall.snap (" + millimetres(network.snap) +
-               ") larger than they are");
-}
-
 } // namespace
 
 void check_outlines(OutlineNetwork& network)
@@ -278,43 +159,7 @@ void check_outlines(OutlineNetwork& network)
     orient(network);
     check_shared_sides(network);
     check_sectors(network);
-    RingSets touching = rings_that_share(network, false);
-    check_hidden(network, touching);
-    check_floating(network);
-}
-
-void note_gaps(OutlineNetwork& network)
-{
-    constexpr double kNear = 4.0; // times snap
-    const NetworkSides all = network_sides(network);
-    const std::vector<std::vector<int>> rings = rings_of_nodes(network);
-    std::vector<char> counted_node(network.nodes.size());
-    std::size_t n = 0;
-    double widest = 0.0;
-    dem::Point first;
-    std::vector<std::vector<int>> found;
-    try {
-        found = nodes_on_sides(network.nodes, all.sides, kNear * network.snap);
-    } catch (const TooCrowded&) {
-        return; // a note is not worth it
-    }
-    for (std::size_t s = 0; s < found.size(); ++s)
-        for (const int node : found[s]) {
-            const std::vector<int>& own = rings[static_cast<std::size_t>(node)];
-            if (std::find(own.begin(), own.end(), all.ring[s]) != own.end()) continue;
-            if (std::exchange(counted_node[static_cast<std::size_t>(node)], 1)) continue;
-            double share = 0.0;
-            widest =
-                std::max(widest, distance_to_segment(position(network, node),
-                                                     position(network, all.sides[s].a),
-                                                     position(network, all.sides[s].b), share));
-            if (++n == 1) first = position(network, node);
-        }
-    if (n == 0) return;
-    network.notes.push_back(
-        counted(n, "corner lies", "corners lie") + " near a side of another block, up to " +
-        millimetres(widest) + " away, and do not touch it, such as that at " +
-        coordinates(network.frame, first) + "; a larger wall.snap would close these gaps.");
+    check_groups(network);
 }
 
 } // namespace app

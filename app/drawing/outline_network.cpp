@@ -1,6 +1,7 @@
 #include "app/drawing/outline_network.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace app {
@@ -32,6 +33,14 @@ std::vector<std::vector<int>> rings_of_nodes(const OutlineNetwork& network)
         for (const int n : network.rings[r].corners)
             rings[static_cast<std::size_t>(n)].push_back(static_cast<int>(r));
     return rings;
+}
+
+std::string block_name(const OutlineNetwork& network, const Ring& ring)
+{
+    if (ring.line > 0) return "the block of line " + std::to_string(ring.line);
+    return "the block at " +
+           coordinates(network.frame,
+                       network.nodes[static_cast<std::size_t>(ring.corners.front())]);
 }
 
 } // namespace app

@@ -38,6 +38,9 @@ struct NetworkSides {
 /// The rings that have each node, in order.
 [[nodiscard]] std::vector<std::vector<int>> rings_of_nodes(const OutlineNetwork& network);
 
+/// "the block of line 12", or of its first corner where the file has no lines.
+[[nodiscard]] std::string block_name(const OutlineNetwork& network, const Ring& ring);
+
 /// Joins corners that coincide within snap, puts corners within snap of another block's side onto it (the side gets that
 /// corner too), and those within snap of the floor onto the floor; leaves out corners on straight lines that no other
 /// block has.
@@ -52,6 +55,11 @@ std::size_t straighten(OutlineNetwork& network);
 /// @throws ConfigError for outlines that cross themselves, have no area, overlap, lie within each other, or stand on
 /// nothing
 void check_outlines(OutlineNetwork& network);
+
+/// The part of it that looks at blocks as groups: what lies within another block, or hangs together with none on the floor. Takes
+/// for granted that no sides cross and that the blocks around each corner lie one after the other.
+/// @throws ConfigError
+void check_groups(const OutlineNetwork& network);
 
 /// Adds notes of gaps a little wider than snap.
 void note_gaps(OutlineNetwork& network);
