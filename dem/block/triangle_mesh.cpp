@@ -1,5 +1,7 @@
 #include "dem/block/mesh.hpp"
 
+#include "dem/block/triangle.hpp"
+
 #include "dem/scene/polygon.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -23,6 +25,8 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<Vertex, Side>,
     CGAL::No_constraint_intersection_tag>;
 
+constexpr double kFlat =
+    1e-7; // area over the square of the size, of triangles between points of one straight side
 constexpr double kClear = 0.6; // of the size: points inside stay as far from the outline
 
 /// Points of a triangular lattice inside the outline.
@@ -70,8 +74,16 @@ Triangulation triangulate(const std::vector<Point>& points, std::size_t on_ring)
     return t;
 }
 
-/// The triangles of an outline: those that can be reached from the outside without crossing it an even
-/// number of times are not inside.
+/// Points of one side are on a line but for rounding, which can leave triangles between them.
+bool is_flat(const std::array<Point, 3>& c)
+{
+    double longest = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+        longest =
+            std::max(longest, std::hypot(c[(i + 1) % 3].x - c[i].x, c[(i + 1) % 3].z - c[i].z));
+    return triangle_area(c) < kFlat * longest * longest;
+}
+
 std::vector<std::array<int, 3>> triangles_inside(const Triangulation& t,
                                                  std::span<const Point> ring,
                                                  const std::vector<Point>& points)
@@ -79,6 +91,7 @@ std::vector<std::array<int, 3>> triangles_inside(const Triangulation& t,
     std::vector<std::array<int, 3>> inside;
     for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f) {
         std::array<int, 3> n{f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()};
+        if (is_flat({points[n[0]], points[n[1]], points[n[2]]})) continue;
         const Point middle{(points[n[0]].x + points[n[1]].x + points[n[2]].x) / 3.0,
                            (points[n[0]].z + points[n[1]].z + points[n[2]].z) / 3.0};
         if (is_inside(ring, middle)) inside.push_back(n);
