@@ -4,12 +4,14 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_block_modes.cpp
     dem/test_condensation.cpp
     dem/test_crack_unloading.cpp
+    dem/test_drawn_layout.cpp
     dem/test_drive.cpp
     dem/test_elastic_trial.cpp
     dem/test_energy.cpp
     dem/test_ensemble.cpp
     dem/test_face_rule.cpp
     dem/test_layout.cpp
+    dem/test_polygon_block.cpp
     dem/test_mechanism.cpp
     dem/test_model.cpp
     dem/test_model_elasticity.cpp
