@@ -19,8 +19,13 @@ dem::JointParameters joint_parameters(const Parameters& p, double course_height,
             ? at_level(joint.normal_stiffness, level)
             : dem::joint_stiffness(course_height, at_level(joint.wall_modulus, level),
                                    p.stone.young_modulus);
-    return {kn, at_level(joint.shear_stiffness, level), joint.stiffness_factor,
-            joint.friction_angle};
+    return {kn,
+            at_level(joint.shear_stiffness, level),
+            joint.stiffness_factor,
+            joint.friction_angle,
+            joint.tensile_strength,
+            joint.cohesion,
+            joint.fracture_energy};
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// Dry joints between units.
+/// Joints between units.
 struct JointInput {
     std::vector<double> wall_modulus; ///< one per stress level [Pa], or empty
     std::vector<double>
@@ -17,6 +17,9 @@ struct JointInput {
     std::vector<double> shear_stiffness; ///< one, or one per stress level [Pa/m]
     double friction_angle = 0.0;         ///< [rad], in [0, pi/2)
     double stiffness_factor = 1.0;       ///< on k_n and k_s [-], > 0
+    double tensile_strength = 0.0;       ///< of mortar [Pa], >= 0
+    double cohesion = 0.0;               ///< of mortar [Pa], >= 0
+    double fracture_energy = 0.0;        ///< of mortar, mode I [J/m2], >= 0
 };
 
 /// Everything that a distribution may stand for, and what it acts on.

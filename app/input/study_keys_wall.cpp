@@ -91,6 +91,10 @@ constexpr Condition kTensileCracks{
     [](const Study& s) { return s.parameters.unit.tensile_strength > 0.0; },
     "unit.tensile_strength is 0"};
 
+constexpr Condition kBondInTension{
+    [](const Study& s) { return s.parameters.joint.tensile_strength > 0.0; },
+    "joint.tensile_strength is 0"};
+
 // The ends of the ranges are beyond any wall: they catch a wrong power of ten.
 constexpr Range kLength{'[', 0.001, 100, ']'}; // [m]
 constexpr Range kHeight{'[', 0.001, 10, ']'};  // [m]
@@ -197,12 +201,26 @@ constexpr std::array kKeys = {
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::shear_stiffness>},
     Key{.name = "joint.friction_angle", .unit = "deg", .range = kAngle, .example = "31.8 deg",
         .varies = Varies::by_joint,
-        .meaning = "of the dry joints (paper, Table 4)",
+        .meaning = "of the joints (paper, Table 4)",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::friction_angle>},
     Key{.name = "joint.stiffness_factor", .range = kFactor,
         .varies = Varies::by_joint,
         .meaning = "on k_n and k_s of the joints (paper, Table 5)",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::stiffness_factor>},
+
+    Key{.name = "joint.tensile_strength", .unit = "MPa", .range = kStrength,
+        .varies = Varies::by_joint,
+        .meaning = "of mortar; 0: dry",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::tensile_strength>},
+    Key{.name = "joint.cohesion", .unit = "MPa", .range = kStrength,
+        .varies = Varies::by_joint,
+        .meaning = "of mortar; 0: dry. Friction alone is left where it is broken",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::cohesion>},
+    Key{.name = "joint.fracture_energy", .unit = "N/m", .range = {'[', 0, 1e6, ']'},
+        .effect = kBondInTension,
+        .varies = Varies::by_joint,
+        .meaning = "of mortar, mode I",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::fracture_energy>},
 
     Key{.name = "unit.stiffness_ratio", .range = {'(', 0, 1e6, ']'}, .used = kWithCracks,
         .varies = Varies::by_crack,

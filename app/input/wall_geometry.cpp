@@ -199,9 +199,11 @@ double wall_height(const Study& study)
 dem::Layout layout_of(const Study& study)
 {
     const double beam = study.beam.present ? study.beam.height : 0.0;
-    if (!is_drawn(study)) return dem::lay_out(study.wall, beam);
-    dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam);
-    layout.course_height = study.wall.course_height; // h of Eq. 2
+    dem::Layout layout = is_drawn(study) ? dem::drawn_layout(drawn_wall(study), beam)
+                                         : dem::lay_out(study.wall, beam);
+    layout.course_height = study.wall.course_height;  // h of Eq. 2
+    const JointInput& joint = study.parameters.joint; // means, where they are drawn
+    layout.mortar = joint.tensile_strength > 0.0 || joint.cohesion > 0.0;
     return layout;
 }
 

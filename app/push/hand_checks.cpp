@@ -1,5 +1,6 @@
 #include "app/push/hand_checks.hpp"
 
+#include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
@@ -36,10 +37,32 @@ std::string beyond(const char* what, double peak, double limit)
            "for this wall";
 }
 
+/// A wall that is drawn, or bonded by mortar, has no closed form here: its loads and its toe alone.
+HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layout& layout)
+{
+    HandChecks h;
+    for (const dem::Block& b : layout.blocks) {
+        const bool beam = b.unit == 0, stone = b.material == 0;
+        const dem::Elastic& of =
+            beam    ? study.beam.material
+            : stone ? study.parameters.stone
+                    : layout.stones.at(static_cast<std::size_t>(b.material - 1));
+        const bool held = b.motion != dem::Motion::free;
+        const double weight = of.density * w.loads.gravity * dem::area_of(b) * layout.thickness;
+        if (beam || !held) (beam ? h.vertical_load : h.wall_weight) += weight;
+    }
+    if (study.beam.present)
+        h.vertical_load += w.vertical_stress * layout.length * layout.thickness;
+    if (!dem::failed(w.result.outcome)) h.toe_stress = compression(study, w.result.at_end);
+    return h;
+}
+
 } // namespace
 
 HandChecks hand_checks(const Study& study, const PushedWall& w)
 {
+    const dem::Layout layout = layout_of(study);
+    if (!layout.coursed || layout.mortar) return loads_alone(study, w, layout);
     const dem::WallGeometry& g = study.wall;
     const bool fixed_base = g.base == dem::Base::fixed;
     const int turning = g.courses - (fixed_base ? 1 : 0);
@@ -81,8 +104,8 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
                 : "a single course on a fixed base: nothing can move");
     const double peak = peak_force(w.reading);
     const bool free_beam = study.beam.rotation == dem::BeamRotation::free;
-    if (free_beam && turning > 0 && peak > kBeyond * h.rocking_limit)
-        h.remarks.push_back(beyond("rigid rocking", peak, h.rocking_limit));
+    if (free_beam && turning > 0 && peak > kBeyond * *h.rocking_limit)
+        h.remarks.push_back(beyond("rigid rocking", peak, *h.rocking_limit));
     if (h.sliding_limit && turning > 0 && peak > kBeyond * *h.sliding_limit)
         h.remarks.push_back(beyond("sliding", peak, *h.sliding_limit));
     if (!free_beam)

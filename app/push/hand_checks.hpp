@@ -16,10 +16,11 @@ struct HandChecks {
     /// (N + W) L / (2 h): turning about the toe of the lowest joint that can open, h from there to the load
     /// line [N]. Body forces: f times the weight of all blocks, with f = (N + W) L / 2 over the moment of the
     /// weight above that joint turned sideways.
-    double rocking_limit = 0.0;
+    /// Nothing for a wall that is drawn, or whose joints have mortar.
+    std::optional<double> rocking_limit;
     /// tan(phi) (N + weight of the top course), the least of the bed joints [N]. Body forces: f times the weight
     /// of all blocks, with f = tan(phi) (N + W) over the weight above the lowest joint, which is the least.
-    /// Nothing where the angle is drawn for each joint or wall.
+    /// Nothing where the angle is drawn for each joint or wall, nor where there is no rocking limit.
     std::optional<double> sliding_limit;
     /// Largest compression in the lowest joints that can open, at the end of the push [Pa]; nothing where the
     /// push failed. Contacts carry it elastically: nothing in the model crushes.

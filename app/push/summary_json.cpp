@@ -77,7 +77,7 @@ Json checks(const HandChecks& h)
     };
     return {{"vertical_load_kN", number_or_null(h.vertical_load * kToKn)},
             {"wall_weight_kN", number_or_null(h.wall_weight * kToKn)},
-            {"rigid_rocking_limit_kN", number_or_null(h.rocking_limit * kToKn)},
+            {"rigid_rocking_limit_kN", maybe(h.rocking_limit, kToKn)},
             {"sliding_limit_kN", maybe(h.sliding_limit, kToKn)},
             {"toe_stress_MPa", maybe(h.toe_stress, kToMpa)},
             {"remarks", h.remarks}};

@@ -124,13 +124,16 @@ int point_of(const Model& m, int block, Point at)
 
 std::vector<Contact>& list_of(const Face& f, Model& m)
 {
-    if (f.kind == FaceKind::unit_crack) return m.cracks;
+    const bool unit_joint = f.kind == FaceKind::bed_joint || f.kind == FaceKind::head_joint;
+    if (f.kind == FaceKind::unit_crack || (unit_joint && m.layout.mortar)) return m.cracks;
     const bool tied = f.kind == FaceKind::beam_joint && m.beam.interface == BeamInterface::tied;
     return tied ? m.tied : m.dry;
 }
 
-int material_of(const Face& f)
+int material_of(const Layout& layout, const Face& f)
 {
+    const bool bonded = f.kind == FaceKind::bed_joint || f.kind == FaceKind::head_joint;
+    if (bonded && layout.mortar) return layout.n_cracks + f.id - 1;
     if (f.kind == FaceKind::base_joint) return kBaseMaterial;
     if (f.kind == FaceKind::beam_joint) return kBeamMaterial;
     return f.id - 1;
@@ -148,7 +151,7 @@ void connect(const Discretisation& d, Model& m)
                            f.from.z + points.position[k] * dz};
             list_of(f, m).push_back({point_of(m, f.a, at), point_of(m, f.b, at), f.normal.x,
                                      f.normal.z, points.weight[k] * length * m.layout.thickness,
-                                     material_of(f), static_cast<int>(i)});
+                                     material_of(m.layout, f), static_cast<int>(i)});
         }
     }
 }

@@ -25,8 +25,9 @@ struct Contact {
     int a = 0, b = 0;
     double nx = 0.0, nz = 0.0; ///< unit normal from a to b; the tangent is (nz, -nx)
     double area = 0.0;         ///< [m2]
-    int material = 0;          ///< joint or crack ID - 1, kBaseMaterial or kBeamMaterial
-    int face = 0;              ///< index in Layout::faces
+    /// Joint or crack ID - 1, kBaseMaterial or kBeamMaterial; of a joint with mortar n_cracks + joint ID - 1.
+    int material = 0;
+    int face = 0; ///< index in Layout::faces
 };
 
 /// A typical stiffness of the contacts over the samples of a study, > 0. It sets the modes that are kept
@@ -44,7 +45,7 @@ struct Model {
     std::vector<BlockElement> elements;
     std::vector<BlockPlace> places; ///< by block
     std::vector<Contact> dry;       ///< joints with friction
-    std::vector<Contact> cracks;    ///< in units
+    std::vector<Contact> cracks;    ///< in units, and joints with mortar
     std::vector<Contact> tied;      ///< elastic (beam glued to the wall)
     ReferenceStiffness reference;
     int n_points = 0;

@@ -61,6 +61,8 @@ struct Layout {
     double course_height = 0.0; ///< [m]
     double half_unit = 0.0; ///< length of face that Discretisation::contact_points is for [m]
     bool coursed = true;    ///< blocks are rectangles in level courses
+    bool mortar =
+        false; ///< joints between units follow the law of cracks, with their own materials
     std::vector<Elastic> stones; ///< of blocks that are not of the wall's stone
 };
 

@@ -17,7 +17,12 @@ double shear_stiffness(double kn, double poisson_ratio)
 
 JointMaterial joint_material(const JointParameters& j)
 {
-    return {j.stiffness_factor * j.kn, j.stiffness_factor * j.ks, std::tan(j.friction_angle)};
+    return {j.stiffness_factor * j.kn,
+            j.stiffness_factor * j.ks,
+            std::tan(j.friction_angle),
+            j.tensile_strength,
+            j.cohesion,
+            j.fracture_energy};
 }
 
 CrackMaterial crack_material(const CrackParameters& c, double joint_kn, double poisson_ratio)

@@ -15,12 +15,15 @@ namespace dem {
 /// k_s = k_n / (2 (1 + nu)) (paper, Table 4)
 [[nodiscard]] double shear_stiffness(double kn, double poisson_ratio);
 
-/// The dry joints between units.
+/// The joints between units.
 struct JointParameters {
     double kn = 0.0;               ///< normal stiffness, before the factor [Pa/m], > 0
     double ks = 0.0;               ///< shear stiffness, before the factor [Pa/m], > 0
     double stiffness_factor = 1.0; ///< on both stiffnesses [-], > 0
     double friction_angle = 0.0;   ///< [rad], in [0, pi/2)
+    double tensile_strength = 0.0; ///< of mortar [Pa], >= 0
+    double cohesion = 0.0;         ///< of mortar [Pa], >= 0
+    double fracture_energy = 0.0;  ///< of mortar, mode I [J/m2], >= 0
 };
 
 /// What becomes of a crack that snaps back, f_T > sqrt(2 G k_n), whose softening would end before it

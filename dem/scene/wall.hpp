@@ -57,11 +57,15 @@ struct Beam {
     friend bool operator==(const Beam&, const Beam&) = default;
 };
 
-/// A dry joint: no tension, Coulomb friction, no dilatancy.
+/// A joint: no tension, Coulomb friction, no dilatancy. Mortar bonds it besides, until it is damaged as a crack is; only
+/// where Layout::mortar says so.
 struct JointMaterial {
-    double kn = 0.0;      ///< normal stiffness [Pa/m], > 0
-    double ks = 0.0;      ///< shear stiffness [Pa/m], > 0
-    double tan_phi = 0.0; ///< friction coefficient [-], >= 0
+    double kn = 0.0;              ///< normal stiffness [Pa/m], > 0
+    double ks = 0.0;              ///< shear stiffness [Pa/m], > 0
+    double tan_phi = 0.0;         ///< friction coefficient [-], >= 0
+    double ft = 0.0;              ///< tensile strength of the bond [Pa], >= 0
+    double cohesion = 0.0;        ///< of the bond; nothing is left once it is broken [Pa], >= 0
+    double fracture_energy = 0.0; ///< of the bond, mode I [J/m2], >= 0
 };
 
 /// A potential crack through a unit (paper, Table 4).
@@ -78,6 +82,12 @@ struct CrackMaterial {
     /// tension.
     bool tension_reduces_shear = true;
 };
+
+/// The law of a bonded joint.
+[[nodiscard]] inline CrackMaterial bond_of(const JointMaterial& j)
+{
+    return {j.kn, j.ks, j.ft, j.cohesion, 0.0, j.tan_phi, j.tan_phi, j.fracture_energy, true};
+}
 
 /// One realisation of everything that may be random: one sample of a study.
 struct WallMaterials {

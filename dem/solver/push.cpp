@@ -3,6 +3,7 @@
 #include "dem/block/model.hpp"
 #include "dem/solver/batch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,8 @@ void check_joint(const std::string& name, const JointMaterial& j)
 {
     require(j.kn > 0 && j.ks > 0, name + ": normal and shear stiffness must be positive");
     require(j.tan_phi >= 0, name + ": the friction coefficient must not be negative");
+    require(j.ft >= 0 && j.cohesion >= 0 && j.fracture_energy >= 0,
+            name + ": strengths and fracture energy must not be negative");
 }
 
 void check_crack(const std::string& name, const CrackMaterial& c)
@@ -63,6 +66,11 @@ void check(const Model& m, const WallMaterials& w)
     require(w.vertical_stress.value_or(0.0) >= 0, "the vertical stress must not be negative");
     for (std::size_t i = 0; i < w.joints.size(); ++i)
         check_joint(numbered("joint", i), w.joints[i]);
+    require(m.layout.mortar || std::ranges::all_of(w.joints,
+                                                   [](const JointMaterial& j) {
+                                                       return j.ft == 0.0 && j.cohesion == 0.0;
+                                                   }),
+            "joints with tensile strength or cohesion need a layout with mortar");
     for (std::size_t i = 0; i < w.cracks.size(); ++i)
         check_crack(numbered("crack", i), w.cracks[i]);
     check_joint("beam joint", w.beam_joint);

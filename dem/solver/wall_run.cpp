@@ -24,7 +24,8 @@ int count_snap_back(const Model& m, const WallMaterials& w)
 {
     int n = 0;
     for (const Contact& c : m.cracks) {
-        const CrackMaterial& k = w.cracks[c.material];
+        const int joint = c.material - m.layout.n_cracks;
+        const CrackMaterial k = joint < 0 ? w.cracks[c.material] : bond_of(w.joints[joint]);
         n += k.ft > std::sqrt(2.0 * k.fracture_energy * k.kn);
     }
     return n;

@@ -142,6 +142,9 @@ void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
     set_law(lane, w.beam_joint, s.laws.dry[m.layout.n_joints + 1]);
     set_law(lane, w.beam_joint, s.laws.tied[0]);
     for (int i = 0; i < m.layout.n_cracks; ++i) set_law(lane, w.cracks[i], s.laws.cracks[i]);
+    if (m.layout.mortar)
+        for (int j = 0; j < m.layout.n_joints; ++j)
+            set_law(lane, bond_of(w.joints[j]), s.laws.cracks[m.layout.n_cracks + j]);
     for (const ContactRun& run : t.cracks) {
         const CrackLaw<Real>& law = s.laws.cracks[run.law];
         const CrackState<Real> fresh = s.laws.unloading == Unloading::secant
@@ -179,7 +182,7 @@ WallState<Real> empty_lanes(const Model& m, const StepTables& t, Kinematics kine
     s.cracks.resize(m.cracks.size());
     s.laws.dry.resize(m.layout.n_joints + 2);
     s.laws.tied.resize(1);
-    s.laws.cracks.resize(m.layout.n_cracks);
+    s.laws.cracks.resize(m.layout.n_cracks + (m.layout.mortar ? m.layout.n_joints : 0));
     if (kinematics == Kinematics::finite)
         s.finite = undeformed<Real>(t.finite, m.n_modes, t.n_contacts);
     return s;

@@ -14,6 +14,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_polygon_block.cpp
     dem/test_mechanism.cpp
     dem/test_model.cpp
+    dem/test_mortar.cpp
     dem/test_model_elasticity.cpp
     dem/test_pack.cpp
     dem/test_contact_operator.cpp
