@@ -38,6 +38,7 @@ struct GeometryInput {
     double picture_width = 0.0;       ///< [m]; 0: not given
     double picture_height = 0.0;      ///< [m]; 0: not given
     double simplify = 5e-3;           ///< tolerance of outlines traced from a picture [m], >= 0
+    std::string openings;             ///< in courses: "x, z, width, height; ..."
     std::string layer_stones;         ///< "NAME: E, Poisson's ratio, density; ..."
     std::vector<std::string> layers;  ///< whose stone is not the wall's
     std::vector<dem::Elastic> stones; ///< of these layers

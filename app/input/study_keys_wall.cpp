@@ -75,6 +75,12 @@ constexpr Condition kWithCracks{
 constexpr std::array kLengthUnits = {named("mm", 1e-3), named("cm", 1e-2), named("m", 1.0),
                                      named("in", 0.0254), named("ft", 0.3048)};
 
+constexpr Condition kWithOpenings{[](const Study& s) { return !s.geometry.openings.empty(); },
+                                  "the wall has no openings; write wall.openings, or remove it",
+                                  true};
+constexpr Condition kWithLintels{[](const Study& s) { return s.wall.lintel_bearing > 0.0; },
+                                 "lintel.bearing is 0"};
+
 constexpr Condition kSeveralCourses{[](const Study& s) {
                                         return s.wall.courses > 1 ||
                                                s.wall.first_course == dem::FirstCourse::shifted;
@@ -164,6 +170,9 @@ constexpr std::array kKeys = {
         .used = kWithWholeUnits,
         .meaning = "a potential crack at mid-length of each whole unit (paper, Fig. 2)",
         .field = kAt<&Study::wall, &WallGeometry::cracks_in_units>},
+    Key{.name = "wall.openings", .kind = Kind::text, .used = kInCourses,
+        .meaning = "doors and windows as x, z, width, height between courses: 0.4 m, 0 m, 0.6 m, 1.2 m; ...",
+        .field = kAt<&Study::geometry, &GeometryInput::openings>},
     Key{.name = "wall.base", .kind = Kind::word, .names = kBases,
         .meaning = "bottom face clamped (paper, section 3), or on a dry joint",
         .field = kAt<&Study::wall, &WallGeometry::base>},
@@ -186,6 +195,26 @@ constexpr std::array kKeys = {
         .varies = Varies::by_wall,
         .meaning = "self-weight of the wall",
         .field = kAt<&Study::parameters, &Parameters::stone, &Elastic::density>},
+
+    Key{.name = "lintel.bearing", .unit = "m", .range = {'[', 0, 10, ']'}, .used = kWithOpenings,
+        .derived = {"half of wall.unit_length", [](Study& s) { s.wall.lintel_bearing = 0.5 * s.wall.unit_length; }},
+        .meaning = "how far a lintel, one course high, reaches over either side of its opening; 0: no lintels",
+        .field = kAt<&Study::wall, &WallGeometry::lintel_bearing>},
+    Key{.name = "lintel.young_modulus", .unit = "GPa", .range = kModulus, .used = kWithOpenings,
+        .effect = kWithLintels,
+        .derived = {"stone.young_modulus", [](Study& s) { s.wall.lintel.young_modulus = s.parameters.stone.young_modulus; }},
+        .meaning = "of the lintels",
+        .field = kAt<&Study::wall, &WallGeometry::lintel, &Elastic::young_modulus>},
+    Key{.name = "lintel.poisson_ratio", .range = kPoisson, .used = kWithOpenings,
+        .effect = kWithLintels,
+        .derived = {"stone.poisson_ratio", [](Study& s) { s.wall.lintel.poisson_ratio = s.parameters.stone.poisson_ratio; }},
+        .meaning = "of the lintels",
+        .field = kAt<&Study::wall, &WallGeometry::lintel, &Elastic::poisson_ratio>},
+    Key{.name = "lintel.density", .unit = "kg/m3", .range = kDensity, .used = kWithOpenings,
+        .effect = kWithLintels,
+        .derived = {"stone.density", [](Study& s) { s.wall.lintel.density = s.parameters.stone.density; }},
+        .meaning = "of the lintels",
+        .field = kAt<&Study::wall, &WallGeometry::lintel, &Elastic::density>},
 
     Key{.name = "joint.wall_modulus", .kind = Kind::list, .unit = "MPa", .range = {'(', 0, 1e6, ']'},
         .derived = {"or normal_stiffness"},

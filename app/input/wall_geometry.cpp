@@ -102,6 +102,29 @@ void parse_layer_stones(Study& study)
     }
 }
 
+/// "x, z, width, height; ...", each with its unit.
+void read_openings(Study& study)
+{
+    try {
+        for (const std::string_view part : split(study.geometry.openings, ';')) {
+            const std::vector<std::string_view> v = split(part, ',');
+            if (v.size() != 4)
+                throw BadValue(
+                    in_quotes(part) +
+                    " is no opening; write x, z, width and height: \"0.4 m, 0 m, 0.6 "
+                    "m, 1.2 m\"");
+            study.wall.openings.push_back({parse_quantity(v[0], "m"), parse_quantity(v[1], "m"),
+                                           parse_quantity(v[2], "m"),
+                                           parse_quantity(v[3], "m")});
+        }
+        if (!study.wall.openings.empty()) static_cast<void>(dem::lay_out(study.wall, 0.0));
+    } catch (const BadValue& bad) {
+        throw error_at(study.source, "wall.openings", bad.what());
+    } catch (const std::invalid_argument& bad) {
+        throw error_at(study.source, "wall.openings", bad.what());
+    }
+}
+
 std::filesystem::path path_of(const Study& study)
 {
     const std::filesystem::path path = study.geometry.file;
@@ -161,6 +184,7 @@ bool is_drawn(const Study& study) { return !study.geometry.units.empty(); }
 void read_geometry(Study& study)
 {
     GeometryInput& g = study.geometry;
+    read_openings(study);
     const std::string_view key = g.file.empty() ? "wall.outlines" : "wall.geometry";
     if (g.file.empty() && g.outlines.empty()) return;
     if (!g.file.empty() && !g.outlines.empty())

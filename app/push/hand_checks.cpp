@@ -37,7 +37,7 @@ std::string beyond(const char* what, double peak, double limit)
            "for this wall";
 }
 
-/// A wall that is drawn, or bonded by mortar, has no closed form here: its loads and its toe alone.
+/// A wall that is drawn, has openings, or is bonded by mortar, has no closed form here: its loads and its toe alone.
 HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layout& layout)
 {
     HandChecks h;
@@ -62,7 +62,8 @@ HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layou
 HandChecks hand_checks(const Study& study, const PushedWall& w)
 {
     const dem::Layout layout = layout_of(study);
-    if (!layout.coursed || layout.mortar) return loads_alone(study, w, layout);
+    if (!layout.coursed || layout.mortar || !study.wall.openings.empty())
+        return loads_alone(study, w, layout);
     const dem::WallGeometry& g = study.wall;
     const bool fixed_base = g.base == dem::Base::fixed;
     const int turning = g.courses - (fixed_base ? 1 : 0);

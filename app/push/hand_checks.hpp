@@ -16,7 +16,7 @@ struct HandChecks {
     /// (N + W) L / (2 h): turning about the toe of the lowest joint that can open, h from there to the load
     /// line [N]. Body forces: f times the weight of all blocks, with f = (N + W) L / 2 over the moment of the
     /// weight above that joint turned sideways.
-    /// Nothing for a wall that is drawn, or whose joints have mortar.
+    /// Nothing for a wall that is drawn, has openings, or whose joints have mortar.
     std::optional<double> rocking_limit;
     /// tan(phi) (N + weight of the top course), the least of the bed joints [N]. Body forces: f times the weight
     /// of all blocks, with f = tan(phi) (N + W) over the weight above the lowest joint, which is the least.

@@ -175,7 +175,10 @@ void check(const Layout& layout, const Elastic& stone, const Beam& beam, const L
     const bool heavy = stone.density > 0 || (beam.present && beam.material.density > 0);
     require(driven || (heavy && loads.gravity > 0),
             "body forces are in proportion to weight: density and gravity must be positive");
-    for (const Elastic& m : {stone, beam.present ? beam.material : stone})
+    std::vector<Elastic> all = layout.stones;
+    all.push_back(stone);
+    if (beam.present) all.push_back(beam.material);
+    for (const Elastic& m : all)
         require(m.young_modulus > 0 && m.poisson_ratio >= 0 && m.poisson_ratio < 0.5 &&
                     m.density >= 0,
                 "elastic: E > 0, Poisson's ratio in [0, 0.5), density >= 0");

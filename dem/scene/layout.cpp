@@ -19,6 +19,23 @@ void check(const WallGeometry& wall)
         throw std::invalid_argument("a wall needs positive sizes and at least one course");
     if (!(wall.bond_offset >= 0 && wall.bond_offset < 1))
         throw std::invalid_argument("bond offset must be in [0, 1) unit lengths");
+    const double last = (wall.courses - 1) * wall.course_height;
+    for (const Opening& o : wall.openings) {
+        const double low = o.z / wall.course_height,
+                     high = (o.z + o.height) / wall.course_height;
+        if (!(o.width > 0 && o.height > 0 && o.x > -kSmallestPiece &&
+              o.x + o.width < wall.length + kSmallestPiece && o.z > -kSmallestPiece &&
+              o.z + o.height < last + kSmallestPiece))
+            throw std::invalid_argument(
+                "an opening must lie within the wall, below its top course");
+        if (std::abs(low - std::round(low)) > 1e-6 || std::abs(high - std::round(high)) > 1e-6)
+            throw std::invalid_argument("an opening must begin and end between two courses");
+        for (const Opening& p : wall.openings)
+            if (&p != &o && o.x < p.x + p.width - kSmallestPiece &&
+                p.x < o.x + o.width - kSmallestPiece && o.z < p.z + p.height - kSmallestPiece &&
+                p.z < o.z + o.height - kSmallestPiece)
+                throw std::invalid_argument("two openings overlap");
+    }
 }
 
 Block rectangle(double x0, double x1, double z0, double z1, int course, int unit)
@@ -58,20 +75,64 @@ std::vector<double> unit_boundaries(const WallGeometry& wall, int course)
     return x;
 }
 
+/// Between two head joints of a course, or a lintel.
+struct Piece {
+    double x0, x1;
+    bool whole; ///< a unit of full length
+    int material = 0;
+};
+
+/// Takes [from, to] out of the pieces of a course.
+std::vector<Piece> without(const std::vector<Piece>& pieces, double from, double to)
+{
+    std::vector<Piece> left;
+    for (const Piece& p : pieces) {
+        const bool apart = p.x1 < from + kSmallestPiece || p.x0 > to - kSmallestPiece;
+        if (apart) left.push_back(p);
+        if (!apart && from - p.x0 > kSmallestPiece)
+            left.push_back({p.x0, from, false, p.material});
+        if (!apart && p.x1 - to > kSmallestPiece) left.push_back({to, p.x1, false, p.material});
+    }
+    return left;
+}
+
+bool same(double a, double b) { return std::abs(a - b) < kSmallestPiece; }
+
+std::vector<Piece> pieces_of(const WallGeometry& wall, double z0, double z1,
+                             const std::vector<double>& x)
+{
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i + 1 < x.size(); ++i)
+        pieces.push_back({x[i], x[i + 1], x[i + 1] - x[i] > wall.unit_length - kSmallestPiece});
+    for (const Opening& o : wall.openings) {
+        const double right = o.x + o.width;
+        if (same(o.z + o.height, z0) && wall.lintel_bearing > 0.0) {
+            const double from = std::max(0.0, o.x - wall.lintel_bearing),
+                         to = std::min(wall.length, right + wall.lintel_bearing);
+            pieces = without(pieces, from, to);
+            pieces.push_back({from, to, false, 1});
+        }
+    }
+    for (const Opening& o : wall.openings)
+        if (o.z < z0 + kSmallestPiece && o.z + o.height > z1 - kSmallestPiece)
+            pieces = without(pieces, o.x, o.x + o.width);
+    std::ranges::sort(pieces, {}, &Piece::x0);
+    return pieces;
+}
+
 void add_course(const WallGeometry& wall, int course, int& unit, Layout& layout)
 {
     const double z0 = (course - 1) * wall.course_height, z1 = course * wall.course_height;
-    const std::vector<double> x = unit_boundaries(wall, course);
-    for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    for (const Piece& p : pieces_of(wall, z0, z1, unit_boundaries(wall, course))) {
         ++unit;
-        const bool whole = x[i + 1] - x[i] > wall.unit_length - kSmallestPiece;
-        const double middle = 0.5 * (x[i] + x[i + 1]);
-        if (whole && wall.cracks_in_units) {
-            layout.blocks.push_back(rectangle(x[i], middle, z0, z1, course, unit));
-            layout.blocks.push_back(rectangle(middle, x[i + 1], z0, z1, course, unit));
+        const double middle = 0.5 * (p.x0 + p.x1);
+        if (p.whole && wall.cracks_in_units) {
+            layout.blocks.push_back(rectangle(p.x0, middle, z0, z1, course, unit));
+            layout.blocks.push_back(rectangle(middle, p.x1, z0, z1, course, unit));
         } else {
-            layout.blocks.push_back(rectangle(x[i], x[i + 1], z0, z1, course, unit));
+            layout.blocks.push_back(rectangle(p.x0, p.x1, z0, z1, course, unit));
         }
+        layout.blocks.back().material = p.material;
     }
 }
 
@@ -80,6 +141,7 @@ void add_vertical_faces(int first, int last, Layout& layout)
 {
     for (int b = first + 1; b < last; ++b) {
         const Block& right = layout.blocks[b];
+        if (!same(layout.blocks[b - 1].x1, right.x0)) continue; // an opening between them
         const bool same_unit = layout.blocks[b - 1].unit == right.unit;
         const int id = same_unit ? ++layout.n_cracks : ++layout.n_joints;
         layout.faces.push_back({same_unit ? FaceKind::unit_crack : FaceKind::head_joint,
@@ -146,6 +208,7 @@ Layout lay_out(const WallGeometry& wall, double beam_height)
     layout.courses = wall.courses;
     layout.course_height = wall.course_height;
     layout.half_unit = 0.5 * wall.unit_length;
+    if (!wall.openings.empty()) layout.stones = {wall.lintel};
     std::vector<int> first{0}; // first block of each course, and one past the last
     int unit = 0;
     for (int course = 1; course <= wall.courses; ++course) {

@@ -25,6 +25,20 @@ enum class BeamInterface {
 };
 enum class BeamRotation { free, fixed };
 
+struct Elastic {
+    double young_modulus = 0.0; ///< [Pa], > 0
+    double poisson_ratio = 0.0; ///< [-], in [0, 0.5)
+    double density = 0.0;       ///< [kg/m3], >= 0
+    friend bool operator==(const Elastic&, const Elastic&) = default;
+};
+
+/// A door or a window: a rectangle between courses.
+struct Opening {
+    double x = 0.0, z = 0.0;          ///< lower left corner [m]
+    double width = 0.0, height = 0.0; ///< [m], > 0
+    friend bool operator==(const Opening&, const Opening&) = default;
+};
+
 /// Geometry and boundary conditions. All lengths in metres.
 struct WallGeometry {
     double length = 1.0;         ///< > 0
@@ -38,14 +52,11 @@ struct WallGeometry {
     bool cracks_in_units = true; ///< a potential crack at mid-length of each whole unit
     Base base = Base::fixed;
     Toe toe = Toe::held;
+    std::vector<Opening> openings; ///< apart, and below the top course
+    /// How far the lintel over an opening, one course high, reaches over either side [m], >= 0; 0: no lintels.
+    double lintel_bearing = 0.0;
+    Elastic lintel; ///< of these lintels
     friend bool operator==(const WallGeometry&, const WallGeometry&) = default;
-};
-
-struct Elastic {
-    double young_modulus = 0.0; ///< [Pa], > 0
-    double poisson_ratio = 0.0; ///< [-], in [0, 0.5)
-    double density = 0.0;       ///< [kg/m3], >= 0
-    friend bool operator==(const Elastic&, const Elastic&) = default;
 };
 
 struct Beam {
