@@ -5,6 +5,7 @@
 #include "app/push/push_command.hpp"
 #include "app/reliability/reliability_command.hpp"
 #include "app/report/report_command.hpp"
+#include "app/scene/scene_command.hpp"
 #include "app/serve/serve_command.hpp"
 #include "app/study/curves_command.hpp"
 #include "app/study/interrupt.hpp"
@@ -69,6 +70,13 @@ constexpr std::array kVerbs = {
          .example = "drystone push configs/wall.ini",
          .sections = kWallSections,
          .run = push_command},
+    Verb{.name = "scene",
+         .words = "STUDY.ini",
+         .meaning = "draw the wall before anything is computed: units, joints, supports; .svg, "
+                    ".dxf, .json",
+         .example = "drystone scene configs/wall.ini",
+         .sections = "wall stone joint unit beam base load solver",
+         .run = scene_command},
     Verb{.name = "study",
          .words = "STUDY.ini",
          .meaning = "push samples x stress levels into one file; an interrupted study resumes",

@@ -21,7 +21,10 @@ class Drawing {
         this.svg = element('svg', { viewBox: box.join(' '), role: 'img', class: 'wall' });
         const group = (c) => this.svg.appendChild(element('g', { class: c }));
         this.ghosts = group('ghosts');
-        for (const b of geometry.blocks) this.ghosts.append(element('rect', { x: b[0] * 1e3, y: -b[3] * 1e3, width: (b[2] - b[0]) * 1e3, height: (b[3] - b[1]) * 1e3 }));
+        for (const b of geometry.blocks) {
+            if (b[6]) this.ghosts.append(element('polygon', { points: b[6].map(([x, z]) => `${(x * 1e3).toFixed(1)},${(-z * 1e3).toFixed(1)}`).join(' ') }));
+            else this.ghosts.append(element('rect', { x: b[0] * 1e3, y: -b[3] * 1e3, width: (b[2] - b[0]) * 1e3, height: (b[3] - b[1]) * 1e3 }));
+        }
         this.svg.append(element('line', { class: 'ground', x1: box[0], x2: box[0] + box[2], y1: 0, y2: 0 }));
         const stones = group('stones');
         this.blocks = geometry.blocks.map((b) => stones.appendChild(element('polygon', { fill: b[4] === 0 ? '#c9ccd1' : kStones[b[5] % 3] })));
@@ -29,6 +32,10 @@ class Drawing {
         this.faces = geometry.faces.map(() => ({ gap: marks.appendChild(element('polygon')), line: marks.appendChild(element('line')) }));
         this.arrow = this.svg.appendChild(element('path', { class: 'load', 'stroke-width': 7 * this.k }));
         this.load = this.svg.appendChild(element('text', { class: 'load', 'text-anchor': 'start', 'font-size': 42 * this.k }));
+        // The beam, or without one the block at the left edge that is nearest to the height of the load.
+        const beam = geometry.blocks.findIndex((b) => b[4] === 0);
+        const far = (b) => Math.abs(b[0] - this.size.x0) + Math.abs((b[1] + b[3]) / 2 - height);
+        this.loaded = beam >= 0 ? beam : geometry.blocks.reduce((best, b, i) => (far(b) < far(geometry.blocks[best]) ? i : best), 0);
         const crack = { n: 0 };
         this.crackOf = geometry.faces.map((f) => (f[0] === 'crack' ? crack.n++ : -1));
     }
@@ -45,13 +52,13 @@ class Drawing {
 
     /** What the two sides of a face do at its two ends. */
     state(film, i, t) {
-        const [kind, , a, b, x0, z0, x1, z1] = this.geometry.faces[i];
-        const level = Math.abs(z1 - z0) < Math.abs(x1 - x0);
+        const [kind, , a, b, x0, z0, x1, z1, ...normal] = this.geometry.faces[i];
+        const [nx, nz] = normal.length ? normal : Math.abs(z1 - z0) < Math.abs(x1 - x0) ? [0, 1] : [1, 0];
         const ends = [[x0, z0], [x1, z1]].map(([x, z]) => {
             const ua = this.moved(film, a, x, z, t);
             const ub = this.moved(film, b, x, z, t);
             const d = [ub[0] - ua[0], ub[1] - ua[1]];
-            return { x, z, ua, ub, opening: level ? d[1] : d[0], slip: level ? d[0] : d[1] };
+            return { x, z, ua, ub, opening: d[0] * nx + d[1] * nz, slip: d[0] * nz - d[1] * nx };
         });
         const slip = Math.max(...ends.map((e) => Math.abs(e.slip)));
         return { kind, ends, opening: Math.max(...ends.map((e) => e.opening)), slip, closed: Math.min(...ends.map((e) => e.opening)) <= kThreshold, damage: this.crackOf[i] < 0 ? 0 : film.damage(this.crackOf[i], t) };
@@ -68,7 +75,8 @@ class Drawing {
         const px = (x, z, u) => `${((x + scale * u[0]) * 1e3).toFixed(1)},${(-(z + scale * u[1]) * 1e3).toFixed(1)}`;
         this.geometry.blocks.forEach((b, i) => {
             const corner = (x, z) => px(x, z, this.moved(film, i, x, z, t));
-            this.blocks[i].setAttribute('points', [corner(b[0], b[1]), corner(b[2], b[1]), corner(b[2], b[3]), corner(b[0], b[3])].join(' '));
+            const corners = b[6] ?? [[b[0], b[1]], [b[2], b[1]], [b[2], b[3]], [b[0], b[3]]];
+            this.blocks[i].setAttribute('points', corners.map(([x, z]) => corner(x, z)).join(' '));
         });
         this.faces.forEach((f, i) => this.drawFace(f, this.state(film, i, t), px, shown, largest));
         this.drawLoad(film, t, scale, force);
@@ -100,7 +108,7 @@ class Drawing {
     }
 
     drawLoad(film, t, scale, force) {
-        const beam = this.geometry.blocks.findIndex((b) => b[4] === 0);
+        const beam = this.loaded;
         const b = this.geometry.blocks[beam];
         // Where the force is not known, as in cycles, the arrow points to where the beam has gone.
         const left = force ? force.value < 0 : this.moved(film, beam, b[0], b[3], t)[0] < 0;

@@ -35,7 +35,10 @@ std::string effect_notes(const Study& study, const Verb& verb)
 
 void say_effects(const Study& study, const Command& command)
 {
-    if (command.verb != nullptr) std::cerr << effect_notes(study, *command.verb);
+    if (command.verb == nullptr) return;
+    std::cerr << effect_notes(study, *command.verb);
+    for (const std::string& note : study.geometry.notes)
+        std::cerr << "note: wall.geometry: " << note << '\n';
 }
 
 } // namespace app

@@ -17,7 +17,7 @@ namespace app {
 /// since one study file serves several verbs.
 [[nodiscard]] std::string effect_notes(const Study& study, const Verb& verb);
 
-/// The same, on stderr. Nothing for a command without a verb, as other programs make them.
+/// The same, on stderr, and what was closed, simplified or ignored of a drawing. Nothing for a command without a verb, as other programs make them.
 void say_effects(const Study& study, const Command& command);
 
 } // namespace app

@@ -53,10 +53,10 @@ std::vector<Option> table()
 {
     return {
         {"out", "PATH", "output directory or file (default: runs/<name of the file that is read>)",
-         "push study sample reliability fragility report curves", false,
+         "push scene study sample reliability fragility report curves", false,
          [](Command& c, Text v) { c.out = some_text(v); }},
         {"set", "section.key=value", "value in place of the one in the study file; may be repeated",
-         "push study sample reliability fragility serve", true,
+         "push scene study sample reliability fragility serve", true,
          [](Command& c, Text v) { c.overrides.push_back(v); }},
         {"threads", "N", "number of threads (default: " + std::to_string(default_threads()) + ", all of this machine)",
          "push study reliability report serve", false,

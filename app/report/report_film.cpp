@@ -1,6 +1,7 @@
 #include "app/report/report_film.hpp"
 
 #include "app/report/report_bytes.hpp"
+#include "dem/scene/polygon.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -57,6 +58,65 @@ Corners corners_of(const std::vector<dem::Point>& outline)
             nearest_point(outline, right->x, high->z)};
 }
 
+/// Weights of the displacements of the outline in a, b and c of a BlockMotion.
+struct Weights {
+    std::vector<double> a, b, c;
+};
+
+bool is_rectangle(const std::vector<dem::Point>& outline, const Corners& at)
+{
+    const dem::Point low = outline[at.lower_left], high = outline[at.upper_right];
+    const double box = (high.x - low.x) * (high.z - low.z);
+    constexpr double kRounding = 1e-6;
+    return std::abs(dem::polygon_area(outline) - box) <= kRounding * box;
+}
+
+/// Least squares over all points of an outline that is no rectangle.
+Weights weights_of(const std::vector<dem::Point>& outline)
+{
+    const auto [left, right] = std::ranges::minmax(outline, {}, &dem::Point::x);
+    const auto [low, high] = std::ranges::minmax(outline, {}, &dem::Point::z);
+    const auto n = static_cast<double>(outline.size());
+    std::vector<dem::Point> at; // (xi, zeta)
+    dem::Point mean;
+    for (const dem::Point p : outline) {
+        at.push_back({(2.0 * p.x - left.x - right.x) / (right.x - left.x),
+                      (2.0 * p.z - low.z - high.z) / (high.z - low.z)});
+        mean = {mean.x + at.back().x / n, mean.z + at.back().z / n};
+    }
+    double xx = 0.0, xz = 0.0, zz = 0.0;
+    for (dem::Point& q : at) {
+        q = {q.x - mean.x, q.z - mean.z};
+        xx += q.x * q.x;
+        xz += q.x * q.z;
+        zz += q.z * q.z;
+    }
+    const double det = xx * zz - xz * xz;
+    if (!(det > 0.0)) throw std::invalid_argument("an outline without area");
+    Weights w;
+    for (const dem::Point q : at) {
+        w.b.push_back((zz * q.x - xz * q.z) / det);
+        w.c.push_back((xx * q.z - xz * q.x) / det);
+        w.a.push_back(1.0 / n - mean.x * w.b.back() - mean.z * w.c.back());
+    }
+    return w;
+}
+
+/// How the motion of one block follows from the displacements of its outline.
+class MotionFit {
+  public:
+    explicit MotionFit(const std::vector<dem::Point>& outline) : at_(corners_of(outline))
+    {
+        if (!is_rectangle(outline, at_)) weights_ = weights_of(outline);
+    }
+
+    [[nodiscard]] BlockMotion motion(const std::vector<dem::Point>& displacement) const;
+
+  private:
+    Corners at_;
+    Weights weights_; ///< empty for a rectangle
+};
+
 BlockMotion motion_of(const std::vector<dem::Point>& displacement, const Corners& at)
 {
     const dem::Point ll = displacement.at(at.lower_left), rl = displacement.at(at.lower_right),
@@ -66,6 +126,20 @@ BlockMotion motion_of(const std::vector<dem::Point>& displacement, const Corners
                           0.25 * (sll * ll.z + srl * rl.z + slh * lh.z + rh.z)};
     };
     return {combine(1, 1, 1), combine(-1, 1, -1), combine(-1, -1, 1)};
+}
+
+BlockMotion MotionFit::motion(const std::vector<dem::Point>& displacement) const
+{
+    if (weights_.a.empty()) return motion_of(displacement, at_);
+    const auto sum = [&](const std::vector<double>& weights) {
+        dem::Point total;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const dem::Point u = displacement.at(i);
+            total = {total.x + weights[i] * u.x, total.z + weights[i] * u.z};
+        }
+        return total;
+    };
+    return {sum(weights_.a), sum(weights_.b), sum(weights_.c)};
 }
 
 double mean_damage(const dem::FaceState& face)
@@ -95,9 +169,9 @@ std::vector<double> motions(std::span<const dem::Snapshot> frames)
     const std::size_t n = frames.size(), blocks = frames.front().blocks.size();
     std::vector<double> series(6 * blocks * n);
     for (std::size_t b = 0; b < blocks; ++b) {
-        const Corners corners = corners_of(frames.front().blocks[b].outline);
+        const MotionFit fit(frames.front().blocks[b].outline);
         for (std::size_t t = 0; t < n; ++t) {
-            const BlockMotion m = motion_of(frames[t].blocks[b].displacement, corners);
+            const BlockMotion m = fit.motion(frames[t].blocks[b].displacement);
             const std::array<double, 6> values = {m.a.x, m.a.z, m.b.x, m.b.z, m.c.x, m.c.z};
             for (std::size_t k = 0; k < 6; ++k) series[(k * blocks + b) * n + t] = values[k];
         }
@@ -123,17 +197,30 @@ void append(std::vector<std::uint8_t>& all, const std::vector<std::uint8_t>& mor
 Json wall_geometry(const dem::Layout& layout)
 {
     Json blocks = Json::array(), faces = Json::array();
-    for (const dem::Block& b : layout.blocks)
-        blocks.push_back({b.x0, b.z0, b.x1, b.z1, b.course, b.unit});
-    for (const dem::Face& f : layout.faces)
-        faces.push_back(
-            {kind_name(f.kind), f.id, f.a, f.b, f.from.x, f.from.z, f.to.x, f.to.z});
+    for (const dem::Block& b : layout.blocks) {
+        Json block = {b.x0, b.z0, b.x1, b.z1, b.course, b.unit};
+        if (!b.outline.empty()) {
+            Json corners = Json::array();
+            for (const dem::Point p : b.outline) corners.push_back({p.x, p.z});
+            block.push_back(corners);
+        }
+        blocks.push_back(block);
+    }
+    for (const dem::Face& f : layout.faces) {
+        Json face = {kind_name(f.kind), f.id, f.a, f.b, f.from.x, f.from.z, f.to.x, f.to.z};
+        const bool level = f.normal.x == 0.0 && f.normal.z == 1.0;
+        if (!level && !(f.normal.x == 1.0 && f.normal.z == 0.0)) {
+            face.push_back(f.normal.x);
+            face.push_back(f.normal.z);
+        }
+        faces.push_back(face);
+    }
     return {{"blocks", blocks}, {"faces", faces}};
 }
 
 BlockMotion block_motion(const dem::BlockState& block)
 {
-    return motion_of(block.displacement, corners_of(block.outline));
+    return MotionFit(block.outline).motion(block.displacement);
 }
 
 Film film_of(std::span<const dem::Snapshot> frames)

@@ -12,13 +12,14 @@
 
 namespace app {
 
-/// What all walls of a study have in common: blocks and faces, lengths in metres.
+/// What all walls of a study have in common: blocks and faces, lengths in metres. Blocks that are no rectangles have
+/// their corners as well, faces that are neither level nor upright their normal.
 [[nodiscard]] nlohmann::ordered_json wall_geometry(const dem::Layout& layout);
 
 constexpr double kFilmStep = 1e-5; ///< displacements are rounded to this [m]
 
-/// Displacement of a block as an affine map of its undeformed rectangle, by least squares over its
-/// four corners: at (xi, zeta) in [-1, 1]^2 it is a + b xi + c zeta.
+/// Displacement of a block as an affine map of its undeformed box, by least squares over the four corners of a
+/// rectangle, or over all points of another outline: at (xi, zeta) in [-1, 1]^2 it is a + b xi + c zeta.
 struct BlockMotion {
     dem::Point a, b, c; ///< [m]
 };

@@ -1,5 +1,6 @@
 #include "app/report/report_overview.hpp"
 
+#include "app/input/wall_geometry.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/text/number_text.hpp"
@@ -46,14 +47,31 @@ std::string way_text(const PushWay& way)
            number(1e3 * way.farthest, 4) + " mm";
 }
 
+double wall_length(const Study& study)
+{
+    if (!is_drawn(study)) return study.wall.length;
+    double length = 0.0; // a drawing begins at x = 0
+    for (const dem::DrawnUnit& unit : study.geometry.units)
+        for (const dem::Point p : unit.outline) length = std::max(length, p.x);
+    return length;
+}
+
+/// "in 10 courses", "of 15 blocks drawn in portal.dxf"
+std::string bond_text(const Study& study)
+{
+    if (!is_drawn(study))
+        return "in " + count_of(static_cast<std::size_t>(study.wall.courses), "course");
+    const GeometryInput& g = study.geometry;
+    return "of " + count_of(g.units.size(), "block") + " drawn" +
+           (g.file.empty() ? "" : " in " + g.file);
+}
+
 std::string wall_text(const Study& study)
 {
-    const double height = study.wall.courses * study.wall.course_height;
-    return "a wall of " + fixed(study.wall.length, 2) + " m × " + fixed(height, 2) + " m × " +
-           fixed(study.wall.thickness, 2) + " m in " +
-           count_of(static_cast<std::size_t>(study.wall.courses), "course") +
-           ", pushed sideways at a height of " + fixed(study.load.height, 2) + " m" +
-           way_text(push_way(study));
+    return "a wall of " + fixed(wall_length(study), 2) + " m × " +
+           fixed(wall_height(study), 2) + " m × " + fixed(study.wall.thickness, 2) + " m " +
+           bond_text(study) + ", pushed sideways at a height of " +
+           fixed(study.load.height, 2) + " m" + way_text(push_way(study));
 }
 
 std::vector<std::string> what_was_run(const StudyWalls& study)

@@ -1,5 +1,7 @@
 #include "dem/block/model.hpp"
 
+#include "dem/block/contact_count.hpp"
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -197,6 +199,13 @@ void check(const Layout& layout, const Elastic& stone, const Beam& beam, const L
 }
 
 } // namespace
+
+std::size_t contact_count(const Layout& layout, const Discretisation& d)
+{
+    std::size_t n = 0;
+    for (const Face& f : layout.faces) n += points_of(f, layout, d).position.size();
+    return n;
+}
 
 Model discretise(Layout layout, const Elastic& stone, const Beam& beam, const Loads& loads,
                  const ReferenceStiffness& reference, const Discretisation& d)

@@ -1,5 +1,6 @@
 # Links drystone_app_push and nlohmann_json.
 set(TEST_APP_PUSH_SOURCES
     app/bad_input/studies.cpp
+    app/test_scene.cpp
     app/test_summary_json.cpp
     app/test_table.cpp)

@@ -23,6 +23,22 @@ TEST_CASE("report film: a block that moves without strain is drawn where it is",
     CHECK(m.c.z == Approx(0.0).margin(1e-17));
 }
 
+TEST_CASE("report film: a block that is no rectangle is drawn where it is",
+          "[app][report_film]")
+{
+    dem::BlockState block; // box 0..0.4 x 0..0.2; no corner at two corners of the box
+    block.outline = {{0.1, 0.0}, {0.4, 0.0}, {0.3, 0.2}, {0.15, 0.2}, {0.0, 0.1}};
+    for (const dem::Point p : block.outline)
+        block.displacement.push_back({0.003 + 0.5 * p.x - 0.2 * p.z, 0.01 * p.x + 0.1 * p.z});
+    const app::BlockMotion m = app::block_motion(block);
+    CHECK(m.a.x == Approx(0.003 + 0.5 * 0.2 - 0.2 * 0.1).epsilon(1e-12));
+    CHECK(m.a.z == Approx(0.01 * 0.2 + 0.1 * 0.1).epsilon(1e-12));
+    CHECK(m.b.x == Approx(0.5 * 0.2).epsilon(1e-12));
+    CHECK(m.b.z == Approx(0.01 * 0.2).epsilon(1e-12));
+    CHECK(m.c.x == Approx(-0.2 * 0.1).epsilon(1e-12));
+    CHECK(m.c.z == Approx(0.1 * 0.1).epsilon(1e-12));
+}
+
 TEST_CASE("report film: the strain of a block is kept too", "[app][report_film]")
 {
     dem::BlockState block;

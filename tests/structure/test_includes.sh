@@ -27,6 +27,7 @@ declare -A knows=(
     [app/study]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling"
     [app/reliability]="app/text dem/ fragility uq/ app app/reading app/input app/output app/store app/sampling app/study"
     [app/serve]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/reliability"
+    [app/scene]="app/text app/drawing dem/ app/input app/output app/study"
     [app/push]="app/text dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
     [app/report]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/fragility]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"

@@ -15,7 +15,7 @@ const std::vector<BadCommand> kCommands = {
     {"unknown verb", {"pusg", "study.ini"},
         "drystone: pusg: unknown verb; did you mean \"push\"?"},
     {"unknown verb like no other", {"simulate", "study.ini"},
-        "drystone: simulate: unknown verb; use push, study, sample, reliability, fragility, report, curves, serve, merge, help or version"},
+        "drystone: simulate: unknown verb; use push, scene, study, sample, reliability, fragility, report, curves, serve, merge, help or version"},
     {"missing study file", {"push"},
         "drystone: push: missing STUDY.ini; write \"drystone push configs/wall.ini\""},
     {"two study files", {"push", "study.ini", "other.ini"},

@@ -1,0 +1,139 @@
+#include "app/scene/bond_indices.hpp"
+
+#include "app/output/table.hpp"
+#include "dem/scene/drawn_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace app {
+namespace {
+
+using dem::FaceKind;
+using dem::Point;
+
+/// Ends of faces. Those that a piece of joint left out lies between are one.
+class Ends {
+  public:
+    std::size_t number_of(Point p)
+    {
+        const auto cell = [](double x) { return std::llround(x / kCell); };
+        const auto cx = cell(p.x), cz = cell(p.z);
+        for (auto x = cx - 1; x <= cx + 1; ++x)
+            for (auto z = cz - 1; z <= cz + 1; ++z)
+                if (const auto at = cells_.find({x, z}); at != cells_.end())
+                    for (const std::size_t k : at->second)
+                        if (std::hypot(points[k].x - p.x, points[k].z - p.z) < kCell) return k;
+        cells_[{cx, cz}].push_back(points.size());
+        points.push_back(p);
+        return points.size() - 1;
+    }
+
+    static constexpr double kCell = 1.01 * dem::kShortestFace; // [m]
+    std::vector<Point> points;
+
+  private:
+    std::map<std::pair<long long, long long>, std::vector<std::size_t>> cells_;
+};
+
+struct Way {
+    std::size_t to;
+    double length;
+};
+
+/// Dijkstra's shortest way from the floor to the top.
+double least_trace(const dem::Layout& layout)
+{
+    Ends ends;
+    std::vector<std::vector<Way>> ways;
+    for (const dem::Face& f : layout.faces) {
+        if (f.kind != FaceKind::bed_joint && f.kind != FaceKind::head_joint) continue;
+        const std::size_t a = ends.number_of(f.from), b = ends.number_of(f.to);
+        ways.resize(ends.points.size());
+        const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
+        ways[a].push_back({b, length});
+        ways[b].push_back({a, length});
+    }
+    using Place = std::pair<double, std::size_t>;
+    std::priority_queue<Place, std::vector<Place>, std::greater<>> open;
+    std::vector<double> length(ways.size(), kNoEnd);
+    for (std::size_t k = 0; k < ways.size(); ++k)
+        if (ends.points[k].z < Ends::kCell) open.emplace(length[k] = 0.0, k);
+    while (!open.empty()) {
+        const auto [so_far, k] = open.top();
+        open.pop();
+        if (so_far > length[k]) continue;
+        if (ends.points[k].z > layout.height - Ends::kCell) return so_far;
+        for (const Way& w : ways[k])
+            if (so_far + w.length < length[w.to])
+                open.emplace(length[w.to] = so_far + w.length, w.to);
+    }
+    return kUnknown;
+}
+
+bool of_rectangles(const dem::Layout& layout)
+{
+    return std::ranges::all_of(layout.blocks,
+                               [](const dem::Block& b) { return b.outline.empty(); });
+}
+
+bool share_a_block(const dem::Face& f, const dem::Face& g)
+{
+    return f.a == g.a || f.a == g.b || f.b == g.a || f.b == g.b;
+}
+
+/// Of each head joint that others begin above [m].
+std::vector<double> overlaps(const dem::Layout& layout)
+{
+    std::map<long long, std::vector<const dem::Face*>> beginning; // by level
+    const auto level = [](double z) { return std::llround(z / Ends::kCell); };
+    for (const dem::Face& f : layout.faces)
+        if (f.kind == FaceKind::head_joint)
+            beginning[level(std::min(f.from.z, f.to.z))].push_back(&f);
+    std::vector<double> found;
+    for (const dem::Face& f : layout.faces) {
+        if (f.kind != FaceKind::head_joint) continue;
+        double least = kNoEnd;
+        const long long top = level(std::max(f.from.z, f.to.z));
+        for (long long l = top - 1; l <= top + 1; ++l)
+            if (const auto at = beginning.find(l); at != beginning.end())
+                for (const dem::Face* g : at->second)
+                    if (g != &f && !share_a_block(f, *g))
+                        least = std::min(least, std::abs(g->from.x - f.from.x));
+        if (least < kNoEnd) found.push_back(least);
+    }
+    return found;
+}
+
+} // namespace
+
+BondIndices bond_indices(const dem::Layout& layout, std::span<const DrawnBlock> units)
+{
+    BondIndices indices;
+    indices.trace = least_trace(layout);
+    indices.trace_ratio = indices.trace / layout.height;
+    const auto n = static_cast<double>(units.size());
+    for (const DrawnBlock& u : units) {
+        const auto [left, right] = std::ranges::minmax(u.outline, {}, &Point::x);
+        const auto [low, high] = std::ranges::minmax(u.outline, {}, &Point::z);
+        indices.mean_length += (right.x - left.x) / n;
+        indices.mean_height += (high.z - low.z) / n;
+    }
+    indices.least_overlap = indices.mean_overlap = kUnknown;
+    const std::vector<double> found =
+        of_rectangles(layout) ? overlaps(layout) : std::vector<double>{};
+    if (found.empty()) return indices;
+    double sum = 0.0;
+    for (const double x : found) sum += x;
+    indices.least_overlap = *std::ranges::min_element(found) / indices.mean_height;
+    indices.mean_overlap = sum / static_cast<double>(found.size()) / indices.mean_height;
+    return indices;
+}
+
+} // namespace app

@@ -1,0 +1,133 @@
+#include "app/scene/scene_command.hpp"
+
+#include "app/drawing/write_drawing.hpp"
+#include "app/input/key_effects.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/output/atomic_output.hpp"
+#include "app/output/markup.hpp"
+#include "app/output/progress.hpp"
+#include "app/output/table.hpp"
+#include "app/scene/bond_indices.hpp"
+#include "app/scene/scene_picture.hpp"
+#include "app/scene/scene_units.hpp"
+#include "app/study/wanted_walls.hpp"
+#include "app/text/number_text.hpp"
+#include "dem/block/contact_count.hpp"
+#include "dem/scene/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string counted(std::size_t n, const std::string& one, const std::string& many)
+{
+    return std::to_string(n) + ' ' + (n == 1 ? one : many);
+}
+
+std::string counted(int n, const std::string& one)
+{
+    return counted(static_cast<std::size_t>(n), one, one + 's');
+}
+
+/// "75 units in 120 blocks, 135 joints, 45 potential cracks, 1234 contact points"
+std::string count_text(const Study& study, const dem::Layout& layout,
+                       std::span<const DrawnBlock> units)
+{
+    std::string text = counted(units.size(), "unit", "units");
+    if (static_cast<std::size_t>(layout.beam) != units.size())
+        text += " in " + counted(layout.beam, "block");
+    return text + ", " + counted(layout.n_joints, "joint") + ", " +
+           counted(layout.n_cracks, "potential crack") + ", " +
+           counted(dem::contact_count(layout, study.discretisation), "contact point",
+                   "contact points");
+}
+
+/// Without the beam [m2], and its weight [N].
+struct Masonry {
+    double area = 0.0, weight = 0.0;
+};
+
+Masonry masonry_of(const Study& study, const dem::Layout& layout)
+{
+    Masonry m;
+    for (std::size_t b = 0; b < static_cast<std::size_t>(layout.beam); ++b) {
+        const dem::Block& block = layout.blocks[b];
+        const dem::Elastic& stone =
+            block.material > 0 ? layout.stones[static_cast<std::size_t>(block.material - 1)]
+                               : study.parameters.stone;
+        const double area = dem::area_of(block);
+        m.area += area;
+        m.weight += area * layout.thickness * stone.density * study.load.gravity;
+    }
+    return m;
+}
+
+double length_of(const dem::Layout& layout)
+{
+    double x0 = kNoEnd, x1 = -kNoEnd;
+    for (std::size_t b = 0; b < static_cast<std::size_t>(layout.beam); ++b) {
+        x0 = std::min(x0, layout.blocks[b].x0);
+        x1 = std::max(x1, layout.blocks[b].x1);
+    }
+    return x1 - x0;
+}
+
+std::string size_text(const dem::Layout& layout, const Masonry& m)
+{
+    return number(length_of(layout), 4) + " m long, " + number(layout.height, 4) + " m high, " +
+           number(layout.thickness, 4) + " m thick; " + number(m.area, 4) + " m2 of stone, " +
+           fixed(m.weight * 1e-3, 2) + " kN";
+}
+
+std::string whole_mm(double metres) { return fixed(metres * 1e3, 0); }
+
+std::string index_text(const BondIndices& i)
+{
+    std::string text =
+        "Mean unit " + whole_mm(i.mean_length) + " x " + whole_mm(i.mean_height) + " mm. ";
+    text += std::isfinite(i.trace)
+                ? "Line of minimum trace " + fixed(i.trace, 2) + " m, " +
+                      fixed(i.trace_ratio, 2) + " times the height. "
+                : "No line of minimum trace: no way through joints from the floor to the top. ";
+    text += std::isfinite(i.mean_overlap)
+                ? "Overlap of head joints in successive courses: mean " +
+                      fixed(i.mean_overlap, 2) + ", least " + fixed(i.least_overlap, 2) +
+                      " times the height of a unit."
+                : "Overlap of head joints: not defined without rectangles in courses.";
+    return text;
+}
+
+} // namespace
+
+int scene_command(const Command& command)
+{
+    const StudySource source = study_source(command);
+    const Study& study = source.study;
+    const dem::Layout layout = layout_of(study);
+    const std::vector<DrawnBlock> units = scene_units(study, layout);
+    say_effects(study, command);
+    const std::string counts = count_text(study, layout, units);
+    const std::string sizes = size_text(layout, masonry_of(study, layout));
+    const fs::path out = command.out;
+    make_folder(out);
+    const double unit = study.geometry.length_unit;
+    write_file(out / "scene.json", write_drawing_json(units, unit));
+    write_file(out / "scene.dxf", write_drawing_dxf(units, unit));
+    write_file(out / "scene.svg", scene_picture(layout, units, counts, sizes));
+    std::cout << wrapped(counts + ".\n", terminal_width())
+              << wrapped(sizes + ".\n", terminal_width())
+              << wrapped(index_text(bond_indices(layout, units)) + "\n", terminal_width())
+              << "scene.svg, scene.json and scene.dxf written to " << command.out << '\n';
+    return 0;
+}
+
+} // namespace app

@@ -1,0 +1,178 @@
+#include "app/input/key_effects.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/push/push_command.hpp"
+#include "app/scene/bond_indices.hpp"
+#include "app/scene/scene_command.hpp"
+#include "app/scene/scene_units.hpp"
+#include "dem/scene/polygon.hpp"
+#include "scenes/temporary_folder.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using scenes::read_text;
+
+const std::string kWall = std::string(DRYSTONE_SOURCE_DIR) + "/configs/wall.ini";
+
+/// What a command writes on a stream.
+template <class Run> std::string said(std::ostream& stream, Run run)
+{
+    std::ostringstream text;
+    std::streambuf* screen = stream.rdbuf(text.rdbuf());
+    run();
+    stream.rdbuf(screen);
+    return text.str();
+}
+
+app::Command command_of(const std::string& study, const fs::path& out,
+                        std::vector<std::string> overrides)
+{
+    app::Command c;
+    c.study = study;
+    c.out = out.string();
+    c.overrides = std::move(overrides);
+    c.quiet = true;
+    return c;
+}
+
+std::string scene(const std::string& study, const fs::path& out,
+                  std::vector<std::string> overrides = {})
+{
+    return said(std::cout, [&] {
+        CHECK(app::scene_command(command_of(study, out, std::move(overrides))) == 0);
+    });
+}
+
+double peak(const std::string& study, const fs::path& out, std::vector<std::string> overrides)
+{
+    for (const char* coarse : {"solver.contact_points=2", "solver.block_modes=6",
+                               "solver.steps_per_mm=200", "load.max_displacement=15 mm"})
+        overrides.emplace_back(coarse);
+    said(std::cout,
+         [&] { CHECK(app::push_command(command_of(study, out, std::move(overrides))) == 0); });
+    return nlohmann::json::parse(read_text(out / "summary.json"))["peak_force_kN"];
+}
+
+/// The paper's wall with a drawing in place of its courses.
+std::string drawn_study(const fs::path& folder, const std::string& drawing)
+{
+    std::istringstream text(read_text(kWall));
+    std::ofstream study(folder / (drawing + ".ini"));
+    for (std::string line; std::getline(text, line);) {
+        const std::string key = line.substr(0, line.find_first_of(" ="));
+        const std::vector<std::string> courses = {"length", "courses", "course_height",
+                                                  "bond",   "toe",     "first_course"};
+        if (std::ranges::find(courses, key) == courses.end()) study << line << '\n';
+        if (line == "[wall]") study << "geometry = " << drawing << '\n';
+    }
+    return (folder / (drawing + ".ini")).string();
+}
+
+app::Study study_of(const std::string& file, const std::vector<std::string>& overrides = {})
+{
+    return app::read_study(app::with_overrides(app::read_study_file(file), overrides));
+}
+
+app::BondIndices indices_of(const std::vector<std::string>& overrides)
+{
+    const app::Study study = study_of(kWall, overrides);
+    const dem::Layout layout = app::layout_of(study);
+    return app::bond_indices(layout, app::scene_units(study, layout));
+}
+
+} // namespace
+
+TEST_CASE("scene command: the paper's wall, exported and read again, is the same wall",
+          "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string text = scene(kWall, folder.path);
+    CHECK(text.starts_with("55 units in 100 blocks, 135 joints, 45 potential cracks, "));
+    CHECK(text.find("1.90 times the height") != std::string::npos);
+    const double as_keys = peak(kWall, folder.path / "keys", {"wall.toe=free"});
+    for (const char* drawing : {"scene.dxf", "scene.json"}) {
+        INFO(drawing);
+        const std::string file = drawn_study(folder.path, drawing);
+        const dem::Layout layout = app::layout_of(study_of(file));
+        CHECK(layout.n_joints == 135);
+        CHECK(layout.n_cracks == 45);
+        CHECK(layout.blocks.size() == 101);
+        CHECK(peak(file, folder.path / "drawn", {}) == Approx(as_keys).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("scene command: the export is in the unit of the study", "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    scene(kWall, folder.path);
+    const auto json = nlohmann::json::parse(read_text(folder.path / "scene.json"));
+    CHECK(json["blocks"].size() == 55);
+    CHECK(json["blocks"][54]["outline"].size() == 4);
+    double farthest = 0.0;
+    for (const auto& block : json["blocks"])
+        for (const auto& corner : block["outline"])
+            farthest = std::max(farthest, corner[0].get<double>());
+    CHECK(farthest == Approx(1000.0)); // [mm]
+}
+
+TEST_CASE("scene units: a unit that a crack parts is whole again, with its own corners",
+          "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    std::ofstream(folder.path / "two.json")
+        << R"({"blocks": [[[0, 0], [200, 0], [180, 60], [200, 110], [100, 100], [0, 100]],
+                          [[200, 0], [400, 0], [400, 100], [200, 110], [180, 60]]]})";
+    const app::Study study =
+        study_of(drawn_study(folder.path, "two.json"),
+                 {"beam.present=no", "load.pattern=body", "load.height=0.05 m",
+                  "load.vertical_stress=0 MPa", "joint.wall_modulus=700 MPa"});
+    const dem::Layout layout = app::layout_of(study);
+    REQUIRE(layout.n_cracks == 2);
+    const std::vector<app::DrawnBlock> units = app::scene_units(study, layout);
+    REQUIRE(units.size() == 2);
+    CHECK(units[0].outline.size() == 6);
+    CHECK(units[1].outline.size() == 5);
+    CHECK(dem::polygon_area(units[0].outline) == Approx(0.0193));
+    CHECK(units[0].layer == "wall");
+}
+
+TEST_CASE("bond indices: running bond by hand, stack bond has straight joints", "[app][scene]")
+{
+    const app::BondIndices running = indices_of({});
+    CHECK(running.trace == Approx(1.9)); // ten head joints of 0.1 m, nine half units of 0.1 m
+    CHECK(running.trace_ratio == Approx(1.9));
+    CHECK(running.least_overlap == Approx(1.0)); // half of 200 mm over 100 mm
+    CHECK(running.mean_overlap == Approx(1.0));
+    CHECK(running.mean_length == Approx(10.0 / 55.0));
+    CHECK(running.mean_height == Approx(0.1));
+    const app::BondIndices quarter = indices_of({"wall.bond=0.25"});
+    CHECK(quarter.trace == Approx(1.45));
+    CHECK(quarter.least_overlap == Approx(0.5));
+    const app::BondIndices stack = indices_of({"wall.bond=stack"});
+    CHECK(stack.trace_ratio == Approx(1.0));
+    CHECK(stack.least_overlap == Approx(0.0).margin(1e-12));
+    CHECK(std::isnan(indices_of({"wall.courses=1", "load.height=0.2 m"}).mean_overlap));
+}
+
+TEST_CASE("scene command: what was closed or simplified of a drawing is said", "[app][scene]")
+{
+    const app::Verb verb{.name = "scene", .sections = "wall"};
+    app::Command c;
+    c.verb = &verb;
+    const app::Study study =
+        study_of(std::string(DRYSTONE_SOURCE_DIR) + "/configs/picture.ini");
+    const std::string text = said(std::cerr, [&] { app::say_effects(study, c); });
+    CHECK(text.find("note: wall.geometry: 49 stones") != std::string::npos);
+}
