@@ -19,7 +19,7 @@ enum class OutKind {
 
 /// Sections of a study file that make a wall and the numbers read off it.
 inline constexpr std::string_view kWallSections =
-    "wall stone joint unit beam base load solver output uq fragility";
+    "wall lintel stone joint unit beam base load solver output uq fragility";
 
 /// One row of the table of verbs.
 struct Verb {

@@ -20,8 +20,14 @@ thickness = 0.25 m
 bond = 0.25
 first_course = shifted
 unit_cracks = yes
+openings = 0.3 m, 0 m, 0.6 m, 0.6 m
 base = joint
 toe = free
+[lintel]
+bearing = 0.2 m
+young_modulus = 30 GPa
+poisson_ratio = 0.3
+density = 2500 kg/m3
 [stone]
 young_modulus = 20 GPa
 poisson_ratio = 0.25
@@ -31,6 +37,9 @@ normal_stiffness = 5.87, 8.08 GPa/m
 shear_stiffness = 2 N/mm3
 friction_angle = 30 deg
 stiffness_factor = 1.1
+tensile_strength = 0.1 MPa
+cohesion = 0.2 MPa
+fracture_energy = 10 N/m
 [unit]
 stiffness_ratio = 12
 tensile_strength = 3 MPa

@@ -23,7 +23,7 @@ using app::Study;
 
 constexpr app::Verb kPush{
     .name = "push",
-    .sections = "wall stone joint unit beam base load solver output uq fragility"};
+    .sections = "wall lintel stone joint unit beam base load solver output uq fragility"};
 
 const std::string kWall = R"([wall]
 length = 0.60 m
@@ -73,6 +73,25 @@ samples = 3
 
 const std::string kCorrelated = kAll + "spatial = correlated\nkernel = matern\n"
                                        "correlation_length = 0.3 m\n";
+
+/// Mortar, and a window.
+const std::string kMortar = [] {
+    std::string text = kAll;
+    const auto after = [&](std::string_view section, std::string_view keys) {
+        text.insert(text.find(section) + section.size(), keys);
+    };
+    after("[joint]\n", "tensile_strength = 0.05 MPa\ncohesion = 0.05 MPa\n"
+                       "fracture_energy = 1 N/m\n");
+    after("[wall]\n", "openings = 0.2 m, 0.1 m, 0.2 m, 0.1 m\n");
+    after("fidelity = ", "simple\n# ");
+    return text;
+}();
+
+/// Blocks that are drawn, one of another stone.
+const std::string kDrawn = R"([wall]
+outlines = 0 0, 0.3 0, 0.25 0.15, 0 0.15; sill: 0.3 0, 0.6 0, 0.6 0.15, 0.25 0.15; 0 0.15, 0.6 0.15, 0.6 0.3, 0 0.3
+layer_stones = sill: 30 GPa, 0.2, 2500 kg/m3
+)" + kAll.substr(kAll.find("thickness"));
 
 /// Rigid blocks on a clamped base, no cracks, no distribution, one stress level.
 const std::string kLeast = kWall + R"(unit_cracks = no
@@ -138,6 +157,10 @@ std::vector<double> outputs(const Study& s)
 /// Values that matter where another number would not, or could not stand beside the rest.
 const std::map<std::string_view, std::string> kOthers = {
     {"wall.unit_length", "0.30 m"},
+    {"wall.geometry", "nothing.dxf"},
+    {"wall.outlines", "0 0, 0.6 0, 0.6 0.3, 0 0.3"},
+    {"wall.layer_stones", "sill: 3 GPa, 0.2, 2000 kg/m3"},
+    {"wall.openings", "0.2 m, 0 m, 0.2 m, 0.1 m"},
     {"joint.wall_modulus", "700, 900 MPa"},
     {"joint.normal_stiffness", "7 GPa/m"},
     {"joint.shear_stiffness", "2 GPa/m"},
@@ -218,7 +241,7 @@ TEST_CASE("key effects: every key that is read changes the push, or is named as 
           "[slow][app][key_effects]")
 {
     std::set<std::string_view> effective;
-    for (const std::string& text : {kAll, kCorrelated, kLeast}) effective.merge(sweep(text));
+    for (const std::string& text : {kAll, kCorrelated, kMortar, kDrawn, kLeast}) effective.merge(sweep(text));
     for (const std::string_view limit : kLimits) {
         INFO(limit);
         CHECK(effective.contains(limit));
