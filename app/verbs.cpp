@@ -97,7 +97,8 @@ constexpr std::array kVerbs = {
          .words = "STUDY.ini",
          .meaning = "the probability that a response falls to a demand, and what it depends on",
          .example = "drystone reliability configs/reliability.ini",
-         .sections = "wall lintel stone joint unit beam base load solver output uq reliability model",
+         .sections =
+             "wall lintel stone joint unit beam base load solver output uq reliability model",
          .run = reliability_command},
     Verb{.name = "fragility",
          .words = "FILE.h5|FILE.csv",

@@ -241,7 +241,8 @@ TEST_CASE("key effects: every key that is read changes the push, or is named as 
           "[slow][app][key_effects]")
 {
     std::set<std::string_view> effective;
-    for (const std::string& text : {kAll, kCorrelated, kMortar, kDrawn, kLeast}) effective.merge(sweep(text));
+    for (const std::string& text : {kAll, kCorrelated, kMortar, kDrawn, kLeast})
+        effective.merge(sweep(text));
     for (const std::string_view limit : kLimits) {
         INFO(limit);
         CHECK(effective.contains(limit));
