@@ -96,7 +96,8 @@ std::vector<std::array<int, 3>> triangles_inside(const Triangulation& t,
                            (points[n[0]].z + points[n[1]].z + points[n[2]].z) / 3.0};
         if (is_inside(ring, middle)) inside.push_back(n);
     }
-    for (auto& n : inside) std::ranges::rotate(n, std::ranges::min_element(n));
+    for (auto& n : inside)
+        std::rotate(n.begin(), std::min_element(n.begin(), n.end()), n.end());
     std::ranges::sort(inside);
     return inside;
 }
