@@ -17,7 +17,7 @@ class Drawing {
         this.size = { x0: Math.min(...xs), x1: Math.max(...xs), z1: Math.max(...zs), height };
         this.k = this.size.z1 / 1.1; // marks and arrow grow with the wall
         const m = 0.17 * this.size.z1;
-        const box = [this.size.x0 - 1.25 * m, -this.size.z1 - 0.7 * m, this.size.x1 - this.size.x0 + 2.75 * m, this.size.z1 + 1.1 * m].map((v) => v * 1e3);
+        const box = [this.size.x0 - 1.25 * m, -this.size.z1 - 1.3 * m, this.size.x1 - this.size.x0 + 2.75 * m, this.size.z1 + 1.7 * m].map((v) => v * 1e3);
         this.svg = element('svg', { viewBox: box.join(' '), role: 'img', class: 'wall' });
         const group = (c) => this.svg.appendChild(element('g', { class: c }));
         this.ghosts = group('ghosts');
