@@ -62,9 +62,9 @@ constexpr Condition kInCourses{
     "the wall is drawn, not laid in courses; remove it", true};
 /// Not needed by a wall that is drawn, but of use to it.
 template <auto kKey>
-constexpr Condition kInCoursesOrGiven{[](const Study& s) {
-    return kInCourses.holds(s) || find_entry(s.source, kKey) != nullptr;
-}};
+constexpr Condition kInCoursesOrGiven{
+    [](const Study& s) { return kInCourses.holds(s) || find_entry(s.source, kKey) != nullptr; },
+    "a drawn wall has no wall.unit_length that tells whole units"};
 constexpr const char kUnitLength[] = "wall.unit_length", kCourseHeight[] = "wall.course_height";
 constexpr Condition kWithWholeUnits = kInCoursesOrGiven<kUnitLength>;
 constexpr Condition kWithCracks{
@@ -72,6 +72,14 @@ constexpr Condition kWithCracks{
     "no unit can crack: wall.unit_cracks is no, or a drawn wall has no wall.unit_length that "
     "tells whole "
     "units"};
+/// Bonded joints follow the law of cracks too.
+constexpr Condition kWithCrackLaw{[](const Study& s) {
+                                      const JointInput& joint = s.parameters.joint;
+                                      return kWithCracks.holds(s) ||
+                                             joint.tensile_strength > 0.0 ||
+                                             joint.cohesion > 0.0;
+                                  },
+                                  "no unit can crack and joints have no mortar"};
 constexpr std::array kLengthUnits = {named("mm", 1e-3), named("cm", 1e-2), named("m", 1.0),
                                      named("in", 0.0254), named("ft", 0.3048)};
 
@@ -291,7 +299,7 @@ constexpr std::array kKeys = {
         .varies = Varies::by_crack,
         .meaning = "on k_n and k_s of the cracks (paper, Table 5)",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::stiffness_factor>},
-    Key{.name = "unit.contact_law", .kind = Kind::word, .names = kLaws, .used = kWithCracks,
+    Key{.name = "unit.contact_law", .kind = Kind::word, .names = kLaws, .used = kWithCrackLaw,
         .meaning = "damage of tension and shear together (paper, Table 2) or apart (Fig. 7)",
         .field = kAt<&Study::solver, &SolverOptions::law>},
     Key{.name = "unit.tension_reduces_shear", .kind = Kind::word, .names = kYesNo,
@@ -304,7 +312,7 @@ constexpr std::array kKeys = {
         .meaning = "where f_T > sqrt(2 G k_n) a crack breaks at f_T, or is weakened to that value",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::snap_back>},
     Key{.name = "unit.unloading", .kind = Kind::word, .names = kUnloadings,
-        .used = kWithCracks,
+        .used = kWithCrackLaw,
         .meaning = "an open crack closes to the origin, or with k_n (paper, Table 1) and stays propped",
         .field = kAt<&Study::solver, &SolverOptions::unloading>},
 
