@@ -19,14 +19,14 @@ void require(bool ok, const char* what)
     if (!ok) throw std::invalid_argument(what);
 }
 
-bool same(double a, double b) { return std::abs(a - b) < kTouching; }
+bool near(double a, double b) { return std::abs(a - b) < kTouching; }
 
 /// Whether an outline is an upright rectangle; then its block needs no outline.
 bool is_rectangle(const Block& b)
 {
-    if (!same(polygon_area(b.outline), (b.x1 - b.x0) * (b.z1 - b.z0))) return false;
+    if (!near(polygon_area(b.outline), (b.x1 - b.x0) * (b.z1 - b.z0))) return false;
     return std::ranges::all_of(b.outline, [&](Point p) {
-        return (same(p.x, b.x0) || same(p.x, b.x1)) && (same(p.z, b.z0) || same(p.z, b.z1));
+        return (near(p.x, b.x0) || near(p.x, b.x1)) && (near(p.z, b.z0) || near(p.z, b.z1));
     });
 }
 
@@ -54,7 +54,7 @@ std::vector<Point> part(const std::vector<Point>& outline, double x, bool right)
     };
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Point a = outline[i], b = outline[(i + 1) % outline.size()];
-        if (stays(a) || same(a.x, x)) kept.push_back(a);
+        if (stays(a) || near(a.x, x)) kept.push_back(a);
         if ((a.x < x - kTouching && b.x > x + kTouching) ||
             (b.x < x - kTouching && a.x > x + kTouching))
             kept.push_back({x, a.z + (b.z - a.z) * (x - a.x) / (b.x - a.x)});
@@ -68,19 +68,19 @@ int crossings(const std::vector<Point>& outline, double x)
     int n = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Point a = outline[i], b = outline[(i + 1) % outline.size()];
-        n += same(a.x, x);
+        n += near(a.x, x);
         n += (a.x < x - kTouching && b.x > x + kTouching) ||
              (b.x < x - kTouching && a.x > x + kTouching);
     }
     return n;
 }
 
-struct Piece {
+struct UnitPiece {
     Block block;
     Point centre; ///< of the unit
 };
 
-std::vector<Piece> pieces_of(const DrawnWall& wall, const DrawnUnit& unit)
+std::vector<UnitPiece> pieces_of(const DrawnWall& wall, const DrawnUnit& unit)
 {
     const Point centre = polygon_centre(unit.outline);
     Block whole = block_of(unit.outline, unit.material);
@@ -111,7 +111,7 @@ void add_blocks(const DrawnWall& wall, Layout& layout)
     struct Unit {
         int course;
         double x, z;
-        std::vector<Piece> pieces;
+        std::vector<UnitPiece> pieces;
     };
     std::vector<Unit> units;
     for (const DrawnUnit& u : wall.units) {
@@ -128,7 +128,7 @@ void add_blocks(const DrawnWall& wall, Layout& layout)
     int number = 0;
     for (Unit& u : units) {
         ++number;
-        for (Piece& piece : u.pieces) {
+        for (UnitPiece& piece : u.pieces) {
             Block& b = piece.block;
             b.course = u.course;
             b.unit = number;
@@ -145,7 +145,7 @@ std::vector<std::pair<double, double>> level_sides(const Block& b, double z, boo
     const std::vector<Point> corners = corners_of(b);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Point p = corners[i], q = corners[(i + 1) % corners.size()];
-        if (same(p.z, z) && same(q.z, z) && (up ? q.x < p.x : q.x > p.x))
+        if (near(p.z, z) && near(q.z, z) && (up ? q.x < p.x : q.x > p.x))
             sides.emplace_back(std::min(p.x, q.x), std::max(p.x, q.x));
     }
     return sides;

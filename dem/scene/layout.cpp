@@ -76,17 +76,17 @@ std::vector<double> unit_boundaries(const WallGeometry& wall, int course)
 }
 
 /// Between two head joints of a course, or a lintel.
-struct Piece {
+struct CoursePiece {
     double x0, x1;
     bool whole; ///< a unit of full length
     int material = 0;
 };
 
 /// Takes [from, to] out of the pieces of a course.
-std::vector<Piece> without(const std::vector<Piece>& pieces, double from, double to)
+std::vector<CoursePiece> without(const std::vector<CoursePiece>& pieces, double from, double to)
 {
-    std::vector<Piece> left;
-    for (const Piece& p : pieces) {
+    std::vector<CoursePiece> left;
+    for (const CoursePiece& p : pieces) {
         const bool apart = p.x1 < from + kSmallestPiece || p.x0 > to - kSmallestPiece;
         if (apart) left.push_back(p);
         if (!apart && from - p.x0 > kSmallestPiece)
@@ -96,17 +96,17 @@ std::vector<Piece> without(const std::vector<Piece>& pieces, double from, double
     return left;
 }
 
-bool same(double a, double b) { return std::abs(a - b) < kSmallestPiece; }
+bool equal_lengths(double a, double b) { return std::abs(a - b) < kSmallestPiece; }
 
-std::vector<Piece> pieces_of(const WallGeometry& wall, double z0, double z1,
-                             const std::vector<double>& x)
+std::vector<CoursePiece> pieces_of(const WallGeometry& wall, double z0, double z1,
+                                   const std::vector<double>& x)
 {
-    std::vector<Piece> pieces;
+    std::vector<CoursePiece> pieces;
     for (std::size_t i = 0; i + 1 < x.size(); ++i)
         pieces.push_back({x[i], x[i + 1], x[i + 1] - x[i] > wall.unit_length - kSmallestPiece});
     for (const Opening& o : wall.openings) {
         const double right = o.x + o.width;
-        if (same(o.z + o.height, z0) && wall.lintel_bearing > 0.0) {
+        if (equal_lengths(o.z + o.height, z0) && wall.lintel_bearing > 0.0) {
             const double from = std::max(0.0, o.x - wall.lintel_bearing),
                          to = std::min(wall.length, right + wall.lintel_bearing);
             pieces = without(pieces, from, to);
@@ -116,14 +116,14 @@ std::vector<Piece> pieces_of(const WallGeometry& wall, double z0, double z1,
     for (const Opening& o : wall.openings)
         if (o.z < z0 + kSmallestPiece && o.z + o.height > z1 - kSmallestPiece)
             pieces = without(pieces, o.x, o.x + o.width);
-    std::ranges::sort(pieces, {}, &Piece::x0);
+    std::ranges::sort(pieces, {}, &CoursePiece::x0);
     return pieces;
 }
 
 void add_course(const WallGeometry& wall, int course, int& unit, Layout& layout)
 {
     const double z0 = (course - 1) * wall.course_height, z1 = course * wall.course_height;
-    for (const Piece& p : pieces_of(wall, z0, z1, unit_boundaries(wall, course))) {
+    for (const CoursePiece& p : pieces_of(wall, z0, z1, unit_boundaries(wall, course))) {
         ++unit;
         const double middle = 0.5 * (p.x0 + p.x1);
         if (p.whole && wall.cracks_in_units) {
@@ -141,7 +141,8 @@ void add_vertical_faces(int first, int last, Layout& layout)
 {
     for (int b = first + 1; b < last; ++b) {
         const Block& right = layout.blocks[b];
-        if (!same(layout.blocks[b - 1].x1, right.x0)) continue; // an opening between them
+        if (!equal_lengths(layout.blocks[b - 1].x1, right.x0))
+            continue; // an opening between them
         const bool same_unit = layout.blocks[b - 1].unit == right.unit;
         const int id = same_unit ? ++layout.n_cracks : ++layout.n_joints;
         layout.faces.push_back({same_unit ? FaceKind::unit_crack : FaceKind::head_joint,
