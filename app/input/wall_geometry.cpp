@@ -117,7 +117,9 @@ void read_openings(Study& study)
                                            parse_quantity(v[2], "m"),
                                            parse_quantity(v[3], "m")});
         }
-        if (!study.wall.openings.empty()) static_cast<void>(dem::lay_out(study.wall, 0.0));
+        if (study.wall.openings.empty()) return;
+        study.geometry.layers = {"lintel"}; // as which `scene` draws and exports them
+        static_cast<void>(dem::lay_out(study.wall, 0.0));
     } catch (const BadValue& bad) {
         throw error_at(study.source, "wall.openings", bad.what());
     } catch (const std::invalid_argument& bad) {

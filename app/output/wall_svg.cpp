@@ -20,7 +20,8 @@ namespace app {
 namespace {
 
 constexpr double kPageMargin = 24.0, kPanelWidth = 464.0, kMostPanelHeight = 640.0; // [px]
-constexpr double kLoadRoom = 62.0;   // left of the wall, for the arrow and its force [px]
+constexpr double kLoadRoom = 62.0;   // beside the wall, for the arrow and its force [px]
+constexpr double kBareRoom = 16.0;   // on the other side [px]
 constexpr double kArrowRoom = 50.0;  // above the wall, for the vertical load [px]
 constexpr double kGroundRoom = 40.0; // below the wall, for the hatching and the scale bar [px]
 constexpr double kAway = 4.0;        // between an arrow and what it loads [px]
@@ -195,12 +196,15 @@ Page lay_out(const Panel& peak, const Panel& end, const WallPictureText& text)
         cut_off(page.rest, join(page.rest, join(box_of(peak.wall.blocks, peak.view.scale),
                                                 box_of(end.wall.blocks, end.view.scale))));
     const double wide = drawn.high.x - drawn.low.x, high = drawn.high.z - drawn.low.z;
-    constexpr double kAround = kArrowRoom + kGroundRoom, kRight = 16.0; // [px]
-    page.pixels_per_metre = std::min((kPanelWidth - kLoadRoom - kRight) / wide,
-                                     (kMostPanelHeight - kAround) / high);
+    constexpr double kAround = kArrowRoom + kGroundRoom; // [px]
+    const auto [least, most] = std::minmax(peak.wall.force, end.wall.force);
+    const double left = most >= 0.0 ? kLoadRoom : kBareRoom,
+                 right = least < 0.0 ? kLoadRoom : kBareRoom;
+    page.pixels_per_metre =
+        std::min((kPanelWidth - left - right) / wide, (kMostPanelHeight - kAround) / high);
     page.top = text.title.empty() ? 56.0 : 86.0;
     page.height = high * page.pixels_per_metre + kAround;
-    page.origin = {kLoadRoom - drawn.low.x * page.pixels_per_metre,
+    page.origin = {left - drawn.low.x * page.pixels_per_metre,
                    page.top + page.height - kGroundRoom + drawn.low.z * page.pixels_per_metre};
     page.marks = {text.mark_above, std::max(largest_slip(peak.wall, text.mark_above),
                                             largest_slip(end.wall, text.mark_above))};

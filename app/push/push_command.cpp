@@ -105,7 +105,7 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
                        cycles_csv(fragility::cycles({w.displacement, w.force})));
         write_file(folder / "capacity.svg", capacity_svg(study, w));
         WallPictureText text;
-        text.vertical_load = stress_text(w.vertical_stress);
+        if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
         text.load_height = w.loads.height;
         write_file(folder / "wall.svg", wall_picture(w.result.at_peak, w.result.at_end, text));
         const dem::PushResult& r = w.result;
