@@ -5,6 +5,7 @@
 #include "dem/scene/snapshot.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,15 @@ struct DrawingOptions {
     double height = 0.0;    ///< of a picture [m], > 0; of PNG
     double simplify = 5e-3; ///< tolerance of outlines traced from a picture [m], >= 0; of PNG
 };
+
+/// Whether a file is read as a picture of stones.
+[[nodiscard]] bool is_picture(const std::filesystem::path& path);
+
+/// Refuses blocks that cross themselves, overlap, hide in each other or touch nothing, as a drawing is refused.
+/// @param file named in the message
+/// @param line of the file, from 1; 0: none
+/// @throws ConfigError
+void check_blocks(const std::string& file, int line, std::span<const DrawnBlock> blocks);
 
 /// Reads the format that the file's extension names: .dxf, .json, .svg or .png. The same file and options give the
 /// same bits. Cost: n log n in the number of corners.

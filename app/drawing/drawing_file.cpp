@@ -15,26 +15,11 @@ namespace app {
 std::string read_drawing_bytes(const std::filesystem::path& path)
 {
     constexpr std::size_t kLargest = 64'000'000; // [bytes]; 20 000 blocks take about 10 MB
-    const auto refuse_file = [&](const std::string& why) {
-        throw ConfigError(path.string(), 0, "", why);
-    };
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        refuse_file("is a directory; give a drawing: .dxf, .json, .svg or .png");
-    }
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    const int cause = errno;
-    if (!file) refuse_file("cannot be read (" + std::generic_category().message(cause) + ")");
-    std::string bytes, piece(1 << 16, '\0');
-    while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())),
-           file.gcount() > 0) {
-        bytes.append(piece, 0, static_cast<std::size_t>(file.gcount()));
-        if (bytes.size() > kLargest)
-            refuse_file("is larger than 64 MB; draw a part of the wall");
-    }
-    if (file.bad()) refuse_file("cannot be read to its end");
-    if (bytes.empty()) refuse_file("is empty; export the drawing again");
+    std::string bytes =
+        read_bytes(path.string(), kLargest, "is larger than 64 MB; draw a part of the wall",
+                   "give a drawing: .dxf, .json, .svg or .png");
+    if (bytes.empty())
+        throw ConfigError(path.string(), 0, "", "is empty; export the drawing again");
     return bytes;
 }
 

@@ -6,10 +6,12 @@
 #include "app/drawing/picture_drawing.hpp"
 #include "app/drawing/svg_drawing.hpp"
 #include "app/text/config_error.hpp"
+#include "dem/scene/drawn_layout.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace app {
 namespace {
@@ -35,6 +37,16 @@ void check_options(const std::string& file, const DrawingOptions& options)
 
 } // namespace
 
+bool is_picture(const std::filesystem::path& path) { return extension_of(path) == ".png"; }
+
+void check_blocks(const std::string& file, int line, std::span<const DrawnBlock> blocks)
+{
+    RawDrawing raw;
+    raw.frame.file = file;
+    for (const DrawnBlock& b : blocks) raw.outlines.push_back({b.outline, b.layer, line});
+    static_cast<void>(fit_drawing(std::move(raw), 2.0 * dem::kTouching));
+}
+
 Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& options)
 {
     const std::string extension = extension_of(path);
@@ -47,7 +59,7 @@ Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& op
         return fit_drawing(read_json_drawing(frame, read_drawing_bytes(path), snap), snap);
     if (extension == ".svg")
         return fit_drawing(read_svg(frame, read_drawing_bytes(path), snap), snap);
-    if (extension == ".png") return read_picture(frame, read_drawing_bytes(path), options);
+    if (is_picture(path)) return read_picture(frame, read_drawing_bytes(path), options);
     throw ConfigError(frame.file, 0, "",
                       "is no drawing that can be read; give a .dxf, .json, .svg or .png file");
 }

@@ -14,17 +14,6 @@ namespace {
 constexpr std::array<std::string_view, 5> kTerms = {"yield", "peak", "ultimate", "rise",
                                                     "drop"};
 
-std::vector<std::string_view> split(std::string_view text, std::string_view by)
-{
-    std::vector<std::string_view> parts;
-    while (true) {
-        const std::size_t at = text.find(by);
-        parts.push_back(trimmed(text.substr(0, at)));
-        if (at == std::string_view::npos) return parts;
-        text.remove_prefix(at + by.size());
-    }
-}
-
 [[noreturn]] void refuse_state(std::string_view state, const std::string& why)
 {
     throw BadValue("limit state " + in_quotes(state) + ": " + why);

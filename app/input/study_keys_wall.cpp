@@ -1,6 +1,8 @@
 /// The wall and its materials: keys of the study file.
 
+#include "app/drawing/drawing.hpp"
 #include "app/input/study_key_table.hpp"
+#include "app/input/wall_geometry.hpp"
 
 #include <array>
 
@@ -50,10 +52,10 @@ constexpr Condition kWithBeamJoint{
     [](const Study& s) { return s.beam.interface == dem::BeamInterface::joint; },
     "there is no beam joint; write beam.interface = joint, or remove it", true};
 
-bool is_picture(const Study& s) { return s.geometry.file.ends_with(".png"); }
-constexpr Condition kOfDrawing{[](const Study& s) { return !is_picture(s); },
+constexpr Condition kOfDrawing{[](const Study& s) { return !is_picture(s.geometry.file); },
                                "wall.geometry is a picture"};
-constexpr Condition kOfPicture{is_picture, "wall.geometry is no picture"};
+constexpr Condition kOfPicture{[](const Study& s) { return is_picture(s.geometry.file); },
+                               "wall.geometry is no picture"};
 constexpr Condition kWhereDrawn{
     [](const Study& s) { return !s.geometry.file.empty() || !s.geometry.outlines.empty(); },
     "the wall is not drawn; write wall.geometry, or remove it", true};
@@ -69,17 +71,11 @@ constexpr const char kUnitLength[] = "wall.unit_length", kCourseHeight[] = "wall
 constexpr Condition kWithWholeUnits = kInCoursesOrGiven<kUnitLength>;
 constexpr Condition kWithCracks{
     [](const Study& s) { return s.wall.cracks_in_units && kWithWholeUnits.holds(s); },
-    "no unit can crack: wall.unit_cracks is no, or a drawn wall has no wall.unit_length that "
-    "tells whole "
-    "units"};
+    "no unit can crack: wall.unit_cracks is no, or a drawn wall has no wall.unit_length"};
 /// Bonded joints follow the law of cracks too.
-constexpr Condition kWithCrackLaw{[](const Study& s) {
-                                      const JointInput& joint = s.parameters.joint;
-                                      return kWithCracks.holds(s) ||
-                                             joint.tensile_strength > 0.0 ||
-                                             joint.cohesion > 0.0;
-                                  },
-                                  "no unit can crack and joints have no mortar"};
+constexpr Condition kWithCrackLaw{
+    [](const Study& s) { return kWithCracks.holds(s) || has_mortar(s); },
+    "no unit can crack and joints have no mortar"};
 constexpr std::array kLengthUnits = {named("mm", 1e-3), named("cm", 1e-2), named("m", 1.0),
                                      named("in", 0.0254), named("ft", 0.3048)};
 

@@ -2,6 +2,7 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/input/units.hpp"
+#include "app/text/check_sum.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 #include "dem/scene/drawn_layout.hpp"
@@ -9,24 +10,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
-#include <cstring>
+#include <cmath>
 #include <filesystem>
 
 namespace app {
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char at)
-{
-    std::vector<std::string_view> parts;
-    for (std::size_t from = 0; from <= text.size();) {
-        const std::size_t to = std::min(text.find(at, from), text.size());
-        if (const std::string_view part = trimmed(text.substr(from, to - from)); !part.empty())
-            parts.push_back(part);
-        from = to + 1;
-    }
-    return parts;
-}
 
 double parse_coordinate(std::string_view text)
 {
@@ -39,10 +27,11 @@ double parse_coordinate(std::string_view text)
 
 dem::Point parse_corner(std::string_view text)
 {
-    const std::vector<std::string_view> xz = split(text, ' ');
-    if (xz.size() != 2)
+    const std::size_t blank = text.find_first_of(" \t");
+    if (blank == std::string_view::npos)
         throw BadValue(in_quotes(text) + " is not a corner; write x and z in metres: 0.2 0.1");
-    return {parse_coordinate(xz[0]), parse_coordinate(xz[1])};
+    return {parse_coordinate(text.substr(0, blank)),
+            parse_coordinate(trimmed(text.substr(blank)))};
 }
 
 /// "NAME: rest", or the whole text where there is no name.
@@ -63,18 +52,17 @@ int material_of(const std::vector<std::string>& layers, std::string_view layer)
 std::vector<dem::DrawnUnit> parse_outlines(const GeometryInput& g)
 {
     std::vector<dem::DrawnUnit> units;
-    for (const std::string_view part : split(g.outlines, ';')) {
+    for (const std::string_view part : split(g.outlines, ";")) {
         const auto [layer, corners] = named_part(part);
         dem::DrawnUnit unit;
         unit.material = material_of(g.layers, layer);
-        for (const std::string_view corner : split(corners, ','))
+        for (const std::string_view corner : split(corners, ","))
             unit.outline.push_back(parse_corner(corner));
         if (unit.outline.size() < 3 || !(dem::polygon_area(unit.outline) > 0.0))
             throw BadValue(in_quotes(part) +
                            " is no outline; it needs three corners, counter-clockwise");
         units.push_back(std::move(unit));
     }
-    if (units.empty()) throw BadValue("there is no outline");
     return units;
 }
 
@@ -82,9 +70,10 @@ std::vector<dem::DrawnUnit> parse_outlines(const GeometryInput& g)
 void parse_layer_stones(Study& study)
 {
     GeometryInput& g = study.geometry;
-    for (const std::string_view part : split(g.layer_stones, ';')) {
+    if (g.layer_stones.empty()) return;
+    for (const std::string_view part : split(g.layer_stones, ";")) {
         const auto [name, values] = named_part(part);
-        const std::vector<std::string_view> v = split(values, ',');
+        const std::vector<std::string_view> v = split(values, ",");
         if (name.empty() || v.size() != 3)
             throw BadValue(in_quotes(part) +
                            " is no stone of a layer; write for example \"lintel: 30 GPa, 0.2, "
@@ -105,9 +94,10 @@ void parse_layer_stones(Study& study)
 /// "x, z, width, height; ...", each with its unit.
 void read_openings(Study& study)
 {
+    if (study.geometry.openings.empty()) return;
     try {
-        for (const std::string_view part : split(study.geometry.openings, ';')) {
-            const std::vector<std::string_view> v = split(part, ',');
+        for (const std::string_view part : split(study.geometry.openings, ";")) {
+            const std::vector<std::string_view> v = split(part, ",");
             if (v.size() != 4)
                 throw BadValue(
                     in_quotes(part) +
@@ -117,7 +107,6 @@ void read_openings(Study& study)
                                            parse_quantity(v[2], "m"),
                                            parse_quantity(v[3], "m")});
         }
-        if (study.wall.openings.empty()) return;
         study.geometry.layers = {"lintel"}; // as which `scene` draws and exports them
         static_cast<void>(dem::lay_out(study.wall, 0.0));
     } catch (const BadValue& bad) {
@@ -139,7 +128,7 @@ void read_file(Study& study)
 {
     GeometryInput& g = study.geometry;
     const std::filesystem::path path = path_of(study);
-    if (path.extension() == ".png")
+    if (is_picture(path))
         for (const auto& [key, size] : {std::pair{"wall.picture_width", g.picture_width},
                                         std::pair{"wall.picture_height", g.picture_height}})
             if (size == 0.0)
@@ -156,6 +145,16 @@ void read_file(Study& study)
                                  [&](const DrawnBlock& b) { return b.layer == layer; }))
             throw error_at(study.source, "wall.layer_stones",
                            "the drawing has no layer " + in_quotes(layer));
+}
+
+/// Outlines of the study itself are checked as those of a drawing are.
+void check_outlines(const Study& study)
+{
+    const Entry* entry = find_entry(study.source, "wall.outlines");
+    std::vector<DrawnBlock> blocks;
+    for (const dem::DrawnUnit& unit : study.geometry.units)
+        blocks.push_back({unit.outline, "", ""});
+    check_blocks(study.source.path, entry->line, blocks);
 }
 
 std::string outline_text(const dem::DrawnUnit& unit)
@@ -179,6 +178,8 @@ dem::DrawnWall drawn_wall(const Study& study)
     return wall;
 }
 
+double beam_height(const Study& study) { return study.beam.present ? study.beam.height : 0.0; }
+
 } // namespace
 
 bool is_drawn(const Study& study) { return !study.geometry.units.empty(); }
@@ -198,11 +199,13 @@ void read_geometry(Study& study)
         throw error_at(study.source, "wall.layer_stones", bad.what());
     }
     try {
-        if (g.file.empty())
+        if (g.file.empty()) {
             g.units = parse_outlines(g);
-        else
+            check_outlines(study);
+        } else {
             read_file(study);
-        const dem::Layout layout = dem::drawn_layout(drawn_wall(study), 0.0);
+        }
+        const dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam_height(study));
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;
         study.wall.cracks_in_units = layout.n_cracks > 0;
@@ -211,6 +214,18 @@ void read_geometry(Study& study)
     } catch (const std::invalid_argument& bad) {
         throw error_at(study.source, key, bad.what());
     }
+}
+
+double wall_length(const Study& study)
+{
+    if (!is_drawn(study)) return study.wall.length;
+    double from = INFINITY, to = -INFINITY;
+    for (const dem::DrawnUnit& unit : study.geometry.units)
+        for (const dem::Point p : unit.outline) {
+            from = std::min(from, p.x);
+            to = std::max(to, p.x);
+        }
+    return to - from;
 }
 
 double wall_height(const Study& study)
@@ -222,14 +237,19 @@ double wall_height(const Study& study)
     return top;
 }
 
+bool has_mortar(const Study& study)
+{
+    const JointInput& joint = study.parameters.joint;
+    return joint.tensile_strength > 0.0 || joint.cohesion > 0.0;
+}
+
 dem::Layout layout_of(const Study& study)
 {
-    const double beam = study.beam.present ? study.beam.height : 0.0;
-    dem::Layout layout = is_drawn(study) ? dem::drawn_layout(drawn_wall(study), beam)
-                                         : dem::lay_out(study.wall, beam);
-    layout.course_height = study.wall.course_height;  // h of Eq. 2
-    const JointInput& joint = study.parameters.joint; // means, where they are drawn
-    layout.mortar = joint.tensile_strength > 0.0 || joint.cohesion > 0.0;
+    dem::Layout layout = is_drawn(study)
+                             ? dem::drawn_layout(drawn_wall(study), beam_height(study))
+                             : dem::lay_out(study.wall, beam_height(study));
+    layout.course_height = study.wall.course_height; // h of Eq. 2
+    layout.mortar = has_mortar(study);
     return layout;
 }
 
@@ -248,12 +268,8 @@ std::string outlines_text(const Study& study)
 
 std::string outlines_mark(const Study& study)
 {
-    std::uint64_t hash = 14695981039346656037ULL; // FNV-1a
-    for (const char c : outlines_text(study)) {
-        hash ^= static_cast<unsigned char>(c);
-        hash *= 1099511628211ULL;
-    }
-    return std::to_string(study.geometry.units.size()) + " outlines, " + std::to_string(hash);
+    return std::to_string(study.geometry.units.size()) + " outlines, " +
+           check_sum(outlines_text(study));
 }
 
 } // namespace app

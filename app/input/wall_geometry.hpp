@@ -17,8 +17,12 @@ void read_geometry(Study& study);
 
 [[nodiscard]] bool is_drawn(const Study& study);
 
-/// Of the masonry above the floor, without the beam [m].
-[[nodiscard]] double wall_height(const Study& study);
+/// Of the masonry, without the beam [m].
+[[nodiscard]] double wall_length(const Study& study);
+[[nodiscard]] double wall_height(const Study& study); ///< above the floor
+
+/// Whether joints are bonded: their mean strength is not zero.
+[[nodiscard]] bool has_mortar(const Study& study);
 
 /// Of the wall with its beam.
 [[nodiscard]] dem::Layout layout_of(const Study& study);

@@ -1,6 +1,7 @@
 #include "app/output/result_folder.hpp"
 
 #include "app/output/atomic_output.hpp"
+#include "app/text/check_sum.hpp"
 #include "app/text/config_error.hpp"
 
 #include <cstdint>
@@ -19,16 +20,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view kOpening =
     "# Files that drystone wrote here. The next run into this folder removes those it does not "
     "write again.\n";
-
-/// FNV-1a: enough to see that a file was edited.
-std::string check_sum(std::string_view content)
-{
-    std::uint64_t sum = 0xcbf29ce484222325U;
-    for (const char c : content) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    std::ostringstream text;
-    text << std::hex << sum;
-    return text.str();
-}
 
 std::string content_of(const fs::path& path)
 {

@@ -41,15 +41,15 @@ std::string beyond(const char* what, double peak, double limit)
 HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layout& layout)
 {
     HandChecks h;
-    for (const dem::Block& b : layout.blocks) {
-        const bool beam = b.unit == 0, stone = b.material == 0;
-        const dem::Elastic& of =
-            beam    ? study.beam.material
-            : stone ? study.parameters.stone
-                    : layout.stones.at(static_cast<std::size_t>(b.material - 1));
-        const bool held = b.motion != dem::Motion::free;
-        const double weight = of.density * w.loads.gravity * dem::area_of(b) * layout.thickness;
-        if (beam || !held) (beam ? h.vertical_load : h.wall_weight) += weight;
+    for (std::size_t k = 0; k < layout.blocks.size(); ++k) {
+        const dem::Block& b = layout.blocks[k];
+        const int block = static_cast<int>(k);
+        const bool beam = block == layout.beam;
+        if (!beam && b.motion != dem::Motion::free) continue; // the floor carries it
+        const dem::Elastic& stone =
+            dem::stone_of(layout, block, study.parameters.stone, study.beam.material);
+        (beam ? h.vertical_load : h.wall_weight) +=
+            stone.density * w.loads.gravity * dem::area_of(b) * layout.thickness;
     }
     if (study.beam.present)
         h.vertical_load += w.vertical_stress * layout.length * layout.thickness;

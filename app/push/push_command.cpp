@@ -107,12 +107,13 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
         WallPictureText text;
         if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
         text.load_height = w.loads.height;
-        write_file(folder / "wall.svg", wall_picture(w.result.at_peak, w.result.at_end, text));
         const dem::PushResult& r = w.result;
+        // A wall that comes down under its vertical load has no peak.
+        const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
+        write_file(folder / "wall.svg", wall_picture(peak, r.at_end, text));
         if (study.output.paraview)
-            write_vtk_series(folder / "series", r.snapshots.empty()
-                                                    ? std::vector{r.at_peak, r.at_end}
-                                                    : r.snapshots);
+            write_vtk_series(folder / "series",
+                             r.snapshots.empty() ? std::vector{peak, r.at_end} : r.snapshots);
     }
     if (dem::failed(w.result.outcome) || !study.output.paraview)
         remove_vtk_series(folder / "series"); // of an earlier run

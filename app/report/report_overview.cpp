@@ -47,15 +47,6 @@ std::string way_text(const PushWay& way)
            number(1e3 * way.farthest, 4) + " mm";
 }
 
-double wall_length(const Study& study)
-{
-    if (!is_drawn(study)) return study.wall.length;
-    double length = 0.0; // a drawing begins at x = 0
-    for (const dem::DrawnUnit& unit : study.geometry.units)
-        for (const dem::Point p : unit.outline) length = std::max(length, p.x);
-    return length;
-}
-
 /// "in 10 courses", "of 15 blocks drawn in portal.dxf"
 std::string bond_text(const Study& study)
 {

@@ -61,9 +61,8 @@ Masonry masonry_of(const Study& study, const dem::Layout& layout)
     Masonry m;
     for (std::size_t b = 0; b < static_cast<std::size_t>(layout.beam); ++b) {
         const dem::Block& block = layout.blocks[b];
-        const dem::Elastic& stone =
-            block.material > 0 ? layout.stones[static_cast<std::size_t>(block.material - 1)]
-                               : study.parameters.stone;
+        const dem::Elastic& stone = dem::stone_of(layout, static_cast<int>(b),
+                                                  study.parameters.stone, study.beam.material);
         const double area = dem::area_of(block);
         m.area += area;
         m.weight += area * layout.thickness * stone.density * study.load.gravity;
@@ -71,21 +70,11 @@ Masonry masonry_of(const Study& study, const dem::Layout& layout)
     return m;
 }
 
-double length_of(const dem::Layout& layout)
+std::string size_text(const Study& study, const dem::Layout& layout, const Masonry& m)
 {
-    double x0 = kNoEnd, x1 = -kNoEnd;
-    for (std::size_t b = 0; b < static_cast<std::size_t>(layout.beam); ++b) {
-        x0 = std::min(x0, layout.blocks[b].x0);
-        x1 = std::max(x1, layout.blocks[b].x1);
-    }
-    return x1 - x0;
-}
-
-std::string size_text(const dem::Layout& layout, const Masonry& m)
-{
-    return number(length_of(layout), 4) + " m long, " + number(layout.height, 4) + " m high, " +
-           number(layout.thickness, 4) + " m thick; " + number(m.area, 4) + " m2 of stone, " +
-           fixed(m.weight * 1e-3, 2) + " kN";
+    return number(wall_length(study), 4) + " m long, " + number(layout.height, 4) +
+           " m high, " + number(layout.thickness, 4) + " m thick; " + number(m.area, 4) +
+           " m2 of stone, " + fixed(m.weight * 1e-3, 2) + " kN";
 }
 
 std::string whole_mm(double metres) { return fixed(metres * 1e3, 0); }
@@ -116,7 +105,7 @@ int scene_command(const Command& command)
     const std::vector<DrawnBlock> units = scene_units(study, layout);
     say_effects(study, command);
     const std::string counts = count_text(study, layout, units);
-    const std::string sizes = size_text(layout, masonry_of(study, layout));
+    const std::string sizes = size_text(study, layout, masonry_of(study, layout));
     const fs::path out = command.out;
     make_folder(out);
     const double unit = study.geometry.length_unit;

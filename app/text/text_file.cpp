@@ -48,26 +48,31 @@ bool is_text(std::string_view bytes)
     return true;
 }
 
-std::string read_small_file(const std::string& path)
+std::string read_bytes(const std::string& path, std::size_t most, const std::string& too_large,
+                       const std::string& remedy)
 {
     const auto refuse = [&](const std::string& why) { throw ConfigError(path, 0, "", why); };
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        refuse("is a directory; give a study file, such as configs/wall.ini");
-    }
+    if (std::filesystem::is_directory(path, ignored)) refuse("is a directory; " + remedy);
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     const int cause = errno;
-    if (!file) {
-        refuse("cannot be read (" + std::generic_category().message(cause) +
-               "); give a study file, such as configs/wall.ini");
+    if (!file)
+        refuse("cannot be read (" + std::generic_category().message(cause) + "); " + remedy);
+    std::string bytes, piece(1 << 16, '\0'); // bounded: a device cannot fill the memory
+    while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())),
+           file.gcount() > 0) {
+        bytes.append(piece, 0, static_cast<std::size_t>(file.gcount()));
+        if (bytes.size() > most) refuse(too_large);
     }
-    std::string text(kLargest + 1, '\0'); // bounded, so that a device cannot fill the memory
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
     if (file.bad()) refuse("cannot be read to its end");
-    if (text.size() > kLargest) refuse("is larger than 1 MiB; this is no study file");
-    return text;
+    return bytes;
+}
+
+std::string read_small_file(const std::string& path)
+{
+    return read_bytes(path, kLargest, "is larger than 1 MiB; this is no study file",
+                      "give a study file, such as configs/wall.ini");
 }
 
 } // namespace app

@@ -15,6 +15,17 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+std::vector<std::string_view> split(std::string_view text, std::string_view by)
+{
+    std::vector<std::string_view> parts;
+    while (true) {
+        const std::size_t at = text.find(by);
+        parts.push_back(trimmed(text.substr(0, at)));
+        if (at == std::string_view::npos) return parts;
+        text.remove_prefix(at + by.size());
+    }
+}
+
 std::string in_quotes(std::string_view text)
 {
     constexpr std::size_t kLongest = 60; // [bytes]

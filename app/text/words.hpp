@@ -4,11 +4,15 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace app {
 
 /// Without blanks, tabs and carriage returns at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// What stands between occurrences of `by`, trimmed; empty parts are kept.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, std::string_view by);
 
 /// In double quotes, on one line: control characters become '?', a long text is cut.
 [[nodiscard]] std::string in_quotes(std::string_view text);

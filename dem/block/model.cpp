@@ -232,9 +232,7 @@ Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& bea
 
 const Elastic& stone_of(const Model& m, int block, const Elastic& stone)
 {
-    if (block == m.layout.beam) return m.beam.material;
-    const int material = m.layout.blocks[block].material;
-    return material == 0 ? stone : m.layout.stones[material - 1];
+    return stone_of(m.layout, block, stone, m.beam.material);
 }
 
 bool is_supported(const Model& m, int block)

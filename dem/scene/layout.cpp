@@ -199,6 +199,14 @@ Point centre_of(const Block& b)
     return polygon_centre(b.outline);
 }
 
+const Elastic& stone_of(const Layout& layout, int block, const Elastic& wall,
+                        const Elastic& beam)
+{
+    if (block == layout.beam) return beam;
+    const int material = layout.blocks[static_cast<std::size_t>(block)].material;
+    return material == 0 ? wall : layout.stones[static_cast<std::size_t>(material - 1)];
+}
+
 Layout lay_out(const WallGeometry& wall, double beam_height)
 {
     check(wall);

@@ -39,8 +39,8 @@ struct Face {
     int id = 0; ///< joint ID or crack ID, from 1; 0 for the joints at the base and at the beam
     int a = kGround; ///< index in Layout::blocks
     int b = 0;       ///< index in Layout::blocks
-    Point from, to; ///< end points [m]; the normal points to the left of this way where nz > nx
-    Point normal;   ///< unit vector from a to b; the tangent is (nz, -nx)
+    Point from, to;  ///< end points [m], left to right, or bottom to top where it is steep
+    Point normal;    ///< unit vector from a to b; the tangent is (nz, -nx)
 };
 
 /// Joint IDs of a wall in courses run course by course from the bottom: first the head joints of a course from
@@ -69,6 +69,11 @@ struct Layout {
 /// Area of a block [m2] and the middle of this area.
 [[nodiscard]] double area_of(const Block& block);
 [[nodiscard]] Point centre_of(const Block& block);
+
+/// The stone of a block.
+/// @param wall stone of the wall, of which blocks are that have none of their own
+[[nodiscard]] const Elastic& stone_of(const Layout& layout, int block, const Elastic& wall,
+                                      const Elastic& beam);
 
 /// @param beam_height [m]; 0: no beam
 /// @throws std::invalid_argument if a size is outside its range
