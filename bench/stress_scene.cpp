@@ -60,7 +60,7 @@ dem::WallGeometry draw_geometry(Draw& d)
     w.thickness = d.uniform(0.1, 0.5);
     w.bond_offset = d.chance(0.5) ? 0.5 : d.chance(0.3) ? 0.0 : d.uniform(0.1, 0.9);
     w.first_course = d.one_of({dem::FirstCourse::whole, dem::FirstCourse::shifted});
-    w.cracks_in_units = d.chance(0.75);
+    if (!d.chance(0.75)) w.cracks.pattern.kind = dem::CrackPattern::Kind::none;
     w.base = d.one_of({dem::Base::fixed, dem::Base::joint});
     w.toe = d.one_of({dem::Toe::held, dem::Toe::free});
     return w;

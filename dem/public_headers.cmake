@@ -6,6 +6,7 @@ set(DEM_PUBLIC_HEADERS
     block/face_rule.hpp
     block/model.hpp
     contact/contact_options.hpp
+    scene/crack_pattern.hpp
     scene/drawn_layout.hpp
     scene/layout.hpp
     scene/mechanism.hpp

@@ -67,7 +67,7 @@ bool in_range(double si, const Key& key)
 
 std::optional<RandomInput> parse_random(const Key& key, std::string_view text)
 {
-    if (!is_distribution(text)) return {};
+    if (key.kind == Kind::text || !is_distribution(text)) return {};
     if (key.varies == Varies::never)
         throw BadValue(in_quotes(text) + " is a distribution, but " + std::string(key.name) +
                        " is the same for all walls" +

@@ -35,19 +35,21 @@ dem::JointMaterial joint_material(const Parameters& p, double course_height, int
     return dem::joint_material(joint_parameters(p, course_height, level));
 }
 
-dem::CrackMaterial crack_material(const Parameters& p, double course_height, int level)
+dem::CrackMaterial crack_material(const Parameters& p, double course_height, int level,
+                                  double own)
 {
+    if (own > 0.0) return dem::crack_material(p.unit, own * p.stone.young_modulus);
     return dem::crack_material(p.unit, joint_parameters(p, course_height, level).kn,
                                p.stone.poisson_ratio);
 }
 
 dem::WallMaterials materials(const Parameters& p, double course_height, int level,
-                             double vertical_stress, int n_joints, int n_cracks)
+                             double vertical_stress, const dem::Layout& layout)
 {
     dem::WallMaterials all =
         dem::wall_materials({p.stone, joint_parameters(p, course_height, level), p.unit,
                              p.base_friction_angle, p.beam_friction_angle},
-                            n_joints, n_cracks);
+                            layout);
     all.vertical_stress = vertical_stress;
     return all;
 }

@@ -53,12 +53,14 @@ struct ParameterRule {
 /// @param level index of the stress level
 [[nodiscard]] dem::JointMaterial joint_material(const Parameters& p, double course_height,
                                                 int level);
+/// @param own stiffness of the crack over Young's modulus of the stone [1/m]; 0: that of the joints gives it
+/// (dem::Layout::crack_stiffness)
 [[nodiscard]] dem::CrackMaterial crack_material(const Parameters& p, double course_height,
-                                                int level);
+                                                int level, double own = 0.0);
 
 /// The same material for every joint ID and every crack ID.
 /// @param vertical_stress of the level [Pa]
 [[nodiscard]] dem::WallMaterials materials(const Parameters& p, double course_height, int level,
-                                           double vertical_stress, int n_joints, int n_cracks);
+                                           double vertical_stress, const dem::Layout& layout);
 
 } // namespace app

@@ -46,6 +46,14 @@ struct GeometryInput {
     std::vector<std::string> notes;    ///< what was closed, simplified or ignored on the way
 };
 
+/// Where units may crack, as text (unit_cracks.hpp).
+struct CrackInput {
+    bool in_units = true;
+    std::string pattern;   ///< "grid(4, 4)"; empty: mid, or none where not in_units
+    std::string where;     ///< "toe", or "x, z, width, height"; empty: everywhere
+    std::string elsewhere; ///< a pattern; empty: mid
+};
+
 struct LoadInput {
     std::vector<double> vertical_stress; ///< stress levels [Pa], >= 0, at least one
     double height =
@@ -163,6 +171,7 @@ struct FragilityInput {
 struct Study {
     dem::WallGeometry wall;
     GeometryInput geometry;
+    CrackInput cracks;
     Parameters parameters;
     dem::Beam beam{.material = {.poisson_ratio = 0.2}}; // choice: concrete
     LoadInput load;

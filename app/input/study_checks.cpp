@@ -114,8 +114,13 @@ void check_pieces(const Study& study)
     if (is_drawn(study)) return; // as drawn
     const dem::Layout layout = layout_of(study);
     for (const dem::Block& b : layout.blocks) {
+        const double extent = std::min(b.x1 - b.x0, b.z1 - b.z0);
+        if (layout.divided && extent < kSmallest)
+            refuse(study, "unit.cracks",
+                   "makes pieces below 1 mm; write fewer pieces, or larger cells");
         if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
     }
+    if (layout.divided) return; // corners of cells may come close
     for (const dem::Face& f : layout.faces) {
         const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
         if (length < kSmallest) refuse_piece("a piece of joint", length);

@@ -2,6 +2,7 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/input/study_key_table.hpp"
+#include "app/input/unit_cracks.hpp"
 #include "app/input/wall_geometry.hpp"
 
 #include <array>
@@ -70,8 +71,33 @@ constexpr Condition kInCoursesOrGiven{
 constexpr const char kUnitLength[] = "wall.unit_length", kCourseHeight[] = "wall.course_height";
 constexpr Condition kWithWholeUnits = kInCoursesOrGiven<kUnitLength>;
 constexpr Condition kWithCracks{
-    [](const Study& s) { return s.wall.cracks_in_units && kWithWholeUnits.holds(s); },
-    "no unit can crack: wall.unit_cracks is no, or a drawn wall has no wall.unit_length"};
+    has_cracks,
+    "no unit can crack: unit.cracks is none, or a drawn wall has no wall.unit_length"};
+using Pattern = dem::CrackPattern;
+constexpr Condition kWithCrackRegion{
+    [](const Study& s) { return !s.cracks.where.empty(); },
+    "unit.cracks holds everywhere; write unit.cracks_where, or remove it", true};
+constexpr Condition kWithCrackPattern{[](const Study& s) { return !s.cracks.pattern.empty(); },
+                                      "unit.cracks is not given; write it, or remove this",
+                                      true};
+constexpr Condition kWithVoronoi{[](const Study& s) {
+                                     return any_pattern(s, [](const Pattern& p) {
+                                         return p.kind == Pattern::Kind::voronoi;
+                                     });
+                                 },
+                                 "no pattern of cracks is voronoi"};
+constexpr Condition kSharedStiffness{
+    [](const Study& s) {
+        return any_pattern(s, [](const Pattern& p) { return dem::shares_stiffness(p); });
+    },
+    "cracks are parallel vertical lines, whose stiffness is unit.stiffness_ratio"};
+constexpr Condition kPaperStiffness{
+    [](const Study& s) {
+        return any_pattern(s, [](const Pattern& p) {
+            return p.kind != Pattern::Kind::none && !dem::shares_stiffness(p);
+        });
+    },
+    "all cracks share the stiffness of their units, by unit.crack_rigidity"};
 /// Bonded joints follow the law of cracks too.
 constexpr Condition kWithCrackLaw{
     [](const Study& s) { return kWithCracks.holds(s) || has_mortar(s); },
@@ -173,7 +199,7 @@ constexpr std::array kKeys = {
     Key{.name = "wall.unit_cracks", .kind = Kind::word, .names = kYesNo,
         .used = kWithWholeUnits,
         .meaning = "a potential crack at mid-length of each whole unit (paper, Fig. 2)",
-        .field = kAt<&Study::wall, &WallGeometry::cracks_in_units>},
+        .field = kAt<&Study::cracks, &CrackInput::in_units>},
     Key{.name = "wall.openings", .kind = Kind::text, .used = kInCourses,
         .meaning = "doors and windows as x, z, width, height between courses: 0.4 m, 0 m, 0.6 m, 1.2 m; ...",
         .field = kAt<&Study::geometry, &GeometryInput::openings>},
@@ -255,7 +281,28 @@ constexpr std::array kKeys = {
         .meaning = "of mortar, mode I",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::fracture_energy>},
 
+    Key{.name = "unit.cracks", .kind = Kind::text,
+        .derived = {"mid, or none where wall.unit_cracks is no"},
+        .meaning = "where units may crack: none, mid (paper), thirds, grid(4, 4), diagonals, voronoi(40 mm)",
+        .field = kAt<&Study::cracks, &CrackInput::pattern>},
+    Key{.name = "unit.cracks_where", .kind = Kind::text, .used = kWithCrackPattern,
+        .derived = {"everywhere"},
+        .meaning = "units whose middle lies in x, z, width, height: 0.5 m, 0 m, 0.5 m, 0.4 m; toe: the lower 40 % of the half that the wall is pushed towards",
+        .field = kAt<&Study::cracks, &CrackInput::where>},
+    Key{.name = "unit.cracks_elsewhere", .kind = Kind::text, .used = kWithCrackRegion,
+        .derived = {"mid"},
+        .meaning = "cracks of the other units",
+        .field = kAt<&Study::cracks, &CrackInput::elsewhere>},
+    Key{.name = "unit.cracks_seed", .kind = Kind::count, .range = {'[', 0, 1e9, ']'},
+        .used = kWithCrackPattern, .effect = kWithVoronoi,
+        .meaning = "of the cells of voronoi",
+        .field = kAt<&Study::wall, &WallGeometry::cracks, &dem::UnitCracks::seed>},
+    Key{.name = "unit.crack_rigidity", .range = {'(', 1, 1000, ']'},
+        .used = kWithCrackPattern, .effect = kSharedStiffness,
+        .meaning = "k_n of a crack over the stiffness of the stone between two cracks, where pieces have cracks on all sides; the stone is as much stiffer as keeps that of the unit",
+        .field = kAt<&Study::wall, &WallGeometry::cracks, &dem::UnitCracks::rigidity>},
     Key{.name = "unit.stiffness_ratio", .range = {'(', 0, 1e6, ']'}, .used = kWithCracks,
+        .effect = kPaperStiffness,
         .varies = Varies::by_crack,
         .meaning = "xi = k_n of a crack / k_n of a joint (paper, Table 4)",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::stiffness_ratio>},

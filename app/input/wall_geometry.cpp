@@ -1,6 +1,7 @@
 #include "app/input/wall_geometry.hpp"
 
 #include "app/drawing/drawing.hpp"
+#include "app/input/unit_cracks.hpp"
 #include "app/input/units.hpp"
 #include "app/text/check_sum.hpp"
 #include "app/text/number_text.hpp"
@@ -174,7 +175,7 @@ dem::DrawnWall drawn_wall(const Study& study)
     wall.base = study.wall.base;
     const bool given = find_entry(study.source, "wall.unit_length") != nullptr;
     wall.unit_length = given ? study.wall.unit_length : 0.0;
-    wall.cracks_in_units = given && study.wall.cracks_in_units;
+    wall.cracks = study.wall.cracks;
     return wall;
 }
 
@@ -187,9 +188,12 @@ bool is_drawn(const Study& study) { return !study.geometry.units.empty(); }
 void read_geometry(Study& study)
 {
     GeometryInput& g = study.geometry;
-    read_openings(study);
     const std::string_view key = g.file.empty() ? "wall.outlines" : "wall.geometry";
-    if (g.file.empty() && g.outlines.empty()) return;
+    if (g.file.empty() && g.outlines.empty()) {
+        read_unit_cracks(study);
+        read_openings(study);
+        return;
+    }
     if (!g.file.empty() && !g.outlines.empty())
         throw error_at(study.source, "wall.outlines",
                        "wall.geometry draws the wall too; remove one of them");
@@ -205,10 +209,12 @@ void read_geometry(Study& study)
         } else {
             read_file(study);
         }
+        read_unit_cracks(study);
         const dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam_height(study));
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;
-        study.wall.cracks_in_units = layout.n_cracks > 0;
+        if (layout.n_cracks == 0)
+            study.wall.cracks = {.pattern = {dem::CrackPattern::Kind::none}};
     } catch (const BadValue& bad) {
         throw error_at(study.source, key, bad.what());
     } catch (const std::invalid_argument& bad) {
@@ -216,26 +222,28 @@ void read_geometry(Study& study)
     }
 }
 
+dem::Region wall_extent(const Study& study)
+{
+    if (!is_drawn(study))
+        return {0.0, 0.0, study.wall.length, study.wall.courses * study.wall.course_height};
+    dem::Region all{INFINITY, 0.0, -INFINITY, 0.0};
+    for (const dem::DrawnUnit& unit : study.geometry.units)
+        for (const dem::Point p : unit.outline) {
+            all.x0 = std::min(all.x0, p.x);
+            all.x1 = std::max(all.x1, p.x);
+            all.z1 = std::max(all.z1, p.z);
+        }
+    return all;
+}
+
 double wall_length(const Study& study)
 {
     if (!is_drawn(study)) return study.wall.length;
-    double from = INFINITY, to = -INFINITY;
-    for (const dem::DrawnUnit& unit : study.geometry.units)
-        for (const dem::Point p : unit.outline) {
-            from = std::min(from, p.x);
-            to = std::max(to, p.x);
-        }
-    return to - from;
+    const dem::Region all = wall_extent(study);
+    return all.x1 - all.x0;
 }
 
-double wall_height(const Study& study)
-{
-    if (!is_drawn(study)) return study.wall.courses * study.wall.course_height;
-    double top = 0.0;
-    for (const dem::DrawnUnit& unit : study.geometry.units)
-        for (const dem::Point p : unit.outline) top = std::max(top, p.z);
-    return top;
-}
+double wall_height(const Study& study) { return wall_extent(study).z1; }
 
 bool has_mortar(const Study& study)
 {

@@ -17,9 +17,11 @@ void read_geometry(Study& study);
 
 [[nodiscard]] bool is_drawn(const Study& study);
 
-/// Of the masonry, without the beam [m].
-[[nodiscard]] double wall_length(const Study& study);
-[[nodiscard]] double wall_height(const Study& study); ///< above the floor
+[[nodiscard]] double wall_length(const Study& study); ///< [m]
+[[nodiscard]] double wall_height(const Study& study); ///< above the floor, without the beam [m]
+
+/// Of the masonry, without the beam.
+[[nodiscard]] dem::Region wall_extent(const Study& study);
 
 /// Whether joints are bonded: their mean strength is not zero.
 [[nodiscard]] bool has_mortar(const Study& study);

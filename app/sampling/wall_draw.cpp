@@ -73,7 +73,7 @@ dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout,
     for (const ParameterRule& rule : study.rules) rule.apply(p, h);
     dem::WallMaterials wall =
         materials(p, h, level, study.load.vertical_stress.at(static_cast<std::size_t>(level)),
-                  layout.n_joints, layout.n_cracks);
+                  layout);
     if (any_spatial(study, draw, Varies::by_joint))
         for (std::size_t k = 0; k < wall.joints.size(); ++k) {
             set_values(study, draw, Varies::by_joint, k, p);
@@ -84,7 +84,7 @@ dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout,
             set_values(study, draw, Varies::by_crack, k, p);
             for (const ParameterRule& rule : study.rules)
                 if (rule.varies == Varies::by_crack) rule.apply(p, h);
-            wall.cracks[k] = crack_material(p, h, level);
+            wall.cracks[k] = crack_material(p, h, level, dem::own_stiffness(layout, k));
         }
     return wall;
 }

@@ -102,7 +102,8 @@ int scene_command(const Command& command)
     const StudySource source = study_source(command);
     const Study& study = source.study;
     const dem::Layout layout = layout_of(study);
-    const std::vector<DrawnBlock> units = scene_units(study, layout);
+    const dem::Layout whole = whole_units(study);
+    const std::vector<DrawnBlock> units = scene_units(study, whole);
     say_effects(study, command);
     const std::string counts = count_text(study, layout, units);
     const std::string sizes = size_text(study, layout, masonry_of(study, layout));
@@ -114,7 +115,7 @@ int scene_command(const Command& command)
     write_file(out / "scene.svg", scene_picture(layout, units, counts, sizes));
     std::cout << wrapped(counts + ".\n", terminal_width())
               << wrapped(sizes + ".\n", terminal_width())
-              << wrapped(index_text(bond_indices(layout, units)) + "\n", terminal_width())
+              << wrapped(index_text(bond_indices(whole, units)) + "\n", terminal_width())
               << "scene.svg, scene.json and scene.dxf written to " << command.out << '\n';
     return 0;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The units of a wall as polygons, whole even where a potential crack parts them.
+/// The units of a wall, whole even where potential cracks part them.
 
 #include "app/drawing/drawing.hpp"
 #include "app/input/study.hpp"
@@ -9,9 +9,12 @@
 
 namespace app {
 
+/// The wall as it would be if no unit could crack.
+[[nodiscard]] dem::Layout whole_units(const Study& study);
+
 /// Unit k of the layout is in place k - 1; a beam is no unit. Layers are those of wall.layer_stones, "wall" for
 /// the wall's own stone.
-[[nodiscard]] std::vector<DrawnBlock> scene_units(const Study& study,
-                                                  const dem::Layout& layout);
+/// @param whole as whole_units() makes it
+[[nodiscard]] std::vector<DrawnBlock> scene_units(const Study& study, const dem::Layout& whole);
 
 } // namespace app

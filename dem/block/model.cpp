@@ -2,6 +2,7 @@
 
 #include "dem/block/contact_count.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -11,15 +12,6 @@ namespace dem {
 
 namespace {
 
-struct Stiffness {
-    double kn, ks;
-};
-
-Stiffness reference_of(const Face& f, const ReferenceStiffness& r)
-{
-    if (f.kind == FaceKind::unit_crack) return {r.crack.kn, r.crack.ks};
-    return {r.joint.kn, r.joint.ks};
-}
 
 /// Contact points along a face. They are as dense as on the face of a half unit.
 FacePoints points_of(const Face& f, const Layout& layout, const Discretisation& d)
@@ -63,7 +55,7 @@ std::vector<std::vector<int>> faces_by_block(const Layout& layout)
 
 /// @param faces of the block, indices in Layout::faces
 BlockSpec spec_of(int block, const std::vector<int>& faces, const Model& m,
-                  const ReferenceStiffness& reference, const Discretisation& d)
+                  const Discretisation& d)
 {
     const Block& b = m.layout.blocks[block];
     const bool is_beam = block == m.layout.beam;
@@ -73,6 +65,7 @@ BlockSpec spec_of(int block, const std::vector<int>& faces, const Model& m,
     for (const Point p : b.outline) s.outline.push_back({p.x - b.x0, p.z - b.z0});
     s.thickness = m.layout.thickness;
     s.material = stone_of(m, block, m.stone);
+    if (b.between_cracks) s.material = between_cracks(s.material, m.layout.crack_rigidity);
     s.motion = motion_of(m.layout, m.loads.pattern, block);
     s.load_height = m.loads.height - b.z0;
     s.rotation_fixed = is_beam && m.beam.rotation == BeamRotation::fixed;
@@ -82,7 +75,7 @@ BlockSpec spec_of(int block, const std::vector<int>& faces, const Model& m,
     s.modes = is_beam ? d.beam_modes : d.block_modes;
     for (const int face : faces) {
         const Face& f = m.layout.faces[face];
-        const auto [kn, ks] = reference_of(f, reference);
+        const auto [kn, ks] = reference_of(m, f);
         s.edges.push_back({{f.from.x - b.x0, f.from.z - b.z0},
                            {f.to.x - b.x0, f.to.z - b.z0},
                            points_of(f, m.layout, d),
@@ -92,7 +85,7 @@ BlockSpec spec_of(int block, const std::vector<int>& faces, const Model& m,
     return s;
 }
 
-void place_blocks(const ReferenceStiffness& reference, const Discretisation& d, Model& m)
+void place_blocks(const Discretisation& d, Model& m)
 {
     const std::vector<std::vector<int>> faces = faces_by_block(m.layout);
     std::vector<std::vector<double>> keys;
@@ -100,7 +93,7 @@ void place_blocks(const ReferenceStiffness& reference, const Discretisation& d, 
         if (faces[block].empty())
             throw std::invalid_argument("block " + std::to_string(block + 1) +
                                         " touches no other and does not stand on the ground");
-        const BlockSpec spec = spec_of(block, faces[block], m, reference, d);
+        const BlockSpec spec = spec_of(block, faces[block], m, d);
         const std::vector<double> key = key_of(spec);
         const auto known = std::find(keys.begin(), keys.end(), key);
         const int element = static_cast<int>(known - keys.begin());
@@ -184,6 +177,10 @@ void check(const Layout& layout, const Elastic& stone, const Beam& beam, const L
         require(m.young_modulus > 0 && m.poisson_ratio >= 0 && m.poisson_ratio < 0.5 &&
                     m.density >= 0,
                 "elastic: E > 0, Poisson's ratio in [0, 0.5), density >= 0");
+    const bool shares = std::ranges::any_of(layout.blocks, &Block::between_cracks);
+    require(!shares || layout.crack_rigidity > 1.0, "cracks must be stiffer than the stone");
+    require(!shares || between_cracks(stone, layout.crack_rigidity).poisson_ratio < 0.5,
+            "units divided into pieces need a Poisson's ratio below 0.5 (1 - 1/rigidity)");
     require(loads.vertical_stress >= 0 && loads.gravity >= 0,
             "vertical stress and gravity must not be negative");
     require(!driven || (loads.height >= top - 1e-9 && loads.height <= top + beam.height + 1e-9),
@@ -217,7 +214,7 @@ Model discretise(Layout layout, const Elastic& stone, const Beam& beam, const Lo
     m.stone = stone;
     m.reference = reference;
     m.layout = std::move(layout);
-    place_blocks(reference, d, m);
+    place_blocks(d, m);
     connect(d, m);
     return m;
 }
@@ -228,6 +225,15 @@ Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& bea
 {
     return discretise(lay_out(wall, beam.present ? beam.height : 0.0), stone, beam, loads,
                       reference, d);
+}
+
+FaceStiffness reference_of(const Model& m, const Face& f)
+{
+    if (f.kind != FaceKind::unit_crack) return {m.reference.joint.kn, m.reference.joint.ks};
+    const double own = own_stiffness(m.layout, static_cast<std::size_t>(f.id - 1)) *
+                       m.stone.young_modulus;
+    if (own > 0.0) return {own, own};
+    return {m.reference.crack.kn, m.reference.crack.ks};
 }
 
 const Elastic& stone_of(const Model& m, int block, const Elastic& stone)

@@ -37,6 +37,11 @@ struct ReferenceStiffness {
     CrackMaterial crack;
 };
 
+/// Normal and tangential [Pa/m].
+struct FaceStiffness {
+    double kn, ks;
+};
+
 struct Model {
     Beam beam;
     Loads loads;
@@ -63,6 +68,9 @@ struct Model {
 [[nodiscard]] Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& beam,
                                const Loads& loads, const ReferenceStiffness& reference,
                                const Discretisation& discretisation = {});
+
+/// The typical stiffness of the contacts of a face.
+[[nodiscard]] FaceStiffness reference_of(const Model& model, const Face& face);
 
 /// The stone of a block, with its Young's modulus and density, where the wall's own is `stone`.
 [[nodiscard]] const Elastic& stone_of(const Model& model, int block, const Elastic& stone);

@@ -1,5 +1,6 @@
 #include "dem/scene/drawn_layout.hpp"
 
+#include "dem/scene/cracked_layout.hpp"
 #include "dem/scene/polygon.hpp"
 #include "dem/scene/touching.hpp"
 
@@ -19,136 +20,42 @@ void require(bool ok, const char* what)
     if (!ok) throw std::invalid_argument(what);
 }
 
-bool near(double a, double b) { return std::abs(a - b) < kTouching; }
-
-/// Whether an outline is an upright rectangle; then its block needs no outline.
-bool is_rectangle(const Block& b)
-{
-    if (!near(polygon_area(b.outline), (b.x1 - b.x0) * (b.z1 - b.z0))) return false;
-    return std::ranges::all_of(b.outline, [&](Point p) {
-        return (near(p.x, b.x0) || near(p.x, b.x1)) && (near(p.z, b.z0) || near(p.z, b.z1));
-    });
-}
-
-Block block_of(std::vector<Point> outline, int material)
-{
-    Block b;
-    const auto [left, right] = std::ranges::minmax(outline, {}, &Point::x);
-    const auto [low, high] = std::ranges::minmax(outline, {}, &Point::z);
-    b.x0 = left.x;
-    b.x1 = right.x;
-    b.z0 = low.z;
-    b.z1 = high.z;
-    b.material = material;
-    b.outline = std::move(outline);
-    if (is_rectangle(b)) b.outline.clear();
-    return b;
-}
-
-/// Part of an outline on one side of a vertical line.
-std::vector<Point> part(const std::vector<Point>& outline, double x, bool right)
-{
-    std::vector<Point> kept;
-    const auto stays = [&](Point p) {
-        return right ? p.x > x + kTouching : p.x < x - kTouching;
-    };
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point a = outline[i], b = outline[(i + 1) % outline.size()];
-        if (stays(a) || near(a.x, x)) kept.push_back(a);
-        if ((a.x < x - kTouching && b.x > x + kTouching) ||
-            (b.x < x - kTouching && a.x > x + kTouching))
-            kept.push_back({x, a.z + (b.z - a.z) * (x - a.x) / (b.x - a.x)});
-    }
-    return kept;
-}
-
-/// How often a vertical line crosses an outline; a corner on the line counts as one crossing.
-int crossings(const std::vector<Point>& outline, double x)
-{
-    int n = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point a = outline[i], b = outline[(i + 1) % outline.size()];
-        n += near(a.x, x);
-        n += (a.x < x - kTouching && b.x > x + kTouching) ||
-             (b.x < x - kTouching && a.x > x + kTouching);
-    }
-    return n;
-}
-
-struct UnitPiece {
-    Block block;
-    Point centre; ///< of the unit
-};
-
-std::vector<UnitPiece> pieces_of(const DrawnWall& wall, const DrawnUnit& unit)
-{
-    const Point centre = polygon_centre(unit.outline);
-    Block whole = block_of(unit.outline, unit.material);
-    const double middle = 0.5 * (whole.x0 + whole.x1);
-    const bool cut = wall.cracks_in_units && wall.unit_length > 0.0 &&
-                     whole.x1 - whole.x0 > wall.unit_length - kTouching &&
-                     crossings(unit.outline, middle) == 2;
-    if (!cut) return {{std::move(whole), centre}};
-    return {{block_of(part(unit.outline, middle, false), unit.material), centre},
-            {block_of(part(unit.outline, middle, true), unit.material), centre}};
-}
-
 /// Mean over the units by area.
 template <class Extent> double mean_extent(const DrawnWall& wall, Extent extent)
 {
     double sum = 0.0, area = 0.0;
     for (const DrawnUnit& u : wall.units) {
         const double own = polygon_area(u.outline);
-        sum += own * extent(block_of(u.outline, 0));
+        sum += own * extent(block_of(u.outline));
         area += own;
     }
     return sum / area;
 }
 
-/// Units from the bottom to the top and from left to right; the pieces of one are neighbours.
+/// Units from the bottom to the top and from left to right.
 void add_blocks(const DrawnWall& wall, Layout& layout)
 {
     struct Unit {
-        int course;
-        double x, z;
-        std::vector<UnitPiece> pieces;
+        Point centre;
+        Block block;
     };
     std::vector<Unit> units;
     for (const DrawnUnit& u : wall.units) {
-        Unit unit{0, 0.0, 0.0, pieces_of(wall, u)};
-        const Point centre = unit.pieces.front().centre;
-        unit.course = 1 + static_cast<int>(std::floor(centre.z / layout.course_height));
-        unit.x = centre.x;
-        unit.z = centre.z;
+        Unit unit{polygon_centre(u.outline), block_of(u.outline)};
+        unit.block.material = u.material;
+        unit.block.course =
+            1 + static_cast<int>(std::floor(unit.centre.z / layout.course_height));
         units.push_back(std::move(unit));
     }
     std::ranges::stable_sort(units, [](const Unit& a, const Unit& b) {
-        return std::tie(a.course, a.x, a.z) < std::tie(b.course, b.x, b.z);
+        return std::tie(a.block.course, a.centre.x, a.centre.z) <
+               std::tie(b.block.course, b.centre.x, b.centre.z);
     });
-    int number = 0;
     for (Unit& u : units) {
-        ++number;
-        for (UnitPiece& piece : u.pieces) {
-            Block& b = piece.block;
-            b.course = u.course;
-            b.unit = number;
-            layout.height = std::max(layout.height, b.z1);
-            layout.blocks.push_back(std::move(b));
-        }
+        u.block.unit = static_cast<int>(layout.blocks.size()) + 1;
+        layout.height = std::max(layout.height, u.block.z1);
+        layout.blocks.push_back(std::move(u.block));
     }
-}
-
-/// The sides of a block at a level z, as x from and to; `up` for its upper sides.
-std::vector<std::pair<double, double>> level_sides(const Block& b, double z, bool up)
-{
-    std::vector<std::pair<double, double>> sides;
-    const std::vector<Point> corners = corners_of(b);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point p = corners[i], q = corners[(i + 1) % corners.size()];
-        if (near(p.z, z) && near(q.z, z) && (up ? q.x < p.x : q.x > p.x))
-            sides.emplace_back(std::min(p.x, q.x), std::max(p.x, q.x));
-    }
-    return sides;
 }
 
 void add_beam(double height, Layout& layout)
@@ -204,9 +111,6 @@ void add_joints(Layout& layout)
         f.normal = t.normal;
         if (t.a == layout.beam || t.b == layout.beam) {
             f.kind = FaceKind::beam_joint;
-        } else if (layout.blocks[t.a].unit == layout.blocks[t.b].unit) {
-            f.kind = FaceKind::unit_crack;
-            f.id = ++layout.n_cracks;
         } else {
             const bool level = std::abs(t.normal.z) >= std::abs(t.normal.x);
             f.kind = level ? FaceKind::bed_joint : FaceKind::head_joint;
@@ -247,7 +151,7 @@ Layout drawn_layout(const DrawnWall& wall, double beam_height)
     if (beam_height > 0.0) add_beam(beam_height, layout);
     add_base(wall.base, layout);
     add_joints(layout);
-    return layout;
+    return with_cracks(std::move(layout), wall.cracks, wall.unit_length);
 }
 
 } // namespace dem

@@ -7,11 +7,6 @@
 
 namespace dem {
 
-/// Two sides closer than this touch [m]. Outlines must be welded as closely.
-constexpr double kTouching = 1e-6;
-/// Pieces of joint below this length carry nothing and are left out [m].
-constexpr double kShortestFace = 1e-4;
-
 struct DrawnUnit {
     std::vector<Point> outline; ///< simple, counter-clockwise, no repeated corner [m]
     int material = 0;           ///< as Block::material
@@ -23,9 +18,7 @@ struct DrawnWall {
     Base base = Base::fixed;      ///< of the units with a side on the floor
     /// Of a whole unit [m], which is what Discretisation::contact_points is for; 0: the mean extent of the units.
     double unit_length = 0.0;
-    /// A potential crack at mid-length of each unit that is as long as a whole one, where a vertical line crosses
-    /// its outline twice.
-    bool cracks_in_units = false;
+    UnitCracks cracks{.pattern = {CrackPattern::Kind::none}};
     std::vector<Elastic> stones; ///< as Layout::stones
 };
 

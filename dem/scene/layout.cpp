@@ -1,10 +1,12 @@
 #include "dem/scene/layout.hpp"
 
+#include "dem/scene/cracked_layout.hpp"
 #include "dem/scene/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace dem {
 
@@ -126,7 +128,8 @@ void add_course(const WallGeometry& wall, int course, int& unit, Layout& layout)
     for (const CoursePiece& p : pieces_of(wall, z0, z1, unit_boundaries(wall, course))) {
         ++unit;
         const double middle = 0.5 * (p.x0 + p.x1);
-        if (p.whole && wall.cracks_in_units) {
+        const CrackPattern& cracks = pattern_at(wall.cracks, {middle, 0.5 * (z0 + z1)});
+        if (p.whole && cracks.kind == CrackPattern::Kind::mid) {
             layout.blocks.push_back(rectangle(p.x0, middle, z0, z1, course, unit));
             layout.blocks.push_back(rectangle(middle, p.x1, z0, z1, course, unit));
         } else {
@@ -171,6 +174,16 @@ void add_bed_faces(int a0, int a1, int b0, int b1, FaceKind kind, Layout& layout
     }
 }
 
+/// Whether an outline is the upright rectangle of its extent.
+bool is_rectangle(const std::vector<Point>& outline, const Block& b)
+{
+    const auto near = [](double p, double q) { return std::abs(p - q) < kTouching; };
+    if (!near(polygon_area(outline), (b.x1 - b.x0) * (b.z1 - b.z0))) return false;
+    return std::ranges::all_of(outline, [&](Point p) {
+        return (near(p.x, b.x0) || near(p.x, b.x1)) && (near(p.z, b.z0) || near(p.z, b.z1));
+    });
+}
+
 void add_base_faces(int last, Layout& layout)
 {
     for (int b = 0; b < last; ++b) {
@@ -186,6 +199,30 @@ void add_base_faces(int last, Layout& layout)
 }
 
 } // namespace
+
+Block block_of(std::vector<Point> outline)
+{
+    Block b;
+    const auto [left, right] = std::ranges::minmax(outline, {}, &Point::x);
+    const auto [low, high] = std::ranges::minmax(outline, {}, &Point::z);
+    b.x0 = left.x;
+    b.x1 = right.x;
+    b.z0 = low.z;
+    b.z1 = high.z;
+    if (!is_rectangle(outline, b)) b.outline = std::move(outline);
+    return b;
+}
+
+double own_stiffness(const Layout& layout, std::size_t crack)
+{
+    return layout.crack_stiffness.empty() ? 0.0 : layout.crack_stiffness.at(crack);
+}
+
+Elastic between_cracks(const Elastic& unit, double rigidity)
+{
+    const double stiffer = rigidity / (rigidity - 1.0);
+    return {stiffer * unit.young_modulus, stiffer * unit.poisson_ratio, unit.density};
+}
 
 double area_of(const Block& b)
 {
@@ -240,7 +277,7 @@ Layout lay_out(const WallGeometry& wall, double beam_height)
                       last ? layout.beam + 1 : first[c + 2],
                       last ? FaceKind::beam_joint : FaceKind::bed_joint, layout);
     }
-    return layout;
+    return with_cracks(std::move(layout), wall.cracks, wall.unit_length);
 }
 
 } // namespace dem

@@ -31,6 +31,8 @@ struct Block {
     std::vector<Point> outline; ///< counter-clockwise [m]; empty: a rectangle
     int material = 0;           ///< 0: the stone of the wall; k: Layout::stones[k - 1]
     Motion motion = Motion::free;
+    bool between_cracks =
+        false; ///< its unit shares its stiffness with cracks (Layout::crack_rigidity)
 };
 
 /// A straight piece of joint between block a (below, or left) and block b (above, or right).
@@ -64,6 +66,12 @@ struct Layout {
     bool mortar =
         false; ///< joints between units follow the law of cracks, with their own materials
     std::vector<Elastic> stones; ///< of blocks that are not of the wall's stone
+    bool divided = false;        ///< joints may fall into several faces, along pieces of units
+    /// By crack ID: k_n over Young's modulus of the stone [1/m]; 0: as the paper, by the joints' k_n. Or empty: all 0.
+    std::vector<double> crack_stiffness;
+    /// r of units that share their stiffness with cracks: the cracks have r E / spacing, and the pieces r / (r - 1)
+    /// times the modulus and Poisson's ratio of the stone, so that together they deform as the unit does.
+    double crack_rigidity = 100.0;
 };
 
 /// Area of a block [m2] and the middle of this area.
@@ -74,6 +82,20 @@ struct Layout {
 /// @param wall stone of the wall, of which blocks are that have none of their own
 [[nodiscard]] const Elastic& stone_of(const Layout& layout, int block, const Elastic& wall,
                                       const Elastic& beam);
+
+/// Layout::crack_stiffness of a crack [1/m]. @param crack its ID - 1
+[[nodiscard]] double own_stiffness(const Layout& layout, std::size_t crack);
+
+/// The stone of the pieces of a unit that share its stiffness with cracks, from that of the unit.
+[[nodiscard]] Elastic between_cracks(const Elastic& unit, double rigidity);
+
+/// A block of this outline; a rectangle keeps none.
+[[nodiscard]] Block block_of(std::vector<Point> outline);
+
+/// Two sides closer than this touch [m]. Outlines must be welded as closely.
+constexpr double kTouching = 1e-6;
+/// Pieces of joint below this length carry nothing and are left out [m].
+constexpr double kShortestFace = 1e-4;
 
 /// @param beam_height [m]; 0: no beam
 /// @throws std::invalid_argument if a size is outside its range

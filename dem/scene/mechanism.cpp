@@ -1,8 +1,12 @@
 #include "dem/scene/mechanism.hpp"
 
+#include "dem/scene/polygon.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <vector>
 
 namespace dem {
 
@@ -45,6 +49,54 @@ double sliding(const Snapshot& wall)
     return total;
 }
 
+int broken_contacts(const FaceState& f)
+{
+    return static_cast<int>(
+        std::count_if(f.contacts.begin(), f.contacts.end(),
+                      [](const ContactState& c) { return c.damage >= 1.0; }));
+}
+
+/// Joins the blocks that a crack still holds together: each block to the first of its part.
+std::vector<int> held_together(const Snapshot& wall)
+{
+    std::vector<int> first(wall.blocks.size());
+    std::iota(first.begin(), first.end(), 0);
+    const auto root = [&](int b) {
+        while (first[b] != b) b = first[b] = first[first[b]];
+        return b;
+    };
+    for (const FaceState& f : wall.faces) {
+        if (f.kind != FaceKind::unit_crack) continue;
+        if (broken_contacts(f) == static_cast<int>(f.contacts.size())) continue;
+        const int a = root(f.block_a), b = root(f.block_b);
+        first[std::max(a, b)] = std::min(a, b);
+    }
+    for (int b = 0; b < static_cast<int>(first.size()); ++b) first[b] = root(b);
+    return first;
+}
+
+void count_broken_units(const Snapshot& wall, Mechanism& m)
+{
+    struct Unit {
+        double area = 0.0;
+        std::map<int, double> parts; ///< area by first block
+    };
+    const std::vector<int> part = held_together(wall);
+    std::map<int, Unit> units;
+    for (std::size_t b = 0; b < wall.blocks.size(); ++b) {
+        const double area = polygon_area(wall.blocks[b].outline);
+        Unit& unit = units[wall.blocks[b].unit];
+        unit.area += area;
+        unit.parts[part[b]] += area;
+    }
+    for (const auto& [number, unit] : units) {
+        if (unit.parts.size() < 2) continue;
+        double largest = 0.0;
+        for (const auto& [first, area] : unit.parts) largest = std::max(largest, area);
+        (largest <= kLargestPart * unit.area ? m.cracked_units : m.spalled_units) += 1;
+    }
+}
+
 } // namespace
 
 Mechanism mechanism(const Snapshot& wall, double height)
@@ -54,14 +106,9 @@ Mechanism mechanism(const Snapshot& wall, double height)
         m.rotation_share = beam_rotation(wall) * height / wall.displacement;
         m.sliding_share = sliding(wall) / wall.displacement;
     }
-    for (const FaceState& f : wall.faces) {
-        if (f.kind != FaceKind::unit_crack) continue;
-        const auto broken =
-            std::count_if(f.contacts.begin(), f.contacts.end(),
-                          [](const ContactState& c) { return c.damage >= 1.0; });
-        m.cracked_contacts += static_cast<int>(broken);
-        m.cracked_units += broken == static_cast<std::ptrdiff_t>(f.contacts.size());
-    }
+    for (const FaceState& f : wall.faces)
+        if (f.kind == FaceKind::unit_crack) m.cracked_contacts += broken_contacts(f);
+    count_broken_units(wall, m);
     return m;
 }
 

@@ -11,10 +11,15 @@ struct Mechanism {
     double rotation_share = 0.0;
     /// Slip of the closed bed joints, summed over the courses, / displacement [-].
     double sliding_share = 0.0;
-    int cracked_units =
-        0; ///< units that are cracked through: D = 1 in all contacts of the crack
+    /// Units that are cracked through: without the cracks whose contacts all have D = 1, no part is larger than
+    /// kLargestPart of the unit.
+    int cracked_units = 0;
+    int spalled_units = 0; ///< units not cracked through that have lost smaller parts
     int cracked_contacts = 0; ///< contacts of cracks with D = 1
 };
+
+/// Of the area of a unit that is cracked through [-]. Smaller parts that break off are spalls.
+constexpr double kLargestPart = 0.75;
 
 /// @param height of the load line above the floor [m], > 0
 [[nodiscard]] Mechanism mechanism(const Snapshot& wall, double height);

@@ -25,15 +25,16 @@ JointMaterial joint_material(const JointParameters& j)
             j.fracture_energy};
 }
 
-CrackMaterial crack_material(const CrackParameters& c, double joint_kn, double poisson_ratio)
+namespace {
+
+CrackMaterial of_stiffness(const CrackParameters& c, double kn, double ks)
 {
-    const double kn = c.stiffness_factor * c.stiffness_ratio * joint_kn;
     const double ft =
         c.snap_back == SnapBack::weakens
             ? std::min(c.tensile_strength, std::sqrt(2.0 * c.fracture_energy * kn))
             : c.tensile_strength;
     return {.kn = kn,
-            .ks = shear_stiffness(kn, poisson_ratio),
+            .ks = ks,
             .ft = ft,
             .cohesion = c.cohesion,
             .cohesion_res = std::min(c.residual_cohesion, c.cohesion),
@@ -43,13 +44,29 @@ CrackMaterial crack_material(const CrackParameters& c, double joint_kn, double p
             .tension_reduces_shear = c.tension_reduces_shear};
 }
 
-WallMaterials wall_materials(const PaperMaterials& p, int n_joints, int n_cracks)
+} // namespace
+
+CrackMaterial crack_material(const CrackParameters& c, double joint_kn, double poisson_ratio)
+{
+    const double kn = c.stiffness_factor * c.stiffness_ratio * joint_kn;
+    return of_stiffness(c, kn, shear_stiffness(kn, poisson_ratio));
+}
+
+CrackMaterial crack_material(const CrackParameters& c, double stiffness)
+{
+    return of_stiffness(c, c.stiffness_factor * stiffness, c.stiffness_factor * stiffness);
+}
+
+WallMaterials wall_materials(const PaperMaterials& p, const Layout& layout)
 {
     const CrackMaterial crack = crack_material(p.crack, p.joint.kn, p.stone.poisson_ratio);
     WallMaterials w;
     w.stone = p.stone;
-    w.joints.assign(static_cast<std::size_t>(n_joints), joint_material(p.joint));
-    w.cracks.assign(static_cast<std::size_t>(n_cracks), crack);
+    w.joints.assign(static_cast<std::size_t>(layout.n_joints), joint_material(p.joint));
+    w.cracks.assign(static_cast<std::size_t>(layout.n_cracks), crack);
+    for (std::size_t k = 0; k < layout.crack_stiffness.size(); ++k)
+        if (const double own = layout.crack_stiffness[k]; own > 0.0)
+            w.cracks[k] = crack_material(p.crack, own * p.stone.young_modulus);
     w.base_joint = {p.joint.kn, p.joint.ks, std::tan(p.base_friction_angle)};
     w.beam_joint = {p.joint.kn, p.joint.ks, std::tan(p.beam_friction_angle)};
     return w;

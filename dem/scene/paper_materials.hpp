@@ -3,6 +3,7 @@
 /// the elastic modulus of the wall (Eq. 2), cracks that are xi times as stiff as the joints (Table 4),
 /// and factors on both stiffnesses that vary from sample to sample (Table 5).
 
+#include "dem/scene/layout.hpp"
 #include "dem/scene/wall.hpp"
 
 namespace dem {
@@ -65,9 +66,12 @@ struct PaperMaterials {
 [[nodiscard]] CrackMaterial crack_material(const CrackParameters& crack, double joint_kn,
                                            double poisson_ratio);
 
+/// A crack that shares the stiffness of its unit with the pieces on its sides: k_n = k_s = factor x stiffness.
+/// @param stiffness [Pa/m], > 0
+[[nodiscard]] CrackMaterial crack_material(const CrackParameters& crack, double stiffness);
+
 /// One realisation: the same material for every joint ID and for every crack ID. The joints at the
 /// base and at the beam have the stiffness of the others without the factor.
-[[nodiscard]] WallMaterials wall_materials(const PaperMaterials& paper, int n_joints,
-                                           int n_cracks);
+[[nodiscard]] WallMaterials wall_materials(const PaperMaterials& paper, const Layout& layout);
 
 } // namespace dem

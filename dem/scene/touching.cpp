@@ -1,7 +1,5 @@
 #include "dem/scene/touching.hpp"
 
-#include "dem/scene/drawn_layout.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -105,6 +103,26 @@ std::vector<Point> corners_of(const Block& b)
 {
     if (!b.outline.empty()) return b.outline;
     return {{b.x0, b.z0}, {b.x1, b.z0}, {b.x1, b.z1}, {b.x0, b.z1}};
+}
+
+std::vector<std::pair<double, double>> level_sides(const Block& b, double z, bool up)
+{
+    const auto at_level = [z](Point p) { return std::abs(p.z - z) < kTouching; };
+    std::vector<std::pair<double, double>> sides;
+    const std::vector<Point> corners = corners_of(b);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point p = corners[i], q = corners[(i + 1) % corners.size()];
+        if (at_level(p) && at_level(q) && (up ? q.x < p.x : q.x > p.x))
+            sides.emplace_back(std::min(p.x, q.x), std::max(p.x, q.x));
+    }
+    return sides;
+}
+
+bool has_lower_right_corner(const Block& b)
+{
+    return std::ranges::any_of(corners_of(b), [&](Point p) {
+        return std::abs(p.x - b.x1) < kTouching && std::abs(p.z - b.z0) < kTouching;
+    });
 }
 
 std::vector<Touch> touching(const std::vector<Block>& blocks)

@@ -3,6 +3,7 @@
 
 #include "dem/scene/layout.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace dem {
@@ -16,6 +17,13 @@ struct Touch {
 
 /// Corners of a block, counter-clockwise.
 [[nodiscard]] std::vector<Point> corners_of(const Block& block);
+
+/// The level sides of a block at height z, as x from and to; `up` for its upper sides.
+[[nodiscard]] std::vector<std::pair<double, double>> level_sides(const Block& block, double z,
+                                                                 bool up);
+
+/// Whether the lower right corner of its extent is a corner of the block.
+[[nodiscard]] bool has_lower_right_corner(const Block& block);
 
 /// In the order of the pairs. Pieces that are one straight line are one touch.
 [[nodiscard]] std::vector<Touch> touching(const std::vector<Block>& blocks);

@@ -2,6 +2,8 @@
 /// The wall as an engineer describes it: sizes, bond, supports, loads, and the material of every joint
 /// and crack.
 
+#include "dem/scene/crack_pattern.hpp"
+
 #include <optional>
 #include <vector>
 
@@ -49,7 +51,7 @@ struct WallGeometry {
     /// Shift of every second course in unit lengths, in [0, 1); 0 makes a stack bond.
     double bond_offset = 0.5;
     FirstCourse first_course = FirstCourse::whole;
-    bool cracks_in_units = true; ///< a potential crack at mid-length of each whole unit
+    UnitCracks cracks; ///< by default a potential crack at mid-length of each whole unit
     Base base = Base::fixed;
     Toe toe = Toe::held;
     std::vector<Opening> openings; ///< apart, and below the top course

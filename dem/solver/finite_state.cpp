@@ -84,7 +84,7 @@ void load_lane(const Model& m, const FiniteTables& t, const WallMaterials& w, in
 {
     clear_lane(t, lane, s);
     for (std::size_t b = 0; b < t.blocks.size(); ++b) {
-        const Elastic& material = static_cast<int>(b) == t.beam ? m.beam.material : w.stone;
+        const Elastic& material = stone_of(m, static_cast<int>(b), w.stone);
         const double pull = material.density * m.loads.gravity; // [N/m3]
         set_lane(s.weight[b], lane, pull * t.blocks[b].volume);
         const BlockElement& e = m.elements[m.places[b].element];

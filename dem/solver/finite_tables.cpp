@@ -1,6 +1,7 @@
 #include "dem/solver/finite_tables.hpp"
 
 #include "dem/block/model.hpp"
+#include "dem/scene/touching.hpp"
 #include "dem/solver/step_tables.hpp"
 
 #include <algorithm>
@@ -11,9 +12,10 @@ namespace dem {
 
 namespace {
 
-constexpr double kFar = 1e3;     // [m], half the length of the ground
-constexpr double kOnLine = 1e-6; // [m]
-constexpr int kReach = 3;        // blocks onto which a block can slide, to either side
+constexpr double kFar = 1e3;      // [m], half the length of the ground
+constexpr double kOnLine = 1e-6;  // [m]
+constexpr std::size_t kReach = 3; // blocks onto which a block can slide, to either side
+constexpr double kUpward = 0.5;   // of the normal of a side that carries a block
 
 FiniteTables::BlockRow block_row(const Model& m, int block)
 {
@@ -115,47 +117,116 @@ void add_pair(const Model& m, const std::vector<Contact>& contacts, int first, i
     }
 }
 
+/// A side of a block that can carry another, along the tangent of its normal.
+struct Ledge {
+    int block;
+    Point normal, from, to;
+    double level;       ///< along the normal [m]
+    double start, stop; ///< along the tangent (nz, -nx) [m]
+};
+
+std::vector<Ledge> ledges_of(const Model& m)
+{
+    std::vector<Ledge> all;
+    for (int b = 0; b < m.layout.beam; ++b) {
+        const std::vector<Point> corners = corners_of(m.layout.blocks[b]);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Point p = corners[i], q = corners[(i + 1) % corners.size()];
+            const double length = std::hypot(q.x - p.x, q.z - p.z);
+            const Point n{(q.z - p.z) / length, (p.x - q.x) / length};
+            if (n.z <= kUpward) continue;
+            const auto along = [n](Point at) { return n.z * at.x - n.x * at.z; };
+            all.push_back({b, n, q, p, n.x * p.x + n.z * p.z, along(q), along(p)});
+        }
+    }
+    return all;
+}
+
+bool on_one_line(const Ledge& a, const Ledge& b)
+{
+    return std::abs(a.level - b.level) < kOnLine &&
+           a.normal.x * b.normal.x + a.normal.z * b.normal.z > 1.0 - 1e-9;
+}
+
+/// The ledge that a pair lies on.
+const Ledge* ledge_of(const Face& f, const std::vector<Ledge>& ledges)
+{
+    const Point middle{0.5 * (f.from.x + f.to.x), 0.5 * (f.from.z + f.to.z)};
+    for (const Ledge& l : ledges) {
+        if (l.block != f.a || l.normal.x * f.normal.x + l.normal.z * f.normal.z < 1.0 - 1e-9)
+            continue;
+        const double at = l.normal.z * middle.x - l.normal.x * middle.z;
+        if (at > l.start && at < l.stop &&
+            std::abs(l.normal.x * middle.x + l.normal.z * middle.z - l.level) < kOnLine)
+            return &l;
+    }
+    return nullptr;
+}
+
 /// The pair of an upper block with a block that does not lie under it yet. The corner at which the
 /// upper block arrives is rounded off, so that no elastic slip reaches it.
 FacePair further_pair(const Model& m, const FiniteTables& t, const FacePair& home, bool far,
-                      int below)
+                      const Ledge& ledge)
 {
     const Contact level{0, 0, home.nx, home.nz, 0.0, 0, 0};
-    const double z = m.layout.blocks[below].z1;
     FacePair p = home;
-    p.a = below;
-    p.side_a = side_of(m, t, below, level,
-                       Face{FaceKind::bed_joint, 0, below, home.b, {0, z}, {0, z}, {0, 1}});
+    p.a = ledge.block;
+    p.side_a = side_of(m, t, ledge.block, level,
+                       Face{FaceKind::bed_joint,
+                            0,
+                            ledge.block,
+                            home.b,
+                            ledge.from,
+                            ledge.to,
+                            {home.nx, home.nz}});
     (far ? p.side_a.from : p.side_a.to) += (far ? 1.0 : -1.0) * kRoundedCorner * home.length;
     return p;
 }
 
-/// Furthers of one end of the blocks under an upper block.
-void add_reach(const Model& m, int home, bool far, FiniteTables& t)
+/// Furthers of one end of the blocks under an upper block: the nearest ledges on the same line.
+void add_reach(const Model& m, int home, bool far, const Ledge& under,
+               const std::vector<Ledge>& ledges, FiniteTables& t)
 {
-    FiniteTables::Reach r{home, far, home, static_cast<int>(t.further.size()), 0};
-    const FacePair& pair = t.pairs[home];
-    const int step = far ? 1 : -1, course = m.layout.blocks[pair.a].course;
-    for (int a = pair.a + step; a >= 0 && a < t.beam && r.count < kReach; a += step) {
-        if (m.layout.blocks[a].course != course) break;
-        t.further.push_back(further_pair(m, t, pair, far, a));
-        ++r.count;
-    }
-    if (r.count > 0) t.reaches.push_back(r);
+    std::vector<const Ledge*> beyond;
+    for (const Ledge& l : ledges)
+        if (l.block != t.pairs[home].b && on_one_line(l, under) &&
+            (far ? l.start > under.stop - kOnLine : l.stop < under.start + kOnLine))
+            beyond.push_back(&l);
+    std::ranges::stable_sort(beyond, [far](const Ledge* a, const Ledge* b) {
+        return far ? a->start < b->start : a->stop > b->stop;
+    });
+    if (beyond.size() > kReach) beyond.resize(kReach);
+    if (beyond.empty()) return;
+    t.reaches.push_back(
+        {home, far, home, static_cast<int>(t.further.size()), static_cast<int>(beyond.size())});
+    for (const Ledge* l : beyond)
+        t.further.push_back(further_pair(m, t, t.pairs[home], far, *l));
 }
 
-/// Both ends of the dry bed joints under each block.
+/// Both ends of the dry joints under each block.
 void add_reaches(const Model& m, const StepTables& tables, FiniteTables& t)
 {
-    const auto under = [&](int pair) {
-        return t.pairs[pair].nz > 0.5 && t.pairs[pair].a != t.ground ? t.pairs[pair].b : -1;
-    };
+    const std::vector<Ledge> ledges = ledges_of(m);
     const int n = static_cast<int>(tables.dry.size());
+    std::vector<const Ledge*> under(n, nullptr);
     for (int p = 0; p < n; ++p) {
         t.most_points = std::max(t.most_points, tables.dry[p].count);
-        if (under(p) < 0) continue;
-        if (p == 0 || under(p - 1) != under(p)) add_reach(m, p, false, t);
-        if (p + 1 == n || under(p + 1) != under(p)) add_reach(m, p, true, t);
+        const Face& f = m.layout.faces[m.dry[tables.dry[p].first].face];
+        if (f.a != kGround && f.normal.z > kUpward) under[p] = ledge_of(f, ledges);
+    }
+    std::vector<std::vector<int>> pairs_of(m.layout.blocks.size()); // as the upper block
+    for (int p = 0; p < n; ++p)
+        if (under[p] != nullptr) pairs_of[t.pairs[p].b].push_back(p);
+    for (int p = 0; p < n; ++p) {
+        if (under[p] == nullptr) continue;
+        bool first = true, last = true;
+        for (const int other : pairs_of[t.pairs[p].b]) {
+            if (other == p || !on_one_line(*under[other], *under[p])) continue;
+            first = first && under[other]->start >= under[p]->start;
+            last = last && under[other]->start <= under[p]->start;
+        }
+        if (first) add_reach(m, p, false, *under[p], ledges, t);
+        if (last) add_reach(m, p, true, *under[p], ledges, t);
     }
 }
 
@@ -197,7 +268,7 @@ FiniteTables finite_tables(const Model& m, const StepTables& tables)
     add(tables.dry, m.dry, 0);
     add(tables.tied, m.tied, tables.first_tied);
     add(tables.cracks, m.cracks, tables.first_crack);
-    if (m.layout.coursed) add_reaches(m, tables, t);
+    add_reaches(m, tables, t);
     t.load = load_point(m, t);
     t.load_area = m.layout.length * m.layout.thickness;
     return t;

@@ -17,7 +17,8 @@ std::vector<double> stiffness_ratio(const Model& m, const WallMaterials& w)
         double r = 0.0;
         if (f.kind == FaceKind::unit_crack) {
             const CrackMaterial& c = w.cracks[f.id - 1];
-            r = std::max(c.kn / m.reference.crack.kn, c.ks / m.reference.crack.ks);
+            const auto [kn, ks] = reference_of(m, f);
+            r = std::max(c.kn / kn, c.ks / ks);
         } else {
             const JointMaterial& j = f.kind == FaceKind::base_joint   ? w.base_joint
                                      : f.kind == FaceKind::beam_joint ? w.beam_joint

@@ -3,6 +3,7 @@
 
 #include "app/bad_input/cases.hpp"
 #include "app/input/study.hpp"
+#include "app/input/wall_geometry.hpp"
 
 #include <string>
 #include <vector>
@@ -41,6 +42,11 @@ tensile_strength = 0.1 MPa
 cohesion = 0.2 MPa
 fracture_energy = 10 N/m
 [unit]
+cracks = voronoi(100 mm)
+cracks_where = toe
+cracks_elsewhere = thirds
+cracks_seed = 4
+crack_rigidity = 6
 stiffness_ratio = 12
 tensile_strength = 3 MPa
 cohesion = 4 MPa
@@ -157,10 +163,10 @@ inline dem::CrackMaterial crack_material(const app::Study& s, int level)
 }
 
 /// All values as in the study, under its stress level `level`.
-inline dem::WallMaterials materials(const app::Study& s, int level, int joints, int cracks)
+inline dem::WallMaterials materials(const app::Study& s, int level)
 {
     const double stress = s.load.vertical_stress.at(static_cast<std::size_t>(level));
-    return app::materials(s.parameters, s.wall.course_height, level, stress, joints, cracks);
+    return app::materials(s.parameters, s.wall.course_height, level, stress, app::layout_of(s));
 }
 
 } // namespace study_texts

@@ -92,6 +92,16 @@ outlines = 0 0, 0.3 0, 0.25 0.15, 0 0.15; sill: 0.3 0, 0.6 0, 0.6 0.15, 0.25 0.1
 layer_stones = sill: 30 GPa, 0.2, 2500 kg/m3
 )" + kAll.substr(kAll.find("thickness"));
 
+/// Units in cells at the bottom, in quarters above.
+const std::string kCells = [] {
+    std::string text = kAll;
+    const std::string_view unit = "[unit]\n";
+    text.insert(text.find(unit) + unit.size(),
+                "cracks = voronoi(70 mm)\ncracks_where = 0 m, 0 m, 0.6 m, 0.1 m\n"
+                "cracks_elsewhere = grid(2, 2)\n");
+    return text;
+}();
+
 /// Rigid blocks on a clamped base, no cracks, no distribution, one stress level.
 const std::string kLeast = kWall + R"(unit_cracks = no
 [stone]
@@ -160,6 +170,9 @@ const std::map<std::string_view, std::string> kOthers = {
     {"wall.outlines", "0 0, 0.6 0, 0.6 0.3, 0 0.3"},
     {"wall.layer_stones", "sill: 3 GPa, 0.2, 2000 kg/m3"},
     {"wall.openings", "0.2 m, 0 m, 0.2 m, 0.1 m"},
+    {"unit.cracks", "grid(3, 2)"},
+    {"unit.cracks_where", "0 m, 0 m, 0.3 m, 0.2 m"},
+    {"unit.cracks_elsewhere", "thirds"},
     {"joint.wall_modulus", "700, 900 MPa"},
     {"joint.normal_stiffness", "7 GPa/m"},
     {"joint.shear_stiffness", "2 GPa/m"},
@@ -240,7 +253,7 @@ TEST_CASE("key effects: every key that is read changes the push, or is named as 
           "[slow][app][key_effects]")
 {
     std::set<std::string_view> effective;
-    for (const std::string& text : {kAll, kCorrelated, kMortar, kDrawn, kLeast})
+    for (const std::string& text : {kAll, kCorrelated, kMortar, kDrawn, kCells, kLeast})
         effective.merge(sweep(text));
     for (const std::string_view limit : kLimits) {
         INFO(limit);

@@ -88,8 +88,8 @@ app::Study study_of(const std::string& file, const std::vector<std::string>& ove
 app::BondIndices indices_of(const std::vector<std::string>& overrides)
 {
     const app::Study study = study_of(kWall, overrides);
-    const dem::Layout layout = app::layout_of(study);
-    return app::bond_indices(layout, app::scene_units(study, layout));
+    const dem::Layout whole = app::whole_units(study);
+    return app::bond_indices(whole, app::scene_units(study, whole));
 }
 
 } // namespace
@@ -138,7 +138,7 @@ TEST_CASE("scene units: a unit that a crack parts is whole again, with its own c
         study_of(drawn_study(folder.path, "two.json"), {"load.height=0.21 m"});
     const dem::Layout layout = app::layout_of(study);
     REQUIRE(layout.n_cracks == 2);
-    const std::vector<app::DrawnBlock> units = app::scene_units(study, layout);
+    const std::vector<app::DrawnBlock> units = app::scene_units(study, app::whole_units(study));
     REQUIRE(units.size() == 2);
     CHECK(units[0].outline.size() == 5);
     CHECK(units[1].outline.size() == 5);

@@ -1,6 +1,8 @@
 #include "app/input/study.hpp"
+#include "app/input/unit_cracks.hpp"
 
 #include "app/input/study_keys.hpp"
+#include "app/input/unit_cracks.hpp"
 #include "app/study_texts.hpp"
 
 #include <catch2/catch.hpp>
@@ -111,7 +113,7 @@ TEST_CASE("study: units that cannot crack need no strength", "[app][study]")
     text.erase(begin, text.find("[beam]") - begin);
     CHECK_THROWS_AS(read(text), app::ConfigError);
     const app::Study study = read(text, {"wall.unit_cracks=no"});
-    CHECK_FALSE(study.wall.cracks_in_units);
+    CHECK_FALSE(app::has_cracks(study));
     CHECK(app::effective_configuration(study).find("[unit]") == std::string::npos);
     CHECK_NOTHROW(read_good({"wall.unit_cracks=no"})); // their data may stay
 }

@@ -84,7 +84,7 @@ TEST_CASE("study: an open crack closes to the origin unless the study says other
 TEST_CASE("study: every joint and crack ID has the material of the study", "[app][study]")
 {
     const app::Study study = read(study_texts::kEverything);
-    const dem::WallMaterials all = study_texts::materials(study, 1, 135, 45);
+    const dem::WallMaterials all = study_texts::materials(study, 1);
     REQUIRE(all.joints.size() == 135);
     REQUIRE(all.cracks.size() == 45);
     CHECK(all.stone.density == 2000.0);
@@ -104,8 +104,7 @@ TEST_CASE("study: every joint and crack ID has the material of the study", "[app
 TEST_CASE("study: base and beam joints have the stiffness of the joints without their factor",
           "[app][study]")
 {
-    const dem::WallMaterials all =
-        study_texts::materials(read(study_texts::kEverything), 1, 1, 1);
+    const dem::WallMaterials all = study_texts::materials(read(study_texts::kEverything), 1);
     for (const dem::JointMaterial& joint : {all.base_joint, all.beam_joint}) {
         CHECK(joint.kn == 8.08e9);
         CHECK(joint.ks == 2e9);

@@ -33,7 +33,7 @@ dem::DrawnWall drawn(const dem::WallGeometry& wall)
     for (const auto& [unit, s] : units) d.units.push_back({rectangle(s[0], s[1], s[2], s[3])});
     d.thickness = wall.thickness;
     d.unit_length = wall.unit_length;
-    d.cracks_in_units = wall.cracks_in_units;
+    d.cracks = wall.cracks;
     return d;
 }
 

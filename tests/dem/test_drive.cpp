@@ -274,7 +274,7 @@ TEST_CASE("drive: the walls of the paper are pushed as fast as asked for, a stif
     s.wall.courses = 12;
     s.wall.base = dem::Base::joint;
     s.wall.toe = dem::Toe::free;
-    s.wall.cracks_in_units = false;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     s.loads.height = 1.2 + s.beam.height;
     s.joint.kn = s.joint.ks = 1e12;
     dem::Discretisation d;

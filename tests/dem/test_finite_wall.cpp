@@ -20,7 +20,7 @@ double largest_turn(int n, double share)
     s.wall.length = s.wall.unit_length = 0.2;
     s.wall.courses = n + 1;
     s.wall.bond_offset = 0.0;
-    s.wall.cracks_in_units = false;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     s.beam.interface = dem::BeamInterface::joint;
     s.beam.material.density = 0.0;
     s.loads.vertical_stress = 0.0;
@@ -158,7 +158,7 @@ TEST_CASE(
     "[dem][finite]")
 {
     scenes::Scene s = small_wall::scene(0.50, 1);
-    s.wall.cracks_in_units = false;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     s.wall.unit_length = 0.1;
     s.beam.interface = dem::BeamInterface::joint;
     s.joint.tan_phi = 0.3;

@@ -52,7 +52,8 @@ WallGeometry some_wall()
     w.courses = GENERATE(1, 2, 5);
     w.bond_offset = GENERATE(0.0, 0.25, 1.0 / 3, 0.5, 0.8);
     w.first_course = GENERATE(FirstCourse::whole, FirstCourse::shifted);
-    w.cracks_in_units = GENERATE(true, false);
+    w.cracks.pattern.kind =
+        GENERATE(dem::CrackPattern::Kind::mid, dem::CrackPattern::Kind::none);
     w.base = GENERATE(dem::Base::fixed, dem::Base::joint);
     return w;
 }
@@ -142,7 +143,7 @@ TEST_CASE("layout: without cracks a unit is one block, and beds are cut where un
     const int n = 5, courses = 4;
     WallGeometry w;
     w.courses = courses;
-    w.cracks_in_units = false;
+    w.cracks.pattern.kind = dem::CrackPattern::Kind::none;
     const Counts c = counts_of(dem::lay_out(w, kBeam));
     CHECK(c.blocks == courses / 2 * (n + n + 1));
     CHECK(c.cracks == 0);
@@ -189,7 +190,8 @@ TEST_CASE("layout: units sit where the bond puts them; whole ones are two equal 
     for (const auto& [number, blocks] : units) {
         const double x0 = blocks.front().x0, x1 = blocks.back().x1;
         const bool whole = x1 - x0 > w.unit_length - 1e-9;
-        REQUIRE(blocks.size() == (whole && w.cracks_in_units ? 2u : 1u));
+        REQUIRE(blocks.size() ==
+                (whole && w.cracks.pattern.kind == dem::CrackPattern::Kind::mid ? 2u : 1u));
         if (blocks.size() == 2) {
             CHECK(blocks[0].course == blocks[1].course);
             CHECK(blocks[0].x1 - blocks[0].x0 == Approx(0.5 * w.unit_length).epsilon(1e-12));

@@ -136,7 +136,7 @@ scenes::Scene ferris_wall(int units, int courses)
     s.wall.course_height = 0.175;
     s.wall.length = 0.4 * units;
     s.wall.courses = courses;
-    s.wall.cracks_in_units = false;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     s.wall.first_course = dem::FirstCourse::shifted;
     s.wall.base = dem::Base::joint;
     s.wall.toe = dem::Toe::free;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace {
 
@@ -67,10 +68,27 @@ Snapshot rocking(int first, double displacement)
         displacement);
 }
 
-void crack_unit(Snapshot& s, int broken_contacts, int contacts = 4)
+/// Puts a unit of two pieces under the beam, with a crack of so many contacts between them.
+/// @param left share of the unit that lies left of the crack
+void crack_unit(Snapshot& s, int broken_contacts, int contacts = 4, double left = 0.5)
 {
+    const int first = static_cast<int>(s.blocks.size()) - 1; // where the beam was
+    for (dem::FaceState& f : s.faces)
+        for (int* block : {&f.block_a, &f.block_b})
+            if (*block >= first) *block += 2;
+    const double cut = left * kLength;
+    for (const auto& [x0, x1] : {std::pair{0.0, cut}, std::pair{cut, kLength}}) {
+        dem::BlockState piece;
+        piece.course = 3;
+        piece.unit = 100 + first;
+        piece.outline = {{x0, 0}, {x1, 0}, {x1, kCourse}, {x0, kCourse}};
+        piece.displacement.resize(4);
+        s.blocks.insert(s.blocks.end() - 1, piece);
+    }
     dem::FaceState f;
     f.kind = FaceKind::unit_crack;
+    f.block_a = first;
+    f.block_b = first + 1;
     f.contacts.resize(contacts);
     for (int i = 0; i < broken_contacts; ++i) f.contacts[i].damage = 1.0;
     s.faces.push_back(f);
@@ -188,6 +206,18 @@ TEST_CASE("mechanism: a unit is cracked through when all its contacts are broken
     CHECK(dem::mechanism(s, kTop).cracked_units == 1);
     CHECK(dem::mechanism(s, kTop).cracked_contacts == 7);
     CHECK(mode_of(s) == FailureMode::rocking); // it still overturns
+}
+
+TEST_CASE("mechanism: a corner that breaks off a unit spalls, and does not crack it through",
+          "[dem][mechanism]")
+{
+    Snapshot s = rocking(1, 0.01);
+    crack_unit(s, 4, 4, 0.2);
+    CHECK(dem::mechanism(s, kTop).cracked_units == 0);
+    CHECK(dem::mechanism(s, kTop).spalled_units == 1);
+    crack_unit(s, 4, 4, 0.25);
+    CHECK(dem::mechanism(s, kTop).cracked_units == 1);
+    CHECK(dem::mechanism(s, kTop).spalled_units == 1);
 }
 
 TEST_CASE("mechanism: a wall not pushed has no shares", "[dem][mechanism]")

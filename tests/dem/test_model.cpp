@@ -161,7 +161,7 @@ TEST_CASE("model: blocks alike but for their support have elements of their own"
     scenes::Scene s = small_wall(); // a column of whole units, held at its foot
     s.wall.length = s.wall.unit_length;
     s.wall.bond_offset = 0.0;
-    s.wall.cracks_in_units = false;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     s.wall.base = dem::Base::joint;
     const Model m = scenes::model_of(s, coarse(3));
     REQUIRE(m.places.size() == 4);
@@ -173,7 +173,7 @@ TEST_CASE("model: contact points are as dense on long faces as on those of a hal
           "[dem][model]")
 {
     scenes::Scene s = small_wall();
-    s.wall.cracks_in_units = false;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     s.wall.base = dem::Base::joint;
     dem::Discretisation d = coarse(3);
     d.contact_points = GENERATE(2, 4);

@@ -15,7 +15,7 @@ scenes::Scene two_courses(double stress)
     scenes::Scene s = scenes::monolith(1.0, 0.1, stress, 1e10);
     s.wall.courses = 2;
     s.wall.base = dem::Base::fixed;
-    s.wall.cracks_in_units = false;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     s.loads.height = 0.2;
     s.joint.tan_phi = 0.5;
     return s;

@@ -64,7 +64,7 @@ TEST_CASE("paper materials: each stiffness factor acts on its own contacts alone
     p.joint.stiffness_factor = GENERATE(0.5, 1.0, 1.3);
     p.crack.stiffness_factor = GENERATE(0.7, 1.0);
     p.beam_friction_angle = 0.3;
-    const dem::WallMaterials w = dem::wall_materials(p, 135, 45);
+    const dem::WallMaterials w = dem::wall_materials(p, dem::lay_out(dem::WallGeometry{}, 0.1));
     REQUIRE(w.joints.size() == 135);
     REQUIRE(w.cracks.size() == 45);
     CHECK(w.joints.back().kn == p.joint.stiffness_factor * 8.08e9);

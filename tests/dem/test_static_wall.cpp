@@ -17,7 +17,7 @@ scenes::Scene stack(double stress)
     scenes::Scene s = scenes::paper_wall(0.50);
     s.wall.length = s.wall.unit_length = 0.2;
     s.wall.bond_offset = 0.0;
-    s.wall.cracks_in_units = false;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     s.wall.base = dem::Base::joint;
     s.stone.density = 2700.0;
     s.beam.material = {1e15, 0.2, 0.0};

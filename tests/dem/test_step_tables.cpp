@@ -34,7 +34,7 @@ std::vector<scenes::Scene> walls()
     all[2].wall.bond_offset = 0.3;
     all[3].wall.toe = dem::Toe::free;
     all[3].wall.bond_offset = 0.0;
-    all[4].wall.cracks_in_units = false;
+    all[4].wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     all[4].wall.first_course = dem::FirstCourse::shifted;
     all[4].beam.rotation = dem::BeamRotation::fixed;
     return all;

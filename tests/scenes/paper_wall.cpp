@@ -63,7 +63,7 @@ Scene monolith(double length, double height, double vertical_stress, double join
     s.wall.length = s.wall.unit_length = length;
     s.wall.course_height = height;
     s.wall.courses = 1;
-    s.wall.cracks_in_units = false;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
     s.wall.base = dem::Base::joint;
     s.beam.material.density = 0.0;
     s.loads.vertical_stress = vertical_stress;

@@ -137,6 +137,21 @@ constexpr std::array kStudies = {
     BadStudy{"unknown bond", "[stone]", "bond = flemish\n[stone]",
         "study.ini:7: wall.bond: \"flemish\" is not one of running, stack, [0, 1)"},
 
+    BadStudy{"an unknown pattern of cracks", "[unit]", "[unit]\ncracks = grid(4)",
+        "study.ini:15: unit.cracks: \"grid(4)\" is no pattern; write none, mid, thirds, grid(4, 4), diagonals or voronoi(40 mm)"},
+    BadStudy{"half a piece", "[unit]", "[unit]\ncracks = grid(4, 1.5)",
+        "study.ini:15: unit.cracks: \"1.5\" is no number of pieces; write a whole number from 1 to 100"},
+    BadStudy{"pieces of less than a millimetre", "[unit]", "[unit]\ncracks = grid(4, 100)\ncracks_where = 0 m, 0 m, 1 mm, 1 mm\ncracks_elsewhere = voronoi(2 mm2)",
+        "study.ini:17: unit.cracks_elsewhere: unknown unit \"mm2\"; write for example \"2 m\""},
+    BadStudy{"a region without size", "[unit]", "[unit]\ncracks = thirds\ncracks_where = 0 m, 0 m, 1 m",
+        "study.ini:16: unit.cracks_where: \"0 m, 0 m, 1 m\" is no region; write toe, or x, z, width and height: \"0.5 m, 0 m, 0.5 m, 0.4 m\""},
+    BadStudy{"cracks that are ruled out", "thickness = 0.20 m", "thickness = 0.20 m\nunit_cracks = no\n[unit]\ncracks = mid",
+        "study.ini:9: unit.cracks: wall.unit_cracks says that there are none; remove one of them"},
+    BadStudy{"a region of no pattern", "[unit]", "[unit]\ncracks_where = toe",
+        "study.ini:15: unit.cracks_where: unit.cracks is not given; write it, or remove this"},
+    BadStudy{"tiny pieces", "[unit]", "[unit]\ncracks = grid(4, 100)\ncracks_where = 0 m, 0 m, 1 m, 0.1 m",
+        "study.ini:15: unit.cracks: makes pieces below 1 mm; write fewer pieces, or larger cells"},
+
     // ranges
     BadStudy{"zero courses", "courses = 10", "courses = 0",
         "study.ini:3: wall.courses: \"0\" is out of range; must be in [1, 1000]"},

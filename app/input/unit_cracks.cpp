@@ -1,0 +1,144 @@
+#include "app/input/unit_cracks.hpp"
+
+#include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
+
+#include <charconv>
+#include <string_view>
+
+namespace app {
+namespace {
+
+using Kind = dem::CrackPattern::Kind;
+
+constexpr double kToeHeight = 0.4;                          // of the wall
+constexpr int kMostPieces = 100;                            // along either side of a unit
+constexpr double kSmallestCell = 1e-3, kLargestCell = 10.0; // [m]
+
+[[noreturn]] void refuse_pattern(std::string_view text)
+{
+    throw BadValue(
+        in_quotes(text) +
+        " is no pattern; write none, mid, thirds, grid(4, 4), diagonals or voronoi(40 mm)");
+}
+
+/// What stands between the brackets of "NAME(...)"; nothing if the text does not begin with the name.
+std::string_view arguments(std::string_view text, std::string_view name)
+{
+    if (!text.starts_with(name) || !text.ends_with(")")) return {};
+    const std::string_view rest = trimmed(text.substr(name.size()));
+    return rest.starts_with("(") ? rest.substr(1, rest.size() - 2) : std::string_view{};
+}
+
+int parse_pieces(std::string_view text)
+{
+    int n = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+    if (error != std::errc{} || end != text.data() + text.size() || n < 1 || n > kMostPieces)
+        throw BadValue(in_quotes(text) +
+                       " is no number of pieces; write a whole number from 1 to " +
+                       std::to_string(kMostPieces));
+    return n;
+}
+
+dem::CrackPattern parse_pattern(std::string_view text)
+{
+    text = trimmed(text);
+    if (text == "none") return {Kind::none};
+    if (text == "mid") return {Kind::mid};
+    if (text == "thirds") return {Kind::grid, 3, 1};
+    if (text == "diagonals") return {Kind::diagonals};
+    if (const std::string_view in = arguments(text, "grid"); !in.empty()) {
+        const std::vector<std::string_view> n = split(in, ",");
+        if (n.size() != 2) refuse_pattern(text);
+        return {Kind::grid, parse_pieces(n[0]), parse_pieces(n[1])};
+    }
+    if (const std::string_view in = arguments(text, "voronoi"); !in.empty()) {
+        const double size = parse_quantity(in, "m");
+        if (!(size >= kSmallestCell && size <= kLargestCell))
+            throw BadValue("cells of " + in_quotes(in) +
+                           " are no pieces of units; write 1 mm to 10 m");
+        return {Kind::voronoi, 1, 1, size};
+    }
+    refuse_pattern(text);
+}
+
+dem::Region toe_of(const Study& study)
+{
+    const dem::Region all = wall_extent(study);
+    const double middle = 0.5 * (all.x0 + all.x1);
+    const int direction = push_way(study).direction;
+    return {direction > 0 ? middle : all.x0, all.z0, direction < 0 ? middle : all.x1,
+            all.z0 + kToeHeight * (all.z1 - all.z0)};
+}
+
+dem::Region parse_region(std::string_view text, const Study& study)
+{
+    if (trimmed(text) == "toe") return toe_of(study);
+    const std::vector<std::string_view> v = split(text, ",");
+    if (v.size() != 4)
+        throw BadValue(in_quotes(text) + " is no region; write toe, or x, z, width and height: "
+                                         "\"0.5 m, 0 m, 0.5 m, 0.4 m\"");
+    const double x = parse_quantity(v[0], "m"), z = parse_quantity(v[1], "m"),
+                 width = parse_quantity(v[2], "m"), height = parse_quantity(v[3], "m");
+    if (!(width > 0.0 && height > 0.0))
+        throw BadValue(in_quotes(text) + " has no area; width and height must be above 0 m");
+    return {x, z, x + width, z + height};
+}
+
+/// Runs a reading of one key, whose errors are said with its place.
+template <class Read> void read_at(const Study& study, std::string_view key, Read read)
+{
+    try {
+        read();
+    } catch (const BadValue& bad) {
+        throw error_at(study.source, key, bad.what());
+    }
+}
+
+/// A drawn wall has whole units only where their length is given.
+void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& pattern)
+{
+    const bool whole_units =
+        !is_drawn(study) || find_entry(study.source, "wall.unit_length") != nullptr;
+    if (pattern.kind != Kind::mid || whole_units) return;
+    if (find_entry(study.source, key) != nullptr)
+        throw error_at(
+            study.source, key,
+            "mid is of whole units; a drawn wall needs wall.unit_length to tell them, "
+            "or write thirds, grid(2, 2), ...");
+    pattern = {Kind::none};
+}
+
+} // namespace
+
+void read_unit_cracks(Study& study)
+{
+    const CrackInput& in = study.cracks;
+    dem::UnitCracks& cracks = study.wall.cracks;
+    cracks.pattern = {in.in_units ? Kind::mid : Kind::none};
+    cracks.elsewhere = cracks.pattern;
+    if (!in.pattern.empty()) {
+        if (!in.in_units)
+            throw error_at(study.source, "unit.cracks",
+                           "wall.unit_cracks says that there are none; remove one of them");
+        read_at(study, "unit.cracks", [&] { cracks.pattern = parse_pattern(in.pattern); });
+    }
+    if (!in.where.empty())
+        read_at(study, "unit.cracks_where",
+                [&] { cracks.where = parse_region(in.where, study); });
+    if (!in.elsewhere.empty())
+        read_at(study, "unit.cracks_elsewhere",
+                [&] { cracks.elsewhere = parse_pattern(in.elsewhere); });
+    keep_possible(study, "unit.cracks", cracks.pattern);
+    keep_possible(study, "unit.cracks_elsewhere", cracks.elsewhere);
+}
+
+bool has_cracks(const Study& study)
+{
+    return any_pattern(study, [](const dem::CrackPattern& p) { return p.kind != Kind::none; });
+}
+
+} // namespace app

@@ -1,0 +1,147 @@
+/// What a unit with potential cracks carries: a disc that splits, an arm that is torn off, and the stiffness of a wall
+/// that does not crack.
+
+#include "dem/block/model.hpp"
+#include "dem/scene/drawn_layout.hpp"
+#include "dem/scene/paper_materials.hpp"
+#include "dem/solver/push.hpp"
+#include "scenes/paper_wall.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using dem::CrackPattern;
+using dem::Point;
+using Kind = CrackPattern::Kind;
+
+constexpr double kThickness = 0.1; // [m]
+constexpr double kStrength = 1e6;  // f_T [Pa]
+constexpr double kEnergy = 1.0;    // G [J/m2]
+
+/// One drawn unit, its materials and what is on it.
+struct Unit {
+    dem::DrawnWall wall;
+    dem::Beam beam;
+    dem::Loads loads;
+    dem::PaperMaterials stone;
+    dem::Discretisation zones;
+
+    Unit(std::vector<Point> outline, const CrackPattern& pattern)
+    {
+        wall.units = {{std::move(outline), 0}};
+        wall.thickness = kThickness;
+        wall.unit_length = 0.2;
+        wall.cracks.pattern = pattern;
+        stone.stone = {15.5e9, 0.2, 2300.0};
+        stone.joint.kn = 100e9;
+        stone.joint.ks = 40e9;
+        stone.crack.tensile_strength = kStrength;
+        stone.crack.cohesion = 100.0 * kStrength;
+        stone.crack.fracture_energy = kEnergy;
+        zones = dem::discretisation_of(dem::Fidelity::zones);
+    }
+
+    [[nodiscard]] dem::PushResult push(const dem::PushPlan& plan) const
+    {
+        const dem::ReferenceStiffness reference = {
+            dem::joint_material(stone.joint),
+            dem::crack_material(stone.crack, stone.joint.kn, stone.stone.poisson_ratio)};
+        const dem::Model model =
+            dem::discretise(dem::drawn_layout(wall, beam.present ? beam.height : 0.0),
+                            stone.stone, beam, loads, reference, zones);
+        return dem::push(model, dem::wall_materials(stone, model.layout), plan);
+    }
+};
+
+constexpr double kDiameter = 0.2, kFlat = 0.012; // of the disc and its two platens [m]
+
+std::vector<Point> disc()
+{
+    constexpr int kSides = 32; // of either half
+    const double r = 0.5 * kDiameter, flat = std::asin(0.5 * kFlat / r);
+    std::vector<Point> outline;
+    for (const double half : {-0.5, 0.5})
+        for (int i = 0; i <= kSides; ++i) {
+            const double a =
+                half * std::numbers::pi + flat + (std::numbers::pi - 2.0 * flat) * i / kSides;
+            outline.push_back({r + r * std::cos(a), r * std::cos(flat) + r * std::sin(a)});
+        }
+    return outline;
+}
+
+/// A disc under a vertical force P = ratio pi D t f_T / 2.
+dem::PushResult loaded(const CrackPattern& pattern, double ratio)
+{
+    Unit u(disc(), pattern);
+    u.zones.contact_points = 9;
+    u.beam.height = 0.01;
+    u.beam.material = {100e9, 0.2, 2300.0};
+    u.loads.gravity = 0.0;
+    u.loads.height = std::ranges::max(disc(), {}, &Point::z).z;
+    u.loads.vertical_stress = ratio * 0.5 * std::numbers::pi * kDiameter * kStrength / kFlat;
+    dem::PushPlan plan;
+    plan.targets = {1e-6};
+    plan.record_every = 1e-6;
+    return u.push(plan);
+}
+
+/// Of cracks [m2]: with D = 1, and with D between 0 and 1.
+struct Broken {
+    double through = 0.0, partly = 0.0;
+};
+
+Broken broken(const dem::Snapshot& s)
+{
+    Broken b;
+    for (const dem::FaceState& f : s.faces)
+        for (const dem::ContactState& c : f.contacts)
+            if (f.kind == dem::FaceKind::unit_crack && c.damage > 0.0)
+                (c.damage >= 1.0 ? b.through : b.partly) += c.area;
+    return b;
+}
+
+} // namespace
+
+TEST_CASE("crack strength: a disc splits at 2 P / (pi D t) = f_T, and takes G for its area",
+          "[dem][cracks]")
+{
+    const CrackPattern pattern =
+        GENERATE(CrackPattern{Kind::mid}, CrackPattern{Kind::grid, 2, 2},
+                 CrackPattern{Kind::grid, 4, 4});
+    CHECK(broken(loaded(pattern, 0.97).at_end).through == 0.0);
+    const dem::PushResult split = loaded(pattern, 1.03);
+    const Broken b = broken(split.at_end);
+    CHECK(b.through > 0.5 * kDiameter * kThickness);
+    CHECK(split.energy.fracture > 0.99 * kEnergy * b.through);
+    CHECK(split.energy.fracture < 1.01 * kEnergy * (b.through + b.partly));
+}
+
+TEST_CASE("crack strength: cracks leave the elastic stiffness of a wall as it was",
+          "[dem][cracks]")
+{
+    const auto force = [](const CrackPattern& pattern) {
+        scenes::Scene s = scenes::paper_wall(0.50);
+        s.wall.cracks.pattern = pattern;
+        s.crack.ft = s.crack.cohesion = 1e12;
+        const dem::Model m =
+            scenes::model_of(s, dem::discretisation_of(dem::Fidelity::standard));
+        dem::WallMaterials w = scenes::uniform(s, m);
+        for (std::size_t k = 0; k < w.cracks.size(); ++k)
+            w.cracks[k].kn = w.cracks[k].ks =
+                dem::own_stiffness(m.layout, k) * s.stone.young_modulus;
+        dem::PushPlan plan;
+        plan.targets = {1e-4};
+        dem::SolverOptions slow;
+        slow.steps_per_mm = 50000;
+        return dem::push(m, w, plan, slow).curve.back().force;
+    };
+    const double whole = force({Kind::none});
+    CHECK(force({Kind::grid, 4, 2}) == Approx(whole).epsilon(0.02));
+    CHECK(force({Kind::voronoi, 1, 1, 0.06}) == Approx(whole).epsilon(0.02));
+}
