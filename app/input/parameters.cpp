@@ -25,7 +25,8 @@ dem::JointParameters joint_parameters(const Parameters& p, double course_height,
             joint.friction_angle,
             joint.tensile_strength,
             joint.cohesion,
-            joint.fracture_energy};
+            joint.fracture_energy,
+            joint.crushing};
 }
 
 } // namespace

@@ -20,6 +20,7 @@ struct JointInput {
     double tensile_strength = 0.0;       ///< of mortar [Pa], >= 0
     double cohesion = 0.0;               ///< of mortar [Pa], >= 0
     double fracture_energy = 0.0;        ///< of mortar, mode I [J/m2], >= 0
+    dem::Crushing crushing{};
 };
 
 /// Everything that a distribution may stand for, and what it acts on.

@@ -49,9 +49,10 @@ struct GeometryInput {
 /// Where units may crack, as text (unit_cracks.hpp).
 struct CrackInput {
     bool in_units = true;
-    std::string pattern;   ///< "grid(4, 4)"; empty: mid, or none where not in_units
-    std::string where;     ///< "toe", or "x, z, width, height"; empty: everywhere
-    std::string elsewhere; ///< a pattern; empty: mid
+    std::string pattern;      ///< "grid(4, 4)"; empty: mid, or none where not in_units
+    std::string where;        ///< "toe", or "x, z, width, height"; empty: everywhere
+    std::string elsewhere;    ///< a pattern; empty: mid
+    bool cut_nothing = false; ///< a drawn wall has no unit that the patterns cut
 };
 
 struct LoadInput {

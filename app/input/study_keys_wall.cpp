@@ -127,6 +127,14 @@ constexpr Condition kTensileCracks{
     [](const Study& s) { return s.parameters.unit.tensile_strength > 0.0; },
     "unit.tensile_strength is 0"};
 
+constexpr std::array kNone = {named("none", 0)};
+constexpr Condition kJointsCrush{
+    [](const Study& s) { return s.parameters.joint.crushing.strength > 0.0; },
+    "joint.compressive_strength is none"};
+constexpr Condition kUnitsCrush{
+    [](const Study& s) { return s.parameters.unit.crushing.strength > 0.0; },
+    "unit.compressive_strength is none"};
+
 constexpr Condition kBondInTension{
     [](const Study& s) { return s.parameters.joint.tensile_strength > 0.0; },
     "joint.tensile_strength is 0"};
@@ -281,6 +289,16 @@ constexpr std::array kKeys = {
         .meaning = "of mortar, mode I",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::fracture_energy>},
 
+    Key{.name = "joint.compressive_strength", .unit = "MPa", .range = {'(', 0, 10000, ']'}, .names = kNone,
+        .varies = Varies::by_joint,
+        .meaning = "f_c of the faces of joints, at the base and at a beam on a joint too; none: they do not crush",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::crushing, &dem::Crushing::strength>},
+    Key{.name = "joint.crushing_energy", .unit = "N/m", .range = {'(', 0, 1e9, ']'}, .names = kNone,
+        .effect = kJointsCrush,
+        .varies = Varies::by_joint,
+        .meaning = "G_c from f_c to nothing; none: the strength stays",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::crushing, &dem::Crushing::energy>},
+
     Key{.name = "unit.cracks", .kind = Kind::text,
         .derived = {"mid, or none where wall.unit_cracks is no"},
         .meaning = "where units may crack: none, mid (paper), thirds, grid(4, 4), diagonals, voronoi(40 mm)",
@@ -342,6 +360,16 @@ constexpr std::array kKeys = {
         .varies = Varies::by_crack,
         .meaning = "on k_n and k_s of the cracks (paper, Table 5)",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::stiffness_factor>},
+    Key{.name = "unit.compressive_strength", .unit = "MPa", .range = {'(', 0, 10000, ']'}, .names = kNone,
+        .used = kWithCracks,
+        .varies = Varies::by_crack,
+        .meaning = "f_c along the cracks of units; a crack that crushes has no bond left; none: they do not crush",
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::crushing, &dem::Crushing::strength>},
+    Key{.name = "unit.crushing_energy", .unit = "N/m", .range = {'(', 0, 1e9, ']'}, .names = kNone,
+        .used = kWithCracks, .effect = kUnitsCrush,
+        .varies = Varies::by_crack,
+        .meaning = "G_c from f_c to nothing; none: the strength stays",
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::crushing, &dem::Crushing::energy>},
     Key{.name = "unit.contact_law", .kind = Kind::word, .names = kLaws, .used = kWithCrackLaw,
         .meaning = "damage of tension and shear together (paper, Table 2) or apart (Fig. 7)",
         .field = kAt<&Study::solver, &SolverOptions::law>},

@@ -101,8 +101,8 @@ template <class Read> void read_at(const Study& study, std::string_view key, Rea
 /// A drawn wall has whole units only where their length is given.
 void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& pattern)
 {
-    const bool whole_units =
-        !is_drawn(study) || find_entry(study.source, "wall.unit_length") != nullptr;
+    const bool drawn = !study.geometry.file.empty() || !study.geometry.outlines.empty();
+    const bool whole_units = !drawn || find_entry(study.source, "wall.unit_length") != nullptr;
     if (pattern.kind != Kind::mid || whole_units) return;
     if (find_entry(study.source, key) != nullptr)
         throw error_at(
@@ -114,26 +114,34 @@ void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& 
 
 } // namespace
 
-void read_unit_cracks(Study& study)
+CrackPatterns crack_patterns(const Study& study)
 {
     const CrackInput& in = study.cracks;
-    dem::UnitCracks& cracks = study.wall.cracks;
-    cracks.pattern = {in.in_units ? Kind::mid : Kind::none};
-    cracks.elsewhere = cracks.pattern;
+    if (in.cut_nothing) return {{Kind::none}, {Kind::none}};
+    CrackPatterns p{{in.in_units ? Kind::mid : Kind::none},
+                    {in.in_units ? Kind::mid : Kind::none}};
     if (!in.pattern.empty()) {
         if (!in.in_units)
             throw error_at(study.source, "unit.cracks",
                            "wall.unit_cracks says that there are none; remove one of them");
-        read_at(study, "unit.cracks", [&] { cracks.pattern = parse_pattern(in.pattern); });
+        read_at(study, "unit.cracks", [&] { p.pattern = parse_pattern(in.pattern); });
     }
-    if (!in.where.empty())
-        read_at(study, "unit.cracks_where",
-                [&] { cracks.where = parse_region(in.where, study); });
     if (!in.elsewhere.empty())
         read_at(study, "unit.cracks_elsewhere",
-                [&] { cracks.elsewhere = parse_pattern(in.elsewhere); });
-    keep_possible(study, "unit.cracks", cracks.pattern);
-    keep_possible(study, "unit.cracks_elsewhere", cracks.elsewhere);
+                [&] { p.elsewhere = parse_pattern(in.elsewhere); });
+    keep_possible(study, "unit.cracks", p.pattern);
+    keep_possible(study, "unit.cracks_elsewhere", p.elsewhere);
+    return p;
+}
+
+void read_unit_cracks(Study& study)
+{
+    const CrackPatterns p = crack_patterns(study);
+    study.wall.cracks.pattern = p.pattern;
+    study.wall.cracks.elsewhere = p.elsewhere;
+    if (!study.cracks.where.empty())
+        read_at(study, "unit.cracks_where",
+                [&] { study.wall.cracks.where = parse_region(study.cracks.where, study); });
 }
 
 bool has_cracks(const Study& study)

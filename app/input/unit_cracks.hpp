@@ -10,14 +10,25 @@ namespace app {
 /// @throws ConfigError
 void read_unit_cracks(Study& study);
 
-/// Whether any unit may crack.
-[[nodiscard]] bool has_cracks(const Study& study);
+/// Patterns of the units in the region of unit.cracks_where, and of the others, as the texts of the study say: they are
+/// there before the keys that depend on them are read.
+struct CrackPatterns {
+    dem::CrackPattern pattern, elsewhere;
+};
+
+/// Of a drawn wall that no pattern cuts: none.
+/// @throws ConfigError
+[[nodiscard]] CrackPatterns crack_patterns(const Study& study);
 
 /// Whether units may crack in a pattern that a condition holds for.
+/// @throws ConfigError
 template <class Holds> [[nodiscard]] bool any_pattern(const Study& study, Holds holds)
 {
-    const dem::UnitCracks& c = study.wall.cracks;
-    return holds(c.pattern) || (c.where.has_value() && holds(c.elsewhere));
+    const CrackPatterns p = crack_patterns(study);
+    return holds(p.pattern) || (!study.cracks.where.empty() && holds(p.elsewhere));
 }
+
+/// Whether any unit may crack.
+[[nodiscard]] bool has_cracks(const Study& study);
 
 } // namespace app

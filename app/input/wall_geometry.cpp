@@ -213,8 +213,7 @@ void read_geometry(Study& study)
         const dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam_height(study));
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;
-        if (layout.n_cracks == 0)
-            study.wall.cracks = {.pattern = {dem::CrackPattern::Kind::none}};
+        study.cracks.cut_nothing = layout.n_cracks == 0;
     } catch (const BadValue& bad) {
         throw error_at(study.source, key, bad.what());
     } catch (const std::invalid_argument& bad) {
@@ -251,6 +250,13 @@ bool has_mortar(const Study& study)
     return joint.tensile_strength > 0.0 || joint.cohesion > 0.0;
 }
 
+bool has_crushing(const Study& study)
+{
+    const Parameters& p = study.parameters;
+    return p.joint.crushing.strength > 0.0 ||
+           (has_cracks(study) && p.unit.crushing.strength > 0.0);
+}
+
 dem::Layout layout_of(const Study& study)
 {
     dem::Layout layout = is_drawn(study)
@@ -258,6 +264,7 @@ dem::Layout layout_of(const Study& study)
                              : dem::lay_out(study.wall, beam_height(study));
     layout.course_height = study.wall.course_height; // h of Eq. 2
     layout.mortar = has_mortar(study);
+    layout.crushing = has_crushing(study);
     return layout;
 }
 

@@ -26,6 +26,9 @@ void read_geometry(Study& study);
 /// Whether joints are bonded: their mean strength is not zero.
 [[nodiscard]] bool has_mortar(const Study& study);
 
+/// Whether anything can crush: a mean strength is given.
+[[nodiscard]] bool has_crushing(const Study& study);
+
 /// Of the wall with its beam.
 [[nodiscard]] dem::Layout layout_of(const Study& study);
 

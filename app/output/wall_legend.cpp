@@ -46,6 +46,8 @@ std::string thrust_text(double widest_force)
 
 } // namespace
 
+double wall_legend_height(const MarkSizes& sizes) { return sizes.crushed ? 82.0 : 56.0; }
+
 std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes& sizes,
                              double widest_force, double mark_size)
 {
@@ -78,6 +80,12 @@ std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes& size
     drawn +=
         svg_group("opacity=\"0.6\"", taper(p, 0.5, kThrustWidest * mark_size, kThrustColour)) +
         label(p, "compression " + thrust_text(widest_force));
+    p = at(0, 2);
+    if (sizes.crushed)
+        drawn += svg_group(svg_attribute("fill", kCrushColour),
+                           crushed_mark({p.x + 8, p.y}, 0.0, 1.5) +
+                               crushed_mark({p.x + 26, p.y}, 1.0, 1.5)) +
+                 label(p, "crushing; full: crushed through");
     p = at(2, 1);
     return drawn + svg_rectangle({p.x + 4, p.y - 7}, kSwatch - 8, 14, svg_stroke("#bbb", 0.9)) +
            label(p, "undeformed");

@@ -8,9 +8,9 @@
 
 namespace app {
 
-inline constexpr double kWallLegendHeight = 56.0; // [px]
+[[nodiscard]] double wall_legend_height(const MarkSizes& sizes); ///< [px]
 
-/// Two rows of three entries, each a sample and what it stands for.
+/// Two rows of three entries, each a sample and what it stands for; a third row where something has crushed.
 /// @param mark_size WallView::mark_size
 /// @param widest_force compression of one face drawn with kThrustWidest [N]; 0: none in the
 /// picture

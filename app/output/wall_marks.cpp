@@ -166,6 +166,33 @@ std::string draw_slips(const Snapshot& wall, const WallView& view, const MarkSiz
     return lines + arrows;
 }
 
+bool any_crushed(const Snapshot& wall)
+{
+    return std::ranges::any_of(wall.faces, [](const FaceState& face) {
+        return std::ranges::any_of(face.contacts,
+                                   [](const ContactState& c) { return c.crushed > 0.0; });
+    });
+}
+
+std::string crushed_mark(Pixel at, double lost, double size)
+{
+    const double side = 6.0 * size; // [px]
+    return svg_rectangle({at.x - side / 2, at.y - side / 2}, side, side,
+                         svg_stroke(kCrushColour, 1.0) +
+                             svg_attribute("fill-opacity", svg_number(0.25 + 0.75 * lost)));
+}
+
+std::string draw_crushed(const Snapshot& wall, const WallView& view)
+{
+    std::string marks;
+    for (const FaceState& face : wall.faces)
+        for (const ContactState& c : face.contacts)
+            if (c.crushed > 0.0)
+                marks += crushed_mark(place_contact(wall, view, face, c).middle, c.crushing,
+                                      view.mark_size);
+    return svg_group(svg_attribute("fill", kCrushColour), marks);
+}
+
 std::string draw_cracks(const Snapshot& wall, const WallView& view)
 {
     std::string through, partly;

@@ -14,12 +14,14 @@ namespace app {
 struct MarkSizes {
     double threshold = 5e-4;  ///< openings and slips up to this are not marked [m], > 0
     double widest_slip = 0.0; ///< [m], drawn with kSlipWidest; > 0 if a slip is marked
+    bool crushed = false;     ///< whether a contact is marked as crushed
 };
 
 inline constexpr const char* kCrackColour = "#c8102e";
 inline constexpr const char* kOpeningColour = "#2166ac";
 inline constexpr const char* kGapColour = "#6aa5d6"; // inside an opening
 inline constexpr const char* kSlipColour = "#e08214";
+inline constexpr const char* kCrushColour = "#5e2a84";
 inline constexpr double kSlipThinnest = 1.5, kSlipWidest = 7.0; // [px] at mark_size 1
 
 /// Largest slip of contacts that are marked as slipping [m]; 0 if there is none.
@@ -37,6 +39,13 @@ inline constexpr double kSlipThinnest = 1.5, kSlipWidest = 7.0; // [px] at mark_
 /// Cracks through units: gap and solid line where every contact has D = 1, dashes over damaged
 /// contacts elsewhere.
 [[nodiscard]] std::string draw_cracks(const dem::Snapshot& wall, const WallView& view);
+
+/// A square at each contact that has begun to crush, filled as far as its strength is lost.
+[[nodiscard]] std::string draw_crushed(const dem::Snapshot& wall, const WallView& view);
+[[nodiscard]] bool any_crushed(const dem::Snapshot& wall);
+
+/// The square. @param lost share of the strength [-]
+[[nodiscard]] std::string crushed_mark(Pixel at, double lost, double size);
 
 /// Half-arrows on both sides of a joint through `at`: the side that `left` (unit vector,
 /// pixels) points to moves along `along` (unit vector, pixels), the other side against it.

@@ -150,7 +150,8 @@ std::string draw_panel(const Panel& panel, const Page& page, const WallPictureTe
                           draw_blocks(wall, view) + draw_thrust(wall, view, page.widest_force) +
                           draw_openings(wall, view, page.marks) +
                           draw_slips(wall, view, page.marks) + draw_cracks(wall, view) +
-                          draw_loads(panel, text) + draw_scale_bar(page, view));
+                          draw_crushed(wall, view) + draw_loads(panel, text) +
+                          draw_scale_bar(page, view));
 }
 
 /// The larger movement sets the factor for both; the other keeps its own if it would then not
@@ -206,8 +207,10 @@ Page lay_out(const Panel& peak, const Panel& end, const WallPictureText& text)
     page.height = high * page.pixels_per_metre + kAround;
     page.origin = {left - drawn.low.x * page.pixels_per_metre,
                    page.top + page.height - kGroundRoom + drawn.low.z * page.pixels_per_metre};
-    page.marks = {text.mark_above, std::max(largest_slip(peak.wall, text.mark_above),
-                                            largest_slip(end.wall, text.mark_above))};
+    page.marks = {text.mark_above,
+                  std::max(largest_slip(peak.wall, text.mark_above),
+                           largest_slip(end.wall, text.mark_above)),
+                  any_crushed(peak.wall) || any_crushed(end.wall)};
     page.mark_size =
         std::clamp(smallest_stone(peak.wall) * page.pixels_per_metre / kFullStone, 0.3, 1.0);
     page.widest_force = std::max(largest_compression(peak.wall), largest_compression(end.wall));
@@ -239,7 +242,8 @@ std::string wall_picture(const dem::Snapshot& at_peak, const dem::Snapshot& at_e
                  legend_top = page.top + page.height + 14.0;
     body += draw_wall_legend({kPageMargin, legend_top}, width - 2 * kPageMargin, page.marks,
                              page.widest_force, page.mark_size);
-    return svg_page(width, legend_top + kWallLegendHeight + 16.0, text.title, body);
+    return svg_page(width, legend_top + wall_legend_height(page.marks) + 16.0, text.title,
+                    body);
 }
 
 } // namespace app

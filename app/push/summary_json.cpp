@@ -50,8 +50,8 @@ Json energy(const dem::Energy& e)
     return {
         {"work_J", number_or_null(e.work)},         {"elastic_J", number_or_null(e.elastic)},
         {"friction_J", number_or_null(e.friction)}, {"fracture_J", number_or_null(e.fracture)},
-        {"damping_J", number_or_null(e.damping)},   {"kinetic_J", number_or_null(e.kinetic)},
-        {"lifted_J", number_or_null(e.lifted)}};
+        {"crushing_J", number_or_null(e.crushing)}, {"damping_J", number_or_null(e.damping)},
+        {"kinetic_J", number_or_null(e.kinetic)},   {"lifted_J", number_or_null(e.lifted)}};
 }
 
 Json mechanism(const PushedWall& w, const FragilityInput& f)
@@ -60,7 +60,11 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
     return {{"rotation_share", number_or_null(w.mechanism.rotation_share)},
             {"sliding_share", number_or_null(w.mechanism.sliding_share)},
             {"cracked_units", w.mechanism.cracked_units},
+            {"spalled_units", w.mechanism.spalled_units},
             {"cracked_contacts", w.mechanism.cracked_contacts},
+            {"crushed_contacts", w.mechanism.crushed_contacts},
+            {"crushed_through_mm2", number_or_null(w.mechanism.crushed_area * 1e6)},
+            {"brittle_crushing_contacts", w.result.brittle_crushing_contacts},
             {"snap_back_contacts", w.result.snap_back_contacts},
             {"slid_whole", w.reading.slid},
             {"mode_rule", mode_rule_text(f)},

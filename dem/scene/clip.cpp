@@ -16,8 +16,25 @@ constexpr double kSmallestPart = 1e-10; // [m2]
 /// A stretch of outline on the kept side, from the line to the line.
 struct Chain {
     Outline points;
-    bool inside = false; ///< has a point off the line
+    std::vector<bool> on_line; ///< of each point
     std::size_t next = 0;
+
+    void add(Point p, bool on)
+    {
+        points.push_back(p);
+        on_line.push_back(on);
+    }
+    [[nodiscard]] bool inside() const
+    {
+        return std::ranges::find(on_line, false) != on_line.end();
+    }
+    /// Leaves out sides along the line at either end: they bound what lies beyond.
+    void trim()
+    {
+        const auto first = std::ranges::find(on_line, false) - on_line.begin();
+        const auto last = on_line.rend() - std::find(on_line.rbegin(), on_line.rend(), false);
+        points = Outline(points.begin() + first - 1, points.begin() + last + 1);
+    }
 };
 
 Point crossing(Point a, Point b, double da, double db)
@@ -39,14 +56,12 @@ std::vector<Chain> chains_of(const Outline& outline, const std::vector<double>& 
         if (off[i] > 0.0 && off[j] > 0.0) continue;
         if (off[i] > 0.0) chains.emplace_back();
         Chain& chain = chains.back();
-        if (off[i] > 0.0 && off[j] < 0.0)
-            chain.points.push_back(crossing(a, b, off[i], off[j]));
-        if (off[j] <= 0.0) chain.points.push_back(b);
-        if (off[i] < 0.0 && off[j] > 0.0)
-            chain.points.push_back(crossing(a, b, off[i], off[j]));
-        chain.inside = chain.inside || off[j] < 0.0;
+        if (off[i] > 0.0 && off[j] < 0.0) chain.add(crossing(a, b, off[i], off[j]), true);
+        if (off[j] <= 0.0) chain.add(b, off[j] == 0.0);
+        if (off[i] < 0.0 && off[j] > 0.0) chain.add(crossing(a, b, off[i], off[j]), true);
     }
-    std::erase_if(chains, [](const Chain& c) { return !c.inside; });
+    std::erase_if(chains, [](const Chain& c) { return !c.inside(); });
+    for (Chain& c : chains) c.trim();
     return chains;
 }
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <random>
 #include <tuple>
+#include <utility>
 
 namespace dem {
 
@@ -79,16 +79,32 @@ std::vector<Point> sites_in(const Outline& outline, std::size_t n, unsigned seed
     return sites;
 }
 
+/// Farthest corner of a cell from its site [m].
+double reach_of(const std::vector<Outline>& cell, Point site)
+{
+    double reach = 0.0;
+    for (const Outline& part : cell)
+        for (const Point p : part)
+            reach = std::max(reach, std::hypot(p.x - site.x, p.z - site.z));
+    return reach;
+}
+
+/// Sites are taken from the nearest on; those beyond twice the reach of the cell cannot cut it.
 std::vector<Outline> cell_of(const Outline& outline, const std::vector<Point>& sites,
                              std::size_t i)
 {
+    const Point site = sites[i];
+    std::vector<std::pair<double, std::size_t>> others;
+    for (std::size_t j = 0; j < sites.size(); ++j)
+        if (j != i)
+            others.emplace_back(std::hypot(sites[j].x - site.x, sites[j].z - site.z), j);
+    std::ranges::sort(others);
     std::vector<Outline> cell{outline};
-    for (std::size_t j = 0; j < sites.size(); ++j) {
-        if (j == i) continue;
-        const double dx = sites[j].x - sites[i].x, dz = sites[j].z - sites[i].z,
-                     d = std::hypot(dx, dz);
-        cell = clip(cell, {{0.5 * (sites[i].x + sites[j].x), 0.5 * (sites[i].z + sites[j].z)},
-                           {dx / d, dz / d}});
+    for (const auto& [d, j] : others) {
+        if (d > 2.0 * reach_of(cell, site)) break;
+        const Point other = sites[j];
+        cell = clip(cell, {{0.5 * (site.x + other.x), 0.5 * (site.z + other.z)},
+                           {(other.x - site.x) / d, (other.z - site.z) / d}});
     }
     return cell;
 }

@@ -34,7 +34,7 @@ struct UnitCracks {
     CrackPattern elsewhere{};      ///< of the other units
     unsigned seed = 1;             ///< of voronoi sites
     /// Stiffness of a crack over that of the stone between two cracks, where they share that of the unit [-], > 1.
-    double rigidity = 100.0;
+    double rigidity = 50.0;
     friend bool operator==(const UnitCracks&, const UnitCracks&) = default;
 };
 

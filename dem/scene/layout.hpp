@@ -65,13 +65,14 @@ struct Layout {
     bool coursed = true;    ///< blocks are rectangles in level courses
     bool mortar =
         false; ///< joints between units follow the law of cracks, with their own materials
+    bool crushing = false;       ///< joints and cracks may crush, as their materials say
     std::vector<Elastic> stones; ///< of blocks that are not of the wall's stone
     bool divided = false;        ///< joints may fall into several faces, along pieces of units
     /// By crack ID: k_n over Young's modulus of the stone [1/m]; 0: as the paper, by the joints' k_n. Or empty: all 0.
     std::vector<double> crack_stiffness;
     /// r of units that share their stiffness with cracks: the cracks have r E / spacing, and the pieces r / (r - 1)
     /// times the modulus and Poisson's ratio of the stone, so that together they deform as the unit does.
-    double crack_rigidity = 100.0;
+    double crack_rigidity = 50.0;
 };
 
 /// Area of a block [m2] and the middle of this area.

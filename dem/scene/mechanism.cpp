@@ -106,8 +106,13 @@ Mechanism mechanism(const Snapshot& wall, double height)
         m.rotation_share = beam_rotation(wall) * height / wall.displacement;
         m.sliding_share = sliding(wall) / wall.displacement;
     }
-    for (const FaceState& f : wall.faces)
+    for (const FaceState& f : wall.faces) {
         if (f.kind == FaceKind::unit_crack) m.cracked_contacts += broken_contacts(f);
+        for (const ContactState& c : f.contacts) {
+            m.crushed_contacts += c.crushed > 0.0;
+            m.crushed_area += c.crushing >= 1.0 ? c.area : 0.0;
+        }
+    }
     count_broken_units(wall, m);
     return m;
 }

@@ -14,8 +14,11 @@ struct Mechanism {
     /// Units that are cracked through: without the cracks whose contacts all have D = 1, no part is larger than
     /// kLargestPart of the unit.
     int cracked_units = 0;
-    int spalled_units = 0; ///< units not cracked through that have lost smaller parts
     int cracked_contacts = 0; ///< contacts of cracks with D = 1
+    int spalled_units = 0;    ///< units not cracked through that have lost smaller parts
+    int crushed_contacts = 0; ///< contacts of joints and cracks that have begun to crush
+    /// Of contacts that have lost all their compressive strength [m2].
+    double crushed_area = 0.0;
 };
 
 /// Of the area of a unit that is cracked through [-]. Smaller parts that break off are spalls.

@@ -22,7 +22,8 @@ JointMaterial joint_material(const JointParameters& j)
             std::tan(j.friction_angle),
             j.tensile_strength,
             j.cohesion,
-            j.fracture_energy};
+            j.fracture_energy,
+            j.crushing};
 }
 
 namespace {
@@ -41,7 +42,8 @@ CrackMaterial of_stiffness(const CrackParameters& c, double kn, double ks)
             .tan_phi = std::tan(c.friction_angle),
             .tan_phi_res = std::tan(std::min(c.residual_friction_angle, c.friction_angle)),
             .fracture_energy = c.fracture_energy,
-            .tension_reduces_shear = c.tension_reduces_shear};
+            .tension_reduces_shear = c.tension_reduces_shear,
+            .crushing = c.crushing};
 }
 
 } // namespace
@@ -67,8 +69,12 @@ WallMaterials wall_materials(const PaperMaterials& p, const Layout& layout)
     for (std::size_t k = 0; k < layout.crack_stiffness.size(); ++k)
         if (const double own = layout.crack_stiffness[k]; own > 0.0)
             w.cracks[k] = crack_material(p.crack, own * p.stone.young_modulus);
-    w.base_joint = {p.joint.kn, p.joint.ks, std::tan(p.base_friction_angle)};
-    w.beam_joint = {p.joint.kn, p.joint.ks, std::tan(p.beam_friction_angle)};
+    w.base_joint = {.kn = p.joint.kn,
+                    .ks = p.joint.ks,
+                    .tan_phi = std::tan(p.base_friction_angle),
+                    .crushing = p.joint.crushing};
+    w.beam_joint = w.base_joint;
+    w.beam_joint.tan_phi = std::tan(p.beam_friction_angle);
     return w;
 }
 

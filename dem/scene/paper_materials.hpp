@@ -25,6 +25,7 @@ struct JointParameters {
     double tensile_strength = 0.0; ///< of mortar [Pa], >= 0
     double cohesion = 0.0;         ///< of mortar [Pa], >= 0
     double fracture_energy = 0.0;  ///< of mortar, mode I [J/m2], >= 0
+    Crushing crushing{};           ///< of the faces, at the base and at the beam too
 };
 
 /// What becomes of a crack that snaps back, f_T > sqrt(2 G k_n), whose softening would end before it
@@ -46,6 +47,7 @@ struct CrackParameters {
     double stiffness_factor = 1.0;        ///< on k_n and k_s [-], > 0
     bool tension_reduces_shear = CrackMaterial{}.tension_reduces_shear;
     SnapBack snap_back = SnapBack::breaks;
+    Crushing crushing{};
 };
 
 /// The parameters of a wall whose joints are all alike, and whose cracks are.

@@ -15,13 +15,15 @@ enum class FaceKind { bed_joint, head_joint, unit_crack, beam_joint, base_joint 
 
 /// One contact point of a face. Opening and tension are positive.
 struct ContactState {
-    Point at;             ///< undeformed position [m]
-    double area = 0.0;    ///< tributary area [m2]
-    double opening = 0.0; ///< u_n [m]; negative where the contact is compressed
-    double slip = 0.0;    ///< total tangential displacement of block b past block a [m]
-    double sigma = 0.0;   ///< normal stress [Pa], tension positive
-    double tau = 0.0;     ///< shear stress [Pa]
-    double damage = 0.0;  ///< D of Table 2, in [0, 1]; 0 in dry joints
+    Point at;              ///< undeformed position [m]
+    double area = 0.0;     ///< tributary area [m2]
+    double opening = 0.0;  ///< u_n [m]; negative where the contact is compressed
+    double slip = 0.0;     ///< total tangential displacement of block b past block a [m]
+    double sigma = 0.0;    ///< normal stress [Pa], tension positive
+    double tau = 0.0;      ///< shear stress [Pa]
+    double damage = 0.0;   ///< D of Table 2, in [0, 1]; 0 in dry joints
+    double crushed = 0.0;  ///< thickness that is crushed [m]
+    double crushing = 0.0; ///< share of the compressive strength that is lost, in [0, 1]
 };
 
 /// The contact points along one straight piece of joint between two blocks (block a below or

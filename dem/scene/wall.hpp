@@ -70,6 +70,12 @@ struct Beam {
     friend bool operator==(const Beam&, const Beam&) = default;
 };
 
+/// Of a contact under compression; only where Layout::crushing says so.
+struct Crushing {
+    double strength = 0.0; ///< f_c [Pa], >= 0; 0: never crushes
+    double energy = 0.0;   ///< G_c [J/m2], >= 0; 0: keeps its strength
+};
+
 /// A joint: no tension, Coulomb friction, no dilatancy. Mortar bonds it besides, until it is damaged as a crack is; only
 /// where Layout::mortar says so.
 struct JointMaterial {
@@ -79,6 +85,7 @@ struct JointMaterial {
     double ft = 0.0;              ///< tensile strength of the bond [Pa], >= 0
     double cohesion = 0.0;        ///< of the bond; nothing is left once it is broken [Pa], >= 0
     double fracture_energy = 0.0; ///< of the bond, mode I [J/m2], >= 0
+    Crushing crushing{};
 };
 
 /// A potential crack through a unit (paper, Table 4).
@@ -94,12 +101,14 @@ struct CrackMaterial {
     /// tau_max = c - sigma tan(theta) in tension too (Table 2, step 5). If false, tau_max = c in
     /// tension.
     bool tension_reduces_shear = true;
+    Crushing crushing{};
 };
 
 /// The law of a bonded joint.
 [[nodiscard]] inline CrackMaterial bond_of(const JointMaterial& j)
 {
-    return {j.kn, j.ks, j.ft, j.cohesion, 0.0, j.tan_phi, j.tan_phi, j.fracture_energy, true};
+    return {j.kn, j.ks,      j.ft, j.cohesion, 0.0, j.tan_phi, j.tan_phi, j.fracture_energy,
+            true, j.crushing};
 }
 
 /// One realisation of everything that may be random: one sample of a study.

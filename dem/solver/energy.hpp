@@ -1,5 +1,6 @@
 #pragma once
-/// The energy balance of a wall: work = kinetic + elastic + friction + fracture + damping.
+/// The energy balance of a wall: work = kinetic + elastic + friction + fracture +
+/// crushing + damping.
 
 namespace dem {
 
@@ -10,6 +11,7 @@ struct Energy {
     double elastic = 0.0;  ///< blocks and contacts
     double friction = 0.0; ///< slip under friction
     double fracture = 0.0; ///< tension softening, and cohesion lost in shear
+    double crushing = 0.0; ///< of contacts under compression
     double damping = 0.0;
     /// Of the push: what the drive has put into weight and vertical load, which rise as a wall rocks, >= 0. It
     /// is in `work` already, with the opposite sign.

@@ -139,7 +139,10 @@ void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState
     PairStep<Real> step(t.finite, pair, s);
     Real friction(0.0), stored(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
-        const Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
+        Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
+        if (!s.crushed.empty())
+            du_n =
+                crush(s.laws.dry_crushing[run.law], k, du_n, step.share * Real(t.area[k]), s);
         const Real du_s = step.tangential(take(s.du[2 * k + 1]));
         const DryUpdate<Real> u = advance(law, {s.u_n[k], s.stress[2 * k + 1]}, du_n, du_s);
         set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
@@ -173,7 +176,8 @@ void advance_crack(const StepTables& t, bool shortcuts, const ContactRun& run, i
     const CrackLaw<Real>& law = s.laws.cracks[run.law];
     PairStep<Real> step(t.finite, pair, s);
     for (int k = run.first; k < run.first + run.count; ++k) {
-        const Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
+        Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
+        if (!s.crushed.empty()) du_n = crush_crack(t, run.law, k, du_n, step.share, s);
         const Real du_s = step.tangential(take(s.du[2 * k + 1]));
         const CrackState<Real> before = crack_state(t, s, k);
         const auto trial = try_elastic<kUnloading>(law, before, du_n, du_s);

@@ -27,6 +27,14 @@ void check_joint(const std::string& name, const JointMaterial& j)
             name + ": strengths and fracture energy must not be negative");
 }
 
+void check_crushing(const Model& m, const std::string& name, const Crushing& c)
+{
+    require(c.strength >= 0 && c.energy >= 0,
+            name + ": compressive strength and crushing energy must not be negative");
+    require(m.layout.crushing || c.strength == 0.0,
+            name + ": a compressive strength needs a layout with crushing");
+}
+
 void check_crack(const std::string& name, const CrackMaterial& c)
 {
     require(c.kn > 0 && c.ks > 0, name + ": normal and shear stiffness must be positive");
@@ -73,6 +81,10 @@ void check(const Model& m, const WallMaterials& w)
             "joints with tensile strength or cohesion need a layout with mortar");
     for (std::size_t i = 0; i < w.cracks.size(); ++i)
         check_crack(numbered("crack", i), w.cracks[i]);
+    for (std::size_t i = 0; i < w.joints.size(); ++i)
+        check_crushing(m, numbered("joint", i), w.joints[i].crushing);
+    for (std::size_t i = 0; i < w.cracks.size(); ++i)
+        check_crushing(m, numbered("crack", i), w.cracks[i].crushing);
     check_joint("beam joint", w.beam_joint);
     if (std::ranges::any_of(m.layout.faces, [](const Face& f) { return f.a == kGround; }))
         check_joint("base joint", w.base_joint);

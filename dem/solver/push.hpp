@@ -63,6 +63,8 @@ struct PushResult {
     double settlement = 0.0; ///< of the beam under vertical load alone [m], positive downwards
     /// Number of crack contacts with f_T > sqrt(2 G k_n), which break at once and release more than G.
     int snap_back_contacts = 0;
+    /// Number of contacts with f_c > sqrt(2 G_c k_n), which crush at once and release more than G_c.
+    int brittle_crushing_contacts = 0;
     double weight =
         0.0; ///< of all blocks, with body forces [N]: force over it is the load factor
     RunCost cost;

@@ -11,7 +11,7 @@ namespace {
 using Vector = std::vector<double>;
 
 constexpr double kStartTolerance = 1e-8; // relative residual in the norm of the preconditioner
-constexpr int kMostStartIterations = 5000;
+constexpr int kMostStartIterations = 20000;
 
 /// Solves K q = load by conjugate gradients.
 bool solve(const StepTables& t, WallState<double>& s)

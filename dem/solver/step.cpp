@@ -52,13 +52,16 @@ template <class Real> struct Relative {
     }
 };
 
-template <class Real> void advance_dry(const StepTables& t, WallState<Real>& s)
+template <bool kCrushes, class Real> void advance_dry(const StepTables& t, WallState<Real>& s)
 {
     Real friction = s.friction;
     for (const ContactRun& run : t.dry) {
         const DryLaw<Real> law = s.laws.dry[run.law];
         for (int k = run.first; k < run.first + run.count; ++k) {
-            const Relative<Real> du(s, k);
+            Relative<Real> du(s, k);
+            if constexpr (kCrushes)
+                du.normal =
+                    crush(s.laws.dry_crushing[run.law], k, du.normal, Real(t.area[k]), s);
             const DryState<Real> before{s.u_n[k], s.stress[2 * k + 1]};
             const DryUpdate<Real> u = advance(law, before, du.normal, du.tangential);
             set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
@@ -87,7 +90,9 @@ void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
     for (const ContactRun& run : t.cracks) {
         const CrackLaw<Real>& law = s.laws.cracks[run.law];
         for (int k = run.first; k < run.first + run.count; ++k) {
-            const Relative<Real> du(s, k);
+            Relative<Real> du(s, k);
+            if (!s.crushed.empty())
+                du.normal = crush_crack(t, run.law, k, du.normal, Real(1.0), s);
             const CrackState<Real> before = crack_state(t, s, k);
             const auto trial = try_elastic<kUnloading>(law, before, du.normal, du.tangential);
             if (trial.holds && shortcuts) {
@@ -136,7 +141,10 @@ void step(const StepTables& t, const SolverOptions& options, const StepInput<Rea
     else
         move_blocks<Damping::combined>(t, options.damping_factor, in, s);
 
-    advance_dry(t, s);
+    if (s.crushed.empty())
+        advance_dry<false>(t, s);
+    else
+        advance_dry<true>(t, s);
     advance_tied(t, s);
     if (options.law == ContactLaw::coupled)
         advance_cracks<ContactLaw::coupled>(t, options.shortcuts, s);

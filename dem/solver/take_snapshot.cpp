@@ -101,6 +101,26 @@ std::vector<double> slips(const StepTables& t, const WallState<Real>& state, int
     return slip;
 }
 
+/// Contacts stand in the faces in the order of their numbers.
+template <class Real>
+void set_strength_lost(const StepTables& t, const WallState<Real>& state, int lane,
+                       const Model& m, Snapshot& s)
+{
+    const auto set = [&](const std::vector<ContactRun>& runs, const auto& laws,
+                         const std::vector<Contact>& contacts, int first) {
+        for (const ContactRun& run : runs) {
+            const auto& law = laws[run.law];
+            const CrushingLaw<double> one{
+                dem::lane(law.kn, lane), dem::lane(law.strength, lane),
+                dem::lane(law.softening, lane), dem::lane(law.flow, lane)};
+            FaceState& face = s.faces[contacts[run.first - first].face];
+            for (ContactState& c : face.contacts) c.crushing = strength_lost(one, c.crushed);
+        }
+    };
+    set(t.dry, state.laws.dry_crushing, m.dry, 0);
+    set(t.cracks, state.laws.crack_crushing, m.cracks, t.first_crack);
+}
+
 template <class Real>
 BlockState block_now(const Model& m, const StepTables& t, const WallState<Real>& state,
                      int lane, int block, double drive)
@@ -150,14 +170,24 @@ Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real
     const auto add = [&](const Contact& c, double damage) {
         const int k = number++;
         s.faces[c.face].normal = {c.nx, c.nz};
-        s.faces[c.face].contacts.push_back({position_of(m, c, m.layout.faces[c.face]), c.area,
-                                            at(state.u_n[k]), slip[k], at(state.stress[2 * k]),
-                                            at(state.stress[2 * k + 1]), damage});
+        ContactState one{position_of(m, c, m.layout.faces[c.face]),
+                         c.area,
+                         at(state.u_n[k]),
+                         slip[k],
+                         at(state.stress[2 * k]),
+                         at(state.stress[2 * k + 1]),
+                         damage};
+        if (!state.crushed.empty()) {
+            one.crushed = at(state.crushed[k]);
+            one.opening -= one.crushed;
+        }
+        s.faces[c.face].contacts.push_back(one);
     };
     for (const Contact& c : m.dry) add(c, 0.0);
     for (const Contact& c : m.tied) add(c, 0.0);
     for (const Contact& c : m.cracks)
         add(c, at(damage(state.laws.cracks[c.material], crack_state(t, state, number))));
+    if (!state.crushed.empty()) set_strength_lost(t, state, lane, m, s);
     return s;
 }
 

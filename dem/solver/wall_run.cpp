@@ -31,6 +31,28 @@ int count_snap_back(const Model& m, const WallMaterials& w)
     return n;
 }
 
+int count_brittle_crushing(const Model& m, const WallMaterials& w)
+{
+    if (!m.layout.crushing) return 0;
+    int n = 0;
+    const auto add = [&n](const auto& material) {
+        const Crushing& c = material.crushing;
+        n += c.energy > 0.0 && c.strength > std::sqrt(2.0 * c.energy * material.kn);
+    };
+    for (const Contact& c : m.cracks) {
+        const int joint = c.material - m.layout.n_cracks;
+        if (joint < 0)
+            add(w.cracks[c.material]);
+        else
+            add(w.joints[joint]);
+    }
+    for (const Contact& c : m.dry)
+        add(c.material == kBaseMaterial   ? w.base_joint
+            : c.material == kBeamMaterial ? w.beam_joint
+                                          : w.joints[c.material]);
+    return n;
+}
+
 /// Mean settlement of the beam's lower face [m].
 double settlement_of(const Snapshot& s)
 {
@@ -69,6 +91,7 @@ WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
       drive_(task.plan.targets, options_), recorder_(task.plan.record_every)
 {
     result_.snap_back_contacts = count_snap_back(task.model, materials_);
+    result_.brittle_crushing_contacts = count_brittle_crushing(task.model, materials_);
 }
 
 /// This wall alone, unloaded, with a step that is stable as long as nothing opens, slips or cracks. Up to

@@ -73,6 +73,32 @@ template <class Real> void set_law(int i, const CrackMaterial& c, CrackLaw<Real>
     set_lane(law.tension_weight, i, one.tension_weight);
 }
 
+template <class Real>
+void set_law(int i, double kn, const Crushing& crushing, CrushingLaw<Real>& law)
+{
+    const CrushingLaw<double> one = crushing_law(kn, crushing.strength, crushing.energy);
+    set_lane(law.kn, i, one.kn);
+    set_lane(law.strength, i, one.strength);
+    set_lane(law.softening, i, one.softening);
+    set_lane(law.flow, i, one.flow);
+}
+
+/// By joint ID, then base and beam; by crack ID, then joints with mortar.
+template <class Real>
+void set_crushing(const Model& m, const WallMaterials& w, int lane, LaneLaws<Real>& laws)
+{
+    const auto set = [lane](const auto& material, CrushingLaw<Real>& law) {
+        set_law(lane, material.kn, material.crushing, law);
+    };
+    for (int j = 0; j < m.layout.n_joints; ++j) set(w.joints[j], laws.dry_crushing[j]);
+    set(w.base_joint, laws.dry_crushing[m.layout.n_joints]);
+    set(w.beam_joint, laws.dry_crushing[m.layout.n_joints + 1]);
+    for (int i = 0; i < m.layout.n_cracks; ++i) set(w.cracks[i], laws.crack_crushing[i]);
+    if (m.layout.mortar)
+        for (int j = 0; j < m.layout.n_joints; ++j)
+            set(w.joints[j], laws.crack_crushing[m.layout.n_cracks + j]);
+}
+
 /// Loads, elasticity and fictitious masses of one lane.
 template <class Real>
 void set_modes(const Model& m, const StepTables& t, const WallMaterials& w,
@@ -124,10 +150,10 @@ void set_weights(const Model& m, const WallMaterials& w, int lane, LaneLaws<Real
 
 template <class Real> void clear_lane(const StepTables& t, int lane, WallState<Real>& s)
 {
-    for (auto* values : {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n})
+    for (auto* values : {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n, &s.crushed})
         for (Real& x : *values) set_lane(x, lane, 0.0);
-    for (Real* x : {&s.work, &s.friction, &s.fracture, &s.damping, &s.top_force, &s.base_shear,
-                    &s.load_x, &s.body_factor})
+    for (Real* x : {&s.work, &s.friction, &s.fracture, &s.crushing, &s.damping, &s.top_force,
+                    &s.base_shear, &s.load_x, &s.body_factor})
         set_lane(*x, lane, 0.0);
     if (!s.finite.frames.empty()) clear_lane(t.finite, lane, s.finite);
 }
@@ -146,6 +172,7 @@ void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
     if (m.layout.mortar)
         for (int j = 0; j < m.layout.n_joints; ++j)
             set_law(lane, bond_of(w.joints[j]), s.laws.cracks[m.layout.n_cracks + j]);
+    if (m.layout.crushing) set_crushing(m, w, lane, s.laws);
     for (const ContactRun& run : t.cracks) {
         const CrackLaw<Real>& law = s.laws.cracks[run.law];
         const CrackState<Real> fresh = s.laws.unloading == Unloading::secant
@@ -184,6 +211,11 @@ WallState<Real> empty_lanes(const Model& m, const StepTables& t, Kinematics kine
     s.laws.dry.resize(m.layout.n_joints + 2);
     s.laws.tied.resize(1);
     s.laws.cracks.resize(m.layout.n_cracks + (m.layout.mortar ? m.layout.n_joints : 0));
+    if (m.layout.crushing) {
+        s.crushed.assign(t.n_contacts, Real(0.0));
+        s.laws.dry_crushing.resize(s.laws.dry.size());
+        s.laws.crack_crushing.resize(s.laws.cracks.size());
+    }
     if (kinematics == Kinematics::finite)
         s.finite = undeformed<Real>(t.finite, m.n_modes, t.n_contacts);
     return s;
@@ -254,6 +286,7 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
     e.work = at(s.work);
     e.friction = at(s.friction);
     e.fracture = at(s.fracture);
+    e.crushing = at(s.crushing);
     e.damping = at(s.damping);
     return e;
 }

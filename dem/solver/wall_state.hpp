@@ -2,6 +2,7 @@
 /// Where the walls of a batch are and what they are made of: one array per quantity, one lane per wall.
 
 #include "dem/contact/contact_law.hpp"
+#include "dem/contact/crushing.hpp"
 #include "dem/scene/wall.hpp"
 #include "dem/solver/energy.hpp"
 #include "dem/solver/finite_state.hpp"
@@ -25,6 +26,8 @@ template <class Real> struct LaneLaws {
     std::vector<DryLaw<Real>> dry;      ///< by joint ID - 1, then the joints at base and beam
     std::vector<DryLaw<Real>> tied;     ///< one, of the beam
     std::vector<CrackLaw<Real>> cracks; ///< by crack ID - 1
+    std::vector<CrushingLaw<Real>> dry_crushing,
+        crack_crushing;                      ///< as dry and cracks; or empty
     Unloading unloading = Unloading::secant; ///< of the cracks of all lanes
 };
 
@@ -36,13 +39,15 @@ template <class Real> struct WallState {
     std::vector<Real> block_force; ///< modal forces of the block at hand [sqrt(J)]
     std::vector<Real> du;          ///< (normal, tangential) by contact; zero between steps [m]
     std::vector<Real> stress;      ///< (sigma, tau) by contact [Pa]
-    std::vector<Real> u_n;         ///< by contact: opening [m]
+    std::vector<Real> u_n;         ///< by contact: opening, without what is crushed [m]
     /// What a crack remembers besides (see CrackState).
     struct Memory {
         Real u_max, bond, unloading, integrity;
     };
-    std::vector<Memory> cracks;                                 ///< by crack contact
-    Real work{0.0}, friction{0.0}, fracture{0.0}, damping{0.0}; ///< energy so far [J]
+    std::vector<Memory> cracks; ///< by crack contact
+    std::vector<Real> crushed;  ///< by contact: thickness [m]; empty where nothing can crush
+    Real work{0.0}, friction{0.0}, fracture{0.0}, crushing{0.0},
+        damping{0.0};      ///< energy so far [J]
     Real top_force{0.0};   ///< of the drive on the beam [N]
     Real base_shear{0.0};  ///< of the wall on the ground [N]
     Real load_x{0.0};      ///< horizontal part of the loads, beside the drive [N]
@@ -87,6 +92,22 @@ void set_contact(WallState<Real>& s, int k, Real u_n, Real sigma, Real tau)
     s.stress[2 * k + 1] = tau;
 }
 
+/// Crushes a contact as far as its relative displacement in this step makes it, and gives what is left of that to its
+/// law. A crack that has begun to crush has no bond left.
+/// @param area over which the energy counts [m2]
+template <class Real>
+[[nodiscard]] Real crush(const CrushingLaw<Real>& law, int k, Real du_n, Real area,
+                         WallState<Real>& s)
+{
+    const Real u_e = s.u_n[k] + du_n, by = crushed_by(law, s.crushed[k], u_e);
+    if (!any(by > Real(0.0))) return du_n;
+    const Real after = Real(0.0) - law.kn * (u_e + by);
+    const Real mean = Real(0.5) * (after - s.stress[2 * k]);
+    s.crushing = multiply_add(area, select(by > Real(0.0), mean * by, Real(0.0)), s.crushing);
+    s.crushed[k] += by;
+    return du_n + by;
+}
+
 /// State of one crack contact. @param contact its number, from StepTables::first_crack on
 template <class Real>
 [[nodiscard]] inline CrackState<Real> crack_state(const StepTables& t, const WallState<Real>& s,
@@ -95,6 +116,23 @@ template <class Real>
     const auto& memory = s.cracks[contact - t.first_crack];
     return {s.u_n[contact], s.stress[2 * contact + 1], s.stress[2 * contact], memory.u_max,
             memory.bond,    memory.unloading,          memory.integrity};
+}
+
+/// crush() of a crack: where it has begun to crush, its bond is gone.
+/// @param share of its area that is in contact [-]
+template <class Real>
+[[nodiscard]] Real crush_crack(const StepTables& t, int law, int k, Real du_n, Real share,
+                               WallState<Real>& s)
+{
+    const Real rest = crush(s.laws.crack_crushing[law], k, du_n, share * Real(t.area[k]), s);
+    const auto broken = s.crushed[k] > Real(0.0);
+    if (!any(broken)) return rest;
+    auto& memory = s.cracks[k - t.first_crack];
+    memory.bond = select(broken, Real(0.0), memory.bond);
+    memory.integrity = select(broken, Real(0.0), memory.integrity);
+    if (s.laws.unloading == Unloading::secant) // no stress where it opens
+        memory.unloading = select(broken, Real(0.0), memory.unloading);
+    return rest;
 }
 
 } // namespace dem

@@ -41,7 +41,11 @@ stiffness_factor = 1.1
 tensile_strength = 0.1 MPa
 cohesion = 0.2 MPa
 fracture_energy = 10 N/m
+compressive_strength = 60 MPa
+crushing_energy = 20000 N/m
 [unit]
+compressive_strength = 80 MPa
+crushing_energy = 30000 N/m
 cracks = voronoi(100 mm)
 cracks_where = toe
 cracks_elsewhere = thirds

@@ -102,6 +102,15 @@ const std::string kCells = [] {
     return text;
 }();
 
+/// Joints and units that crush.
+const std::string kCrushing = [] {
+    std::string text = kAll;
+    const std::string crushing = "compressive_strength = 1 MPa\ncrushing_energy = 100 N/m\n";
+    for (const std::string_view section : {"[joint]\n", "[unit]\n"})
+        text.insert(text.find(section) + section.size(), crushing);
+    return text;
+}();
+
 /// Rigid blocks on a clamped base, no cracks, no distribution, one stress level.
 const std::string kLeast = kWall + R"(unit_cracks = no
 [stone]
@@ -157,8 +166,9 @@ std::vector<double> outputs(const Study& s)
         all.push_back(static_cast<double>(w.result.snapshots.size()));
         all.insert(all.end(), w.displacement.begin(), w.displacement.end());
         all.insert(all.end(), w.force.begin(), w.force.end());
-        all.insert(all.end(), {w.result.settlement, w.result.energy.elastic,
-                               w.result.energy.friction, w.result.energy.fracture});
+        all.insert(all.end(),
+                   {w.result.settlement, w.result.energy.elastic, w.result.energy.friction,
+                    w.result.energy.fracture, w.result.energy.crushing});
     }
     return all;
 }
@@ -253,7 +263,8 @@ TEST_CASE("key effects: every key that is read changes the push, or is named as 
           "[slow][app][key_effects]")
 {
     std::set<std::string_view> effective;
-    for (const std::string& text : {kAll, kCorrelated, kMortar, kDrawn, kCells, kLeast})
+    for (const std::string& text :
+         {kAll, kCorrelated, kMortar, kDrawn, kCells, kCrushing, kLeast})
         effective.merge(sweep(text));
     for (const std::string_view limit : kLimits) {
         INFO(limit);

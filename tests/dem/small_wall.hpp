@@ -45,7 +45,8 @@ inline bool same(const dem::Energy& a, const dem::Energy& b)
     return bits::same_number(a.work, b.work) && bits::same_number(a.kinetic, b.kinetic) &&
            bits::same_number(a.elastic, b.elastic) &&
            bits::same_number(a.friction, b.friction) &&
-           bits::same_number(a.fracture, b.fracture) && bits::same_number(a.damping, b.damping);
+           bits::same_number(a.fracture, b.fracture) &&
+           bits::same_number(a.crushing, b.crushing) && bits::same_number(a.damping, b.damping);
 }
 
 inline bool same_forces(const dem::CurvePoint& a, const dem::CurvePoint& b)
@@ -75,7 +76,8 @@ inline bool same(const dem::Snapshot& a, const dem::Snapshot& b)
             const dem::ContactState &x = a.faces[f].contacts[c], &y = b.faces[f].contacts[c];
             all = bits::same_number(x.opening, y.opening) &&
                   bits::same_number(x.slip, y.slip) && bits::same_number(x.sigma, y.sigma) &&
-                  bits::same_number(x.tau, y.tau) && bits::same_number(x.damage, y.damage);
+                  bits::same_number(x.tau, y.tau) && bits::same_number(x.damage, y.damage) &&
+                  bits::same_number(x.crushed, y.crushed);
         }
     for (std::size_t b0 = 0; all && b0 < a.blocks.size(); ++b0)
         for (std::size_t p = 0; all && p < a.blocks[b0].displacement.size(); ++p) {
