@@ -96,7 +96,7 @@ struct Parts {
 };
 
 /// "31.8 deg" -> 31.8, "31.8", "deg"
-Parts split(std::string_view text, const Unit& unit)
+Parts number_and_unit(std::string_view text, const Unit& unit)
 {
     const std::size_t sign = text.find_first_of("+-") == 0 ? 1 : 0;
     if (text.find_first_of("0123456789.", sign) != sign) {
@@ -173,7 +173,7 @@ std::vector<double> parse_quantities(std::string_view text, std::string_view uni
 {
     const Unit& expected = unit_named(unit);
     std::vector<Parts> parts;
-    for (const std::string_view item : unit_words(text)) parts.push_back(split(item, expected));
+    for (const std::string_view item : unit_words(text)) parts.push_back(number_and_unit(item, expected));
     const auto is_bare = [](const Parts& p) { return p.unit.empty(); };
     if (std::all_of(parts.begin(), parts.end() - 1, is_bare)) {
         for (Parts& p : parts) p.unit = parts.back().unit;
