@@ -66,6 +66,26 @@ dem::WallGeometry draw_geometry(Draw& d)
     return w;
 }
 
+/// Units of some walls of few courses crack in another way than the paper's.
+void draw_patterns(Draw& d, dem::WallGeometry& w)
+{
+    using Kind = dem::CrackPattern::Kind;
+    if (w.cracks.pattern.kind == Kind::none || w.courses > 6 || !d.chance(0.5)) return;
+    w.cracks.pattern = {d.one_of({Kind::grid, Kind::grid, Kind::diagonals, Kind::voronoi}),
+                        d.integer(1, 4), d.integer(1, 4), w.unit_length * d.uniform(0.3, 0.8)};
+    w.cracks.seed = static_cast<unsigned>(d.integer(0, 1000));
+    w.cracks.rigidity = d.log_uniform(6.0, 200.0); // Poisson's ratio is up to 0.4
+    w.cracks.elsewhere = {Kind::mid};
+    if (d.chance(0.5))
+        w.cracks.where = {dem::Region{0.5 * w.length, 0.0, w.length, 3.0 * w.course_height}};
+}
+
+/// Strengths from far below the stress to far above, brittle and ductile.
+dem::Crushing draw_crushing(Draw& d)
+{
+    return {d.log_uniform(1e4, 1e8), d.chance(0.3) ? 0.0 : d.log_uniform(1.0, 1e6)};
+}
+
 double tan_of_draw(Draw& d) { return scenes::tan_deg(d.uniform(1.0, 80.0)); }
 
 void draw_materials(Draw& d, scenes::Scene& s)
@@ -156,7 +176,10 @@ std::string describe(const StressScene& s)
          << " steps/mm, " << (o.preload == dem::Preload::solved ? "solved" : "ramped")
          << (s.plan.targets.size() > 1 ? ", cyclic" : "") << ", way "
          << s.plan.targets.front() * 1e3 << " mm, decades " << s.decades
-         << (s.by_joint ? " by joint" : "");
+         << (s.by_joint ? " by joint" : "") << ", pattern "
+         << static_cast<int>(w.cracks.pattern.kind) << ' ' << w.cracks.pattern.columns << " x "
+         << w.cracks.pattern.rows << ", f_c " << s.scene.joint.crushing.strength * 1e-6
+         << " and " << s.scene.crack.crushing.strength * 1e-6 << " MPa";
     return text.str();
 }
 
@@ -214,6 +237,9 @@ StressScene stress_scene(std::uint64_t seed, std::uint64_t number)
     s.decades = d.chance(0.2) ? 0.0 : d.uniform(0.1, 2.0);
     s.by_joint = d.chance(0.4);
     if (d.chance(0.1)) s.spoil = d.integer(0, s.walls - 1);
+    draw_patterns(d, s.scene.wall);
+    if (d.chance(0.4)) s.scene.joint.crushing = draw_crushing(d);
+    if (d.chance(0.2)) s.scene.crack.crushing = draw_crushing(d);
     s.text = describe(s);
     return s;
 }
@@ -230,8 +256,11 @@ dem::WallMaterials stress_wall(const StressScene& s, const dem::Model& model, in
     };
     scatter(w.joints, [&](dem::JointMaterial& j) {
         const double stiffer = factor();
-        j = {s.scene.joint.kn * stiffer, s.scene.joint.ks * stiffer,
-             s.scene.joint.tan_phi * factor()};
+        j = s.scene.joint;
+        j.kn *= stiffer;
+        j.ks *= stiffer;
+        j.tan_phi *= factor();
+        j.crushing.strength *= factor();
     });
     scatter(w.cracks, [&](dem::CrackMaterial& c) {
         const double stiffer = factor(), stronger = factor();
@@ -242,6 +271,7 @@ dem::WallMaterials stress_wall(const StressScene& s, const dem::Model& model, in
         c.cohesion *= stronger;
         c.cohesion_res *= stronger;
         c.fracture_energy *= factor();
+        c.crushing.strength *= factor();
     });
     w.stone.young_modulus *= std::pow(factor(), 0.2);
     w.vertical_stress = s.scene.loads.vertical_stress * d.uniform(0.5, 1.5);

@@ -5,6 +5,7 @@
 #include "app/input/limit_state_text.hpp"
 #include "app/input/study_checks.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/input/unit_cracks.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
@@ -61,19 +62,21 @@ Study read_study(const StudyFile& file)
     check_stiffness(study);
     derive(study);
     check_relations(study);
+    find_needed_cracks(study);
     static_cast<void>(reading_rules(study)); // a wrong rule is found before any wall is run
     return study;
 }
 
 namespace {
 
-/// A study stands alone: what was read from a drawing stands in it.
+/// A study stands alone: what was read from a drawing, or found out, stands in it.
 std::string written_value(const Key& key, const Entry* entry, const Study& study)
 {
     if (is_drawn(study)) {
         if (key.name == "wall.outlines") return outlines_text(study);
         if (says_how_a_file_is_read(key)) return {};
     }
+    if (key.name == "unit.cracks_where") return study.cracks.where;
     return entry != nullptr ? entry->value : value_text(key, study);
 }
 

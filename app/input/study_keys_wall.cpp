@@ -305,7 +305,7 @@ constexpr std::array kKeys = {
         .field = kAt<&Study::cracks, &CrackInput::pattern>},
     Key{.name = "unit.cracks_where", .kind = Kind::text, .used = kWithCrackPattern,
         .derived = {"everywhere"},
-        .meaning = "units whose middle lies in x, z, width, height: 0.5 m, 0 m, 0.5 m, 0.4 m; toe: the lower 40 % of the half that the wall is pushed towards",
+        .meaning = "units whose middle lies in x, z, width, height, or in several such boxes: 0.5 m, 0 m, 0.5 m, 0.4 m; ...; toe: the lower 40 % of the half that the wall is pushed towards; needed: those that a coarse push finds near their strength, the others have none",
         .field = kAt<&Study::cracks, &CrackInput::where>},
     Key{.name = "unit.cracks_elsewhere", .kind = Kind::text, .used = kWithCrackRegion,
         .derived = {"mid"},

@@ -1,11 +1,13 @@
 #include "app/input/unit_cracks.hpp"
 
+#include "app/input/needed_cracks.hpp"
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 
 #include <charconv>
+#include <stdexcept>
 #include <string_view>
 
 namespace app {
@@ -13,6 +15,7 @@ namespace {
 
 using Kind = dem::CrackPattern::Kind;
 
+constexpr std::string_view kNeeded = "needed";
 constexpr double kToeHeight = 0.4;                          // of the wall
 constexpr int kMostPieces = 100;                            // along either side of a unit
 constexpr double kSmallestCell = 1e-3, kLargestCell = 10.0; // [m]
@@ -74,18 +77,39 @@ dem::Region toe_of(const Study& study)
             all.z0 + kToeHeight * (all.z1 - all.z0)};
 }
 
-dem::Region parse_region(std::string_view text, const Study& study)
+dem::Region parse_box(std::string_view text)
 {
-    if (trimmed(text) == "toe") return toe_of(study);
     const std::vector<std::string_view> v = split(text, ",");
     if (v.size() != 4)
-        throw BadValue(in_quotes(text) + " is no region; write toe, or x, z, width and height: "
-                                         "\"0.5 m, 0 m, 0.5 m, 0.4 m\"");
+        throw BadValue(in_quotes(text) +
+                       " is no region; write toe, needed, or x, z, width and height: "
+                       "\"0.5 m, 0 m, 0.5 m, 0.4 m\"");
     const double x = parse_quantity(v[0], "m"), z = parse_quantity(v[1], "m"),
                  width = parse_quantity(v[2], "m"), height = parse_quantity(v[3], "m");
     if (!(width > 0.0 && height > 0.0))
         throw BadValue(in_quotes(text) + " has no area; width and height must be above 0 m");
     return {x, z, x + width, z + height};
+}
+
+std::vector<dem::Region> parse_regions(std::string_view text, const Study& study)
+{
+    if (trimmed(text) == kNeeded) return {}; // all, until it is found out
+    if (trimmed(text) == "toe") return {toe_of(study)};
+    std::vector<dem::Region> regions;
+    for (const std::string_view box : split(text, ";")) regions.push_back(parse_box(box));
+    return regions;
+}
+
+/// "0.5 m, 0 m, 0.5 m, 0.4 m; ..."
+std::string regions_text(const std::vector<dem::Region>& regions)
+{
+    std::string text;
+    for (const dem::Region& r : regions) {
+        text += text.empty() ? "" : "; ";
+        for (const double x : {r.x0, r.z0, r.x1 - r.x0}) text += number(x, 9) + " m, ";
+        text += number(r.z1 - r.z0, 9) + " m";
+    }
+    return text;
 }
 
 /// Runs a reading of one key, whose errors are said with its place.
@@ -129,6 +153,8 @@ CrackPatterns crack_patterns(const Study& study)
     if (!in.elsewhere.empty())
         read_at(study, "unit.cracks_elsewhere",
                 [&] { p.elsewhere = parse_pattern(in.elsewhere); });
+    else if (trimmed(in.where) == kNeeded)
+        p.elsewhere = {Kind::none};
     keep_possible(study, "unit.cracks", p.pattern);
     keep_possible(study, "unit.cracks_elsewhere", p.elsewhere);
     return p;
@@ -141,7 +167,19 @@ void read_unit_cracks(Study& study)
     study.wall.cracks.elsewhere = p.elsewhere;
     if (!study.cracks.where.empty())
         read_at(study, "unit.cracks_where",
-                [&] { study.wall.cracks.where = parse_region(study.cracks.where, study); });
+                [&] { study.wall.cracks.where = parse_regions(study.cracks.where, study); });
+}
+
+void find_needed_cracks(Study& study)
+{
+    if (trimmed(study.cracks.where) != kNeeded || !has_cracks(study)) return;
+    try {
+        study.wall.cracks.where = needed_cracks(study);
+    } catch (const std::invalid_argument& bad) {
+        throw error_at(study.source, "unit.cracks_where", bad.what());
+    }
+    study.cracks.where = regions_text(study.wall.cracks.where);
+    if (study.cracks.elsewhere.empty()) study.cracks.elsewhere = "none";
 }
 
 bool has_cracks(const Study& study)

@@ -10,6 +10,11 @@ namespace app {
 /// @throws ConfigError
 void read_unit_cracks(Study& study);
 
+/// Puts boxes in the place of `unit.cracks_where = needed` (app/input/needed_cracks.hpp), in which form the study is
+/// kept. The study must be complete.
+/// @throws ConfigError
+void find_needed_cracks(Study& study);
+
 /// Patterns of the units in the region of unit.cracks_where, and of the others, as the texts of the study say: they are
 /// there before the keys that depend on them are read.
 struct CrackPatterns {

@@ -22,7 +22,7 @@ dem::Layout whole_units(const Study& study)
 {
     Study uncracked = study;
     uncracked.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
-    uncracked.wall.cracks.where.reset();
+    uncracked.wall.cracks.where.clear();
     return layout_of(uncracked);
 }
 

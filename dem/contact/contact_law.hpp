@@ -250,6 +250,19 @@ template <ContactLaw kLaw, Unloading kUnloading = Unloading::secant, class Real>
             {friction, opening + (shear_loss - friction)}};
 }
 
+/// A crack that has lost its bond under compression: as one that has failed in shear.
+template <ContactLaw kLaw, Unloading kUnloading, class Real>
+[[nodiscard]] CrackState<Real> without_bond(const CrackState<Real>& s)
+{
+    CrackState<Real> broken = s;
+    broken.bond = broken.integrity = Real(0.0);
+    if constexpr (kLaw == ContactLaw::coupled) {
+        broken.unloading = unloading_of_broken<kUnloading>(s.unloading, s.u_n);
+        if constexpr (kUnloading == Unloading::elastic) broken.u_max = broken.unloading;
+    }
+    return broken;
+}
+
 /// D of Table 2.
 template <class Real>
 [[nodiscard]] Real damage(const CrackLaw<Real>& law, const CrackState<Real>& s)

@@ -133,10 +133,10 @@ std::vector<Outline> voronoi(const Outline& outline, double size, unsigned seed)
 
 const CrackPattern& pattern_at(const UnitCracks& cracks, Point middle)
 {
-    if (!cracks.where) return cracks.pattern;
-    const Region& r = *cracks.where;
-    const bool within =
-        middle.x > r.x0 && middle.x < r.x1 && middle.z > r.z0 && middle.z < r.z1;
+    const auto holds = [middle](const Region& r) {
+        return middle.x > r.x0 && middle.x < r.x1 && middle.z > r.z0 && middle.z < r.z1;
+    };
+    const bool within = cracks.where.empty() || std::ranges::any_of(cracks.where, holds);
     return within ? cracks.pattern : cracks.elsewhere;
 }
 

@@ -3,7 +3,6 @@
 
 #include "dem/scene/snapshot.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace dem {
@@ -30,9 +29,9 @@ struct Region {
 
 struct UnitCracks {
     CrackPattern pattern{};
-    std::optional<Region> where{}; ///< of units whose middle lies in it; none: of all
-    CrackPattern elsewhere{};      ///< of the other units
-    unsigned seed = 1;             ///< of voronoi sites
+    std::vector<Region> where{}; ///< of units whose middle lies in one of them; none: of all
+    CrackPattern elsewhere{};    ///< of the other units
+    unsigned seed = 1;           ///< of voronoi sites
     /// Stiffness of a crack over that of the stone between two cracks, where they share that of the unit [-], > 1.
     double rigidity = 50.0;
     friend bool operator==(const UnitCracks&, const UnitCracks&) = default;

@@ -177,7 +177,8 @@ void advance_crack(const StepTables& t, bool shortcuts, const ContactRun& run, i
     PairStep<Real> step(t.finite, pair, s);
     for (int k = run.first; k < run.first + run.count; ++k) {
         Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
-        if (!s.crushed.empty()) du_n = crush_crack(t, run.law, k, du_n, step.share, s);
+        if (!s.crushed.empty())
+            du_n = crush_crack<kLaw, kUnloading>(t, run.law, k, du_n, step.share, s);
         const Real du_s = step.tangential(take(s.du[2 * k + 1]));
         const CrackState<Real> before = crack_state(t, s, k);
         const auto trial = try_elastic<kUnloading>(law, before, du_n, du_s);

@@ -92,7 +92,8 @@ void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
         for (int k = run.first; k < run.first + run.count; ++k) {
             Relative<Real> du(s, k);
             if (!s.crushed.empty())
-                du.normal = crush_crack(t, run.law, k, du.normal, Real(1.0), s);
+                du.normal =
+                    crush_crack<kLaw, kUnloading>(t, run.law, k, du.normal, Real(1.0), s);
             const CrackState<Real> before = crack_state(t, s, k);
             const auto trial = try_elastic<kUnloading>(law, before, du.normal, du.tangential);
             if (trial.holds && shortcuts) {

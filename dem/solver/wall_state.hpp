@@ -120,18 +120,19 @@ template <class Real>
 
 /// crush() of a crack: where it has begun to crush, its bond is gone.
 /// @param share of its area that is in contact [-]
-template <class Real>
+template <ContactLaw kLaw, Unloading kUnloading, class Real>
 [[nodiscard]] Real crush_crack(const StepTables& t, int law, int k, Real du_n, Real share,
                                WallState<Real>& s)
 {
     const Real rest = crush(s.laws.crack_crushing[law], k, du_n, share * Real(t.area[k]), s);
     const auto broken = s.crushed[k] > Real(0.0);
     if (!any(broken)) return rest;
+    const CrackState<Real> after = without_bond<kLaw, kUnloading>(crack_state(t, s, k));
     auto& memory = s.cracks[k - t.first_crack];
-    memory.bond = select(broken, Real(0.0), memory.bond);
-    memory.integrity = select(broken, Real(0.0), memory.integrity);
-    if (s.laws.unloading == Unloading::secant) // no stress where it opens
-        memory.unloading = select(broken, Real(0.0), memory.unloading);
+    memory = {select(broken, after.u_max, memory.u_max),
+              select(broken, after.bond, memory.bond),
+              select(broken, after.unloading, memory.unloading),
+              select(broken, after.integrity, memory.integrity)};
     return rest;
 }
 

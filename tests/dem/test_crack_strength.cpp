@@ -113,7 +113,7 @@ dem::PushResult bent(const CrackPattern& pattern, double ratio)
             {box(0.5 * (kLength - kPlaten) + middle * kSpan, 0.0, kPlaten, kLow), 0});
     u.wall.units.push_back({box(0.5 * (kLength - kPlaten), kTop, kPlaten, 0.02), 0});
     u.wall.unit_length = kLength;
-    u.wall.cracks.where = dem::Region{0.0, kLow, kLength, kTop};
+    u.wall.cracks.where = {dem::Region{0.0, kLow, kLength, kTop}};
     u.wall.cracks.elsewhere = {Kind::none};
     u.zones.contact_points = 33; // of half a unit
     u.beam.height = 0.01;

@@ -160,7 +160,7 @@ TEST_CASE("cracked layout: a region has its own pattern, the rest another", "[de
 {
     dem::WallGeometry wall;
     wall.cracks.pattern = {Kind::grid, 2, 2};
-    wall.cracks.where = dem::Region{0.5, 0.0, 1.0, 0.4};
+    wall.cracks.where = {dem::Region{0.5, 0.0, 1.0, 0.4}};
     const Layout l = dem::lay_out(wall, 0.1);
     std::map<int, int> pieces;
     std::map<int, Point> middle;

@@ -1,5 +1,6 @@
 /// Contacts that crush: the law, a row of blocks, a toe, and the same bits in every lane.
 
+#include "crack_path.hpp"
 #include "dem/block/model.hpp"
 #include "dem/contact/crushing.hpp"
 #include "dem/scene/drawn_layout.hpp"
@@ -87,6 +88,41 @@ TEST_CASE("crushing: without an energy the strength stays; too little breaks at 
     hard.move(-1.0);
     CHECK(hard.crushed == 0.0);
     CHECK(hard.pressure == Approx(10e9));
+}
+
+namespace {
+
+/// A crack that has begun to crush, opened by three times u_ul, closed and opened again.
+template <dem::ContactLaw kLaw, dem::Unloading kUnloading> crack_path::Path reopened()
+{
+    const auto law = crack_path::crack();
+    const double far = 3.0 * crack_path::kUul;
+    crack_path::Path p{dem::intact<kUnloading>(law)};
+    crack_path::move<kLaw, kUnloading>(law, -1e-5, 0.0, 10, p);
+    p.state = dem::without_bond<kLaw, kUnloading>(p.state);
+    for (const double by : {far + 1e-5, -far, far})
+        crack_path::move<kLaw, kUnloading>(law, by, 0.0, 10000, p);
+    return p;
+}
+
+} // namespace
+
+TEST_CASE("crushing: a crack that has begun to crush has no bond, and makes no energy",
+          "[dem][crushing]")
+{
+    using dem::ContactLaw;
+    using dem::Unloading;
+    for (const crack_path::Path& p : {reopened<ContactLaw::coupled, Unloading::secant>(),
+                                      reopened<ContactLaw::coupled, Unloading::elastic>()}) {
+        CHECK(p.largest_sigma == Approx(0.0).margin(1e-6 * crack_path::kFt));
+        CHECK(p.work == Approx(0.0).margin(1e-6 * crack_path::kG));
+        CHECK(p.fracture == Approx(0.0).margin(1e-6 * crack_path::kG));
+    }
+    // Without coupling only the cohesion is lost.
+    const crack_path::Path p = reopened<ContactLaw::uncoupled, Unloading::secant>();
+    CHECK(p.largest_sigma == Approx(crack_path::kFt).epsilon(1e-3));
+    CHECK(p.fracture == Approx(crack_path::kG).epsilon(1e-3));
+    CHECK(p.state.bond == 0.0);
 }
 
 namespace {

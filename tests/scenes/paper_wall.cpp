@@ -75,7 +75,9 @@ Scene monolith(double length, double height, double vertical_stress, double join
 
 dem::Model model_of(const Scene& s, const dem::Discretisation& d)
 {
-    return dem::discretise(s.wall, s.stone, s.beam, s.loads, {s.joint, s.crack}, d);
+    dem::Model m = dem::discretise(s.wall, s.stone, s.beam, s.loads, {s.joint, s.crack}, d);
+    m.layout.crushing = s.joint.crushing.strength > 0.0 || s.crack.crushing.strength > 0.0;
+    return m;
 }
 
 dem::WallMaterials uniform(const Scene& s, const dem::Model& m)

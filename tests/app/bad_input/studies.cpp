@@ -144,7 +144,7 @@ constexpr std::array kStudies = {
     BadStudy{"cells in square millimetres", "[unit]", "[unit]\ncracks = grid(4, 100)\ncracks_where = 0 m, 0 m, 1 mm, 1 mm\ncracks_elsewhere = voronoi(2 mm2)",
         "study.ini:17: unit.cracks_elsewhere: unit \"mm2\" is not a length; use m, cm or mm"},
     BadStudy{"a region without size", "[unit]", "[unit]\ncracks = thirds\ncracks_where = 0 m, 0 m, 1 m",
-        "study.ini:16: unit.cracks_where: \"0 m, 0 m, 1 m\" is no region; write toe, or x, z, width and height: \"0.5 m, 0 m, 0.5 m, 0.4 m\""},
+        "study.ini:16: unit.cracks_where: \"0 m, 0 m, 1 m\" is no region; write toe, needed, or x, z, width and height: \"0.5 m, 0 m, 0.5 m, 0.4 m\""},
     BadStudy{"cracks that are ruled out", "thickness = 0.20 m", "thickness = 0.20 m\nunit_cracks = no\n[unit]\ncracks = mid",
         "study.ini:9: unit.cracks: wall.unit_cracks says that there are none; remove one of them"},
     BadStudy{"a region of no pattern", "[unit]", "[unit]\ncracks_where = toe",

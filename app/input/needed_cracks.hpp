@@ -1,0 +1,21 @@
+#pragma once
+/// Which units of a wall come near their strength, so that the others need no potential cracks.
+
+#include "app/input/study.hpp"
+
+#include <vector>
+
+namespace app {
+
+/// Units that see at least this share of their mean strength in the coarse push may crack. A choice: the strength of
+/// one wall in a thousand of the paper's (COV 0.30) is 0.40 of the mean, and the coarse push has a margin left.
+constexpr double kNeededShare = 0.25;
+
+/// Boxes that hold the middles of the units that may crack, course by course [m]. A coarse push with mean values, of
+/// units that are divided and do not break, under each stress level, tells them: tension over the tensile strength,
+/// or shear over what cohesion and friction allow, in any crack at any of some tens of displacements.
+/// Where no unit may crack: one box with no middle in it.
+/// @param study with Study::wall::cracks of all units
+[[nodiscard]] std::vector<dem::Region> needed_cracks(const Study& study);
+
+} // namespace app
