@@ -45,19 +45,30 @@ bool slides_count_as_rocking(const StudyWalls& walls)
     return walls.study.fragility.mode.modes == dem::ModeRule::two;
 }
 
+/// Walls of a mode of which something holds.
+template <class Holds> Number count_of(const StudyLevel& level, int mode, Holds holds)
+{
+    return count(
+        static_cast<double>(std::ranges::count_if(level.walls, [&](const StudyWall& w) {
+            return mode_of(w) == mode && holds(w.mechanism);
+        })));
+}
+
 Row mode_row(const StudyWalls& walls, const StudyLevel& level, int mode)
 {
     const double confidence = walls.study.fragility.confidence;
     const auto n = static_cast<double>(level.walls.size());
     const auto failed = static_cast<double>(level.failed_walls.size());
     const double k = walls_with(level, mode);
-    Row row = {stress_cell(level),
-               mode_name(mode),
-               count(k),
-               mode == kRocking && slides_count_as_rocking(walls) ? count(slid(level))
-                                                                  : Number{},
-               count(n),
-               count(failed)};
+    Row row = {
+        stress_cell(level),
+        mode_name(mode),
+        count(k),
+        mode == kRocking && slides_count_as_rocking(walls) ? count(slid(level)) : Number{},
+        count_of(level, mode, [](const dem::Mechanism& m) { return m.spalled_units > 0; }),
+        count_of(level, mode, [](const dem::Mechanism& m) { return m.crushed_area > 0.0; }),
+        count(n),
+        count(failed)};
     if (n == 0.0) {
         row.insert(row.end(), {{},
                                {},
@@ -192,6 +203,8 @@ Table mode_table(const StudyWalls& walls)
               "mode",
               "walls with this mode",
               "slid without cracking",
+              "with spalled units",
+              "with contacts crushed through",
               "n",
               "failed",
               {"share [%]", kInterval},

@@ -10,20 +10,34 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string_view>
 
 namespace app {
 namespace {
 
-/// Columns of the facts that a reading needs, looked up once.
+/// Columns of the facts that a reading needs, looked up once. Files of 0.1.0 have not all.
 struct Columns {
     std::size_t rotation, sliding, cracked, outcome;
+    std::optional<std::size_t> spalled, crushed_area;
 };
+
+std::optional<std::size_t> find_column(const std::vector<Column>& columns,
+                                       std::string_view name)
+{
+    const auto at = std::ranges::find(columns, name, &Column::name);
+    if (at == columns.end()) return {};
+    return static_cast<std::size_t>(at - columns.begin());
+}
 
 Columns columns_of(const StoreHead& head)
 {
     return {column_of(head.responses, "rotation_share"),
-            column_of(head.responses, "sliding_share"), column_of(head.counts, "cracked_units"),
-            column_of(head.counts, "outcome")};
+            column_of(head.responses, "sliding_share"),
+            column_of(head.counts, "cracked_units"),
+            column_of(head.counts, "outcome"),
+            find_column(head.counts, "spalled_units"),
+            find_column(head.responses, "crushed_area")};
 }
 
 /// In the direction of the push.
@@ -49,8 +63,11 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, K
         w.reading = not_read(all.rules, "the wall failed");
         return w;
     }
-    w.mechanism = {row.responses[c.rotation], row.responses[c.sliding],
-                   static_cast<int>(row.counts[c.cracked]), 0};
+    w.mechanism.rotation_share = row.responses[c.rotation];
+    w.mechanism.sliding_share = row.responses[c.sliding];
+    w.mechanism.cracked_units = static_cast<int>(row.counts[c.cracked]);
+    if (c.spalled) w.mechanism.spalled_units = static_cast<int>(row.counts[*c.spalled]);
+    if (c.crushed_area) w.mechanism.crushed_area = row.responses[*c.crushed_area];
     const bool came_down =
         row.counts[c.outcome] == static_cast<std::int64_t>(dem::Outcome::lost_equilibrium);
     w.reading =

@@ -92,6 +92,21 @@ TEST_CASE("fragility modes: without a random friction angle the table says so",
           "joint.friction_angle does not vary in this study.");
 }
 
+TEST_CASE(
+    "fragility modes: walls whose units spalled, or whose contacts crushed through, are told",
+    "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(10);
+    for (app::StudyWall& w : walls.levels[0].walls) w.reading.mode = dem::FailureMode::rocking;
+    walls.levels[0].walls[3].mechanism.spalled_units = 2;
+    walls.levels[0].walls[3].mechanism.crushed_area = 1e-4;
+    walls.levels[0].walls[4].mechanism.crushed_area = 1e-4;
+    const app::Table t = app::mode_table(walls);
+    CHECK(cell(t, 0, "with spalled units") == "1");
+    CHECK(cell(t, 0, "with contacts crushed through") == "2");
+    CHECK(cell(t, 1, "with contacts crushed through") == "0");
+}
+
 TEST_CASE("fragility modes: walls that slid whole count as rocking and are told apart",
           "[app][fragility_modes]")
 {
