@@ -5,33 +5,17 @@ import json
 import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy
 
 from drystone._load import core as _core
 from drystone._results import Results, open as _open
+from drystone._values import Value, overrides as _overrides
+from drystone._wall import Wall
 
 if TYPE_CHECKING:
     import pandas
-
-Value = Union[str, int, float, bool, Sequence[Union[int, float]]]
-"""Of a key of the study file: as it is written there, "0.50 MPa", or a number without unit."""
-
-
-def _text(value: Value) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, str):
-        return value
-    if isinstance(value, (Sequence, numpy.ndarray)):
-        return ", ".join(_text(each) for each in value)
-    return repr(value.item() if isinstance(value, numpy.generic) else value)
-
-
-def _overrides(set: Mapping[str, Value] | None) -> list[str]:
-    return [f"{key}={_text(value)}" for key, value in (set or {}).items()]
-
 
 class Push:
     """One wall pushed. Its curve is an array of numpy, to be plotted as it is."""
@@ -107,13 +91,16 @@ class Study:
 
     >>> study = Study("configs/quick.ini", set={"uq.samples": 8, "solver.fidelity": "rigid"})  # doctest: +SKIP
 
-    :param path: STUDY.ini, or FILE.h5
+    :param path: STUDY.ini, or FILE.h5; None: `set` has all values
     :param set: section.key: value
+    :param wall: in the place of all that the study file says in [wall] and [lintel]
     :raises ConfigError: FILE:LINE: KEY: what is wrong and what to write
     """
 
-    def __init__(self, path: str | os.PathLike[str], set: Mapping[str, Value] | None = None) -> None:
-        self._study = _core.LoadedStudy(os.fspath(path), _overrides(set))
+    def __init__(self, path: str | os.PathLike[str] | None = None, set: Mapping[str, Value] | None = None, *,
+                 wall: Wall | None = None) -> None:
+        self._study = _core.LoadedStudy("" if path is None else os.fspath(path), _overrides(set),
+                                        [] if wall is None else _overrides(wall.keys))
         for note in self._study.notes().splitlines():
             warnings.warn(note.removeprefix("note: "), stacklevel=2)
 
@@ -188,16 +175,18 @@ class Study:
         return _open(out)
 
 
-def push(study: str | os.PathLike[str], set: Mapping[str, Value] | None = None, *, sample: int | None = None,
-         level: str = "", threads: int = 0) -> Push:
+def push(study: str | os.PathLike[str] | None = None, set: Mapping[str, Value] | None = None, *, wall: Wall | None = None,
+         sample: int | Literal["mean"] | None = None, level: str = "", threads: int = 0) -> Push:
     """Pushes one wall, as `drystone push` does.
 
     >>> push("configs/wall.ini", set={"load.vertical_stress": "0.30 MPa"})  # doctest: +SKIP
 
-    :param study: STUDY.ini, or FILE.h5
+    :param study: STUDY.ini, or FILE.h5; None: `set` has all values
     :param set: section.key: value
-    :param sample: of a study with distributions, from 0
+    :param wall: in the place of all that the study file says in [wall] and [lintel]
+    :param sample: of a study with distributions, from 0; "mean": the wall of the mean values
     :param level: the vertical stress, "0.75 MPa", of a study with several
     :raises ConfigError: FILE:LINE: KEY: what is wrong and what to write
     """
-    return Push(Study(study, set)._study.push(sample, level, threads))
+    mean = sample == "mean"
+    return Push(Study(study, set, wall=wall)._study.push(None if mean else sample, mean, level, threads))

@@ -3,21 +3,59 @@
 #include "app/input/option.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/push_walls.hpp"
+#include "app/study/study_file_head.hpp"
 #include "python/src/beside_python.hpp"
 
+#include <cstdint>
 #include <utility>
 
 namespace bindings {
 
-std::shared_ptr<LoadedStudy> load_study(const std::string& path,
-                                        const std::vector<std::string>& overrides)
+namespace {
+
+/// The study file with another wall.
+app::StudySource with_wall(const std::string& path, const std::vector<std::string>& overrides,
+                           const std::vector<std::string>& wall)
 {
+    if (path.ends_with(".h5"))
+        throw app::ConfigError(
+            path, 0, "wall",
+            "the walls of a file of results are what they are; give its study file");
+    app::StudyFile file;
+    if (path.empty())
+        file.path = "study";
+    else
+        file = app::read_study_file(path);
+    if (!wall.empty())
+        std::erase_if(file.entries, [](const app::Entry& e) {
+            return e.key.starts_with("wall.") || e.key.starts_with("lintel.");
+        });
+    std::vector<std::string> all = wall;
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    app::Study study = app::read_study(app::with_overrides(std::move(file), all));
+    const std::uint32_t samples = app::samples_of(study);
+    return {std::move(study), {samples}};
+}
+
+app::StudySource source_of(const std::string& path, const std::vector<std::string>& overrides,
+                           const std::vector<std::string>& wall)
+{
+    if (path.empty() || !wall.empty()) return with_wall(path, overrides, wall);
     std::optional<Hdf5Turn> turn;
     if (path.ends_with(".h5")) turn.emplace();
     app::Command command;
     command.study = path;
     command.overrides = overrides;
-    app::StudySource source = app::study_source(command);
+    return app::study_source(command);
+}
+
+} // namespace
+
+std::shared_ptr<LoadedStudy> load_study(const std::string& path,
+                                        const std::vector<std::string>& overrides,
+                                        const std::vector<std::string>& wall)
+{
+    app::StudySource source = source_of(path, overrides, wall);
     dem::Layout layout = layout_of(source.study);
     return std::make_shared<LoadedStudy>(
         LoadedStudy{std::move(source), std::move(layout), {}, {}});

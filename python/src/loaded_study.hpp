@@ -22,11 +22,13 @@ struct LoadedStudy {
     std::optional<dem::Model> model;     ///< made when it is first needed
 };
 
-/// @param path study file, or file of results
+/// @param path study file, or file of results; empty: all values are given
 /// @param overrides section.key=value
+/// @param wall wall.key=value, in the place of all that the study file says of the wall; empty: its own
 /// @throws app::ConfigError, app::StoreError
-[[nodiscard]] std::shared_ptr<LoadedStudy>
-load_study(const std::string& path, const std::vector<std::string>& overrides);
+[[nodiscard]] std::shared_ptr<LoadedStudy> load_study(const std::string& path,
+                                                      const std::vector<std::string>& overrides,
+                                                      const std::vector<std::string>& wall);
 
 /// @throws app::ConfigError
 [[nodiscard]] const app::SamplePlan& plan_of(LoadedStudy& study);

@@ -82,11 +82,13 @@ std::vector<WallOfStudy> with_study(const StudyPointer& study,
 }
 
 /// What `drystone push` pushes, under one stress.
-WallOfStudy push(const StudyPointer& study, std::optional<int> sample, const std::string& level,
-                 int threads)
+/// @param mean the wall of the mean values
+WallOfStudy push(const StudyPointer& study, std::optional<int> sample, bool mean,
+                 const std::string& level, int threads)
 {
     app::Command command;
     command.sample = sample;
+    command.mean_wall = mean;
     command.level = level;
     const std::vector<app::WantedWall> all = app::wanted_walls(study->source, command);
     const int asked = app::level_of(study->source.study, level);
@@ -193,7 +195,7 @@ void bind_study(py::module_& m)
 {
     bind_wall(m);
     py::class_<LoadedStudy, StudyPointer>(m, "LoadedStudy")
-        .def(py::init(&load_study), py::arg("path"), py::arg("overrides"))
+        .def(py::init(&load_study), py::arg("path"), py::arg("overrides"), py::arg("wall"))
         .def("notes", &notes)
         .def_property_readonly("samples", &samples)
         .def_property_readonly(
@@ -208,7 +210,8 @@ void bind_study(py::module_& m)
              })
         .def("columns", &columns)
         .def("draws", &draws, py::arg("level"))
-        .def("push", &push, py::arg("sample"), py::arg("level"), py::arg("threads"))
+        .def("push", &push, py::arg("sample"), py::arg("mean"), py::arg("level"),
+             py::arg("threads"))
         .def("push_samples", &push_samples, py::arg("walls"), py::arg("threads"))
         .def("push_values", &push_values, py::arg("level"), py::arg("values"),
              py::arg("threads"))

@@ -1,0 +1,24 @@
+"""Values of the keys of a study file."""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Union
+
+import numpy
+
+Value = Union[str, int, float, bool, Sequence[Union[int, float]]]
+"""Of a key of the study file: as it is written there, "0.50 MPa", or a number without unit."""
+
+
+def text(value: Value) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (Sequence, numpy.ndarray)):
+        return ", ".join(text(each) for each in value)
+    return repr(value.item() if isinstance(value, numpy.generic) else value)
+
+
+def overrides(values: Mapping[str, Value] | None) -> list[str]:
+    return [f"{key}={text(value)}" for key, value in (values or {}).items()]
