@@ -10,7 +10,9 @@
 ///
 /// Direction: gap and overlap are measured in the mean direction of the two sides, which is symmetric
 /// in the blocks and sees no slip where they turn about a common corner. Stresses act along the normal
-/// of the side on whose plane the other's corner stands; corners that meet have the mean direction.
+/// of the side on whose plane the other's corner stands; corners that meet have the mean direction. In
+/// between the direction changes linearly, as the gap of a point does that slides with the overlap, so
+/// that the work of the stresses is what contacts store and lose; all take that of the centre of pressure.
 
 #include "dem/kinematics/block_frame.hpp"
 #include "dem/kinematics/face_pair.hpp"
@@ -27,7 +29,7 @@ template <class Real> struct Overlap {
     Real widening;     ///< of the gap from there to the other end [m]
     Real height;       ///< of the line midway between the sides, along the normal [m]
     Real dt, dn;       ///< from the pivot of a to that of b
-    Real closed;       ///< the end that closes as the blocks turn, along the tangent
+    Real pressed;      ///< the centre of pressure, along the tangent
     Real past_far,
         past_near;   ///< overhang of b over the ends of a [m]; negative where b ends before
     Turn<Real> tilt; ///< of the stresses against the mean normal
@@ -37,9 +39,18 @@ constexpr double kCornerRadius = 1e-3; // [face lengths] over which a corner han
 constexpr double kMostPenetration =
     0.05; // [face lengths]: deeper, blocks have passed each other
 
+/// Whose corner stands at an end of the overlap: 1 that of a, -1 that of b, between where they meet.
+/// @param overhang of b over this end of a [m]
+template <class Real> [[nodiscard]] Real corner_of(const FacePair& p, Real overhang)
+{
+    const Real radii = overhang * Real(1.0 / (kCornerRadius * p.length));
+    return max(Real(-1.0), min(Real(1.0), radii));
+}
+
+/// @param centre of pressure along the overlap, 0 to 1
 template <class Real>
 [[nodiscard]] Overlap<Real> overlap_of(const FacePair& p, const BlockFrame<Real>& a,
-                                       const BlockFrame<Real>& b)
+                                       const BlockFrame<Real>& b, Real centre)
 {
     const Real cm = a.half.c * b.half.c - a.half.s * b.half.s, // mean direction
         sm = a.half.s * b.half.c + a.half.c * b.half.s;
@@ -76,15 +87,13 @@ template <class Real>
     o.widening = -(Real(2.0) * slope * o.length);
     o.height = Real(0.5) * (height_a + height_b);
 
-    const auto clockwise = sh > Real(0.0); // b is turned clockwise past a: the far end closes
-    o.closed = select(clockwise, to, o.from);
+    o.pressed = multiply_add(centre, o.length, o.from);
     o.past_far = b_to - a_to;
     o.past_near = a_from - b_from;
-    const Real overhang = select(clockwise, o.past_far, o.past_near);
-    const Real share =
-        max(Real(-1.0), min(Real(1.0), overhang * Real(1.0 / (kCornerRadius * p.length))));
-    o.tilt.s = share * sh;
-    o.tilt.c = multiply_add(abs(share), ch - Real(1.0), Real(1.0));
+    const Real near = corner_of(p, o.past_near), far = corner_of(p, o.past_far);
+    const Real corner = multiply_add(centre, far - near, near);
+    o.tilt.s = corner * sh;
+    o.tilt.c = multiply_add(abs(corner), ch - Real(1.0), Real(1.0));
     return o;
 }
 
@@ -104,7 +113,7 @@ template <class Real>
 {
     const Real vx = b.vx - a.vx, vz = b.vz - a.vz;
     const Real t = (o.nz * vx - o.nx * vz) + (b.spin * (o.height - o.dn) - a.spin * o.height);
-    const Real n = (o.nx * vx + o.nz * vz) - (b.spin * (o.closed - o.dt) - a.spin * o.closed);
+    const Real n = (o.nx * vx + o.nz * vz) - (b.spin * (o.pressed - o.dt) - a.spin * o.pressed);
     return t * o.tilt.c - n * o.tilt.s;
 }
 
@@ -114,6 +123,16 @@ template <class Real> struct StressSum {
     Real normal_first{0.0},
         tangential_first{0.0}; ///< times the place along the overlap, 0 to 1
 };
+
+/// Where along the overlap the stresses press, 0 to 1; where none do, the end that closes as the blocks turn.
+template <class Real>
+[[nodiscard]] Real centre_of_pressure(const Overlap<Real>& o, const StressSum<Real>& s)
+{
+    const auto presses = s.normal < Real(0.0);
+    const Real centre = s.normal_first / select(presses, s.normal, Real(-1.0));
+    const Real closes = select(o.widening < Real(0.0), Real(1.0), Real(0.0));
+    return select(presses, max(Real(0.0), min(Real(1.0), centre)), closes);
+}
 
 /// The forces on both blocks; tension pulls them together.
 template <class Real>

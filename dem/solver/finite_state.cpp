@@ -38,6 +38,7 @@ void copy(const FiniteState<double>::Pair& from, int lane, typename FiniteState<
     set_lane(to.slip, lane, from.slip);
     set_lane(to.past_far, lane, from.past_far);
     set_lane(to.past_near, lane, from.past_near);
+    set_lane(to.centre, lane, from.centre);
 }
 
 } // namespace

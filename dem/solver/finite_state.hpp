@@ -22,6 +22,7 @@ template <class Real> struct FiniteState {
         Real share{1.0};                    ///< of the undeformed area that overlaps [-]
         Real slip{0.0};                     ///< so far [m]
         Real past_far{0.0}, past_near{0.0}; ///< see Overlap [m]
+        Real centre{0.5};                   ///< of pressure, along the overlap, 0 to 1
     };
     std::vector<Pair> pairs;
     std::vector<Pair> further; ///< of blocks that have slid there; share 0: not in contact

@@ -76,7 +76,7 @@ template <class Real> struct PairStep {
 
     PairStep(const FiniteTables& t, int pair, WallState<Real>& s)
         : overlap(overlap_of(t.pairs[pair], s.finite.frames[t.pairs[pair].a],
-                             s.finite.frames[t.pairs[pair].b])),
+                             s.finite.frames[t.pairs[pair].b], s.finite.pairs[pair].centre)),
           slip(slip_of(overlap, s.finite.frames[t.pairs[pair].a],
                        s.finite.frames[t.pairs[pair].b])),
           share(share_of(t.pairs[pair], overlap))
@@ -85,8 +85,8 @@ template <class Real> struct PairStep {
         gap = overlap.gap - last.gap;
         widening = overlap.widening - last.widening;
         grown = share - last.share;
-        last = {overlap.gap,      overlap.widening, share,
-                last.slip + slip, overlap.past_far, overlap.past_near};
+        last = {overlap.gap,      overlap.widening,  share,      last.slip + slip,
+                overlap.past_far, overlap.past_near, last.centre};
     }
 
     /// Relative displacement of a contact, to which its elastic part is added.
@@ -112,6 +112,7 @@ template <class Real> struct PairStep {
 
     void act(const FiniteTables& t, int pair, WallState<Real>& s) const
     {
+        s.finite.pairs[pair].centre = centre_of_pressure(overlap, sum);
         add_forces(overlap, sum, s.finite.frames[t.pairs[pair].a],
                    s.finite.frames[t.pairs[pair].b]);
     }
@@ -219,7 +220,7 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
     const DryLaw<Real> law = s.laws.dry[run.law];
     const FacePair& pair = t.finite.further[row];
     BlockFrame<Real>&a = s.finite.frames[pair.a], &b = s.finite.frames[pair.b];
-    const Overlap<Real> o = overlap_of(pair, a, b);
+    const Overlap<Real> o = overlap_of(pair, a, b, s.finite.further[row].centre);
     const Real share = select(active, share_of(pair, o), Real(0.0)), slip = slip_of(o, a, b);
     const Real grown = share - s.finite.further[row].share;
     StressSum<Real> sum;
@@ -241,7 +242,14 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
         sum.tangential_first = multiply_add(place, shear, sum.tangential_first);
     }
     s.friction += share * friction - grown * stored;
-    s.finite.further[row] = {o.gap, o.widening, share, Real(0.0), o.past_far, o.past_near};
+    auto& last = s.finite.further[row];
+    last = {o.gap,
+            o.widening,
+            share,
+            Real(0.0),
+            o.past_far,
+            o.past_near,
+            select(active, centre_of_pressure(o, sum), last.centre)};
     add_forces(o, sum, a, b);
 }
 
@@ -327,7 +335,8 @@ void take_up_frames(const StepTables& t, const SolverOptions& options, WallState
     }
     for (std::size_t p = 0; p < t.finite.pairs.size(); ++p) {
         const FacePair& pair = t.finite.pairs[p];
-        const auto o = overlap_of(pair, s.finite.frames[pair.a], s.finite.frames[pair.b]);
+        const auto o = overlap_of(pair, s.finite.frames[pair.a], s.finite.frames[pair.b],
+                                  s.finite.pairs[p].centre);
         s.finite.pairs[p].gap = o.gap;
         s.finite.pairs[p].widening = o.widening;
     }
