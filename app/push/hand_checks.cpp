@@ -59,7 +59,21 @@ HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layou
 
 } // namespace
 
-HandChecks hand_checks(const Study& study, const PushedWall& w)
+namespace {
+
+/// Why the push found no drift limit, where the choice of kinematics is the reason.
+void add_missing_limit(const Study& study, const PushedWall& w,
+                       std::vector<std::string>& remarks)
+{
+    if (study.solver.kinematics == dem::Kinematics::small && is_censored(w.reading.ultimate))
+        remarks.emplace_back(
+            "the drift limit was not reached: with small displacements a wall that rocks or "
+            "slides keeps its load; for its limit write solver.kinematics = finite and a "
+            "larger "
+            "load.max_displacement");
+}
+
+HandChecks checks_of(const Study& study, const PushedWall& w)
 {
     const dem::Layout layout = layout_of(study);
     if (!layout.coursed || layout.mortar || !study.wall.openings.empty())
@@ -113,6 +127,15 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
         h.remarks.emplace_back(
             "the beam does not turn: the rocking limit is that of a beam that "
             "does, up to twice as much can be carried");
+    return h;
+}
+
+} // namespace
+
+HandChecks hand_checks(const Study& study, const PushedWall& w)
+{
+    HandChecks h = checks_of(study, w);
+    add_missing_limit(study, w, h.remarks);
     return h;
 }
 
