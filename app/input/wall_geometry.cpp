@@ -6,8 +6,10 @@
 #include "app/text/check_sum.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
+#include "dem/scene/bond.hpp"
 #include "dem/scene/drawn_layout.hpp"
 #include "dem/scene/polygon.hpp"
+#include "dem/scene/rubble.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -90,6 +92,31 @@ void parse_layer_stones(Study& study)
         g.layers.push_back(name);
         g.stones.push_back(stone);
     }
+}
+
+/// Where each course has a height of its own, their number and mean follow.
+void read_course_heights(Study& study)
+{
+    dem::WallGeometry& wall = study.wall;
+    if (wall.course_heights.empty()) return;
+    wall.courses = static_cast<int>(wall.course_heights.size());
+    if (find_entry(study.source, "wall.course_height") == nullptr)
+        wall.course_height = dem::top_of_course(wall, wall.courses) / wall.courses;
+}
+
+/// Fills the wall with stones.
+void read_rubble(Study& study)
+{
+    constexpr double kMostStones = 10000; // whose generation takes a minute
+    const dem::WallGeometry& wall = study.wall;
+    if (wall.courses * (wall.length / wall.unit_length) > kMostStones)
+        throw error_at(study.source, "wall.unit_length",
+                       "makes a wall of more than 10000 stones; write larger ones, or draw "
+                       "the wall");
+    for (dem::Outline& outline :
+         dem::rubble({wall.length, dem::top_of_course(wall, wall.courses), wall.unit_length,
+                      wall.course_height, wall.seed}))
+        study.geometry.units.push_back({std::move(outline), 0});
 }
 
 /// "x, z, width, height; ...", each with its unit.
@@ -183,13 +210,26 @@ double beam_height(const Study& study) { return study.beam.present ? study.beam.
 
 } // namespace
 
-bool is_drawn(const Study& study) { return !study.geometry.units.empty(); }
+bool is_drawn(const Study& study)
+{
+    return !study.geometry.units.empty() && !study.geometry.rubble;
+}
+
+bool in_courses(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    return g.file.empty() && g.outlines.empty() && !g.rubble;
+}
 
 void read_geometry(Study& study)
 {
     GeometryInput& g = study.geometry;
     const std::string_view key = g.file.empty() ? "wall.outlines" : "wall.geometry";
     if (g.file.empty() && g.outlines.empty()) {
+        if (g.rubble)
+            read_rubble(study);
+        else
+            read_course_heights(study);
         read_unit_cracks(study);
         read_openings(study);
         return;
@@ -224,7 +264,8 @@ void read_geometry(Study& study)
 dem::Region wall_extent(const Study& study)
 {
     if (!is_drawn(study))
-        return {0.0, 0.0, study.wall.length, study.wall.courses * study.wall.course_height};
+        return {0.0, 0.0, study.wall.length,
+                dem::top_of_course(study.wall, study.wall.courses)};
     dem::Region all{INFINITY, 0.0, -INFINITY, 0.0};
     for (const dem::DrawnUnit& unit : study.geometry.units)
         for (const dem::Point p : unit.outline) {
@@ -259,7 +300,7 @@ bool has_crushing(const Study& study)
 
 dem::Layout layout_of(const Study& study)
 {
-    dem::Layout layout = is_drawn(study)
+    dem::Layout layout = !study.geometry.units.empty()
                              ? dem::drawn_layout(drawn_wall(study), beam_height(study))
                              : dem::lay_out(study.wall, beam_height(study));
     layout.course_height = study.wall.course_height; // h of Eq. 2

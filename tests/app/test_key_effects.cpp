@@ -137,6 +137,23 @@ unbalance_limit = 0
 record_every = 0.1 mm
 )";
 
+/// Rubble, whose stones crack in three.
+const std::string kRubble = [] {
+    std::string text = kAll;
+    text.insert(text.find("[wall]\n") + 7, "bond = rubble\n");
+    text.insert(text.find("[unit]\n") + 7, "cracks = thirds\n");
+    return text;
+}();
+
+/// Headers, in courses of heights of their own.
+const std::string kHeaders = [] {
+    std::string text = kLeast;
+    text.erase(text.find("courses"), text.find("unit_length") - text.find("courses"));
+    text.insert(text.find("[wall]\n") + 7,
+                "course_heights = 0.1, 0.12, 0.08 m\nbond = flemish\n");
+    return text;
+}();
+
 Study read(const std::string& text, const std::vector<std::string>& overrides = {})
 {
     return app::read_study(
@@ -180,6 +197,8 @@ const std::map<std::string_view, std::string> kOthers = {
     {"wall.outlines", "0 0, 0.6 0, 0.6 0.3, 0 0.3"},
     {"wall.layer_stones", "sill: 3 GPa, 0.2, 2000 kg/m3"},
     {"wall.openings", "0.2 m, 0 m, 0.2 m, 0.1 m"},
+    {"wall.course_heights", "0.11, 0.12, 0.07 m"},
+    {"wall.unit_length_cov", "0.1"},
     {"unit.cracks", "grid(3, 2)"},
     {"unit.cracks_where", "0 m, 0 m, 0.3 m, 0.2 m"},
     {"unit.cracks_elsewhere", "thirds"},
@@ -264,7 +283,7 @@ TEST_CASE("key effects: every key that is read changes the push, or is named as 
 {
     std::set<std::string_view> effective;
     for (const std::string& text :
-         {kAll, kCorrelated, kMortar, kDrawn, kCells, kCrushing, kLeast})
+         {kAll, kCorrelated, kMortar, kDrawn, kCells, kCrushing, kRubble, kHeaders, kLeast})
         effective.merge(sweep(text));
     for (const std::string_view limit : kLimits) {
         INFO(limit);
