@@ -93,10 +93,13 @@ constexpr Condition kInCourses{
 constexpr Condition kEqualCourses{
     [](const Study& s) { return kBuilt.holds(s) && s.wall.course_heights.empty(); },
     "the wall is drawn, or wall.course_heights has its courses; remove it", true};
-/// Of use, but not needed: h of Eq. 2, and the length of whole units in a drawing.
-constexpr Condition kEqualCoursesOrGiven{[](const Study& s) {
-    return kEqualCourses.holds(s) || find_entry(s.source, "wall.course_height") != nullptr;
-}};
+/// Of use to a drawing, but not needed: h of Eq. 2, and the length of whole units.
+constexpr Condition kEqualCoursesOrGiven{
+    [](const Study& s) {
+        return s.wall.course_heights.empty() &&
+               (kBuilt.holds(s) || find_entry(s.source, "wall.course_height") != nullptr);
+    },
+    "wall.course_heights has the heights of the courses; remove it", true};
 constexpr Condition kBuiltOrGiven{[](const Study& s) {
     return kBuilt.holds(s) || find_entry(s.source, "wall.unit_length") != nullptr;
 }};
@@ -237,7 +240,7 @@ constexpr std::array kKeys = {
         .field = kAt<&Study::wall, &WallGeometry::length>},
     Key{.name = "wall.course_heights", .kind = Kind::list, .unit = "m", .range = kHeight, .used = kInCourses,
         .derived = {"all wall.course_height"},
-        .meaning = "of each course, from the bottom, in place of courses; course_height, h of Eq. 2, is their mean unless given",
+        .meaning = "of each course, from the bottom, in place of courses and course_height; h of Eq. 2 is their mean",
         .field = kAt<&Study::wall, &WallGeometry::course_heights>},
     Key{.name = "wall.courses", .kind = Kind::count, .range = {'[', 1, 1000, ']'}, .used = kEqualCourses, .example = "10",
         .meaning = "number of courses; of rubble: mean number of stones one above the other",

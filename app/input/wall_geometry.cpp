@@ -100,8 +100,7 @@ void read_course_heights(Study& study)
     dem::WallGeometry& wall = study.wall;
     if (wall.course_heights.empty()) return;
     wall.courses = static_cast<int>(wall.course_heights.size());
-    if (find_entry(study.source, "wall.course_height") == nullptr)
-        wall.course_height = dem::top_of_course(wall, wall.courses) / wall.courses;
+    wall.course_height = dem::top_of_course(wall, wall.courses) / wall.courses;
 }
 
 /// Fills the wall with stones.
