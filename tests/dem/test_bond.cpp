@@ -148,6 +148,9 @@ TEST_CASE("bond: a random course is the same in a longer wall, and another by an
         CHECK(heads(other, course) != x);
     }
     CHECK(heads(w, 1) != heads(w, 3));
+    CHECK(dem::lay_out(w, 0.1).n_cracks == 45); // short whole units crack too
+    // overlaps of half a unit, of which two moves leave 1 mm
+    CHECK(dem::most_length_cov(w) == Approx(0.0495 / (std::sqrt(1.5) * 0.2)));
     WallGeometry stack = w;
     stack.bond_offset = 0.0;
     CHECK(dem::most_length_cov(stack) == 0.0);
