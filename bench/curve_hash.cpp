@@ -1,8 +1,11 @@
 /// curve_hash: all bits of the curves of a fixed ensemble as one number, through packs and one wall at a
-/// time. The number must not depend on compiler, flags, register or threads (tests/same_bits.sh).
+/// time; then those of a wall of rubble in mortar. The numbers must not depend on compiler, flags, register or threads
+/// (tests/same_bits.sh).
 
 #include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"
+#include "dem/scene/drawn_layout.hpp"
+#include "dem/scene/rubble.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"
 
@@ -10,6 +13,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -57,16 +61,17 @@ std::vector<dem::WallMaterials> walls_of(const dem::Model& model)
     return walls;
 }
 
-std::vector<dem::PushResult> pushed(const dem::Model& model, const Case& c, bool scalar)
+std::vector<dem::PushResult> pushed(const dem::Model& model,
+                                    const std::vector<dem::WallMaterials>& walls, const Case& c,
+                                    double way, bool scalar)
 {
-    const std::vector<dem::WallMaterials> walls = walls_of(model);
     std::vector<dem::PushResult> results(walls.size());
     dem::Ensemble ensemble;
     ensemble.size = walls.size();
     ensemble.wall = [&](std::size_t i) { return walls[i]; };
     ensemble.done = [&](std::size_t i, dem::PushResult&& r) { results[i] = std::move(r); };
     dem::PushPlan plan;
-    plan.targets = {0.008};
+    plan.targets = {way};
     dem::SolverOptions o;
     o.steps_per_mm = 50;
     o.law = c.law;
@@ -79,8 +84,36 @@ void add_case(const Case& c, Hash& packs, Hash& scalar)
 {
     const dem::Model model =
         scenes::model_of(scenes::paper_wall(0.75), dem::discretisation_of(c.fidelity));
-    for (const dem::PushResult& r : pushed(model, c, false)) add(r, packs);
-    for (const dem::PushResult& r : pushed(model, c, true)) add(r, scalar);
+    const std::vector<dem::WallMaterials> walls = walls_of(model);
+    for (const dem::PushResult& r : pushed(model, walls, c, 0.008, false)) add(r, packs);
+    for (const dem::PushResult& r : pushed(model, walls, c, 0.008, true)) add(r, scalar);
+}
+
+/// Joints with mortar between some seventeen stones.
+dem::Model rubble_model(const scenes::Scene& s)
+{
+    dem::DrawnWall wall;
+    for (dem::Outline& stone : dem::rubble({.stone_length = 0.3, .stone_height = 0.2}))
+        wall.units.push_back({std::move(stone), 0});
+    wall.unit_length = 0.3;
+    dem::Layout layout = dem::drawn_layout(wall, s.beam.height);
+    layout.mortar = true;
+    return dem::discretise(layout, s.stone, s.beam, s.loads, {s.joint, s.crack},
+                           dem::discretisation_of(dem::Fidelity::simple));
+}
+
+void add_rubble(Hash& packs, Hash& scalar)
+{
+    scenes::Scene s = scenes::paper_wall(0.50);
+    s.joint.ft = 0.1e6;
+    s.joint.cohesion = 0.15e6;
+    s.joint.fracture_energy = 10.0;
+    const dem::Model model = rubble_model(s);
+    std::vector<dem::WallMaterials> walls;
+    for (const int sample : {0, 1}) walls.push_back(scenes::table5_sample(s, model, sample));
+    const Case c{dem::Fidelity::simple, dem::ContactLaw::coupled, dem::Damping::combined};
+    for (const dem::PushResult& r : pushed(model, walls, c, 0.004, false)) add(r, packs);
+    for (const dem::PushResult& r : pushed(model, walls, c, 0.004, true)) add(r, scalar);
 }
 
 } // namespace
@@ -97,7 +130,12 @@ try {
     std::printf("packs  %016llx  %d lanes\n", static_cast<unsigned long long>(packs.value()),
                 dem::lanes<dem::Pack>);
     std::printf("scalar %016llx\n", static_cast<unsigned long long>(scalar.value()));
-    return packs.value() == scalar.value() ? 0 : 1;
+    Hash rubble_packs, rubble_scalar;
+    add_rubble(rubble_packs, rubble_scalar);
+    std::printf("rubble %016llx\n", static_cast<unsigned long long>(rubble_packs.value()));
+    const bool same =
+        packs.value() == scalar.value() && rubble_packs.value() == rubble_scalar.value();
+    return same ? 0 : 1;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "curve_hash: %s\n", e.what());
     return 1;

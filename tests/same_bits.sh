@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bash tests/same_bits.sh   one ensemble, the same curves to the last bit: through packs and one wall at a
+# bash tests/same_bits.sh   one ensemble and a wall of rubble, the same curves to the last bit: through packs and one wall at a
 # time, with every register width, g++ and clang++, optimised and not. Builds in a directory that it removes.
 set -uo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." || exit 1
@@ -13,7 +13,7 @@ runs() { # $@: flags of /proc/cpuinfo; whether this processor has them all
     for flag in "$@"; do grep -qw -m1 -- "$flag" /proc/cpuinfo || return 1; done
 }
 
-row() { table+=("$(printf '%-28s %5s  %-16s  %-16s  %6s  %s' "$@")"); }
+row() { table+=("$(printf '%-28s %5s  %-16s  %-16s  %-16s  %6s  %s' "$@")"); }
 
 # Without optimisation each file is compiled alone: that is quick, and shows that it includes what it uses.
 unity() { [[ $1 == *-O0* ]] && echo OFF || echo ON; }
@@ -28,24 +28,25 @@ build() { # $1: directory, $2: compiler, $3: flags
 }
 
 try() { # $1: compiler, $2: flags
-    local dir=$builds/${#table[@]} begin=$SECONDS verdict=ok output='' packs scalar lanes
+    local dir=$builds/${#table[@]} begin=$SECONDS verdict=ok output='' packs scalar rubble lanes
     build "$dir" "$1" "$2" && output=$("$dir/bench/curve_hash") || verdict=FAILED
     read -r _ packs lanes _ <<<"$(grep '^packs ' <<<"$output")"
     read -r _ scalar <<<"$(grep '^scalar ' <<<"$output")"
-    first=${first:-$packs} # that of the first build is what all others must have
-    [[ -n $first && $packs == "$first" && $scalar == "$first" ]] || verdict=FAILED
+    read -r _ rubble <<<"$(grep '^rubble ' <<<"$output")" # through packs and alone, or curve_hash fails
+    first=${first:-$packs $rubble} # those of the first build are what all others must have
+    [[ -n $packs && -n $rubble && "$packs $rubble" == "$first" && $scalar == "$packs" ]] || verdict=FAILED
     if [[ $verdict == ok ]]; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
-    row "$1 ${2// -mprefer-vector-width=512/}" "${lanes:--}" "${packs:--}" "${scalar:--}" \
+    row "$1 ${2// -mprefer-vector-width=512/}" "${lanes:--}" "${packs:--}" "${scalar:--}" "${rubble:--}" \
         $((SECONDS - begin)) "$verdict"
     rm -rf -- "$dir"
 }
 
 skip() { # $1: what, $2: why
     skipped=$((skipped + 1))
-    row "$1" - - - - "did not run: $2"
+    row "$1" - - - - - "did not run: $2"
 }
 
-row compiler lanes packs scalar seconds ''
+row compiler lanes packs scalar rubble seconds ''
 try g++ '-O2 -march=x86-64' # no multiply-add instruction
 if runs avx2 fma; then
     try g++ '-O3 -march=x86-64-v3'

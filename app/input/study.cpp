@@ -155,13 +155,15 @@ std::vector<double> targets_of(const LoadInput& load)
     return stages.empty() ? std::vector{load.max_displacement} : cyclic_targets(stages);
 }
 
-/// True once the force is below a share of the largest so far, on a push that goes one way.
-std::function<bool(std::span<const dem::CurvePoint>)> stop_below(double share)
+/// True once the force is below a share of the largest so far, on a push that goes one way. A wall that is not
+/// symmetric may begin with a force against the push.
+/// @param direction of the push, 1 or -1
+std::function<bool(std::span<const dem::CurvePoint>)> stop_below(double share, int direction)
 {
-    return [share](std::span<const dem::CurvePoint> curve) {
+    return [share, direction](std::span<const dem::CurvePoint> curve) {
         double peak = 0.0;
-        for (const dem::CurvePoint& p : curve) peak = std::max(peak, std::abs(p.force));
-        return curve.size() > 1 && std::abs(curve.back().force) < share * peak;
+        for (const dem::CurvePoint& p : curve) peak = std::max(peak, direction * p.force);
+        return curve.size() > 1 && peak > 0.0 && direction * curve.back().force < share * peak;
     };
 }
 
@@ -192,11 +194,13 @@ std::function<bool(std::span<const dem::CurvePoint>)> stop_both_below(double sha
 }
 
 /// True once a wall that has carried something carries nothing any more.
-bool at_zero_force(std::span<const dem::CurvePoint> curve)
+std::function<bool(std::span<const dem::CurvePoint>)> at_zero_force(int direction)
 {
-    if (curve.back().force > 0.0) return false;
-    return std::any_of(curve.begin(), curve.end(),
-                       [](const dem::CurvePoint& p) { return p.force > 0.0; });
+    return [direction](std::span<const dem::CurvePoint> curve) {
+        if (direction * curve.back().force > 0.0) return false;
+        return std::any_of(curve.begin(), curve.end(),
+                           [=](const dem::CurvePoint& p) { return direction * p.force > 0.0; });
+    };
 }
 
 bool turns_back(const std::vector<double>& targets)
@@ -214,12 +218,13 @@ dem::PushPlan push_plan(const Study& study)
     plan.snapshot_every = study.output.paraview ? study.output.snapshot_every : 0.0;
     const bool finite = study.solver.kinematics == dem::Kinematics::finite;
     const bool to_and_fro = turns_back(plan.targets);
+    const int direction = plan.targets.back() < 0.0 ? -1 : 1; // of a push that goes one way
     if (finite && !to_and_fro) plan.drop = fragility::kUltimateShare;
     if (study.load.stop_below > 0.0)
         plan.decided = to_and_fro ? stop_both_below(study.load.stop_below)
-                                  : stop_below(study.load.stop_below);
+                                  : stop_below(study.load.stop_below, direction);
     else if (finite && !to_and_fro)
-        plan.decided = at_zero_force;
+        plan.decided = at_zero_force(direction);
     return plan;
 }
 

@@ -29,8 +29,9 @@ struct Model;
 
 namespace app {
 
-/// A wall that is drawn, in place of courses.
+/// A wall that is drawn, or of rubble, in place of courses.
 struct GeometryInput {
+    bool rubble = false;              ///< random stones fill the wall
     std::string file;                 ///< drawing or picture; empty: none
     std::string outlines;             ///< in place of a file, as outlines_text() writes them
     double length_unit = 1e-3;        ///< of the drawing [m]
@@ -42,7 +43,7 @@ struct GeometryInput {
     std::string layer_stones;         ///< "NAME: E, Poisson's ratio, density; ..."
     std::vector<std::string> layers;  ///< whose stone is not the wall's
     std::vector<dem::Elastic> stones; ///< of these layers
-    std::vector<dem::DrawnUnit> units; ///< what was read
+    std::vector<dem::DrawnUnit> units; ///< what was read, or the stones of rubble
     std::vector<std::string> notes;    ///< what was closed, simplified or ignored on the way
 };
 

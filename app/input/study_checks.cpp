@@ -3,6 +3,7 @@
 
 #include "app/input/units.hpp"
 #include "app/text/number_text.hpp"
+#include "dem/scene/bond.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <algorithm>
@@ -89,6 +90,20 @@ void check_residuals(const Study& study)
     }
 }
 
+void check_bond(const Study& study)
+{
+    const dem::WallGeometry& wall = study.wall;
+    if (!in_courses(study)) return;
+    if (wall.bond != dem::Bond::shifted && wall.header_length > wall.unit_length)
+        refuse(study, "wall.header_length",
+               "must be at most wall.unit_length, " + text(wall.unit_length, "m"));
+    const double most = dem::most_length_cov(wall);
+    if (wall.bond == dem::Bond::shifted && wall.length_cov > most)
+        refuse(study, "wall.unit_length_cov",
+               "head joints would pass those of the next course; write at most " +
+                   number(std::floor(most * 1e3) / 1e3, 3));
+}
+
 /// No block and no piece of joint may be a sliver: its stiffness would be an accident of the
 /// sizes.
 void check_pieces(const Study& study)
@@ -111,7 +126,7 @@ void check_pieces(const Study& study)
                    " mm long; choose wall.length, unit_length and bond so that none is below 1 "
                    "mm");
     };
-    if (is_drawn(study)) return; // as drawn
+    if (!in_courses(study)) return; // as drawn
     const dem::Layout layout = layout_of(study);
     for (const dem::Block& b : layout.blocks) {
         const double extent = std::min(b.x1 - b.x0, b.z1 - b.z0);
@@ -120,7 +135,7 @@ void check_pieces(const Study& study)
                    "makes pieces below 1 mm; write fewer pieces, or larger cells");
         if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
     }
-    if (layout.divided) return; // corners of cells may come close
+    if (layout.divided || wall.length_cov > 0.0) return; // joints may come close to cracks
     for (const dem::Face& f : layout.faces) {
         const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
         if (length < kSmallest) refuse_piece("a piece of joint", length);
@@ -244,6 +259,7 @@ void check_stiffness(const Study& study)
 void check_relations(const Study& study)
 {
     check_residuals(study);
+    check_bond(study);
     check_pieces(study);
     check_pattern(study);
     check_load(study);

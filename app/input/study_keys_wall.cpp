@@ -16,7 +16,32 @@ using dem::Elastic;
 using dem::SolverOptions;
 using dem::WallGeometry;
 
-constexpr std::array kBonds = {named("running", 0.5), named("stack", 0)};
+/// A shift stands for itself, the other bonds for the numbers from 1 on.
+constexpr double kRubble = 5.0;
+constexpr double number_of(dem::Bond bond) { return 1.0 + static_cast<double>(bond); }
+constexpr std::array kBonds = {named("running", 0.5),
+                               named("stack", 0),
+                               named("english", number_of(dem::Bond::english)),
+                               named("flemish", number_of(dem::Bond::flemish)),
+                               named("header", number_of(dem::Bond::header)),
+                               named("rubble", kRubble)};
+
+std::vector<double> bond_value(const Study& s)
+{
+    if (s.geometry.rubble) return {kRubble};
+    if (s.wall.bond == dem::Bond::shifted) return {s.wall.bond_offset};
+    return {number_of(s.wall.bond)};
+}
+
+void set_bond(Study& s, const std::vector<double>& values)
+{
+    const double value = values.front();
+    s.geometry.rubble = value == kRubble;
+    const bool other = value >= 1.0 && !s.geometry.rubble;
+    s.wall.bond = other ? static_cast<dem::Bond>(value - 1.0) : dem::Bond::shifted;
+    if (value < 1.0) s.wall.bond_offset = value;
+}
+
 constexpr std::array kFirstCourses = {named("whole", dem::FirstCourse::whole),
                                       named("shifted", dem::FirstCourse::shifted)};
 constexpr std::array kBases = {named("fixed", dem::Base::fixed),
@@ -60,16 +85,41 @@ constexpr Condition kOfPicture{[](const Study& s) { return is_picture(s.geometry
 constexpr Condition kWhereDrawn{
     [](const Study& s) { return !s.geometry.file.empty() || !s.geometry.outlines.empty(); },
     "the wall is not drawn; write wall.geometry, or remove it", true};
-constexpr Condition kInCourses{
+constexpr Condition kBuilt{
     [](const Study& s) { return s.geometry.file.empty() && s.geometry.outlines.empty(); },
     "the wall is drawn, not laid in courses; remove it", true};
-/// Not needed by a wall that is drawn, but of use to it.
-template <auto kKey>
-constexpr Condition kInCoursesOrGiven{
-    [](const Study& s) { return kInCourses.holds(s) || find_entry(s.source, kKey) != nullptr; },
-    "a drawn wall has no wall.unit_length that tells whole units"};
-constexpr const char kUnitLength[] = "wall.unit_length", kCourseHeight[] = "wall.course_height";
-constexpr Condition kWithWholeUnits = kInCoursesOrGiven<kUnitLength>;
+constexpr Condition kInCourses{
+    in_courses, "the wall is drawn or of rubble, not laid in courses; remove it", true};
+constexpr Condition kEqualCourses{
+    [](const Study& s) { return kBuilt.holds(s) && s.wall.course_heights.empty(); },
+    "the wall is drawn, or wall.course_heights has its courses; remove it", true};
+/// Of use to a drawing, but not needed: h of Eq. 2, and the length of whole units.
+constexpr Condition kEqualCoursesOrGiven{
+    [](const Study& s) {
+        return s.wall.course_heights.empty() &&
+               (kBuilt.holds(s) || find_entry(s.source, "wall.course_height") != nullptr);
+    },
+    "wall.course_heights has the heights of the courses; remove it", true};
+constexpr Condition kBuiltOrGiven{[](const Study& s) {
+    return kBuilt.holds(s) || find_entry(s.source, "wall.unit_length") != nullptr;
+}};
+constexpr Condition kWithWholeUnits{
+    [](const Study& s) { return kBuiltOrGiven.holds(s) && !s.geometry.rubble; },
+    "a drawn wall without wall.unit_length, and rubble, have no units known as whole"};
+constexpr Condition kWithHeaders{
+    [](const Study& s) { return kInCourses.holds(s) && s.wall.bond != dem::Bond::shifted; },
+    "there are no headers; write wall.bond = english, flemish or header, or remove it", true};
+constexpr Condition kWithShiftedCourses{
+    [](const Study& s) { return kInCourses.holds(s) && s.wall.bond == dem::Bond::shifted; },
+    "only units of running bond are drawn at random; write wall.bond = running, or remove it",
+    true};
+constexpr Condition kRandomLayout{
+    [](const Study& s) {
+        return kBuilt.holds(s) && (s.geometry.rubble || s.wall.length_cov > 0.0);
+    },
+    "no layout is drawn at random; write wall.bond = rubble, or wall.unit_length_cov, or "
+    "remove it",
+    true};
 constexpr Condition kWithCracks{
     has_cracks,
     "no unit can crack: unit.cracks is none, or a drawn wall has no wall.unit_length"};
@@ -112,11 +162,15 @@ constexpr Condition kWithLintels{[](const Study& s) { return s.wall.lintel_beari
                                  "lintel.bearing is 0"};
 
 constexpr Condition kSeveralCourses{[](const Study& s) {
-                                        return s.wall.courses > 1 ||
+                                        return s.wall.courses > 1 || s.geometry.rubble ||
+                                               s.wall.bond != dem::Bond::shifted ||
                                                s.wall.first_course == dem::FirstCourse::shifted;
                                     },
                                     "the wall has one course, which is not shifted"};
-constexpr Condition kShiftedCourses{[](const Study& s) { return s.wall.bond_offset > 0.0; },
+constexpr Condition kShiftedCourses{[](const Study& s) {
+                                        return s.wall.bond != dem::Bond::shifted ||
+                                               s.wall.bond_offset > 0.0;
+                                    },
                                     "wall.bond is stack"};
 constexpr Condition kMovingFirstCourse{
     [](const Study& s) { return s.wall.base == dem::Base::joint || !rigid_blocks(s); },
@@ -181,25 +235,39 @@ constexpr std::array kKeys = {
     Key{.name = "wall.layer_stones", .kind = Kind::text, .used = kWhereDrawn,
         .meaning = "stone of layers that is not the wall's: lintel: 30 GPa, 0.2, 2500 kg/m3; ...",
         .field = kAt<&Study::geometry, &GeometryInput::layer_stones>},
-    Key{.name = "wall.length", .unit = "m", .range = kLength, .used = kInCourses, .example = "1.00 m",
+    Key{.name = "wall.length", .unit = "m", .range = kLength, .used = kBuilt, .example = "1.00 m",
         .meaning = "along the push",
         .field = kAt<&Study::wall, &WallGeometry::length>},
-    Key{.name = "wall.courses", .kind = Kind::count, .range = {'[', 1, 1000, ']'}, .used = kInCourses, .example = "10",
-        .meaning = "number of courses",
+    Key{.name = "wall.course_heights", .kind = Kind::list, .unit = "m", .range = kHeight, .used = kInCourses,
+        .derived = {"all wall.course_height"},
+        .meaning = "of each course, from the bottom, in place of courses and course_height; h of Eq. 2 is their mean",
+        .field = kAt<&Study::wall, &WallGeometry::course_heights>},
+    Key{.name = "wall.courses", .kind = Kind::count, .range = {'[', 1, 1000, ']'}, .used = kEqualCourses, .example = "10",
+        .meaning = "number of courses; of rubble: mean number of stones one above the other",
         .field = kAt<&Study::wall, &WallGeometry::courses>},
-    Key{.name = "wall.course_height", .unit = "m", .range = kHeight, .used = kInCoursesOrGiven<kCourseHeight>, .example = "0.10 m",
-        .meaning = "height of a course, h of Eq. 2",
+    Key{.name = "wall.course_height", .unit = "m", .range = kHeight, .used = kEqualCoursesOrGiven, .example = "0.10 m",
+        .meaning = "height of a course, h of Eq. 2; of rubble: of a mean stone",
         .field = kAt<&Study::wall, &WallGeometry::course_height>},
-    Key{.name = "wall.unit_length", .unit = "m", .range = kLength, .used = kInCoursesOrGiven<kUnitLength>, .example = "0.20 m",
-        .meaning = "length of a whole unit",
+    Key{.name = "wall.unit_length", .unit = "m", .range = kLength, .used = kBuiltOrGiven, .example = "0.20 m",
+        .meaning = "length of a whole unit; of rubble: of a mean stone",
         .field = kAt<&Study::wall, &WallGeometry::unit_length>},
     Key{.name = "wall.thickness", .unit = "m", .range = kLength, .example = "0.20 m",
         .meaning = "of the wall, out of plane",
         .field = kAt<&Study::wall, &WallGeometry::thickness>},
     Key{.name = "wall.bond", .range = {'[', 0, 1, ')'}, .names = kBonds,
-        .used = kInCourses, .effect = kSeveralCourses,
-        .meaning = "shift of every second course in unit lengths; running 0.5, stack 0",
-        .field = kAt<&Study::wall, &WallGeometry::bond_offset>},
+        .used = kBuilt, .effect = kSeveralCourses,
+        .meaning = "shift of every second course in unit lengths (running 0.5, stack 0); english, flemish, header; or random stones: rubble",
+        .field = {bond_value, set_bond}},
+    Key{.name = "wall.header_length", .unit = "m", .range = kLength, .used = kWithHeaders,
+        .derived = {"half of wall.unit_length", [](Study& s) { s.wall.header_length = 0.5 * s.wall.unit_length; }},
+        .meaning = "along the wall, of units that lie across it",
+        .field = kAt<&Study::wall, &WallGeometry::header_length>},
+    Key{.name = "wall.unit_length_cov", .range = {'[', 0, 1, ')'}, .used = kWithShiftedCourses,
+        .meaning = "coefficient of variation of the lengths of whole units, whose head joints move to either side",
+        .field = kAt<&Study::wall, &WallGeometry::length_cov>},
+    Key{.name = "wall.seed", .kind = Kind::count, .range = {'[', 0, 1e9, ']'}, .used = kRandomLayout,
+        .meaning = "of random lengths of units, or of rubble",
+        .field = kAt<&Study::wall, &WallGeometry::seed>},
     Key{.name = "wall.first_course", .kind = Kind::word, .names = kFirstCourses,
         .used = kInCourses, .effect = kShiftedCourses,
         .meaning = "bottom course starts with a whole unit or with the shifted piece",

@@ -122,17 +122,20 @@ template <class Read> void read_at(const Study& study, std::string_view key, Rea
     }
 }
 
-/// A drawn wall has whole units only where their length is given.
+/// A drawn wall has whole units only where their length is given, rubble none.
 void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& pattern)
 {
-    const bool drawn = !study.geometry.file.empty() || !study.geometry.outlines.empty();
-    const bool whole_units = !drawn || find_entry(study.source, "wall.unit_length") != nullptr;
+    const bool whole_units =
+        in_courses(study) ||
+        (!study.geometry.rubble && find_entry(study.source, "wall.unit_length") != nullptr);
     if (pattern.kind != Kind::mid || whole_units) return;
     if (find_entry(study.source, key) != nullptr)
         throw error_at(
             study.source, key,
-            "mid is of whole units; a drawn wall needs wall.unit_length to tell them, "
-            "or write thirds, grid(2, 2), ...");
+            study.geometry.rubble
+                ? "mid is of whole units, which rubble has not; write thirds, grid(2, 2), ..."
+                : "mid is of whole units; a drawn wall needs wall.unit_length to tell them, "
+                  "or write thirds, grid(2, 2), ...");
     pattern = {Kind::none};
 }
 

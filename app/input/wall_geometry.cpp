@@ -1,11 +1,13 @@
 #include "app/input/wall_geometry.hpp"
 
 #include "app/drawing/drawing.hpp"
+#include "app/input/built_wall.hpp"
 #include "app/input/unit_cracks.hpp"
 #include "app/input/units.hpp"
 #include "app/text/check_sum.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
+#include "dem/scene/bond.hpp"
 #include "dem/scene/drawn_layout.hpp"
 #include "dem/scene/polygon.hpp"
 
@@ -92,31 +94,6 @@ void parse_layer_stones(Study& study)
     }
 }
 
-/// "x, z, width, height; ...", each with its unit.
-void read_openings(Study& study)
-{
-    if (study.geometry.openings.empty()) return;
-    try {
-        for (const std::string_view part : split(study.geometry.openings, ";")) {
-            const std::vector<std::string_view> v = split(part, ",");
-            if (v.size() != 4)
-                throw BadValue(
-                    in_quotes(part) +
-                    " is no opening; write x, z, width and height: \"0.4 m, 0 m, 0.6 "
-                    "m, 1.2 m\"");
-            study.wall.openings.push_back({parse_quantity(v[0], "m"), parse_quantity(v[1], "m"),
-                                           parse_quantity(v[2], "m"),
-                                           parse_quantity(v[3], "m")});
-        }
-        study.geometry.layers = {"lintel"}; // as which `scene` draws and exports them
-        static_cast<void>(dem::lay_out(study.wall, 0.0));
-    } catch (const BadValue& bad) {
-        throw error_at(study.source, "wall.openings", bad.what());
-    } catch (const std::invalid_argument& bad) {
-        throw error_at(study.source, "wall.openings", bad.what());
-    }
-}
-
 std::filesystem::path path_of(const Study& study)
 {
     const std::filesystem::path path = study.geometry.file;
@@ -183,15 +160,23 @@ double beam_height(const Study& study) { return study.beam.present ? study.beam.
 
 } // namespace
 
-bool is_drawn(const Study& study) { return !study.geometry.units.empty(); }
+bool is_drawn(const Study& study)
+{
+    return !study.geometry.units.empty() && !study.geometry.rubble;
+}
+
+bool in_courses(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    return g.file.empty() && g.outlines.empty() && !g.rubble;
+}
 
 void read_geometry(Study& study)
 {
     GeometryInput& g = study.geometry;
     const std::string_view key = g.file.empty() ? "wall.outlines" : "wall.geometry";
     if (g.file.empty() && g.outlines.empty()) {
-        read_unit_cracks(study);
-        read_openings(study);
+        read_built_wall(study);
         return;
     }
     if (!g.file.empty() && !g.outlines.empty())
@@ -224,7 +209,8 @@ void read_geometry(Study& study)
 dem::Region wall_extent(const Study& study)
 {
     if (!is_drawn(study))
-        return {0.0, 0.0, study.wall.length, study.wall.courses * study.wall.course_height};
+        return {0.0, 0.0, study.wall.length,
+                dem::top_of_course(study.wall, study.wall.courses)};
     dem::Region all{INFINITY, 0.0, -INFINITY, 0.0};
     for (const dem::DrawnUnit& unit : study.geometry.units)
         for (const dem::Point p : unit.outline) {
@@ -259,7 +245,7 @@ bool has_crushing(const Study& study)
 
 dem::Layout layout_of(const Study& study)
 {
-    dem::Layout layout = is_drawn(study)
+    dem::Layout layout = !study.geometry.units.empty()
                              ? dem::drawn_layout(drawn_wall(study), beam_height(study))
                              : dem::lay_out(study.wall, beam_height(study));
     layout.course_height = study.wall.course_height; // h of Eq. 2

@@ -15,7 +15,11 @@ namespace app {
 /// @throws ConfigError at the drawing, or at a key of the study
 void read_geometry(Study& study);
 
+/// Whether the study brings outlines of its own.
 [[nodiscard]] bool is_drawn(const Study& study);
+
+/// Whether its keys say so; it need not be read any further.
+[[nodiscard]] bool in_courses(const Study& study);
 
 [[nodiscard]] double wall_length(const Study& study); ///< [m]
 [[nodiscard]] double wall_height(const Study& study); ///< above the floor, without the beam [m]

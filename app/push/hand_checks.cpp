@@ -2,6 +2,7 @@
 
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
+#include "dem/scene/bond.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,20 +82,21 @@ HandChecks checks_of(const Study& study, const PushedWall& w)
     const dem::WallGeometry& g = study.wall;
     const bool fixed_base = g.base == dem::Base::fixed;
     const int turning = g.courses - (fixed_base ? 1 : 0);
-    const double course = study.parameters.stone.density * w.loads.gravity * g.length *
-                          g.thickness * g.course_height;
+    const double floor = fixed_base ? dem::top_of_course(g, 1) : 0.0; // of what may move [m]
+    const double top = dem::top_of_course(g, g.courses), wall_height = top - floor;
+    const double weight_per_height =
+        study.parameters.stone.density * w.loads.gravity * g.length * g.thickness; // [N/m]
+    const double top_course = weight_per_height * (top - dem::top_of_course(g, g.courses - 1));
     const double beam = study.beam.present ? study.beam.material.density * w.loads.gravity *
                                                  g.length * g.thickness * study.beam.height
                                            : 0.0;
     HandChecks h;
     h.vertical_load = w.vertical_stress * g.length * g.thickness + beam;
-    h.wall_weight = turning * course;
+    h.wall_weight = weight_per_height * wall_height;
     const double restoring = (h.vertical_load + h.wall_weight) * 0.5 * g.length; // [N m]
-    const double floor = fixed_base ? g.course_height : 0.0; // of the joint that opens
-    const double moving = h.wall_weight + beam;              // what body forces push above it
+    const double moving = h.wall_weight + beam; // what body forces push above the floor
     const bool body = w.loads.pattern == dem::LoadPattern::body && moving > 0.0;
     if (body) {
-        const double wall_height = turning * g.course_height;
         const double turned =
             0.5 * h.wall_weight * wall_height + beam * (wall_height + 0.5 * study.beam.height);
         h.rocking_limit = restoring / turned * w.result.weight;
@@ -108,7 +110,7 @@ HandChecks checks_of(const Study& study, const PushedWall& w)
         h.sliding_limit =
             tan_phi * (h.vertical_load + h.wall_weight) / moving * w.result.weight;
     else if (!drawn)
-        h.sliding_limit = tan_phi * (h.vertical_load + (turning > 0 ? course : 0.0));
+        h.sliding_limit = tan_phi * (h.vertical_load + (turning > 0 ? top_course : 0.0));
     if (!dem::failed(w.result.outcome)) h.toe_stress = compression(study, w.result.at_end);
 
     if (turning == 0)

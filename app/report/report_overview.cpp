@@ -50,6 +50,8 @@ std::string way_text(const PushWay& way)
 /// "in 10 courses", "of 15 blocks drawn in portal.dxf"
 std::string bond_text(const Study& study)
 {
+    if (study.geometry.rubble)
+        return "of " + count_of(study.geometry.units.size(), "stone") + " of rubble";
     if (!is_drawn(study))
         return "in " + count_of(static_cast<std::size_t>(study.wall.courses), "course");
     const GeometryInput& g = study.geometry;

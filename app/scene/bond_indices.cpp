@@ -47,8 +47,10 @@ struct Way {
     double length;
 };
 
-/// Dijkstra's shortest way from the floor to the top.
-double least_trace(const dem::Layout& layout)
+/// Dijkstra's shortest way through joints.
+/// @param begins, ends conditions on a point
+template <class Begins, class Arrives>
+double least_trace(const dem::Layout& layout, Begins begins, Arrives arrives)
 {
     Ends ends;
     std::vector<std::vector<Way>> ways;
@@ -64,12 +66,12 @@ double least_trace(const dem::Layout& layout)
     std::priority_queue<Place, std::vector<Place>, std::greater<>> open;
     std::vector<double> length(ways.size(), kNoEnd);
     for (std::size_t k = 0; k < ways.size(); ++k)
-        if (ends.points[k].z < Ends::kCell) open.emplace(length[k] = 0.0, k);
+        if (begins(ends.points[k])) open.emplace(length[k] = 0.0, k);
     while (!open.empty()) {
         const auto [so_far, k] = open.top();
         open.pop();
         if (so_far > length[k]) continue;
-        if (ends.points[k].z > layout.height - Ends::kCell) return so_far;
+        if (arrives(ends.points[k])) return so_far;
         for (const Way& w : ways[k])
             if (so_far + w.length < length[w.to])
                 open.emplace(length[w.to] = so_far + w.length, w.to);
@@ -116,15 +118,24 @@ std::vector<double> overlaps(const dem::Layout& layout)
 BondIndices bond_indices(const dem::Layout& layout, std::span<const DrawnBlock> units)
 {
     BondIndices indices;
-    indices.trace = least_trace(layout);
+    indices.trace = least_trace(
+        layout, [](Point p) { return p.z < Ends::kCell; },
+        [&](Point p) { return p.z > layout.height - Ends::kCell; });
     indices.trace_ratio = indices.trace / layout.height;
     const auto n = static_cast<double>(units.size());
+    double first = kNoEnd, last = -kNoEnd;
     for (const DrawnBlock& u : units) {
         const auto [left, right] = std::ranges::minmax(u.outline, {}, &Point::x);
         const auto [low, high] = std::ranges::minmax(u.outline, {}, &Point::z);
+        first = std::min(first, left.x);
+        last = std::max(last, right.x);
         indices.mean_length += (right.x - left.x) / n;
         indices.mean_height += (high.z - low.z) / n;
     }
+    const double level_trace = least_trace(
+        layout, [&](Point p) { return p.x < first + Ends::kCell; },
+        [&](Point p) { return p.x > last - Ends::kCell; });
+    indices.level_trace_ratio = level_trace / (last - first);
     indices.least_overlap = indices.mean_overlap = kUnknown;
     const std::vector<double> found =
         of_rectangles(layout) ? overlaps(layout) : std::vector<double>{};

@@ -14,6 +14,8 @@ struct BondIndices {
     /// the beam are not needed. NaN where there is none.
     double trace = 0.0;
     double trace_ratio = 0.0; ///< to the height of the wall [-], >= 1
+    /// The same from the left end of the wall to the right, to the length of the wall [-], >= 1.
+    double level_trace_ratio = 0.0;
     /// Distance of a head joint to the nearest one that begins where it ends, in the course above, over the mean
     /// height of a unit [-]. NaN unless all blocks are rectangles.
     double least_overlap = 0.0, mean_overlap = 0.0;

@@ -8,6 +8,7 @@
 #include "app/output/progress.hpp"
 #include "app/output/table.hpp"
 #include "app/scene/bond_indices.hpp"
+#include "app/scene/quality_terms.hpp"
 #include "app/scene/scene_picture.hpp"
 #include "app/scene/scene_units.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -95,6 +96,29 @@ std::string index_text(const BondIndices& i)
     return text;
 }
 
+std::string_view word(Fulfilled f)
+{
+    return f == Fulfilled::fully    ? "fulfilled"
+           : f == Fulfilled::partly ? "partly"
+                                    : "not fulfilled";
+}
+
+std::string percent(double share) { return fixed(100.0 * share, 0) + " %"; }
+
+std::string quality_text(const BondIndices& i, const QualityTerms& q)
+{
+    const std::string level = std::isfinite(i.level_trace_ratio)
+                                  ? "minimum trace from side to side " +
+                                        fixed(i.level_trace_ratio, 2) + " times the length"
+                                  : "no way through joints from side to side";
+    return "Of the masonry quality index: dimensions (SD) " + std::string(word(q.dimensions)) +
+           ", " + percent(q.long_stones) + " of the units are longer than 400 mm, " +
+           percent(q.middle_stones) + " 200 to 400 mm; head joints (VJ) " +
+           std::string(word(q.staggered)) + "; for bed joints (HJ): " + level +
+           "; for shapes (SS): units fill " + percent(q.filled) +
+           " of their extents. SM, WC and MM are not seen in an elevation.";
+}
+
 } // namespace
 
 int scene_command(const Command& command)
@@ -107,6 +131,7 @@ int scene_command(const Command& command)
     say_effects(study, command);
     const std::string counts = count_text(study, layout, units);
     const std::string sizes = size_text(study, layout, masonry_of(study, layout));
+    const BondIndices indices = bond_indices(whole, units);
     const fs::path out = command.out;
     make_folder(out);
     const double unit = study.geometry.length_unit;
@@ -115,7 +140,9 @@ int scene_command(const Command& command)
     write_file(out / "scene.svg", scene_picture(layout, units, counts, sizes));
     std::cout << wrapped(counts + ".\n", terminal_width())
               << wrapped(sizes + ".\n", terminal_width())
-              << wrapped(index_text(bond_indices(whole, units)) + "\n", terminal_width())
+              << wrapped(index_text(indices) + "\n", terminal_width())
+              << wrapped(quality_text(indices, quality_terms(indices, units)) + "\n",
+                         terminal_width())
               << "scene.svg, scene.json and scene.dxf written to " << command.out << '\n';
     return 0;
 }

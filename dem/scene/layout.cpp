@@ -1,10 +1,12 @@
 #include "dem/scene/layout.hpp"
 
+#include "dem/scene/bond.hpp"
 #include "dem/scene/cracked_layout.hpp"
 #include "dem/scene/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -12,25 +14,43 @@ namespace dem {
 
 namespace {
 
-constexpr double kSmallestPiece = 1e-6; // [m]; a shorter piece comes from rounding of the sizes
+void check_bond(const WallGeometry& wall)
+{
+    if (!(wall.bond_offset >= 0 && wall.bond_offset < 1))
+        throw std::invalid_argument("bond offset must be in [0, 1) unit lengths");
+    if (!(wall.header_length > 0)) throw std::invalid_argument("headers need a length");
+    const std::size_t heights = wall.course_heights.size();
+    if (heights > 0 && heights != static_cast<std::size_t>(wall.courses))
+        throw std::invalid_argument("each course needs a height of its own, or none");
+    if (!std::ranges::all_of(wall.course_heights, [](double h) { return h > 0; }))
+        throw std::invalid_argument("the height of a course must be positive");
+    if (wall.length_cov != 0.0 && !(wall.length_cov > 0.0 && wall.bond == Bond::shifted &&
+                                    wall.length_cov <= most_length_cov(wall)))
+        throw std::invalid_argument("units of random lengths must keep their bond");
+}
+
+/// Whether a height is that of the floor, or of the top of a course.
+bool is_level(const WallGeometry& wall, double z)
+{
+    for (int c = 0; c <= wall.courses; ++c)
+        if (std::abs(top_of_course(wall, c) - z) < kSmallestPiece) return true;
+    return false;
+}
 
 void check(const WallGeometry& wall)
 {
     if (!(wall.courses >= 1 && wall.length > 0 && wall.thickness > 0 &&
           wall.course_height > 0 && wall.unit_length > 0))
         throw std::invalid_argument("a wall needs positive sizes and at least one course");
-    if (!(wall.bond_offset >= 0 && wall.bond_offset < 1))
-        throw std::invalid_argument("bond offset must be in [0, 1) unit lengths");
-    const double last = (wall.courses - 1) * wall.course_height;
+    check_bond(wall);
+    const double last = top_of_course(wall, wall.courses - 1);
     for (const Opening& o : wall.openings) {
-        const double low = o.z / wall.course_height,
-                     high = (o.z + o.height) / wall.course_height;
         if (!(o.width > 0 && o.height > 0 && o.x > -kSmallestPiece &&
               o.x + o.width < wall.length + kSmallestPiece && o.z > -kSmallestPiece &&
               o.z + o.height < last + kSmallestPiece))
             throw std::invalid_argument(
                 "an opening must lie within the wall, below its top course");
-        if (std::abs(low - std::round(low)) > 1e-6 || std::abs(high - std::round(high)) > 1e-6)
+        if (!is_level(wall, o.z) || !is_level(wall, o.z + o.height))
             throw std::invalid_argument("an opening must begin and end between two courses");
         for (const Opening& p : wall.openings)
             if (&p != &o && o.x < p.x + p.width - kSmallestPiece &&
@@ -60,30 +80,6 @@ Motion support_of(const WallGeometry& wall, const Block& b)
     return toe ? Motion::held_right_corner : Motion::free;
 }
 
-bool is_shifted(const WallGeometry& wall, int course)
-{
-    return (course % 2 == 0) == (wall.first_course == FirstCourse::whole);
-}
-
-/// x of the unit boundaries of a course, both ends included.
-std::vector<double> unit_boundaries(const WallGeometry& wall, int course)
-{
-    const double start = is_shifted(wall, course) ? wall.bond_offset * wall.unit_length : 0.0;
-    std::vector<double> x{0.0};
-    if (start > kSmallestPiece && start < wall.length - kSmallestPiece) x.push_back(start);
-    for (int i = 1; start + i * wall.unit_length < wall.length - kSmallestPiece; ++i)
-        x.push_back(start + i * wall.unit_length);
-    x.push_back(wall.length);
-    return x;
-}
-
-/// Between two head joints of a course, or a lintel.
-struct CoursePiece {
-    double x0, x1;
-    bool whole; ///< a unit of full length
-    int material = 0;
-};
-
 /// Takes [from, to] out of the pieces of a course.
 std::vector<CoursePiece> without(const std::vector<CoursePiece>& pieces, double from, double to)
 {
@@ -100,12 +96,11 @@ std::vector<CoursePiece> without(const std::vector<CoursePiece>& pieces, double 
 
 bool equal_lengths(double a, double b) { return std::abs(a - b) < kSmallestPiece; }
 
-std::vector<CoursePiece> pieces_of(const WallGeometry& wall, double z0, double z1,
-                                   const std::vector<double>& x)
+/// The pieces of a course that openings and lintels leave, and these lintels.
+std::vector<CoursePiece> pieces_of(const WallGeometry& wall, int course)
 {
-    std::vector<CoursePiece> pieces;
-    for (std::size_t i = 0; i + 1 < x.size(); ++i)
-        pieces.push_back({x[i], x[i + 1], x[i + 1] - x[i] > wall.unit_length - kSmallestPiece});
+    const double z0 = top_of_course(wall, course - 1), z1 = top_of_course(wall, course);
+    std::vector<CoursePiece> pieces = bonded_course(wall, course);
     for (const Opening& o : wall.openings) {
         const double right = o.x + o.width;
         if (equal_lengths(o.z + o.height, z0) && wall.lintel_bearing > 0.0) {
@@ -124,8 +119,8 @@ std::vector<CoursePiece> pieces_of(const WallGeometry& wall, double z0, double z
 
 void add_course(const WallGeometry& wall, int course, int& unit, Layout& layout)
 {
-    const double z0 = (course - 1) * wall.course_height, z1 = course * wall.course_height;
-    for (const CoursePiece& p : pieces_of(wall, z0, z1, unit_boundaries(wall, course))) {
+    const double z0 = top_of_course(wall, course - 1), z1 = top_of_course(wall, course);
+    for (const CoursePiece& p : pieces_of(wall, course)) {
         ++unit;
         const double middle = 0.5 * (p.x0 + p.x1);
         const CrackPattern& cracks = pattern_at(wall.cracks, {middle, 0.5 * (z0 + z1)});
@@ -164,7 +159,7 @@ void add_bed_faces(int a0, int a1, int b0, int b1, FaceKind kind, Layout& layout
     for (int a = a0, b = b0; a < a1 && b < b1;) {
         const Block &below = layout.blocks[a], &above = layout.blocks[b];
         const double x0 = std::max(below.x0, above.x0), x1 = std::min(below.x1, above.x1);
-        if (x1 - x0 > kSmallestPiece) {
+        if (x1 - x0 > kShortestFace) {
             const int id = kind == FaceKind::bed_joint ? ++layout.n_joints : 0;
             layout.faces.push_back(
                 {kind, id, a, b, {x0, above.z0}, {x1, above.z0}, {0.0, 1.0}});
@@ -250,7 +245,7 @@ Layout lay_out(const WallGeometry& wall, double beam_height)
     Layout layout;
     layout.thickness = wall.thickness;
     layout.length = wall.length;
-    layout.height = wall.courses * wall.course_height;
+    layout.height = top_of_course(wall, wall.courses);
     layout.courses = wall.courses;
     layout.course_height = wall.course_height;
     layout.half_unit = 0.5 * wall.unit_length;

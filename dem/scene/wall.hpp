@@ -13,6 +13,13 @@ enum class FirstCourse {
     whole,  ///< the bottom course starts with a whole unit
     shifted ///< the bottom course starts with the shorter piece
 };
+/// How the head joints of a course lie above those of the course below. A header is a unit that lies across the wall.
+enum class Bond {
+    shifted, ///< whole units, every second course shifted by bond_offset
+    english, ///< courses of whole units and courses of headers by turns
+    flemish, ///< whole units and headers by turns in every course
+    header   ///< headers, every second course shifted by half of one
+};
 enum class Base {
     fixed, ///< the bottom face of the first course is clamped to the ground (paper, section 3)
     joint  ///< the first course stands on a dry joint and can lift and slide
@@ -47,9 +54,16 @@ struct WallGeometry {
     double thickness = 0.20;     ///< > 0
     int courses = 10;            ///< >= 1
     double course_height = 0.10; ///< > 0
-    double unit_length = 0.20;   ///< > 0
+    /// From the bottom, one for each course, > 0; empty: all are course_height.
+    std::vector<double> course_heights;
+    double unit_length = 0.20; ///< > 0
+    Bond bond = Bond::shifted;
     /// Shift of every second course in unit lengths, in [0, 1); 0 makes a stack bond.
     double bond_offset = 0.5;
+    double header_length = 0.10; ///< of a header along the wall, > 0
+    /// Of whole units of Bond::shifted [-], at most most_length_cov(): their head joints move to either side.
+    double length_cov = 0.0;
+    unsigned seed = 1; ///< of these moves
     FirstCourse first_course = FirstCourse::whole;
     UnitCracks cracks; ///< by default a potential crack at mid-length of each whole unit
     Base base = Base::fixed;

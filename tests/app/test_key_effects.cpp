@@ -74,7 +74,7 @@ samples = 3
 const std::string kCorrelated = kAll + "spatial = correlated\nkernel = matern\n"
                                        "correlation_length = 0.3 m\n";
 
-/// Mortar, a window, units that do not crack.
+/// Mortar, headers, courses of heights of their own, a window; units do not crack.
 const std::string kMortar = [] {
     std::string text = kAll;
     const auto after = [&](std::string_view section, std::string_view keys) {
@@ -82,7 +82,9 @@ const std::string kMortar = [] {
     };
     after("[joint]\n", "tensile_strength = 0.005 MPa\ncohesion = 0.3 MPa\n"
                        "fracture_energy = 0.01 N/m\n");
-    after("[wall]\n", "unit_cracks = no\nopenings = 0.2 m, 0.1 m, 0.2 m, 0.1 m\n");
+    text.erase(text.find("courses"), text.find("unit_length") - text.find("courses"));
+    after("[wall]\n", "unit_cracks = no\nbond = flemish\ncourse_heights = 0.12, 0.08, 0.1 m\n"
+                      "openings = 0.2 m, 0.12 m, 0.2 m, 0.08 m\n");
     return text;
 }();
 
@@ -137,6 +139,13 @@ unbalance_limit = 0
 record_every = 0.1 mm
 )";
 
+/// Rubble, whose stones do not crack.
+const std::string kRubble = [] {
+    std::string text = kAll;
+    text.insert(text.find("[wall]\n") + 7, "bond = rubble\n");
+    return text;
+}();
+
 Study read(const std::string& text, const std::vector<std::string>& overrides = {})
 {
     return app::read_study(
@@ -180,6 +189,8 @@ const std::map<std::string_view, std::string> kOthers = {
     {"wall.outlines", "0 0, 0.6 0, 0.6 0.3, 0 0.3"},
     {"wall.layer_stones", "sill: 3 GPa, 0.2, 2000 kg/m3"},
     {"wall.openings", "0.2 m, 0 m, 0.2 m, 0.1 m"},
+    {"wall.course_heights", "0.12, 0.08, 0.11 m"},
+    {"wall.unit_length_cov", "0.1"},
     {"unit.cracks", "grid(3, 2)"},
     {"unit.cracks_where", "0 m, 0 m, 0.3 m, 0.2 m"},
     {"unit.cracks_elsewhere", "thirds"},
@@ -264,7 +275,7 @@ TEST_CASE("key effects: every key that is read changes the push, or is named as 
 {
     std::set<std::string_view> effective;
     for (const std::string& text :
-         {kAll, kCorrelated, kMortar, kDrawn, kCells, kCrushing, kLeast})
+         {kAll, kCorrelated, kMortar, kDrawn, kCells, kCrushing, kRubble, kLeast})
         effective.merge(sweep(text));
     for (const std::string_view limit : kLimits) {
         INFO(limit);

@@ -17,6 +17,17 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
+/// The good study without courses and course_height.
+std::string without_courses()
+{
+    std::string text(bad_input::kGoodStudy);
+    for (const char* key : {"courses", "course_height"}) {
+        const std::size_t at = text.find(std::string(key) + " =");
+        text.erase(at, text.find('\n', at) + 1 - at);
+    }
+    return text;
+}
+
 app::Study shipped(const std::string& name)
 {
     return app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/" + name));
@@ -26,11 +37,13 @@ app::Study shipped(const std::string& name)
 
 TEST_CASE("study: the effective configuration reads back to the same study", "[app][study]")
 {
-    const app::Study study =
-        GENERATE(read_good(), read(study_texts::kEverything), shipped("wall.ini"),
-                 shipped("levels.ini"), shipped("uncoupled.ini"),
-                 read_good({"wall.unit_cracks=no", "beam.interface=joint", "wall.base=joint"}),
-                 read_good({"joint.friction_angle=0.1234567890123 rad", "wall.courses=7"}));
+    const app::Study study = GENERATE(
+        read_good(), read(study_texts::kEverything), shipped("wall.ini"), shipped("levels.ini"),
+        shipped("uncoupled.ini"), read_good({"wall.bond=english", "wall.header_length=9 cm"}),
+        read_good({"wall.bond=rubble", "wall.seed=5"}),
+        read(without_courses(), {"wall.course_heights=0.2, 0.3, 0.5 m"}),
+        read_good({"wall.unit_cracks=no", "beam.interface=joint", "wall.base=joint"}),
+        read_good({"joint.friction_angle=0.1234567890123 rad", "wall.courses=7"}));
     const std::string text = app::effective_configuration(study);
     INFO(text);
     const app::Study again = read(text);
@@ -104,6 +117,20 @@ TEST_CASE("study: defaults follow from the values they depend on", "[app][study]
     CHECK(study.beam.material.poisson_ratio == 0.2);
     CHECK(study.load.height == Approx(1.1).epsilon(1e-15));
     CHECK(read_good({"wall.courses=5"}).load.height == Approx(0.6).epsilon(1e-15));
+}
+
+TEST_CASE("study: heights of courses give their number, their mean and the height of the load",
+          "[app][study]")
+{
+    const app::Study study = read(without_courses(), {"wall.course_heights=0.2, 0.3, 0.4 m"});
+    CHECK(study.wall.courses == 3);
+    CHECK(study.wall.course_height == Approx(0.3));
+    CHECK(study.load.height == Approx(1.0).epsilon(1e-15));
+    CHECK_THROWS_WITH(read(without_courses(),
+                           {"wall.course_heights=0.2, 0.3, 0.4 m", "wall.course_height=0.1 m"}),
+                      Catch::Contains("wall.course_heights has the heights"));
+    CHECK(read_good({"wall.bond=header", "wall.unit_length=0.3 m"}).wall.header_length ==
+          Approx(0.15));
 }
 
 TEST_CASE("study: units that cannot crack need no strength", "[app][study]")

@@ -141,6 +141,25 @@ TEST_CASE("study: stop_below ends the push once the force is below that share of
     CHECK(decided(curve));
 }
 
+TEST_CASE("study: a force against the push at its beginning does not end it", "[app][study]")
+{
+    const std::string target = GENERATE("20 mm", "-20 mm");
+    const double along = target.front() == '-' ? -1.0 : 1.0;
+    for (const char* stop : {"load.stop_below=0.5", "solver.kinematics=finite"}) {
+        INFO(stop << ", " << target);
+        const auto decided =
+            app::push_plan(read_good({"load.targets=" + target, stop})).decided;
+        REQUIRE(decided);
+        std::vector<dem::CurvePoint> curve;
+        for (const double force : {-5.0, -1.0, 2.0, 40.0, 30.0}) {
+            curve.emplace_back().force = along * force;
+            CHECK_FALSE(decided(curve));
+        }
+        curve.emplace_back().force = -along;
+        CHECK(decided(curve));
+    }
+}
+
 TEST_CASE("study: amplitudes and protocols become displacements to visit", "[app][study]")
 {
     const auto cycles =

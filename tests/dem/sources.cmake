@@ -2,6 +2,7 @@
 set(TEST_DEM_UNIT_SOURCES
     dem/test_block_element.cpp
     dem/test_block_modes.cpp
+    dem/test_bond.cpp
     dem/test_condensation.cpp
     dem/test_crack_unloading.cpp
     dem/test_crushing.cpp
@@ -27,6 +28,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_finite_wall.cpp
     dem/test_overlap.cpp
     dem/test_recorder.cpp
+    dem/test_rubble.cpp
     dem/test_rotation.cpp
     dem/test_run_outcomes.cpp
     dem/test_stability_limit.cpp

@@ -1,0 +1,53 @@
+#include "app/scene/quality_terms.hpp"
+
+#include "dem/scene/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr double kMiddle = 0.2, kLong = 0.4;      // of a unit [m]
+constexpr double kStaggered = 1.6, kPartly = 1.4; // trace over height
+constexpr double kRounding = 1e-6;                // [m]
+
+Fulfilled dimensions_of(const QualityTerms& t)
+{
+    if (t.long_stones > 0.5) return Fulfilled::fully;
+    return t.long_stones + t.middle_stones > 0.5 ? Fulfilled::partly : Fulfilled::no;
+}
+
+/// Where no way leads through joints, all are staggered.
+Fulfilled staggering_of(double trace_ratio)
+{
+    if (std::isnan(trace_ratio) || trace_ratio > kStaggered) return Fulfilled::fully;
+    return trace_ratio >= kPartly ? Fulfilled::partly : Fulfilled::no;
+}
+
+} // namespace
+
+QualityTerms quality_terms(const BondIndices& indices, std::span<const DrawnBlock> units)
+{
+    QualityTerms t;
+    const double share = 1.0 / static_cast<double>(units.size());
+    double area = 0.0, extents = 0.0;
+    for (const DrawnBlock& u : units) {
+        const auto [left, right] = std::ranges::minmax(u.outline, {}, &dem::Point::x);
+        const auto [low, high] = std::ranges::minmax(u.outline, {}, &dem::Point::z);
+        const double width = right.x - left.x, height = high.z - low.z;
+        area += dem::polygon_area(u.outline);
+        extents += width * height;
+        const double size = std::max(width, height);
+        if (size > kLong + kRounding)
+            t.long_stones += share;
+        else if (size > kMiddle - kRounding)
+            t.middle_stones += share;
+    }
+    t.filled = area / extents;
+    t.dimensions = dimensions_of(t);
+    t.staggered = staggering_of(indices.trace_ratio);
+    return t;
+}
+
+} // namespace app

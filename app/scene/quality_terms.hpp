@@ -1,0 +1,27 @@
+#pragma once
+/// What an elevation tells of the masonry quality index, MQI = SM (SD + SS + WC + HJ + VJ + MM) of Borri, Corradi, Castori,
+/// De Maria (2015), Bull. Earthquake Eng. 13:2647. Stone (SM), leaves (WC) and mortar (MM) are not seen in it; shape (SS) and
+/// level beds (HJ) are judged by eye there and measured here.
+
+#include "app/scene/bond_indices.hpp"
+
+namespace app {
+
+enum class Fulfilled { no, partly, fully };
+
+struct QualityTerms {
+    double long_stones =
+        0.0; ///< share of units longer than 400 mm, by the larger side of their extent [-]
+    double middle_stones = 0.0;           ///< share of units of 200 to 400 mm [-]
+    Fulfilled dimensions = Fulfilled::no; ///< SD: by the class that more than half belong to
+    Fulfilled staggered =
+        Fulfilled::no; ///< VJ of one leaf: trace above 1.6, or from 1.4 times the height
+    double filled =
+        0.0; ///< for SS: area of the units over that of their extents [-], 1 of rectangles
+};
+
+/// @param units at least one
+[[nodiscard]] QualityTerms quality_terms(const BondIndices& indices,
+                                         std::span<const DrawnBlock> units);
+
+} // namespace app
