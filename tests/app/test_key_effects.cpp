@@ -94,9 +94,11 @@ outlines = 0 0, 0.3 0, 0.25 0.15, 0 0.15; sill: 0.3 0, 0.6 0, 0.6 0.15, 0.25 0.1
 layer_stones = sill: 30 GPa, 0.2, 2500 kg/m3
 )" + kAll.substr(kAll.find("thickness"));
 
-/// Units in cells at the bottom, in quarters above.
+/// Units in cells at the bottom, in quarters above, whose stiff cracks snap back.
 const std::string kCells = [] {
     std::string text = kAll;
+    const std::string_view energy = "fracture_energy = 0.002 N/m";
+    text.replace(text.find(energy), energy.size(), "fracture_energy = 0.00001 N/m");
     const std::string_view unit = "[unit]\n";
     text.insert(text.find(unit) + unit.size(),
                 "cracks = voronoi(70 mm)\ncracks_where = 0 m, 0 m, 0.6 m, 0.1 m\n"
@@ -107,9 +109,12 @@ const std::string kCells = [] {
 /// Joints and units that crush.
 const std::string kCrushing = [] {
     std::string text = kAll;
-    const std::string crushing = "compressive_strength = 1 MPa\ncrushing_energy = 100 N/m\n";
-    for (const std::string_view section : {"[joint]\n", "[unit]\n"})
-        text.insert(text.find(section) + section.size(), crushing);
+    const auto crush = [&](std::string_view section, const std::string& strength) {
+        text.insert(text.find(section) + section.size(),
+                    "compressive_strength = " + strength + "\ncrushing_energy = 100 N/m\n");
+    };
+    crush("[joint]\n", "1 MPa");
+    crush("[unit]\n", "4 MPa"); // so that some units break before they crush
     return text;
 }();
 
