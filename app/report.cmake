@@ -1,5 +1,5 @@
 # The page: files of report/ become arrays of bytes in report_assets.cpp, so that the program needs no file beside it.
-set(report_modules format.js data.js chart.js capacity.js wall.js statistics.js tables.js main.js)
+set(report_modules format.js data.js chart.js loop.js capacity.js wall.js statistics.js tables.js main.js)
 set(report_files page.html style.css vendor/uPlot.min.css vendor/uPlot.iife.min.js vendor/uPlot.LICENSE
     ${report_modules})
 list(TRANSFORM report_files PREPEND ${PROJECT_SOURCE_DIR}/report/)
@@ -19,6 +19,7 @@ drystone_library(app_report
     report/report_choice.cpp
     report/report_command.cpp
     report/report_curves.cpp
+    report/report_cycles.cpp
     report/report_data.cpp
     report/report_film.cpp
     report/report_fragility.cpp

@@ -67,13 +67,40 @@ Cycle cycle_between(const Path& p, std::size_t begin, std::size_t end, bool clos
 
 int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
 
-/// Force of a backbone at a displacement within it; the later one at a step.
-double force_at(const Backbone& b, double x)
+/// Forces of a backbone at a displacement within it: one unless there is a step.
+struct Step {
+    double before = 0.0, after = 0.0;
+};
+
+Step forces_at(const Backbone& b, double x)
 {
-    const auto after = std::upper_bound(b.displacement.begin(), b.displacement.end(), x);
-    const auto i = static_cast<std::size_t>(after - b.displacement.begin());
-    if (i == b.displacement.size()) return b.force.back();
-    return between(b.displacement[i - 1], b.force[i - 1], b.displacement[i], b.force[i], x);
+    const auto& d = b.displacement;
+    const auto last = static_cast<std::size_t>(std::upper_bound(d.begin(), d.end(), x) -
+                                               d.begin()),
+               first = static_cast<std::size_t>(std::lower_bound(d.begin(), d.end(), x) -
+                                                d.begin());
+    if (first < last) return {b.force[first], b.force[last - 1]};
+    const double f = between(d[first - 1], b.force[first - 1], d[first], b.force[first], x);
+    return {f, f};
+}
+
+/// Takes out the points below the straight line from point `from` to the largest force after it.
+void bridge(Backbone& b, std::size_t from)
+{
+    const auto largest = std::max_element(
+        b.force.begin() + static_cast<std::ptrdiff_t>(from) + 1, b.force.end());
+    const auto top = static_cast<std::size_t>(largest - b.force.begin());
+    const Backbone whole = b;
+    b.displacement.resize(from + 1);
+    b.force.resize(from + 1);
+    for (std::size_t i = from + 1; i < whole.force.size(); ++i) {
+        const double line =
+            between(whole.displacement[from], whole.force[from], whole.displacement[top],
+                    whole.force[top], whole.displacement[i]);
+        if (i < top && whole.force[i] < line) continue;
+        b.displacement.push_back(whole.displacement[i]);
+        b.force.push_back(whole.force[i]);
+    }
 }
 
 /// Recorded points are means over a short way: the last of a path that ends at zero lies this share of its width off.
@@ -151,12 +178,15 @@ Backbone backbone(const Path& path, int direction)
         throw std::invalid_argument("backbone: the direction must be 1 or -1");
     Backbone b{{0.0}, {0.0}};
     double farthest = 0.0;
-    bool came_back = false; // since the farthest point
+    bool came_back = false;          // since the farthest point
+    std::optional<std::size_t> left; // the point that the path left and has passed again
     for (std::size_t i = 0; i < path.displacement.size(); ++i) {
         const double x = direction * path.displacement[i], f = direction * path.force[i];
         came_back = came_back || x < farthest;
         if (x <= farthest) continue;
         if (came_back) {
+            if (left) bridge(b, *left);
+            left = b.force.size() - 1;
             const double again = between(direction * path.displacement[i - 1],
                                          direction * path.force[i - 1], x, f, farthest);
             if (again != b.force.back()) { // else the path passes the point that it left
@@ -169,22 +199,38 @@ Backbone backbone(const Path& path, int direction)
         b.force.push_back(f);
         farthest = x;
     }
+    if (left) bridge(b, *left);
     return b;
 }
 
 Backbone mean(const Backbone& a, const Backbone& b)
 {
     const double reach = std::min(a.displacement.back(), b.displacement.back());
-    Backbone m;
+    std::vector<double> all;
     for (const Backbone* one : {&a, &b})
         for (const double x : one->displacement)
-            if (x <= reach) m.displacement.push_back(x);
-    std::sort(m.displacement.begin(), m.displacement.end());
-    m.displacement.erase(std::unique(m.displacement.begin(), m.displacement.end()),
-                         m.displacement.end());
-    for (const double x : m.displacement)
-        m.force.push_back(0.5 * (force_at(a, x) + force_at(b, x)));
+            if (x <= reach) all.push_back(x);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    Backbone m;
+    const auto add = [&](double x, double f) {
+        m.displacement.push_back(x);
+        m.force.push_back(f);
+    };
+    for (const double x : all) {
+        const Step p = forces_at(a, x), q = forces_at(b, x);
+        add(x, 0.5 * (p.before + q.before));
+        if (p.after != p.before || q.after != q.before) add(x, 0.5 * (p.after + q.after));
+    }
     return m;
+}
+
+LimitDisplacement worse(const LimitDisplacement& a, const LimitDisplacement& b)
+{
+    for (const LimitDisplacement& one : {a, b})
+        if (one.reading == Reading::not_defined) return one;
+    const bool equal = a.displacement == b.displacement;
+    return b.displacement < a.displacement || (equal && b.reading == Reading::observed) ? b : a;
 }
 
 } // namespace fragility

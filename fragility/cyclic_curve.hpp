@@ -4,6 +4,8 @@
 /// Any consistent unit; displacements from the undeformed wall, of either sign. Between two points the path is a
 /// straight line.
 
+#include "fragility/curve_reading.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -49,12 +51,26 @@ struct Backbone {
     std::vector<double> displacement, force;
 };
 
-/// The parts of the path that lie farther out than all before. Cycles that repeat an amplitude add nothing; where a
-/// cycle passes the amplitude before, its force may lie below: a step.
+/// The envelope of first cycles: the parts of the path that lie farther out than all before (envelope curve of ASTM
+/// E2126). Cycles that repeat an amplitude add nothing. Beyond the amplitude before, a cycle first loads what is there
+/// already: up to its largest force, points below the straight line from the point before to it are left out. A force
+/// that stays below is a step.
 /// @param direction 1 or -1, else std::invalid_argument
 [[nodiscard]] Backbone backbone(const Path& path, int direction);
 
-/// Mean of the forces of both, as far as both reach.
+/// Mean of the forces of both, as far as both reach; steps stay.
 [[nodiscard]] Backbone mean(const Backbone& a, const Backbone& b);
+
+/// What limit displacements of a push to and fro are read on.
+enum class Side {
+    mean,  ///< the mean of both backbones
+    worse, ///< either backbone: of both displacements the smaller
+    right, ///< the backbone of displacements > 0
+    left
+};
+
+/// Of the displacements of two directions the one that comes first: not observed where it may come after the end of the
+/// other's curve, not defined where one is not.
+[[nodiscard]] LimitDisplacement worse(const LimitDisplacement& a, const LimitDisplacement& b);
 
 } // namespace fragility

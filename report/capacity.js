@@ -1,10 +1,10 @@
 // Capacity curves: all walls of a stress, or the means of all stresses.
 import { element, choice, fixed, figures, percent, words, colours, levelColour } from './format.js';
-import { chart, key, placeTip, dashOf } from './chart.js';
+import { chart, key, overlay, placeTip, dashOf } from './chart.js';
+import { Loop } from './loop.js';
 
 const kFewest = 5; // walls of a mean with an interval: that of fewer hides the chart
 const modeDash = (mode) => (({ rocking: [], sliding: [2, 3] })[mode] ?? [7, 4]);
-const kSvg = 'http://www.w3.org/2000/svg';
 
 export function wallName(data, w) {
     return `${data.levels[data.walls[w].level].name}, sample ${data.walls[w].sample}`;
@@ -22,17 +22,6 @@ export function wallText(data, w) {
     return lines.join('\n');
 }
 
-/** Lines over a chart: the wall under the cursor and the one chosen, with its place on the way. */
-function overlay(u) {
-    const svg = document.createElementNS(kSvg, 'svg');
-    svg.setAttribute('class', 'overlay');
-    svg.setAttribute('aria-hidden', 'true');
-    const line = (c) => svg.appendChild(element('polyline', { class: c, fill: 'none' }));
-    const parts = { chosen: line('chosen'), hovered: line('hovered'), dot: svg.appendChild(element('circle', { r: 6, class: 'dot', visibility: 'hidden' })) };
-    u.over.append(svg);
-    return parts;
-}
-
 function pointsOf(u, x, forces) {
     const points = [];
     forces.forEach((f, i) => f !== null && points.push(`${u.valToPos(x[i], 'x').toFixed(1)},${u.valToPos(f, 'y').toFixed(1)}`));
@@ -40,15 +29,16 @@ function pointsOf(u, x, forces) {
 }
 
 export class Capacity {
-    /** chosen(w): a wall was clicked. */
-    constructor(data, curves, host, chosen) {
-        Object.assign(this, { data, curves, chosen, level: 0, wall: null, at: null, drawn: null });
+    /** chosen(w): a wall was clicked. loops: of a push to and fro, whose walls have a force only along their way; else null. */
+    constructor(data, curves, loops, host, chosen) {
+        Object.assign(this, { data, curves, loops, chosen, level: 0, wall: null, at: null, drawn: null });
         const options = [...data.levels.map((l, i) => ({ value: i, text: l.name })), { value: 'means', text: 'means' }];
         this.picker = choice('Stress', options, 0, (level) => this.show(level));
         this.plot = element('div', { class: 'plot', tabindex: 0, role: 'group', 'aria-label': 'Capacity curves. Arrow keys go from wall to wall by peak force, Enter chooses one.' });
         this.legend = element('div', {});
         this.spoken = element('p', { class: 'spoken', 'aria-live': 'polite' });
         host.append(this.picker.row, this.plot, this.legend, this.spoken);
+        this.loop = loops ? new Loop(data, loops, host) : null;
         this.plot.addEventListener('keydown', (e) => this.key(e));
         this.show(0);
     }
@@ -164,16 +154,19 @@ export class Capacity {
         e.preventDefault();
     }
 
-    /** The wall that is shown, at displacement d [mm]; null: the page has no film of it. */
-    mark(wall, d) {
+    /** The wall that is shown, at displacement d [mm] and frame t; null: the page has no film of it. */
+    mark(wall, d, t) {
         this.wall = wall;
-        this.at = d;
+        this.at = this.loop ? null : d;
+        this.loop?.mark(wall, t);
         const level = this.data.walls[wall].level;
         if (this.level !== level && this.level !== 'means') this.picker.set(level);
         else this.refresh();
     }
 
-    force(wall, d) {
+    /** Of a wall at displacement d [mm], or at a frame of its film where it goes to and fro [kN]. */
+    force(wall, d, frame) {
+        if (this.loops) return this.loops.at(wall, frame)?.f ?? null;
         const t = d / this.curves.x[1];
         const forces = this.curves.forces(wall);
         // the last point of a curve lies half an interval before its end

@@ -107,6 +107,17 @@ export function chart(host, options) {
     return { u, remove: () => (charts.delete(entry), watcher.unobserve(host), u.destroy()) };
 }
 
+/** Lines over a chart: the wall under the cursor and the one chosen, with its place on the way. */
+export function overlay(u) {
+    const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    svg.setAttribute('class', 'overlay');
+    svg.setAttribute('aria-hidden', 'true');
+    const line = (c) => svg.appendChild(element('polyline', { class: c, fill: 'none' }));
+    const parts = { chosen: line('chosen'), hovered: line('hovered'), dot: svg.appendChild(element('circle', { r: 6, class: 'dot', visibility: 'hidden' })) };
+    u.over.append(svg);
+    return parts;
+}
+
 function showTip(u, tip, text) {
     const { left, idx } = u.cursor;
     if (left === null || left < 0 || idx === null) return void (tip.hidden = true);

@@ -35,6 +35,28 @@ export async function readCurves(curves) {
     return { x, counts: curves.counts, forces: (w) => known.get(w) ?? read(w) };
 }
 
+/** Paths of walls that are pushed to and fro: path(w) -> {x [mm], f [kN]}, at(w, t) -> the point at frame t of its film. */
+export async function readLoops(loops) {
+    const n = loops.points;
+    const walls = loops.counts.length;
+    const bytes = await inflate(loops.data);
+    const x = sums(bytes, 0, n * walls, n, 1);
+    const f = sums(bytes, 2 * n * walls, n * walls, n, 1);
+    const mm = loops.step * 1e3;
+    const kn = loops.force_step * 1e-3;
+    const path = (w) => ({
+        x: Array.from(x.subarray(w * n, w * n + loops.counts[w]), (v) => v * mm),
+        f: Array.from(f.subarray(w * n, w * n + loops.counts[w]), (v) => v * kn),
+    });
+    const at = (w, t) => {
+        if (!loops.counts[w]) return null;
+        const place = Math.min(loops.counts[w] - 1, Math.round(t * loops.per_frame));
+        return { place, x: x[w * n + place] * mm, f: f[w * n + place] * kn };
+    };
+    const most = (v) => v.reduce((m, k) => Math.max(m, Math.abs(k)), 1);
+    return { path, at, reach: most(x) * mm, top: most(f) * kn };
+}
+
 /** Motion of one wall: displacement of the load [m], six numbers of each block [m], damage of each crack. */
 export async function readFilm(film, geometry) {
     const bytes = await inflate(film.data);

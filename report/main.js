@@ -1,9 +1,9 @@
 // Builds the page from its data.
 import { element, section, percent, words } from './format.js';
-import { inflate, readCurves } from './data.js';
+import { inflate, readCurves, readLoops } from './data.js';
 import { Capacity } from './capacity.js';
 import { WallView } from './wall.js';
-import { fragility, modes, histograms, running, sensitivity } from './statistics.js';
+import { cycles, fragility, modes, histograms, running, sensitivity } from './statistics.js';
 import { table, provenance } from './tables.js';
 
 const note = (text) => element('p', { class: 'note' }, text);
@@ -17,17 +17,15 @@ async function curvesAndWall(data) {
     const left = element('div', { class: 'curves' });
     const right = element('div', { class: 'view', id: 'wall' });
     section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right),
-        data.curves && note(`Click a curve to see its wall. Bands: ${percent(data)} interval of the mean, of five walls or more; means end where fewer than nine tenths of their walls go on.`),
+        note(`Click a curve to see its wall. Bands: ${percent(data)} interval of the mean, of five walls or more; means end where fewer than nine tenths of their walls go on.${data.loops ? ' The push goes to and fro: curves are backbones, the wall shown has its loops below.' : ''}`),
         note(data.films.note));
     let view = null;
-    let capacity = null;
-    if (data.curves) {
-        const curves = await readCurves(data.curves);
-        capacity = new Capacity(data, curves, left, async (w) => {
-            await view?.open(w);
-            if (view && matchMedia('(max-width: 900px)').matches) right.scrollIntoView();
-        });
-    } else left.append(note('The push turns back: curves are in the file of the study.'));
+    const curves = await readCurves(data.curves);
+    const loops = data.loops ? await readLoops(data.loops) : null;
+    const capacity = new Capacity(data, curves, loops, left, async (w) => {
+        await view?.open(w);
+        if (view && matchMedia('(max-width: 900px)').matches) right.scrollIntoView();
+    });
     if (!data.films.films.length) return;
     view = new WallView(data, right, capacity);
     await view.open(data.films.films[0].wall);
@@ -35,6 +33,10 @@ async function curvesAndWall(data) {
 
 function statistics(data) {
     const add = (id, ...names) => document.getElementById(id).append(...names.map((name) => table(data.tables[name])));
+    if (data.loops) {
+        cycles(data, section('cycles', 'Cycles', note('Mean equivalent viscous damping of the walls that closed a cycle, against the amplitude of the cycle.')));
+        add('cycles', 'cycles');
+    }
     fragility(data, section('fragility', 'Fragility', note('Probability that a wall has reached a limit state: shares of the modes times the law fitted to each mode.')));
     add('fragility', 'performance_limits', 'law_parameters');
     modes(data, section('modes', 'Failure modes'));

@@ -61,6 +61,30 @@ function tipText(series, x, i) {
     return [`drift ${fixed(x[i], 2)} %`, ...series.filter((s) => s.label && s.data[i] !== null).map((s) => `${s.label}: ${fixed(s.data[i], 2)}`)].join('\n');
 }
 
+export function cycles(data, host) {
+    const where = plot();
+    const legend = element('div', {});
+    let drawn;
+    const show = (mode) => {
+        drawn?.remove();
+        const lines = data.damping.filter((d) => d.mode === mode);
+        const byDrift = (d) => d.drift.map((_, i) => i).sort((a, b) => d.drift[a] - d.drift[b] || a - b);
+        const x = [...new Set(lines.flatMap((d) => d.drift))].sort((a, b) => a - b);
+        const series = lines.map((d) => {
+            const order = byDrift(d);
+            const on = (values) => resample(x, order.map((i) => d.drift[i]), order.map((i) => values[i]), false);
+            const sure = d.lower.every((v) => v !== null);
+            return { label: data.levels[d.level].name, colour: levelColour(d.level), dash: dashOf(d.level), width: 2.5, data: on(d.damping), band: sure ? [on(d.lower), on(d.upper)] : undefined, faint: true };
+        });
+        const top = Math.max(1, ...lines.flatMap((d) => d.upper.map((v, i) => v ?? d.damping[i])));
+        if (x.length) drawn = chart(where, { label: `Equivalent viscous damping against drift, ${mode} walls`, x, series, xLabel: 'drift [%]', yLabel: 'damping [%]', yRange: [0, top * 1.05], height: 320, tip: (i) => tipText(series, x, i) });
+        legend.replaceChildren(key(series), element('p', { class: 'note' }, x.length ? `Bands: ${percent(data)} intervals of the mean.` : 'No wall closed a cycle.'));
+    };
+    const seen = [...new Set(data.damping.map((d) => d.mode))];
+    host.append(choice('Walls', seen.map((m) => ({ value: m, text: m })), 'all', show).row, where, legend);
+    show('all');
+}
+
 export function modes(data, host) {
     const levels = data.modes.levels;
     const model = data.modes.model;

@@ -64,9 +64,9 @@ class Drawing {
         return { kind, ends, opening: Math.max(...ends.map((e) => e.opening)), slip, closed: Math.min(...ends.map((e) => e.opening)) <= kThreshold, damage: this.crackOf[i] < 0 ? 0 : film.damage(this.crackOf[i], t) };
     }
 
-    /** Largest opening and slip at the end of a film [m]. */
-    largest(film) {
-        const states = this.geometry.faces.map((f, i) => this.state(film, i, film.frames - 1));
+    /** Largest opening and slip at frame t of a film [m]. */
+    largest(film, t) {
+        const states = this.geometry.faces.map((f, i) => this.state(film, i, t));
         const most = (k) => Math.max(2 * kThreshold, ...states.map((s) => (k === 'opening' || s.closed ? s[k] : 0)));
         return { opening: most('opening'), slip: most('slip'), damage: 1 };
     }
@@ -110,7 +110,7 @@ class Drawing {
     drawLoad(film, t, scale, force) {
         const beam = this.loaded;
         const b = this.geometry.blocks[beam];
-        // Where the force is not known, as in cycles, the arrow points to where the beam has gone.
+        // Where the force is not known the arrow points to where the beam has gone.
         const left = force ? force.value < 0 : this.moved(film, beam, b[0], b[3], t)[0] < 0;
         const side = left ? b[2] : b[0];
         const way = left ? -1 : 1;
@@ -123,6 +123,13 @@ class Drawing {
         this.load.setAttribute('text-anchor', left ? 'end' : 'start');
         this.load.setAttribute('y', tip[1] - 28 * this.k);
     }
+}
+
+/** The frame at which a wall is farthest out, the last of equals: of a push one way its end. */
+function farthest(film) {
+    let best = film.frames - 1;
+    for (let t = best; t >= 0; --t) if (Math.abs(film.displacement(t)) > Math.abs(film.displacement(best)) * (1 + 1e-6)) best = t;
+    return best;
 }
 
 export class WallView {
@@ -174,12 +181,13 @@ export class WallView {
         this.film = film;
         this.enable(true);
         this.picker.value = String(wall);
-        this.largest = this.drawing.largest(this.film);
-        const end = Math.max(1e-6, ...[...this.data.films.geometry.blocks.keys()].map((b) => Math.hypot(this.film.motion(b, 0, this.film.frames - 1), this.film.motion(b, 1, this.film.frames - 1))));
+        const out = farthest(this.film);
+        this.largest = this.drawing.largest(this.film, out);
+        const end = Math.max(1e-6, ...[...this.data.films.geometry.blocks.keys()].map((b) => Math.hypot(this.film.motion(b, 0, out), this.film.motion(b, 1, out))));
         this.scale = Math.max(1, Math.min(100, Math.floor((0.16 * this.drawing.size.z1) / end)));
         this.zoom.range.value = Math.log(this.scale) / Math.log(100);
         this.describe();
-        this.go(this.film.frames - 1);
+        this.go(out);
     }
 
     /** A wall that the page has no room for, or that failed. */
@@ -191,7 +199,7 @@ export class WallView {
         this.picker.value = '';
         this.drawing.svg.setAttribute('aria-label', 'No wall is drawn.');
         this.caption.replaceChildren(`${wallName(this.data, wall)} ${why} To push and draw it: `, element('code', {}, `drystone push ${this.data.file} --sample ${sample} --level ${this.data.levels[level].stress}`));
-        this.capacity?.mark(wall, null);
+        this.capacity?.mark(wall, null, null);
     }
 
     enable(on) {
@@ -220,14 +228,14 @@ export class WallView {
     draw() {
         if (!this.film) return;
         const d = this.film.displacement(this.t) * 1e3;
-        const f = this.capacity?.force(this.wall, d) ?? null;
+        const f = this.capacity?.force(this.wall, d, this.t) ?? null;
         const force = f === null ? null : { value: f, share: Math.min(1, Math.abs(f / (this.data.walls[this.wall].peak || 1))) };
         this.drawing.draw(this.film, this.t, this.scale, this.shown, this.largest, force);
         this.factor.textContent = `${fixed(this.scale, this.scale < 10 ? 1 : 0)} times`;
         const drift = fixed(d / (10 * this.data.height), 2);
         this.caption.textContent = `${wallName(this.data, this.wall)}: ${fixed(d, 1)} mm, drift ${drift} %${f === null ? '' : `, ${fixed(f)} kN`}`;
         this.place.range.setAttribute('aria-valuetext', this.caption.textContent);
-        this.capacity?.mark(this.wall, d);
+        this.capacity?.mark(this.wall, d, this.t);
     }
 
     play(on) {

@@ -4,6 +4,7 @@
 #include "app/fragility/drift_csv.hpp"
 #include "app/fragility/drift_fits.hpp"
 #include "app/fragility/fragility_curves.hpp"
+#include "app/fragility/fragility_cycles.hpp"
 #include "app/fragility/fragility_inputs.hpp"
 #include "app/fragility/fragility_limits.hpp"
 #include "app/fragility/fragility_means.hpp"
@@ -13,6 +14,7 @@
 #include "app/input/units.hpp"
 #include "app/output/markup.hpp"
 #include "app/store/wall_file.hpp"
+#include "app/study/mode_rule.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/text_file.hpp"
 #include "app/text/words.hpp"
@@ -38,8 +40,7 @@ std::string failures(const StudyWalls& walls)
     std::string text = trouble_text(walls);
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
-    if (!walls.pushed_one_way)
-        text += "The push of this study turns back: no limit state is defined on its curves.\n";
+    if (!walls.pushed_one_way) text += backbone_text(walls.study).substr(1) + "\n";
     if (walls.shared)
         text +=
             "All stresses share one design: walls of two stresses depend on each other, and "
@@ -179,8 +180,10 @@ FragilityOutput study_output(const StudyWalls& walls)
                                       {"mean_curves", mean_curve_table(walls)},
                                       {"walls", wall_table(walls, all_walls(walls))}};
     if (!walls.inputs.empty()) tables.push_back({"inputs", input_table(walls)});
+    if (!walls.pushed_one_way) tables.push_back({"cycles", cycle_table(walls)});
     output.tables.insert(output.tables.begin() + 1, tables.begin(), tables.end());
     add_pictures(output, mean_curve_pictures(walls));
+    add_pictures(output, cycle_pictures(walls));
     add_pictures(output, input_pictures(walls));
     make_names_unique(output);
     return output;

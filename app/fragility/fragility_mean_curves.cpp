@@ -17,8 +17,6 @@ namespace {
 const char* group_name(int mode) { return mode == kAllModes ? "all" : mode_name(mode); }
 
 constexpr std::size_t kTableStep = 4; ///< of the grid of curves
-constexpr std::array<const char*, 7> kStressColours = {
-    "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 
 std::vector<const StudyWall*> group_of(const StudyLevel& level, int mode)
 {
@@ -84,8 +82,7 @@ NamedPicture picture(const StudyWalls& walls, int mode)
             high.y.push_back(p.high);
         }
         mean.name = number(walls.levels[l].stress / 1e6, 6) + " MPa";
-        for (Series* const s : {&mean, &low, &high})
-            s->colour = kStressColours[l % kStressColours.size()];
+        for (Series* const s : {&mean, &low, &high}) s->colour = stress_colour(l);
         low.line = high.line = LineStyle::dotted;
         low.width = high.width = 1.0;
         mean.width = 2.2;
@@ -99,6 +96,13 @@ NamedPicture picture(const StudyWalls& walls, int mode)
 }
 
 } // namespace
+
+const char* stress_colour(std::size_t level)
+{
+    constexpr std::array<const char*, 7> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                     "#E69F00", "#56B4E9", "#000000"};
+    return kColours[level % kColours.size()];
+}
 
 std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& level, int mode)
 {

@@ -6,6 +6,7 @@
 #include "app/study/study_walls.hpp"
 #include "fragility/interval.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace app {
@@ -15,6 +16,10 @@ namespace app {
 [[nodiscard]] Table mean_table(const StudyWalls& walls);
 
 constexpr int kAllModes = 3; ///< after the modes
+
+/// Of the lines of a stress in pictures of several.
+/// @param level index in StudyWalls::levels
+[[nodiscard]] const char* stress_colour(std::size_t level);
 
 /// Forces of the walls of a group at one step [kN].
 struct MeanPoint {

@@ -150,6 +150,7 @@ ReadingRules reading_rules(const Study& study)
     rules.mode = f.mode;
     rules.height = study.load.height;
     rules.direction = push_way(study).direction;
+    rules.backbone = f.backbone;
     try {
         static_cast<void>(parse_user_states(f.user_states)); // also where no set asks for them
         for (const std::string_view name : split(f.limit_states, ","))

@@ -178,6 +178,8 @@ std::function<bool(std::span<const dem::CurvePoint>)> stop_both_below(double sha
             displacement.push_back(p.displacement);
             force.push_back(p.force);
         }
+        // The first points beyond zero are no visit of the other side.
+        displacement.back() = 0.0;
         double plus = 0.0, minus = 0.0;
         bool weak = false;
         for (const fragility::Cycle& c : fragility::cycles({displacement, force})) {
@@ -203,11 +205,6 @@ std::function<bool(std::span<const dem::CurvePoint>)> at_zero_force(int directio
     };
 }
 
-bool turns_back(const std::vector<double>& targets)
-{
-    return !std::is_sorted(targets.begin(), targets.end());
-}
-
 } // namespace
 
 dem::PushPlan push_plan(const Study& study)
@@ -217,8 +214,8 @@ dem::PushPlan push_plan(const Study& study)
     plan.record_every = study.output.record_every;
     plan.snapshot_every = study.output.paraview ? study.output.snapshot_every : 0.0;
     const bool finite = study.solver.kinematics == dem::Kinematics::finite;
-    const bool to_and_fro = turns_back(plan.targets);
-    const int direction = plan.targets.back() < 0.0 ? -1 : 1; // of a push that goes one way
+    const int direction = push_way(study).direction;
+    const bool to_and_fro = direction == 0;
     if (finite && !to_and_fro) plan.drop = fragility::kUltimateShare;
     if (study.load.stop_below > 0.0)
         plan.decided = to_and_fro ? stop_both_below(study.load.stop_below)
@@ -233,7 +230,7 @@ PushWay push_way(const Study& study)
     PushWay way;
     bool right = false, left = false;
     double from = 0.0;
-    for (const double to : push_plan(study).targets) {
+    for (const double to : targets_of(study.load)) {
         (to > from ? right : left) = true;
         way.farthest = std::max(way.farthest, std::abs(to));
         way.length += std::abs(to - from);

@@ -14,6 +14,7 @@
 #include "dem/solver/solver_options.hpp"
 #include "fragility/bilinear.hpp"
 #include "fragility/curve_reading.hpp"
+#include "fragility/cyclic_curve.hpp"
 #include "fragility/law.hpp"
 #include "uq/designs/design_kind.hpp"
 #include "uq/marginals/marginal.hpp"
@@ -164,6 +165,7 @@ struct FragilityInput {
     fragility::Crossing crossing = fragility::Crossing::first; ///< of the ultimate share
     double ultimate_share = fragility::kUltimateShare;         ///< of the peak [-], in (0, 1)
     double bilinear_share = fragility::kBilinearShare;         ///< of the peak [-], in (0, 1]
+    fragility::Side backbone = fragility::Side::mean;          ///< of a push that turns back
     fragility::Law law = fragility::Law::lognormal;
     double confidence = 0.95; ///< of intervals [-], in (0, 1)
     int bootstrap = 1000;     ///< samples behind p-values, >= 0; 0: none

@@ -2,6 +2,7 @@
 
 #include "app/input/study_key_table.hpp"
 #include "app/reading/wall_response.hpp"
+#include "app/reading/wall_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,12 +51,17 @@ constexpr std::array kKernels = {named("exponential", FieldKernel::exponential),
                                  named("all", FieldKernel::all)};
 constexpr std::array kCrossings = {named("first", fragility::Crossing::first),
                                    named("last", fragility::Crossing::last)};
+constexpr std::array kBackbones = {
+    named(kSides[0], fragility::Side::mean), named(kSides[1], fragility::Side::worse),
+    named(kSides[2], fragility::Side::right), named(kSides[3], fragility::Side::left)};
 constexpr std::array kModeRules = {named("two", dem::ModeRule::two),
                                    named("three", dem::ModeRule::three)};
 constexpr std::array kDriftLaws = {
     named("lognormal", fragility::Law::lognormal), named("normal", fragility::Law::normal),
     named("weibull", fragility::Law::weibull), named("gamma", fragility::Law::gamma)};
 
+constexpr Condition kToAndFro{[](const Study& s) { return push_way(s).direction == 0; },
+                              "the push goes one way"};
 bool any_random(const Study& s) { return !s.random.empty(); }
 
 bool is_by_group(FieldKernel k)
@@ -195,6 +201,10 @@ constexpr std::array kKeys = {
     Key{.name = "fragility.bilinear_share", .range = {'(', 0, 1, ']'},
         .meaning = "of the peak force, through which the bilinear rises (Circolare 7/2019, C7.3.4.2)",
         .field = kAt<&Study::fragility, &FragilityInput::bilinear_share>},
+    Key{.name = "fragility.backbone", .kind = Kind::word, .names = kBackbones,
+        .effect = kToAndFro,
+        .meaning = "on which limit states of a push to and fro are read; worse: the direction that reaches each first",
+        .field = kAt<&Study::fragility, &FragilityInput::backbone>},
     Key{.name = "fragility.law", .kind = Kind::word, .names = kDriftLaws,
         .verbs = "study fragility",
         .meaning = "of limit drifts and displacements",

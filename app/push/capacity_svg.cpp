@@ -1,11 +1,39 @@
 #include "app/push/capacity_svg.hpp"
 
-#include "app/input/limit_state_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/number_text.hpp"
 
+#include <utility>
+#include <vector>
+
 namespace app {
+
+namespace {
+
+void add_marks(const FragilityInput& f, const WallReading& r, double way, Chart& chart)
+{
+    if (r.peak)
+        chart.marks.push_back({way * r.peak->displacement * 1e3, way * r.peak->force * 1e-3,
+                               "peak " + fixed(r.peak->force * 1e-3, 1) + " kN"});
+    if (is_observed(r.ultimate))
+        chart.vertical.push_back({way * r.ultimate.displacement * 1e3,
+                                  percent_text(f.ultimate_share) + " of the peak"});
+}
+
+/// Of a push that turns back, over its path.
+void add_backbone(const PushedWall& w, int direction, Chart& chart)
+{
+    const auto b = fragility::backbone({w.displacement, w.force}, direction);
+    Series line{.name = "backbones", .colour = "#D55E00", .width = 2.2};
+    for (std::size_t i = 0; i < b.force.size(); ++i) {
+        line.x.push_back(direction * b.displacement[i] * 1e3);
+        line.y.push_back(direction * b.force[i] * 1e-3);
+    }
+    chart.series.push_back(std::move(line));
+}
+
+} // namespace
 
 std::string capacity_svg(const Study& study, const PushedWall& w)
 {
@@ -20,17 +48,20 @@ std::string capacity_svg(const Study& study, const PushedWall& w)
         curve.x.push_back(w.displacement[i] * 1e3);
         curve.y.push_back(w.force[i] * 1e-3);
     }
+    const std::vector<WallReading>& sides = w.reading.backbones;
+    if (!sides.empty()) curve.width = 1.0;
     chart.series.push_back(curve);
-    const WallReading& r = w.reading;
     // Readings count in the direction of the push.
-    const double way = reading_rules(study).direction < 0 ? -1.0 : 1.0;
-    if (r.peak)
-        chart.marks.push_back({way * r.peak->displacement * 1e3, way * r.peak->force * 1e-3,
-                               "peak " + fixed(r.peak->force * 1e-3, 1) + " kN"});
-    if (is_observed(r.ultimate))
-        chart.vertical.push_back(
-            {way * r.ultimate.displacement * 1e3,
-             percent_text(study.fragility.ultimate_share) + " of the peak"});
+    const double way = push_way(study).direction < 0 ? -1.0 : 1.0;
+    if (sides.empty()) {
+        add_marks(study.fragility, w.reading, way, chart);
+        return line_chart(chart);
+    }
+    for (const int direction : {1, -1}) {
+        add_backbone(w, direction, chart);
+        const auto side = direction > 0 ? fragility::Side::right : fragility::Side::left;
+        add_marks(study.fragility, sides[static_cast<std::size_t>(side)], direction, chart);
+    }
     return line_chart(chart);
 }
 

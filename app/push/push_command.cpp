@@ -4,6 +4,7 @@
 #include "app/input/study.hpp"
 #include "app/input/units.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/output/backbones_csv.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/cycles_csv.hpp"
 #include "app/output/markup.hpp"
@@ -93,6 +94,16 @@ std::string configuration(const Study& study, const PushedWall& w, std::optional
            effective_configuration(study);
 }
 
+/// Of a push that turns back.
+void write_cycles(const fs::path& folder, const PushedWall& w)
+{
+    const fragility::Path path{w.displacement, w.force};
+    std::vector<dem::Energy> ledger;
+    for (const dem::CurvePoint& p : w.result.curve) ledger.push_back(p.energy);
+    write_file(folder / "cycles.csv", cycles_csv(fragility::cycles(path), ledger));
+    write_file(folder / "backbones.csv", backbones_csv(path));
+}
+
 void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
                 std::optional<int> sample)
 {
@@ -100,9 +111,7 @@ void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
     write_file(folder / "study.ini", configuration(study, w, sample));
     if (!dem::failed(w.result.outcome)) {
         write_file(folder / "capacity.csv", capacity_text(w));
-        if (push_way(study).direction == 0)
-            write_file(folder / "cycles.csv",
-                       cycles_csv(fragility::cycles({w.displacement, w.force})));
+        if (push_way(study).direction == 0) write_cycles(folder, w);
         write_file(folder / "capacity.svg", capacity_svg(study, w));
         WallPictureText text;
         if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
@@ -145,7 +154,8 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
 {
     Table t;
     t.caption = "Capacity per vertical stress. Ultimate: the " +
-                ultimate_text(study.fragility) + "; > where it had not when the push ended.";
+                ultimate_text(study.fragility) + "; > where it had not when the push ended." +
+                backbone_text(study);
     t.head = {"stress [MPa]",
               "peak [kN]",
               "at [mm]",

@@ -25,24 +25,43 @@ Json displacement_mm(const fragility::LimitDisplacement& d)
     return is_defined(d) ? Json(d.displacement * kToMm) : Json(nullptr);
 }
 
-Json limit_states(const PushedWall& w, const ReadingRules& rules)
+Json limit_states(const WallReading& reading, const ReadingRules& rules)
 {
     Json list = Json::array();
-    if (!w.reading.no_reading.empty()) return list;
+    if (!reading.no_reading.empty()) return list;
     const std::vector<StateName> names = state_names(rules);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const fragility::LimitDisplacement& limit = w.reading.limits.at(i);
+        const fragility::LimitDisplacement& limit = reading.limits.at(i);
         list.push_back({{"set", names[i].set},
                         {"name", names[i].name},
                         {"rule", names[i].rule},
                         {"displacement_mm", displacement_mm(limit)},
-                        {"drift_percent",
-                         is_defined(limit) ? Json(100.0 * limit.displacement / w.loads.height)
-                                           : Json(nullptr)},
+                        {"drift_percent", is_defined(limit)
+                                              ? Json(100.0 * limit.displacement / rules.height)
+                                              : Json(nullptr)},
                         {"reading", words(limit.reading)},
                         {"reason", limit.reason}});
     }
     return list;
+}
+
+/// Of a push that turns back, by direction.
+Json backbones(const WallReading& reading, const ReadingRules& rules)
+{
+    Json all = Json::object();
+    for (std::size_t i = 0; i < reading.backbones.size(); ++i) {
+        const WallReading& r = reading.backbones[i];
+        all[std::string(kSides[i])] = {
+            {"peak_force_kN", number_or_null(peak_force(r) * kToKn)},
+            {"displacement_at_peak_mm", number_or_null(peak_displacement(r) * kToMm)},
+            {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
+            {"ultimate_censored", is_censored(r.ultimate)},
+            {"stiffness_kN_per_mm",
+             r.stiffness ? number_or_null(*r.stiffness * 1e-6) : Json(nullptr)},
+            {"no_reading", r.no_reading},
+            {"limit_states", limit_states(r, rules)}};
+    }
+    return all;
 }
 
 Json energy(const dem::Energy& e)
@@ -94,6 +113,8 @@ std::string summary_json(const Study& study, const PushedWall& w)
     const bool whole = !dem::failed(w.result.outcome);
     const WallReading& r = w.reading;
     const FragilityInput& f = study.fragility;
+    ReadingRules rules = reading_rules(study);
+    rules.height = w.loads.height;
     Json j;
     j["vertical_stress_MPa"] = w.vertical_stress * kToMpa;
     j["outcome"] = words(w.result.outcome);
@@ -121,7 +142,11 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["no_reading"] = r.no_reading;
     j["load_height_m"] = w.loads.height;
     j["settlement_mm"] = whole ? number_or_null(w.result.settlement * kToMm) : Json(nullptr);
-    j["limit_states"] = limit_states(w, reading_rules(study));
+    j["limit_states"] = limit_states(r, rules);
+    if (!r.backbones.empty()) {
+        j["read_on"] = kSides[static_cast<std::size_t>(rules.backbone)];
+        j["backbones"] = backbones(r, rules);
+    }
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, w));
     j["energy_residual"] = number_or_null(energy_residual(w));

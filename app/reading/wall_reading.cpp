@@ -35,29 +35,75 @@ std::vector<double> turned_round(std::span<const double> values)
     return turned;
 }
 
-/// @param curve in the direction of the push
-void read_curve(const fragility::Curve& curve, const ReadingRules& rules, WallReading& w)
+/// @param curve in its own direction
+WallReading read_curve(const fragility::Backbone& backbone, bool came_down,
+                       const ReadingRules& rules)
 {
+    const fragility::Curve curve{backbone.displacement, backbone.force, came_down};
+    WallReading w;
     w.peak = fragility::peak(curve);
     w.stiffness = fragility::secant_stiffness(curve);
     w.ultimate =
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
     w.dropped = is_observed(w.ultimate);
     w.collapse = fragility::drop_after_peak(curve, 0.0);
-    w.limits.clear();
     for (const std::string_view set : rules.sets)
         for (const auto& s : fragility::read_limit_states(curve, set, rules.options))
             w.limits.push_back(s.limit);
     for (const auto& s : fragility::read_limit_states(curve, user_states(rules), rules.options))
         w.limits.push_back(s.limit);
+    return w;
 }
 
-/// A push to the left, in its own direction.
-void read_mirrored(const fragility::Curve& curve, const ReadingRules& rules, WallReading& w)
+/// Backbones of a push that turns back.
+struct Backbones {
+    fragility::Backbone right, left;
+};
+
+Backbones backbones_of(const fragility::Curve& curve)
 {
-    const auto displacement = turned_round(curve.displacement),
-               force = turned_round(curve.force);
-    read_curve({displacement, force, curve.came_down}, rules, w);
+    const fragility::Path path{curve.displacement, curve.force};
+    return {fragility::backbone(path, 1), fragility::backbone(path, -1)};
+}
+
+bool was_visited(const fragility::Backbone& b) { return b.displacement.size() > 1; }
+
+/// As far as both reach; of a push that never leaves one side that side.
+fragility::Backbone mean_of(const Backbones& b)
+{
+    if (!was_visited(b.left)) return b.right;
+    return was_visited(b.right) ? fragility::mean(b.right, b.left) : b.left;
+}
+
+/// The smaller of each number of both sides.
+WallReading worse_of(const WallReading& a, const WallReading& b)
+{
+    WallReading w;
+    w.peak = b.peak->force < a.peak->force ? b.peak : a.peak;
+    if (a.stiffness && b.stiffness) w.stiffness = std::min(*a.stiffness, *b.stiffness);
+    w.ultimate = fragility::worse(a.ultimate, b.ultimate);
+    w.dropped = is_observed(w.ultimate);
+    w.collapse = fragility::worse(a.collapse, b.collapse);
+    for (std::size_t i = 0; i < a.limits.size(); ++i)
+        w.limits.push_back(fragility::worse(a.limits[i], b.limits[i]));
+    return w;
+}
+
+WallReading read_to_and_fro(const fragility::Curve& curve, const ReadingRules& rules)
+{
+    const Backbones b = backbones_of(curve);
+    const auto read_side = [&](const fragility::Backbone& side) {
+        return was_visited(side) ? read_curve(side, curve.came_down, rules)
+                                 : not_read(rules, "the push never goes to this side");
+    };
+    const WallReading right = read_side(b.right), left = read_side(b.left);
+    const bool both = was_visited(b.right) && was_visited(b.left);
+    const WallReading mean = read_side(mean_of(b));
+    const std::vector<WallReading> all = {mean, both ? worse_of(right, left) : mean, right,
+                                          left};
+    WallReading w = all[static_cast<std::size_t>(rules.backbone)];
+    w.backbones = all;
+    return w;
 }
 
 } // namespace
@@ -95,15 +141,26 @@ WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
     if (curve.displacement.size() < 2)
         w = not_read(rules, "the wall came down under vertical load");
     else if (rules.direction == 0)
-        w = not_read(rules, "the push turns back: limit states are read off a push that goes "
-                            "one way");
-    else if (rules.direction > 0)
-        read_curve(curve, rules, w);
+        w = read_to_and_fro(curve, rules);
     else
-        read_mirrored(curve, rules, w);
+        w = read_curve(capacity_curve(curve, rules), curve.came_down, rules);
     w.mode = dem::failure_mode(mechanism, w.dropped, rules.mode);
     w.slid = slid_whole(mechanism, w.dropped, rules.mode);
     return w;
+}
+
+fragility::Backbone capacity_curve(const fragility::Curve& curve, const ReadingRules& rules)
+{
+    using fragility::Side;
+    const auto copied = [](std::span<const double> v) {
+        return std::vector(v.begin(), v.end());
+    };
+    if (rules.direction > 0) return {copied(curve.displacement), copied(curve.force)};
+    if (rules.direction < 0)
+        return {turned_round(curve.displacement), turned_round(curve.force)};
+    const Backbones b = backbones_of(curve);
+    if (rules.backbone == Side::right) return b.right;
+    return rules.backbone == Side::left ? b.left : mean_of(b);
 }
 
 bool slid_whole(const dem::Mechanism& m, bool dropped, const dem::ModeThresholds& t)

@@ -1,9 +1,11 @@
 #pragma once
 /// The one place where a wall is read: peak, ultimate displacement, limit states and failure mode, off
 /// the facts of a wall (its curve and what moved) and by the rules of [fragility]. Every table, picture,
-/// summary, page, stopping rule and reliability analysis takes these numbers.
+/// summary, page, stopping rule and reliability analysis takes these numbers. A push that turns back is read on its
+/// backbones.
 
 #include "dem/scene/mechanism.hpp"
+#include "fragility/cyclic_curve.hpp"
 #include "fragility/limit_states.hpp"
 
 #include <optional>
@@ -28,6 +30,7 @@ struct ReadingRules {
     dem::ModeThresholds mode;
     double height = 1.0; ///< of the load line [m], > 0; drifts are displacements over it
     int direction = 1;   ///< of the push: 1 to the right, -1 to the left, 0: it turns back
+    fragility::Side backbone = fragility::Side::mean; ///< of a push that turns back
 };
 
 /// A limit state to read, before any wall is read.
@@ -46,6 +49,9 @@ struct WallReading {
     fragility::LimitDisplacement ultimate; ///< [m]
     fragility::LimitDisplacement collapse; ///< no force left, or the wall came down [m]
     std::vector<fragility::LimitDisplacement> limits; ///< [m], in the order of state_names
+    /// Of a push that turns back: what each backbone says, in the order of fragility::Side, without a mode. Mean and worse
+    /// of a push that never leaves one side are those of that side.
+    std::vector<WallReading> backbones;
     dem::FailureMode mode = dem::FailureMode::rocking;
     bool dropped = false; ///< the force fell to the ultimate share of the peak
     bool slid =
@@ -55,6 +61,11 @@ struct WallReading {
 /// @param curve as the solver wrote it, [m] and [N], of a wall that did not fail
 [[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                                const ReadingRules& rules);
+
+/// The curve that limit states are read on, in its own direction: of a push that turns back a backbone, of
+/// fragility::Side::worse the mean of both.
+[[nodiscard]] fragility::Backbone capacity_curve(const fragility::Curve& curve,
+                                                 const ReadingRules& rules);
 
 /// A wall without a curve to read: nothing is defined.
 [[nodiscard]] WallReading not_read(const ReadingRules& rules, std::string why);

@@ -13,6 +13,9 @@ namespace app {
 /// In the order of dem::FailureMode.
 inline constexpr std::array<std::string_view, 3> kModes = {"rocking", "sliding", "mixed"};
 
+/// In the order of fragility::Side.
+inline constexpr std::array<std::string_view, 4> kSides = {"mean", "worse", "right", "left"};
+
 /// In the order of dem::Outcome.
 inline constexpr std::array<std::string_view, 7> kOutcomes = {
     "reached target", "decided",      "lost equilibrium", "not finite",

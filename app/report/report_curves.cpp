@@ -13,23 +13,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double largest_displacement(const StudyWalls& study)
-{
-    double largest = 0.0;
-    for (const StudyLevel& level : study.levels)
-        for (const StudyWall& w : level.walls)
-            if (!w.curve.displacement.empty())
-                largest = std::max(largest, w.curve.displacement.back());
-    return largest;
-}
+/// Largest distance and force of all walls.
+struct Extent {
+    double displacement = 0.0, force = 0.0; ///< [m] [N]
+};
 
-double largest_force(const StudyWalls& study)
+Extent extent_of(const StudyWalls& study)
 {
-    double largest = 0.0;
+    const auto widen = [](double& largest, const std::vector<double>& values) {
+        for (const double x : values) largest = std::max(largest, std::abs(x));
+    };
+    Extent e;
     for (const StudyLevel& level : study.levels)
-        for (const StudyWall& w : level.walls)
-            for (const double f : w.curve.force) largest = std::max(largest, std::abs(f));
-    return largest;
+        for (const StudyWall& w : level.walls) {
+            widen(e.displacement, w.curve.displacement);
+            widen(e.force, w.curve.force);
+        }
+    return e;
 }
 
 } // namespace
@@ -37,13 +37,18 @@ double largest_force(const StudyWalls& study)
 Json curves_json(const StudyWalls& study, const WallList& listed)
 {
     const std::size_t points = listed.size() > kManyWalls ? kFewCurvePoints : kCurvePoints;
-    const double step = largest_displacement(study) / static_cast<double>(points - 1);
-    const double force_step = std::max(largest_force(study), 1.0) / 32000.0;
+    const Extent largest = extent_of(study);
+    const double step = largest.displacement / static_cast<double>(points - 1);
+    const double force_step = std::max(largest.force, 1.0) / 32000.0;
     std::vector<double> all;
     Json counts = Json::array();
     for (const StudyWall* w : listed) {
         std::vector<double> f;
-        if (step > 0.0) f = resampled(w->curve, step, points);
+        if (step > 0.0 && !w->failed) {
+            const auto read =
+                capacity_curve({w->curve.displacement, w->curve.force}, study.rules);
+            f = resampled({read.displacement, read.force}, step, points);
+        }
         counts.push_back(f.size());
         f.resize(points, f.empty() ? 0.0 : f.back());
         all.insert(all.end(), f.begin(), f.end());

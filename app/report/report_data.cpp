@@ -1,6 +1,7 @@
 #include "app/report/report_data.hpp"
 
 #include "app/fragility/drift_fits.hpp"
+#include "app/fragility/fragility_cycles.hpp"
 #include "app/fragility/fragility_inputs.hpp"
 #include "app/fragility/fragility_limits.hpp"
 #include "app/fragility/fragility_means.hpp"
@@ -8,6 +9,7 @@
 #include "app/fragility/fragility_walls.hpp"
 #include "app/reading/wall_words.hpp"
 #include "app/report/report_curves.hpp"
+#include "app/report/report_cycles.hpp"
 #include "app/report/report_fragility.hpp"
 #include "app/report/report_inputs.hpp"
 #include "app/report/report_overview.hpp"
@@ -124,6 +126,7 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
         {"walls", wall_table(study, listed)}};
     Json all = Json::object();
     for (const auto& [name, table] : tables) all[name] = table_json(name, table);
+    if (!study.pushed_one_way) all["cycles"] = table_json("cycles", cycle_table(study));
     return all;
 }
 
@@ -144,11 +147,12 @@ Json report_data(const StudyWalls& study, const WallList& listed)
             {"levels", levels_json(study)},
             {"inputs", inputs_json(study)},
             {"height", study.height},
-            {"one_way", study.pushed_one_way},
             {"confidence", study.study.fragility.confidence},
             {"walls", walls_json(listed)},
-            {"curves", study.pushed_one_way ? curves_json(study, listed) : Json(nullptr)},
-            {"means", study.pushed_one_way ? mean_curves_json(study) : Json::array()},
+            {"curves", curves_json(study, listed)},
+            {"means", mean_curves_json(study)},
+            {"loops", loops_json(study, listed)},
+            {"damping", damping_json(study)},
             {"fragility", fragility_json(data)},
             {"modes", modes_json(study)},
             {"histograms", histograms_json(study)},

@@ -228,6 +228,7 @@ Overview overview(const StudyWalls& study)
     const FragilityInput& f = study.study.fragility;
     for (const StudyLevel& level : study.levels) o.found.push_back(level_text(f, level));
     o.found.push_back("How a wall failed: " + mode_rule_text(f) + ".");
+    if (!study.pushed_one_way) o.found.push_back(backbone_text(study.study).substr(1));
     o.sure = how_sure(study);
     return o;
 }

@@ -4,7 +4,6 @@
 #include "app/study/wall_frames.hpp"
 #include "dem/block/model.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -28,15 +27,10 @@ WallDraw stored_draw(const Study& study, const dem::Layout& layout, const StudyW
 }
 
 /// The same curve to the bit, and the same mode.
-bool same_as_stored(const StudyWalls& study, const StudyWall& stored, const PushedWall& wall)
+bool same_as_stored(const StudyWall& stored, const PushedWall& wall)
 {
-    const double way = study.rules.direction < 0 ? -1.0 : 1.0;
-    const auto same = [way](double a, double b) { return a == way * b; };
-    const WallCurve& kept = stored.curve;
-    const PushedWall& now = wall;
     return stored.reading.mode == wall.reading.mode &&
-           std::ranges::equal(kept.displacement, now.displacement, same) &&
-           std::ranges::equal(kept.force, now.force, same);
+           stored.curve.displacement == wall.displacement && stored.curve.force == wall.force;
 }
 
 /// Pushes the walls at places `missing` of `all` and puts their films there.
@@ -53,7 +47,7 @@ void push_missing(const StudyWalls& r, const std::vector<std::size_t>& missing, 
     };
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         const StudyWall& stored = *all.walls[missing[i]];
-        all.different += same_as_stored(r, stored, wall) ? 0 : 1;
+        all.different += same_as_stored(stored, wall) ? 0 : 1;
         all.films[missing[i]] = film_of(frames_of(std::move(wall.result)));
         ++all.pushed;
         if (seen) seen(all.pushed, missing.size());

@@ -3,6 +3,8 @@
 #include "app/study/fragility_text.hpp"
 #include "app/text/number_text.hpp"
 
+#include <array>
+
 namespace app {
 
 namespace {
@@ -20,6 +22,17 @@ std::string ultimate_text(const FragilityInput& f)
     const bool first = f.crossing == fragility::Crossing::first;
     return std::string("force ") + (first ? "first" : "finally") + " comes down to " +
            percent_text(f.ultimate_share) + " of the peak";
+}
+
+std::string backbone_text(const Study& study)
+{
+    if (push_way(study).direction != 0) return "";
+    constexpr std::array<const char*, 4> kReadOn = {
+        "the mean of the backbones of both directions",
+        "the backbones of both directions, of which the one counts that reaches it first",
+        "the backbone to the right", "the backbone to the left"};
+    return std::string(" The push goes to and fro: read on ") +
+           kReadOn.at(static_cast<std::size_t>(study.fragility.backbone)) + ".";
 }
 
 std::string mode_rule_text(const FragilityInput& f)

@@ -7,6 +7,22 @@
 
 namespace app {
 
+namespace {
+
+/// What broke is read at the end, how the wall has moved where the force came down or, of a push that turns back, where
+/// it was farthest out.
+dem::Mechanism mechanism_of(const dem::PushResult& r, double height)
+{
+    if (!r.at_farthest) return dem::mechanism(r.at_drop.value_or(r.at_end), height);
+    dem::Mechanism m = dem::mechanism(r.at_end, height);
+    const dem::Mechanism out = dem::mechanism(*r.at_farthest, height);
+    m.rotation_share = out.rotation_share;
+    m.sliding_share = out.sliding_share;
+    return m;
+}
+
+} // namespace
+
 PushedWall read_wall(const Study& study, int level, dem::PushResult result)
 {
     const ReadingRules rules = reading_rules(study);
@@ -24,7 +40,7 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
         w.displacement.push_back(kept(p.displacement));
         w.force.push_back(kept(p.force));
     }
-    w.mechanism = dem::mechanism(w.result.at_drop.value_or(w.result.at_end), w.loads.height);
+    w.mechanism = mechanism_of(w.result, w.loads.height);
     const bool came_down = w.result.outcome == dem::Outcome::lost_equilibrium;
     w.reading = read({w.displacement, w.force, came_down}, w.mechanism, rules);
     return w;

@@ -35,7 +35,6 @@ Row cells(const StudyLevel& level, const std::vector<int>& modes, double confide
     for (const StudyWall& w : level.walls) {
         const WallReading& r = w.reading;
         ++of_mode[static_cast<std::size_t>(mode_of(w))];
-        // A push that turns back has no reading: its walls are sound, their peaks are not defined.
         if (r.peak) peaks.push_back(r.peak->force);
         if (is_observed(r.ultimate)) ultimate.push_back(r.ultimate.displacement);
         censored += is_censored(r.ultimate) ? 1 : 0;
@@ -71,7 +70,8 @@ StudySummary summarise(const StudyWalls& walls)
         percent_text(f.confidence) +
         " interval counts the failed walls once as of that mode and once as not. Ultimate: "
         "where the " +
-        ultimate_text(f) + ", as the mean of the walls on which that was observed.";
+        ultimate_text(f) + ", as the mean of the walls on which that was observed." +
+        backbone_text(walls.study);
     s.table.head = {"stress [MPa]", "walls", "failed", {"peak [kN]", kError}, "COV"};
     const std::vector<int> modes = modes_of(walls);
     for (const int mode : modes)

@@ -40,16 +40,6 @@ Columns columns_of(const StoreHead& head)
             find_column(head.responses, "crushed_area")};
 }
 
-/// In the direction of the push.
-WallCurve along(const WallCurve& curve, int direction)
-{
-    WallCurve c = curve;
-    if (direction < 0)
-        for (auto* const values : {&c.displacement, &c.force})
-            for (double& x : *values) x = -x;
-    return c;
-}
-
 StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
 {
     StudyWall w;
@@ -73,9 +63,15 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, K
     w.reading =
         read({row.curve.displacement, row.curve.force, came_down}, w.mechanism, all.rules);
     if (keep == Keep::readings) return w;
-    WallCurve curve = along(row.curve, all.rules.direction);
-    if (w.reading.no_reading.empty()) w.forces = resampled(curve, all.step, kCurveSteps + 1);
-    if (keep == Keep::everything) w.curve = std::move(curve);
+    if (w.reading.no_reading.empty()) {
+        fragility::Backbone b =
+            capacity_curve({row.curve.displacement, row.curve.force}, all.rules);
+        w.forces = resampled({std::move(b.displacement), std::move(b.force)}, all.step,
+                             kCurveSteps + 1);
+    }
+    if (!all.pushed_one_way)
+        w.cycles = fragility::cycles({row.curve.displacement, row.curve.force});
+    if (keep == Keep::everything) w.curve = row.curve;
     return w;
 }
 

@@ -7,6 +7,7 @@
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
 #include "app/study/stored_input.hpp"
+#include "fragility/cyclic_curve.hpp"
 
 #include <filesystem>
 #include <span>
@@ -31,7 +32,9 @@ struct StudyWall {
     std::vector<double>
         forces;                ///< [N] at 0, 1, ... kCurveSteps steps, as far as the curve goes
     std::vector<double> drawn; ///< inputs as they are stored, in SI (Keep::everything)
-    WallCurve curve;           ///< in the direction of the push (Keep::everything)
+    /// Of a push that turns back (Keep::means); displacements in [m], forces in [N].
+    std::vector<fragility::Cycle> cycles;
+    WallCurve curve; ///< as it was stored (Keep::everything)
 };
 
 /// kRocking, kSliding or kMixed
@@ -58,7 +61,7 @@ struct StudyWalls {
     StoreHead head;
     double height = 1.0;        ///< of the load line [m]
     double step = 0.0;          ///< of StudyWall::forces [m]
-    bool pushed_one_way = true; ///< else no limit state is defined
+    bool pushed_one_way = true; ///< else walls are read on their backbones
     bool shared =
         false; ///< one design for all levels: walls of two levels depend on each other
 };

@@ -1,6 +1,6 @@
 #include "app/study/wall_frames.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 namespace app {
@@ -14,15 +14,19 @@ dem::PushPlan bare_plan(const Study& study)
     return plan;
 }
 
+int film_frames(const Study& study)
+{
+    if (push_way(study).direction != 0) return kFilmFrames;
+    const auto ways = static_cast<int>(push_plan(study).targets.size());
+    return std::clamp(ways * kFramesOfAWay, kFilmFrames, kMostFilmFrames);
+}
+
+double film_step(const Study& study) { return push_way(study).length / film_frames(study); }
+
 dem::PushPlan filmed_plan(const Study& study)
 {
     dem::PushPlan plan = bare_plan(study);
-    double way = 0.0, from = 0.0;
-    for (const double to : plan.targets) {
-        way += std::abs(to - from);
-        from = to;
-    }
-    plan.snapshot_every = way / kFilmFrames;
+    plan.snapshot_every = film_step(study);
     return plan;
 }
 

@@ -12,6 +12,12 @@
 namespace app {
 
 constexpr int kFilmFrames = 60; ///< evenly over the way, and the wall before the push
+/// Of a push that turns back: so many for each way between two turns, and at most kMostFilmFrames.
+constexpr int kFramesOfAWay = 8, kMostFilmFrames = 240;
+
+/// Frames of a film after the wall before the push, and the way between two of them [m].
+[[nodiscard]] int film_frames(const Study& study);
+[[nodiscard]] double film_step(const Study& study);
 
 /// A push of a study's wall: readings alone, no pictures.
 [[nodiscard]] dem::PushPlan bare_plan(const Study& study);

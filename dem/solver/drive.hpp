@@ -35,8 +35,11 @@ class Drive {
     [[nodiscard]] bool settling() const { return settling_; }
     [[nodiscard]] bool settled() const { return settled_; } ///< at rest before the push
     [[nodiscard]] bool finished() const { return !settling_ && target_ >= targets_.size(); }
-    [[nodiscard]] double position() const { return position_; }      ///< of the load line [m]
-    [[nodiscard]] double left() const { return path_ - travelled_; } ///< of the whole path [m]
+    [[nodiscard]] double position() const { return position_; } ///< of the load line [m]
+    /// Of the way to the next turn, or to the end [m].
+    [[nodiscard]] double left() const { return turns_[turn_] - travelled_; }
+    /// Whether the last step arrived where the drive turns back.
+    [[nodiscard]] bool turned() const { return turned_; }
     [[nodiscard]] double done() const; ///< share of the whole path travelled [-]
 
   private:
@@ -48,16 +51,20 @@ class Drive {
 
     std::vector<double> targets_;
     SolverOptions options_;
-    double full_speed_ = 0.0; ///< [m/step]
-    double path_ = 0.0;       ///< [m]
+    double full_speed_ = 0.0;   ///< [m/step]
+    double path_ = 0.0;         ///< [m]
+    std::vector<double> turns_; ///< travelled way at each turn, and at the end [m]
+    std::size_t turn_ = 0;      ///< the next of them
+    bool turned_ = false;
     bool settling_ = true;
     bool settled_ = false;
     long long step_ = 0;
     std::size_t target_ = 0;
     double position_ = 0.0;
     double travelled_ = 0.0;
-    double speed_ = 0.0;     ///< now [m/step]
-    double unbalance_ = 0.0; ///< smoothed
+    double farthest_right_ = 0.0, farthest_left_ = 0.0; ///< so far [m], >= 0 and <= 0
+    double speed_ = 0.0;                                ///< now [m/step]
+    double unbalance_ = 0.0;                            ///< smoothed
 };
 
 } // namespace dem

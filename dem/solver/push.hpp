@@ -45,11 +45,14 @@ struct RunCost {
 
 struct PushResult {
     Outcome outcome = Outcome::reached_target;
-    std::vector<CurvePoint> curve; ///< the first point is the wall before the push
+    /// The first point is the wall before the push. Where the push turns back a point stands at the turn.
+    std::vector<CurvePoint> curve;
     /// As PushPlan::snapshot_every asks, in the order of the push; the first is before the push.
     std::vector<Snapshot> snapshots;
     Snapshot at_peak;                ///< at the curve point with the largest force
     std::optional<Snapshot> at_drop; ///< where the force first came down to PushPlan::drop
+    /// At the farthest turn, the last of equals; none where the push ends farther out, or goes one way.
+    std::optional<Snapshot> at_farthest;
     Snapshot at_end;
     Energy energy;         ///< at the end
     double residual = 0.0; ///< largest |energy residual| wherever it was read [-]

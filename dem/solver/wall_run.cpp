@@ -156,6 +156,27 @@ template <class Real> Energy WallRun::energy(const WallState<Real>& state, int l
     return e;
 }
 
+/// Means over intervals do not reach the turn. The last two of this way tell the point there; the forces of the moment
+/// itself ring with the drive that stops.
+template <class Real> void WallRun::take_turn(const WallState<Real>& state, int lane)
+{
+    const CurvePoint last = result_.curve.back(),
+                     before = result_.curve[result_.curve.size() - 2];
+    CurvePoint p = last;
+    p.displacement = drive_.position();
+    const double along = p.displacement - last.displacement,
+                 way = last.displacement - before.displacement;
+    if (along * way > 0.0) {
+        p.force += (last.force - before.force) * along / way;
+        p.base_shear += (last.base_shear - before.base_shear) * along / way;
+    }
+    result_.curve.push_back(p);
+    if (std::abs(p.displacement) < farthest_) return;
+    farthest_ = std::abs(p.displacement);
+    result_.at_farthest =
+        take_snapshot(task_->model, task_->tables, state, lane, p.displacement, p.force);
+}
+
 template <class Real> void WallRun::take_point(const WallState<Real>& state, int lane)
 {
     Energy e;
@@ -219,8 +240,10 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     const double missing = top + dem::lane(state.load_x, lane) - base;
     if (unbalance_scale_ > 0.0) drive_.feel(std::abs(missing) / unbalance_scale_);
     const bool room_for_another = drive_.left() > 0.5 * task_->plan.record_every;
-    const bool wanted = drive_.finished() || (recorder_.due() && room_for_another);
+    const bool wanted =
+        drive_.finished() || drive_.turned() || (recorder_.due() && room_for_another);
     if (wanted && recorder_.any()) take_point(state, lane);
+    if (drive_.turned()) take_turn(state, lane);
 }
 
 /// Whether the run can go on. The energy is looked at first, because a wall that too large a step has torn
@@ -272,7 +295,7 @@ void WallRun::reduce_step()
     result_ = std::move(fresh);
     drive_ = Drive(task_->plan.targets, options_);
     recorder_ = Recorder(task_->plan.record_every);
-    peak_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
+    peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
     steps_ = 0;
     decided_ = false;
 }
@@ -285,6 +308,7 @@ template <class Real> PushResult WallRun::finish(const WallState<Real>& state, i
     r.at_end = take_snapshot(task_->model, task_->tables, state, lane, drive_.position(),
                              r.curve.empty() ? dem::lane(state.top_force, lane)
                                              : r.curve.back().force);
+    if (std::abs(r.at_end.displacement) >= farthest_) r.at_farthest.reset();
     r.weight = dem::lane(state.laws.whole_weight, lane);
     r.cost.contact_updates = r.cost.steps * task_->tables.n_contacts;
     return std::move(r);

@@ -46,6 +46,7 @@ class WallRun {
     template <class Real> void settle(WallState<Real>& state, int lane);
     template <class Real> void go_on(const WallState<Real>& state, int lane);
     template <class Real> void take_point(const WallState<Real>& state, int lane);
+    template <class Real> void take_turn(const WallState<Real>& state, int lane);
     template <class Real>
     [[nodiscard]] Energy energy(const WallState<Real>& state, int lane) const;
     template <class Real> [[nodiscard]] Outcome judge(const WallState<Real>& state, int lane);
@@ -65,6 +66,7 @@ class WallRun {
     double force_before_ = 0.0;     ///< of the drive, before the step [N]
     double step_drive_ = 0.0;       ///< of the step [m]
     double peak_ = 0.0;             ///< largest force so far, either way [N]
+    double farthest_ = 0.0;         ///< distance of the farthest turn so far [m]
     double way_ = 0.0;              ///< displacement travelled since the start of the push [m]
     double drive_work_ = 0.0;       ///< since the start of the push [J]
     double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]

@@ -6,6 +6,7 @@ drystone_tests(app_report
         app/test_report_bytes.cpp
         app/test_report_choice.cpp
         app/test_report_curves.cpp
+        app/test_report_cycles.cpp
         app/test_report_film.cpp
         app/test_report_overview.cpp
         app/test_report_page.cpp

@@ -139,6 +139,7 @@ user_states = slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate
 crossing = last
 ultimate_share = 0.85
 bilinear_share = 0.7
+backbone = worse
 law = weibull
 confidence = 0.9
 bootstrap = 200

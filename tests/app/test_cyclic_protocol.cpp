@@ -1,4 +1,5 @@
 #include "app/input/cyclic_protocol.hpp"
+#include "app/output/backbones_csv.hpp"
 #include "app/output/cycles_csv.hpp"
 
 #include <catch2/catch.hpp>
@@ -8,6 +9,14 @@
 #include <vector>
 
 using namespace app;
+
+TEST_CASE("backbones.csv: both directions, with positive displacements and forces",
+          "[app][cyclic]")
+{
+    const std::vector<double> x{0, 0.002, 0, -0.001, 0}, f{0, 1000, 0, -500, 0};
+    CHECK(backbones_csv({x, f}) ==
+          "side,displacement_mm,force_kN\nright,0,0\nright,2,1\nleft,0,0\nleft,1,0.5\n");
+}
 
 TEST_CASE("cyclic protocol: FEMA 461 grows by 1.4 to the largest amplitude", "[app][cyclic]")
 {
@@ -46,10 +55,14 @@ TEST_CASE("cycles.csv: a value that a cycle does not have is an empty cell", "[a
 {
     const std::vector<double> x{0, 0.002, 0, -0.002, 0, 0.004},
         f{0, 1000, -500, -1000, 500, 2000};
-    const std::string table = cycles_csv(fragility::cycles({x, f}));
+    std::vector<dem::Energy> ledger(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+        ledger[i].friction = 0.25 * static_cast<double>(i);
+    const std::string table = cycles_csv(fragility::cycles({x, f}), ledger);
     // loop: 1 J on loading, -0.5 J back to zero, twice; residual at 2/3 of the way back
     CHECK(table.find("\n1,2,1,-1,1.5,") != std::string::npos);
     CHECK(table.find("\n2,4,2,0,5,") != std::string::npos);
     CHECK(table.find(",,,") != std::string::npos);
-    CHECK(table.substr(table.size() - 3) == ",0\n");
+    CHECK(table.find(",1,1,0,0,0\n2,") != std::string::npos); // closed; 1 J of friction
+    CHECK(table.ends_with(",0,0.25,0,0,0\n"));                // not closed
 }

@@ -1,6 +1,7 @@
 #include "app/fragility/fragility_command.hpp"
 #include "app/fragility_keys.hpp"
 #include "app/fragility_scenes.hpp"
+#include "app/input/study_keys.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
@@ -128,11 +129,31 @@ TEST_CASE("one reading: with any key of [fragility] every output has the same nu
         check_push(o);
         CHECK(o.summary.failed == 1); // kept and counted, whatever the rules
         CHECK(o.page["walls"].back()["mode"] == "failed");
-        if (overrides.empty())
+        if (overrides.empty()) {
             standard = text_of(o);
-        else
-            CHECK(text_of(o) != standard); // the key is followed
+            continue;
+        }
+        const std::string& key = overrides.front();
+        const bool matters =
+            why_no_effect(*app::find_key(key.substr(0, key.find('='))), o.walls.study).empty();
+        CHECK((text_of(o) != standard) == matters); // the key is followed
     }
+}
+
+TEST_CASE("one reading: of a push to and fro every output is read on the backbone asked for",
+          "[app][one_reading]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto file = folder.path / "study.h5";
+    scenes::run_study(file, "samples = 2\n[load]\namplitudes = 1, 2 mm");
+    const Outputs mean = outputs_of(file, {}),
+                  right = outputs_of(file, {"fragility.backbone=right"});
+    for (const Outputs* o : {&mean, &right}) {
+        check_tables(*o);
+        check_shares(*o);
+        check_push(*o);
+    }
+    CHECK(text_of(mean) != text_of(right));
 }
 
 TEST_CASE("one reading: the stopping rule looks at the same walls", "[app][one_reading]")

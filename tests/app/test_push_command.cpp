@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
@@ -130,17 +131,27 @@ TEST_CASE("push command: one thread and two give the same bits", "[app][push_com
     CHECK(one.terminal.find("1.25") != std::string::npos);
 }
 
-TEST_CASE("push command: a push that turns back has a curve but no limit states, and says why",
+TEST_CASE("push command: a push that turns back has cycles, and limit states by direction",
           "[app][push_command]")
 {
     const scenes::TemporaryFolder folder;
     std::vector<std::string> overrides = kCoarse;
-    overrides[3] = "load.targets=1, -1 mm";
+    overrides[3] = "load.amplitudes=1, 2 mm";
     REQUIRE(push("wall.ini", folder.path / "out", overrides).code == 0);
     const nlohmann::json s = summary(folder.path / "out");
-    CHECK(s["ultimate_displacement_mm"].is_null());
-    CHECK(s["limit_states"].empty());
-    CHECK(s["no_reading"].get<std::string>().find("turns back") != std::string::npos);
+    CHECK(s["read_on"] == "mean");
+    CHECK(s["ultimate_displacement_mm"] == Approx(2.0).epsilon(0.01)); // where it ends
+    CHECK_FALSE(s["limit_states"].empty());
+    const auto& sides = s["backbones"];
+    const double right = sides["right"]["peak_force_kN"], left = sides["left"]["peak_force_kN"];
+    CHECK(s["peak_force_kN"].get<double>() == Approx(0.5 * (right + left)).epsilon(0.02));
+    CHECK(sides["worse"]["peak_force_kN"].get<double>() == std::min(right, left));
+    CHECK(s["mechanism"]["rotation_share"].get<double>() != 0.0);
+    const std::string cycles = read_text(folder.path / "out" / "cycles.csv"),
+                      backbones = read_text(folder.path / "out" / "backbones.csv");
+    CHECK(std::ranges::count(cycles, '\n') == 3);
+    CHECK(cycles.find("\n2,2,") != std::string::npos); // its amplitude is that of the protocol
+    CHECK(backbones.find("\nleft,2,") != std::string::npos);
 }
 
 TEST_CASE(

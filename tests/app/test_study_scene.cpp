@@ -160,6 +160,17 @@ TEST_CASE("study: a force against the push at its beginning does not end it", "[
     }
 }
 
+TEST_CASE("study: a push to the left in two parts goes one way", "[app][study]")
+{
+    const app::Study study = read_good({"load.targets=-5, -10 mm", "load.stop_below=0.5"});
+    CHECK(app::push_way(study).direction == -1);
+    std::vector<dem::CurvePoint> curve(3);
+    curve[1].force = -100.0;
+    curve[2].force = -49.0; // a push to and fro would go on
+    curve[2].displacement = curve[1].displacement = -1e-3;
+    CHECK(app::push_plan(study).decided(curve));
+}
+
 TEST_CASE("study: amplitudes and protocols become displacements to visit", "[app][study]")
 {
     const auto cycles =
@@ -197,10 +208,11 @@ TEST_CASE("study: stop_below ends a push to and fro once a whole cycle is weak o
                                {-1.0, -6.0},
                                {0.0, 0.0},
                                {1.0, 4.0},
-                               {0.0, 0.0},
+                               {0.1, -3.0}, // unloaded before it is back, and weak
+                               {-0.01, -3.0},
                                {-1.0, -4.0}})
         CHECK_FALSE(visit(x, f));
-    CHECK(visit(0.0, 0.0));
+    CHECK(visit(0.01, 3.0));
 }
 
 TEST_CASE("study: loads carry the height of the load and gravity", "[app][study]")

@@ -296,14 +296,14 @@ TEST_CASE("summary: a run that took no time has no speed", "[app][summary_json]"
     CHECK(summary(w).at("contact_updates_per_second").is_null());
 }
 
-TEST_CASE("summary: a push that turns back has no readings, but a mode", "[app][summary_json]")
+TEST_CASE("summary: a wall that is not read has a mode", "[app][summary_json]")
 {
     PushedWall w = good_wall();
     w.reading.peak.reset();
     w.reading.stiffness.reset();
     w.reading.ultimate = {};
     w.reading.collapse = {};
-    w.reading.no_reading = "the push turns back";
+    w.reading.no_reading = "the push never goes to this side";
     const Json j = summary(w);
     CHECK(null_keys(j) ==
           std::set<std::string>{"peak_force_kN", "displacement_at_peak_mm",

@@ -4,6 +4,8 @@ set(TEST_FRAGILITY_SOURCES
     fragility/test_curve_reading.cpp
     fragility/test_curve_table.cpp
     fragility/test_cyclic_curve.cpp
+    fragility/test_pushed_cycles.cpp
+    scenes/paper_wall.cpp
     fragility/test_limit_states.cpp
     fragility/test_measured_walls.cpp
     ../bench/comparison.cpp

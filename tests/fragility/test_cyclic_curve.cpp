@@ -139,12 +139,41 @@ TEST_CASE("cyclic curve: the backbone is what lies farther out than all before",
     // +1 at 4, back, again to 1 at 3 (weaker), on to 2 at 5; the left side never beyond -1
     const OwnedPath p{{0, 1, 0, -1, 0, 1, 2, 0}, {0, 4, 0, -6, 0, 3, 5, 0}};
     const Backbone right = backbone(p, 1), left = backbone(p, -1);
-    CHECK(right.displacement == std::vector<double>{0, 1, 1, 2});
-    CHECK(right.force == std::vector<double>{0, 4, 3, 5});
+    CHECK(right.displacement == std::vector<double>{0, 1, 2});
+    CHECK(right.force == std::vector<double>{0, 4, 5});
     CHECK(left.displacement == std::vector<double>{0, 1});
     CHECK(left.force == std::vector<double>{0, 6});
     CHECK_NOTHROW(check({right.displacement, right.force}));
     CHECK(peak({right.displacement, right.force}).force == 5.0);
+}
+
+TEST_CASE("cyclic curve: reloading is left out of the backbone, strength that is lost is not",
+          "[fragility][cyclic]")
+{
+    // from 4 at 1 down to 3 when it is there again; 3.2 at 2, then down to 2 at 3
+    const OwnedPath p{{0, 1, 0, 1, 1.5, 2, 3}, {0, 4, 0, 3, 3.7, 3.2, 2}};
+    const Backbone b = backbone(p, 1);
+    CHECK(b.displacement == std::vector<double>{0, 1, 1.5, 2, 3});
+    CHECK(b.force == std::vector<double>{0, 4, 3.7, 3.2, 2});
+    const OwnedPath weaker{{0, 1, 0, 1, 2}, {0, 4, 0, 3, 2.5}};
+    CHECK(backbone(weaker, 1).force == std::vector<double>{0, 4, 3, 2.5});
+}
+
+TEST_CASE("cyclic curve: the worse of two displacements is the one that surely comes first",
+          "[fragility][cyclic]")
+{
+    const LimitDisplacement seen3{3.0, Reading::observed, {}},
+        seen5{5.0, Reading::observed, {}}, after4{4.0, Reading::censored, {}}, none{};
+    const auto is = [](const LimitDisplacement& d, double x, Reading r) {
+        return d.displacement == x && d.reading == r;
+    };
+    CHECK(is(worse(seen3, seen5), 3.0, Reading::observed));
+    CHECK(is(worse(after4, seen3), 3.0, Reading::observed));
+    CHECK(is(worse(seen5, after4), 4.0, Reading::censored)); // the other may come between
+    CHECK(worse(seen3, none).reading == Reading::not_defined);
+    const LimitDisplacement after3{3.0, Reading::censored, {}};
+    CHECK(is(worse(after3, seen3), 3.0, Reading::observed));
+    CHECK(is(worse(seen3, after3), 3.0, Reading::observed));
 }
 
 TEST_CASE("cyclic curve: the mean backbone reaches as far as both", "[fragility][cyclic]")
@@ -152,6 +181,9 @@ TEST_CASE("cyclic curve: the mean backbone reaches as far as both", "[fragility]
     const Backbone m = mean({{0, 1, 3}, {0, 4, 8}}, {{0, 2}, {0, 6}});
     CHECK(m.displacement == std::vector<double>{0, 1, 2});
     CHECK(m.force == std::vector<double>{0, 3.5, 6});
+    const Backbone stepped = mean({{0, 2, 2, 3}, {0, 8, 4, 4}}, {{0, 2, 3}, {0, 6, 6}});
+    CHECK(stepped.displacement == std::vector<double>{0, 2, 2, 3});
+    CHECK(stepped.force == std::vector<double>{0, 7, 5, 5});
 }
 
 TEST_CASE("cyclic curve: a push one way is its own backbone, bit for bit",

@@ -36,7 +36,7 @@ if [[ $1 == pages ]]; then
     page many --set uq.samples=2200 --set load.max_displacement="0.5 mm"
     "$drystone" study "$small" --out "$folder/part.h5" --quiet --set uq.samples=8 --shard 1/3 >"$folder/part.txt"
     "$drystone" report "$folder/part_1_of_3.h5" --out "$folder/shard.html" --quiet
-    sed 's/^max_displacement.*/targets = 2, -2, 3 mm/' "$small" >"$folder/study.ini"
+    sed 's/^max_displacement.*/targets = 2, -2, 3, -3, 0 mm/' "$small" >"$folder/study.ini"
     page cyclic --set uq.samples=3
 else
     folder=$2

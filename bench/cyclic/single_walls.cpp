@@ -1,0 +1,162 @@
+#include "bench/cyclic/single_walls.hpp"
+
+#include "app/output/cells.hpp"
+#include "dem/block/model.hpp"
+#include "fragility/cyclic_curve.hpp"
+#include "scenes/paper_wall.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace bench {
+namespace {
+
+struct Loops {
+    dem::PushResult result;
+    std::vector<fragility::Cycle> cycles;
+
+    /// Of one part of the ledger in one cycle [J].
+    [[nodiscard]] double lost(std::size_t cycle, double dem::Energy::*part) const
+    {
+        const fragility::Cycle& c = cycles.at(cycle);
+        return result.curve[c.end].energy.*part - result.curve[c.begin].energy.*part;
+    }
+};
+
+Loops loops_of(const dem::Model& m, const dem::WallMaterials& w, std::vector<double> targets,
+               const dem::SolverOptions& options = {})
+{
+    dem::PushPlan plan;
+    plan.targets = std::move(targets);
+    plan.snapshot_at_peak = false;
+    Loops all{dem::push(m, w, plan, options), {}};
+    std::vector<double> displacement, force;
+    for (const dem::CurvePoint& p : all.result.curve) {
+        displacement.push_back(p.displacement);
+        force.push_back(p.force);
+    }
+    all.cycles = fragility::cycles({displacement, force});
+    return all;
+}
+
+/// To the right and to the left at each amplitude, and back [m].
+std::vector<double> there_and_back(const std::vector<double>& amplitudes_mm)
+{
+    std::vector<double> targets;
+    for (const double a : amplitudes_mm) targets.insert(targets.end(), {a * 1e-3, -a * 1e-3});
+    targets.push_back(0.0);
+    return targets;
+}
+
+app::Row slider_row()
+{
+    scenes::Scene s = scenes::monolith(1.0, 0.1, 0.5e6, 1e10);
+    s.wall.toe = dem::Toe::free;
+    s.stone.young_modulus = s.beam.material.young_modulus = 1e15;
+    const dem::Model m = scenes::model_of(s);
+    dem::WallMaterials w = scenes::uniform(s, m);
+    w.base_joint.tan_phi = 0.1;
+    const double t = s.wall.thickness, d = 5e-3;
+    const double force = 0.1 * (0.5e6 + s.stone.density * 9.81 * 0.1) * t;
+    const double elastic = force / (0.5 * s.joint.ks * t); // base and beam joint in series
+    const Loops l = loops_of(m, w, there_and_back({5, 5}));
+    const double whole = 4.0 * force * d;
+    const double damping = fragility::equivalent_damping(l.cycles.at(1)).value_or(0.0);
+    return {std::string("slides, friction angle 5.7 degrees"),
+            app::plain_number(100.0 * l.cycles.at(1).energy / whole, 2),
+            app::plain_number(100.0 * (1.0 - elastic / d), 2),
+            app::plain_number(100.0 * l.lost(1, &dem::Energy::friction) / whole, 2),
+            app::plain_number(100.0 * l.lost(1, &dem::Energy::damping) / whole, 4),
+            app::plain_number(100.0 * damping, 2),
+            app::plain_number(200.0 / std::numbers::pi * (1.0 - elastic / d), 2)};
+}
+
+app::Row rocker_row(double length, dem::Toe toe)
+{
+    scenes::Scene s = scenes::monolith(length, 1.0, 0.5e6, 8.08e9);
+    s.wall.toe = toe;
+    const dem::Model m = scenes::model_of(s);
+    const double d = 10e-3;
+    const Loops l = loops_of(m, scenes::uniform(s, m), there_and_back({10, 10}));
+    const double whole = 4.0 * l.cycles.at(1).force_plus * d;
+    const double damping = fragility::equivalent_damping(l.cycles.at(1)).value_or(0.0);
+    return {"rocks, " + std::to_string(length).substr(0, 3) + " m x 1 m, its toe " +
+                (toe == dem::Toe::held ? "held" : "free"),
+            app::plain_number(100.0 * l.cycles.at(1).energy / whole, 2),
+            app::count(0),
+            app::plain_number(100.0 * l.lost(1, &dem::Energy::friction) / whole, 2),
+            app::plain_number(100.0 * l.lost(1, &dem::Energy::damping) / whole, 4),
+            app::plain_number(100.0 * damping, 2),
+            app::count(0)};
+}
+
+} // namespace
+
+app::Table block_loops()
+{
+    app::Table t;
+    t.caption = "Blocks on a dry joint under 0.50 MPa, second of two equal cycles of 5 mm "
+                "(sliding) and 10 mm "
+                "(rocking), in percent of 4 F d; exact: 1 - F/(k d), and none.";
+    t.head = {"block",      "energy [%]",  "exact [%]",        "of it friction [%]",
+              "solver [%]", "damping [%]", "exact damping [%]"};
+    t.rows = {slider_row(), rocker_row(1.0, dem::Toe::held), rocker_row(1.0, dem::Toe::free),
+              rocker_row(0.5, dem::Toe::held), rocker_row(0.5, dem::Toe::free)};
+    return t;
+}
+
+app::Table loops_over_speed()
+{
+    app::Table t;
+    t.caption = "The paper's wall with mean values at 0.50 MPa: energy of each cycle [J], and "
+                "the share of it that the "
+                "solver's damping takes [%], for speeds of the drive (solver.steps_per_mm; "
+                "1000 is the default).";
+    t.head = {"steps per mm", "steps"};
+    const std::vector<double> amplitudes = {1, 3, 6, 10, 15};
+    for (const double a : amplitudes) {
+        const std::string mm = app::cell_text(app::count(a)) + " mm";
+        t.head.emplace_back(mm + " [J]");
+        t.head.emplace_back(mm + ", solver [%]");
+    }
+    const scenes::Scene s = scenes::paper_wall(0.50);
+    const dem::Model m = scenes::model_of(s);
+    for (const double speed : {250.0, 500.0, 1000.0, 2000.0, 4000.0}) {
+        dem::SolverOptions o;
+        o.steps_per_mm = speed;
+        const Loops l = loops_of(m, scenes::uniform(s, m), there_and_back(amplitudes), o);
+        app::Row row = {app::count(speed),
+                        app::count(static_cast<double>(l.result.cost.steps))};
+        for (std::size_t c = 0; c < amplitudes.size(); ++c) {
+            row.emplace_back(app::plain_number(l.cycles.at(c).energy, 2));
+            row.emplace_back(app::plain_number(
+                100.0 * l.lost(c, &dem::Energy::damping) / l.cycles.at(c).energy, 1));
+        }
+        t.rows.push_back(std::move(row));
+    }
+    return t;
+}
+
+app::Table protocol_cost()
+{
+    app::Table t;
+    t.caption = "The paper's wall with mean values: steps of a push of 30 mm, and of cycles of "
+                "3, 6, 10, 15, 20 and 30 mm, "
+                "which go 11.2 times as far.";
+    t.head = {"stress [MPa]", "steps, one way", "steps, cycles", "ratio"};
+    for (const double stress : {0.15, 0.50, 0.75, 1.00, 1.25}) {
+        const scenes::Scene s = scenes::paper_wall(stress);
+        const dem::Model m = scenes::model_of(s);
+        const dem::WallMaterials w = scenes::uniform(s, m);
+        const auto one = static_cast<double>(loops_of(m, w, {0.03}).result.cost.steps);
+        const auto all = static_cast<double>(
+            loops_of(m, w, there_and_back({3, 6, 10, 15, 20, 30})).result.cost.steps);
+        t.rows.push_back({app::given(stress), app::count(one), app::count(all),
+                          app::plain_number(all / one, 2)});
+    }
+    return t;
+}
+
+} // namespace bench

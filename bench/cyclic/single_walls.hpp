@@ -1,0 +1,17 @@
+#pragma once
+/// Loops of single walls: blocks with closed forms, the speed of the drive, the cost of a protocol.
+
+#include "app/output/table.hpp"
+
+namespace bench {
+
+/// A block that slides and blocks that rock, beside their closed forms.
+[[nodiscard]] app::Table block_loops();
+
+/// Energy of each cycle of the paper's wall at 0.50 MPa for several speeds of the drive.
+[[nodiscard]] app::Table loops_over_speed();
+
+/// Steps of a push of 30 mm and of cycles of 3, 6, 10, 15, 20 and 30 mm, under five stresses.
+[[nodiscard]] app::Table protocol_cost();
+
+} // namespace bench

@@ -1,0 +1,50 @@
+// Force against displacement of one wall that is pushed to and fro.
+import { element, colours } from './format.js';
+import { chart, overlay } from './chart.js';
+
+export class Loop {
+    /** loops: as readLoops gives them. */
+    constructor(data, loops, host) {
+        Object.assign(this, { data, loops, wall: null, at: null });
+        this.title = element('h3', {}, '');
+        this.plot = element('div', { class: 'plot' });
+        host.append(this.title, this.plot);
+        const room = 1.05;
+        this.drawn = chart(this.plot, {
+            label: 'Hysteresis of the wall shown', series: [{ data: [0, 0], colour: '#999999', width: 1 }], x: [-loops.reach * room, loops.reach * room], height: 320,
+            xLabel: 'displacement [mm]', yLabel: 'horizontal force [kN]',
+            xRange: [-loops.reach * room, loops.reach * room], yRange: [-loops.top * room, loops.top * room],
+            draw: () => this.refresh(),
+        });
+        this.parts = overlay(this.drawn.u);
+        this.parts.hovered.style.stroke = colours.failed;
+    }
+
+    /** The wall that is shown, at frame t of its film; null: the page has no film of it. */
+    mark(wall, t) {
+        if (wall !== this.wall) this.title.textContent = `Hysteresis: ${this.data.levels[this.data.walls[wall].level].name}, sample ${this.data.walls[wall].sample}`;
+        Object.assign(this, { wall, at: t });
+        this.refresh();
+    }
+
+    /** Line through the points from 0 to the place `to`. */
+    line(u, to) {
+        const points = [];
+        const { x, f } = this.loops.path(this.wall);
+        for (let i = 0; i < Math.min(to, f.length); ++i) points.push(`${u.valToPos(x[i], 'x').toFixed(1)},${u.valToPos(f[i], 'y').toFixed(1)}`);
+        return points.join(' ');
+    }
+
+    refresh() {
+        if (!this.drawn || !this.parts || this.wall === null) return;
+        const { u } = this.drawn;
+        if (!Number.isFinite(u.valToPos(0, 'x'))) return; // a new chart: it calls again when it is drawn
+        const here = this.at === null ? null : this.loops.at(this.wall, this.at);
+        this.parts.hovered.setAttribute('points', this.line(u, Infinity));
+        this.parts.chosen.setAttribute('points', here ? this.line(u, here.place + 1) : '');
+        this.parts.dot.setAttribute('visibility', here ? 'visible' : 'hidden');
+        if (!here) return;
+        this.parts.dot.setAttribute('cx', u.valToPos(here.x, 'x'));
+        this.parts.dot.setAttribute('cy', u.valToPos(here.f, 'y'));
+    }
+}
