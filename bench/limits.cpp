@@ -136,8 +136,10 @@ std::string page_of(const fs::path& work)
     return "# What decides how far a wall can be pushed\n\nWritten by `bash bench/limits.sh` "
            "on " +
            bench::machine_line() +
-           ". The walls of `configs/collapse.ini`, 16 under each stress in the first table and 32 in "
-           "the second, the same samples in each row, pushed until the force has come down to 80 % of its peak. Drift limits: "
+           ". The walls of `configs/collapse.ini`, 16 under each stress in the first table and "
+           "32 in "
+           "the second, the same samples in each row, pushed until the force has come down to "
+           "80 % of its peak. Drift limits: "
            "where it does, over the height of the load, by Kaplan and Meier, with 95 % "
            "intervals; a number behind > says that fewer walls than this share fell to "
            "80 % before their push ended. What the tables show: "

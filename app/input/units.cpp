@@ -173,7 +173,8 @@ std::vector<double> parse_quantities(std::string_view text, std::string_view uni
 {
     const Unit& expected = unit_named(unit);
     std::vector<Parts> parts;
-    for (const std::string_view item : unit_words(text)) parts.push_back(number_and_unit(item, expected));
+    for (const std::string_view item : unit_words(text))
+        parts.push_back(number_and_unit(item, expected));
     const auto is_bare = [](const Parts& p) { return p.unit.empty(); };
     if (std::all_of(parts.begin(), parts.end() - 1, is_bare)) {
         for (Parts& p : parts) p.unit = parts.back().unit;

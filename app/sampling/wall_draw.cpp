@@ -71,9 +71,8 @@ dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout,
     for (std::size_t i = 0; i < draw.values.size(); ++i)
         if (is_single(draw.values[i])) study.random[i].place(p) = draw.values[i].front();
     for (const ParameterRule& rule : study.rules) rule.apply(p, h);
-    dem::WallMaterials wall =
-        materials(p, h, level, study.load.vertical_stress.at(static_cast<std::size_t>(level)),
-                  layout);
+    dem::WallMaterials wall = materials(
+        p, h, level, study.load.vertical_stress.at(static_cast<std::size_t>(level)), layout);
     if (any_spatial(study, draw, Varies::by_joint))
         for (std::size_t k = 0; k < wall.joints.size(); ++k) {
             set_values(study, draw, Varies::by_joint, k, p);

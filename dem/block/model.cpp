@@ -12,7 +12,6 @@ namespace dem {
 
 namespace {
 
-
 /// Contact points along a face. They are as dense as on the face of a half unit.
 FacePoints points_of(const Face& f, const Layout& layout, const Discretisation& d)
 {
@@ -230,8 +229,8 @@ Model discretise(const WallGeometry& wall, const Elastic& stone, const Beam& bea
 FaceStiffness reference_of(const Model& m, const Face& f)
 {
     if (f.kind != FaceKind::unit_crack) return {m.reference.joint.kn, m.reference.joint.ks};
-    const double own = own_stiffness(m.layout, static_cast<std::size_t>(f.id - 1)) *
-                       m.stone.young_modulus;
+    const double own =
+        own_stiffness(m.layout, static_cast<std::size_t>(f.id - 1)) * m.stone.young_modulus;
     if (own > 0.0) return {own, own};
     return {m.reference.crack.kn, m.reference.crack.ks};
 }

@@ -35,8 +35,8 @@ int main()
 
     dem::PushPlan plan;
     plan.targets = {0.030};
-    const dem::PushResult result = dem::push(
-        model, dem::wall_materials(stone, model.layout), plan);
+    const dem::PushResult result =
+        dem::push(model, dem::wall_materials(stone, model.layout), plan);
     if (dem::failed(result.outcome)) return 1;
 
     std::vector<double> displacement, force;
