@@ -28,8 +28,6 @@ Study coarse_study(const Study& study)
     Study s = study;
     s.wall.cracks.pattern = coarse(study.wall.cracks.pattern);
     s.wall.cracks.where.clear();
-    if (s.fidelity != dem::Fidelity::rigid)
-        s.discretisation = dem::discretisation_of(dem::Fidelity::simple);
     s.solver.steps_per_mm = std::min(s.solver.steps_per_mm, kCoarseSteps);
     return s;
 }

@@ -36,11 +36,6 @@ template <class Real> struct Overlap {
 };
 
 constexpr double kCornerRadius = 1e-3; // [face lengths] over which a corner hands on its normal
-constexpr double kMostPenetration =
-    0.05; // [face lengths]: deeper, blocks have passed each other
-
-/// Whose corner stands at an end of the overlap: 1 that of a, -1 that of b, between where they meet.
-/// @param overhang of b over this end of a [m]
 template <class Real> [[nodiscard]] Real corner_of(const FacePair& p, Real overhang)
 {
     const Real radii = overhang * Real(1.0 / (kCornerRadius * p.length));
@@ -102,8 +97,7 @@ template <class Real>
 template <class Real> [[nodiscard]] Real share_of(const FacePair& p, const Overlap<Real>& o)
 {
     const Real deepest = min(o.gap, o.gap + o.widening);
-    return select(deepest < Real(-kMostPenetration * p.length), Real(0.0),
-                  o.along_sides * Real(1.0 / p.length));
+    return select(deepest < Real(-p.deepest), Real(0.0), o.along_sides * Real(1.0 / p.length));
 }
 
 /// Tangential displacement of b past a in the last step, where they touch [m].

@@ -128,9 +128,10 @@ template <class Real> Real take(Real& du)
 
 /// Per area [J/m2]. Area that comes into contact while a block slides brings this along, area that
 /// leaves takes it away; neither is work of a force, so the ledger has it with the friction.
-template <class Real> Real stored_energy(const DryLaw<Real>& law, const DryUpdate<Real>& u)
+template <class Law, class Real>
+Real stored_energy(const Law& law, Real stretch, Real sigma, Real tau)
 {
-    return Real(0.5) * (u.sigma * u.state.u_n + u.state.tau * u.state.tau * law.inv_ks);
+    return Real(0.5) * (sigma * stretch + tau * tau * law.inv_ks);
 }
 
 template <class Real>
@@ -148,7 +149,8 @@ void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState
         const DryUpdate<Real> u = advance(law, {s.u_n[k], s.stress[2 * k + 1]}, du_n, du_s);
         set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
         friction = multiply_add(Real(t.area[k]), u.friction, friction);
-        stored = multiply_add(Real(t.area[k]), stored_energy(law, u), stored);
+        stored = multiply_add(Real(t.area[k]),
+                              stored_energy(law, u.state.u_n, u.sigma, u.state.tau), stored);
         step.add(t, k, s);
     }
     s.friction += step.share * friction - step.grown * stored;
@@ -160,13 +162,17 @@ void advance_tied(const StepTables& t, const ContactRun& run, int pair, WallStat
 {
     const DryLaw<Real>& law = s.laws.tied[run.law];
     PairStep<Real> step(t.finite, pair, s);
+    Real stored(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
         const Real u_n = s.u_n[k] + step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
         const Real tau =
             multiply_add(law.ks, step.tangential(take(s.du[2 * k + 1])), s.stress[2 * k + 1]);
         set_contact(s, k, u_n, law.kn * u_n, tau);
+        stored =
+            multiply_add(Real(t.area[k]), stored_energy(law, u_n, law.kn * u_n, tau), stored);
         step.add(t, k, s);
     }
+    s.friction -= step.grown * stored;
     step.act(t.finite, pair, s);
 }
 
@@ -176,6 +182,7 @@ void advance_crack(const StepTables& t, bool shortcuts, const ContactRun& run, i
 {
     const CrackLaw<Real>& law = s.laws.cracks[run.law];
     PairStep<Real> step(t.finite, pair, s);
+    Real stored(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
         Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
         if (!s.crushed.empty())
@@ -193,8 +200,16 @@ void advance_crack(const StepTables& t, bool shortcuts, const ContactRun& run, i
             s.friction = multiply_add(area, loss.friction, s.friction);
             s.fracture = multiply_add(area, loss.fracture, s.fracture);
         }
+        const Real propped = kUnloading == Unloading::elastic
+                                 ? s.cracks[k - t.first_crack].unloading
+                                 : Real(0.0);
+        stored = multiply_add(
+            Real(t.area[k]),
+            stored_energy(law, s.u_n[k] - propped, s.stress[2 * k], s.stress[2 * k + 1]),
+            stored);
         step.add(t, k, s);
     }
+    s.friction -= step.grown * stored;
     step.act(t.finite, pair, s);
 }
 
@@ -234,7 +249,8 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
         s.finite.further_u_n[at] = u_n;
         s.finite.further_tau[at] = select(share > Real(0.0), u.state.tau, Real(0.0));
         friction = multiply_add(area, u.friction, friction);
-        stored = multiply_add(area, stored_energy(law, u), stored);
+        stored =
+            multiply_add(area, stored_energy(law, u.state.u_n, u.sigma, u.state.tau), stored);
         const Real normal = share * (area * u.sigma), shear = share * (area * u.state.tau);
         sum.normal += normal;
         sum.tangential += shear;

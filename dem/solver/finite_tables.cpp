@@ -12,6 +12,9 @@ namespace dem {
 
 namespace {
 
+/// Of a face, or of half a unit where that is longer: pieces of units are pressed together as deep as their unit.
+constexpr double kMostPenetration = 0.05;
+
 constexpr double kFar = 1e3;      // [m], half the length of the ground
 constexpr double kOnLine = 1e-6;  // [m]
 constexpr std::size_t kReach = 3; // blocks onto which a block can slide, to either side
@@ -108,6 +111,7 @@ void add_pair(const Model& m, const std::vector<Contact>& contacts, int first, i
     p.side_a = side_of(m, t, f.a, c, f);
     p.side_b = side_of(m, t, f.b, c, f);
     p.length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
+    p.deepest = kMostPenetration * std::max(p.length, m.layout.half_unit);
     t.pairs.push_back(p);
     const double tx = c.nz, tz = -c.nx;
     const double start = std::min(tx * f.from.x + tz * f.from.z, tx * f.to.x + tz * f.to.z);

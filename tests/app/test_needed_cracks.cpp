@@ -12,12 +12,13 @@
 
 namespace {
 
-app::Study wall_with(const std::string& where, const std::string& strength = "3 MPa")
+app::Study wall_with(const std::string& where, const std::string& strength = "2 MPa")
 {
     return study_texts::read_good(
         {"unit.cracks=grid(2, 2)", "unit.cracks_where=" + where, "unit.cracks_elsewhere=none",
          "unit.tensile_strength=" + strength, "load.vertical_stress=0.15 MPa",
-         "joint.wall_modulus=600 MPa", "load.max_displacement=1 mm"});
+         "joint.wall_modulus=600 MPa", "load.max_displacement=1 mm",
+         "solver.steps_per_mm=300"});
 }
 
 double peak(const app::Study& study)
@@ -41,7 +42,7 @@ TEST_CASE("needed cracks: the toe of a rocking wall, and the same answer as with
     CHECK(some.n_cracks > 0);
     CHECK(2 * some.n_cracks < all.n_cracks);
     for (const dem::Face& f : some.faces)
-        if (f.kind == dem::FaceKind::unit_crack) CHECK(f.from.x > 0.4 * all.length);
+        if (f.kind == dem::FaceKind::unit_crack) CHECK(f.from.x > 0.3 * all.length);
     // Pieces and cracks together are within 2 % as stiff as the unit (test_crack_strength).
     CHECK(peak(needed) == Approx(peak(wall_with("0 m, 0 m, 9 m, 9 m"))).epsilon(0.02));
     // The study that is kept says the boxes, and is the same wall.

@@ -18,6 +18,7 @@ dem::FacePair bed_joint()
     p.side_a = {-0.05, 0.05, 0.05};
     p.side_b = {-0.05, 0.05, -0.05};
     p.length = 0.1;
+    p.deepest = 0.005;
     return p;
 }
 
