@@ -98,7 +98,7 @@ layer_stones = sill: 30 GPa, 0.2, 2500 kg/m3
 const std::string kCells = [] {
     std::string text = kAll;
     const std::string_view energy = "fracture_energy = 0.002 N/m";
-    text.replace(text.find(energy), energy.size(), "fracture_energy = 0.00001 N/m");
+    text.replace(text.find(energy), energy.size(), "fracture_energy = 0.000015 N/m");
     const std::string_view unit = "[unit]\n";
     text.insert(text.find(unit) + unit.size(),
                 "cracks = voronoi(70 mm)\ncracks_where = 0 m, 0 m, 0.6 m, 0.1 m\n"
@@ -113,8 +113,8 @@ const std::string kCrushing = [] {
         text.insert(text.find(section) + section.size(),
                     "compressive_strength = " + strength + "\ncrushing_energy = 100 N/m\n");
     };
-    crush("[joint]\n", "1 MPa");
-    crush("[unit]\n", "4 MPa"); // so that some units break before they crush
+    crush("[joint]\n", "2 MPa");
+    crush("[unit]\n", "2 MPa"); // so that some units break before they crush
     return text;
 }();
 
