@@ -34,7 +34,7 @@ namespace po = boost::program_options;
 }
 
 /// Boost divides the arguments; what it refuses is said in our words.
-std::vector<po::option> split(const std::vector<std::string>& arguments)
+std::vector<po::option> given_options(const std::vector<std::string>& arguments)
 {
     namespace style = po::command_line_style;
     const po::options_description all = described(nullptr);
@@ -204,7 +204,7 @@ void check_study_options(const Command& command)
 Command parse_command_line(std::span<const Verb> verbs,
                            const std::vector<std::string>& arguments)
 {
-    const std::vector<po::option> given = split(arguments);
+    const std::vector<po::option> given = given_options(arguments);
     Command command;
     command.threads = default_threads();
     for (const po::option& g : given)

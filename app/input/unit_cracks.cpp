@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-using Kind = dem::CrackPattern::Kind;
+using CrackKind = dem::CrackPattern::Kind;
 
 constexpr std::string_view kNeeded = "needed";
 constexpr double kToeHeight = 0.4;                          // of the wall
@@ -49,21 +49,21 @@ int parse_pieces(std::string_view text)
 dem::CrackPattern parse_pattern(std::string_view text)
 {
     text = trimmed(text);
-    if (text == "none") return {Kind::none};
-    if (text == "mid") return {Kind::mid};
-    if (text == "thirds") return {Kind::grid, 3, 1};
-    if (text == "diagonals") return {Kind::diagonals};
+    if (text == "none") return {CrackKind::none};
+    if (text == "mid") return {CrackKind::mid};
+    if (text == "thirds") return {CrackKind::grid, 3, 1};
+    if (text == "diagonals") return {CrackKind::diagonals};
     if (const std::string_view in = arguments(text, "grid"); !in.empty()) {
         const std::vector<std::string_view> n = split(in, ",");
         if (n.size() != 2) refuse_pattern(text);
-        return {Kind::grid, parse_pieces(n[0]), parse_pieces(n[1])};
+        return {CrackKind::grid, parse_pieces(n[0]), parse_pieces(n[1])};
     }
     if (const std::string_view in = arguments(text, "voronoi"); !in.empty()) {
         const double size = parse_quantity(in, "m");
         if (!(size >= kSmallestCell && size <= kLargestCell))
             throw BadValue("cells of " + in_quotes(in) +
                            " are no pieces of units; write 1 mm to 10 m");
-        return {Kind::voronoi, 1, 1, size};
+        return {CrackKind::voronoi, 1, 1, size};
     }
     refuse_pattern(text);
 }
@@ -128,7 +128,7 @@ void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& 
     const bool whole_units =
         in_courses(study) ||
         (!study.geometry.rubble && find_entry(study.source, "wall.unit_length") != nullptr);
-    if (pattern.kind != Kind::mid || whole_units) return;
+    if (pattern.kind != CrackKind::mid || whole_units) return;
     if (find_entry(study.source, key) != nullptr)
         throw error_at(
             study.source, key,
@@ -136,7 +136,7 @@ void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& 
                 ? "mid is of whole units, which rubble has not; write thirds, grid(2, 2), ..."
                 : "mid is of whole units; a drawn wall needs wall.unit_length to tell them, "
                   "or write thirds, grid(2, 2), ...");
-    pattern = {Kind::none};
+    pattern = {CrackKind::none};
 }
 
 } // namespace
@@ -144,9 +144,9 @@ void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& 
 CrackPatterns crack_patterns(const Study& study)
 {
     const CrackInput& in = study.cracks;
-    if (in.cut_nothing) return {{Kind::none}, {Kind::none}};
-    CrackPatterns p{{in.in_units ? Kind::mid : Kind::none},
-                    {in.in_units ? Kind::mid : Kind::none}};
+    if (in.cut_nothing) return {{CrackKind::none}, {CrackKind::none}};
+    CrackPatterns p{{in.in_units ? CrackKind::mid : CrackKind::none},
+                    {in.in_units ? CrackKind::mid : CrackKind::none}};
     if (!in.pattern.empty()) {
         if (!in.in_units)
             throw error_at(study.source, "unit.cracks",
@@ -157,7 +157,7 @@ CrackPatterns crack_patterns(const Study& study)
         read_at(study, "unit.cracks_elsewhere",
                 [&] { p.elsewhere = parse_pattern(in.elsewhere); });
     else if (trimmed(in.where) == kNeeded)
-        p.elsewhere = {Kind::none};
+        p.elsewhere = {CrackKind::none};
     keep_possible(study, "unit.cracks", p.pattern);
     keep_possible(study, "unit.cracks_elsewhere", p.elsewhere);
     return p;
@@ -187,7 +187,8 @@ void find_needed_cracks(Study& study)
 
 bool has_cracks(const Study& study)
 {
-    return any_pattern(study, [](const dem::CrackPattern& p) { return p.kind != Kind::none; });
+    return any_pattern(study,
+                       [](const dem::CrackPattern& p) { return p.kind != CrackKind::none; });
 }
 
 } // namespace app
