@@ -142,18 +142,14 @@ std::string page_of(const fs::path& work)
            "where it does, over the height of the load, by Kaplan and Meier, with 95 % "
            "intervals; a number behind > says that fewer walls than this share fell to "
            "80 % before their push ended. What the tables show: "
-           "[model.md](model.md), section 7.\n\n" +
+           "[model.md](model.md#limits).\n\n" +
            app::as_markdown(
                table(work, kChoices,
                      "Kinematics, vertical load, crushing and cracks at the toe, one "
                      "at a time.")) +
            "\n" +
            app::as_markdown(
-               table(work, kDensities,
-                     "Density of the cracks, fidelity standard. Where all units are cut in 2 x "
-                     "2, the "
-                     "last row but one of each stress shows what is lost by cutting "
-                     "only those that need it."));
+               table(work, kDensities, "Density of the cracks, fidelity standard."));
 }
 
 } // namespace
