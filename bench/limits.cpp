@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -122,8 +123,13 @@ app::Table table(const fs::path& work, const std::array<Choice, kN>& choices,
               "never fell to 80 % [%]",
               "failed"};
     std::vector<app::StudyWalls> all;
-    for (const Choice& c : choices)
+    for (const Choice& c : choices) {
         all.push_back(app::read_study_walls(work / (std::string(c.file) + ".h5")));
+        for (const app::StudyLevel& level : all.back().levels)
+            if (level.missing > 0)
+                throw std::runtime_error(all.back().name +
+                                         " has not all its walls; run bench/limits.sh again");
+    }
     for (std::size_t l = 0; l < all.front().levels.size(); ++l)
         for (std::size_t c = 0; c < kN; ++c)
             t.rows.push_back(row(choices[c].name, all[c], all[c].levels.at(l)));

@@ -14,7 +14,7 @@ push() { # $1: name; then key=value
     local set=() override
     for override in uq.samples="${samples:-16}" output.curves=single "${@:2}"; do set+=(--set "$override"); done
     "$program" study configs/collapse.ini --out "$work/$1.h5" "${set[@]}" >/dev/null ||
-        echo "$1: failed walls, which the tables count" >&2
+        echo "$1: not all walls gave a result" >&2 # the tables count those that failed, and refuse missing ones
 }
 
 study() { push "$@" load.stop_below=0.8; }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 namespace app {
 namespace {
@@ -66,6 +67,9 @@ std::set<int> used_units(const Study& study, const dem::Model& model)
             study.load.vertical_stress[static_cast<std::size_t>(level)], model.layout);
         for (dem::CrackMaterial& c : w.cracks) c.ft = c.cohesion = kUnbreakable;
         const dem::PushResult r = dem::push(model, w, plan, study.solver);
+        if (dem::failed(r.outcome))
+            throw std::invalid_argument(
+                "the coarse push that finds the units failed; write toe, or boxes");
         for (const dem::Snapshot& wall : r.snapshots) add_used(wall, strength, units);
         add_used(r.at_end, strength, units);
     }
