@@ -119,11 +119,10 @@ TEST_CASE("body forces: what has no weight cannot be pushed by them", "[dem][bod
 }
 
 // Portioli (2020) and Portioli et al. (2021), read off a figure: 0.64 at 0, 0.56 at 0.06 m, 0.49 at 0.10 m,
-// zero at 0.37 m, with friction that dilates. Ours does not: units slip apart behind the corner, and zero comes
-// at 0.423 m (nearly the same with joints five times as stiff, three points per face, and twice as slow).
+// zero at 0.37 m. tests/dem/sequential_limit.py, rigid blocks by linear programming in steps of 0.1 mm: 0.643,
+// 0.556, 0.505, at 0.20 m 0.359, zero at 0.404 m.
 TEST_CASE("body forces: wall 1 of Ferris and Tin-Loi loses its load as published up to 0.1 m, "
-          "and all of it "
-          "beyond",
+          "and beyond as rigid blocks do",
           "[dem][body_forces][slow]")
 {
     scenes::Scene s = alone(2.0, 0.175, 6, 0.65);
@@ -142,7 +141,10 @@ TEST_CASE("body forces: wall 1 of Ferris and Tin-Loi loses its load as published
     CHECK(peak_factor(r) == Approx(0.64).margin(0.02));
     CHECK(factor_at(r, 0.06) == Approx(0.56).margin(0.01));
     CHECK(factor_at(r, 0.10) == Approx(0.49).margin(0.02));
+    CHECK(factor_at(r, 0.10) == Approx(0.5048).margin(0.005));
+    CHECK(factor_at(r, 0.20) == Approx(0.3594).margin(0.01));
     CHECK(r.curve.back().force < 0.0);
+    CHECK(r.curve.back().corner == Approx(0.404).margin(0.02));
     CHECK(r.outcome == dem::Outcome::decided);
 }
 
