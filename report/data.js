@@ -57,7 +57,7 @@ export async function readLoops(loops) {
     return { path, at, reach: most(x) * mm, top: most(f) * kn };
 }
 
-/** Motion of one wall: displacement of the load [m], six numbers of each block [m], damage of each crack. */
+/** Motion of one wall: displacement of the load [m], six numbers of each block [m], damage of each crack, crushing of both halves of each face. */
 export async function readFilm(film, geometry) {
     const bytes = await inflate(film.data);
     const n = film.frames;
@@ -66,6 +66,7 @@ export async function readFilm(film, geometry) {
     const drive = sums(bytes, 0, n, n, 2);
     const motion = sums(bytes, 2 * n, 6 * blocks * n, n, 2);
     const damage = sums(bytes, 2 * n + 12 * blocks * n, cracks * n, n, 1);
+    const crushing = film.crushing ? sums(bytes, 2 * n + 12 * blocks * n + 2 * cracks * n, 2 * geometry.faces.length * n, n, 1) : null;
     const at = (series, t) => {
         const i = Math.min(n - 1, Math.floor(t));
         const j = Math.min(n - 1, i + 1);
@@ -76,5 +77,7 @@ export async function readFilm(film, geometry) {
         displacement: (t) => at([drive, 0], t) * film.step,
         motion: (block, k, t) => at([motion, (k * blocks + block) * n], t) * film.step,
         damage: (crack, t) => at([damage, crack * n], t) / 255,
+        crushes: film.crushing,
+        crushing: (face, half, t) => (crushing ? at([crushing, (2 * face + half) * n], t) / 255 : 0),
     };
 }

@@ -4,7 +4,7 @@ import { readFilm } from './data.js';
 import { wallName, wallText } from './capacity.js';
 
 const kStones = ['#e9e2d3', '#e2d9c6', '#efe9dd'];
-const kMarks = { opening: '#0072B2', slip: '#E69F00', damage: '#A50F5A' };
+const kMarks = { opening: '#0072B2', slip: '#E69F00', damage: '#A50F5A', crushing: '#5e2a84' };
 const kThreshold = 1e-4; // openings and slips up to this are not marked [m]
 const kSeconds = 6; // of a film
 
@@ -30,6 +30,8 @@ class Drawing {
         this.blocks = geometry.blocks.map((b) => stones.appendChild(element('polygon', { fill: b[4] === 0 ? '#c9ccd1' : kStones[b[5] % 3] })));
         const marks = group('marks');
         this.faces = geometry.faces.map(() => ({ gap: marks.appendChild(element('polygon')), line: marks.appendChild(element('line')) }));
+        // Squares where stone crushes, one for each half of a face, made when a film has any.
+        this.crushed = group('crushed');
         this.arrow = this.svg.appendChild(element('path', { class: 'load', 'stroke-width': 7 * this.k }));
         this.load = this.svg.appendChild(element('text', { class: 'load', 'text-anchor': 'start', 'font-size': 42 * this.k }));
         // The beam, or without one the block at the left edge that is nearest to the height of the load.
@@ -79,7 +81,24 @@ class Drawing {
             this.blocks[i].setAttribute('points', corners.map(([x, z]) => corner(x, z)).join(' '));
         });
         this.faces.forEach((f, i) => this.drawFace(f, this.state(film, i, t), px, shown, largest));
+        this.drawCrushing(film, t, px, shown);
         this.drawLoad(film, t, scale, force);
+    }
+
+    drawCrushing(film, t, px, shown) {
+        const squares = [];
+        const side = 20 * this.k;
+        if (film.crushes && (shown === 'all' || shown === 'damage'))
+            this.geometry.faces.forEach((f, i) => {
+                for (const half of [0, 1]) {
+                    const lost = film.crushing(i, half, t);
+                    if (lost <= 0) continue;
+                    const [x, z] = half ? [f[6], f[7]] : [f[4], f[5]];
+                    const [cx, cy] = px(x, z, this.moved(film, f[3] >= 0 ? f[3] : f[2], x, z, t)).split(',').map(Number);
+                    squares.push(element('rect', { x: cx - side / 2, y: cy - side / 2, width: side, height: side, fill: kMarks.crushing, 'fill-opacity': (0.25 + 0.75 * lost).toFixed(2), stroke: kMarks.crushing, 'stroke-width': 2 * this.k }));
+                }
+            });
+        this.crushed.replaceChildren(...squares);
     }
 
     drawFace(face, s, px, shown, largest) {
@@ -215,7 +234,8 @@ export class WallView {
         this.keys.replaceChildren(
             item('opening', `open joint, up to ${mm(this.largest.opening)} mm`),
             item('slip', `slip of a closed joint, up to ${mm(this.largest.slip)} mm`),
-            item('damage', 'crack in a unit; dashed: not through'));
+            item('damage', 'crack in a unit; dashed: not through'),
+            ...(this.film.crushes ? [item('crushing', 'end of a joint or crack where stone crushes; full: crushed through')] : []));
     }
 
     /** To frame t, between frames too. */

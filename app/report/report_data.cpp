@@ -177,6 +177,7 @@ Json films_json(const StudyWalls& study, const WallList& listed, const Replay& r
         const Film& f = *film->second;
         films["films"].push_back(
             {{"wall", w}, {"frames", f.frames}, {"step", f.step}, {"data", f.data}});
+        if (f.crushing) films["films"].back()["crushing"] = true;
     }
     return films;
 }

@@ -15,6 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kDamageStep = 1.0 / 255.0; ///< of damage and crushing
+
 const char* kind_name(dem::FaceKind kind)
 {
     switch (kind) {
@@ -163,6 +165,31 @@ std::vector<double> damages(std::span<const dem::Snapshot> frames)
     return series;
 }
 
+/// Of contacts in one half of a face: whether one has begun to crush, and how far the worst has come.
+double worst_crushing(std::span<const dem::ContactState> half)
+{
+    double worst = 0.0;
+    for (const dem::ContactState& c : half)
+        if (c.crushed > 0.0) worst = std::max({worst, c.crushing, kDamageStep});
+    return worst;
+}
+
+/// Two series over the frames for each face.
+std::vector<double> crushings(std::span<const dem::Snapshot> frames)
+{
+    std::vector<double> series;
+    for (std::size_t f = 0; f < frames.front().faces.size(); ++f) {
+        const std::size_t n = frames.front().faces[f].contacts.size(), middle = (n + 1) / 2;
+        for (const bool first : {true, false})
+            for (const dem::Snapshot& s : frames) {
+                const std::span all(s.faces[f].contacts);
+                series.push_back(
+                    worst_crushing(first ? all.first(middle) : all.last(middle)));
+            }
+    }
+    return series;
+}
+
 /// Six series over the frames for each block.
 std::vector<double> motions(std::span<const dem::Snapshot> frames)
 {
@@ -234,7 +261,10 @@ Film film_of(std::span<const dem::Snapshot> frames)
     film.step = std::max(kFilmStep, std::max(largest(moved), largest(drive)) / 32000.0);
     std::vector<std::uint8_t> bytes = differences(drive, frames.size(), film.step, 2);
     append(bytes, differences(moved, frames.size(), film.step, 2));
-    append(bytes, differences(damages(frames), frames.size(), 1.0 / 255.0, 1));
+    append(bytes, differences(damages(frames), frames.size(), kDamageStep, 1));
+    const std::vector<double> crushed = crushings(frames);
+    film.crushing = largest(crushed) > 0.0;
+    if (film.crushing) append(bytes, differences(crushed, frames.size(), kDamageStep, 1));
     film.data = base64(deflated(bytes));
     return film;
 }

@@ -32,8 +32,11 @@ struct Film {
     double step = kFilmStep; ///< of displacements [m]; larger where the wall comes down
     /// Base64 of a zlib stream of differences() of: displacement of the load line, a series over the
     /// frames (order 2); of each of ax az bx bz cx cz of each block, such a series (order 2); mean
-    /// damage of each unit crack in steps of 1/255, such a series (order 1).
+    /// damage of each unit crack in steps of 1/255, such a series (order 1). If `crushing`, two more of each
+    /// face, like those of damage: the largest share of strength that contacts of its first and of its second
+    /// half have lost, at least one step where one has begun to crush.
     std::string data;
+    bool crushing = false; ///< whether a contact of the wall crushes
 };
 /// @param frames at least one, all of the same wall
 [[nodiscard]] Film film_of(std::span<const dem::Snapshot> frames);

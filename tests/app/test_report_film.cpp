@@ -62,6 +62,10 @@ TEST_CASE(
     CHECK(film.frames == 4);
     CHECK(film.step == 1e-5);
     CHECK(film.data.size() < 8000);
+    CHECK_FALSE(film.crushing);
+    frames[2].faces.front().contacts.front().crushed = 1e-6;
+    CHECK(app::film_of(frames).crushing);
+    CHECK(app::film_of(frames).data.size() > film.data.size());
     frames.back().displacement = 0.64;
     CHECK(app::film_of(frames).step == Approx(2e-5));
     CHECK_THROWS_AS(app::film_of({}), std::invalid_argument);

@@ -128,6 +128,21 @@ claims['magnification and joint colours change the picture'] = () =>
         assert.ok((await page.evaluate(marks)) < all);
     });
 
+claims['stone that crushes is marked, and named, where there is any'] = async () => {
+    const squares = `document.querySelectorAll('.wall .crushed rect').length`;
+    const named = `[...document.querySelectorAll('.key')].some((k) => k.textContent.includes('stone crushes'))`;
+    await withPage({}, async (page) => {
+        assert.equal(await page.evaluate(squares), 0);
+        assert.equal(await page.evaluate(named), false);
+    });
+    await withPage({}, async (page) => {
+        await page.until(`${squares} > 0`);
+        assert.equal(await page.evaluate(named), true);
+        await page.evaluate(`(() => { const r = document.getElementById('push'); r.value = 0; r.dispatchEvent(new Event('input')); })()`);
+        assert.equal(await page.evaluate(squares), 0); // nothing is crushed before the push
+    }, `${folder}/crushing.html`);
+};
+
 claims['the keyboard walks from curve to curve and opens one'] = () =>
     withPage({}, async (page) => {
         await page.evaluate(`document.querySelector('.curves .plot').focus()`);
@@ -172,7 +187,7 @@ claims['paper shows curves and tables and no buttons'] = () =>
         await page.send('Emulation.setEmulatedMedia', { media: 'print' });
         assert.equal(await page.evaluate(`getComputedStyle(document.querySelector('.controls')).display`), 'none');
         assert.notEqual(await page.evaluate(`getComputedStyle(document.querySelector('#table-results table')).display`), 'none');
-        const named = await page.evaluate(`[...document.querySelectorAll('#fragility .choice button')].filter((b) => getComputedStyle(b).display !== 'none').map((b) => b.textContent)`);
+        const named = `[...document.querySelectorAll('.key')].some((k) => k.textContent.includes('stone crushes'))`;
         assert.deepEqual(named, ['paper ultimate', 'all']); // which limit state and stress a chart shows stays on paper
         const pdf = await page.pdf();
         assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
