@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bash bench/limits.sh [WORK]   runs the studies behind docs/limits.md and writes it anew
 #
-# The walls of configs/collapse.ini, 16 under each stress (two of them for the density of cracks),
+# The walls of configs/collapse.ini, 50 under each stress (16 under two of them for the density of cracks),
 # changed in one thing at a time. WORK (default runs/limits) keeps the files of the studies, so that a second run only does what is missing.
 # DRYSTONE_PROGRAM and DRYSTONE_BENCH: the program and the folder of the benchmarks.
 set -euo pipefail
@@ -12,8 +12,8 @@ mkdir -p -- "$work"
 
 push() { # $1: name; then key=value
     local set=() override
-    for override in uq.samples="${samples:-16}" output.curves=single "${@:2}"; do set+=(--set "$override"); done
-    "$program" study configs/collapse.ini --out "$work/$1.h5" "${set[@]}" >/dev/null ||
+    for override in uq.samples="${samples:-50}" output.curves=single "${@:2}"; do set+=(--set "$override"); done
+    "$program" study configs/collapse.ini --out "$work/$1.h5" "${set[@]}" >"$work/$1.txt" 2>&1 ||
         echo "$1: not all walls gave a result" >&2 # the tables count those that failed, and refuse missing ones
 }
 
@@ -23,6 +23,8 @@ push small solver.kinematics=small load.max_displacement="30 mm"
 study finite
 study fixed_line load.top=fixed_line
 study follower load.top=follower
+study strut load.top=link load.link_length="2 m"
+study tendon load.top=link load.link_length="-1.1 m"
 study double beam.rotation=fixed
 study standard solver.fidelity=standard
 crushing="joint.crushing_energy=25000 N/m"
@@ -33,7 +35,10 @@ study crushing_20 joint.compressive_strength="20 MPa" "$crushing"
 study cracks_2x2 solver.fidelity=standard unit.cracks="grid(2, 2)" unit.cracks_where=toe
 study cracks_2x2_crushing_57 solver.fidelity=standard unit.cracks="grid(2, 2)" unit.cracks_where=toe joint.compressive_strength="57 MPa" "$crushing"
 
+push collapse # until no force is left
+
 # Density of cracks.
+samples=16
 dense() { study "dense_$1" solver.fidelity=standard load.vertical_stress="0.75, 1.25 MPa" joint.wall_modulus="912.5, 1202 MPa" "${@:2}"; }
 dense mid
 dense thirds unit.cracks=thirds
