@@ -3,16 +3,13 @@
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"
 #include "app/study/study_walls.hpp"
-#include "app/text/number_text.hpp"
+#include "bench/limit_drifts.hpp"
 #include "bench/machine.hpp"
-#include "fragility/kaplan_meier.hpp"
 
 #include <array>
-#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -53,87 +50,6 @@ constexpr std::array kDensities = {
     Choice{"dense_voronoi_66", "voronoi(66 mm) at the toe, mid elsewhere"},
     Choice{"dense_voronoi_50", "voronoi(50 mm) at the toe, mid elsewhere"}};
 
-/// The smallest drift at which the share of walls reaches a probability; nothing: beyond the last wall.
-template <class Share>
-std::optional<double> quantile(const fragility::KaplanMeier& km, double p, Share share)
-{
-    for (const fragility::KaplanMeierStep& s : km.steps)
-        if (share(s) >= p) return s.at;
-    return {};
-}
-
-std::string drift_text(std::optional<double> drift, double end)
-{
-    return drift ? app::fixed(100.0 * *drift, 2) : "> " + app::fixed(100.0 * end, 2);
-}
-
-/// "0.66 [0.60, 0.71]": a quantile of the drifts with its 95 % interval [%].
-std::string quantile_text(const fragility::KaplanMeier& km, double p)
-{
-    using Step = fragility::KaplanMeierStep;
-    const auto at = [&](auto share) { return drift_text(quantile(km, p, share), km.end); };
-    return at([](const Step& s) { return s.probability; }) + " [" +
-           at([](const Step& s) { return s.band.upper; }) + ", " +
-           at([](const Step& s) { return s.band.lower; }) + "]";
-}
-
-/// A limit drift of each wall. @param limit where the wall reached it
-template <class Limit>
-fragility::KaplanMeier drifts(const std::vector<const app::StudyWall*>& walls, double height,
-                              Limit limit)
-{
-    std::vector<fragility::Observation> all;
-    for (const app::StudyWall* w : walls) {
-        const fragility::LimitDisplacement& u = limit(*w);
-        const double drift = u.displacement / height;
-        all.push_back(app::is_observed(u) ? fragility::observed(drift)
-                                          : fragility::right_censored(drift));
-    }
-    return fragility::kaplan_meier(all);
-}
-
-const fragility::LimitDisplacement& ultimate(const app::StudyWall& w)
-{
-    return w.reading.ultimate;
-}
-const fragility::LimitDisplacement& collapse(const app::StudyWall& w)
-{
-    return w.reading.collapse;
-}
-
-/// Walls of a mode, or of all modes (-1).
-std::vector<const app::StudyWall*> walls_of(const app::StudyLevel& level, int mode = -1)
-{
-    std::vector<const app::StudyWall*> walls;
-    for (const app::StudyWall& w : level.walls)
-        if (mode < 0 || app::mode_of(w) == mode) walls.push_back(&w);
-    return walls;
-}
-
-app::Row row(const char* name, const app::StudyWalls& study, const app::StudyLevel& level)
-{
-    const double n = static_cast<double>(level.walls.size());
-    double force = 0.0, stood = 0.0;
-    for (const app::StudyWall& w : level.walls) {
-        force += app::peak_force(w.reading) * 1e-3;
-        stood += app::is_observed(w.reading.ultimate) ? 0.0 : 1.0;
-    }
-    std::string shares;
-    for (const int mode : {app::kRocking, app::kSliding, app::kMixed})
-        shares += (shares.empty() ? "" : " / ") +
-                  app::fixed(100.0 * static_cast<double>(walls_of(level, mode).size()) / n, 0);
-    const fragility::KaplanMeier km = drifts(walls_of(level), study.height, ultimate);
-    return {app::fixed(level.stress * 1e-6, 2),
-            name,
-            app::fixed(force / n, 1),
-            shares,
-            quantile_text(km, 0.16),
-            quantile_text(km, 0.50),
-            quantile_text(km, 0.84),
-            app::fixed(100.0 * stood / n, 0),
-            std::to_string(level.failed_walls.size())};
-}
-
 /// @throws std::runtime_error if walls are missing
 app::StudyWalls complete(const fs::path& work, const char* name)
 {
@@ -151,51 +67,12 @@ app::Table table(const fs::path& work, const std::array<Choice, kN>& choices,
 {
     app::Table t;
     t.caption = caption;
-    t.head = {"stress [MPa]",
-              "choice",
-              "mean peak [kN]",
-              "rocking / sliding / mixed [%]",
-              "drift limit, 16 % of walls [%]",
-              "median [%]",
-              "84 % [%]",
-              "never fell to 80 % [%]",
-              "failed"};
+    t.head = bench::limit_head();
     std::vector<app::StudyWalls> all;
     for (const Choice& c : choices) all.push_back(complete(work, c.file));
     for (std::size_t l = 0; l < all.front().levels.size(); ++l)
         for (std::size_t c = 0; c < kN; ++c)
-            t.rows.push_back(row(choices[c].name, all[c], all[c].levels.at(l)));
-    return t;
-}
-
-/// Where walls of each mode have lost 20 % of their force, and all of it.
-app::Table by_mode(const fs::path& work)
-{
-    constexpr std::size_t kFewest = 5;
-    app::Table t;
-    t.caption = "Finite displacements, load that moves with the beam, pushed until no force is "
-                "left: drifts by mode, five walls or more.";
-    t.head = {"stress [MPa]",
-              "mode",
-              "walls",
-              "80 %: 16 % of walls [%]",
-              "median [%]",
-              "84 % [%]",
-              "zero force: 16 %",
-              "median [%]",
-              "84 % [%]"};
-    const app::StudyWalls study = complete(work, "collapse");
-    for (const app::StudyLevel& level : study.levels)
-        for (const int mode : {app::kRocking, app::kSliding, app::kMixed}) {
-            const auto walls = walls_of(level, mode);
-            if (walls.size() < kFewest) continue;
-            app::Row r = {app::fixed(level.stress * 1e-6, 2), app::mode_name(mode),
-                          std::to_string(walls.size())};
-            for (const auto limit : {ultimate, collapse})
-                for (const double p : {0.16, 0.50, 0.84})
-                    r.push_back(quantile_text(drifts(walls, study.height, limit), p));
-            t.rows.push_back(r);
-        }
+            t.rows.push_back(bench::limit_row(choices[c].name, all[c], l));
     return t;
 }
 
@@ -216,7 +93,7 @@ std::string page_of(const fs::path& work)
                table(work, kChoices,
                      "Kinematics, vertical load, crushing and cracks at the toe, one "
                      "at a time.")) +
-           "\n" + app::as_markdown(by_mode(work)) + "\n" +
+           "\n" + app::as_markdown(bench::limits_by_mode(complete(work, "collapse"))) + "\n" +
            app::as_markdown(
                table(work, kDensities, "Density of the cracks, fidelity standard."));
 }

@@ -26,6 +26,7 @@ study large configs/paper.ini uq.samples=500
 study large_combined configs/paper.ini uq.samples=500 solver.damping=combined
 study spatial_large configs/paper_spatial.ini uq.samples=500
 study spatial_independent configs/paper_spatial.ini uq.samples=500 uq.spatial=independent
+study collapse configs/collapse.ini
 
 # Values per joint, one input at a time, the others at their means.
 mkdir -p -- "$work/joint"
