@@ -22,7 +22,9 @@ std::uint32_t layout_seed(const Study& study, std::uint32_t sample)
 Study in_layout(const Study& study, std::uint32_t seed)
 {
     StudyFile file = study.source;
-    std::erase_if(file.entries, [](const Entry& e) { return e.key == "wall.layouts"; });
+    std::erase_if(file.entries, [](const Entry& e) {
+        return e.key == "wall.layouts" || e.key == "wall.seed";
+    });
     const std::string assignment[] = {"wall.seed=" + std::to_string(seed)};
     return read_study(with_overrides(std::move(file), assignment));
 }

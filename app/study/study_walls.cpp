@@ -1,7 +1,6 @@
 #include "app/study/study_walls.hpp"
 
 #include "app/input/limit_state_text.hpp"
-#include "app/input/random_layouts.hpp"
 #include "app/reading/wall_words.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/resampled_curve.hpp"
@@ -117,8 +116,7 @@ StudyWalls study_of(const std::filesystem::path& file, const StoreHead& head,
     walls.height = walls.rules.height;
     walls.pushed_one_way = walls.rules.direction != 0;
     walls.step = push_way(walls.study).farthest / static_cast<double>(kCurveSteps);
-    walls.shared =
-        (walls.study.uq.shared || has_layouts(walls.study)) && head.levels.size() > 1;
+    walls.shared = walls.study.uq.shared && head.levels.size() > 1;
     for (const StoreLevel& level : head.levels)
         walls.levels.push_back({level.vertical_stress, {}, {}, 0});
     return walls;

@@ -63,7 +63,7 @@ struct StudyWalls {
     double step = 0.0;          ///< of StudyWall::forces [m]
     bool pushed_one_way = true; ///< else walls are read on their backbones
     bool shared =
-        false; ///< one design, or the same layouts, for all levels: walls of two levels depend on each other
+        false; ///< one design for all levels: walls of two levels depend on each other
 };
 
 /// The modes that the study tells apart (fragility.modes).
