@@ -198,6 +198,23 @@ TEST_CASE("drawn layout: sides that touch become joints, whatever corners they h
     CHECK(slanted->from.z < slanted->to.z);
 }
 
+TEST_CASE("drawn layout: stones of one shape between like neighbours share an element",
+          "[dem][drawn_layout]")
+{
+    dem::DrawnWall w;
+    w.base = dem::Base::joint;
+    for (int k = 0; k < 8; ++k) // leaning stones, 0.3 m long, in a row
+        w.units.push_back(
+            {{{0.3 * k, 0}, {0.3 * k + 0.3, 0}, {0.3 * k + 0.4, 0.2}, {0.3 * k + 0.1, 0.2}}});
+    scenes::Scene s = scenes::monolith(1.0, 1.0, 0.0, 1e11);
+    s.beam.present = false;
+    s.loads.pattern = dem::LoadPattern::body;
+    const dem::Model m = model_of(dem::drawn_layout(w, 0.0), s);
+    REQUIRE(m.places.size() == 8);
+    CHECK(m.elements.size() == 3); // the first, the last, and those between
+    for (std::size_t b = 2; b < 7; ++b) CHECK(m.places[b].element == m.places[1].element);
+}
+
 // Ferris and Tin-Loi (2001), Int. J. Solids Struct. 38:3835: walls with openings, friction 0.65, all blocks pushed
 // in proportion to their weight. Associated: linear programming over the corners of all faces. Friction without
 // dilatancy lies below.
