@@ -72,8 +72,7 @@ bool is_by_group(FieldKernel k)
 }
 
 constexpr Condition kWithRandom{any_random, "no value of the study is a distribution"};
-constexpr Condition kWithSamples{
-    is_random, "no value of the study is a distribution, and it has one layout"};
+constexpr Condition kWithSamples{is_random, "no value of the study is a distribution"};
 constexpr Condition kWithLevels{
     [](const Study& s) { return any_random(s) && s.load.vertical_stress.size() > 1; },
     "no value is a distribution, or there is only one stress level"};
