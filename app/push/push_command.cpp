@@ -189,14 +189,14 @@ void write_all(const fs::path& out, const Study& study, const std::vector<Pushed
     write_file(out / "levels.tex", as_latex(table));
 }
 
-} // namespace
-
 /// With the layout of the wall that is pushed.
 Study pushed_study(const Study& study, std::optional<int> sample)
 {
     if (!has_layouts(study)) return study;
     return in_layout(study, layout_seed(study, static_cast<std::uint32_t>(sample.value_or(0))));
 }
+
+} // namespace
 
 int push_command(const Command& command)
 {

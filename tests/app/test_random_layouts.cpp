@@ -137,12 +137,15 @@ TEST_CASE(
 {
     Study s = layouts({"wall.layouts=5"});
     s.source = app::with_overrides(s.source, std::vector<std::string>{"wall.length=0.01 m"});
-    for (const int threads : {1, 3})
-        for (const app::WallRow& row : rows_of(s, threads)) {
+    for (const int threads : {1, 3}) {
+        const std::vector<app::WallRow> rows = rows_of(s, threads);
+        CHECK(rows.size() == 10);
+        for (const app::WallRow& row : rows) {
             CHECK(row.status != app::kWallOk);
             CHECK(row.reason.find("at least one wall.unit_length") != std::string::npos);
             CHECK(row.inputs.size() == s.random.size());
         }
+    }
 }
 
 TEST_CASE("random layouts: what done throws ends the run and is thrown, whatever the threads",
