@@ -78,7 +78,7 @@ void add_missing_limit(const Study& study, const PushedWall& w,
 /// A wall of stiff joints may have its peak, and lose it, between two recorded points.
 void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
 {
-    constexpr double kMostRise = 0.1; // of the peak
+    constexpr double kMostRise = 0.03; // of the peak, which may be as much too low
     const double peak = std::abs(peak_force(w.reading));
     const auto at = std::ranges::max_element(w.force, {}, [](double f) { return std::abs(f); });
     if (w.force.empty() || at == w.force.begin() || !(peak > 0.0)) return;

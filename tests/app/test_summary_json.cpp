@@ -49,9 +49,9 @@ PushedWall good_wall()
     w.result.cost = {1000, 500000, 0.25};
     w.mechanism = {0.9, 0.1, 2, 7};
     w.reading.mode = dem::FailureMode::mixed;
-    for (int i = 0; i <= 15; ++i) {
-        w.displacement.push_back(0.002 * i);
-        w.force.push_back(40e3 * i / 15);
+    for (int i = 0; i <= 60; ++i) {
+        w.displacement.push_back(0.0005 * i);
+        w.force.push_back(40e3 * i / 60);
     }
     w.reading.peak = fragility::Peak{50e3, 0.012, false};
     w.reading.stiffness = 25e6;
@@ -303,7 +303,9 @@ TEST_CASE("summary: a peak that comes between two recorded points is remarked",
     CHECK(remarked(w));
     for (double& f : w.force) f = -f; // pushed to the left
     CHECK(remarked(w));
-    w.force = {0.0, 31e3, 46e3, 50e3}; // 8 %
+    w.force = {0.0, 48e3, 50e3, 20e3}; // 4 %
+    CHECK(remarked(w));
+    w.force = {0.0, 49e3, 50e3, 20e3}; // 2 %: a fall after the peak is no fault
     CHECK_FALSE(remarked(w));
 }
 
