@@ -13,7 +13,7 @@ enum class Fulfilled { no, partly, fully };
 struct QualityTerms {
     double long_stones =
         0.0; ///< share of units longer than 400 mm, by the larger side of their extent [-]
-    double middle_stones = 0.0;           ///< share of units of 200 to 400 mm [-]
+    double middle_stones = 0.0; ///< share of units of 200 to 400 mm [-]
     /// SD: by the class that more than half belong to; of no such class: partly.
     Fulfilled dimensions = Fulfilled::no;
     Fulfilled staggered =
