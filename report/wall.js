@@ -157,9 +157,11 @@ export class WallView {
         Object.assign(this, { data, capacity, t: 0, scale: 5, shown: 'all', film: null, playing: false });
         this.films = data.films.films;
         this.byWall = new Map(this.films.map((f) => [f.wall, f]));
-        this.drawing = new Drawing(data.films.geometry, data.height);
+        this.drawings = new Map(); // of each layout of the stones
+        this.figure = element('figure', {}, (this.caption = element('figcaption', {})));
+        this.show(0);
         this.still = matchMedia('(prefers-reduced-motion: reduce)');
-        host.append(this.controls(), element('figure', {}, this.drawing.svg, (this.caption = element('figcaption', {}))), this.legend());
+        host.append(this.controls(), this.figure, this.legend());
     }
 
     controls() {
@@ -190,19 +192,29 @@ export class WallView {
         return this.keys;
     }
 
+    /** Puts the drawing of a layout into the figure. */
+    show(geometry) {
+        const known = this.drawings.get(geometry) ?? new Drawing(this.data.films.geometries[geometry], this.data.height);
+        this.drawings.set(geometry, known);
+        this.drawing?.svg.remove();
+        this.drawing = known;
+        this.figure.prepend(known.svg);
+    }
+
     async open(wall) {
         const stored = this.byWall.get(wall);
         this.play(false);
         this.wall = wall;
         if (!stored) return this.without(wall);
-        const film = await readFilm(stored, this.data.films.geometry);
+        const film = await readFilm(stored, this.data.films.geometries[stored.geometry]);
         if (this.wall !== wall) return; // another was chosen meanwhile
         this.film = film;
+        this.show(stored.geometry);
         this.enable(true);
         this.picker.value = String(wall);
         const out = farthest(this.film);
         this.largest = this.drawing.largest(this.film, out);
-        const end = Math.max(1e-6, ...[...this.data.films.geometry.blocks.keys()].map((b) => Math.hypot(this.film.motion(b, 0, out), this.film.motion(b, 1, out))));
+        const end = Math.max(1e-6, ...[...this.drawing.blocks.keys()].map((b) => Math.hypot(this.film.motion(b, 0, out), this.film.motion(b, 1, out))));
         this.scale = Math.max(1, Math.min(100, Math.floor((0.16 * this.drawing.size.z1) / end)));
         this.zoom.range.value = Math.log(this.scale) / Math.log(100);
         this.describe();

@@ -11,6 +11,7 @@
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
 #include "app/input/key_values.hpp"
+#include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
 #include "app/output/markup.hpp"
 #include "app/store/wall_file.hpp"
@@ -41,6 +42,13 @@ std::string failures(const StudyWalls& walls)
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
     if (!walls.pushed_one_way) text += backbone_text(walls.study).substr(1) + "\n";
+    const auto layouts = static_cast<std::uint32_t>(walls.study.geometry.layouts);
+    const bool repeated = walls.levels.size() > 1 || walls.head.design_sizes.back() > layouts;
+    if (has_layouts(walls.study) && repeated)
+        text += "The samples lie in " + std::to_string(layouts) +
+                " random layouts, the same under all stresses. Walls of one layout depend on "
+                "each other; intervals take them for independent, and are too narrow where "
+                "layouts are few.\n";
     if (walls.shared)
         text +=
             "All stresses share one design: walls of two stresses depend on each other, and "

@@ -33,6 +33,7 @@ namespace app {
 /// A wall that is drawn, or of rubble, in place of courses.
 struct GeometryInput {
     bool rubble = false;              ///< random stones fill the wall
+    int layouts = 1;                  ///< random ones, which the samples take in turn
     std::string file;                 ///< drawing or picture; empty: none
     std::string outlines;             ///< in place of a file, as outlines_text() writes them
     double length_unit = 1e-3;        ///< of the drawing [m]

@@ -1,4 +1,5 @@
 #include "app/input/study_checks.hpp"
+#include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 
 #include "app/input/units.hpp"
@@ -265,6 +266,7 @@ void check_relations(const Study& study)
     check_load(study);
     check_top_load(study);
     check_output(study);
+    check_layouts(study);
 }
 
 } // namespace app

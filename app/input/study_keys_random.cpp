@@ -1,5 +1,6 @@
 /// Random samples, reliability and fragility: keys of the study file.
 
+#include "app/input/random_layouts.hpp"
 #include "app/input/study_key_table.hpp"
 #include "app/reading/wall_response.hpp"
 #include "app/reading/wall_words.hpp"
@@ -71,6 +72,7 @@ bool is_by_group(FieldKernel k)
 }
 
 constexpr Condition kWithRandom{any_random, "no value of the study is a distribution"};
+constexpr Condition kWithSamples{is_random, "no value of the study is a distribution"};
 constexpr Condition kWithLevels{
     [](const Study& s) { return any_random(s) && s.load.vertical_stress.size() > 1; },
     "no value is a distribution, or there is only one stress level"};
@@ -90,8 +92,8 @@ constexpr Condition kWithMatern{
 constexpr Condition kWithGroups{[](const Study& s) { return is_by_group(s.uq.kernel); },
                                 "uq.kernel is not same_course, same_unit or all"};
 constexpr Condition kWithStop{
-    [](const Study& s) { return any_random(s) && s.uq.stop != kNoStop; },
-    "uq.stop is none, or no value is a distribution"};
+    [](const Study& s) { return is_random(s) && s.uq.stop != kNoStop; },
+    "uq.stop is none, or the study is of one wall per stress"};
 constexpr Condition kMultiFidelity{
     [](const Study& s) { return s.reliability.method == ReliabilityMethod::multi_fidelity; },
     "reliability.method is not multi_fidelity"};
@@ -113,7 +115,7 @@ constexpr std::array kKeys = {
         .meaning = "how the samples are drawn; lhs: Latin hypercube",
         .field = kAt<&Study::uq, &UqInput::design>},
     Key{.name = "uq.samples", .kind = Kind::count, .range = {'[', 1, 1e7, ']'},
-        .effect = kWithRandom, .verbs = "push study sample",
+        .effect = kWithSamples, .verbs = "push study sample",
         .meaning = "walls per stress level; a larger number adds walls and keeps the old",
         .field = kAt<&Study::uq, &UqInput::samples>},
     Key{.name = "uq.seed", .kind = Kind::count, .range = {'[', 0, 9e15, ']'},
@@ -145,7 +147,7 @@ constexpr std::array kKeys = {
         .meaning = "between joints of one group, kernels same_course, same_unit, all",
         .field = kAt<&Study::uq, &UqInput::group_correlation>},
     Key{.name = "uq.stop", .kind = Kind::word, .names = kStops,
-        .effect = kWithRandom, .verbs = "study",
+        .effect = kWithSamples, .verbs = "study",
         .meaning = "adds walls until the 95 % interval of this mean, or share, is narrow enough at every level",
         .field = kAt<&Study::uq, &UqInput::stop>},
     Key{.name = "uq.stop_half_width", .range = {'(', 0, 1, ']'},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace app {
 namespace {
@@ -74,6 +75,22 @@ void add_missing_limit(const Study& study, const PushedWall& w,
             "load.max_displacement");
 }
 
+/// A wall of stiff joints may have its peak, and lose it, between two recorded points.
+void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
+{
+    constexpr double kMostRise = 0.03; // of the peak, which may be as much too low
+    const double peak = std::abs(peak_force(w.reading));
+    const auto at = std::ranges::max_element(w.force, {}, [](double f) { return std::abs(f); });
+    if (w.force.empty() || at == w.force.begin() || !(peak > 0.0)) return;
+    const double rise = std::abs(*at - *std::prev(at)) / peak;
+    if (rise > kMostRise)
+        remarks.push_back(
+            "between the last two recorded points before its peak the force rises by " +
+            fixed(100.0 * rise, 0) +
+            " % of it, and may have been higher between them; write a smaller "
+            "output.record_every");
+}
+
 HandChecks checks_of(const Study& study, const PushedWall& w)
 {
     const dem::Layout layout = layout_of(study);
@@ -138,6 +155,7 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
 {
     HandChecks h = checks_of(study, w);
     add_missing_limit(study, w, h.remarks);
+    add_coarse_peak(w, h.remarks);
     return h;
 }
 

@@ -1,6 +1,7 @@
 #include "app/push/push_command.hpp"
 
 #include "app/input/key_effects.hpp"
+#include "app/input/random_layouts.hpp"
 #include "app/input/study.hpp"
 #include "app/input/units.hpp"
 #include "app/output/atomic_output.hpp"
@@ -82,10 +83,10 @@ Table drawn_table(const Study& study, const WallDraw& draw)
     return t;
 }
 
-/// The study as it was used. Of a study with distributions it says which wall was pushed.
+/// The study as it was used. Of a study with samples it says which wall was pushed.
 std::string configuration(const Study& study, const PushedWall& w, std::optional<int> sample)
 {
-    if (!sample && study.random.empty()) return effective_configuration(study);
+    if (!sample && !is_random(study)) return effective_configuration(study);
     if (!sample)
         return "# The wall in which each value is the mean of its distribution, under " +
                stress_text(w.vertical_stress) + ".\n" + effective_configuration(study);
@@ -188,14 +189,21 @@ void write_all(const fs::path& out, const Study& study, const std::vector<Pushed
     write_file(out / "levels.tex", as_latex(table));
 }
 
+/// With the layout of the wall that is pushed.
+Study pushed_study(const Study& study, std::optional<int> sample)
+{
+    if (!has_layouts(study)) return study;
+    return in_layout(study, layout_seed(study, static_cast<std::uint32_t>(sample.value_or(0))));
+}
+
 } // namespace
 
 int push_command(const Command& command)
 {
     const StudySource source = study_source(command);
-    const Study& study = source.study;
     const std::vector<WantedWall> wanted = wanted_walls(source, command);
-    say_effects(study, command);
+    say_effects(source.study, command);
+    const Study study = pushed_study(source.study, command.sample);
     const std::vector<PushedWall> walls =
         push_all(study, wanted, command.threads, command.quiet);
     write_all(command.out, study, walls, command.sample);

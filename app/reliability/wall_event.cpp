@@ -1,3 +1,4 @@
+#include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_response.hpp"
@@ -80,6 +81,7 @@ double cost_of(const Study& study)
 ReliabilityProblem wall_problem(const Study& given, const Command& command)
 {
     Study study = given;
+    refuse_layouts(study);
     study.uq.design = uq::DesignKind::monte_carlo; // the methods draw their own samples
     if (study.random.empty())
         throw error_at(

@@ -1,5 +1,7 @@
 #include "app/report/report_command.hpp"
 
+#include "app/input/random_layouts.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/progress.hpp"
 #include "app/report/report_choice.hpp"
@@ -7,7 +9,7 @@
 #include "app/report/report_page.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/number_text.hpp"
-#include "dem/block/model.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +26,7 @@ using Json = nlohmann::ordered_json;
 std::size_t most_walls(const StudyWalls& study, const std::optional<int>& asked)
 {
     if (asked) return static_cast<std::size_t>(*asked);
-    return walls_in_page(model_of(study.study).layout.blocks.size());
+    return walls_in_page(layout_of(study.study).blocks.size());
 }
 
 std::string chosen_text(std::size_t shown, std::size_t sound)
@@ -67,13 +69,14 @@ Replay films_of(const StudyWalls& study, const WallList& walls, const Command& c
     return all;
 }
 
-/// What a page of kMostPageBytes has left for films.
-std::size_t room_for_films(const Draft& draft)
+/// Leaves the films for which a page of kMostPageBytes has room. Layouts of one study are about as large.
+void keep_in_page(const Draft& draft, Replay& replay)
 {
-    const Json geometry = wall_geometry(model_of(draft.study.study).layout);
-    const std::size_t rest =
-        draft.page({}, chosen_text(1, 2)).size() + geometry.dump().size() + 100;
-    return kMostPageBytes - std::min(rest, kMostPageBytes);
+    const Study& study = draft.study.study;
+    const std::size_t geometry = wall_geometry(layout_of(study)).dump().size();
+    const std::size_t each = has_layouts(study) ? geometry : 0;
+    const std::size_t rest = draft.page({}, chosen_text(1, 2)).size() + geometry + 100;
+    keep_first(replay, kMostPageBytes - std::min(rest, kMostPageBytes), each);
 }
 
 struct Shown {
@@ -87,7 +90,7 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
     const auto walls = walls_to_show(draft.listed, most_walls(study, command.walls));
     if (walls.empty()) return {{}, chosen_text(0, 0)};
     Shown shown{films_of(study, walls, command, shelf), {}};
-    if (!command.walls) keep_first(shown.replay, room_for_films(draft));
+    if (!command.walls) keep_in_page(draft, shown.replay);
     std::size_t sound = 0;
     for (const StudyLevel& level : study.levels) sound += level.walls.size();
     shown.note = chosen_text(shown.replay.walls.size(), sound);

@@ -7,6 +7,8 @@
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
+#include "app/input/random_layouts.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_words.hpp"
 #include "app/report/report_curves.hpp"
 #include "app/report/report_cycles.hpp"
@@ -16,7 +18,7 @@
 #include "app/study/study_summary.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
-#include "dem/block/model.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -130,6 +132,12 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
     return all;
 }
 
+/// @param seed of the layout
+Json geometry_of(const Study& study, std::uint32_t seed)
+{
+    return wall_geometry(layout_of(has_layouts(study) ? in_layout(study, seed) : study));
+}
+
 Json overview_json(const StudyWalls& study)
 {
     const Overview o = overview(study);
@@ -167,7 +175,8 @@ Json films_json(const StudyWalls& study, const WallList& listed, const Replay& r
 {
     Json films = {{"note", note}, {"films", Json::array()}};
     if (replay.walls.empty()) return films;
-    films["geometry"] = wall_geometry(model_of(study.study).layout);
+    films["geometries"] = Json::array();
+    std::map<std::uint32_t, std::size_t> places; // of geometries, by the seeds of their layouts
     std::map<const StudyWall*, const Film*> of_wall;
     for (std::size_t i = 0; i < replay.walls.size(); ++i)
         of_wall[replay.walls[i]] = &replay.films[i];
@@ -175,8 +184,14 @@ Json films_json(const StudyWalls& study, const WallList& listed, const Replay& r
         const auto film = of_wall.find(listed[w]);
         if (film == of_wall.end()) continue;
         const Film& f = *film->second;
-        films["films"].push_back(
-            {{"wall", w}, {"frames", f.frames}, {"step", f.step}, {"data", f.data}});
+        const std::uint32_t seed = layout_seed(study.study, listed[w]->key.sample);
+        const auto [at, first] = places.try_emplace(seed, places.size());
+        if (first) films["geometries"].push_back(geometry_of(study.study, seed));
+        films["films"].push_back({{"wall", w},
+                                  {"geometry", at->second},
+                                  {"frames", f.frames},
+                                  {"step", f.step},
+                                  {"data", f.data}});
         if (f.crushing) films["films"].back()["crushing"] = true;
     }
     return films;

@@ -1,5 +1,6 @@
 #include "app/report/report_overview.hpp"
 
+#include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
@@ -80,11 +81,16 @@ std::vector<std::string> what_was_run(const StudyWalls& study)
                         : ", " + stress_text(study.levels.front().stress);
     first += ": " + wall_text(study.study);
     std::vector<std::string> text = {first + "."};
+    if (has_layouts(study.study))
+        text.push_back("The stones lie in " + std::to_string(study.study.geometry.layouts) +
+                       " random layouts, those of wall.seed = " +
+                       std::to_string(layout_seed(study.study, 0)) +
+                       " and so on, which the samples take in turn.");
     if (!study.inputs.empty())
         text.push_back("Drawn at random: " + listed_keys(study) +
                        ". Everything else is the "
                        "same in all walls of a stress.");
-    else
+    else if (!has_layouts(study.study))
         text.push_back("Nothing was drawn at random.");
     return text;
 }

@@ -1,8 +1,9 @@
 #include "app/report/report_replay.hpp"
 
-#include "app/study/push_walls.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/study/push_layouts.hpp"
 #include "app/study/wall_frames.hpp"
-#include "dem/block/model.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -38,12 +39,12 @@ void push_missing(const StudyWalls& r, const std::vector<std::size_t>& missing, 
                   Replay& all, const std::function<void(std::size_t, std::size_t)>& seen)
 {
     const Study& study = r.study;
-    const dem::Model model = model_of(study);
+    const dem::Layout layout = layout_of(study);
     PushList list;
     list.size = missing.size();
     list.wall = [&](std::size_t i) -> WantedWall {
         const StudyWall& wall = *all.walls[missing[i]];
-        return {static_cast<int>(wall.key.level), stored_draw(study, model.layout, wall)};
+        return {static_cast<int>(wall.key.level), stored_draw(study, layout, wall)};
     };
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         const StudyWall& stored = *all.walls[missing[i]];
@@ -52,7 +53,9 @@ void push_missing(const StudyWalls& r, const std::vector<std::size_t>& missing, 
         ++all.pushed;
         if (seen) seen(all.pushed, missing.size());
     };
-    push_walls(study, model, filmed_plan(study), list, threads);
+    push_in_layouts(
+        study, filmed_plan(study), list,
+        [&](std::size_t i) { return all.walls[missing[i]]->key.sample; }, threads);
 }
 
 } // namespace
@@ -75,11 +78,11 @@ Replay replay(const StudyWalls& r, const WallList& walls, int threads, const Fil
     return all;
 }
 
-void keep_first(Replay& replay, std::size_t bytes)
+void keep_first(Replay& replay, std::size_t bytes, std::size_t each)
 {
     std::size_t kept = 0;
     for (const Film& film : replay.films) {
-        const std::size_t size = film.data.size() + kFilmEntryBytes;
+        const std::size_t size = film.data.size() + kFilmEntryBytes + each;
         if (size > bytes) break;
         bytes -= size;
         ++kept;

@@ -27,9 +27,10 @@ struct Replay {
                             const FilmShelf& shelf,
                             const std::function<void(std::size_t, std::size_t)>& seen);
 
-constexpr std::size_t kFilmEntryBytes = 80; ///< of a film in the page, beside its data
+constexpr std::size_t kFilmEntryBytes = 96; ///< of a film in the page, beside its data
 
 /// Leaves the first films, as many as have room in `bytes` of a page.
-void keep_first(Replay& replay, std::size_t bytes);
+/// @param each [bytes] that the page needs for each of them besides
+void keep_first(Replay& replay, std::size_t bytes, std::size_t each = 0);
 
 } // namespace app

@@ -10,12 +10,13 @@ namespace {
 
 constexpr double kMiddle = 0.2, kLong = 0.4;      // of a unit [m]
 constexpr double kStaggered = 1.6, kPartly = 1.4; // trace over height
-constexpr double kRounding = 1e-6;                // [m]
+constexpr double kRounding = 1e-6;                // [m], and of a share
 
 Fulfilled dimensions_of(const QualityTerms& t)
 {
-    if (t.long_stones > 0.5) return Fulfilled::fully;
-    return t.long_stones + t.middle_stones > 0.5 ? Fulfilled::partly : Fulfilled::no;
+    if (t.long_stones > 0.5 + kRounding) return Fulfilled::fully;
+    const double small = 1.0 - t.long_stones - t.middle_stones;
+    return small > 0.5 + kRounding ? Fulfilled::no : Fulfilled::partly;
 }
 
 /// Where no way leads through joints, all are staggered.

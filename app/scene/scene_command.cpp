@@ -2,6 +2,7 @@
 
 #include "app/drawing/write_drawing.hpp"
 #include "app/input/key_effects.hpp"
+#include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/markup.hpp"
@@ -119,6 +120,14 @@ std::string quality_text(const BondIndices& i, const QualityTerms& q)
            " of their extents. SM, WC and MM are not seen in an elevation.";
 }
 
+std::string layouts_text(const Study& study)
+{
+    if (!has_layouts(study)) return "";
+    return "This is the layout of wall.seed = " + std::to_string(study.wall.seed) +
+           ", the first of " + std::to_string(study.geometry.layouts) +
+           "; --set wall.seed=K draws another.\n";
+}
+
 } // namespace
 
 int scene_command(const Command& command)
@@ -143,7 +152,8 @@ int scene_command(const Command& command)
               << wrapped(index_text(indices) + "\n", terminal_width())
               << wrapped(quality_text(indices, quality_terms(indices, units)) + "\n",
                          terminal_width())
-              << "scene.svg, scene.json and scene.dxf written to " << command.out << '\n';
+              << layouts_text(study) << "scene.svg, scene.json and scene.dxf written to "
+              << command.out << '\n';
     return 0;
 }
 

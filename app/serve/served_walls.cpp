@@ -1,5 +1,6 @@
 #include "app/serve/served_walls.hpp"
 
+#include "app/input/random_layouts.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
@@ -169,6 +170,7 @@ ServedStudy served_study(const Study& study, const std::vector<std::string>& inp
         for (const std::string& name : inputs)
             served.study.random.push_back(input_named(study, name));
     }
+    refuse_layouts(served.study);
     if (served.study.random.empty())
         throw error_at(
             study.source, "joint.friction_angle",

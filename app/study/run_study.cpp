@@ -1,12 +1,14 @@
 #include "app/study/run_study.hpp"
 
+#include "app/input/random_layouts.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/provenance.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_stopping.hpp"
 #include "app/study/study_walls.hpp"
-#include "dem/block/model.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -15,13 +17,13 @@ namespace app {
 namespace {
 
 /// @return whether it ran to the end
-bool run_pending(const Study& study, const dem::Model& model, const StudyRun& run,
-                 const SamplePlan& plan, Store& store)
+bool run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan, Store& store)
 {
-    const std::vector<WallKey> walls = pending_walls(store, run.shard, run.rerun_failed);
+    const std::vector<WallKey> walls =
+        pending_walls(store, run.shard, run.rerun_failed, deal_of(study));
     try {
         if (run.seen) run.seen({.all = walls.size()});
-        run_walls(study, model, plan, walls, run.threads, store, run.seen, run.frames);
+        run_walls(study, plan, walls, run.threads, store, run.seen, run.frames);
     } catch (const Interrupted&) {
         return false;
     }
@@ -29,16 +31,15 @@ bool run_pending(const Study& study, const dem::Model& model, const StudyRun& ru
 }
 
 /// Brings the file to the last of `sizes`. @return whether it ran to the end
-bool work_on(const Study& study, const dem::Model& model, const StudyRun& run,
-             const std::vector<std::uint32_t>& sizes)
+bool work_on(const Study& study, const StudyRun& run, const std::vector<std::uint32_t>& sizes)
 {
-    const SamplePlan plan = sample_plan(study, model.layout, sizes);
+    const SamplePlan plan = sample_plan(study, layout_of(study), sizes);
     StoreHead head = head_of(study, plan, sizes);
     head.shard = static_cast<std::uint32_t>(run.shard.index);
     head.shards = static_cast<std::uint32_t>(run.shard.count);
     head.sessions = {this_session(run.threads)};
     Store store(run.file, head);
-    const bool whole = run_pending(study, model, run, plan, store);
+    const bool whole = run_pending(study, run, plan, store);
     store.compact();
     return whole;
 }
@@ -55,18 +56,17 @@ void write_tables(const std::filesystem::path& file, const Table& table)
 
 StudyRunEnd run_study(const Study& study, const StudyRun& run)
 {
-    const dem::Model model = model_of(study);
     if (run.file.has_parent_path()) make_folder(run.file.parent_path());
     std::vector<std::uint32_t> sizes = design_sizes(study, run.file);
-    StudyRunEnd end{work_on(study, model, run, sizes), {}};
-    if (study.uq.stop == kNoStop || study.random.empty()) return end;
+    StudyRunEnd end{work_on(study, run, sizes), {}};
+    if (study.uq.stop == kNoStop || !is_random(study)) return end;
     while (end.whole) {
         const StoppingState state =
             stopping_state(read_study_walls(run.file, {}, Keep::readings));
         end.remark = state.remark;
         if (state.next <= sizes.back()) break;
         sizes.push_back(state.next);
-        end.whole = work_on(study, model, run, sizes);
+        end.whole = work_on(study, run, sizes);
     }
     return end;
 }

@@ -1,6 +1,7 @@
 #include "app/study/sample_command.hpp"
 
 #include "app/input/key_effects.hpp"
+#include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
@@ -26,10 +27,11 @@ std::vector<std::string_view> units_of(const SamplePlan& plan)
     return units;
 }
 
-Table head_of(const SamplePlan& plan)
+Table head_of(const Study& study, const SamplePlan& plan)
 {
     Table t;
     t.head = {"level", "vertical_stress [MPa]", "sample"};
+    if (has_layouts(study)) t.head.emplace_back("wall.seed");
     const std::vector<Column> columns = input_columns(plan);
     const std::vector<std::string_view> units = units_of(plan);
     for (std::size_t k = 0; k < columns.size(); ++k)
@@ -42,6 +44,8 @@ Row row(const Study& study, const SamplePlan& plan, int level, int sample)
 {
     const double stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
     Row cells = {count(level), Number{from_si(stress, "MPa")}, count(sample)};
+    if (has_layouts(study))
+        cells.push_back(count(layout_seed(study, static_cast<std::uint32_t>(sample))));
     const std::vector<double> values = flattened(draw(plan, level, sample));
     const std::vector<std::string_view> units = units_of(plan);
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -55,14 +59,14 @@ int sample_command(const Command& command)
 {
     const StudySource source = study_source(command);
     const Study& study = source.study;
-    if (study.random.empty())
+    if (!is_random(study))
         throw error_at(study.source, "joint.friction_angle",
                        "nothing to draw: no value of this study is a distribution; write e.g. "
                        "\"friction_angle = normal(mean 31.8 deg, cov 0.20)\"");
     say_effects(study, command);
     const dem::Layout layout = layout_of(study);
     const SamplePlan plan = sample_plan(study, layout, source.sizes);
-    Table table = head_of(plan);
+    Table table = head_of(study, plan);
     for (std::size_t level = 0; level < study.load.vertical_stress.size(); ++level)
         for (std::uint32_t sample = 0; sample < source.sizes.back(); ++sample)
             table.rows.push_back(

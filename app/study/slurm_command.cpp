@@ -1,12 +1,13 @@
 #include "app/study/slurm_command.hpp"
 
+#include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/sampling/sample_plan.hpp"
-#include "app/study/push_walls.hpp"
+#include "app/study/push_layouts.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/wall_frames.hpp"
 #include "app/text/number_text.hpp"
-#include "dem/block/model.hpp"
+#include "dem/scene/layout.hpp"
 #include "dem/solver/solver_lanes.hpp"
 
 #include <algorithm>
@@ -106,8 +107,7 @@ int shard_count(std::size_t walls, double seconds, int threads)
 double seconds_per_wall(const Study& study)
 {
     const std::vector<std::uint32_t> sizes = {samples_of(study)};
-    const dem::Model model = model_of(study);
-    const SamplePlan plan = sample_plan(study, model.layout, sizes);
+    const SamplePlan plan = sample_plan(study, layout_of(study), sizes);
     const int levels = static_cast<int>(study.load.vertical_stress.size());
     PushList pilot;
     pilot.size = std::min<std::size_t>(dem::solver_lanes(), wall_count(study));
@@ -119,7 +119,12 @@ double seconds_per_wall(const Study& study)
     pilot.done = [&](std::size_t, const WallDraw&, PushedWall&& wall) {
         seconds += wall.result.cost.seconds;
     };
-    push_walls(study, model, bare_plan(study), pilot, 1);
+    push_in_layouts(
+        study, bare_plan(study), pilot,
+        [&](std::size_t i) {
+            return static_cast<std::uint32_t>(i) / static_cast<std::uint32_t>(levels);
+        },
+        1);
     return seconds / static_cast<double>(pilot.size);
 }
 

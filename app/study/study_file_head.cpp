@@ -1,5 +1,6 @@
 #include "app/study/study_file_head.hpp"
 
+#include "app/input/random_layouts.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/store/wall_file.hpp"
 #include "app/study/study_columns.hpp"
@@ -10,7 +11,7 @@ namespace app {
 
 std::uint32_t samples_of(const Study& study)
 {
-    return study.random.empty() ? 1u : static_cast<std::uint32_t>(study.uq.samples);
+    return is_random(study) ? static_cast<std::uint32_t>(study.uq.samples) : 1u;
 }
 
 void check_is_study(const std::filesystem::path& file)

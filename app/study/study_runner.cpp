@@ -1,9 +1,9 @@
 #include "app/study/study_runner.hpp"
 
+#include "app/input/random_layouts.hpp"
 #include "app/output/progress.hpp"
-#include "app/study/push_walls.hpp"
+#include "app/study/push_layouts.hpp"
 #include "app/study/study_columns.hpp"
-#include "dem/block/model.hpp"
 
 #include <utility>
 
@@ -36,7 +36,9 @@ class RowBuffer {
 
 } // namespace
 
-std::vector<WallKey> walls_of(const StoreHead& head, Shard shard)
+Deal deal_of(const Study& study) { return has_layouts(study) ? Deal::samples : Deal::walls; }
+
+std::vector<WallKey> walls_of(const StoreHead& head, Shard shard, Deal deal)
 {
     std::uint32_t most = 0;
     for (const StoreLevel& level : head.levels) most = std::max(most, level.samples);
@@ -45,24 +47,26 @@ std::vector<WallKey> walls_of(const StoreHead& head, Shard shard)
     for (std::uint32_t sample = 0; sample < most; ++sample)
         for (std::uint32_t level = 0; level < head.levels.size(); ++level) {
             if (sample >= head.levels[level].samples) continue;
-            const bool mine = number++ % static_cast<std::size_t>(shard.count) ==
+            const std::size_t turn = deal == Deal::samples ? sample : number++;
+            const bool mine = turn % static_cast<std::size_t>(shard.count) ==
                               static_cast<std::size_t>(shard.index);
             if (mine) walls.push_back({level, sample});
         }
     return walls;
 }
 
-std::vector<WallKey> pending_walls(const Store& store, Shard shard, bool rerun_failed)
+std::vector<WallKey> pending_walls(const Store& store, Shard shard, bool rerun_failed,
+                                   Deal deal)
 {
     std::vector<WallKey> pending;
-    for (const WallKey key : walls_of(store.head(), shard)) {
+    for (const WallKey key : walls_of(store.head(), shard, deal)) {
         const auto status = store.status(key);
         if (!status || (rerun_failed && *status != kWallOk)) pending.push_back(key);
     }
     return pending;
 }
 
-RunProgress run_walls(const Study& study, const dem::Model& model, const SamplePlan& plan,
+RunProgress run_walls(const Study& study, const SamplePlan& plan,
                       const std::vector<WallKey>& walls, int threads, Store& store,
                       const std::function<void(const RunProgress&)>& seen,
                       const FrameTaker& frames)
@@ -87,7 +91,9 @@ RunProgress run_walls(const Study& study, const dem::Model& model, const SampleP
         if (seen) seen(so_far);
     };
     try {
-        push_walls(study, model, frames ? filmed_plan(study) : bare_plan(study), list, threads);
+        push_in_layouts(
+            study, frames ? filmed_plan(study) : bare_plan(study), list,
+            [&](std::size_t i) { return walls[i].sample; }, threads);
     } catch (...) {
         rows.flush();
         throw;

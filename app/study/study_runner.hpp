@@ -13,13 +13,21 @@
 
 namespace app {
 
+/// What is dealt out to the shards of a study, in turns.
+enum class Deal {
+    walls,
+    samples ///< with the walls under all stresses, which lie in one layout
+};
+[[nodiscard]] Deal deal_of(const Study& study);
+
 /// Walls of a part of a study, sample by sample under all levels, so that a study that is stopped
 /// has about as many of each.
-[[nodiscard]] std::vector<WallKey> walls_of(const StoreHead& head, Shard shard);
+[[nodiscard]] std::vector<WallKey> walls_of(const StoreHead& head, Shard shard,
+                                            Deal deal = Deal::walls);
 
 /// Those that the store has not, and failed ones too if asked for.
 [[nodiscard]] std::vector<WallKey> pending_walls(const Store& store, Shard shard,
-                                                 bool rerun_failed);
+                                                 bool rerun_failed, Deal deal = Deal::walls);
 
 struct RunProgress {
     std::size_t done = 0, failed = 0, all = 0; ///< walls of this run
@@ -30,7 +38,7 @@ struct RunProgress {
 /// @param seen after each wall
 /// @param frames of each wall that gives a result, in no order
 /// @throws StoreError if the disk refuses; Interrupted. Finished walls are kept.
-RunProgress run_walls(const Study& study, const dem::Model& model, const SamplePlan& plan,
+RunProgress run_walls(const Study& study, const SamplePlan& plan,
                       const std::vector<WallKey>& walls, int threads, Store& store,
                       const std::function<void(const RunProgress&)>& seen,
                       const FrameTaker& frames = {});

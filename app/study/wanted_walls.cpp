@@ -1,5 +1,6 @@
 #include "app/study/wanted_walls.hpp"
 
+#include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/sampling/sample_plan.hpp"
@@ -53,6 +54,11 @@ std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& c
                 "is a distribution, but a push takes numbers; write --sample 0 for the "
                 "first wall of the study, --sample mean for that of the means, or --set " +
                     study.random.front().key + "=...");
+        if (has_layouts(study) && !command.mean_wall)
+            throw error_at(study.source, "wall.layouts",
+                           "a push takes one layout; write --sample 0 for the first wall of "
+                           "the study, --sample mean for the layout of wall.seed, or --set "
+                           "wall.layouts=1");
         if (!command.level.empty()) return {{level_of(study, command.level), {}}};
         std::vector<WantedWall> all;
         for (std::size_t i = 0; i < study.load.vertical_stress.size(); ++i)

@@ -1,6 +1,7 @@
 #include "python/src/loaded_study.hpp"
 
 #include "app/input/option.hpp"
+#include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_file_head.hpp"
@@ -58,7 +59,7 @@ std::shared_ptr<LoadedStudy> load_study(const std::string& path,
     app::StudySource source = source_of(path, overrides, wall);
     dem::Layout layout = layout_of(source.study);
     return std::make_shared<LoadedStudy>(
-        LoadedStudy{std::move(source), std::move(layout), {}, {}});
+        LoadedStudy{std::move(source), std::move(layout), {}, {}, {}});
 }
 
 const app::SamplePlan& plan_of(LoadedStudy& study)
@@ -72,6 +73,21 @@ const dem::Model& model_of(LoadedStudy& study)
 {
     if (!study.model) study.model = app::model_of(study.source.study);
     return *study.model;
+}
+
+std::shared_ptr<LoadedStudy> study_of(const std::shared_ptr<LoadedStudy>& study, int sample)
+{
+    const app::Study& all = study->source.study;
+    if (!app::has_layouts(all)) return study;
+    const std::uint32_t seed = app::layout_seed(all, static_cast<std::uint32_t>(sample));
+    std::shared_ptr<LoadedStudy>& own = study->layouts[seed];
+    if (!own) {
+        app::StudySource source{app::in_layout(all, seed), study->source.sizes};
+        dem::Layout layout = layout_of(source.study);
+        own = std::make_shared<LoadedStudy>(
+            LoadedStudy{std::move(source), std::move(layout), {}, {}, {}});
+    }
+    return own;
 }
 
 std::vector<app::PushedWall>

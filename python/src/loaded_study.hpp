@@ -8,6 +8,8 @@
 #include "dem/block/model.hpp"
 #include "dem/scene/layout.hpp"
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,7 +22,14 @@ struct LoadedStudy {
     dem::Layout layout;
     std::optional<app::SamplePlan> plan; ///< made when it is first needed
     std::optional<dem::Model> model;     ///< made when it is first needed
+    std::map<std::uint32_t, std::shared_ptr<LoadedStudy>>
+        layouts; ///< by seed, as they are needed
 };
+
+/// The study in the layout of one of its samples: itself, where there is one layout.
+/// @throws app::ConfigError
+[[nodiscard]] std::shared_ptr<LoadedStudy> study_of(const std::shared_ptr<LoadedStudy>& study,
+                                                    int sample);
 
 /// @param path study file, or file of results; empty: all values are given
 /// @param overrides section.key=value

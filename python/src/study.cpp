@@ -15,6 +15,7 @@
 #include <pybind11/stl.h>
 
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -94,24 +95,40 @@ WallOfStudy push(const StudyPointer& study, std::optional<int> sample, bool mean
     const int asked = app::level_of(study->source.study, level);
     for (const app::WantedWall& wall : all)
         if (wall.level == asked)
-            return std::move(with_study(study, {wall}, {sample}, threads).front());
+            return std::move(
+                with_study(study_of(study, sample.value_or(0)), {wall}, {sample}, threads)
+                    .front());
     throw std::logic_error("a level without a wall");
 }
 
+/// Walls of one layout are pushed side by side, layout by layout.
 std::vector<WallOfStudy> push_samples(const StudyPointer& study,
                                       const std::vector<std::pair<int, int>>& asked,
                                       int threads)
 {
     const app::SamplePlan& plan = plan_of(*study);
-    std::vector<app::WantedWall> wanted;
-    std::vector<std::optional<int>> of;
-    for (const auto& [level, sample] : asked) {
+    struct Group {
+        std::vector<std::size_t> places;
+        std::vector<app::WantedWall> wanted;
+        std::vector<std::optional<int>> of;
+    };
+    std::map<StudyPointer, Group> groups;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const auto [level, sample] = asked[i];
         check_level(*study, level);
         check_sample(*study, sample);
-        wanted.push_back({level, app::draw(plan, level, sample)});
-        of.emplace_back(sample);
+        Group& group = groups[study_of(study, sample)];
+        group.places.push_back(i);
+        group.wanted.push_back({level, app::draw(plan, level, sample)});
+        group.of.emplace_back(sample);
     }
-    return with_study(study, wanted, of, threads);
+    std::vector<WallOfStudy> all(asked.size());
+    for (auto& [own, group] : groups) {
+        std::vector<WallOfStudy> walls = with_study(own, group.wanted, group.of, threads);
+        for (std::size_t k = 0; k < walls.size(); ++k)
+            all[group.places[k]] = std::move(walls[k]);
+    }
+    return all;
 }
 
 /// @param values one row per wall, in SI

@@ -37,7 +37,7 @@ inline void run_study(const std::filesystem::path& file, const std::string& uq,
         store.append({&row, 1});
         walls.pop_back();
     }
-    app::run_walls(study, model, plan, walls, 2, store, {}, frames);
+    app::run_walls(study, plan, walls, 2, store, {}, frames);
     store.compact();
 }
 

@@ -4,6 +4,7 @@ drystone_tests(app_report
         app/test_film_shelf.cpp
         app/test_one_reading.cpp
         app/test_report_bytes.cpp
+        app/test_random_layouts.cpp
         app/test_report_choice.cpp
         app/test_report_curves.cpp
         app/test_report_cycles.cpp

@@ -21,6 +21,7 @@ thickness = 0.25 m
 bond = 0.25
 unit_length_cov = 0.05
 seed = 3
+layouts = 1
 first_course = shifted
 unit_cracks = yes
 openings = 0.3 m, 0 m, 0.6 m, 0.6 m

@@ -45,7 +45,7 @@ void run_study(const fs::path& path, std::size_t walls, std::uint32_t shards = 1
     app::Store store(path, head);
     auto keys = pending_walls(store, {0, static_cast<int>(shards)}, false);
     keys.resize(std::min(walls, keys.size()));
-    app::run_walls(s, model, plan, keys, 2, store, {});
+    app::run_walls(s, plan, keys, 2, store, {});
     store.compact();
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/input/key_effects.hpp"
 #include "app/input/key_values.hpp"
+#include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/push_walls.hpp"
@@ -157,14 +158,15 @@ Study read(const std::string& text, const std::vector<std::string>& overrides = 
         app::with_overrides(app::parse_study_text("study.ini", text), overrides));
 }
 
-/// Every number that a push of the first sample gives, under all stress levels.
+/// Every number that a push of the first sample gives, under all stress levels, and how the stones of the second lie.
 std::vector<double> outputs(const Study& s)
 {
     const dem::Model model = app::model_of(s);
     const std::vector<std::uint32_t> sizes = {
         s.random.empty() ? 1u : static_cast<std::uint32_t>(s.uq.samples)};
     const app::SamplePlan plan = app::sample_plan(s, model.layout, sizes);
-    std::vector<double> all = {static_cast<double>(sizes.back())};
+    std::vector<double> all = {static_cast<double>(sizes.back()),
+                               static_cast<double>(app::layout_seed(s, 1))};
     std::vector<app::PushedWall> walls(s.load.vertical_stress.size());
     app::PushList list;
     list.size = walls.size();

@@ -66,6 +66,30 @@ TEST_CASE(
     CHECK(s["study"] == read_text(folder.path / "out" / "study.ini"));
 }
 
+TEST_CASE("push command: walls from pictures and drawings have all their stones in picture and "
+          "series",
+          "[app][push_command]")
+{
+    const auto [study, blocks] =
+        GENERATE(std::pair{"picture.ini", 49 + 1}, std::pair{"drawing.ini", 15 + 1});
+    const scenes::TemporaryFolder folder;
+    const fs::path out = folder.path / "out";
+    REQUIRE(push(study, out,
+                 {"solver.fidelity=rigid", "solver.steps_per_mm=1000",
+                  "load.max_displacement=0.2 mm", "output.snapshot_every=0.1 mm"})
+                .code == 0);
+    const std::string cells = "NumberOfCells=\"" + std::to_string(blocks) + "\"";
+    CHECK(read_text(out / "series" / "wall_0001.vtu").find(cells) != std::string::npos);
+    const std::string picture = read_text(out / "wall.svg");
+    int polygons = 0;
+    for (std::size_t at = 0; (at = picture.find("<polygon points", at)) != std::string::npos;
+         ++at)
+        ++polygons;
+    CHECK(polygons >= 2 * blocks); // at the peak and at the end
+    // Stones are outlines, read back to the same wall.
+    CHECK(read_text(out / "study.ini").find("outlines ") != std::string::npos);
+}
+
 TEST_CASE("push command: the study it wrote gives the same curve again", "[app][push_command]")
 {
     const scenes::TemporaryFolder folder;

@@ -200,6 +200,8 @@ TEST_CASE("quality terms: sizes and shapes of units by hand, staggering by the t
     const std::vector<app::DrawnBlock> small(
         3, {{{0.0, 0.0}, {0.15, 0.0}, {0.15, 0.1}, {0.0, 0.1}}, "wall", ""});
     indices.trace_ratio = 1.3;
+    std::vector<app::DrawnBlock> halves = {units[0], small[0]}; // no class has more than half
+    CHECK(app::quality_terms(indices, halves).dimensions == partly);
     CHECK(app::quality_terms(indices, small).dimensions == no);
     CHECK(app::quality_terms(indices, small).staggered == no);
     indices.trace_ratio = std::numeric_limits<double>::quiet_NaN(); // no way at all

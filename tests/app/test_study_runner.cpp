@@ -32,7 +32,7 @@ Ran run(const Study& s, int threads = 2)
     const std::vector<std::uint32_t> sizes = {app::samples_of(s)};
     r.plan = sample_plan(s, r.model.layout, sizes);
     app::Store store(file, app::head_of(s, r.plan, sizes));
-    app::run_walls(s, r.model, r.plan, pending_walls(store, {}, false), threads, store, {});
+    app::run_walls(s, r.plan, pending_walls(store, {}, false), threads, store, {});
     store.compact();
     app::StoreReader(file).for_each_row(
         [&](const app::WallRow& row) { r.rows.push_back(row); });

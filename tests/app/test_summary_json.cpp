@@ -49,8 +49,10 @@ PushedWall good_wall()
     w.result.cost = {1000, 500000, 0.25};
     w.mechanism = {0.9, 0.1, 2, 7};
     w.reading.mode = dem::FailureMode::mixed;
-    w.displacement = {0.0, 0.03};
-    w.force = {0.0, 40e3};
+    for (int i = 0; i <= 60; ++i) {
+        w.displacement.push_back(0.0005 * i);
+        w.force.push_back(40e3 * i / 60);
+    }
     w.reading.peak = fragility::Peak{50e3, 0.012, false};
     w.reading.stiffness = 25e6;
     w.reading.ultimate = reading(0.018, fragility::Reading::observed);
@@ -285,6 +287,26 @@ TEST_CASE("summary: hand checks of body forces are those of a rigid wall",
     CHECK(j.at("rigid_rocking_limit_kN").get<double>() == Approx(4.5 * f));
     CHECK(j.at("sliding_limit_kN").get<double>() ==
           Approx(std::tan(5.0 * std::acos(-1.0) / 180.0) * 4.5));
+}
+
+TEST_CASE("summary: a peak that comes between two recorded points is remarked",
+          "[app][summary_json]")
+{
+    const auto remarked = [](const PushedWall& w) {
+        const Json remarks = summary(w).at("hand_checks").at("remarks");
+        return remarks.dump().find("write a smaller output.record_every") != std::string::npos;
+    };
+    PushedWall w = good_wall();
+    CHECK_FALSE(remarked(w));
+    w.force = {0.0, 31e3, 50e3, 20e3}; // 38 % in one step
+    w.displacement = {0.0, 1e-4, 2e-4, 3e-4};
+    CHECK(remarked(w));
+    for (double& f : w.force) f = -f; // pushed to the left
+    CHECK(remarked(w));
+    w.force = {0.0, 48e3, 50e3, 20e3}; // 4 %
+    CHECK(remarked(w));
+    w.force = {0.0, 49e3, 50e3, 20e3}; // 2 %: a fall after the peak is no fault
+    CHECK_FALSE(remarked(w));
 }
 
 TEST_CASE("summary: a run that took no time has no speed", "[app][summary_json]")

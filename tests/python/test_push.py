@@ -36,6 +36,15 @@ class PushIsThatOfTheCommandLine(InFolder):
         wall = self.check(QUICK, STUDY, "--sample", "3", "--level", "1.00 MPa", sample=3, level="1.00 MPa")
         self.assertEqual((wall.level, wall.sample), (1, 3))
 
+    def test_sample_of_random_layouts(self):
+        settings = {**STUDY, "wall.unit_length_cov": 0.1, "wall.layouts": 4}
+        wall = self.check(QUICK, settings, "--sample", "5", "--level", "1.00 MPa", sample=5, level="1.00 MPa")
+        walls = drystone.Study(QUICK, set=settings).push([1, 5], level=1)
+        self.assertEqual([w.sample for w in walls], [1, 5])
+        self.same(walls[1].force, wall.force)
+        alone = {**STUDY, "wall.unit_length_cov": 0.1, "wall.seed": 2}  # the seed of samples 1 and 5
+        self.same(drystone.push(QUICK, set=alone, sample=5, level="1.00 MPa").force, wall.force)
+
     def test_body_forces(self):
         study = self.folder / "body.ini"
         study.write_text("".join(line for line in WALL.open(encoding="utf-8") if not line.startswith("height  ")))

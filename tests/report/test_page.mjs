@@ -232,6 +232,27 @@ claims['a wall that the page has no room for is named with the command that draw
         await page.until(`/: 6\\.0 mm, drift/.test(${caption})`);
     }, `${folder}/few.html`);
 
+claims['each wall of a study of random layouts is drawn with its own stones'] = () =>
+    withPage({}, async (page) => {
+        const films = JSON.parse(await page.evaluate(`document.getElementById('films').textContent`));
+        const walls = JSON.parse(await page.evaluate(data)).walls;
+        assert.equal(films.geometries.length, 4);
+        const ghosts = `[...document.querySelectorAll('.wall .ghosts > *')].map((e) => e.getAttribute('points') ?? 'beam').join(';')`;
+        const seen = new Map();
+        for (const { wall, geometry } of films.films) {
+            const { level, sample } = walls[wall];
+            await page.evaluate(`(() => { const s = document.getElementById('wall-choice'); s.value = '${wall}'; s.dispatchEvent(new Event('change')); })()`);
+            await page.until(`${caption}.startsWith('${level === 0 ? '0.50' : '1.00'} MPa, sample ${sample}:')`);
+            assert.equal(await page.evaluate(`document.querySelectorAll('svg.wall').length`), 1);
+            assert.equal(await page.evaluate(`document.querySelectorAll('.wall .stones polygon').length`), films.geometries[geometry].blocks.length);
+            const place = sample % 4;
+            const stones = await page.evaluate(ghosts);
+            assert.equal(seen.get(place) ?? stones, stones, 'samples of one layout show the same stones');
+            seen.set(place, stones);
+        }
+        assert.equal(new Set(seen.values()).size, 4);
+    }, `${folder}/layouts.html`);
+
 claims['a page of many walls stays under 5 MB and takes less than two seconds of a core to open'] = () =>
     withPage({}, async (page) => {
         assert.ok(statSync(`${folder}/many.html`).size < 5e6);
@@ -254,6 +275,7 @@ claims['a page of many walls has walls of each stress and says what it leaves ou
 const others = {
     one_stress: { overview: /6 walls under one vertical stress, 0\.50 MPa/ },
     nothing_random: { overview: /Nothing was drawn at random/, inputs: /Nothing was random/, running: /Too few walls/, fragility: /No fit: 0\.50 MPa, 1\.00 MPa/ },
+    layouts: { overview: /4 random layouts, those of wall\.seed = 1 and so on/ },
     spatial: { overview: /one value per joint/ },
     shard: { overview: /are not in the file: it is not finished, or a shard/, provenance: /1 of 3/ },
     some_failed: { overview: /walls failed: solver\.most_steps were not enough/ },

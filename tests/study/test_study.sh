@@ -73,6 +73,37 @@ claim_threads_and_shards_change_no_bit() {
     [[ ! -e $work/gap.h5 ]] || fail "a file with a gap was written"
 }
 
+claim_random_layouts_have_the_same_bits_by_threads_shards_resumes_and_alone() {
+    local layouts=(--set wall.bond=rubble --set wall.layouts=7) i size=(--set uq.samples=16)
+    study whole "${layouts[@]}" "${size[@]}" --threads 2
+    study one "${layouts[@]}" "${size[@]}" --threads 1
+    study more "${layouts[@]}" "${size[@]}" --threads 9
+    same whole one
+    same whole more
+    for i in 1 2 3; do study part "${layouts[@]}" "${size[@]}" --shard "$i/3" >/dev/null; done
+    "$program" merge "$work/merged.h5" "$work"/part_*_of_3.h5
+    same whole merged
+    "$program" study "$here/small.ini" --out "$work/killed.h5" --quiet "${layouts[@]}" "${size[@]}" >/dev/null &
+    sleep 0.3
+    kill -KILL $! 2>/dev/null || :
+    wait $! || :
+    study killed "${layouts[@]}" "${size[@]}"
+    same whole killed
+    study grown "${layouts[@]}" --set uq.design=monte_carlo --set uq.samples=9
+    study grown "${layouts[@]}" --set uq.design=monte_carlo "${size[@]}"
+    study fresh "${layouts[@]}" --set uq.design=monte_carlo "${size[@]}"
+    same fresh grown
+    # Wall 9 lies in layout 9 % 7 = 2, whose seed is 1 + 2; alone it has the same curve.
+    "$program" push "$work/whole.h5" --sample 9 --level 0.50 --out "$work/nine" --quiet >/dev/null
+    grep -q '^seed  *= 3 ' "$work/nine/study.ini" || fail "another seed: $(cat "$work/nine/study.ini")"
+    "$program" push "$here/small.ini" --set wall.bond=rubble --set wall.seed=3 "${size[@]}" --sample 9 --level 0.50 \
+        --out "$work/alone" --quiet >/dev/null
+    cmp "$work/nine/capacity.csv" "$work/alone/capacity.csv" || fail "not the wall of this seed"
+    "$program" curves "$work/whole.h5" --out "$work/curves.csv" >/dev/null
+    [[ $(awk -F, '$1 == 0 && $3 == 9 {n = $5} END {print n}' "$work/curves.csv") == \
+        $(awk -F, 'END {printf "%.9g", $3}' "$work/nine/capacity.csv") ]] || fail "not the wall of the study"
+}
+
 claim_more_samples_add_walls_and_keep_the_old() {
     local design
     for design in monte_carlo sobol; do

@@ -1,0 +1,56 @@
+#include "app/input/random_layouts.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace app {
+namespace {
+
+constexpr double kMostSeed = 1e9; // of the range of wall.seed
+
+} // namespace
+
+bool has_layouts(const Study& study) { return study.geometry.layouts > 1; }
+
+bool is_random(const Study& study) { return !study.random.empty() || has_layouts(study); }
+
+std::uint32_t layout_seed(const Study& study, std::uint32_t sample)
+{
+    return study.wall.seed + sample % static_cast<std::uint32_t>(study.geometry.layouts);
+}
+
+Study in_layout(const Study& study, std::uint32_t seed)
+{
+    StudyFile file = study.source;
+    std::erase_if(file.entries, [](const Entry& e) {
+        return e.key == "wall.layouts" || e.key == "wall.seed";
+    });
+    const std::string assignment[] = {"wall.seed=" + std::to_string(seed)};
+    return read_study(with_overrides(std::move(file), assignment));
+}
+
+void check_layouts(const Study& study)
+{
+    if (!has_layouts(study)) return;
+    const GeometryInput& g = study.geometry;
+    if (study.wall.seed + static_cast<double>(g.layouts) - 1.0 > kMostSeed)
+        throw error_at(study.source, "wall.layouts",
+                       "wall.seed + wall.layouts would pass 1e9; write a smaller wall.seed");
+    if (study.uq.spatial != Spatial::none)
+        throw error_at(study.source, "uq.spatial",
+                       "joints of two layouts have nothing in common; write none, or "
+                       "wall.layouts = 1");
+    if (study.cracks.where == "needed")
+        throw error_at(study.source, "unit.cracks_where",
+                       "needed is found for one layout; write toe or a region, or "
+                       "wall.layouts = 1");
+}
+
+void refuse_layouts(const Study& study)
+{
+    if (has_layouts(study))
+        throw error_at(study.source, "wall.layouts",
+                       "the layouts are drawn by the verb study alone; write 1");
+}
+
+} // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+/// Studies whose walls lie in several random layouts: a layout is drawn by its seed alone, so that any of them can
+/// be laid again by itself.
+
+#include "app/input/study.hpp"
+
+#include <cstdint>
+
+namespace app {
+
+/// Whether the walls of a study differ in how their stones lie (wall.layouts).
+[[nodiscard]] bool has_layouts(const Study& study);
+
+/// Whether its samples differ in anything: in drawn values, or in their layouts.
+[[nodiscard]] bool is_random(const Study& study);
+
+/// Samples take the seeds wall.seed, wall.seed + 1, ... in turn, under every stress the same.
+[[nodiscard]] std::uint32_t layout_seed(const Study& study, std::uint32_t sample);
+
+/// The study with this layout alone, as wall.seed would give it.
+/// @throws ConfigError if the layout makes no wall
+[[nodiscard]] Study in_layout(const Study& study, std::uint32_t seed);
+
+/// What speaks of single joints or units has no meaning across layouts. @throws ConfigError
+void check_layouts(const Study& study);
+
+/// For verbs that take the wall of the study as it is. @throws ConfigError
+void refuse_layouts(const Study& study);
+
+} // namespace app
