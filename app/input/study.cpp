@@ -3,6 +3,7 @@
 #include "app/input/key_reading.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/limit_state_text.hpp"
+#include "app/input/protocol_scale.hpp"
 #include "app/input/study_checks.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/input/unit_cracks.hpp"
@@ -63,6 +64,7 @@ Study read_study(const StudyFile& file)
     derive(study);
     check_relations(study);
     find_needed_cracks(study);
+    scale_protocol(study);
     static_cast<void>(reading_rules(study)); // a wrong rule is found before any wall is run
     return study;
 }
@@ -77,6 +79,10 @@ std::string written_value(const Key& key, const Entry* entry, const Study& study
         if (says_how_a_file_is_read(key)) return {};
     }
     if (key.name == "unit.cracks_where") return study.cracks.where;
+    if (!study.load.scaled.empty()) {
+        if (key.name == "load.protocol_scale") return "given";
+        if (key.name == "load.max_displacement") return value_text(key, study);
+    }
     return entry != nullptr ? entry->value : value_text(key, study);
 }
 
@@ -118,6 +124,8 @@ std::string effective_configuration(const Study& study)
                            : entry == nullptr ? "default"
                            : entry->line == 0 ? "--set"
                                               : "";
+        if (key.name == "load.max_displacement" && !study.load.scaled.empty())
+            mark = "ultimate of the mean wall one way: " + study.load.scaled;
         mark += cut_text(key, study, mark.empty());
         if (!mark.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
         text += line + (mark.empty() ? "" : "# ") + mark + "\n";

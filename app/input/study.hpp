@@ -67,6 +67,8 @@ struct LoadInput {
     std::vector<double> amplitudes; ///< of cycles, in order [m], > 0; empty: no cycles
     int repeats = 1;                ///< cycles of each amplitude, >= 1
     Protocol protocol = Protocol::none;
+    bool scale_one_way = false; ///< of the protocol, see app/input/protocol_scale.hpp
+    std::string scaled; ///< what that found, as words; empty: max_displacement is as given
     double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
     /// Share of the peak that ends the push [-], in [0, 1). 0: zero force with finite displacements,
     /// never with small ones.

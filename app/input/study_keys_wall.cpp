@@ -189,6 +189,17 @@ constexpr Condition kUnitsCrush{
     [](const Study& s) { return s.parameters.unit.crushing.strength > 0.0; },
     "unit.compressive_strength is none"};
 
+constexpr Condition kDryJoints{[](const Study& s) { return !has_mortar(s); },
+                               "joints have mortar, whose law knows no wear; remove it", true};
+constexpr Condition kJointsWear{
+    [](const Study& s) { return s.parameters.joint.wear_length > 0.0; },
+    "joint.wear_length is none"};
+constexpr Condition kFrictionFalls{
+    [](const Study& s) {
+        return s.parameters.joint.residual_friction_angle < s.parameters.joint.friction_angle;
+    },
+    "joint.residual_friction_angle is not below joint.friction_angle"};
+
 constexpr Condition kBondInTension{
     [](const Study& s) { return s.parameters.joint.tensile_strength > 0.0; },
     "joint.tensile_strength is 0"};
@@ -366,6 +377,18 @@ constexpr std::array kKeys = {
         .varies = Varies::by_joint,
         .meaning = "G_c from f_c to nothing; none: the strength stays",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::crushing, &dem::Crushing::energy>},
+
+    Key{.name = "joint.wear_length", .unit = "mm", .range = {'(', 0, 1e6, ']'}, .names = kNone,
+        .used = kDryJoints, .effect = kFrictionFalls,
+        .varies = Varies::by_joint,
+        .meaning = "slip that leaves 1/e of the difference to the residual friction, at the base and at a beam on a joint too; none: joints do not wear",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::wear_length>},
+    Key{.name = "joint.residual_friction_angle", .unit = "deg", .range = kAngle,
+        .used = kDryJoints, .effect = kJointsWear,
+        .derived = {.rule = "friction_angle", .follow = [](Parameters& p, double) { p.joint.residual_friction_angle = p.joint.friction_angle; }},
+        .varies = Varies::by_joint,
+        .meaning = "of a worn joint, at most the initial one",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::residual_friction_angle>},
 
     Key{.name = "unit.cracks", .kind = Kind::text,
         .derived = {"mid, or none where wall.unit_cracks is no"},

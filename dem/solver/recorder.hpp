@@ -23,7 +23,9 @@ class Recorder {
         gap_ += (gap < 0.0 ? -gap : gap) * way;
     }
 
-    [[nodiscard]] bool due() const { return way_ >= every_; }
+    [[nodiscard]] bool due() const { return way_ >= (fine_ > 0 ? every_ / kFiner : every_); }
+    /// After a turn force changes fast: as far as two points, the way has points so many times closer.
+    void begin_way() { fine_ = 2 * kFiner; }
     [[nodiscard]] bool any() const { return way_ > 0.0; }
 
     /// Returns the point and starts the sums again. Call it only if any().
@@ -31,12 +33,16 @@ class Recorder {
     {
         const CurvePoint p{position - 0.5 * displacement_, force_ / way_, base_ / way_,
                            gap_ / way_, energy};
+        const int fine = fine_ > 0 ? fine_ - 1 : 0;
         *this = Recorder(every_);
+        fine_ = fine;
         return p;
     }
 
   private:
+    static constexpr int kFiner = 16;
     double every_;
+    int fine_ = 0; ///< points to come that are close
     double way_ = 0.0, displacement_ = 0.0, force_ = 0.0, base_ = 0.0, gap_ = 0.0;
 };
 
