@@ -20,16 +20,6 @@ constexpr double kSlowest = 0.1;
 // Number of steps over which the unbalance is smoothed before it slows the drive.
 constexpr double kSmoothingSteps = 50;
 
-/// A push that turns back steps on zero, where its cycles end, and not across: some steps before, it takes as many
-/// equal ones as are needed. A short last step would ring through the wall.
-/// @param way to zero [m]
-double landing_speed(double way, double speed)
-{
-    constexpr double kLandingSteps = 100;
-    const double steps = std::ceil(way / speed * (1.0 - 1e-9));
-    return steps <= kLandingSteps ? way / std::max(1.0, steps) : speed;
-}
-
 } // namespace
 
 Drive::Drive(std::vector<double> targets, const SolverOptions& options)
@@ -57,11 +47,27 @@ double Drive::load_factor() const
     return s * s * (3.0 - 2.0 * s);
 }
 
+bool Drive::towards_zero() const
+{
+    return turns_back() && !finished() && position_ != 0.0 &&
+           position_ * targets_[target_] <= 0.0;
+}
+
 double Drive::left_to_mark() const
 {
-    const bool towards_zero =
-        turns_back() && !finished() && position_ * (targets_[target_] - position_) < 0.0;
-    return towards_zero ? std::min(left(), std::abs(position_)) : left();
+    return towards_zero() ? std::min(left(), std::abs(position_)) : left();
+}
+
+/// A push that turns back steps on zero, where its cycles end, and not across: some steps before, it takes as many
+/// equal ones as are needed, or more if it must slow down. A short last step would ring through the wall.
+void Drive::land_on_zero()
+{
+    constexpr double kLandingSteps = 100;
+    const double steps = std::ceil(std::abs(position_) / speed_ * (1.0 - 1e-9));
+    if (landing_ > 0.0 && speed_ > 0.5 * landing_)
+        speed_ = landing_;
+    else if (steps <= kLandingSteps)
+        speed_ = landing_ = std::abs(position_) / std::max(1.0, steps);
 }
 
 /// Speed of a wall in balance [m/step].
@@ -91,12 +97,16 @@ double Drive::advance()
                             : 1.0;
     const double left = targets_[target_] - position_;
     speed_ = std::min(fastest(left) * calm, speed_ + full_speed_ / kStartSteps);
-    const bool towards_zero = turns_back() && position_ * left < 0.0;
-    if (towards_zero) speed_ = landing_speed(std::abs(position_), speed_);
-    const double to_zero = towards_zero ? std::abs(position_) : std::abs(left);
-    const double way = std::min({speed_, std::abs(left), to_zero});
+    const bool lands = towards_zero();
+    if (lands)
+        land_on_zero();
+    else
+        landing_ = 0.0;
+    const double mark = lands ? std::abs(position_) : std::abs(left);
+    // The last of equal steps may miss zero by rounding.
+    const double way = speed_ >= mark * (lands ? 1.0 - 1e-9 : 1.0) ? mark : speed_;
     const bool arrives = way >= std::abs(left);
-    passed_zero_ = towards_zero && way >= to_zero;
+    passed_zero_ = lands && way >= mark;
     const double before = position_;
     position_ = arrives        ? targets_[target_]
                 : passed_zero_ ? 0.0

@@ -49,6 +49,8 @@ class Drive {
   private:
     static constexpr int kLookEvery = 50;
     [[nodiscard]] bool turns_back() const { return turns_.size() > 1; }
+    [[nodiscard]] bool towards_zero() const;
+    void land_on_zero();
     [[nodiscard]] double fastest(double to_target) const;
     [[nodiscard]] long long ramp_steps() const
     {
@@ -70,7 +72,8 @@ class Drive {
     double travelled_ = 0.0;
     double farthest_right_ = 0.0, farthest_left_ = 0.0; ///< so far [m], >= 0 and <= 0
     double speed_ = 0.0;                                ///< now [m/step]
-    double unbalance_ = 0.0;                            ///< smoothed
+    double landing_ = 0.0;   ///< speed at which it lands on zero; 0: not yet [m/step]
+    double unbalance_ = 0.0; ///< smoothed
 };
 
 } // namespace dem
