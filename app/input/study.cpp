@@ -237,9 +237,11 @@ PushWay push_way(const Study& study)
 {
     PushWay way;
     bool right = false, left = false;
-    double from = 0.0;
+    double from = 0.0, before = 0.0;
     for (const double to : targets_of(study.load)) {
         (to > from ? right : left) = true;
+        way.turns += before * (to - from) < 0.0 ? 1 : 0;
+        before = to - from;
         way.farthest = std::max(way.farthest, std::abs(to));
         way.length += std::abs(to - from);
         from = to;

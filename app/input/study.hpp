@@ -224,6 +224,7 @@ struct PushWay {
     int direction = 1;     ///< 1: to the right, -1: to the left, 0: it turns back
     double farthest = 0.0; ///< largest distance from the start [m]
     double length = 0.0;   ///< of the whole way [m]
+    int turns = 0;
 };
 [[nodiscard]] PushWay push_way(const Study& study);
 
