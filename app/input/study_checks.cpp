@@ -280,8 +280,8 @@ void check_relations(const Study& study)
     check_pattern(study);
     check_load(study);
     check_top_load(study);
-    check_steps(study);
     check_output(study);
+    check_steps(study);
 }
 
 } // namespace app

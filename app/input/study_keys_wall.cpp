@@ -378,7 +378,7 @@ constexpr std::array kKeys = {
         .meaning = "G_c from f_c to nothing; none: the strength stays",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::crushing, &dem::Crushing::energy>},
 
-    Key{.name = "joint.wear_length", .unit = "mm", .range = {'(', 0, 1e6, ']'}, .names = kNone,
+    Key{.name = "joint.wear_length", .unit = "mm", .range = {'(', 0, 10000, ']'}, .names = kNone,
         .used = kDryJoints, .effect = kFrictionFalls,
         .varies = Varies::by_joint,
         .meaning = "slip that leaves 1/e of the difference to the residual friction, at the base and at a beam on a joint too; none: joints do not wear",
