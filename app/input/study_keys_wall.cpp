@@ -5,6 +5,7 @@
 #include "app/input/unit_cracks.hpp"
 #include "app/input/wall_geometry.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -194,11 +195,22 @@ constexpr Condition kDryJoints{[](const Study& s) { return !has_mortar(s); },
 constexpr Condition kJointsWear{
     [](const Study& s) { return s.parameters.joint.wear_length > 0.0; },
     "joint.wear_length is none"};
+/// Of any joint that may wear; a draw may be above the residual angle where the mean is not.
+bool friction_can_fall(const Study& s)
+{
+    const Parameters& p = s.parameters;
+    const double left = p.joint.residual_friction_angle;
+    const bool drawn =
+        find_entry(s.source, "joint.residual_friction_angle") != nullptr &&
+        std::ranges::any_of(s.random, [](const RandomInput& r) {
+            return r.key == "joint.friction_angle" || r.key == "joint.residual_friction_angle";
+        });
+    return drawn || left < p.joint.friction_angle ||
+           (kWithBaseJoint.holds(s) && left < p.base_friction_angle) ||
+           (kWithBeam.holds(s) && kWithBeamJoint.holds(s) && left < p.beam_friction_angle);
+}
 constexpr Condition kFrictionFalls{
-    [](const Study& s) {
-        return s.parameters.joint.residual_friction_angle < s.parameters.joint.friction_angle;
-    },
-    "joint.residual_friction_angle is not below joint.friction_angle"};
+    friction_can_fall, "no joint has a friction above joint.residual_friction_angle"};
 
 constexpr Condition kBondInTension{
     [](const Study& s) { return s.parameters.joint.tensile_strength > 0.0; },

@@ -137,7 +137,7 @@ TEST_CASE("push command: a push that turns back has cycles, and limit states by 
     const scenes::TemporaryFolder folder;
     std::vector<std::string> overrides = kCoarse;
     overrides[3] = "load.amplitudes=1, 2 mm";
-    overrides.insert(overrides.end(), {"output.paraview=yes", "output.snapshot_every=0.5 mm"});
+    overrides[4] = "output.snapshot_every=0.5 mm";
     REQUIRE(push("wall.ini", folder.path / "out", overrides).code == 0);
     const nlohmann::json s = summary(folder.path / "out");
     CHECK(s["read_on"] == "mean");
