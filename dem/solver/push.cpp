@@ -29,11 +29,14 @@ void check_joint(const std::string& name, const JointMaterial& j)
 
 void check_wear(const Model& m, const std::string& name, const JointMaterial& j)
 {
-    require(j.wear.length >= 0 && j.wear.tan_phi_res >= 0 && j.wear.tan_phi_res <= j.tan_phi,
+    const Wear& w = j.wear;
+    require(w.length >= 0, name + ": the wear length must not be negative");
+    if (w.length == 0.0) return;
+    require(w.tan_phi_res >= 0 && w.tan_phi_res <= j.tan_phi,
             name +
-                ": the wear length must not be negative, and the friction coefficient of the "
-                "worn joint must lie between 0 and that of the new one");
-    require(j.wear.length == 0.0 || (m.layout.wear && !m.layout.mortar),
+                ": the friction coefficient of the worn joint must lie between 0 and that of "
+                "the new one");
+    require(m.layout.wear && !m.layout.mortar,
             name + ": wear needs a layout with wear and without mortar");
 }
 

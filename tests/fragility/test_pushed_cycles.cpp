@@ -99,6 +99,9 @@ TEST_CASE("pushed cycles: a sliding block has the energy and damping of its clos
     CHECK(c.displacement_plus == d);
     CHECK(c.displacement_minus == -d);
     CHECK(friction(p, c) == Approx(energy).epsilon(1e-6));
+    // A cycle ends at zero exactly; the first has slipped 4 d - 5 F / k by then.
+    CHECK(p.result.curve[c.begin].energy.friction ==
+          Approx(f * (4.0 * d - 5.0 * elastic)).epsilon(1e-6));
     // The loop has what the solver takes besides, and no more.
     const double solver =
         p.result.curve[c.end].energy.damping - p.result.curve[c.begin].energy.damping;
@@ -191,6 +194,12 @@ TEST_CASE("pushed cycles: equal cycles of a whole wall that is not damaged retra
     const std::vector<std::size_t> t = turns(p);
     REQUIRE(t.size() == 6);
     CHECK(p.result.energy.fracture == 0.0);
+    for (const std::size_t i : t) { // points at turns are led on from the two before
+        const double along = (p.displacement[i] - p.displacement[i - 1]) /
+                             (p.displacement[i - 1] - p.displacement[i - 2]);
+        CHECK(p.force[i] - p.force[i - 1] ==
+              Approx(along * (p.force[i - 1] - p.force[i - 2])).margin(1e-6));
+    }
     const double peak = p.cycles[0].force_plus;
     for (std::size_t k : {2, 3, 4})
         CHECK(largest_difference(forces_of_way(p, t[k - 2], t[k - 1]),
