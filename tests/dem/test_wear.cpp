@@ -90,7 +90,7 @@ TEST_CASE(
     CHECK(dem::roughness_after(none, 1.0, 1e-3, -1e6) == 1.0);
     CHECK(dem::roughness_after(wear, 0.7, -1e-3, -1e6) ==
           dem::roughness_after(wear, 0.7, 1e-3, -1e6));
-    CHECK(dem::roughness_after(wear, 0.7, 1e9, -1e6) > 0.0);
+    CHECK(dem::roughness_after(wear, 0.7, 1e9, -1e6) >= 1e-12); // no denormal numbers
     CHECK(dem::worn_tan_phi(wear, 0.62, 1.0) == 0.62);
 }
 
