@@ -191,7 +191,6 @@ std::function<bool(std::span<const dem::CurvePoint>)> stop_both_below(double sha
         double plus = 0.0, minus = 0.0;
         bool weak = false;
         for (const fragility::Cycle& c : fragility::cycles({displacement, force})) {
-            if (!c.closed) break;
             plus = std::max(plus, c.force_plus);
             minus = std::min(minus, c.force_minus);
             // Half a cycle has not been to the other side yet.
