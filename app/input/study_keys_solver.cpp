@@ -67,11 +67,9 @@ constexpr Condition kAlone{
     "load.targets or load.amplitudes is given"};
 constexpr Condition kWithAmplitudes{[](const Study& s) { return !s.load.amplitudes.empty(); },
                                     "no load.amplitudes are given"};
-constexpr Condition kWithProtocol{[](const Study& s) {
-                                      return kAlone.holds(s) &&
-                                             s.load.protocol != Protocol::none;
-                                  },
-                                  "no load.protocol is followed"};
+constexpr Condition kWithProtocol{
+    [](const Study& s) { return kAlone.holds(s) && s.load.protocol != Protocol::none; },
+    "no load.protocol is followed"};
 constexpr Condition kWithWeight{[](const Study& s) {
                                     return s.parameters.stone.density > 0.0 ||
                                            s.beam.material.density > 0.0;
