@@ -179,7 +179,8 @@ std::string describe(const StressScene& s)
          << (s.by_joint ? " by joint" : "") << ", pattern "
          << static_cast<int>(w.cracks.pattern.kind) << ' ' << w.cracks.pattern.columns << " x "
          << w.cracks.pattern.rows << ", f_c " << s.scene.joint.crushing.strength * 1e-6
-         << " and " << s.scene.crack.crushing.strength * 1e-6 << " MPa";
+         << " and " << s.scene.crack.crushing.strength * 1e-6 << " MPa, wear "
+         << s.scene.joint.wear.length * 1e3 << " mm";
     return text.str();
 }
 
@@ -240,6 +241,9 @@ StressScene stress_scene(std::uint64_t seed, std::uint64_t number)
     draw_patterns(d, s.scene.wall);
     if (d.chance(0.4)) s.scene.joint.crushing = draw_crushing(d);
     if (d.chance(0.2)) s.scene.crack.crushing = draw_crushing(d);
+    if (d.chance(0.3))
+        s.scene.joint.wear = {s.scene.joint.tan_phi * d.uniform(0.0, 1.0),
+                              d.log_uniform(1e-5, 1e-1)};
     s.text = describe(s);
     return s;
 }
@@ -259,7 +263,9 @@ dem::WallMaterials stress_wall(const StressScene& s, const dem::Model& model, in
         j = s.scene.joint;
         j.kn *= stiffer;
         j.ks *= stiffer;
-        j.tan_phi *= factor();
+        const double rougher = factor();
+        j.tan_phi *= rougher;
+        j.wear.tan_phi_res *= rougher;
         j.crushing.strength *= factor();
     });
     scatter(w.cracks, [&](dem::CrackMaterial& c) {

@@ -1,5 +1,7 @@
 #include "app/input/key_effects.hpp"
 
+#include "app/text/number_text.hpp"
+
 #include <algorithm>
 #include <iostream>
 #include <utility>
@@ -37,6 +39,11 @@ void say_effects(const Study& study, const Command& command)
 {
     if (command.verb == nullptr) return;
     std::cerr << effect_notes(study, *command.verb);
+    if (!study.load.scaled.empty())
+        std::cerr << "note: load.protocol_scale: the protocol goes to "
+                  << fixed(study.load.max_displacement * 1e3, 2)
+                  << " mm; ultimate displacement of the mean wall one way: "
+                  << study.load.scaled << '\n';
     for (const std::string& note : study.geometry.notes)
         std::cerr << "note: wall.geometry: " << note << '\n';
 }

@@ -26,7 +26,9 @@ dem::JointParameters joint_parameters(const Parameters& p, double course_height,
             joint.tensile_strength,
             joint.cohesion,
             joint.fracture_energy,
-            joint.crushing};
+            joint.crushing,
+            joint.residual_friction_angle,
+            joint.wear_length};
 }
 
 } // namespace

@@ -21,6 +21,8 @@ struct JointInput {
     double cohesion = 0.0;               ///< of mortar [Pa], >= 0
     double fracture_energy = 0.0;        ///< of mortar, mode I [J/m2], >= 0
     dem::Crushing crushing{};
+    double residual_friction_angle = 0.0; ///< of worn joints [rad]
+    double wear_length = 0.0;             ///< [m], >= 0; 0: no wear
 };
 
 /// Everything that a distribution may stand for, and what it acts on.

@@ -3,6 +3,7 @@
 #include "app/input/key_reading.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/limit_state_text.hpp"
+#include "app/input/protocol_scale.hpp"
 #include "app/input/study_checks.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/input/unit_cracks.hpp"
@@ -63,6 +64,7 @@ Study read_study(const StudyFile& file)
     derive(study);
     check_relations(study);
     find_needed_cracks(study);
+    scale_protocol(study);
     static_cast<void>(reading_rules(study)); // a wrong rule is found before any wall is run
     return study;
 }
@@ -77,6 +79,10 @@ std::string written_value(const Key& key, const Entry* entry, const Study& study
         if (says_how_a_file_is_read(key)) return {};
     }
     if (key.name == "unit.cracks_where") return study.cracks.where;
+    if (!study.load.scaled.empty()) {
+        if (key.name == "load.protocol_scale") return "given";
+        if (key.name == "load.max_displacement") return value_text(key, study);
+    }
     return entry != nullptr ? entry->value : value_text(key, study);
 }
 
@@ -118,6 +124,8 @@ std::string effective_configuration(const Study& study)
                            : entry == nullptr ? "default"
                            : entry->line == 0 ? "--set"
                                               : "";
+        if (key.name == "load.max_displacement" && !study.load.scaled.empty())
+            mark = "ultimate of the mean wall one way: " + study.load.scaled;
         mark += cut_text(key, study, mark.empty());
         if (!mark.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
         text += line + (mark.empty() ? "" : "# ") + mark + "\n";
@@ -183,7 +191,6 @@ std::function<bool(std::span<const dem::CurvePoint>)> stop_both_below(double sha
         double plus = 0.0, minus = 0.0;
         bool weak = false;
         for (const fragility::Cycle& c : fragility::cycles({displacement, force})) {
-            if (!c.closed) break;
             plus = std::max(plus, c.force_plus);
             minus = std::min(minus, c.force_minus);
             // Half a cycle has not been to the other side yet.
@@ -229,9 +236,11 @@ PushWay push_way(const Study& study)
 {
     PushWay way;
     bool right = false, left = false;
-    double from = 0.0;
+    double from = 0.0, before = 0.0;
     for (const double to : targets_of(study.load)) {
         (to > from ? right : left) = true;
+        way.turns += before * (to - from) < 0.0 ? 1 : 0;
+        before = to - from;
         way.farthest = std::max(way.farthest, std::abs(to));
         way.length += std::abs(to - from);
         from = to;

@@ -68,6 +68,8 @@ struct LoadInput {
     std::vector<double> amplitudes; ///< of cycles, in order [m], > 0; empty: no cycles
     int repeats = 1;                ///< cycles of each amplitude, >= 1
     Protocol protocol = Protocol::none;
+    bool scale_one_way = false; ///< of the protocol, see app/input/protocol_scale.hpp
+    std::string scaled; ///< what that found, as words; empty: max_displacement is as given
     double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
     /// Share of the peak that ends the push [-], in [0, 1). 0: zero force with finite displacements,
     /// never with small ones.
@@ -223,6 +225,7 @@ struct PushWay {
     int direction = 1;     ///< 1: to the right, -1: to the left, 0: it turns back
     double farthest = 0.0; ///< largest distance from the start [m]
     double length = 0.0;   ///< of the whole way [m]
+    int turns = 0;
 };
 [[nodiscard]] PushWay push_way(const Study& study);
 

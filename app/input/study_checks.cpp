@@ -6,6 +6,7 @@
 #include "app/text/number_text.hpp"
 #include "dem/scene/bond.hpp"
 #include "dem/scene/layout.hpp"
+#include "dem/solver/recorder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -212,17 +213,32 @@ void check_top_load(const Study& study)
         refuse(study, "load.link_length", "is of no use without load.top = link");
 }
 
+/// A protocol that no wall can finish.
+void check_steps(const Study& study)
+{
+    constexpr double kFastest = 3.0; // on known ground, in full speeds
+    const PushWay way = push_way(study);
+    const double least = 1e3 * way.length * study.solver.steps_per_mm / kFastest;
+    if (way.turns == 0 || study.load.stop_below > 0.0 ||
+        least <= static_cast<double>(study.solver.most_steps))
+        return;
+    refuse(study, "solver.most_steps",
+           "is less than the " + number(least, 3) + " steps that a way of " +
+               text(way.length, "m") + " takes at least; ask for fewer cycles, or write more");
+}
+
 /// What is kept must be more than nothing and fit into memory.
 void check_output(const Study& study)
 {
     constexpr double kMostPoints = 1e6, kMostSnapshots = 1e4;
-    const double path = push_way(study).length;
+    const PushWay way = push_way(study);
+    const double path = way.length;
     const OutputInput& out = study.output;
     if (out.record_every > path) {
         refuse(study, "output.record_every",
                "must be at most the path of the push, " + text(path, "mm"));
     }
-    if (path / out.record_every > kMostPoints) {
+    if (path / out.record_every + way.turns * dem::Recorder::kAfterTurn > kMostPoints) {
         refuse(study, "output.record_every", "makes more than 1000000 points; record fewer");
     }
     if (out.snapshot_every > 0.0 && path / out.snapshot_every > kMostSnapshots) {
@@ -267,6 +283,7 @@ void check_relations(const Study& study)
     check_top_load(study);
     check_output(study);
     check_layouts(study);
+    check_steps(study);
 }
 
 } // namespace app

@@ -24,6 +24,7 @@ constexpr std::array kTopLoads = {
 constexpr std::array kProtocols = {named("none", Protocol::none),
                                    named("fema461", Protocol::fema461),
                                    named("iso16670", Protocol::iso16670)};
+constexpr std::array kScales = {named("given", false), named("one_way", true)};
 constexpr std::array kPatterns = {named("beam", dem::LoadPattern::beam),
                                   named("body", dem::LoadPattern::body)};
 constexpr std::array kPreloads = {named("solved", dem::Preload::solved),
@@ -66,6 +67,9 @@ constexpr Condition kAlone{
     "load.targets or load.amplitudes is given"};
 constexpr Condition kWithAmplitudes{[](const Study& s) { return !s.load.amplitudes.empty(); },
                                     "no load.amplitudes are given"};
+constexpr Condition kWithProtocol{
+    [](const Study& s) { return kAlone.holds(s) && s.load.protocol != Protocol::none; },
+    "no load.protocol is followed"};
 constexpr Condition kWithWeight{[](const Study& s) {
                                     return s.parameters.stone.density > 0.0 ||
                                            s.beam.material.density > 0.0;
@@ -116,6 +120,11 @@ constexpr std::array kKeys = {
         .meaning = "cycles as a standard has them, up to load.max_displacement: fema461 (ten"
                    " amplitudes of two cycles) or iso16670 (five of one cycle, five of three)",
         .field = kAt<&Study::load, &LoadInput::protocol>},
+    Key{.name = "load.protocol_scale", .kind = Kind::word, .names = kScales,
+        .effect = kWithProtocol,
+        .meaning = "largest amplitude of the protocol: load.max_displacement, or one_way: where the mean wall pushed one"
+                   " way so far reaches its ultimate displacement; of several stress levels the largest",
+        .field = kAt<&Study::load, &LoadInput::scale_one_way>},
     Key{.name = "load.stop_below", .range = {'[', 0, 1, ')'},
         .meaning = "ends the push once the force is below this share of the peak; 0: at zero force"
                    " with finite displacements, else never",

@@ -5,6 +5,7 @@
 #include "app/input/unit_cracks.hpp"
 #include "app/input/wall_geometry.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -189,6 +190,28 @@ constexpr Condition kUnitsCrush{
     [](const Study& s) { return s.parameters.unit.crushing.strength > 0.0; },
     "unit.compressive_strength is none"};
 
+constexpr Condition kDryJoints{[](const Study& s) { return !has_mortar(s); },
+                               "joints have mortar, whose law knows no wear; remove it", true};
+constexpr Condition kJointsWear{
+    [](const Study& s) { return s.parameters.joint.wear_length > 0.0; },
+    "joint.wear_length is none"};
+/// Of any joint that may wear; a draw may be above the residual angle where the mean is not.
+bool friction_can_fall(const Study& s)
+{
+    const Parameters& p = s.parameters;
+    const double left = p.joint.residual_friction_angle;
+    const bool drawn =
+        find_entry(s.source, "joint.residual_friction_angle") != nullptr &&
+        std::ranges::any_of(s.random, [](const RandomInput& r) {
+            return r.key == "joint.friction_angle" || r.key == "joint.residual_friction_angle";
+        });
+    return drawn || left < p.joint.friction_angle ||
+           (kWithBaseJoint.holds(s) && left < p.base_friction_angle) ||
+           (kWithBeam.holds(s) && kWithBeamJoint.holds(s) && left < p.beam_friction_angle);
+}
+constexpr Condition kFrictionFalls{
+    friction_can_fall, "no joint has a friction above joint.residual_friction_angle"};
+
 constexpr Condition kBondInTension{
     [](const Study& s) { return s.parameters.joint.tensile_strength > 0.0; },
     "joint.tensile_strength is 0"};
@@ -370,6 +393,18 @@ constexpr std::array kKeys = {
         .varies = Varies::by_joint,
         .meaning = "G_c from f_c to nothing; none: the strength stays",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::crushing, &dem::Crushing::energy>},
+
+    Key{.name = "joint.wear_length", .unit = "mm", .range = {'(', 0, 10000, ']'}, .names = kNone,
+        .used = kDryJoints, .effect = kFrictionFalls,
+        .varies = Varies::by_joint,
+        .meaning = "slip that leaves 1/e of the difference to the residual friction, at the base and at a beam on a joint too; none: joints do not wear",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::wear_length>},
+    Key{.name = "joint.residual_friction_angle", .unit = "deg", .range = kAngle,
+        .used = kDryJoints, .effect = kJointsWear,
+        .derived = {.rule = "friction_angle", .follow = [](Parameters& p, double) { p.joint.residual_friction_angle = p.joint.friction_angle; }},
+        .varies = Varies::by_joint,
+        .meaning = "of a worn joint, at most the initial one",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::residual_friction_angle>},
 
     Key{.name = "unit.cracks", .kind = Kind::text,
         .derived = {"mid, or none where wall.unit_cracks is no"},

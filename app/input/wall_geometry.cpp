@@ -251,6 +251,7 @@ dem::Layout layout_of(const Study& study)
     layout.course_height = study.wall.course_height; // h of Eq. 2
     layout.mortar = has_mortar(study);
     layout.crushing = has_crushing(study);
+    layout.wear = study.parameters.joint.wear_length > 0.0;
     return layout;
 }
 

@@ -39,14 +39,17 @@ std::string page_of(const bench::TwoStudies& both)
             "\nWhat a rocking block loses is friction: contact points that unload slip, and "
             "come into contact again at "
             "another place. A block whose toe is held hardly does; the solver takes next to "
-            "nothing.\n\n";
+            "nothing. Neither more contact points nor a slower drive takes that friction "
+            "away:\n\n" +
+            app::as_markdown(bench::rocking_loops()) + "\n";
     text += "## 2. Speed of the drive\n\n" + app::as_markdown(bench::loops_over_speed()) +
             "\nThe solver's damping is no property of the wall. Its share of small loops "
             "shrinks with the speed; of large "
             "ones it is what cracks and jumps leave to be damped.\n\n";
-    text += "## 3. Cost\n\n" + app::as_markdown(bench::protocol_cost()) +
-            "\nWhere a wall has been before, and not near a turn, the drive goes up to three "
-            "times as fast.\n\n";
+    text +=
+        "## 3. Cost\n\n" + app::as_markdown(bench::protocol_cost()) +
+        "\nWhere a wall has been before, and not near a turn, the drive goes up to three "
+        "times as fast; it brakes before turns, and goes slowly on ways of less than 6 mm.\n\n";
     text += "## 4. The paper's walls\n\n`configs/paper.ini`, " + n +
             " walls under each stress, with the default damping (`solver.damping = combined`) "
             "because the paper's drags, "

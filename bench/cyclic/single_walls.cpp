@@ -52,25 +52,29 @@ std::vector<double> there_and_back(const std::vector<double>& amplitudes_mm)
 
 app::Row slider_row()
 {
-    scenes::Scene s = scenes::monolith(1.0, 0.1, 0.5e6, 1e10);
+    constexpr double kHeight = 0.02; // [m]
+    scenes::Scene s = scenes::monolith(1.0, kHeight, 0.5e6, 1e10);
     s.wall.toe = dem::Toe::free;
+    s.loads.height = kHeight;
     s.stone.young_modulus = s.beam.material.young_modulus = 1e15;
     const dem::Model m = scenes::model_of(s);
     dem::WallMaterials w = scenes::uniform(s, m);
     w.base_joint.tan_phi = 0.1;
     const double t = s.wall.thickness, d = 5e-3;
-    const double force = 0.1 * (0.5e6 + s.stone.density * 9.81 * 0.1) * t;
-    const double elastic = force / (0.5 * s.joint.ks * t); // base and beam joint in series
-    const Loops l = loops_of(m, w, there_and_back({5, 5}));
+    const double force = 0.1 * (0.5e6 + s.stone.density * 9.81 * kHeight) * t;
+    // Base and beam joint in series, and the turn of the block on its base.
+    const double elastic =
+        force * (2.0 / (s.joint.ks * t) + 12.0 * kHeight * kHeight / (s.joint.kn * t));
+    const Loops l = loops_of(m, w, there_and_back({5, 5, 5}));
     const double whole = 4.0 * force * d;
     const double damping = fragility::equivalent_damping(l.cycles.at(1)).value_or(0.0);
     return {std::string("slides, friction angle 5.7 degrees"),
-            app::plain_number(100.0 * l.cycles.at(1).energy / whole, 2),
-            app::plain_number(100.0 * (1.0 - elastic / d), 2),
-            app::plain_number(100.0 * l.lost(1, &dem::Energy::friction) / whole, 2),
+            app::plain_number(100.0 * l.cycles.at(1).energy / whole, 4),
+            app::plain_number(100.0 * (1.0 - elastic / d), 4),
+            app::plain_number(100.0 * l.lost(1, &dem::Energy::friction) / whole, 4),
             app::plain_number(100.0 * l.lost(1, &dem::Energy::damping) / whole, 4),
-            app::plain_number(100.0 * damping, 2),
-            app::plain_number(200.0 / std::numbers::pi * (1.0 - elastic / d), 2)};
+            app::plain_number(100.0 * damping, 3),
+            app::plain_number(200.0 / std::numbers::pi * (1.0 - elastic / d), 3)};
 }
 
 app::Row rocker_row(double length, dem::Toe toe)
@@ -104,6 +108,42 @@ app::Table block_loops()
               "solver [%]", "damping [%]", "exact damping [%]"};
     t.rows = {slider_row(), rocker_row(1.0, dem::Toe::held), rocker_row(1.0, dem::Toe::free),
               rocker_row(0.5, dem::Toe::held), rocker_row(0.5, dem::Toe::free)};
+    return t;
+}
+
+app::Table rocking_loops()
+{
+    app::Table t;
+    t.caption =
+        "The block of 1 m x 1 m with a free toe, second cycle of 10 mm, in percent of 4 F d: "
+        "contact points on its faces, speed of the drive (steps/mm), modes of the block.";
+    t.head = {"points",     "steps per mm",       "modes",
+              "energy [%]", "of it friction [%]", "solver [%]"};
+    struct Case {
+        int points, modes;
+        double speed;
+    };
+    const dem::Discretisation usual;
+    for (const Case& c :
+         {Case{usual.contact_points, usual.block_modes, 1000}, Case{9, usual.block_modes, 1000},
+          Case{17, usual.block_modes, 1000}, Case{33, usual.block_modes, 1000},
+          Case{33, 3, 1000}, Case{usual.contact_points, usual.block_modes, 4000}}) {
+        scenes::Scene s = scenes::monolith(1.0, 1.0, 0.5e6, 8.08e9);
+        s.wall.toe = dem::Toe::free;
+        dem::Discretisation d;
+        d.contact_points = c.points;
+        d.block_modes = c.modes;
+        const dem::Model m = scenes::model_of(s, d);
+        dem::SolverOptions o;
+        o.steps_per_mm = c.speed;
+        const Loops l = loops_of(m, scenes::uniform(s, m), there_and_back({10, 10}), o);
+        const double whole = 4.0 * l.cycles.at(1).force_plus * 10e-3;
+        t.rows.push_back(
+            {app::count(c.points), app::count(c.speed), app::count(c.modes),
+             app::plain_number(100.0 * l.cycles.at(1).energy / whole, 2),
+             app::plain_number(100.0 * l.lost(1, &dem::Energy::friction) / whole, 2),
+             app::plain_number(100.0 * l.lost(1, &dem::Energy::damping) / whole, 4)});
+    }
     return t;
 }
 

@@ -8,6 +8,9 @@ namespace bench {
 /// A block that slides and blocks that rock, beside their closed forms.
 [[nodiscard]] app::Table block_loops();
 
+/// What a block that rocks with a free toe loses, for several contact points, modes and speeds.
+[[nodiscard]] app::Table rocking_loops();
+
 /// Energy of each cycle of the paper's wall at 0.50 MPa for several speeds of the drive.
 [[nodiscard]] app::Table loops_over_speed();
 

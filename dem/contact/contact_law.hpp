@@ -51,6 +51,7 @@ template <class Real> struct DryUpdate {
     DryState<Real> state;
     Real sigma;
     Real friction; ///< [J/m2]
+    Real slip;     ///< plastic [m]
 };
 
 /// Dry joint: no tension, Coulomb friction.
@@ -64,7 +65,7 @@ template <class Real>
     const Real limit = -(sigma * law.tan_phi);
     const Real tau = max(-limit, min(limit, multiply_add(law.ks, du_s, s.tau)));
     const Real slip = du_s - (tau - s.tau) * law.inv_ks; // plastic part
-    return {{u_n, tau}, sigma, Real(0.5) * (s.tau + tau) * slip};
+    return {{u_n, tau}, sigma, Real(0.5) * (s.tau + tau) * slip, slip};
 }
 
 /// Stands for 1/(u_ul - u_el) of a contact that snaps back: any opening beyond u_el is full damage.

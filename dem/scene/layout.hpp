@@ -66,6 +66,7 @@ struct Layout {
     bool mortar =
         false; ///< joints between units follow the law of cracks, with their own materials
     bool crushing = false;       ///< joints and cracks may crush, as their materials say
+    bool wear = false;           ///< dry joints may wear, as their materials say
     std::vector<Elastic> stones; ///< of blocks that are not of the wall's stone
     bool divided = false;        ///< joints may fall into several faces, along pieces of units
     /// By crack ID: k_n over Young's modulus of the stone [1/m]; 0: as the paper, by the joints' k_n. Or empty: all 0.

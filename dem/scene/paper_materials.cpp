@@ -15,6 +15,16 @@ double shear_stiffness(double kn, double poisson_ratio)
     return kn / (2.0 * (1.0 + poisson_ratio));
 }
 
+namespace {
+
+Wear wear_of(const JointParameters& j, double friction_angle)
+{
+    if (j.wear_length == 0.0) return {};
+    return {std::tan(std::min(j.residual_friction_angle, friction_angle)), j.wear_length};
+}
+
+} // namespace
+
 JointMaterial joint_material(const JointParameters& j)
 {
     return {j.stiffness_factor * j.kn,
@@ -23,7 +33,8 @@ JointMaterial joint_material(const JointParameters& j)
             j.tensile_strength,
             j.cohesion,
             j.fracture_energy,
-            j.crushing};
+            j.crushing,
+            wear_of(j, j.friction_angle)};
 }
 
 namespace {
@@ -72,9 +83,11 @@ WallMaterials wall_materials(const PaperMaterials& p, const Layout& layout)
     w.base_joint = {.kn = p.joint.kn,
                     .ks = p.joint.ks,
                     .tan_phi = std::tan(p.base_friction_angle),
-                    .crushing = p.joint.crushing};
+                    .crushing = p.joint.crushing,
+                    .wear = wear_of(p.joint, p.base_friction_angle)};
     w.beam_joint = w.base_joint;
     w.beam_joint.tan_phi = std::tan(p.beam_friction_angle);
+    w.beam_joint.wear = wear_of(p.joint, p.beam_friction_angle);
     return w;
 }
 

@@ -18,14 +18,16 @@ namespace dem {
 
 /// The joints between units.
 struct JointParameters {
-    double kn = 0.0;               ///< normal stiffness, before the factor [Pa/m], > 0
-    double ks = 0.0;               ///< shear stiffness, before the factor [Pa/m], > 0
-    double stiffness_factor = 1.0; ///< on both stiffnesses [-], > 0
-    double friction_angle = 0.0;   ///< [rad], in [0, pi/2)
-    double tensile_strength = 0.0; ///< of mortar [Pa], >= 0
-    double cohesion = 0.0;         ///< of mortar [Pa], >= 0
-    double fracture_energy = 0.0;  ///< of mortar, mode I [J/m2], >= 0
-    Crushing crushing{};           ///< of the faces, at the base and at the beam too
+    double kn = 0.0;                      ///< normal stiffness, before the factor [Pa/m], > 0
+    double ks = 0.0;                      ///< shear stiffness, before the factor [Pa/m], > 0
+    double stiffness_factor = 1.0;        ///< on both stiffnesses [-], > 0
+    double friction_angle = 0.0;          ///< [rad], in [0, pi/2)
+    double tensile_strength = 0.0;        ///< of mortar [Pa], >= 0
+    double cohesion = 0.0;                ///< of mortar [Pa], >= 0
+    double fracture_energy = 0.0;         ///< of mortar, mode I [J/m2], >= 0
+    Crushing crushing{};                  ///< of the faces, at the base and at the beam too
+    double residual_friction_angle = 0.0; ///< of worn joints [rad]; used with a wear length
+    double wear_length = 0.0;             ///< [m], >= 0; 0: no wear
 };
 
 /// What becomes of a crack that snaps back, f_T > sqrt(2 G k_n), whose softening would end before it
@@ -59,6 +61,7 @@ struct PaperMaterials {
     double beam_friction_angle = 0.0; ///< [rad], used with BeamInterface::joint
 };
 
+/// A residual friction angle above the initial one counts as that.
 [[nodiscard]] JointMaterial joint_material(const JointParameters& joint);
 
 /// A residual cohesion or friction angle above the initial one, where random draws make it so, counts

@@ -90,6 +90,12 @@ struct Crushing {
     double energy = 0.0;   ///< G_c [J/m2], >= 0; 0: keeps its strength
 };
 
+/// Of a dry joint that slips; only where Layout::wear says so.
+struct Wear {
+    double tan_phi_res = 0.0; ///< friction coefficient that is left [-], in [0, tan_phi]
+    double length = 0.0;      ///< slip that leaves 1/e of the asperities [m], >= 0; 0: no wear
+};
+
 /// A joint: no tension, Coulomb friction, no dilatancy. Mortar bonds it besides, until it is damaged as a crack is; only
 /// where Layout::mortar says so.
 struct JointMaterial {
@@ -100,6 +106,7 @@ struct JointMaterial {
     double cohesion = 0.0;        ///< of the bond; nothing is left once it is broken [Pa], >= 0
     double fracture_energy = 0.0; ///< of the bond, mode I [J/m2], >= 0
     Crushing crushing{};
+    Wear wear{};
 };
 
 /// A potential crack through a unit (paper, Table 4).

@@ -40,10 +40,18 @@ class Drive {
     [[nodiscard]] double left() const { return turns_[turn_] - travelled_; }
     /// Whether the last step arrived where the drive turns back.
     [[nodiscard]] bool turned() const { return turned_; }
+    /// Whether the last step of a push that turns back arrived at zero displacement, which it never steps across.
+    [[nodiscard]] bool passed_zero() const { return passed_zero_; }
+    /// Of the way to the next turn, to the end or to zero displacement [m].
+    [[nodiscard]] double left_to_mark() const;
     [[nodiscard]] double done() const; ///< share of the whole path travelled [-]
 
   private:
     static constexpr int kLookEvery = 50;
+    [[nodiscard]] bool turns_back() const { return turns_.size() > 1; }
+    [[nodiscard]] bool towards_zero() const;
+    void land_on_zero();
+    [[nodiscard]] double fastest(double to_target) const;
     [[nodiscard]] long long ramp_steps() const
     {
         return options_.preload == Preload::solved ? 0 : options_.preload_steps / 4;
@@ -55,7 +63,7 @@ class Drive {
     double path_ = 0.0;         ///< [m]
     std::vector<double> turns_; ///< travelled way at each turn, and at the end [m]
     std::size_t turn_ = 0;      ///< the next of them
-    bool turned_ = false;
+    bool turned_ = false, passed_zero_ = false;
     bool settling_ = true;
     bool settled_ = false;
     long long step_ = 0;
@@ -64,7 +72,8 @@ class Drive {
     double travelled_ = 0.0;
     double farthest_right_ = 0.0, farthest_left_ = 0.0; ///< so far [m], >= 0 and <= 0
     double speed_ = 0.0;                                ///< now [m/step]
-    double unbalance_ = 0.0;                            ///< smoothed
+    double landing_ = 0.0;   ///< speed at which it lands on zero; 0: not yet [m/step]
+    double unbalance_ = 0.0; ///< smoothed
 };
 
 } // namespace dem

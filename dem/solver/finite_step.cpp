@@ -138,6 +138,7 @@ template <class Real>
 void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState<Real>& s)
 {
     const DryLaw<Real> law = s.laws.dry[run.law];
+    const bool wears = !s.roughness.empty();
     PairStep<Real> step(t.finite, pair, s);
     Real friction(0.0), stored(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
@@ -146,7 +147,11 @@ void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState
             du_n =
                 crush(s.laws.dry_crushing[run.law], k, du_n, step.share * Real(t.area[k]), s);
         const Real du_s = step.tangential(take(s.du[2 * k + 1]));
-        const DryUpdate<Real> u = advance(law, {s.u_n[k], s.stress[2 * k + 1]}, du_n, du_s);
+        const DryUpdate<Real> u = advance(wears ? worn_law(s, run.law, k) : law,
+                                          {s.u_n[k], s.stress[2 * k + 1]}, du_n, du_s);
+        if (wears)
+            s.roughness[k] =
+                roughness_after(s.laws.dry_wear[run.law], s.roughness[k], u.slip, u.sigma);
         set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
         friction = multiply_add(Real(t.area[k]), u.friction, friction);
         stored = multiply_add(Real(t.area[k]),
@@ -226,7 +231,7 @@ void advance_cracks(const StepTables& t, bool shortcuts, int pair, WallState<Rea
 }
 
 /// A block and one onto which it slides. Both are felt as rigid: the elastic modes know the contacts of
-/// the undeformed wall.
+/// the undeformed wall. It brings its worn face along.
 /// @param active walls whose blocks have come that far
 template <class Real, class Mask>
 void advance_further(const StepTables& t, const ContactRun& run, int row, Mask active,
@@ -245,7 +250,8 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
         const Real place(t.finite.place[run.first + i]), area(t.area[run.first + i]);
         const Real u_n = multiply_add(place, o.widening, o.gap);
         const DryUpdate<Real> u =
-            advance(law, {Real(0.0), s.finite.further_tau[at]}, u_n, slip);
+            advance(s.roughness.empty() ? law : worn_law(s, run.law, run.first + i),
+                    {Real(0.0), s.finite.further_tau[at]}, u_n, slip);
         s.finite.further_u_n[at] = u_n;
         s.finite.further_tau[at] = select(share > Real(0.0), u.state.tau, Real(0.0));
         friction = multiply_add(area, u.friction, friction);

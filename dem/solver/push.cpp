@@ -27,6 +27,19 @@ void check_joint(const std::string& name, const JointMaterial& j)
             name + ": strengths and fracture energy must not be negative");
 }
 
+void check_wear(const Model& m, const std::string& name, const JointMaterial& j)
+{
+    const Wear& w = j.wear;
+    require(w.length >= 0, name + ": the wear length must not be negative");
+    if (w.length == 0.0) return;
+    require(w.tan_phi_res >= 0 && w.tan_phi_res <= j.tan_phi,
+            name +
+                ": the friction coefficient of the worn joint must lie between 0 and that of "
+                "the new one");
+    require(m.layout.wear && !m.layout.mortar,
+            name + ": wear needs a layout with wear and without mortar");
+}
+
 void check_crushing(const Model& m, const std::string& name, const Crushing& c)
 {
     require(c.strength >= 0 && c.energy >= 0,
@@ -85,6 +98,10 @@ void check(const Model& m, const WallMaterials& w)
         check_crushing(m, numbered("joint", i), w.joints[i].crushing);
     for (std::size_t i = 0; i < w.cracks.size(); ++i)
         check_crushing(m, numbered("crack", i), w.cracks[i].crushing);
+    for (std::size_t i = 0; i < w.joints.size(); ++i)
+        check_wear(m, numbered("joint", i), w.joints[i]);
+    check_wear(m, "base joint", w.base_joint);
+    check_wear(m, "beam joint", w.beam_joint);
     check_joint("beam joint", w.beam_joint);
     if (std::ranges::any_of(m.layout.faces, [](const Face& f) { return f.a == kGround; }))
         check_joint("base joint", w.base_joint);

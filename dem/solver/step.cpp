@@ -52,7 +52,8 @@ template <class Real> struct Relative {
     }
 };
 
-template <bool kCrushes, class Real> void advance_dry(const StepTables& t, WallState<Real>& s)
+template <bool kCrushes, bool kWears, class Real>
+void advance_dry(const StepTables& t, WallState<Real>& s)
 {
     Real friction = s.friction;
     for (const ContactRun& run : t.dry) {
@@ -63,12 +64,24 @@ template <bool kCrushes, class Real> void advance_dry(const StepTables& t, WallS
                 du.normal =
                     crush(s.laws.dry_crushing[run.law], k, du.normal, Real(t.area[k]), s);
             const DryState<Real> before{s.u_n[k], s.stress[2 * k + 1]};
-            const DryUpdate<Real> u = advance(law, before, du.normal, du.tangential);
+            const DryUpdate<Real> u = advance(kWears ? worn_law(s, run.law, k) : law, before,
+                                              du.normal, du.tangential);
+            if constexpr (kWears)
+                s.roughness[k] =
+                    roughness_after(s.laws.dry_wear[run.law], s.roughness[k], u.slip, u.sigma);
             set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
             friction = multiply_add(Real(t.area[k]), u.friction, friction);
         }
     }
     s.friction = friction;
+}
+
+template <bool kCrushes, class Real> void advance_dry(const StepTables& t, WallState<Real>& s)
+{
+    if (s.roughness.empty())
+        advance_dry<kCrushes, false>(t, s);
+    else
+        advance_dry<kCrushes, true>(t, s);
 }
 
 template <class Real> void advance_tied(const StepTables& t, WallState<Real>& s)

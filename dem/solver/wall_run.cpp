@@ -239,11 +239,13 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     recorder_.add(step_drive_, force_before_, top, base);
     const double missing = top + dem::lane(state.load_x, lane) - base;
     if (unbalance_scale_ > 0.0) drive_.feel(std::abs(missing) / unbalance_scale_);
-    const bool room_for_another = drive_.left() > 0.5 * task_->plan.record_every;
-    const bool wanted =
-        drive_.finished() || drive_.turned() || (recorder_.due() && room_for_another);
+    const bool room_for_another = drive_.left_to_mark() > 0.5 * task_->plan.record_every;
+    const bool wanted = drive_.finished() || drive_.turned() || drive_.passed_zero() ||
+                        (recorder_.due() && room_for_another);
     if (wanted && recorder_.any()) take_point(state, lane);
-    if (drive_.turned()) take_turn(state, lane);
+    if (!drive_.turned()) return;
+    take_turn(state, lane);
+    recorder_.begin_way();
 }
 
 /// Whether the run can go on. The energy is looked at first, because a wall that too large a step has torn

@@ -83,6 +83,13 @@ void set_law(int i, double kn, const Crushing& crushing, CrushingLaw<Real>& law)
     set_lane(law.flow, i, one.flow);
 }
 
+template <class Real> void set_law(int i, const JointMaterial& j, WearLaw<Real>& law)
+{
+    const bool wears = j.wear.length > 0.0;
+    set_lane(law.drop, i, wears ? j.tan_phi - j.wear.tan_phi_res : 0.0);
+    set_lane(law.inv_length, i, wears ? 1.0 / j.wear.length : 0.0);
+}
+
 /// By joint ID, then base and beam; by crack ID, then joints with mortar.
 template <class Real>
 void set_crushing(const Model& m, const WallMaterials& w, int lane, LaneLaws<Real>& laws)
@@ -97,6 +104,16 @@ void set_crushing(const Model& m, const WallMaterials& w, int lane, LaneLaws<Rea
     if (m.layout.mortar)
         for (int j = 0; j < m.layout.n_joints; ++j)
             set(w.joints[j], laws.crack_crushing[m.layout.n_cracks + j]);
+}
+
+/// By joint ID, then base and beam.
+template <class Real>
+void set_wear(const Model& m, const WallMaterials& w, int lane,
+              std::vector<WearLaw<Real>>& laws)
+{
+    for (int j = 0; j < m.layout.n_joints; ++j) set_law(lane, w.joints[j], laws[j]);
+    set_law(lane, w.base_joint, laws[m.layout.n_joints]);
+    set_law(lane, w.beam_joint, laws[m.layout.n_joints + 1]);
 }
 
 /// Loads, elasticity and fictitious masses of one lane.
@@ -152,6 +169,7 @@ template <class Real> void clear_lane(const StepTables& t, int lane, WallState<R
 {
     for (auto* values : {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n, &s.crushed})
         for (Real& x : *values) set_lane(x, lane, 0.0);
+    for (Real& r : s.roughness) set_lane(r, lane, 1.0);
     for (Real* x : {&s.work, &s.friction, &s.fracture, &s.crushing, &s.damping, &s.top_force,
                     &s.base_shear, &s.load_x, &s.body_factor})
         set_lane(*x, lane, 0.0);
@@ -173,6 +191,7 @@ void load_lane(const Model& m, const StepTables& t, const WallMaterials& w,
         for (int j = 0; j < m.layout.n_joints; ++j)
             set_law(lane, bond_of(w.joints[j]), s.laws.cracks[m.layout.n_cracks + j]);
     if (m.layout.crushing) set_crushing(m, w, lane, s.laws);
+    if (m.layout.wear) set_wear(m, w, lane, s.laws.dry_wear);
     for (const ContactRun& run : t.cracks) {
         const CrackLaw<Real>& law = s.laws.cracks[run.law];
         const CrackState<Real> fresh = s.laws.unloading == Unloading::secant
@@ -215,6 +234,10 @@ WallState<Real> empty_lanes(const Model& m, const StepTables& t, Kinematics kine
         s.crushed.assign(t.n_contacts, Real(0.0));
         s.laws.dry_crushing.resize(s.laws.dry.size());
         s.laws.crack_crushing.resize(s.laws.cracks.size());
+    }
+    if (m.layout.wear) {
+        s.roughness.assign(m.dry.size(), Real(1.0));
+        s.laws.dry_wear.resize(s.laws.dry.size());
     }
     if (kinematics == Kinematics::finite)
         s.finite = undeformed<Real>(t.finite, m.n_modes, t.n_contacts);

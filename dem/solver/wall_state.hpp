@@ -3,6 +3,7 @@
 
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/crushing.hpp"
+#include "dem/contact/wear.hpp"
 #include "dem/scene/wall.hpp"
 #include "dem/solver/energy.hpp"
 #include "dem/solver/finite_state.hpp"
@@ -28,6 +29,7 @@ template <class Real> struct LaneLaws {
     std::vector<CrackLaw<Real>> cracks; ///< by crack ID - 1
     std::vector<CrushingLaw<Real>> dry_crushing,
         crack_crushing;                      ///< as dry and cracks; or empty
+    std::vector<WearLaw<Real>> dry_wear;     ///< as dry; or empty
     Unloading unloading = Unloading::secant; ///< of the cracks of all lanes
 };
 
@@ -46,6 +48,8 @@ template <class Real> struct WallState {
     };
     std::vector<Memory> cracks; ///< by crack contact
     std::vector<Real> crushed;  ///< by contact: thickness [m]; empty where nothing can crush
+    std::vector<Real>
+        roughness; ///< by dry contact: asperities left, 1 to 0; empty where nothing can wear
     Real work{0.0}, friction{0.0}, fracture{0.0}, crushing{0.0},
         damping{0.0};      ///< energy so far [J]
     Real top_force{0.0};   ///< of the drive on the beam [N]
@@ -106,6 +110,15 @@ template <class Real>
     s.crushing = multiply_add(area, select(by > Real(0.0), mean * by, Real(0.0)), s.crushing);
     s.crushed[k] += by;
     return du_n + by;
+}
+
+/// Law of a dry contact as worn as it is.
+template <class Real>
+[[nodiscard]] DryLaw<Real> worn_law(const WallState<Real>& s, int law, int k)
+{
+    DryLaw<Real> worn = s.laws.dry[law];
+    worn.tan_phi = worn_tan_phi(s.laws.dry_wear[law], worn.tan_phi, s.roughness[k]);
+    return worn;
 }
 
 /// State of one crack contact. @param contact its number, from StepTables::first_crack on

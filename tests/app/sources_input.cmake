@@ -8,6 +8,7 @@ set(TEST_APP_INPUT_SOURCES
     app/test_distribution_text.cpp
     app/test_docs.cpp
     app/test_needed_cracks.cpp
+    app/test_protocol_scale.cpp
     app/test_study.cpp
     app/test_study_file.cpp
     app/test_study_keys.cpp

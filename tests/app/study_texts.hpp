@@ -84,6 +84,7 @@ max_displacement = 2 cm
 targets = 5, -5, 10, -10 mm
 repeats = 1
 protocol = none
+protocol_scale = given
 stop_below = 0
 pattern = beam
 top = link

@@ -51,6 +51,35 @@ TEST_CASE("cyclic protocol: each cycle goes right and left, the push ends at zer
     CHECK(stages_of(Protocol::none, 0.03).empty());
 }
 
+TEST_CASE("cycles.csv: every column in its unit and place", "[app][cyclic]")
+{
+    fragility::Cycle a;
+    a.end = 1;
+    a.closed = true;
+    a.displacement_plus = 4e-3;
+    a.displacement_minus = -2e-3;
+    a.force_plus = 9e3;
+    a.force_minus = -8e3;
+    a.force_at_plus = 6e3;
+    a.force_at_minus = -3e3;
+    a.energy = 3.0;
+    a.residual_plus = 1e-3;
+    a.residual_minus = -0.5e-3;
+    fragility::Cycle b = a;
+    b.begin = 1;
+    b.end = 2;
+    b.force_at_plus = 3e3;
+    b.force_at_minus = -1.5e3;
+    std::vector<dem::Energy> ledger(3);
+    ledger[1] = {.friction = 2.0, .fracture = 0.5, .crushing = 0.25, .damping = 0.125};
+    ledger[2] = {.friction = 5.0, .fracture = 1.5, .crushing = 1.25, .damping = 1.125};
+    const std::string table = cycles_csv({a, b}, ledger);
+    // Amplitude 3 mm; damping 3 J / (pi (6 kN 4 mm + 3 kN 2 mm)) = 3.18 %; stiffness 9 kN / 6 mm, then half of it.
+    CHECK(table.find("\n1,3,9,-8,3,3.18309886,1,-0.5,1.5,1,0.75,0.25,4,-2,1,2,0.5,0.25,0.125\n"
+                     "2,3,9,-8,3,6.36619772,1,-0.5,0.75,0.5,0.75,0.25,4,-2,1,3,1,1,1\n") !=
+          std::string::npos);
+}
+
 TEST_CASE("cycles.csv: a value that a cycle does not have is an empty cell", "[app][cyclic]")
 {
     const std::vector<double> x{0, 0.002, 0, -0.002, 0, 0.004},

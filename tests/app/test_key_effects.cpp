@@ -119,6 +119,16 @@ const std::string kCrushing = [] {
     return text;
 }();
 
+/// Joints that wear.
+const std::string kWear = [] {
+    std::string text = kAll;
+    text.insert(text.find("[joint]\n") + 8,
+                "wear_length = 0.05 mm\nresidual_friction_angle = 5 deg\n");
+    const std::string_view friction = "friction_angle = normal(mean 40 deg, cov 0.10)";
+    text.replace(text.find(friction), friction.size(), "friction_angle = 12 deg");
+    return text;
+}();
+
 /// Rigid blocks on a clamped base, no cracks, no distribution, one stress level.
 const std::string kLeast = kWall + R"(unit_cracks = no
 [stone]
@@ -205,6 +215,7 @@ const std::map<std::string_view, std::string> kOthers = {
     {"joint.normal_stiffness", "7 GPa/m"},
     {"joint.shear_stiffness", "2 GPa/m"},
     {"unit.residual_friction_angle", "20 deg"},
+    {"joint.residual_friction_angle", "4 deg"},
     {"load.vertical_stress", "0.6 MPa"},
     {"load.height", "0.35 m"},
     {"load.targets", "1 mm"},
@@ -282,7 +293,7 @@ TEST_CASE("key effects: every key that is read changes the push, or is named as 
 {
     std::set<std::string_view> effective;
     for (const std::string& text :
-         {kAll, kCorrelated, kMortar, kDrawn, kCells, kCrushing, kRubble, kLeast})
+         {kAll, kCorrelated, kMortar, kDrawn, kCells, kCrushing, kWear, kRubble, kLeast})
         effective.merge(sweep(text));
     for (const std::string_view limit : kLimits) {
         INFO(limit);

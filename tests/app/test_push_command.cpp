@@ -161,6 +161,7 @@ TEST_CASE("push command: a push that turns back has cycles, and limit states by 
     const scenes::TemporaryFolder folder;
     std::vector<std::string> overrides = kCoarse;
     overrides[3] = "load.amplitudes=1, 2 mm";
+    overrides[4] = "output.snapshot_every=0.5 mm";
     REQUIRE(push("wall.ini", folder.path / "out", overrides).code == 0);
     const nlohmann::json s = summary(folder.path / "out");
     CHECK(s["read_on"] == "mean");
@@ -176,6 +177,15 @@ TEST_CASE("push command: a push that turns back has cycles, and limit states by 
     CHECK(std::ranges::count(cycles, '\n') == 3);
     CHECK(cycles.find("\n2,2,") != std::string::npos); // its amplitude is that of the protocol
     CHECK(backbones.find("\nleft,2,") != std::string::npos);
+    // The series for ParaView goes through the cycles: a way of 12 mm.
+    const std::string series = read_text(folder.path / "out" / "series" / "wall.pvd");
+    std::size_t files = 0;
+    for (std::size_t at = 0; (at = series.find("<DataSet", at)) != std::string::npos; ++at)
+        ++files;
+    CHECK(files >= 24);
+    const std::string_view last = "timestep=\"";
+    CHECK(std::stod(series.substr(series.rfind(last) + last.size())) ==
+          Approx(12.0).epsilon(0.1));
 }
 
 TEST_CASE(

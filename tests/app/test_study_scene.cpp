@@ -207,6 +207,10 @@ TEST_CASE("study: stop_below ends a push to and fro once a whole cycle is weak o
                                {0.0, 0.0},
                                {-1.0, -6.0},
                                {0.0, 0.0},
+                               {1.0, 6.0},
+                               {0.0, 0.0},
+                               {-1.0, -4.0},
+                               {0.0, 0.0},
                                {1.0, 4.0},
                                {0.1, -3.0}, // unloaded before it is back, and weak
                                {-0.01, -3.0},

@@ -36,5 +36,6 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_step_tables.cpp
     dem/test_paper_materials.cpp
     dem/test_wall_run.cpp
+    dem/test_wear.cpp
     dem/test_zones.cpp
     scenes/snapshot_scenes.cpp)

@@ -151,17 +151,20 @@ TEST_CASE(
     "drive: goes faster where it has been before, slowly again before a turn and new ground",
     "[dem][drive]")
 {
-    Drive d = settled({0.02, -0.03, 0.0}, options());
-    const double full = full_speed(options());
-    double fastest = 0.0;
+    const std::vector<double> at = {0.0, 0.02, -0.03, 0.015, 0.0};
+    Drive d = settled({at.begin() + 1, at.end()}, options(30000));
+    const double full = full_speed(options(30000));
+    double fastest = 0.0, right = 0.0, left = 0.0;
+    std::size_t way = 0;
     while (!d.finished()) {
         const double before = d.position(), step = std::abs(d.advance());
-        const double turn = std::min(std::abs(before - 0.02), std::abs(before + 0.03));
-        CHECK(step <= full * (1 + 2.0 * turn / 6e-3) * (1 + 1e-10));
-        const bool first_time = !d.turned() && fastest == 0.0 && before >= 0.0; // to the right
-        if (first_time || (before < 0.0 && d.position() < before))
-            CHECK(step <= full * (1 + 1e-10)); // new ground
-        if (!first_time) fastest = std::max(fastest, step);
+        const double to_turn = std::abs(before - at[way + 1]);
+        CHECK(step <= full * (1 + 2.0 * to_turn / 6e-3) * (1 + 1e-10));
+        if (before >= right || before <= left) CHECK(step <= full * (1 + 1e-10)); // new ground
+        right = std::max(right, before);
+        left = std::min(left, before);
+        way += d.turned() ? 1 : 0;
+        fastest = std::max(fastest, step);
     }
     CHECK(fastest == Approx(3.0 * full).epsilon(1e-6));
 }
@@ -181,6 +184,69 @@ TEST_CASE("drive: tells where it turns and how far it is to the next turn", "[de
     }
     CHECK(turns == std::vector<double>{0.02, -0.02});
     CHECK(d.left() == Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("drive: brakes before each turn as softly as it starts, but not at the end of a push "
+          "one way",
+          "[dem][drive]")
+{
+    const dem::SolverOptions o = options(30000);
+    const double full = full_speed(o);
+    Drive d = settled({0.01, -0.01, 0.005}, o);
+    double before = 0.0;
+    int turns = 0;
+    while (!d.finished()) {
+        const double step = std::abs(d.advance());
+        if (d.turned()) {
+            ++turns;
+            CHECK(step < 2.0 * full / 500);
+            before = 0.0;
+            continue;
+        }
+        CHECK(before - step <= 2.0 * full / 500 + 0.04 * before); // lands on zero
+        before = step;
+    }
+    CHECK(turns == 2);
+    Drive one_way = settled({0.01}, o);
+    const std::vector<double> steps = steps_of(one_way);
+    CHECK(steps[steps.size() - 2] == Approx(full).epsilon(1e-9));
+}
+
+TEST_CASE("drive: goes slowly on the short ways of small cycles", "[dem][drive]")
+{
+    const double a = GENERATE(0.1e-3, 1e-3, 2e-3, 4e-3), way = 2.0 * a;
+    const dem::SolverOptions o = options(300000);
+    Drive d = settled({a, -a, a, -a, 0.0}, o);
+    double fastest = 0.0;
+    bool between = false;
+    while (!d.finished()) {
+        const double step = std::abs(d.advance());
+        between = between || d.turned();
+        if (between) fastest = std::max(fastest, step);
+    }
+    const double slower = std::clamp(way / 6e-3, 0.1, 1.0);
+    CHECK(fastest <= full_speed(o) * slower * (1 + 2.0 * way / 6e-3) * (1 + 1e-6));
+    CHECK(fastest > 0.8 * full_speed(o) * slower);
+}
+
+TEST_CASE("drive: a push that turns back steps on zero, and no step there is short",
+          "[dem][drive]")
+{
+    Drive d = settled({0.0101, -0.00703, 0.013, -0.002}, options(GENERATE(4000, 30001)));
+    double before = 0.0;
+    int passed = 0;
+    while (!d.finished()) {
+        const double at = d.position(), step = d.advance();
+        CHECK(at * d.position() >= 0.0);
+        CHECK(d.passed_zero() == (at != 0.0 && d.position() == 0.0));
+        if (d.passed_zero()) {
+            ++passed;
+            CHECK(step == Approx(before).epsilon(0.02));
+        }
+        CHECK(d.left_to_mark() <= d.left());
+        before = step;
+    }
+    CHECK(passed == 3);
 }
 
 TEST_CASE("drive: starts softly, and again after each turn", "[dem][drive]")

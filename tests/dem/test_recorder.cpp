@@ -26,6 +26,22 @@ TEST_CASE("recorder: a point is due once the way since the last one is long enou
     CHECK(r.due());
 }
 
+TEST_CASE("recorder: after a turn points are closer as far as two of the usual ones reach",
+          "[dem][recorder]")
+{
+    Recorder r(1.0);
+    r.begin_way();
+    double way = 0.0;
+    int points = 0;
+    for (; way < 4.0 - 1e-9; way += 1.0 / 64.0) {
+        r.add(1.0 / 64.0, 1, 1, 1);
+        if (!r.due()) continue;
+        (void)r.take(way, {});
+        ++points;
+    }
+    CHECK(points == 2 * 16 + 2);
+}
+
 TEST_CASE("recorder: forces of a point are means over the way, not over the steps",
           "[dem][recorder]")
 {

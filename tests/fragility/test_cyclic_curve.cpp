@@ -80,6 +80,19 @@ TEST_CASE("cyclic curve: what goes back the way it came has no energy and no res
     CHECK(c[0].force_minus == -5.0);
 }
 
+TEST_CASE(
+    "cyclic curve: damping and stiffness are those of the extremes, not of the peak forces",
+    "[fragility][cyclic]")
+{
+    const auto c = cycles(OwnedPath{{0, 1, 2, 0, -1, -2, 0}, {0, 5, 3, 0, -5, -3, 0}});
+    REQUIRE(c.size() == 1);
+    CHECK(c[0].energy == near(2.0 * (2.5 + 4.0 - 3.0)));
+    CHECK(c[0].force_plus == 5.0);
+    CHECK(c[0].force_minus == -5.0);
+    CHECK(secant_stiffness(c[0]).value() == near(1.5));
+    CHECK(equivalent_damping(c[0]).value() == near(7.0 / (2.0 * std::numbers::pi * 3.0 * 2.0)));
+}
+
 TEST_CASE("cyclic curve: cycles are parted where the path comes back to zero",
           "[fragility][cyclic]")
 {
@@ -101,6 +114,15 @@ TEST_CASE("cyclic curve: cycles are parted where the path comes back to zero",
         CHECK(amplitude(c[1]) == 2.0);
         CHECK_FALSE(c[2].closed);
         CHECK_FALSE(c[2].residual_plus);
+    }
+    SECTION("a side that comes twice is no pair with the other")
+    {
+        const auto c =
+            cycles(OwnedPath{{0, 1, 0, -1, 0, -2, 0, 2, 0}, {0, 1, 0, -1, 0, -2, 0, 2, 0}});
+        REQUIRE(c.size() == 3);
+        CHECK(c[1].displacement_minus == -2.0);
+        CHECK(c[1].displacement_plus == 0.0);
+        CHECK(c[2].displacement_plus == 2.0);
     }
     SECTION("no point at zero")
     {
@@ -157,6 +179,14 @@ TEST_CASE("cyclic curve: reloading is left out of the backbone, strength that is
     CHECK(b.force == std::vector<double>{0, 4, 3.7, 3.2, 2});
     const OwnedPath weaker{{0, 1, 0, 1, 2}, {0, 4, 0, 3, 2.5}};
     CHECK(backbone(weaker, 1).force == std::vector<double>{0, 4, 3, 2.5});
+}
+
+TEST_CASE("cyclic curve: reloading is left out of the backbone in every cycle",
+          "[fragility][cyclic]")
+{
+    const OwnedPath p{{0, 1, 0, 1, 1.5, 2, 0, 2, 3}, {0, 4, 0, 3, 3.2, 5, 0, 4, 6}};
+    CHECK(backbone(p, 1).displacement == std::vector<double>{0, 1, 2, 3});
+    CHECK(backbone(p, 1).force == std::vector<double>{0, 4, 5, 6});
 }
 
 TEST_CASE("cyclic curve: the worse of two displacements is the one that surely comes first",

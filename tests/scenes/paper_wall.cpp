@@ -76,6 +76,7 @@ Scene monolith(double length, double height, double vertical_stress, double join
 dem::Model model_of(const Scene& s, const dem::Discretisation& d)
 {
     dem::Model m = dem::discretise(s.wall, s.stone, s.beam, s.loads, {s.joint, s.crack}, d);
+    m.layout.wear = s.joint.wear.length > 0.0;
     m.layout.crushing = s.joint.crushing.strength > 0.0 || s.crack.crushing.strength > 0.0;
     return m;
 }
