@@ -1,29 +1,50 @@
 #!/usr/bin/python3
-"""sequential_limit.py [STEP] [--block]   the load factor of a wall of rigid blocks in large displacements, by linear programming; needs scipy.
+"""sequential_limit.py [STEP] [--wall 1 to 6 | --block] [--steps N]   load factor of a wall of rigid blocks by linear programming; needs scipy.
 
-Wall 1 of Ferris and Tin-Loi (5 x 6 units of 0.4 x 0.175 m, friction 0.65), or with --block one block of 0.2 x 1.0 m, whose load factor
-tan(alpha - th) is exact: zero at 0.19612 m. Horizontal forces are proportional to weight. In each step of STEP metres (default 1e-3) of the
-centre of gravity, the blocks make the displacements that raise the weight least while every contact point keeps
+The walls of Ferris and Tin-Loi (units of 0.4 x 0.175 m, friction 0.65; 3 to 6 have openings), default 1; or one block of 0.2 x 1.0 m, whose
+load factor tan(alpha - th) is exact: zero at 0.19612 m. Horizontal forces are proportional to weight. In each step of STEP metres
+(default 1e-3) of the centre of gravity, the blocks make the displacements that raise the weight least while every contact point keeps
     gap + normal displacement >= friction x |tangential displacement|.
-The gaps are those of the displaced blocks: dilation of one step is taken up by the next, so that friction does not dilate as STEP goes to 0.
-Prints the displacement of the top right corner [m] and the load factor [-].
+The gaps are those of the displaced blocks: dilation of one step is taken up by the next. So the first step gives the limit with associated
+friction, and the steps after it, as STEP goes to 0, those of friction that does not dilate.
+Prints the displacement of the top right corner [m] and the load factor [-]: of the first N steps, or on the way until no force is left.
 """
-import sys
+import argparse
 
 import numpy as np
 from scipy.optimize import linprog
 from scipy.sparse import coo_matrix
 
 NEAR = 0.03  # [m]; faces farther apart cannot meet within a step
-step = float(next((a for a in sys.argv[1:] if a != "--block"), 1e-3))
-if "--block" in sys.argv:
-    height, friction, courses = 1.0, 10.0, [[0.2]]
-else:
-    height, friction, courses = 0.175, 0.65, [[0.2, 0.4, 0.4, 0.4, 0.4, 0.2], [0.4] * 5] * 3
+UNIT, HEIGHT, FRICTION = 0.4, 0.175, 0.65
 
-half = np.array([w / 2 for widths in courses for w in widths])
-course = np.array([c for c, widths in enumerate(courses) for _ in widths])
-x = np.concatenate([np.cumsum(widths) - np.array(widths) / 2 for widths in courses])
+# Widths of each kind of course in units; negative: an opening. Then the courses from below.
+WALLS = {
+    1: ({"L": [0.5, 1, 1, 1, 1, 0.5], "M": [1] * 5}, "L M L M L M"),
+    2: ({"L": [0.5, 1, 1, 1, 1, 0.5], "M": [1] * 5}, "L M L M L M L M L M"),
+    3: ({"F": [1] * 4, "G": [0.5, 1, 1, 1, 0.5], "W": [1, 0.5, -1, 0.5, 1], "V": [0.5, 1, -1, 1, 0.5]}, "F G F V W V W V F G F"),
+    4: ({"F": [0.5, 1, 1, 1, 1, 0.5], "G": [1] * 5, "V": [1, -1, 1, -1, 1], "W": [0.5, 0.5, -1, 0.5, 0.5, -1, 0.5, 0.5]},
+        "F G F V W V W V F G F"),
+    5: ({"F": [0.5, 1, 1, 0.5], "G": [1] * 3, "V": [1, -1, 1], "W": [0.5, 0.5, -1, 0.5, 0.5]}, "F G F V W V W V F G F V W V W V F G F"),
+    6: ({"F": [0.5, 1, 1, 1, 1, 1, 1, 0.5], "G": [1] * 7, "V": [0.5, 1, -1, 1, 1, -1, 1, 0.5], "W": [1, 0.5, -1, 0.5, 1, 0.5, -1, 0.5, 1]},
+        "F G F G V W V W V G F G V W V W V G F G F"),
+}
+
+arguments = argparse.ArgumentParser()
+arguments.add_argument("step", nargs="?", type=float, default=1e-3)
+arguments.add_argument("--wall", type=int, choices=WALLS, default=1)
+arguments.add_argument("--block", action="store_true")
+arguments.add_argument("--steps", type=int)
+asked = arguments.parse_args()
+step, height, friction = asked.step, HEIGHT, FRICTION
+kinds, order = WALLS[asked.wall]
+courses = [[UNIT * width for width in kinds[kind]] for kind in order.split()]
+if asked.block:
+    height, friction, courses = 1.0, 10.0, [[0.2]]
+
+blocks = [(c, sum(map(abs, widths[:i])) + width / 2, width / 2)
+          for c, widths in enumerate(courses) for i, width in enumerate(widths) if width > 0]
+course, x, half = (np.array(values) for values in zip(*blocks))
 z = (course + 0.5) * height
 turned = np.zeros(len(x))  # clockwise [rad]
 weight = half / half.sum()
@@ -89,12 +110,16 @@ def least_raised():
 
 start = corner(len(x) - 1, 1, 1)[0]
 history = []
-while not history or (history[-1][1] > 0 and history[-1][0] < 2):
+while len(history) < asked.steps if asked.steps else not history or (history[-1][1] > 0 and history[-1][0] < 2):
     moved, factor = least_raised()
     history.append((corner(len(x) - 1, 1, 1)[0] - start, factor))
     x, z, turned = x + moved[0::3], z + moved[1::3], turned + moved[2::3]
 corners, factors = np.array(history).T
-for at in (0.0, 0.02, 0.06, 0.10, 0.15, 0.20, 0.30):
-    if at < corners[-1]:
-        print(f"{at:.2f} {np.interp(at, corners, factors):.4f}")
-print(f"{corners[-1]:.4f} {factors[-1]:.4f}")
+if asked.steps:
+    for at, factor in history:
+        print(f"{at:.6f} {factor:.5f}")
+else:
+    for at in (0.0, 0.02, 0.06, 0.10, 0.15, 0.20, 0.30):
+        if at < corners[-1]:
+            print(f"{at:.2f} {np.interp(at, corners, factors):.4f}")
+    print(f"{corners[-1]:.4f} {factors[-1]:.4f}")
