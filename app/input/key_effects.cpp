@@ -36,6 +36,9 @@ std::string effect_notes(const Study& study, const Verb& verb)
 void say_effects(const Study& study, const Command& command)
 {
     if (command.verb == nullptr) return;
+    if (!study.uq.drawn.empty() && !reads(*command.verb, *find_key("uq.drawn")))
+        throw error_at(study.source, "uq.drawn",
+                       "names one wall of the study, for push alone; remove it");
     std::cerr << effect_notes(study, *command.verb);
     for (const std::string& note : study.geometry.notes)
         std::cerr << "note: wall.geometry: " << note << '\n';

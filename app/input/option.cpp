@@ -52,7 +52,7 @@ using Text = const std::string&;
 std::vector<Option> table()
 {
     return {
-        {"out", "PATH", "output directory or file (default: runs/<name of the file that is read>)",
+        {"out", "PATH", "output directory or file (default: runs/<name of the study>; beside a FILE.h5 that is read)",
          "push scene study sample reliability fragility report curves", false,
          [](Command& c, Text v) { c.out = some_text(v); }},
         {"set", "section.key=value", "value in place of the one in the study file; may be repeated",
