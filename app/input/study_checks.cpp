@@ -59,9 +59,17 @@ void check_levels_differ(const Study& study)
     }
 }
 
+constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
+
+void check_normal_stiffness(const Study& study, double kn)
+{
+    if (kn * study.parameters.joint.stiffness_factor < kSoftest)
+        refuse(study, "joint.normal_stiffness",
+               "with joint.stiffness_factor the joints are softer than 1 Pa/m; write more");
+}
+
 void check_wall_modulus(const Study& study, double modulus)
 {
-    constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
     const double e = study.parameters.stone.young_modulus;
     if (modulus >= e) {
         refuse(study, "joint.wall_modulus",
@@ -254,6 +262,7 @@ void check_stiffness(const Study& study)
         check_count(study, "joint.shear_stiffness", joint.shear_stiffness.size());
     }
     for (const double modulus : joint.wall_modulus) check_wall_modulus(study, modulus);
+    for (const double kn : joint.normal_stiffness) check_normal_stiffness(study, kn);
 }
 
 void check_relations(const Study& study)

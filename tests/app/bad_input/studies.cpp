@@ -200,6 +200,8 @@ constexpr std::array kStudies = {
         "study.ini:14: joint.shear_stiffness: has 3 values, load.vertical_stress 2; write one for each stress level"},
     BadStudy{"a stress level twice", "vertical_stress = 0.15, 0.50 MPa", "vertical_stress = 0.5, 0.50 MPa",
         "study.ini:23: load.vertical_stress: 0.5 MPa is given twice; keep one of them"},
+    BadStudy{"joints of no stiffness", "wall_modulus = 566, 768 MPa", "normal_stiffness = 1e-300 GPa/m",
+        "study.ini:12: joint.normal_stiffness: with joint.stiffness_factor the joints are softer than 1 Pa/m; write more"},
     BadStudy{"modulus and stiffness", "[unit]", "normal_stiffness = 8 GPa/m\n[unit]",
         "study.ini:14: joint.normal_stiffness: given besides joint.wall_modulus, which gives it by Eq. 2; keep one of them"},
     BadStudy{"neither modulus nor stiffness", "wall_modulus = 566, 768 MPa", "",
