@@ -24,6 +24,20 @@ struct Written {
     std::string terminal;
 };
 
+/// What is written to std::cout meanwhile.
+class Terminal {
+  public:
+    Terminal() : screen_(std::cout.rdbuf(text_.rdbuf())) {}
+    ~Terminal() { std::cout.rdbuf(screen_); }
+    Terminal(const Terminal&) = delete;
+    Terminal& operator=(const Terminal&) = delete;
+    [[nodiscard]] std::string text() const { return text_.str(); }
+
+  private:
+    std::ostringstream text_;
+    std::streambuf* screen_;
+};
+
 Written push(const std::string& study, const fs::path& out, std::vector<std::string> overrides,
              int threads = 1)
 {
@@ -34,11 +48,9 @@ Written push(const std::string& study, const fs::path& out, std::vector<std::str
     command.threads = threads;
     command.mean_wall = study == "quick.ini";
     command.quiet = true;
-    std::ostringstream terminal;
-    std::streambuf* screen = std::cout.rdbuf(terminal.rdbuf());
+    const Terminal terminal;
     const int code = app::push_command(command);
-    std::cout.rdbuf(screen);
-    return {code, terminal.str()};
+    return {code, terminal.text()};
 }
 
 nlohmann::json summary(const fs::path& folder)
@@ -129,11 +141,8 @@ TEST_CASE("push command: a wall taken out of a study runs again as it is, with t
     command.level = "1.00 MPa";
     command.quiet = true;
     const auto run = [](const app::Command& c) {
-        std::ostringstream terminal;
-        std::streambuf* screen = std::cout.rdbuf(terminal.rdbuf());
-        const int code = app::push_command(c);
-        std::cout.rdbuf(screen);
-        return code;
+        const Terminal terminal;
+        return app::push_command(c);
     };
     REQUIRE(run(command) == 0);
     app::Command again;
