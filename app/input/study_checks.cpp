@@ -150,6 +150,23 @@ void check_pieces(const Study& study)
     }
 }
 
+/// Beyond this a block takes minutes and gigabytes to condense.
+void check_zones(const Study& study)
+{
+    constexpr int kMostZones = 100; // along a face of half a unit
+    const dem::Discretisation& d = study.discretisation;
+    const int zones = (d.contact_points - 1) * d.zones_per_interval;
+    if (zones > kMostZones)
+        refuse(study,
+               find_entry(study.source, "solver.zones_per_interval")
+                   ? "solver.zones_per_interval"
+                   : "solver.contact_points",
+               "makes " + std::to_string(zones) +
+                   " zones along a face; (contact_points - 1) x zones_per_interval must be at "
+                   "most " +
+                   std::to_string(kMostZones));
+}
+
 void check_load(const Study& study)
 {
     constexpr double kRounding = 1e-9; // [m]
@@ -270,6 +287,7 @@ void check_relations(const Study& study)
     check_residuals(study);
     check_bond(study);
     check_pieces(study);
+    check_zones(study);
     check_pattern(study);
     check_load(study);
     check_top_load(study);

@@ -182,6 +182,8 @@ constexpr std::array kStudies = {
         "study.ini:9: stone.poisson_ratio: \"0.5\" is out of range; must be in [0, 0.5)"},
     BadStudy{"friction angle of 95 degrees", "friction_angle = 31.8 deg", "friction_angle = 95 deg",
         "study.ini:13: joint.friction_angle: \"95 deg\" is out of range; must be in [0, 90) deg"},
+    BadStudy{"more zones than a machine can hold", "[load]", "[solver]\ncontact_points = 100\n[load]",
+        "study.ini:23: solver.contact_points: makes 198 zones along a face; (contact_points - 1) x zones_per_interval must be at most 100"},
     BadStudy{"one contact point", "[load]", "[solver]\ncontact_points = 1\n[load]",
         "study.ini:23: solver.contact_points: \"1\" is out of range; must be in [2, 100]"},
     BadStudy{"two block modes", "[load]", "[solver]\nblock_modes = 2\n[load]",
