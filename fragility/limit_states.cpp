@@ -1,8 +1,10 @@
 #include "fragility/limit_states.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <stdexcept>
+#include <utility>
 
 namespace fragility {
 namespace {
@@ -31,22 +33,20 @@ std::string percent(double share)
     return std::string(text.data(), end.ptr) + " %";
 }
 
+/// Up to a censored ultimate displacement the yield is a bound that holds however the push goes on.
 LimitDisplacement yield_of(const Curve& curve, const LimitDisplacement& ultimate,
-                           const Peak& top, double share)
+                           const LimitStateOptions& o)
 {
     if (ultimate.reading == Reading::not_defined) return ultimate;
-    const Bilinear b = equal_energy_bilinear(curve, ultimate.displacement, share);
+    const Bilinear b = equal_energy_bilinear(curve, ultimate.displacement, o.bilinear_share);
     if (b.outcome != BilinearOutcome::found)
         return {0.0, Reading::not_defined, reason(b.outcome)};
     if (ultimate.reading == Reading::observed)
         return {b.yield_displacement, Reading::observed, {}};
-    if (!top.at_end)
-        return {b.yield_displacement, Reading::observed, "bilinear up to the end of the curve"};
-    if (b.ductility < kShownYield)
-        return {b.yield_displacement, Reading::censored,
-                "the curve ends before it has yielded"};
-    return {b.yield_displacement, Reading::observed,
-            "bilinear up to the end of the curve, where it still rises"};
+    const double least = o.ultimate_share * peak(curve).force /
+                         secant_stiffness(curve, o.bilinear_share).value();
+    return {std::min(b.yield_displacement, least), Reading::censored,
+            "the bilinear moves with where the push ends"};
 }
 
 Parts read_parts(const Curve& curve, const LimitStateOptions& o)
@@ -57,10 +57,57 @@ Parts read_parts(const Curve& curve, const LimitStateOptions& o)
     return {top,
             ultimate,
             drop_after_peak(curve, 0.0),
-            yield_of(curve, ultimate, top, o.bilinear_share),
+            yield_of(curve, ultimate, o),
             std::string(order) + " drop to " + percent(o.ultimate_share) + " of the peak",
             "yield of the equal-energy bilinear through " + percent(o.bilinear_share) +
                 " of the peak"};
+}
+
+/// What a curve is up to a displacement.
+class CutCurve {
+  public:
+    CutCurve(const Curve& curve, double at)
+    {
+        double d0 = 0.0, f0 = 0.0; // led there from the origin
+        if (curve.displacement.front() == 0.0) f0 = curve.force.front();
+        for (std::size_t i = 0; i < curve.displacement.size(); ++i) {
+            const double d = curve.displacement[i], f = curve.force[i];
+            if (d > at) {
+                if (d0 < at) add(at, f0 + (f - f0) * (at - d0) / (d - d0));
+                return;
+            }
+            add(d0 = d, f0 = f);
+        }
+    }
+    operator Curve() const { return {displacement_, force_}; } // NOLINT: reads as a curve
+
+  private:
+    void add(double d, double f)
+    {
+        displacement_.push_back(d);
+        force_.push_back(f);
+    }
+    std::vector<double> displacement_, force_;
+};
+
+/// The set ntc: the drift limit of the code may come before the fall of the force.
+Parts with_ntc_limit(const Curve& curve, const LimitStateOptions& o, Parts p)
+{
+    p.ultimate_rule += ", or a drift of " + percent(kNtcRockingDrift) + " if the wall rocks, " +
+                       percent(kNtcShearDrift) +
+                       " if not (Circolare 7/2019, C8.7.1.3.1.1), whichever comes first";
+    if (p.ultimate.reading == Reading::not_defined) return p;
+    const bool falls_first =
+        p.ultimate.reading == Reading::observed && p.ultimate.displacement <= o.ntc_limit;
+    if (falls_first) {
+        p.ultimate.reason = "the force falls before the drift limit of the code";
+    } else if (curve.displacement.back() >= o.ntc_limit) {
+        const CutCurve cut(curve, o.ntc_limit);
+        p.top = peak(cut);
+        p.ultimate = {o.ntc_limit, Reading::observed, kNtcLimitGoverns};
+        p.yield = yield_of(cut, p.ultimate, o);
+    }
+    return p;
 }
 
 /// SLD: whichever comes first.
@@ -117,7 +164,9 @@ constexpr auto kNames = [] {
 std::vector<LimitState> read_limit_states(const Curve& curve, std::string_view set,
                                           const LimitStateOptions& options)
 {
-    const Parts parts = read_parts(curve, options);
+    Parts parts = read_parts(curve, options);
+    if (set == "ntc" && options.ntc_limit > 0.0)
+        parts = with_ntc_limit(curve, options, std::move(parts));
     for (const Set& s : kSets)
         if (s.name == set) return s.read(parts);
     throw std::invalid_argument("limit states: no set " + std::string(set));

@@ -1,7 +1,6 @@
 #pragma once
-/// Limit states of a wall, as sets of displacements read off its capacity curve. They need the
-/// shape of the curve only: drift limits and behaviour-factor caps of the codes are not
-/// applied.
+/// Limit states of a wall, as sets of displacements read off its capacity curve. The set ntc also takes the
+/// drift limit of the code; behaviour-factor caps are not applied, nor the drift limits of EN 1998-3.
 
 #include "fragility/bilinear.hpp"
 #include "fragility/curve_reading.hpp"
@@ -14,15 +13,20 @@
 
 namespace fragility {
 
-/// A curve that still rises where it ends has shown its yield once the plateau is as long as
-/// the elastic branch.
-constexpr double kShownYield = 2.0; ///< ductility [-]; our choice, no code has one
+/// Drifts of existing masonry at SLC: of a wall that rocks (flexure), and of one that slides or cracks (shear). Circolare
+/// 7/2019, C8.7.1.3.1.1; 0.004, of modern hollow blocks alone, is left out.
+constexpr double kNtcRockingDrift = 0.010, kNtcShearDrift = 0.005; ///< [-]
+
+/// The reason of an SLC that is this drift.
+constexpr std::string_view kNtcLimitGoverns =
+    "the drift limit of the code comes before the fall of the force";
 
 /// Free choices of the reading; the defaults are those of the codes.
 struct LimitStateOptions {
     double ultimate_share = kUltimateShare; ///< of the peak [-], in (0, 1)
     Crossing crossing = Crossing::first;    ///< of that share
     double bilinear_share = kBilinearShare; ///< of the peak [-], in (0, 1]
+    double ntc_limit = 0.0; ///< of the displacement at SLC, set ntc [length]; 0: none
 };
 
 struct LimitState {
@@ -36,18 +40,17 @@ struct LimitState {
 
 /// The limit states of a set, mildest first.
 ///   paper  ultimate = displacement where the force falls to 80 % of the peak (the paper, section 4.2)
-///   ntc    SLC = ultimate, SLV = 3/4 SLC, SLD = min(d_y, d at the peak), SLO = 2/3 SLD
-///          (Circolare 7/2019, C8.7.1.3.1, existing masonry)
+///   ntc    SLC = min(ultimate, ntc_limit), SLV = 3/4 SLC, SLD = min(d_y, d at the peak), SLO = 2/3 SLD, on the
+///          curve up to SLC (Circolare 7/2019, C8.7.1.3.1, existing masonry)
 ///   ec8    NC = ultimate, SD = 3/4 NC, DL = d_y (EN 1998-3:2005, Annex C)
 ///   collapse  no force is left after the peak, or the wall came down
 /// with d_y the yield displacement of the equal-energy bilinear up to the ultimate
 /// displacement. The code's second condition for SLD, "all piers of a storey at their peak, not
 /// before 3/4 of the peak base shear", is the displacement at the peak for one wall.
 ///
-/// Where ultimate is censored, 3/4 of it is censored too. d_y hardly depends on it and is
-/// observed, with a reason; but on a curve that still rises where it ends, d_y is censored
-/// below a ductility of kShownYield. On a brittle curve SLD may come after SLV: they are
-/// reported as the rules give them.
+/// Where ultimate is censored, 3/4 of it is censored too, and so is d_y, which moves with where the push ends: however
+/// the push goes on, d_y is at least the smaller of that up to the end and ultimate_share of the peak over the stiffness.
+/// On a brittle curve SLD may come after SLV: they are reported as the rules give them.
 /// @throws std::invalid_argument as check(), for shares out of range and a set that is not known
 [[nodiscard]] std::vector<LimitState> read_limit_states(const Curve& curve,
                                                         std::string_view set,

@@ -38,6 +38,7 @@ export class Capacity {
         this.legend = element('div', {});
         this.spoken = element('p', { class: 'spoken', 'aria-live': 'polite' });
         host.append(this.picker.row, this.plot, this.legend, this.spoken);
+        this.drawPaper(host);
         this.loop = loops ? new Loop(data, loops, host) : null;
         this.plot.addEventListener('keydown', (e) => this.key(e));
         this.show(0);
@@ -74,12 +75,26 @@ export class Capacity {
         this.watch();
     }
 
-    drawMeans() {
-        this.walls = [];
+    /** Means of each stress and mode. */
+    meansOfAll() {
         const shown = this.data.means.filter((m) => m.mode !== 'all' && m.walls >= 2);
-        const series = shown.map((m) =>
+        return shown.map((m) =>
             this.meanSeries(m, levelColour(m.level), modeDash(m.mode), `${this.data.levels[m.level].name}, ${m.walls} ${m.mode}`),
         );
+    }
+
+    /** All stresses, for paper alone: there nobody chooses one. */
+    drawPaper(host) {
+        const series = this.meansOfAll();
+        if (!series.length || this.data.levels.length < 2) return;
+        const plot = element('div', { class: 'plot' });
+        host.append(element('div', { class: 'paper', 'aria-hidden': 'true' }, element('h3', {}, 'Means under all stresses'), plot, key(series)));
+        this.plotOn(plot, series, 'Mean force against displacement of each stress and mode');
+    }
+
+    drawMeans() {
+        this.walls = [];
+        const series = this.meansOfAll();
         this.drawn = this.plotChart(series, `Mean force against displacement of each stress and mode, with ${percent(this.data)} intervals of the mean`);
         this.legend.replaceChildren(key(series), element('p', { class: 'note' }, series.length ? '' : 'No means: they need two walls of a mode.'));
     }
@@ -92,16 +107,20 @@ export class Capacity {
     }
 
     plotChart(series, label) {
-        const lines = series.flatMap((s) => [s.data, s.band?.[1]]).filter((values) => values);
-        const top = lines.reduce((most, values) => values.reduce((m, f) => Math.max(m, f ?? 0), most), 1);
-        const drawn = chart(this.plot, {
-            label, series, x: this.curves.x, height: 400, xLabel: 'displacement [mm]', yLabel: 'horizontal force [kN]',
-            yRange: [0, top * 1.05], xRange: [0, this.curves.x.at(-1)],
-            draw: () => this.refresh(),
-        });
+        const drawn = this.plotOn(this.plot, series, label, () => this.refresh());
         this.parts = overlay(drawn.u);
         this.tip = drawn.u.over.querySelector('.tip');
         return drawn;
+    }
+
+    plotOn(plot, series, label, draw = () => {}) {
+        const lines = series.flatMap((s) => [s.data, s.band?.[1]]).filter((values) => values);
+        const top = lines.reduce((most, values) => values.reduce((m, f) => Math.max(m, f ?? 0), most), 1);
+        return chart(plot, {
+            label, series, x: this.curves.x, height: 400, xLabel: 'displacement [mm]', yLabel: 'horizontal force [kN]',
+            yRange: [0, top * 1.05], xRange: [0, this.curves.x.at(-1)],
+            draw,
+        });
     }
 
     watch() {

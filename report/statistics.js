@@ -28,7 +28,7 @@ export function fragility(data, host) {
         const curves = chosen.level === 'all' ? state.curves : one;
         const x = [0, ...(curves[0]?.drift ?? [])];
         const series = curves.flatMap((c) => fragilitySeries(data, c, x, chosen.level !== 'all'));
-        drawn = chart(where, { label: `Probability that ${state.name} is reached, against drift, ${chosen.level === 'all' ? 'all stresses' : data.levels[chosen.level].name}`, x, series, xLabel: 'drift [%]', yLabel: 'probability', yRange: [0, 1], height: 360, tip: (i) => tipText(series, x, i) });
+        drawn = chart(where, { label: `Probability that ${state.name} is reached, against drift, ${chosen.level === 'all' ? 'all stresses' : data.levels[chosen.level].name}`, x, series, xLabel: 'drift [%]', yLabel: 'share of walls past the limit state', yRange: [0, 1], height: 360, tip: (i) => tipText(series, x, i) });
         const without = curves.filter((c) => !c.fitted).map((c) => data.levels[c.level].name);
         const none = series.length ? '' : ' No wall is known to have reached it.';
         legend.replaceChildren(key(series), element('p', { class: 'note' }, `${state.name}: ${state.rule}.${without.length ? ` No fit: ${without.join(', ')}.${none}` : ''}`));
@@ -47,12 +47,12 @@ function fragilitySeries(data, c, x, alone) {
     const fitted = { label: alone ? `${name}: fitted, with ${percent(data)} band` : `${name}, ${percent(data)} band`, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: [[0, ...c.lower], [0, ...c.upper]], faint: !alone };
     const series = c.fitted ? [fitted] : [];
     if (!alone && c.fitted) return series;
-    if (c.fitted && c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'at most, of modes without a fit', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
+    if (c.fitted && c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'the most it may be: some modes have no fit', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
     if (c.steps.length) {
         const last = c.steps.at(-1)[1];
         const at = [0, ...c.steps.map((s) => s[0]), last === 1 ? x.at(-1) : c.known_to]; // all down: for good
         const p = [0, ...c.steps.map((s) => s[1]), last];
-        series.push({ label: `${alone ? '' : `${name}: `}share of the walls (Kaplan-Meier)`, colour: alone ? '#222222' : colour, dash: alone ? [] : dashOf(c.level), width: 1.2, data: resample(x, at, p, true) });
+        series.push({ label: `${alone ? '' : `${name}: `}share of the walls pushed, without a law (Kaplan-Meier)`, colour: alone ? '#222222' : colour, dash: alone ? [] : dashOf(c.level), width: 1.2, data: resample(x, at, p, true) });
     }
     return series;
 }

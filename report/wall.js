@@ -26,8 +26,14 @@ class Drawing {
             else this.ghosts.append(element('rect', { x: b[0] * 1e3, y: -b[3] * 1e3, width: (b[2] - b[0]) * 1e3, height: (b[3] - b[1]) * 1e3 }));
         }
         this.svg.append(element('line', { class: 'ground', x1: box[0], x2: box[0] + box[2], y1: 0, y2: 0 }));
+        // Below the stones, so that half of this line is left around what stands free.
+        const outlines = group('outlines');
+        this.outlines = geometry.blocks.map(() => outlines.appendChild(element('polygon')));
         const stones = group('stones');
         this.blocks = geometry.blocks.map((b) => stones.appendChild(element('polygon', { fill: b[4] === 0 ? '#c9ccd1' : kStones[b[5] % 3] })));
+        // Joints in full, cracks that may open in a unit as a trace: the bond is read off the joints.
+        const joints = group('joints');
+        this.joints = geometry.faces.map(([kind]) => joints.appendChild(element('line', { class: kind === 'crack' ? 'within' : 'between' })));
         const marks = group('marks');
         this.faces = geometry.faces.map(() => ({ gap: marks.appendChild(element('polygon')), line: marks.appendChild(element('line')) }));
         // Squares where stone crushes, one for each half of a face, made when a film has any.
@@ -78,9 +84,15 @@ class Drawing {
         this.geometry.blocks.forEach((b, i) => {
             const corner = (x, z) => px(x, z, this.moved(film, i, x, z, t));
             const corners = b[6] ?? [[b[0], b[1]], [b[2], b[1]], [b[2], b[3]], [b[0], b[3]]];
-            this.blocks[i].setAttribute('points', corners.map(([x, z]) => corner(x, z)).join(' '));
+            const points = corners.map(([x, z]) => corner(x, z)).join(' ');
+            this.blocks[i].setAttribute('points', points);
+            this.outlines[i].setAttribute('points', points);
         });
-        this.faces.forEach((f, i) => this.drawFace(f, this.state(film, i, t), px, shown, largest));
+        this.faces.forEach((f, i) => {
+            const state = this.state(film, i, t);
+            this.drawJoint(this.joints[i], state, px);
+            this.drawFace(f, state, px, shown, largest);
+        });
         this.drawCrushing(film, t, px, shown);
         this.drawLoad(film, t, scale, force);
     }
@@ -99,6 +111,16 @@ class Drawing {
                 }
             });
         this.crushed.replaceChildren(...squares);
+    }
+
+    /** The middle between both sides; of an open joint the edges of the stones are seen. */
+    drawJoint(line, s, px) {
+        line.setAttribute('visibility', s.opening > kThreshold ? 'hidden' : 'visible');
+        s.ends.forEach((e, j) => {
+            const [x, y] = px(e.x, e.z, [(e.ua[0] + e.ub[0]) / 2, (e.ua[1] + e.ub[1]) / 2]).split(',');
+            line.setAttribute(`x${j + 1}`, x);
+            line.setAttribute(`y${j + 1}`, y);
+        });
     }
 
     drawFace(face, s, px, shown, largest) {

@@ -10,6 +10,7 @@
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
+#include "app/fragility/measured_drifts.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
@@ -189,6 +190,7 @@ FragilityOutput study_output(const StudyWalls& walls)
                                       {"walls", wall_table(walls, all_walls(walls))}};
     if (!walls.inputs.empty()) tables.push_back({"inputs", input_table(walls)});
     if (!walls.pushed_one_way) tables.push_back({"cycles", cycle_table(walls)});
+    tables.push_back({"measured_drifts", measured_drifts()});
     output.tables.insert(output.tables.begin() + 1, tables.begin(), tables.end());
     add_pictures(output, mean_curve_pictures(walls));
     add_pictures(output, cycle_pictures(walls));

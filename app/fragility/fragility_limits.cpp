@@ -23,6 +23,26 @@ std::string without_fit(const fragility::PerformanceLimits& limits, const DriftG
                                : "The limit state is not defined on any curve.";
 }
 
+/// States that are read by one rule have one row: the first says the names of all.
+bool says_what_was_said(const DriftData& data, std::size_t state)
+{
+    for (std::size_t before = 0; before < state; ++before)
+        if (!data.states[state].rule.empty() &&
+            data.states[before].rule == data.states[state].rule)
+            return true;
+    return false;
+}
+
+std::string names_of(const DriftData& data, std::size_t state)
+{
+    std::string names = state_name(data.states[state]);
+    for (std::size_t later = state + 1; later < data.states.size(); ++later)
+        if (!data.states[state].rule.empty() &&
+            data.states[later].rule == data.states[state].rule)
+            names += ", " + state_name(data.states[later]);
+    return names;
+}
+
 /// Shares observed in place of a law.
 void add_observed(const DriftData& data, const std::vector<Observation>& observations, Row& row)
 {
@@ -50,7 +70,7 @@ Row limits_row(const DriftData& data, std::size_t g, std::size_t state)
     const double end = known_to(observations);
     const bool any = limits.n > 0.0;
     Row row = {group_cell(group),
-               state_name(data.states[state]),
+               names_of(data, state),
                count(limits.n),
                any ? plain_number(100.0 * limits.censored_share, 0) : Number{},
                any ? plain_number(end, decimals_for(end)) : Number{},
@@ -86,7 +106,7 @@ Row limits_row(const DriftData& data, std::size_t g, std::size_t state)
 Row fit_row(const DriftData& data, std::size_t g, std::size_t state)
 {
     const DriftGroup& group = data.groups[g];
-    Row row = {group_cell(group), state_name(data.states[state]),
+    Row row = {group_cell(group), names_of(data, state),
                count(static_cast<double>(limits_of(group, state).size()))};
     const JudgedFit f = judged_fit(data, g, state);
     std::string note;
@@ -217,7 +237,7 @@ Table performance_table(const DriftData& data)
                                  {"note", kNote}});
     for (std::size_t g = 0; g < data.groups.size(); ++g)
         for (std::size_t s = 0; s < data.states.size(); ++s)
-            t.rows.push_back(limits_row(data, g, s));
+            if (!says_what_was_said(data, s)) t.rows.push_back(limits_row(data, g, s));
     return t;
 }
 
@@ -238,7 +258,7 @@ Table fit_table(const DriftData& data)
               {"note", kNote}};
     for (std::size_t g = 0; g < data.groups.size(); ++g)
         for (std::size_t s = 0; s < data.states.size(); ++s)
-            t.rows.push_back(fit_row(data, g, s));
+            if (!says_what_was_said(data, s)) t.rows.push_back(fit_row(data, g, s));
     return t;
 }
 

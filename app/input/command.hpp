@@ -41,6 +41,7 @@ struct Command {
     std::vector<std::string> inputs; ///< keys that a server takes; empty: the random variables
     std::vector<std::string> responses; ///< that a server gives; empty: the peak force
     std::optional<int> walls;           ///< number of walls that a page shows, >= 0
+    std::string title;                  ///< of a page; empty: that of the study
 };
 
 } // namespace app

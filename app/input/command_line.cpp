@@ -167,13 +167,28 @@ void check_out_folder(const Command& command)
                             "overwritten; give another folder");
 }
 
+/// What is made of a file of results lies beside it, what is made of a study in runs/. A wall of a study has a folder
+/// of its own: paper_17_0.75.
+std::string default_out(const Verb& verb, const Command& command)
+{
+    const fs::path read = command.study;
+    const bool results = read.extension() == ".h5";
+    std::string name = read.stem().string();
+    if (results && verb.name == "push") {
+        name += command.sample ? "_" + std::to_string(*command.sample) : "_mean";
+        if (!command.level.empty())
+            name +=
+                "_" + command.level.substr(0, command.level.find_first_not_of("0123456789."));
+    }
+    return ((results ? read.parent_path() : fs::path("runs")) / name).string() +
+           std::string(verb.extension);
+}
+
 void set_out(const Verb& verb, Command& command)
 {
     if (verb.out == OutKind::none) return;
     if (verb.out == OutKind::first_word) command.out = command.words.front();
-    if (command.out.empty())
-        command.out = (fs::path("runs") / fs::path(command.study).stem()).string() +
-                      std::string(verb.extension);
+    if (command.out.empty()) command.out = default_out(verb, command);
     check_out(verb, command.out);
     if (verb.out == OutKind::file) check_out_file(verb, command);
     if (verb.out == OutKind::folder) check_out_folder(command);

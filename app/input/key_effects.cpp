@@ -35,9 +35,17 @@ std::string effect_notes(const Study& study, const Verb& verb)
     return notes;
 }
 
+void refuse_drawn(const Study& study)
+{
+    if (!study.uq.drawn.empty())
+        throw error_at(study.source, "uq.drawn",
+                       "names one wall of the study, for push alone; remove it");
+}
+
 void say_effects(const Study& study, const Command& command)
 {
     if (command.verb == nullptr) return;
+    if (!reads(*command.verb, *find_key("uq.drawn"))) refuse_drawn(study);
     std::cerr << effect_notes(study, *command.verb);
     if (!study.load.scaled.empty())
         std::cerr << "note: load.protocol_scale: the protocol goes to "

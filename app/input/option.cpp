@@ -52,7 +52,7 @@ using Text = const std::string&;
 std::vector<Option> table()
 {
     return {
-        {"out", "PATH", "output directory or file (default: runs/<name of the file that is read>)",
+        {"out", "PATH", "output directory or file (default: runs/<name of the study>; beside a FILE.h5 that is read)",
          "push scene study sample reliability fragility report curves", false,
          [](Command& c, Text v) { c.out = some_text(v); }},
         {"set", "section.key=value", "value in place of the one in the study file; may be repeated",
@@ -97,6 +97,8 @@ std::vector<Option> table()
          [](Command& c, Text) { c.partial = true; }},
         {"walls", "N", "number of walls that can be looked at (default: all; a choice if the study is large)", "report", false,
          [](Command& c, Text v) { c.walls = whole_number(v, 0, 1e6); }},
+        {"title", "TEXT", "title of the page (default: name of the study)", "report", false,
+         [](Command& c, Text v) { c.title = some_text(v); }},
         {"port", "N", "port of a server, 0 for any free one (default: 4242)", "serve", false,
          [](Command& c, Text v) { c.port = whole_number(v, 0, 65535); }},
         {"address", "IP", "address at which a server listens (default: 127.0.0.1, this machine alone)", "serve", false,

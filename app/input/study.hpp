@@ -131,6 +131,7 @@ struct UqInput {
     double stop_half_width = 0.05; ///< of the 95 % interval [-], > 0
     int most_samples = 1000;       ///< at which the rule gives up
     std::string pearson;           ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
+    std::string drawn;             ///< one wall alone (app/study/drawn_wall.hpp); empty: all
 };
 
 enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity, sobol };

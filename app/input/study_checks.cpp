@@ -61,9 +61,17 @@ void check_levels_differ(const Study& study)
     }
 }
 
+constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
+
+void check_normal_stiffness(const Study& study, double kn)
+{
+    if (kn * study.parameters.joint.stiffness_factor < kSoftest)
+        refuse(study, "joint.normal_stiffness",
+               "with joint.stiffness_factor the joints are softer than 1 Pa/m; write more");
+}
+
 void check_wall_modulus(const Study& study, double modulus)
 {
-    constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
     const double e = study.parameters.stone.young_modulus;
     if (modulus >= e) {
         refuse(study, "joint.wall_modulus",
@@ -142,6 +150,23 @@ void check_pieces(const Study& study)
         const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
         if (length < kSmallest) refuse_piece("a piece of joint", length);
     }
+}
+
+/// Beyond this a block takes minutes and gigabytes to condense.
+void check_zones(const Study& study)
+{
+    constexpr int kMostZones = 100; // along a face of half a unit
+    const dem::Discretisation& d = study.discretisation;
+    const int zones = (d.contact_points - 1) * d.zones_per_interval;
+    if (zones > kMostZones)
+        refuse(study,
+               find_entry(study.source, "solver.zones_per_interval")
+                   ? "solver.zones_per_interval"
+                   : "solver.contact_points",
+               "makes " + std::to_string(zones) +
+                   " zones along a face; (contact_points - 1) x zones_per_interval must be at "
+                   "most " +
+                   std::to_string(kMostZones));
 }
 
 void check_load(const Study& study)
@@ -271,6 +296,7 @@ void check_stiffness(const Study& study)
         check_count(study, "joint.shear_stiffness", joint.shear_stiffness.size());
     }
     for (const double modulus : joint.wall_modulus) check_wall_modulus(study, modulus);
+    for (const double kn : joint.normal_stiffness) check_normal_stiffness(study, kn);
 }
 
 void check_relations(const Study& study)
@@ -278,6 +304,7 @@ void check_relations(const Study& study)
     check_residuals(study);
     check_bond(study);
     check_pieces(study);
+    check_zones(study);
     check_pattern(study);
     check_load(study);
     check_top_load(study);

@@ -73,6 +73,8 @@ bool is_by_group(FieldKernel k)
 
 constexpr Condition kWithRandom{any_random, "no value of the study is a distribution"};
 constexpr Condition kWithSamples{is_random, "no value of the study is a distribution"};
+constexpr Condition kWithRandomAlone{
+    any_random, "no value of the study is a distribution; remove it", true};
 constexpr Condition kWithLevels{
     [](const Study& s) { return any_random(s) && s.load.vertical_stress.size() > 1; },
     "no value is a distribution, or there is only one stress level"};
@@ -163,6 +165,10 @@ constexpr std::array kKeys = {
         .derived = {"none"},
         .meaning = "correlated variables: joint.friction_angle joint.stiffness_factor 0.3, ...",
         .field = kAt<&Study::uq, &UqInput::pearson>},
+    Key{.name = "uq.drawn", .kind = Kind::text, .used = kWithRandomAlone, .verbs = "push",
+        .derived = {"none"},
+        .meaning = "one wall of the study, as push --sample writes it into study.ini: 0.5 MPa; joint.friction_angle = 25.8 deg; ...",
+        .field = kAt<&Study::uq, &UqInput::drawn>},
 
     Key{.name = "reliability.method", .kind = Kind::word, .names = kMethods,
         .meaning = "form: design point, FORM and SORM; importance: sampling around it; subset: small probabilities; sobol: what the response depends on",

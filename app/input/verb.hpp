@@ -11,8 +11,8 @@ namespace app {
 
 /// What --out names.
 enum class OutKind {
-    folder,     ///< a folder, by default runs/<name of the file that is read>
-    file,       ///< a file, by default the same with the extension of the verb
+    folder, ///< a folder, by default runs/<name of the study>, or beside the FILE.h5 that is read
+    file,   ///< a file, by default the same with the extension of the verb
     first_word, ///< the verb has no --out: its first word names the file
     none        ///< the verb writes no file
 };

@@ -30,10 +30,10 @@ std::string content_of(const fs::path& path)
 /// Names and check sums; a name that leads out of the folder is not ours.
 using List = std::map<std::string, std::string>;
 
-List read_list(const fs::path& folder)
+List read_list(const fs::path& folder, std::string_view list_name)
 {
     List list;
-    std::istringstream in(content_of(folder / kFileList));
+    std::istringstream in(content_of(folder / list_name));
     std::string sum, name;
     std::getline(in, name);
     if (name + "\n" != kOpening) return list;
@@ -51,24 +51,40 @@ std::string list_text(const List& list)
     return text;
 }
 
-void check_foreign(const fs::path& folder, const std::vector<OutputFile>& files,
+void check_foreign(const fs::path& folder, const std::vector<fs::path>& names,
                    const List& before)
 {
     std::error_code ignored;
-    for (const OutputFile& f : files)
-        if (fs::exists(folder / f.name, ignored) && before.count(f.name.string()) == 0)
+    for (const fs::path& name : names)
+        if (fs::exists(folder / name, ignored) && before.count(name.string()) == 0)
             throw ConfigError(
-                "--out", 0, (folder / f.name).string(),
+                "--out", 0, (folder / name).string(),
                 "is there already and is not from an earlier run of this version; "
                 "give another folder, or move the file away");
 }
 
 } // namespace
 
-std::size_t write_results(const fs::path& folder, const std::vector<OutputFile>& files)
+std::vector<fs::path> listed_files(const fs::path& folder, std::string_view list)
 {
-    const List before = read_list(folder);
-    check_foreign(folder, files, before);
+    std::vector<fs::path> names;
+    for (const auto& [name, sum] : read_list(folder, list)) names.emplace_back(name);
+    return names;
+}
+
+void check_results(const fs::path& folder, const std::vector<fs::path>& names,
+                   std::string_view list)
+{
+    check_foreign(folder, names, read_list(folder, list));
+}
+
+std::size_t write_results(const fs::path& folder, const std::vector<OutputFile>& files,
+                          std::string_view list)
+{
+    const List before = read_list(folder, list);
+    std::vector<fs::path> names;
+    for (const OutputFile& f : files) names.push_back(f.name);
+    check_foreign(folder, names, before);
     List now, either = before;
     std::set<fs::path> folders = {folder};
     for (const OutputFile& f : files) {
@@ -76,7 +92,7 @@ std::size_t write_results(const fs::path& folder, const std::vector<OutputFile>&
         folders.insert((folder / f.name).parent_path());
     }
     for (const fs::path& f : folders) make_folder(f);
-    write_file(folder / kFileList, list_text(either)); // a kill leaves no file that is not ours
+    write_file(folder / list, list_text(either)); // a kill leaves no file that is not ours
     for (const OutputFile& f : files) write_file(folder / f.name, f.content);
     std::size_t removed = 0;
     for (const auto& [name, sum] : before)
@@ -86,7 +102,7 @@ std::size_t write_results(const fs::path& folder, const std::vector<OutputFile>&
     for (const auto& [name, sum] : before)
         if (const fs::path parent = (folder / name).parent_path(); parent != folder)
             fs::remove(parent, not_empty);
-    write_file(folder / kFileList, list_text(now));
+    write_file(folder / list, list_text(now));
     return removed;
 }
 

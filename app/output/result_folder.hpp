@@ -16,6 +16,16 @@ struct OutputFile {
 /// The list of files that a run wrote, with their check sums: how the next run knows what is ours.
 constexpr std::string_view kFileList = "drystone_files.txt";
 
+/// Names that the list of an earlier run has; empty where there is none.
+[[nodiscard]] std::vector<std::filesystem::path>
+listed_files(const std::filesystem::path& folder, std::string_view list = kFileList);
+
+/// Asks before a run what write_results would refuse after it.
+/// @throws ConfigError if a file of one of these names is there and not on the list of an earlier run
+void check_results(const std::filesystem::path& folder,
+                   const std::vector<std::filesystem::path>& names,
+                   std::string_view list = kFileList);
+
 /// Writes all files and the list of them. Files that the list of an earlier run names and this run does
 /// not write are removed, unless they have been changed since; other files stay as they are.
 /// @return how many were removed
@@ -23,6 +33,7 @@ constexpr std::string_view kFileList = "drystone_files.txt";
 /// not on the list of an earlier run
 /// @throws std::runtime_error as write_file
 std::size_t write_results(const std::filesystem::path& folder,
-                          const std::vector<OutputFile>& files);
+                          const std::vector<OutputFile>& files,
+                          std::string_view list = kFileList);
 
 } // namespace app

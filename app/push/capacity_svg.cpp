@@ -2,6 +2,7 @@
 
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
 
 #include <utility>
@@ -33,21 +34,33 @@ void add_backbone(const PushedWall& w, int direction, Chart& chart)
     chart.series.push_back(std::move(line));
 }
 
-} // namespace
-
-std::string capacity_svg(const Study& study, const PushedWall& w)
+Chart empty_chart(const std::string& title, double height)
 {
     Chart chart;
-    chart.title =
-        "Capacity curve, vertical stress " + fixed(w.vertical_stress / 1e6, 2) + " MPa";
+    chart.title = title;
     chart.x_label = "Displacement [mm]";
     chart.y_label = "Horizontal force [kN]";
-    chart.top = TopAxis{"Drift [%]", 100.0 / (w.loads.height * 1e3)};
+    chart.top = TopAxis{"Drift [%]", 100.0 / (height * 1e3)};
+    return chart;
+}
+
+Series curve_of(const PushedWall& w)
+{
     Series curve;
     for (std::size_t i = 0; i < w.displacement.size(); ++i) {
         curve.x.push_back(w.displacement[i] * 1e3);
         curve.y.push_back(w.force[i] * 1e-3);
     }
+    return curve;
+}
+
+} // namespace
+
+std::string capacity_svg(const Study& study, const PushedWall& w)
+{
+    Chart chart = empty_chart(
+        "Capacity curve, vertical stress " + stress_text(w.vertical_stress), w.loads.height);
+    Series curve = curve_of(w);
     const std::vector<WallReading>& sides = w.reading.backbones;
     if (!sides.empty()) curve.width = 1.0;
     chart.series.push_back(curve);
@@ -61,6 +74,17 @@ std::string capacity_svg(const Study& study, const PushedWall& w)
         add_backbone(w, direction, chart);
         const auto side = direction > 0 ? fragility::Side::right : fragility::Side::left;
         add_marks(study.fragility, sides[static_cast<std::size_t>(side)], direction, chart);
+    }
+    return line_chart(chart);
+}
+
+std::string levels_svg(const Study& study, const std::vector<PushedWall>& walls)
+{
+    Chart chart = empty_chart("Capacity curves, by vertical stress", study.load.height);
+    for (const PushedWall& w : walls) {
+        if (dem::failed(w.result.outcome)) continue;
+        chart.series.push_back(curve_of(w));
+        chart.series.back().name = stress_text(w.vertical_stress);
     }
     return line_chart(chart);
 }

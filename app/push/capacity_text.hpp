@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// With the columns of body forces where the wall was pushed by them.
+/// With load factor and corner of a wall that body forces pushed, base shear, unbalance and the energies of each point.
 [[nodiscard]] std::string capacity_text(const PushedWall& wall);
 
 } // namespace app

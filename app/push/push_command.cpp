@@ -4,19 +4,21 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/study.hpp"
 #include "app/input/units.hpp"
-#include "app/output/atomic_output.hpp"
 #include "app/output/backbones_csv.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/cycles_csv.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
+#include "app/output/result_folder.hpp"
 #include "app/output/vtk_series.hpp"
 #include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/hand_checks.hpp"
+#include "app/push/limit_table.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/reading/wall_words.hpp"
+#include "app/study/drawn_wall.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_walls.hpp"
@@ -30,6 +32,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -83,52 +86,57 @@ Table drawn_table(const Study& study, const WallDraw& draw)
     return t;
 }
 
-/// The study as it was used. Of a study with samples it says which wall was pushed.
-std::string configuration(const Study& study, const PushedWall& w, std::optional<int> sample)
+/// The study as it was used. Of a study with distributions it names the wall that was pushed, and can be pushed as it is.
+std::string configuration(const Study& used, const Command& command)
 {
-    if (!sample && !is_random(study)) return effective_configuration(study);
-    if (!sample)
-        return "# The wall in which each value is the mean of its distribution, under " +
-               stress_text(w.vertical_stress) + ".\n" + effective_configuration(study);
-    return "# Wall " + std::to_string(*sample) + " of this study, under " +
-           stress_text(w.vertical_stress) + "; the values drawn for it are in drawn.csv.\n" +
-           effective_configuration(study);
+    if (used.random.empty())
+        return (command.sample ? "# Wall " + std::to_string(*command.sample) +
+                                     " of this study: wall.seed has its layout.\n"
+                               : std::string()) +
+               effective_configuration(used);
+    const std::string which =
+        command.mean_wall ? "The wall in which each value is the mean of its distribution"
+        : command.sample  ? "Wall " + std::to_string(*command.sample) + " of this study"
+                          : "One wall of this study";
+    return "# " + which + ": uq.drawn has its values, and push takes them from there.\n" +
+           effective_configuration(used);
 }
 
-/// Of a push that turns back.
-void write_cycles(const fs::path& folder, const PushedWall& w)
-{
-    const fragility::Path path{w.displacement, w.force};
-    std::vector<dem::Energy> ledger;
-    for (const dem::CurvePoint& p : w.result.curve) ledger.push_back(p.energy);
-    write_file(folder / "cycles.csv", cycles_csv(fragility::cycles(path), ledger));
-    write_file(folder / "backbones.csv", backbones_csv(path));
-}
+constexpr std::string_view kPushList = "drystone_push_files.txt";
 
-void write_wall(const fs::path& folder, const Study& study, const PushedWall& w,
-                std::optional<int> sample)
+/// The files of one wall, but for the series.
+std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
+                                   const Command& command)
 {
-    make_folder(folder);
-    write_file(folder / "study.ini", configuration(study, w, sample));
-    if (!dem::failed(w.result.outcome)) {
-        write_file(folder / "capacity.csv", capacity_text(w));
-        if (push_way(study).direction == 0) write_cycles(folder, w);
-        write_file(folder / "capacity.svg", capacity_svg(study, w));
-        WallPictureText text;
-        if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
-        text.load_height = w.loads.height;
-        const dem::PushResult& r = w.result;
-        // A wall that comes down under its vertical load has no peak.
-        const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
-        write_file(folder / "wall.svg", wall_picture(peak, r.at_end, text));
-        if (study.output.paraview)
-            write_vtk_series(folder / "series",
-                             r.snapshots.empty() ? std::vector{peak, r.at_end} : r.snapshots);
+    std::vector<OutputFile> files = {{"study.ini", configuration(used, command)},
+                                     {"summary.json", summary_json(used, w)}};
+    if (dem::failed(w.result.outcome)) return files;
+    files.push_back({"capacity.csv", capacity_text(w)});
+    if (push_way(used).direction == 0) {
+        const fragility::Path path{w.displacement, w.force};
+        std::vector<dem::Energy> ledger;
+        for (const dem::CurvePoint& p : w.result.curve) ledger.push_back(p.energy);
+        files.push_back({"cycles.csv", cycles_csv(fragility::cycles(path), ledger)});
+        files.push_back({"backbones.csv", backbones_csv(path)});
     }
-    if (dem::failed(w.result.outcome) || !study.output.paraview)
-        remove_vtk_series(folder / "series"); // of an earlier run
-    write_file(folder / "summary.json",
-               summary_json(study, w)); // last: its presence says the rest is whole
+    files.push_back({"capacity.svg", capacity_svg(used, w)});
+    WallPictureText text;
+    if (used.beam.present) text.vertical_load = stress_text(w.vertical_stress);
+    text.load_height = w.loads.height;
+    const dem::PushResult& r = w.result;
+    // A wall that comes down under its vertical load has no peak.
+    const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
+    files.push_back({"wall.svg", wall_picture(peak, r.at_end, text)});
+    return files;
+}
+
+void write_series(const fs::path& folder, const Study& study, const PushedWall& w)
+{
+    const dem::PushResult& r = w.result;
+    if (dem::failed(r.outcome) || !study.output.paraview)
+        return remove_vtk_series(folder); // of an earlier run
+    const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
+    write_vtk_series(folder, r.snapshots.empty() ? std::vector{peak, r.at_end} : r.snapshots);
 }
 
 Row level_row(const PushedWall& w)
@@ -171,22 +179,77 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
 }
 
 /// "0.50_MPa": the folder of a level.
-fs::path folder_of(const PushedWall& w)
+fs::path folder_of(double stress)
 {
-    std::string name = stress_text(w.vertical_stress);
+    std::string name = stress_text(stress);
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
 }
 
-void write_all(const fs::path& out, const Study& study, const std::vector<PushedWall>& walls,
-               std::optional<int> sample)
+void add_table(const std::string& name, const Table& table, std::vector<OutputFile>& files)
 {
-    if (walls.size() == 1) return write_wall(out, study, walls.front(), sample);
-    for (const PushedWall& w : walls) write_wall(out / folder_of(w), study, w, sample);
-    const Table table = level_table(study, walls);
-    write_file(out / "levels.csv", as_csv(table));
-    write_file(out / "levels.md", as_markdown(table));
-    write_file(out / "levels.tex", as_latex(table));
+    files.push_back({name + ".csv", as_csv(table)});
+    files.push_back({name + ".md", as_markdown(table)});
+    files.push_back({name + ".tex", as_latex(table)});
+}
+
+/// Where the files of a wall are, below command.out.
+fs::path wall_folder(std::size_t walls, double stress)
+{
+    return walls == 1 ? fs::path() : folder_of(stress);
+}
+
+/// Series are known by their own names; those of folders that this run does not write go too.
+void remove_old_series(const fs::path& out)
+{
+    for (const fs::path& name : listed_files(out, kPushList))
+        if (name.filename() == "summary.json")
+            remove_vtk_series(out / name.parent_path() / "series");
+}
+
+void write_all(const Command& command, const Study& study,
+               const std::vector<WantedWall>& wanted, const std::vector<PushedWall>& walls)
+{
+    const fs::path out = command.out;
+    std::vector<OutputFile> files;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        const fs::path folder = wall_folder(walls.size(), walls[i].vertical_stress);
+        const Study used = study.random.empty() ? study : with_drawn(study, wanted[i]);
+        for (OutputFile& f : wall_files(used, walls[i], command))
+            files.push_back({folder / f.name, std::move(f.content)});
+    }
+    if (walls.size() > 1) {
+        add_table("levels", level_table(study, walls), files);
+        files.push_back({"levels.svg", levels_svg(study, walls)});
+    }
+    add_table("limit_states", limit_table(study, walls), files);
+    if (!wanted.front().draw.values.empty())
+        files.push_back({"drawn.csv", as_csv(drawn_table(study, wanted.front().draw))});
+    remove_old_series(out);
+    for (const PushedWall& w : walls)
+        write_series(out / wall_folder(walls.size(), w.vertical_stress) / "series", study, w);
+    write_results(out, files, kPushList);
+}
+
+/// Before any wall is pushed: what cannot be written afterwards.
+void check_folder(const Command& command, const Study& study,
+                  const std::vector<WantedWall>& wanted)
+{
+    std::vector<fs::path> names = {"limit_states.csv", "limit_states.md", "limit_states.tex",
+                                   "levels.csv",       "levels.md",       "levels.tex",
+                                   "levels.svg",       "drawn.csv"};
+    for (const WantedWall& w : wanted)
+        for (const char* const name :
+             {"study.ini", "summary.json", "capacity.csv", "cycles.csv", "backbones.csv",
+              "capacity.svg", "wall.svg"})
+            names.push_back(
+                wall_folder(wanted.size(),
+                            study.load.vertical_stress[static_cast<std::size_t>(w.level)]) /
+                name);
+    check_results(command.out, names, kPushList);
+    if (!command.quiet && !listed_files(command.out, kPushList).empty())
+        std::cerr << "note: " << command.out
+                  << " has results of an earlier push, which will be replaced\n";
 }
 
 /// With the layout of the wall that is pushed.
@@ -204,13 +267,12 @@ int push_command(const Command& command)
     const std::vector<WantedWall> wanted = wanted_walls(source, command);
     say_effects(source.study, command);
     const Study study = pushed_study(source.study, command.sample);
+    check_folder(command, study, wanted);
     const std::vector<PushedWall> walls =
         push_all(study, wanted, command.threads, command.quiet);
-    write_all(command.out, study, walls, command.sample);
-    if (command.sample)
-        write_file(fs::path(command.out) / "drawn.csv",
-                   as_csv(drawn_table(study, wanted.front().draw)));
-    std::cout << as_text(level_table(study, walls), terminal_width());
+    write_all(command, study, wanted, walls);
+    std::cout << as_text(level_table(study, walls), terminal_width()) << '\n'
+              << as_text(limit_table(study, walls), terminal_width());
     for (const PushedWall& w : walls)
         for (const std::string& remark : hand_checks(study, w).remarks)
             std::cout << wrapped("remark: " + stress_text(w.vertical_stress) + ": " + remark +

@@ -35,9 +35,23 @@ std::vector<double> turned_round(std::span<const double> values)
     return turned;
 }
 
+/// The rules as they apply to one wall: the drift limit of the code depends on what moves, whatever modes are counted.
+fragility::LimitStateOptions options_of(const dem::Mechanism& mechanism, bool dropped,
+                                        const ReadingRules& rules)
+{
+    dem::ModeThresholds thresholds = rules.mode;
+    thresholds.modes = dem::ModeRule::three;
+    const bool rocks =
+        dem::failure_mode(mechanism, dropped, thresholds) == dem::FailureMode::rocking;
+    fragility::LimitStateOptions options = rules.options;
+    options.ntc_limit =
+        rules.height * (rocks ? fragility::kNtcRockingDrift : fragility::kNtcShearDrift);
+    return options;
+}
+
 /// @param curve in its own direction
 WallReading read_curve(const fragility::Backbone& backbone, bool came_down,
-                       const ReadingRules& rules)
+                       const dem::Mechanism& mechanism, const ReadingRules& rules)
 {
     const fragility::Curve curve{backbone.displacement, backbone.force, came_down};
     WallReading w;
@@ -47,8 +61,9 @@ WallReading read_curve(const fragility::Backbone& backbone, bool came_down,
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
     w.dropped = is_observed(w.ultimate);
     w.collapse = fragility::drop_after_peak(curve, 0.0);
+    const auto options = options_of(mechanism, w.dropped, rules);
     for (const std::string_view set : rules.sets)
-        for (const auto& s : fragility::read_limit_states(curve, set, rules.options))
+        for (const auto& s : fragility::read_limit_states(curve, set, options))
             w.limits.push_back(s.limit);
     for (const auto& s : fragility::read_limit_states(curve, user_states(rules), rules.options))
         w.limits.push_back(s.limit);
@@ -89,11 +104,12 @@ WallReading worse_of(const WallReading& a, const WallReading& b)
     return w;
 }
 
-WallReading read_to_and_fro(const fragility::Curve& curve, const ReadingRules& rules)
+WallReading read_to_and_fro(const fragility::Curve& curve, const dem::Mechanism& mechanism,
+                            const ReadingRules& rules)
 {
     const Backbones b = backbones_of(curve);
     const auto read_side = [&](const fragility::Backbone& side) {
-        return was_visited(side) ? read_curve(side, curve.came_down, rules)
+        return was_visited(side) ? read_curve(side, curve.came_down, mechanism, rules)
                                  : not_read(rules, "the push never goes to this side");
     };
     const WallReading right = read_side(b.right), left = read_side(b.left);
@@ -111,8 +127,10 @@ WallReading read_to_and_fro(const fragility::Curve& curve, const ReadingRules& r
 std::vector<StateName> state_names(const ReadingRules& rules)
 {
     std::vector<StateName> names;
+    fragility::LimitStateOptions options = rules.options;
+    options.ntc_limit = kTrialX.back();
     for (const std::string_view set : rules.sets)
-        for (const auto& s : fragility::read_limit_states(kTrial, set, rules.options))
+        for (const auto& s : fragility::read_limit_states(kTrial, set, options))
             names.push_back({std::string(set), std::string(s.name), s.rule});
     const auto states = user_states(rules);
     const auto read = fragility::read_limit_states(kTrial, states, rules.options);
@@ -141,9 +159,9 @@ WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
     if (curve.displacement.size() < 2)
         w = not_read(rules, "the wall came down under vertical load");
     else if (rules.direction == 0)
-        w = read_to_and_fro(curve, rules);
+        w = read_to_and_fro(curve, mechanism, rules);
     else
-        w = read_curve(capacity_curve(curve, rules), curve.came_down, rules);
+        w = read_curve(capacity_curve(curve, rules), curve.came_down, mechanism, rules);
     w.mode = dem::failure_mode(mechanism, w.dropped, rules.mode);
     w.slid = slid_whole(mechanism, w.dropped, rules.mode);
     return w;

@@ -6,6 +6,7 @@
 #include "app/output/cells.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
+#include "app/output/result_folder.hpp"
 #include "app/reliability/kept_evaluations.hpp"
 #include "app/reliability/methods.hpp"
 #include "app/study/interrupt.hpp"
@@ -144,11 +145,23 @@ std::string answer_json(const ReliabilityProblem& p, const ReliabilityAnswer& a)
     return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_table(const fs::path& out, const std::string& name, const Table& table)
+void add_table(const std::string& name, const Table& table, std::vector<OutputFile>& files)
 {
-    write_file(out / (name + ".csv"), as_csv(table));
-    write_file(out / (name + ".md"), as_markdown(table));
-    write_file(out / (name + ".tex"), as_latex(table));
+    files.push_back({name + ".csv", as_csv(table)});
+    files.push_back({name + ".md", as_markdown(table)});
+    files.push_back({name + ".tex", as_latex(table)});
+}
+
+constexpr std::string_view kReliabilityList = "drystone_reliability_files.txt";
+constexpr const char* kEvaluations = "evaluations.csv";
+
+/// Before anything is evaluated: what could not be written afterwards.
+void check_folder(const Command& command)
+{
+    std::vector<fs::path> names = {kEvaluations, "reliability.json"};
+    for (const std::string name : {"reliability", "sensitivity", "design_points"})
+        for (const char* const ending : {".csv", ".md", ".tex"}) names.push_back(name + ending);
+    check_results(command.out, names, kReliabilityList);
 }
 
 struct Question {
@@ -174,12 +187,28 @@ Question question_of(const Command& command)
     return q;
 }
 
-void write_evaluations(const Command& command, const ReliabilityProblem& problem,
-                       const std::vector<Evaluated>& seen)
+void write(const Command& command, const ReliabilityProblem& problem,
+           const ReliabilityAnswer& a, const std::vector<Evaluated>& seen)
 {
-    const fs::path out = command.out;
-    make_folder(out);
-    write_file(out / "evaluations.csv", as_csv(evaluation_table(problem, seen)));
+    std::vector<OutputFile> files = {{kEvaluations, as_csv(evaluation_table(problem, seen))}};
+    const Table sensitivity = sensitivity_table(a);
+    add_table("reliability", method_table(problem, a), files);
+    if (!sensitivity.rows.empty()) add_table("sensitivity", sensitivity, files);
+    if (!a.points.empty()) add_table("design_points", point_table(problem, a), files);
+    files.push_back({"reliability.json", answer_json(problem, a)});
+    write_results(command.out, files, kReliabilityList);
+}
+
+void say(const Command& command, const ReliabilityProblem& problem, const ReliabilityAnswer& a)
+{
+    const Table methods = method_table(problem, a), sensitivity = sensitivity_table(a);
+    std::cout << methods.caption << "\n\n" << as_text(methods, terminal_width());
+    if (!sensitivity.rows.empty())
+        std::cout << '\n'
+                  << sensitivity.caption << "\n\n"
+                  << as_text(sensitivity, terminal_width());
+    for (const std::string& w : a.warnings) std::cout << "warning: " << w << '\n';
+    std::cout << "written to " << command.out << '\n';
 }
 
 /// The answer; the evaluations are written whether there is one or not.
@@ -201,34 +230,17 @@ ReliabilityAnswer answered(const Command& command, const Question& question)
     };
     try {
         const ReliabilityAnswer a = answer(problem, seen, on_batch);
-        write_evaluations(command, problem, seen);
+        write(command, problem, a, seen);
         kept.remove();
         progress.finish(std::to_string(seen.size()) + " evaluations");
         return a;
     } catch (const KeptEvaluations::NotKept& full) {
         throw std::runtime_error(full.what);
     } catch (...) {
-        write_evaluations(command, problem, seen);
+        write_results(command.out, {{kEvaluations, as_csv(evaluation_table(problem, seen))}},
+                      kReliabilityList);
         throw;
     }
-}
-
-void write(const Command& command, const ReliabilityProblem& problem,
-           const ReliabilityAnswer& a)
-{
-    const fs::path out = command.out;
-    const Table methods = method_table(problem, a), sensitivity = sensitivity_table(a);
-    write_table(out, "reliability", methods);
-    if (!sensitivity.rows.empty()) write_table(out, "sensitivity", sensitivity);
-    if (!a.points.empty()) write_table(out, "design_points", point_table(problem, a));
-    write_file(out / "reliability.json", answer_json(problem, a));
-    std::cout << methods.caption << "\n\n" << as_text(methods, terminal_width());
-    if (!sensitivity.rows.empty())
-        std::cout << '\n'
-                  << sensitivity.caption << "\n\n"
-                  << as_text(sensitivity, terminal_width());
-    for (const std::string& w : a.warnings) std::cout << "warning: " << w << '\n';
-    std::cout << "written to " << command.out << '\n';
 }
 
 } // namespace
@@ -237,10 +249,11 @@ int reliability_command(const Command& command)
 {
     const Question question = question_of(command);
     const ReliabilityProblem& problem = question.problem;
+    check_folder(command);
     catch_interrupts();
     try {
         const ReliabilityAnswer a = answered(command, question);
-        write(command, problem, a);
+        say(command, problem, a);
         const bool any = std::ranges::any_of(
             a.methods, [](const MethodAnswer& m) { return m.probability || m.upper; });
         return any && a.failed.size() < a.evaluations ? 0 : 1;

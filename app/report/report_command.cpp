@@ -109,8 +109,9 @@ int report_command(const Command& command, const FilmShelf& shelf)
     const std::filesystem::path file = command.words.front(), out = command.out;
     check_is_study(file);
     const StudyWalls study = read_study_walls(file, command.overrides, Keep::everything);
-    Draft draft{
-        study, "Drystone study " + file.stem().string(), walls_to_list(study, kMostListed), {}};
+    const std::string title =
+        command.title.empty() ? "Drystone study " + file.stem().string() : command.title;
+    Draft draft{study, title, walls_to_list(study, kMostListed), {}};
     draft.data = report_data(study, draft.listed);
     draft.data["file"] = file.filename().string();
     const Shown shown = show_walls(draft, command, shelf);

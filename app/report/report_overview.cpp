@@ -216,8 +216,8 @@ std::vector<std::string> how_sure(const StudyWalls& study)
             std::to_string(censored) + " of " + count_of(sound, "wall") +
             " still carried more than " + percent_text(study.study.fragility.ultimate_share) +
             " of their peak when their push ended. Their "
-            "ultimate displacement is only known to be larger (censored): it counts as "
-            "that in the fits, and in no mean.");
+            "ultimate displacement is only known to be larger (censored): the fits count it as "
+            "larger, and the means leave it out.");
     text.push_back("In brackets: " + percent_text(study.study.fragility.confidence) +
                    " intervals, as of independent samples. They hold the chance of "
                    "the draw, not the error of the model.");

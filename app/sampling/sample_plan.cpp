@@ -82,7 +82,9 @@ SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
                     uq::spatial_plan(std::move(inputs), fields_of(study, layout),
                                      dependence_of(study), is_latin(study.uq.design)),
                     {},
-                    {}};
+                    {},
+                    joint_sites(layout),
+                    crack_sites(layout)};
     for (const double stress : study.load.vertical_stress) {
         plan.seeds.push_back(level_seed(study.uq, stress));
         plan.design.push_back(design_of(study, plan.values, plan.seeds.back(), sizes));

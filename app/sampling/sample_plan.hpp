@@ -3,6 +3,7 @@
 
 #include "app/input/study.hpp"
 #include "app/sampling/wall_draw.hpp"
+#include "uq/fields/field_site.hpp"
 #include "uq/fields/spatial_sample.hpp"
 
 #include <Eigen/Core>
@@ -21,6 +22,7 @@ struct SamplePlan {
     std::vector<std::uint64_t> seeds; ///< of each level
     std::vector<Eigen::MatrixXd>
         design; ///< of each level: samples x values.n_columns, in (0, 1)
+    std::vector<uq::Site> joints, cracks; ///< where each ID is
 };
 
 /// Seed of the design of a stress level: it belongs to the stress, not to its place in the list.

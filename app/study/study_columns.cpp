@@ -2,6 +2,7 @@
 
 #include "app/input/units.hpp"
 #include "app/reading/wall_words.hpp"
+#include "app/text/number_text.hpp"
 
 #include <array>
 #include <cmath>
@@ -90,10 +91,15 @@ std::vector<Column> input_columns(const SamplePlan& plan)
             plan.inputs[i].unit.empty() ? "-" : std::string(si_unit(plan.inputs[i].unit));
         const int sites = plan.values.inputs[i].sites;
         if (sites == 1) columns.push_back({key, unit, "of the whole wall"});
-        for (int id = 1; sites > 1 && id <= sites; ++id)
+        const bool joint = plan.inputs[i].varies == Varies::by_joint;
+        for (int id = 1; sites > 1 && id <= sites; ++id) {
+            const uq::Site& site =
+                (joint ? plan.joints : plan.cracks).at(static_cast<std::size_t>(id - 1));
             columns.push_back({key + "." + std::to_string(id), unit,
-                               plan.inputs[i].varies == Varies::by_joint ? "of this joint ID"
-                                                                         : "of this crack ID"});
+                               std::string(joint ? "of this joint ID" : "of this crack ID") +
+                                   ", middle at x = " + number(site.x, 6) +
+                                   " m, z = " + number(site.z, 6) + " m"});
+        }
     }
     return columns;
 }

@@ -5,6 +5,7 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/study/drawn_wall.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/words.hpp"
 #include "dem/scene/layout.hpp"
@@ -47,6 +48,12 @@ StudySource study_source(const Command& command)
 std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& command)
 {
     const Study& study = source.study;
+    if (!study.uq.drawn.empty()) {
+        if (command.sample || command.mean_wall || !command.level.empty())
+            throw error_at(study.source, "uq.drawn",
+                           "names the wall that is pushed; remove it, or --sample and --level");
+        return {drawn_wall(study)};
+    }
     if (!command.sample) {
         if (!study.random.empty() && !command.mean_wall)
             throw error_at(

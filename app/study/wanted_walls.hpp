@@ -24,7 +24,7 @@ struct StudySource {
 /// @throws ConfigError about --level
 [[nodiscard]] int level_of(const Study& study, const std::string& text);
 
-/// --sample and --level: that wall of a study with distributions. Without, or with --sample mean: the numbers of a
+/// uq.drawn: the wall that it names. --sample and --level: that wall of a study with distributions. Without, or with --sample mean: the numbers of a
 /// study, of distributions their means, under all its levels or that of --level.
 /// @throws ConfigError
 [[nodiscard]] std::vector<WantedWall> wanted_walls(const StudySource& source,

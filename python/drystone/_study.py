@@ -73,7 +73,8 @@ class Push:
         return self._summary
 
     def capacity_csv(self) -> str:
-        """The text of capacity.csv as the command line writes it: displacement [mm], drift [%], force [kN]."""
+        """The text of capacity.csv as the command line writes it: displacement [mm], drift [%], force [kN], base shear,
+        unbalance and energies."""
         return self._wall.capacity_csv()
 
     def frame(self) -> pandas.DataFrame:

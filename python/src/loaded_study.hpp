@@ -49,6 +49,7 @@ struct WallOfStudy {
     app::PushedWall wall;
     int level = 0;
     std::optional<int> sample;
+    app::WallDraw draw; ///< without values: the numbers of the study, or its means
 };
 
 /// Pushes walls side by side; the interpreter is free meanwhile.

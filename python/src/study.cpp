@@ -3,6 +3,7 @@
 #include "app/input/verb.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/summary_json.hpp"
+#include "app/study/drawn_wall.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/run_study.hpp"
 #include "app/study/study_columns.hpp"
@@ -78,7 +79,7 @@ std::vector<WallOfStudy> with_study(const StudyPointer& study,
     std::vector<app::PushedWall> walls = push_beside_python(*study, wanted, threads);
     std::vector<WallOfStudy> all;
     for (std::size_t i = 0; i < walls.size(); ++i)
-        all.push_back({study, std::move(walls[i]), wanted[i].level, of[i]});
+        all.push_back({study, std::move(walls[i]), wanted[i].level, of[i], wanted[i].draw});
     return all;
 }
 
@@ -92,6 +93,8 @@ WallOfStudy push(const StudyPointer& study, std::optional<int> sample, bool mean
     command.mean_wall = mean;
     command.level = level;
     const std::vector<app::WantedWall> all = app::wanted_walls(study->source, command);
+    if (!study->source.study.uq.drawn.empty())
+        return std::move(with_study(study, all, {sample}, threads).front());
     const int asked = app::level_of(study->source.study, level);
     for (const app::WantedWall& wall : all)
         if (wall.level == asked)
@@ -152,6 +155,7 @@ std::vector<WallOfStudy> push_values(const StudyPointer& study, int level,
 void run(const LoadedStudy& study, const std::string& out, int threads, bool rerun_failed,
          const py::object& progress)
 {
+    app::refuse_drawn(study.source.study);
     const Hdf5Turn turn;
     bool whole = false;
     beside_python([&](Caller& python) {
@@ -202,7 +206,10 @@ void bind_wall(py::module_& m)
                                })
         .def("capacity_csv", [](const WallOfStudy& w) { return app::capacity_text(w.wall); })
         .def("summary_json", [](const WallOfStudy& w) {
-            return app::summary_json(w.study->source.study, w.wall);
+            const app::Study& study = w.study->source.study;
+            return app::summary_json(
+                study.random.empty() ? study : app::with_drawn(study, {w.level, w.draw}),
+                w.wall);
         });
 }
 

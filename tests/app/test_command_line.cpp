@@ -53,6 +53,18 @@ TEST_CASE("command line: what is not said has a default", "[app][command_line]")
     CHECK_FALSE(command.quiet);
 }
 
+TEST_CASE("command line: what is made of a file of results lies beside it",
+          "[app][command_line]")
+{
+    CHECK(parse({"fragility", "far/house.h5"}).out == "far/house");
+    CHECK(parse({"report", "far/house.h5"}).out == "far/house.html");
+    CHECK(parse({"curves", "house.h5"}).out == "house.csv");
+    CHECK(parse({"push", "far/house.h5", "--sample", "17", "--level", "0.4 MPa"}).out ==
+          "far/house_17_0.4");
+    CHECK(parse({"push", "far/house.h5", "--sample", "mean"}).out == "far/house_mean");
+    CHECK(parse({"report", "far/house.h5", "--title", "North wall"}).title == "North wall");
+}
+
 TEST_CASE("command line: help and version are verbs and options", "[app][command_line]")
 {
     CHECK(parse({"help"}).verb->name == "help");

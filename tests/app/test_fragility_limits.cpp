@@ -167,12 +167,26 @@ TEST_CASE("fragility limits: equal drifts have equal p-values, whichever limit s
 {
     app::DriftData data = scenes::drifts({{1.0, 2.0, 4.0, 2.0, 3.0, -3.9, -4.0}});
     data.states.push_back(data.states[0]);
+    data.states[0].rule = "one rule";
+    data.states[1].rule = "another";
     for (app::DriftWall& w : data.groups[0].walls) w.limits.push_back(w.limits[0]);
     const app::Table t = app::fit_table(data);
     REQUIRE(t.rows.size() == 2);
     CHECK_FALSE(cell(t, 0, "p of A2").empty()); // although runs ended apart
     for (std::size_t c = 0; c < t.head.size(); ++c)
         CHECK(app::cell_text(t.rows[0][c]) == app::cell_text(t.rows[1][c]));
+}
+
+TEST_CASE("fragility limits: states of one rule have one row, with the names of both",
+          "[app][fragility_limits]")
+{
+    app::DriftData data = scenes::drifts({{1.0, 2.0, 4.0, 2.0, 3.0}});
+    data.states = {{"paper", "ultimate", "first drop"}, {"ec8", "NC", "first drop"}};
+    for (app::DriftWall& w : data.groups[0].walls) w.limits.push_back(w.limits[0]);
+    for (const app::Table& t : {app::performance_table(data), app::fit_table(data)}) {
+        REQUIRE(t.rows.size() == 1);
+        CHECK(cell(t, 0, "limit state") == "paper ultimate, ec8 NC");
+    }
 }
 
 TEST_CASE("fragility limits: the share censored is in the table", "[app][fragility_limits]")

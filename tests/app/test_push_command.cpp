@@ -24,6 +24,20 @@ struct Written {
     std::string terminal;
 };
 
+/// What is written to std::cout meanwhile.
+class Terminal {
+  public:
+    Terminal() : screen_(std::cout.rdbuf(text_.rdbuf())) {}
+    ~Terminal() { std::cout.rdbuf(screen_); }
+    Terminal(const Terminal&) = delete;
+    Terminal& operator=(const Terminal&) = delete;
+    [[nodiscard]] std::string text() const { return text_.str(); }
+
+  private:
+    std::ostringstream text_;
+    std::streambuf* screen_;
+};
+
 Written push(const std::string& study, const fs::path& out, std::vector<std::string> overrides,
              int threads = 1)
 {
@@ -34,11 +48,9 @@ Written push(const std::string& study, const fs::path& out, std::vector<std::str
     command.threads = threads;
     command.mean_wall = study == "quick.ini";
     command.quiet = true;
-    std::ostringstream terminal;
-    std::streambuf* screen = std::cout.rdbuf(terminal.rdbuf());
+    const Terminal terminal;
     const int code = app::push_command(command);
-    std::cout.rdbuf(screen);
-    return {code, terminal.str()};
+    return {code, terminal.text()};
 }
 
 nlohmann::json summary(const fs::path& folder)
@@ -135,6 +147,101 @@ TEST_CASE("push command: the wall of means is that of a study with the means for
               read_text(folder.path / "numbers" / level / "capacity.csv"));
     CHECK(read_text(folder.path / "mean" / "0.50_MPa" / "study.ini")
               .starts_with("# The wall in which"));
+}
+
+TEST_CASE("push command: a wall taken out of a study runs again as it is, with the same bits",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string spatial = GENERATE("none", "independent");
+    std::vector<std::string> overrides = kCoarse;
+    overrides[3] = "load.max_displacement=1 mm";
+    overrides.push_back("uq.spatial=" + spatial);
+    app::Command command;
+    command.study = std::string(DRYSTONE_SOURCE_DIR) + "/configs/quick.ini";
+    command.out = (folder.path / "a").string();
+    command.overrides = overrides;
+    command.sample = 5;
+    command.level = "1.00 MPa";
+    command.quiet = true;
+    const auto run = [](const app::Command& c) {
+        const Terminal terminal;
+        return app::push_command(c);
+    };
+    REQUIRE(run(command) == 0);
+    app::Command again;
+    again.study = (folder.path / "a" / "study.ini").string();
+    again.out = (folder.path / "b").string();
+    again.quiet = true;
+    REQUIRE(run(again) == 0);
+    CHECK(read_text(folder.path / "a" / "capacity.csv") ==
+          read_text(folder.path / "b" / "capacity.csv"));
+    const auto values = [&](const char* name) {
+        return summary(folder.path / name)["study"].get<std::string>();
+    };
+    CHECK(values("a").substr(values("a").find("\ndrawn")) ==
+          values("b").substr(values("b").find("\ndrawn")));
+    again.sample = 5;
+    CHECK_THROWS_WITH(run(again), Catch::Contains("uq.drawn"));
+    again.sample.reset();
+    again.overrides = {"uq.drawn=1 MPa; joint.friction_angle = 30 deg"};
+    CHECK_THROWS_WITH(run(again), Catch::Contains("the wall takes"));
+}
+
+TEST_CASE("push command: a run leaves no file of the one before it, and replaces no other's",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    std::vector<std::string> overrides = kCoarse;
+    overrides[3] = "load.max_displacement=0.5 mm";
+    const fs::path out = folder.path / "out";
+    REQUIRE(push("levels.ini", out, overrides).code == 0);
+    REQUIRE(fs::exists(out / "levels.svg"));
+    REQUIRE(push("wall.ini", out, overrides).code == 0);
+    CHECK(fs::exists(out / "summary.json"));
+    for (const char* name : {"levels.csv", "levels.svg", "0.15_MPa", "1.25_MPa"})
+        CHECK_FALSE(fs::exists(out / name));
+    fs::remove(out / "drystone_push_files.txt"); // now the files are somebody's
+    const std::string before = read_text(out / "summary.json");
+    CHECK_THROWS_WITH(push("wall.ini", out, overrides), Catch::Contains("is there already"));
+    CHECK(read_text(out / "summary.json") == before);
+}
+
+TEST_CASE(
+    "push command: the curve has the energies of each point, the last that of the summary",
+    "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    REQUIRE(push("wall.ini", folder.path / "out", kCoarse).code == 0);
+    const std::string csv = read_text(folder.path / "out" / "capacity.csv");
+    CHECK(csv.starts_with("displacement_mm,drift_percent,force_kN,base_shear_kN,unbalance_kN,"
+                          "work_J,elastic_J,friction_J,fracture_J,crushing_J,damping_J,"
+                          "kinetic_J,lifted_J\n"));
+    const std::size_t last = csv.rfind('\n', csv.size() - 2) + 1;
+    std::istringstream line(csv.substr(last));
+    std::vector<double> values;
+    for (std::string cell; std::getline(line, cell, ',');) values.push_back(std::stod(cell));
+    REQUIRE(values.size() == 13);
+    const auto energy = summary(folder.path / "out")["energy"];
+    CHECK(values[5] == Approx(energy["work_J"].get<double>()).epsilon(1e-8));
+    CHECK(values[7] == Approx(energy["friction_J"].get<double>()).epsilon(1e-8));
+    CHECK(values[3] == Approx(values[2]).epsilon(0.01)); // nearly in balance
+}
+
+TEST_CASE("push command: limit states are in tables, with what governs", "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    std::vector<std::string> overrides = kCoarse;
+    overrides[3] = "load.max_displacement=14 mm";
+    overrides.push_back("load.vertical_stress=0.15 MPa");
+    const Written w = push("wall.ini", folder.path / "out", overrides);
+    REQUIRE(w.code == 0);
+    CHECK(w.terminal.find("ntc SLC") != std::string::npos);
+    const std::string csv = read_text(folder.path / "out" / "limit_states.csv");
+    CHECK(csv.find("ntc SLC") != std::string::npos);
+    CHECK(csv.find("the drift limit of the code") != std::string::npos);
+    for (const auto& state : summary(folder.path / "out")["limit_states"])
+        if (state["name"] == "SLC") CHECK(state["drift_percent"] == Approx(1.0));
 }
 
 TEST_CASE("push command: one thread and two give the same bits", "[app][push_command]")

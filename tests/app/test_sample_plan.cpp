@@ -1,5 +1,6 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/sampling/wall_sites.hpp"
+#include "app/study/study_columns.hpp"
 #include "app/study/study_identity.hpp"
 #include "app/study_scenes.hpp"
 #include "app/text/config_error.hpp"
@@ -170,6 +171,20 @@ TEST_CASE("sample plan: values that follow from random ones follow their draw",
                       .epsilon(1e-14));
         }
     }
+}
+
+TEST_CASE("sample plan: the columns of a study say where each joint and crack is",
+          "[app][sample_plan]")
+{
+    const std::vector<app::Column> columns =
+        app::input_columns(plan_of(study("samples = 2\nspatial = independent")));
+    const auto meaning = [&](const std::string& name) {
+        return std::ranges::find(columns, name, &app::Column::name)->meaning;
+    };
+    CHECK(meaning("joint.friction_angle.1") ==
+          "of this joint ID, middle at x = 0.2 m, z = 0.05 m");
+    CHECK(meaning("unit.tensile_strength.1") ==
+          "of this crack ID, middle at x = 0.1 m, z = 0.05 m");
 }
 
 TEST_CASE("sample plan: sites of joints and cracks are where Fig. 13 has them",

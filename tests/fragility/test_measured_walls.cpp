@@ -94,11 +94,18 @@ TEST_CASE("measured walls: SLC, SLV, SLD and SLO are the printed ones to their l
         INFO(p.wall);
         const bench::CurveTable table = first_at_each_displacement(walls.at(p.wall));
         const std::vector<LimitState> s = read_limit_states(table.curve(), "ntc");
-        CHECK(s[0].limit.displacement == printed(p.slo, 2));
-        CHECK(s[1].limit.displacement == printed(p.sld, 2));
+        if (p.slc_is_end) { // a bound that holds however the test goes on
+            CHECK(s[0].limit.displacement <= printed(p.slo, 2));
+            CHECK(s[1].limit.displacement <= printed(p.sld, 2));
+            CHECK(equal_energy_bilinear(table.curve(), table.curve().displacement.back(), 0.6)
+                      .yield_displacement == printed(p.sld, 2));
+        } else {
+            CHECK(s[0].limit.displacement == printed(p.slo, 2));
+            CHECK(s[1].limit.displacement == printed(p.sld, 2));
+        }
         CHECK(s[2].limit.displacement == printed(p.slv, 1));
         CHECK(s[3].limit.displacement == printed(p.slc, 1));
-        CHECK(s[1].limit.reading == Reading::observed);
+        CHECK((s[1].limit.reading == Reading::censored) == p.slc_is_end);
         CHECK((s[3].limit.reading == Reading::censored) == p.slc_is_end);
     }
 }

@@ -1,0 +1,13 @@
+#pragma once
+/// The limit states of pushed walls, one row each.
+
+#include "app/output/table.hpp"
+#include "app/study/pushed_wall.hpp"
+
+#include <vector>
+
+namespace app {
+
+[[nodiscard]] Table limit_table(const Study& study, const std::vector<PushedWall>& walls);
+
+} // namespace app

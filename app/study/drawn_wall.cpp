@@ -1,0 +1,94 @@
+#include "app/study/drawn_wall.hpp"
+
+#include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/text/words.hpp"
+#include "dem/scene/layout.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace app {
+namespace {
+
+constexpr std::string_view kMean = "mean";
+
+int parse_level(const Study& study, std::string_view text)
+{
+    const double stress = parse_quantity(text, "MPa");
+    const std::vector<double>& all = study.load.vertical_stress;
+    const auto found = std::find(all.begin(), all.end(), stress);
+    if (found == all.end())
+        throw BadValue(in_quotes(text) + " is none of load.vertical_stress, " +
+                       format_quantities(all, "MPa"));
+    return static_cast<int>(found - all.begin());
+}
+
+/// The values of "joint.friction_angle = 25.82 deg".
+const std::vector<double>& read_part(const Study& study, std::string_view part,
+                                     std::vector<std::vector<double>>& values)
+{
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string_view name = trimmed(part.substr(0, equals));
+    for (std::size_t i = 0; i < study.random.size(); ++i) {
+        if (study.random[i].key != name) continue;
+        if (equals == part.size()) throw BadValue(in_quotes(part) + " has no value");
+        return values[i] =
+                   parse_quantities(trimmed(part.substr(equals + 1)), study.random[i].unit);
+    }
+    throw BadValue(in_quotes(name) + " is no distribution of this study");
+}
+
+WallDraw parse_draw(const Study& study, const std::vector<std::string_view>& parts)
+{
+    if (parts.size() == 2 && parts.back() == kMean) return {};
+    std::vector<std::vector<double>> values(study.random.size());
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        if (!parts[i].empty()) static_cast<void>(read_part(study, parts[i], values));
+    const dem::Layout layout = layout_of(study);
+    std::vector<int> sites;
+    std::vector<double> all;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        sites.push_back(values_per_wall(study.random[i], study.uq.spatial, layout));
+        if (values[i].size() != static_cast<std::size_t>(sites[i]))
+            throw BadValue(study.random[i].key + " has " + std::to_string(values[i].size()) +
+                           " values; the wall takes " + std::to_string(sites[i]));
+        all.insert(all.end(), values[i].begin(), values[i].end());
+    }
+    return checked_draw(study.random, sites, all);
+}
+
+} // namespace
+
+std::string drawn_text(const Study& study, const WantedWall& wall)
+{
+    const double stress = study.load.vertical_stress[static_cast<std::size_t>(wall.level)];
+    std::string text = format_quantities({&stress, 1}, "MPa");
+    if (wall.draw.values.empty()) return text + "; " + std::string(kMean);
+    for (std::size_t i = 0; i < study.random.size(); ++i)
+        text += "; " + study.random[i].key + " = " +
+                format_quantities(wall.draw.values[i], study.random[i].unit);
+    return text;
+}
+
+WantedWall drawn_wall(const Study& study)
+{
+    try {
+        const auto parts = split(study.uq.drawn, ";");
+        return {parse_level(study, parts.front()), parse_draw(study, parts)};
+    } catch (const BadValue& bad) {
+        throw error_at(study.source, "uq.drawn", bad.what());
+    }
+}
+
+Study with_drawn(Study study, const WantedWall& wall)
+{
+    constexpr std::string_view kName = "uq.drawn";
+    study.uq.drawn = drawn_text(study, wall);
+    auto& entries = study.source.entries;
+    std::erase_if(entries, [&](const Entry& e) { return e.key == kName; });
+    entries.push_back({std::string(kName), study.uq.drawn, 1});
+    return study;
+}
+
+} // namespace app
