@@ -183,8 +183,7 @@ std::vector<double> crushings(std::span<const dem::Snapshot> frames)
         for (const bool first : {true, false})
             for (const dem::Snapshot& s : frames) {
                 const std::span all(s.faces[f].contacts);
-                series.push_back(
-                    worst_crushing(first ? all.first(middle) : all.last(middle)));
+                series.push_back(worst_crushing(first ? all.first(middle) : all.last(middle)));
             }
     }
     return series;
