@@ -36,7 +36,7 @@ class Drawing {
         this.joints = geometry.faces.map(([kind]) => joints.appendChild(element('line', { class: kind === 'crack' ? 'within' : 'between' })));
         const marks = group('marks');
         this.faces = geometry.faces.map(() => ({ gap: marks.appendChild(element('polygon')), line: marks.appendChild(element('line')) }));
-        // Squares where stone crushes, one for each half of a face, made when a film has any.
+        // Squares at the ends of faces where stone crushes; each picture has its own.
         this.crushed = group('crushed');
         this.arrow = this.svg.appendChild(element('path', { class: 'load', 'stroke-width': 7 * this.k }));
         this.load = this.svg.appendChild(element('text', { class: 'load', 'text-anchor': 'start', 'font-size': 42 * this.k }));

@@ -23,7 +23,7 @@ struct HandChecks {
     /// Nothing where the angle is drawn for each joint or wall, nor where there is no rocking limit.
     std::optional<double> sliding_limit;
     /// Largest compression in the lowest joints that can open, at the end of the push [Pa]; nothing where the
-    /// push failed. Contacts carry it elastically: nothing in the model crushes.
+    /// push failed. Where joints have no compressive strength, nothing limits it.
     std::optional<double> toe_stress;
     std::vector<std::string>
         remarks; ///< results beyond a limit, and what cannot happen in this wall
