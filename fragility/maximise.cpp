@@ -71,4 +71,11 @@ Maximum maximise(const std::function<Local(const Eigen::VectorXd&)>& f, Eigen::V
     return m;
 }
 
+Eigen::MatrixXd inverse_information(const Eigen::MatrixXd& hessian)
+{
+    const Eigen::MatrixXd information = -hessian;
+    const Eigen::LLT<Eigen::MatrixXd> factor(information);
+    return factor.solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
+}
+
 } // namespace fragility

@@ -34,4 +34,8 @@ struct Maximum {
 [[nodiscard]] Maximum maximise(const std::function<Local(const Eigen::VectorXd&)>& f,
                                Eigen::VectorXd start, const MaximiseOptions& options = {});
 
+/// Covariance of the estimates at a maximum: the inverse of the information, which is the negative hessian.
+/// @param hessian negative definite
+[[nodiscard]] Eigen::MatrixXd inverse_information(const Eigen::MatrixXd& hessian);
+
 } // namespace fragility

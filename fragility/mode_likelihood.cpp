@@ -69,7 +69,8 @@ VectorXd penalty_gradient(const MatrixXd& design, const MatrixXd& counts, const 
 Local penalised_slope(const MatrixXd& design, const MatrixXd& counts, const VectorXd& beta)
 {
     Local l = mode_likelihood(design, counts, beta);
-    const Eigen::LLT<MatrixXd> factor(-l.hessian);
+    const MatrixXd information = -l.hessian;
+    const Eigen::LLT<MatrixXd> factor(information);
     if (factor.info() != Eigen::Success || !(factor.rcond() > 1e-15)) {
         l.value = -std::numeric_limits<double>::infinity();
         return l;

@@ -127,12 +127,10 @@ ModeModel completed(const Scaled& s, const Maximum& m, ModePenalty penalty)
     const MatrixXd back = unscaling(s, others);
     const VectorXd beta = back * m.at;
     const Local l = mode_likelihood(s.design, s.counts, m.at);
-    const MatrixXd inverse =
-        (-l.hessian).llt().solve(MatrixXd::Identity(m.at.size(), m.at.size()));
     ModeModel model;
     model.outcome = ModelOutcome::converged;
     model.penalty = penalty;
-    model.covariance = back * inverse * back.transpose();
+    model.covariance = back * inverse_information(l.hessian) * back.transpose();
     model.coefficients.resize(others, p);
     model.std_errors.resize(others, p);
     for (Index k = 0; k < others; ++k)

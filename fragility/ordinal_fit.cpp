@@ -153,7 +153,7 @@ void complete(OrdinalFit& f, const Maximum& m, double middle)
         d(k, cuts) = -m.at[k] * f.dispersion * f.dispersion;
     }
     d(cuts, cuts) = -f.dispersion * f.dispersion;
-    f.covariance = d * (-m.local.hessian).inverse() * d.transpose();
+    f.covariance = d * inverse_information(m.local.hessian) * d.transpose();
     f.log_likelihood = m.local.value;
 }
 

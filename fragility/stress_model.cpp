@@ -158,8 +158,7 @@ void complete(StressModel& model, const Prepared& p, const Maximum& m, const Cou
     model.outcome = FitOutcome::converged;
     model.median_terms = m.at.head(p.median);
     model.dispersion_terms = m.at.tail(p.dispersion);
-    model.covariance =
-        (-m.local.hessian).llt().solve(MatrixXd::Identity(m.at.size(), m.at.size()));
+    model.covariance = inverse_information(m.local.hessian);
     model.centre = p.centre;
     model.scale = p.scale;
     const auto ends =

@@ -21,8 +21,34 @@ inline constexpr std::array kYesNo = {named("yes", true), named("no", false)};
 inline constexpr Condition kOfFile{[](const Study& s) { return !s.geometry.file.empty(); },
                                    "there is no wall.geometry to read; remove it", true};
 
-[[nodiscard]] std::span<const Key> wall_keys();   ///< wall, stone, joint, unit, beam, base
-[[nodiscard]] std::span<const Key> solver_keys(); ///< load, solver, output
-[[nodiscard]] std::span<const Key> random_keys(); ///< uq, reliability, fragility
+inline constexpr Condition kWithBaseJoint{
+    [](const Study& s) { return s.wall.base == dem::Base::joint; },
+    "there is no base joint; write wall.base = joint, or remove it", true};
+inline constexpr Condition kWithBeam{[](const Study& s) { return s.beam.present; },
+                                     "there is no beam; write beam.present = yes, or remove it",
+                                     true};
+inline constexpr Condition kWithBeamJoint{
+    [](const Study& s) { return s.beam.interface == dem::BeamInterface::joint; },
+    "there is no beam joint; write beam.interface = joint, or remove it", true};
+inline constexpr Condition kWithGravity{[](const Study& s) { return s.load.gravity > 0.0; },
+                                        "load.gravity is 0"};
+
+inline constexpr std::array kNone = {named("none", 0)};
+
+// The ends of the ranges are beyond any wall: they catch a wrong power of ten.
+inline constexpr Range kHeight{'[', 0.001, 10, ']'}; // [m]
+inline constexpr Range kModulus{'(', 0, 1000, ']'};  // [GPa]
+inline constexpr Range kPoisson{'[', 0, 0.5, ')'};   // [-]
+inline constexpr Range kDensity{'[', 0, 20000, ']'}; // [kg/m3]
+inline constexpr Range kAngle{'[', 0, 90, ')'};      // [deg]
+inline constexpr Range kStrength{'[', 0, 1000, ']'}; // [MPa]
+inline constexpr Range kFactor{'(', 0, 1000, ']'};   // [-]
+
+[[nodiscard]] std::span<const Key> wall_keys();    ///< wall, stone, lintel
+[[nodiscard]] std::span<const Key> joint_keys();   ///< joint
+[[nodiscard]] std::span<const Key> unit_keys();    ///< unit
+[[nodiscard]] std::span<const Key> support_keys(); ///< beam, base
+[[nodiscard]] std::span<const Key> solver_keys();  ///< load, solver, output
+[[nodiscard]] std::span<const Key> random_keys();  ///< uq, reliability, fragility
 
 } // namespace app

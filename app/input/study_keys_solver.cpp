@@ -85,8 +85,6 @@ constexpr Condition kByFidelity{[](const Study& s) {
 constexpr Condition kSlowingDrive{[](const Study& s) { return s.solver.unbalance_limit > 0.0; },
                                   "solver.unbalance_limit is 0"};
 
-// The ends of the ranges are beyond any wall: they catch a wrong power of ten.
-constexpr Range kStrength{'[', 0, 1000, ']'};  // [MPa]
 constexpr Range kModeCount{'[', 3, 1000, ']'}; // [-]
 
 // clang-format off

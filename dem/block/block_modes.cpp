@@ -1,5 +1,7 @@
 #include "dem/block/block_modes.hpp"
 
+#include "dem/block/eigen_pairs.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -49,19 +51,13 @@ void extend_basis(const MatrixXd& c, const MatrixXd& candidates, Index wanted, M
     }
 }
 
-/// Eigenvectors of K phi = lambda C phi, softest first.
-MatrixXd eigenvectors(const MatrixXd& k, const MatrixXd& c)
-{
-    return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(k, c).eigenvectors();
-}
-
 /// The best modes in the span of `basis` (Rayleigh-Ritz).
 BlockModes ritz(const MatrixXd& k, const MatrixXd& c, const MatrixXd& basis)
 {
     if (basis.cols() == 0) return {basis, VectorXd(0)};
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
-        basis.transpose() * k * basis, basis.transpose() * c * basis);
-    return {basis * solver.eigenvectors(), solver.eigenvalues()};
+    const EigenPairs best =
+        eigen_pairs(basis.transpose() * k * basis, basis.transpose() * c * basis);
+    return {basis * best.vectors, best.values};
 }
 
 BlockModes joined(const BlockModes& a, const BlockModes& b)
@@ -110,7 +106,7 @@ BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const Mat
     extend_basis(c, rigid_motions(spec, con.points), 3, rigid);
     MatrixXd basis = rigid;
     if (wanted > 3 && wanted < all) extend_basis(c, strains(spec, con.points), wanted, basis);
-    if (basis.cols() < wanted) extend_basis(c, eigenvectors(k, c), wanted, basis);
+    if (basis.cols() < wanted) extend_basis(c, eigen_pairs(k, c).vectors, wanted, basis);
     const BlockModes elastic = ritz(k, c, basis.rightCols(basis.cols() - rigid.cols()));
     MatrixXd moving = rigid;
     if (spec.motion == Motion::driven) {
@@ -149,7 +145,7 @@ BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const Ma
     if (wanted < all)
         extend_basis(c_open, supported_fields(spec, con.points)(open, Eigen::all), wanted,
                      basis);
-    extend_basis(c_open, eigenvectors(k_open, c_open), wanted, basis);
+    extend_basis(c_open, eigen_pairs(k_open, c_open).vectors, wanted, basis);
     const BlockModes m = ritz(k_open, c_open, basis);
     BlockModes full{MatrixXd::Zero(con.stiffness.rows(), m.phi.cols()), m.lambda.cwiseMax(0.0)};
     for (Index i = 0; i < all; ++i) full.phi.row(open[i]) = m.phi.row(i);

@@ -1,6 +1,7 @@
 #include "dem/block/sparse_modes.hpp"
 
 #include "dem/block/block_modes.hpp"
+#include "dem/block/eigen_pairs.hpp"
 
 #include <Eigen/SparseCholesky>
 
@@ -110,17 +111,17 @@ MatrixXd softest(const Problem& p, const MatrixXd& known, Index wanted)
     }
     const MatrixXd q = basis.rightCols(basis.cols() - start);
     if (q.cols() == 0) return q;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(q.transpose() * (p.k * q));
-    return q * ritz.eigenvectors().leftCols(std::min(wanted, q.cols()));
+    const EigenPairs ritz = eigen_pairs(q.transpose() * (p.k * q));
+    return q * ritz.vectors.leftCols(std::min(wanted, q.cols()));
 }
 
 MatrixXd ritz_modes(const Problem& p, const MatrixXd& basis, VectorXd& lambda)
 {
     if (basis.cols() == 0) return basis;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
-        basis.transpose() * (p.k * basis), basis.transpose() * (p.c * basis));
-    lambda = solver.eigenvalues();
-    return basis * solver.eigenvectors();
+    const EigenPairs best =
+        eigen_pairs(basis.transpose() * (p.k * basis), basis.transpose() * (p.c * basis));
+    lambda = best.values;
+    return basis * best.vectors;
 }
 
 void extend(const Problem& p, const MatrixXd& candidates, Index wanted, MatrixXd& basis)

@@ -2,6 +2,7 @@
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/static_start.hpp"
 #include "dem/solver/step.hpp"
+#include "eigenvalues.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>
@@ -86,10 +87,7 @@ double dense_eigenvalue(const dem::Model& m, const dem::WallMaterials& w,
         add(c, w.cracks[c.material].kn, w.cracks[c.material].ks);
     const Eigen::VectorXd root =
         Eigen::Map<const Eigen::VectorXd>(s.laws.inv_mass.data(), m.n_modes).cwiseSqrt();
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-               root.asDiagonal() * k * root.asDiagonal(), Eigen::EigenvaluesOnly)
-        .eigenvalues()
-        .maxCoeff();
+    return eigenvalues(root.asDiagonal() * k * root.asDiagonal()).maxCoeff();
 }
 
 /// Energy residual of a wall that gets a small random push under its vertical load and is left

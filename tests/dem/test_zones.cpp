@@ -1,6 +1,6 @@
 #include "dem/block/mesh.hpp"
+#include "eigenvalues.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <catch2/catch.hpp>
 
@@ -99,8 +99,7 @@ double lowest_frequency(const ZoneGrid& grid, const Elastic& material, const Fre
             1.0 / std::sqrt(material.density * kThickness * area(rows[r] / 2));
     const MatrixXd k_free = k(rows, rows);
     const MatrixXd scaled = inv_root_mass.asDiagonal() * k_free * inv_root_mass.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
-    return std::sqrt(solver.eigenvalues()(0));
+    return std::sqrt(eigenvalues(scaled)(0));
 }
 
 ZoneGrid bar(int zones, double height = 0.02, int rows = 1)
@@ -171,8 +170,7 @@ TEST_CASE("zones: rigid motions need no force, every other motion does", "[dem][
     for (const VectorXd& u : {right, up, linear_field(grid, {0, 0, 0}, 1.0)})
         CHECK((k * u).norm() < 1e-12 * k.norm() * u.norm());
 
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(k, Eigen::EigenvaluesOnly);
-    const VectorXd& e = solver.eigenvalues();
+    const VectorXd e = eigenvalues(k);
     CHECK(e(2) < 1e-12 * e(e.size() - 1));
     CHECK(e(3) > 1e-6 * e(e.size() - 1)); // no hourglass motion
 }

@@ -51,7 +51,8 @@ Eigen::MatrixXd reordered(const Eigen::MatrixXd& x, const Eigen::MatrixXd& targe
     constexpr double kIndependent = 1e-8; // pivots of the Cholesky factor against the largest
     const auto n = static_cast<double>(x.rows());
     if (x.rows() <= x.cols()) refuse(x.rows(), x.cols());
-    const Eigen::LLT<Eigen::MatrixXd> have(scores.transpose() * scores / n), want(target);
+    const Eigen::MatrixXd present = scores.transpose() * scores / n;
+    const Eigen::LLT<Eigen::MatrixXd> have(present), want(target);
     const Eigen::MatrixXd f = have.matrixU(), c = want.matrixU();
     if (have.info() != Eigen::Success ||
         f.diagonal().minCoeff() < kIndependent * f.diagonal().maxCoeff())

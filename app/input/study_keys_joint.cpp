@@ -1,0 +1,114 @@
+/// Joints: keys of the study file.
+
+#include "app/input/study_key_table.hpp"
+#include "app/input/wall_geometry.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+void derive_shear_stiffness(Parameters& p, double course_height)
+{
+    std::vector<double> kn = p.joint.normal_stiffness;
+    for (const double modulus : p.joint.wall_modulus)
+        kn.push_back(dem::joint_stiffness(course_height, modulus, p.stone.young_modulus));
+    for (double& k : kn) k = dem::shear_stiffness(k, p.stone.poisson_ratio);
+    p.joint.shear_stiffness = kn;
+}
+constexpr Condition kJointsCrush{
+    [](const Study& s) { return s.parameters.joint.crushing.strength > 0.0; },
+    "joint.compressive_strength is none"};
+constexpr Condition kDryJoints{[](const Study& s) { return !has_mortar(s); },
+                               "joints have mortar, whose law knows no wear; remove it", true};
+constexpr Condition kJointsWear{
+    [](const Study& s) { return s.parameters.joint.wear_length > 0.0; },
+    "joint.wear_length is none"};
+/// Of any joint that may wear; a draw may be above the residual angle where the mean is not.
+bool friction_can_fall(const Study& s)
+{
+    const Parameters& p = s.parameters;
+    const double left = p.joint.residual_friction_angle;
+    const bool drawn =
+        find_entry(s.source, "joint.residual_friction_angle") != nullptr &&
+        std::ranges::any_of(s.random, [](const RandomInput& r) {
+            return r.key == "joint.friction_angle" || r.key == "joint.residual_friction_angle";
+        });
+    return drawn || left < p.joint.friction_angle ||
+           (kWithBaseJoint.holds(s) && left < p.base_friction_angle) ||
+           (kWithBeam.holds(s) && kWithBeamJoint.holds(s) && left < p.beam_friction_angle);
+}
+constexpr Condition kFrictionFalls{
+    friction_can_fall, "no joint has a friction above joint.residual_friction_angle"};
+constexpr Condition kBondInTension{
+    [](const Study& s) { return s.parameters.joint.tensile_strength > 0.0; },
+    "joint.tensile_strength is 0"};
+constexpr Range kStiffness{'(', 0, 1e6, ']'}; // [GPa/m]
+
+// clang-format off
+constexpr std::array kKeys = {
+    Key{.name = "joint.wall_modulus", .kind = Kind::list, .unit = "MPa", .range = {'(', 0, 1e6, ']'},
+        .derived = {"or normal_stiffness"},
+        .meaning = "one per stress level, gives k_n by Eq. 2 (paper, Table 3)",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::wall_modulus>},
+    Key{.name = "joint.normal_stiffness", .kind = Kind::list, .unit = "GPa/m", .range = kStiffness,
+        .derived = {"from wall_modulus"},
+        .meaning = "k_n, one or one per stress level; in place of wall_modulus",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::normal_stiffness>},
+    Key{.name = "joint.shear_stiffness", .kind = Kind::list, .unit = "GPa/m", .range = kStiffness,
+        .derived = {.rule = "k_n / (2 (1 + nu))", .follow = derive_shear_stiffness},
+        .meaning = "k_s, one or one per stress level (paper, Table 4)",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::shear_stiffness>},
+    Key{.name = "joint.friction_angle", .unit = "deg", .range = kAngle, .example = "31.8 deg",
+        .varies = Varies::by_joint,
+        .meaning = "of the joints (paper, Table 4)",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::friction_angle>},
+    Key{.name = "joint.stiffness_factor", .range = kFactor,
+        .varies = Varies::by_joint,
+        .meaning = "on k_n and k_s of the joints (paper, Table 5)",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::stiffness_factor>},
+
+    Key{.name = "joint.tensile_strength", .unit = "MPa", .range = kStrength,
+        .varies = Varies::by_joint,
+        .meaning = "of mortar; 0: dry",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::tensile_strength>},
+    Key{.name = "joint.cohesion", .unit = "MPa", .range = kStrength,
+        .varies = Varies::by_joint,
+        .meaning = "of mortar; 0: dry. Friction alone is left where it is broken",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::cohesion>},
+    Key{.name = "joint.fracture_energy", .unit = "N/m", .range = {'[', 0, 1e6, ']'},
+        .effect = kBondInTension,
+        .varies = Varies::by_joint,
+        .meaning = "of mortar, mode I",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::fracture_energy>},
+
+    Key{.name = "joint.compressive_strength", .unit = "MPa", .range = {'(', 0, 10000, ']'}, .names = kNone,
+        .varies = Varies::by_joint,
+        .meaning = "f_c of the faces of joints, at the base and at a beam on a joint too; none: they do not crush",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::crushing, &dem::Crushing::strength>},
+    Key{.name = "joint.crushing_energy", .unit = "N/m", .range = {'(', 0, 1e9, ']'}, .names = kNone,
+        .effect = kJointsCrush,
+        .varies = Varies::by_joint,
+        .meaning = "G_c from f_c to nothing; none: the strength stays",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::crushing, &dem::Crushing::energy>},
+
+    Key{.name = "joint.wear_length", .unit = "mm", .range = {'(', 0, 10000, ']'}, .names = kNone,
+        .used = kDryJoints, .effect = kFrictionFalls,
+        .varies = Varies::by_joint,
+        .meaning = "slip that leaves 1/e of the difference to the residual friction, at the base and at a beam on a joint too; none: joints do not wear",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::wear_length>},
+    Key{.name = "joint.residual_friction_angle", .unit = "deg", .range = kAngle,
+        .used = kDryJoints, .effect = kJointsWear,
+        .derived = {.rule = "friction_angle", .follow = [](Parameters& p, double) { p.joint.residual_friction_angle = p.joint.friction_angle; }},
+        .varies = Varies::by_joint,
+        .meaning = "of a worn joint, at most the initial one",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::residual_friction_angle>},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const Key> joint_keys() { return kKeys; }
+
+} // namespace app

@@ -1,0 +1,19 @@
+#include "dem/block/eigen_pairs.hpp"
+
+namespace dem {
+
+using Eigen::MatrixXd;
+
+EigenPairs eigen_pairs(const MatrixXd& k)
+{
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(k);
+    return {solver.eigenvectors(), solver.eigenvalues()};
+}
+
+EigenPairs eigen_pairs(const MatrixXd& k, const MatrixXd& c)
+{
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(k, c);
+    return {solver.eigenvectors(), solver.eigenvalues()};
+}
+
+} // namespace dem
