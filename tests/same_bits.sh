@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# bash tests/same_bits.sh   one ensemble and a wall of rubble, the same curves to the last bit: through packs and one wall at a
-# time, with every register width, g++ and clang++, optimised and not. Builds in a directory that it removes.
+# bash tests/same_bits.sh [DIR]   one ensemble and a wall of rubble, the same curves to the last bit: through packs and one
+# wall at a time, with every register width, g++ and clang++, optimised and not. Builds in a directory that it removes.
+# DIR: the build directory of the Debian package, whose three solvers stand for three of the builds.
 set -uo pipefail
+package=${1:+$(readlink -f -- "$1")}
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." || exit 1
 
 builds=$(mktemp -d) || exit 1
@@ -27,18 +29,32 @@ build() { # $1: directory, $2: compiler, $3: flags
     return 1
 }
 
-try() { # $1: compiler, $2: flags
-    local dir=$builds/${#table[@]} begin=$SECONDS verdict=ok output='' packs scalar rubble lanes
-    build "$dir" "$1" "$2" && output=$("$dir/bench/curve_hash") || verdict=FAILED
+judge() { # $1: what, $2: SECONDS when it began, $3: what curve_hash wrote; empty: it failed
+    local verdict=ok output=$3 packs scalar rubble lanes
     read -r _ packs lanes _ <<<"$(grep '^packs ' <<<"$output")"
     read -r _ scalar <<<"$(grep '^scalar ' <<<"$output")"
     read -r _ rubble <<<"$(grep '^rubble ' <<<"$output")" # through packs and alone, or curve_hash fails
     first=${first:-$packs $rubble} # those of the first build are what all others must have
     [[ -n $packs && -n $rubble && "$packs $rubble" == "$first" && $scalar == "$packs" ]] || verdict=FAILED
     if [[ $verdict == ok ]]; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
-    row "$1 ${2// -mprefer-vector-width=512/}" "${lanes:--}" "${packs:--}" "${scalar:--}" "${rubble:--}" \
-        $((SECONDS - begin)) "$verdict"
+    row "$1" "${lanes:--}" "${packs:--}" "${scalar:--}" "${rubble:--}" $((SECONDS - $2)) "$verdict"
+}
+
+try() { # $1: compiler, $2: flags
+    local dir=$builds/${#table[@]} begin=$SECONDS output=''
+    build "$dir" "$1" "$2" && output=$("$dir/bench/curve_hash") || output=''
+    judge "$1 ${2// -mprefer-vector-width=512/}" "$begin" "$output"
     rm -rf -- "$dir"
+}
+
+try_or_shipped() { # $1: compiler, $2: flags, $3: the package's name for this instruction set
+    local begin=$SECONDS output
+    if [[ -z $package ]]; then
+        try "$1" "$2"
+    else
+        output=$("$package/packaging/curve_hash-$3") || output=''
+        judge "the package's $3" "$begin" "$output"
+    fi
 }
 
 skip() { # $1: what, $2: why
@@ -46,10 +62,13 @@ skip() { # $1: what, $2: why
     row "$1" - - - - - "did not run: $2"
 }
 
+if [[ -n $package ]]; then
+    ninja -C "$package" curve_hashes >"$builds/log" 2>&1 || { tail -n 20 -- "$builds/log" && exit 1; }
+fi
 row compiler lanes packs scalar rubble seconds ''
-try g++ '-O2 -march=x86-64' # no multiply-add instruction
+try_or_shipped g++ '-O2 -march=x86-64' v1 # no multiply-add instruction
 if runs avx2 fma; then
-    try g++ '-O3 -march=x86-64-v3'
+    try_or_shipped g++ '-O3 -march=x86-64-v3' v3
     try g++ '-O0 -march=x86-64-v3'
     if command -v clang++ >/dev/null; then
         try clang++ '-O3 -march=x86-64-v3'
@@ -60,7 +79,7 @@ else
     skip '-march=x86-64-v3' 'no AVX2 and FMA'
 fi
 if runs avx512f avx512dq avx512vl avx512bw avx512cd; then
-    try g++ '-O3 -march=x86-64-v4 -mprefer-vector-width=512'
+    try_or_shipped g++ '-O3 -march=x86-64-v4 -mprefer-vector-width=512' v4
 else
     skip 'g++ -march=x86-64-v4' 'no AVX-512'
 fi
