@@ -91,12 +91,12 @@ double Drive::advance()
     ++step_;
     turned_ = passed_zero_ = false;
     if (settling_ || finished()) return 0.0;
-    const double limit = options_.unbalance_limit;
+    const double limit = haste_ * options_.unbalance_limit;
     const double calm = limit > 0.0 && unbalance_ > limit
                             ? std::max(options_.min_speed, limit / unbalance_)
                             : 1.0;
     const double left = targets_[target_] - position_;
-    speed_ = std::min(fastest(left) * calm, speed_ + full_speed_ / kStartSteps);
+    speed_ = std::min(haste_ * fastest(left) * calm, speed_ + full_speed_ / kStartSteps);
     const bool lands = towards_zero();
     if (lands)
         land_on_zero();

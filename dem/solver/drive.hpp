@@ -32,6 +32,16 @@ class Drive {
     /// @param unbalance |top force - base shear| / vertical load [-]
     void feel(double unbalance);
 
+    /// To be told at each point of the curve whether the wall has come down to PushPlan::drop of its peak.
+    void after_drop(bool yes) { haste_ = yes ? options_.haste_after_drop : 1.0; }
+
+    /// Whether the wall is so far out of balance that the drive goes as slowly as it may.
+    [[nodiscard]] bool waits() const
+    {
+        return options_.unbalance_limit > 0.0 &&
+               unbalance_ * options_.min_speed >= haste_ * options_.unbalance_limit;
+    }
+
     [[nodiscard]] bool settling() const { return settling_; }
     [[nodiscard]] bool settled() const { return settled_; } ///< at rest before the push
     [[nodiscard]] bool finished() const { return !settling_ && target_ >= targets_.size(); }
@@ -74,6 +84,7 @@ class Drive {
     double speed_ = 0.0;                                ///< now [m/step]
     double landing_ = 0.0;   ///< speed at which it lands on zero; 0: not yet [m/step]
     double unbalance_ = 0.0; ///< smoothed
+    double haste_ = 1.0;     ///< SolverOptions::haste_after_drop, or 1
 };
 
 } // namespace dem

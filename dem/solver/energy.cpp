@@ -5,11 +5,21 @@
 
 namespace dem {
 
+namespace {
+
+double found(const Energy& e)
+{
+    return e.kinetic + e.elastic + e.friction + e.fracture + e.crushing + e.damping;
+}
+
+} // namespace
+
+double Energy::passed() const { return std::max(found(*this), std::abs(work)) + lifted; }
+
 double Energy::residual() const
 {
-    const double found = kinetic + elastic + friction + fracture + crushing + damping;
-    const double scale = std::max(found, std::abs(work)) + lifted;
-    return scale == 0.0 ? 0.0 : (work - found) / scale; // NaN stays NaN
+    const double scale = passed();
+    return scale == 0.0 ? 0.0 : (work - found(*this)) / scale; // NaN stays NaN
 }
 
 } // namespace dem

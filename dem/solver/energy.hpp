@@ -16,8 +16,8 @@ struct Energy {
     /// Of the push: what the drive has put into weight and vertical load, which rise as a wall rocks, >= 0. It
     /// is in `work` already, with the opposite sign.
     double lifted = 0.0;
-    /// The part of the work that is not accounted for, as a share of all energy that passed through the
-    /// wall [-].
+    [[nodiscard]] double passed() const; ///< all energy that passed through the wall
+    /// The part of the work that is not accounted for, as a share of passed() [-].
     [[nodiscard]] double residual() const;
 };
 

@@ -20,7 +20,7 @@ struct Model; // dem/block/model.hpp
 enum class Outcome {
     reached_target, ///< the wall reached all target displacements
     decided,        ///< PushPlan::decided stopped the push, because there was no more to learn
-    lost_equilibrium, ///< the wall came down: blocks are further apart than its height. A result
+    lost_equilibrium, ///< the wall came down: blocks are further apart than its height, or fall freely. A result
     not_finite,    ///< a number is NaN or infinite; the run is counted, but none of it is used
     energy_astray, ///< the energy balance missed energy_tolerance even with the smallest step
     out_of_steps,  ///< SolverOptions::most_steps were not enough
@@ -82,8 +82,8 @@ struct PushPlan {
     /// Whether the energy is balanced at every curve point, or only every few hundred steps.
     bool energy_at_points = true;
     bool snapshot_at_peak = true;
-    /// A snapshot is taken where the force first comes down to this share of its peak [-], in [0, 1);
-    /// 0 takes none.
+    /// A snapshot is taken where the force first comes down to this share of its peak [-], in [0, 1), and below it the
+    /// drive makes haste (SolverOptions::haste_after_drop); 0: neither.
     double drop = 0.0;
     /// Is asked at each curve point and ends the push by returning true. May be empty.
     std::function<bool(std::span<const CurvePoint>)> decided;

@@ -37,6 +37,9 @@ struct SolverOptions {
     /// |top force - base shear| / vertical load above which the drive slows [-]; with 0 it never slows.
     double unbalance_limit = 0.001;
     double min_speed = 0.01; ///< slowest drive, as a share of full speed, in (0, 1]
+    /// Once the force has come down to PushPlan::drop of its peak, nothing is read but where none is left. There the
+    /// drive goes so many times as fast and bears so many times the unbalance [-], >= 1; 1: as before.
+    double haste_after_drop = 2.0;
     Preload preload = Preload::solved;
     long long preload_steps =
         3000; ///< largest number of steps to come to rest under vertical load

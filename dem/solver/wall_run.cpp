@@ -16,6 +16,10 @@ namespace dem {
 namespace {
 
 constexpr long long kLookEvery = 500; // steps between looks at the whole wall
+constexpr long long kWatchEvery = 50; // and while one with finite displacements may be falling
+// Share of kinetic in all energy that passed through a wall above which it falls, if it stores less. On its way in
+// balance a wall has some 1e-4 of it; the ledger of one that falls breaks at 0.2 to 0.5, where blocks strike each other.
+constexpr double kFalling = 0.1; // choice
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
@@ -201,6 +205,7 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     if (task_->plan.drop > 0.0 && !result_.at_drop &&
         std::abs(p.force) <= task_->plan.drop * peak_)
         result_.at_drop = snapshot();
+    drive_.after_drop(task_->plan.drop > 0.0 && std::abs(p.force) <= task_->plan.drop * peak_);
     if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_) {
         result_.snapshots.push_back(snapshot());
         next_snapshot_ += task_->plan.snapshot_every;
@@ -252,10 +257,13 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
 /// apart has not lost its equilibrium. Its balance is not finite if any number of the wall is not.
 template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int lane)
 {
-    const double residual = std::abs(energy(state, lane).residual());
+    const Energy e = energy(state, lane);
+    const double residual = std::abs(e.residual());
     if (!std::isfinite(residual)) return Outcome::not_finite;
     result_.residual = std::max(result_.residual, residual); // the largest at any point counts
     if (result_.residual > options_.energy_tolerance) return Outcome::energy_astray;
+    if (may_fall() && e.kinetic > std::max(e.elastic, kFalling * e.passed()))
+        return Outcome::lost_equilibrium;
     if (largest_opening(state, lane) > task_->model.layout.height)
         return Outcome::lost_equilibrium;
     if (result_.cost.steps >= options_.most_steps) return Outcome::out_of_steps;
@@ -267,7 +275,8 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
     drive_.settling() ? settle(state, lane) : go_on(state, lane);
     const bool over = drive_.finished() || decided_;
     ++result_.cost.steps;
-    if (++steps_ % kLookEvery != 0 && !over) return true;
+    const long long every = may_fall() && drive_.waits() ? kWatchEvery : kLookEvery;
+    if (++steps_ % every != 0 && !over) return true;
     result_.outcome = judge(state, lane);
     if (task_->plan.progress)
         task_->plan.progress(drive_.done(), drive_.position(),

@@ -51,6 +51,11 @@ class WallRun {
     [[nodiscard]] Energy energy(const WallState<Real>& state, int lane) const;
     template <class Real> [[nodiscard]] Outcome judge(const WallState<Real>& state, int lane);
 
+    /// Whether the wall is followed wherever it goes, and is being pushed.
+    [[nodiscard]] bool may_fall() const
+    {
+        return options_.kinematics == Kinematics::finite && !drive_.settling();
+    }
     [[nodiscard]] WallState<double> with_stable_step();
     void reduce_step();
 

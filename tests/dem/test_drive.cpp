@@ -307,6 +307,31 @@ TEST_CASE("drive: slows to limit / unbalance, never below its slowest speed", "[
     CHECK(step == Approx(share * full).epsilon(1e-9));
 }
 
+TEST_CASE(
+    "drive: after the drop it goes so many times as fast and bears so many times the unbalance",
+    "[dem][drive]")
+{
+    dem::SolverOptions o = options();
+    o.steps_per_mm = 1000;
+    o.haste_after_drop = 2.0;
+    o.unbalance_limit = 0.004;
+    o.min_speed = 0.05;
+    const auto [unbalance, share] = GENERATE(table<double, double>(
+        {{0.0, 2.0}, {0.0079, 2.0}, {0.016, 1.0}, {0.08, 0.2}, {8.0, 0.1}}));
+    Drive d = settled({0.03}, o);
+    d.after_drop(true);
+    double step = 0.0;
+    for (int i = 0; i < 2500; ++i) {
+        step = d.advance();
+        d.feel(unbalance);
+    }
+    REQUIRE_FALSE(d.finished());
+    CHECK(step == Approx(share * full_speed(o)).epsilon(1e-9));
+    CHECK(d.waits() == (unbalance > 1.0));
+    d.after_drop(false); // the wall carries more again
+    CHECK(d.advance() <= full_speed(o) * (1.0 + 1e-9));
+}
+
 TEST_CASE("drive: gets its speed back once the wall is in balance", "[dem][drive]")
 {
     Drive d = settled({0.03}, options());

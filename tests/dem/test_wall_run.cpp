@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace {
 
@@ -146,6 +148,49 @@ TEST_CASE("wall run: a wall has come down only if its ledger closes", "[dem][wal
     CHECK(pushed(low_wall(0.50), to(20.0), flying).outcome == dem::Outcome::lost_equilibrium);
     flying.energy_tolerance = 1e-12;
     CHECK(pushed(low_wall(0.50), to(20.0), flying).outcome == dem::Outcome::energy_astray);
+}
+
+/// Pushed until no force is left, under a load that moves with the beam.
+dem::PushResult followed_to_its_end(double stress_mpa, double haste)
+{
+    const scenes::Scene s = low_wall(stress_mpa);
+    const dem::Model m = scenes::model_of(s, coarse());
+    dem::PushPlan plan = to(0.9);
+    plan.record_every = 2e-4;
+    plan.drop = 0.8;
+    plan.decided = [](std::span<const dem::CurvePoint> curve) {
+        return curve.size() > 1 && curve.back().force <= 0.0;
+    };
+    dem::SolverOptions o;
+    o.kinematics = dem::Kinematics::finite;
+    o.steps_per_mm = 50;
+    o.haste_after_drop = haste;
+    return dem::push(m, scenes::table5_sample(s, m, 0), plan, o);
+}
+
+TEST_CASE("wall run: a wall that falls has come down before its blocks strike each other",
+          "[dem][wall_run]")
+{
+    const dem::PushResult r = followed_to_its_end(1.25, 1.0);
+    REQUIRE(r.outcome == dem::Outcome::lost_equilibrium);
+    CHECK(r.step_reductions == 0);
+    CHECK(r.energy.kinetic > r.energy.elastic);
+    CHECK(r.energy.kinetic < 0.3 * r.energy.passed()); // it has only begun to
+}
+
+TEST_CASE("wall run: after the drop a wall is pushed in haste, before it as without",
+          "[dem][wall_run]")
+{
+    const dem::PushResult calm = followed_to_its_end(0.15, 1.0),
+                          hasty = followed_to_its_end(0.15, 2.0);
+    REQUIRE(calm.at_drop.has_value());
+    REQUIRE(hasty.at_drop.has_value());
+    CHECK(hasty.at_drop->displacement == calm.at_drop->displacement);
+    for (std::size_t i = 0; calm.curve[i].displacement < calm.at_drop->displacement; ++i)
+        CHECK(hasty.curve[i].force == calm.curve[i].force);
+    CHECK(hasty.cost.steps < 0.96 * static_cast<double>(calm.cost.steps));
+    CHECK(hasty.curve.back().displacement ==
+          Approx(calm.curve.back().displacement).epsilon(0.005));
 }
 
 TEST_CASE("wall run: the ledger closes over a ramp of the load, however short",
