@@ -67,11 +67,15 @@ double settlement_of(const Snapshot& s)
     return sum / n;
 }
 
-/// [m]
-template <class Real> double largest_opening(const WallState<Real>& s, int lane)
+/// How far blocks that were in contact are apart, or have passed through each other: a wall also comes down by sinking
+/// through joints that are crushed [m].
+template <class Real> double farthest_apart(const WallState<Real>& s, int lane)
 {
     double worst = 0.0;
-    for (const Real& u_n : s.u_n) worst = std::max(worst, dem::lane(u_n, lane));
+    for (std::size_t k = 0; k < s.u_n.size(); ++k) {
+        const double crushed = s.crushed.empty() ? 0.0 : dem::lane(s.crushed[k], lane);
+        worst = std::max(worst, std::abs(dem::lane(s.u_n[k], lane) - crushed));
+    }
     return worst;
 }
 
@@ -256,7 +260,7 @@ template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int l
     if (!std::isfinite(residual)) return Outcome::not_finite;
     result_.residual = std::max(result_.residual, residual); // the largest at any point counts
     if (result_.residual > options_.energy_tolerance) return Outcome::energy_astray;
-    if (largest_opening(state, lane) > task_->model.layout.height)
+    if (farthest_apart(state, lane) > task_->model.layout.height)
         return Outcome::lost_equilibrium;
     if (result_.cost.steps >= options_.most_steps) return Outcome::out_of_steps;
     return Outcome::reached_target;
