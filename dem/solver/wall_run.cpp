@@ -67,15 +67,16 @@ double settlement_of(const Snapshot& s)
     return sum / n;
 }
 
-/// How far blocks that were in contact are apart, or have passed through each other: a wall also comes down by sinking
-/// through joints that are crushed [m].
+/// How far blocks that were in contact are apart, have sunk through a joint that is crushed, or have passed through each
+/// other [m].
 template <class Real> double farthest_apart(const WallState<Real>& s, int lane)
 {
     double worst = 0.0;
-    for (std::size_t k = 0; k < s.u_n.size(); ++k) {
-        const double crushed = s.crushed.empty() ? 0.0 : dem::lane(s.crushed[k], lane);
-        worst = std::max(worst, std::abs(dem::lane(s.u_n[k], lane) - crushed));
-    }
+    for (const Real& u_n : s.u_n) worst = std::max(worst, dem::lane(u_n, lane));
+    for (const Real& crushed : s.crushed) worst = std::max(worst, dem::lane(crushed, lane));
+    for (const auto& pair : s.finite.pairs)
+        if (dem::lane(pair.share, lane) == 0.0)
+            worst = std::max(worst, -dem::lane(pair.gap, lane));
     return worst;
 }
 
