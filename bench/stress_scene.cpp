@@ -210,6 +210,8 @@ void spoil(Draw& d, dem::WallMaterials& w)
         break;
     case 5:
         set([&](auto& m) { m.tan_phi = absurd; });
+        for (dem::JointMaterial& j : w.joints)
+            j.wear.tan_phi_res = std::min(j.wear.tan_phi_res, absurd);
         break;
     case 6:
         w.base_joint.kn = w.beam_joint.ks = absurd;

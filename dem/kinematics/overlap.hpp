@@ -92,11 +92,18 @@ template <class Real>
     return o;
 }
 
+/// By how much the sides may come closer at both ends of an overlap because what was there is crushed [m].
+template <class Real> struct EndDepths {
+    Real from{0.0}, to{0.0};
+};
+
 /// Area of the overlap over that of the undeformed face [-]; zero where blocks have passed through
 /// each other, which only those do that fall.
-template <class Real> [[nodiscard]] Real share_of(const FacePair& p, const Overlap<Real>& o)
+template <class Real>
+[[nodiscard]] Real share_of(const FacePair& p, const Overlap<Real>& o,
+                            const EndDepths<Real>& crushed = {})
 {
-    const Real deepest = min(o.gap, o.gap + o.widening);
+    const Real deepest = min(o.gap + crushed.from, o.gap + o.widening + crushed.to);
     return select(deepest < Real(-p.deepest), Real(0.0), o.along_sides * Real(1.0 / p.length));
 }
 

@@ -27,12 +27,16 @@ template <class Real> struct FiniteState {
     std::vector<Pair> pairs;
     std::vector<Pair> further; ///< of blocks that have slid there; share 0: not in contact
     std::vector<Real> further_u_n, further_tau; ///< by contact of `further`
-    Real vertical{0.0};                         ///< load on the beam [N]
+    std::vector<Real>
+        further_crushed; ///< the same: thickness [m]; empty where nothing can crush
+    Real vertical{0.0};  ///< load on the beam [N]
 };
 
 /// Frames at rest where the model has them.
+/// @param crushes whether anything can crush
 template <class Real>
-[[nodiscard]] FiniteState<Real> undeformed(const FiniteTables& tables, int modes, int contacts);
+[[nodiscard]] FiniteState<Real> undeformed(const FiniteTables& tables, int modes, int contacts,
+                                           bool crushes);
 
 /// Loads of one wall into a lane that is at rest.
 template <class Real>

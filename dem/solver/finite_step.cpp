@@ -3,6 +3,7 @@
 #include "dem/kinematics/overlap.hpp"
 #include "dem/solver/body_step.hpp"
 #include "dem/solver/finite_motion.hpp"
+#include "dem/solver/finite_reach.hpp"
 
 #include <array>
 
@@ -74,12 +75,12 @@ template <class Real> struct PairStep {
     Real share, grown;        ///< see FiniteState::Pair; grown by, in this step [-]
     StressSum<Real> sum;
 
-    PairStep(const FiniteTables& t, int pair, WallState<Real>& s)
+    PairStep(const FiniteTables& t, const ContactRun& run, int pair, WallState<Real>& s)
         : overlap(overlap_of(t.pairs[pair], s.finite.frames[t.pairs[pair].a],
                              s.finite.frames[t.pairs[pair].b], s.finite.pairs[pair].centre)),
           slip(slip_of(overlap, s.finite.frames[t.pairs[pair].a],
                        s.finite.frames[t.pairs[pair].b])),
-          share(share_of(t.pairs[pair], overlap))
+          share(share_of(t.pairs[pair], overlap, crushed_ends(t, run, s)))
     {
         auto& last = s.finite.pairs[pair];
         gap = overlap.gap - last.gap;
@@ -95,6 +96,10 @@ template <class Real> struct PairStep {
         return multiply_add(place, widening, gap) + elastic;
     }
     [[nodiscard]] Real tangential(Real elastic) const { return slip + elastic; }
+
+    /// Share of before this step: it has lost what its contacts lose. Area that comes or goes does so with the energy
+    /// of its new state.
+    [[nodiscard]] Real before() const { return share - grown; }
 
     /// Sums up a contact that has its new stresses.
     void add(const StepTables& t, int k, WallState<Real>& s)
@@ -126,26 +131,18 @@ template <class Real> Real take(Real& du)
     return x;
 }
 
-/// Per area [J/m2]. Area that comes into contact while a block slides brings this along, area that
-/// leaves takes it away; neither is work of a force, so the ledger has it with the friction.
-template <class Law, class Real>
-Real stored_energy(const Law& law, Real stretch, Real sigma, Real tau)
-{
-    return Real(0.5) * (sigma * stretch + tau * tau * law.inv_ks);
-}
-
 template <class Real>
 void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState<Real>& s)
 {
     const DryLaw<Real> law = s.laws.dry[run.law];
     const bool wears = !s.roughness.empty();
-    PairStep<Real> step(t.finite, pair, s);
+    PairStep<Real> step(t.finite, run, pair, s);
     Real friction(0.0), stored(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
         Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
         if (!s.crushed.empty())
-            du_n =
-                crush(s.laws.dry_crushing[run.law], k, du_n, step.share * Real(t.area[k]), s);
+            du_n = crush(s.laws.dry_crushing[run.law], k, du_n, step.before() * Real(t.area[k]),
+                         s);
         const Real du_s = step.tangential(take(s.du[2 * k + 1]));
         const DryUpdate<Real> u = advance(wears ? worn_law(s, run.law, k) : law,
                                           {s.u_n[k], s.stress[2 * k + 1]}, du_n, du_s);
@@ -166,7 +163,7 @@ template <class Real>
 void advance_tied(const StepTables& t, const ContactRun& run, int pair, WallState<Real>& s)
 {
     const DryLaw<Real>& law = s.laws.tied[run.law];
-    PairStep<Real> step(t.finite, pair, s);
+    PairStep<Real> step(t.finite, run, pair, s);
     Real stored(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
         const Real u_n = s.u_n[k] + step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
@@ -186,12 +183,12 @@ void advance_crack(const StepTables& t, bool shortcuts, const ContactRun& run, i
                    WallState<Real>& s)
 {
     const CrackLaw<Real>& law = s.laws.cracks[run.law];
-    PairStep<Real> step(t.finite, pair, s);
+    PairStep<Real> step(t.finite, run, pair, s);
     Real stored(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
         Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
         if (!s.crushed.empty())
-            du_n = crush_crack<kLaw, kUnloading>(t, run.law, k, du_n, step.share, s);
+            du_n = crush_crack<kLaw, kUnloading>(t, run.law, k, du_n, step.before(), s);
         const Real du_s = step.tangential(take(s.du[2 * k + 1]));
         const CrackState<Real> before = crack_state(t, s, k);
         const auto trial = try_elastic<kUnloading>(law, before, du_n, du_s);
@@ -227,69 +224,6 @@ void advance_cracks(const StepTables& t, bool shortcuts, int pair, WallState<Rea
         else
             advance_crack<kLaw, Unloading::elastic>(t, shortcuts, run, pair, s);
         ++pair;
-    }
-}
-
-/// A block and one onto which it slides. Both are felt as rigid: the elastic modes know the contacts of
-/// the undeformed wall. It brings its worn face along.
-/// @param active walls whose blocks have come that far
-template <class Real, class Mask>
-void advance_further(const StepTables& t, const ContactRun& run, int row, Mask active,
-                     WallState<Real>& s)
-{
-    const DryLaw<Real> law = s.laws.dry[run.law];
-    const FacePair& pair = t.finite.further[row];
-    BlockFrame<Real>&a = s.finite.frames[pair.a], &b = s.finite.frames[pair.b];
-    const Overlap<Real> o = overlap_of(pair, a, b, s.finite.further[row].centre);
-    const Real share = select(active, share_of(pair, o), Real(0.0)), slip = slip_of(o, a, b);
-    const Real grown = share - s.finite.further[row].share;
-    StressSum<Real> sum;
-    Real friction(0.0), stored(0.0);
-    for (int i = 0; i < run.count; ++i) {
-        const std::size_t at = static_cast<std::size_t>(row) * t.finite.most_points + i;
-        const Real place(t.finite.place[run.first + i]), area(t.area[run.first + i]);
-        const Real u_n = multiply_add(place, o.widening, o.gap);
-        const DryUpdate<Real> u =
-            advance(s.roughness.empty() ? law : worn_law(s, run.law, run.first + i),
-                    {Real(0.0), s.finite.further_tau[at]}, u_n, slip);
-        s.finite.further_u_n[at] = u_n;
-        s.finite.further_tau[at] = select(share > Real(0.0), u.state.tau, Real(0.0));
-        friction = multiply_add(area, u.friction, friction);
-        stored =
-            multiply_add(area, stored_energy(law, u.state.u_n, u.sigma, u.state.tau), stored);
-        const Real normal = share * (area * u.sigma), shear = share * (area * u.state.tau);
-        sum.normal += normal;
-        sum.tangential += shear;
-        sum.normal_first = multiply_add(place, normal, sum.normal_first);
-        sum.tangential_first = multiply_add(place, shear, sum.tangential_first);
-    }
-    s.friction += share * friction - grown * stored;
-    auto& last = s.finite.further[row];
-    last = {o.gap,
-            o.widening,
-            share,
-            Real(0.0),
-            o.past_far,
-            o.past_near,
-            select(active, centre_of_pressure(o, sum), last.centre)};
-    add_forces(o, sum, a, b);
-}
-
-/// Blocks that overhang the last block under them. Where no wall of the register has such a block
-/// nothing is done; a wall without one is not changed by its neighbours'.
-template <class Real> void advance_reaches(const StepTables& t, WallState<Real>& s)
-{
-    for (const FiniteTables::Reach& r : t.finite.reaches) {
-        const Real needs(kRoundedCorner * t.finite.pairs[r.home].length);
-        const auto* last = &s.finite.pairs[r.home];
-        auto active = needs > Real(0.0);
-        for (int row = r.first; row < r.first + r.count; ++row) {
-            const Real past = r.far ? last->past_far : last->past_near;
-            active = active & ((past > needs) | (s.finite.further[row].share > Real(0.0)));
-            if (!any(active)) break;
-            advance_further(t, t.dry[r.run], row, active, s);
-            last = &s.finite.further[row];
-        }
     }
 }
 

@@ -82,7 +82,18 @@ void copy_to_lane(const WallState<double>& wall, int lane, WallState<Real>& s)
     copy(wall.q, s.q);
     copy(wall.u_n, s.u_n);
     copy(wall.stress, s.stress);
+    copy(wall.crushed, s.crushed);
+    copy(wall.roughness, s.roughness);
+    for (std::size_t i = 0; i < wall.cracks.size(); ++i) {
+        set_lane(s.cracks[i].u_max, lane, wall.cracks[i].u_max);
+        set_lane(s.cracks[i].bond, lane, wall.cracks[i].bond);
+        set_lane(s.cracks[i].unloading, lane, wall.cracks[i].unloading);
+        set_lane(s.cracks[i].integrity, lane, wall.cracks[i].integrity);
+    }
     set_lane(s.work, lane, wall.work);
+    set_lane(s.friction, lane, wall.friction);
+    set_lane(s.fracture, lane, wall.fracture);
+    set_lane(s.crushing, lane, wall.crushing);
     if (!wall.finite.frames.empty()) copy_to_lane(wall.finite, lane, s.finite);
 }
 

@@ -71,11 +71,16 @@ double settlement_of(const Snapshot& s)
     return sum / n;
 }
 
-/// [m]
-template <class Real> double largest_opening(const WallState<Real>& s, int lane)
+/// How far blocks that were in contact are apart, have sunk through a joint that is crushed, or have passed through each
+/// other [m].
+template <class Real> double farthest_apart(const WallState<Real>& s, int lane)
 {
     double worst = 0.0;
     for (const Real& u_n : s.u_n) worst = std::max(worst, dem::lane(u_n, lane));
+    for (const Real& crushed : s.crushed) worst = std::max(worst, dem::lane(crushed, lane));
+    for (const auto& pair : s.finite.pairs)
+        if (dem::lane(pair.share, lane) == 0.0)
+            worst = std::max(worst, -dem::lane(pair.gap, lane));
     return worst;
 }
 
@@ -264,7 +269,7 @@ template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int l
     if (result_.residual > options_.energy_tolerance) return Outcome::energy_astray;
     if (may_fall() && e.kinetic > std::max(e.elastic, kFalling * e.passed()))
         return Outcome::lost_equilibrium;
-    if (largest_opening(state, lane) > task_->model.layout.height)
+    if (farthest_apart(state, lane) > task_->model.layout.height)
         return Outcome::lost_equilibrium;
     if (result_.cost.steps >= options_.most_steps) return Outcome::out_of_steps;
     return Outcome::reached_target;

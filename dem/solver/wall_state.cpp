@@ -240,7 +240,7 @@ WallState<Real> empty_lanes(const Model& m, const StepTables& t, Kinematics kine
         s.laws.dry_wear.resize(s.laws.dry.size());
     }
     if (kinematics == Kinematics::finite)
-        s.finite = undeformed<Real>(t.finite, m.n_modes, t.n_contacts);
+        s.finite = undeformed<Real>(t.finite, m.n_modes, t.n_contacts, m.layout.crushing);
     return s;
 }
 

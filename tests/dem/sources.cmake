@@ -7,6 +7,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_condensation.cpp
     dem/test_crack_unloading.cpp
     dem/test_crushing.cpp
+    dem/test_crushing_finite.cpp
     dem/test_crack_strength.cpp
     dem/test_cracked_layout.cpp
     dem/test_drawn_layout.cpp
