@@ -52,7 +52,7 @@ function fragilitySeries(data, c, x, alone) {
         const last = c.steps.at(-1)[1];
         const at = [0, ...c.steps.map((s) => s[0]), last === 1 ? x.at(-1) : c.known_to]; // all down: for good
         const p = [0, ...c.steps.map((s) => s[1]), last];
-        series.push({ label: `${alone ? '' : `${name}: `}share of the walls pushed, without a law (Kaplan-Meier)`, colour: alone ? '#222222' : colour, dash: alone ? [] : dashOf(c.level), width: 1.2, data: resample(x, at, p, true) });
+        series.push({ label: `${alone ? '' : `${name}: `}observed share of the walls (Kaplan-Meier)`, colour: alone ? '#222222' : colour, dash: alone ? [] : dashOf(c.level), width: 1.2, data: resample(x, at, p, true) });
     }
     return series;
 }
@@ -138,7 +138,7 @@ function runningChart(data, level, host, height) {
     const series = lines.map((r, i) => ({ label: words(r.key), colour: levelColour(i), dash: dashOf(i), data: padded(r.error) }));
     const peak = lines.find((r) => r.key === 'peak force');
     if (peak) series.unshift({ label: 'peak force: 95 % band of independent samples', colour: '#767676', width: 0, band: [padded(peak.band.map((b) => -b)), padded(peak.band)] });
-    const most = Math.max(...series.flatMap((s) => (s.data ?? []).slice(Math.min(4, Math.floor(n / 10))).map((v) => Math.abs(v ?? 0))), 1);
+    const most = Math.max(...series.flatMap((s) => (s.data ?? []).map((v) => Math.abs(v ?? 0))), 1);
     const drawn = chart(host, { label: `Error of the mean after a number of walls, ${data.levels[level].name}`, x, series, xLabel: 'walls', wholeX: true, yLabel: 'error of the mean [%]', height, yRange: [-1.15 * most, 1.15 * most] });
     return { drawn, series };
 }

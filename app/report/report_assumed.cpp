@@ -3,9 +3,11 @@
 #include "app/input/distribution_text.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -45,6 +47,24 @@ std::set<std::string> defaults_in(const std::string& configuration)
     return keys;
 }
 
+/// "3.3668205267445015, 4.7264822636109765 GPa/m": "3.3668, 4.7265 GPa/m"
+std::string five_digits(const std::string& text)
+{
+    constexpr int kDigits = 5;
+    std::string shorter;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const bool comma = word.ends_with(",");
+        if (comma) word.pop_back();
+        double x = 0.0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+        const bool number_alone = error == std::errc() && end == word.data() + word.size();
+        shorter += (shorter.empty() ? "" : " ") + (number_alone ? number(x, kDigits) : word) +
+                   (comma ? "," : "");
+    }
+    return shorter;
+}
+
 /// "joint.friction_angle": "joint: friction angle"
 std::string quantity(std::string_view key)
 {
@@ -77,8 +97,8 @@ Table assumed(const StudyWalls& all, std::string_view sections)
         if (!is_used(key, study) || !why_no_effect(key, study).empty()) continue;
         const std::string drawn = drawn_words(all, key.name);
         const Entry* const entry = find_entry(study.source, key.name);
-        std::string value =
-            !drawn.empty() && entry ? distribution_words(entry->value) : value_text(key, study);
+        const std::string value = !drawn.empty() && entry ? distribution_words(entry->value)
+                                                          : five_digits(value_text(key, study));
         if (value.empty()) continue;
         t.rows.push_back({quantity(key.name), value,
                           !drawn.empty()             ? drawn
