@@ -48,10 +48,10 @@ std::string cost_note(const Study& study)
 {
     constexpr double kSeconds = 10.0, kBytes = 1e9, kMostBytes = 64e9, kMinute = 60.0;
     const dem::BuildCost c = dem::build_cost(layout_of(study), study.discretisation);
-    const std::string text = "about " +
-                             (c.seconds < kMinute ? number(std::max(c.seconds, 1.0), 2) + " s"
-                                                  : number(c.seconds / kMinute, 2) + " min") +
-                             " and " + number(std::max(c.bytes, 1e7) / 1e9, 2) + " GB";
+    const std::string time = c.seconds < kMinute ? fixed(std::max(c.seconds, 1.0), 0) + " s"
+                                                 : fixed(c.seconds / kMinute, 0) + " min";
+    const std::string text =
+        "about " + time + " and " + fixed(std::max(c.bytes, 1e8) / 1e9, 1) + " GB";
     const std::string less = "fewer solver.contact_points or solver.zones_per_interval, or "
                              "longer units beside their height, cost less";
     if (c.bytes > kMostBytes)

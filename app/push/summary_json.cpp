@@ -19,8 +19,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kToMm = 1e3, kToKn = 1e-3, kToMpa = 1e-6;
 
-/// With 15 digits, so that a change of unit leaves no 0.39999999999999997.
-Json number_or_null(double x)
+Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+/// A value of the study file, with its digits: a change of unit leaves no 0.39999999999999997.
+Json as_given(double x)
 {
     constexpr int kDigits = 15;
     return std::isfinite(x) ? Json(std::stod(number(x, kDigits))) : Json(nullptr);
@@ -123,7 +125,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     ReadingRules rules = reading_rules(study);
     rules.height = w.loads.height;
     Json j;
-    j["vertical_stress_MPa"] = number_or_null(w.vertical_stress * kToMpa);
+    j["vertical_stress_MPa"] = as_given(w.vertical_stress * kToMpa);
     j["outcome"] = words(w.result.outcome);
     j["peak_force_kN"] = number_or_null(peak_force(r) * kToKn);
     if (w.loads.pattern == dem::LoadPattern::body) {

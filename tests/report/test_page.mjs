@@ -217,7 +217,7 @@ claims['paper shows curves and tables and no buttons'] = () =>
         const pdf = await page.pdf();
         assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
         const pages = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length;
-        assert.ok(pages >= 3 && pages <= 14, `${pages} pages`);
+        assert.ok(pages >= 3 && pages <= 16, `${pages} pages`); // two of them with what the study assumed
     });
 
 claims['every control and picture has a name'] = () =>

@@ -237,7 +237,7 @@ claim_no_verb_replaces_what_it_did_not_write() {
         fragility) "$program" fragility "$work/one.h5" --out "$work/fragility" ;;
         esac
     }
-    for out in scene/scene.dxf push/wall.svg sample.csv slurm.sh two_summary.md two/README.md two.html curves.csv \
+    for out in scene/scene.dxf push/levels.svg sample.csv slurm.sh two_summary.md two/README.md two.html curves.csv \
         report.html fragility/fragility.json; do
         verb=${out%%[./]*}
         verb=${verb/two*/study}
