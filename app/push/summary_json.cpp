@@ -25,7 +25,7 @@ Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr
 Json as_given(double x)
 {
     constexpr int kDigits = 15;
-    return std::isfinite(x) ? Json(std::stod(number(x, kDigits))) : Json(nullptr);
+    return std::isfinite(x) ? Json(rounded(x, kDigits)) : Json(nullptr);
 }
 
 Json displacement_mm(const fragility::LimitDisplacement& d)

@@ -35,7 +35,7 @@ using Json = nlohmann::ordered_json;
 Json shown(double x, int digits)
 {
     if (!std::isfinite(x)) return nullptr;
-    return std::stod(number(x, digits));
+    return rounded(x, digits);
 }
 
 Json levels_json(const StudyWalls& study)
