@@ -15,6 +15,7 @@ add_custom_command(
 drystone_library(app_report
     ${report_assets}
     report/film_shelf.cpp
+    report/report_assumed.cpp
     report/report_bytes.cpp
     report/report_choice.cpp
     report/report_command.cpp

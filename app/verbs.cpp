@@ -26,20 +26,23 @@ namespace {
 /// are pushed.
 int study_then_report(const Command& study)
 {
+    const std::filesystem::path file = study.out;
+    Command tables;
+    tables.words = {file.string()};
+    tables.study = file.string();
+    tables.threads = study.threads;
+    tables.quiet = true; // what is replaced is said when it is
+    tables.out = (file.parent_path() / file.stem()).string();
+    Command page = tables;
+    page.out += ".html";
+    check_fragility(tables);
+    check_report(page);
     FilmShelf films;
     const int code = study_command( // 1 if walls failed: the tables count them
         study, [&](auto key, auto mode, auto frames) { films.put(key, mode, frames); });
     if (interrupted()) return code;
-    const std::filesystem::path file = study.out;
-    Command after;
-    after.words = {file.string()};
-    after.study = file.string();
-    after.threads = study.threads;
-    after.quiet = study.quiet;
-    after.out = (file.parent_path() / file.stem()).string();
-    const int tables = fragility_command(after);
-    after.out += ".html";
-    return std::max({code, tables, report_command(after, films)});
+    tables.quiet = page.quiet = study.quiet;
+    return std::max({code, fragility_command(tables), report_command(page, films)});
 }
 
 int run_study(const Command& command)

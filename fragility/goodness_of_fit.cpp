@@ -74,7 +74,8 @@ double least_p(const GoodnessOfFit& tests)
 }
 
 GoodnessOfFit goodness_of_fit(const Fit& f, std::span<const Observation> data,
-                              const RandomBits& bits, std::size_t replicates)
+                              const RandomBits& bits, std::size_t replicates,
+                              const std::function<void(double)>& seen)
 {
     GoodnessOfFit g;
     if (f.outcome != FitOutcome::converged) {
@@ -91,6 +92,7 @@ GoodnessOfFit goodness_of_fit(const Fit& f, std::span<const Observation> data,
     replicates = std::min(replicates, std::max(kFewestReplicates, kMostDraws / data.size()));
     double further[3] = {1.0, 1.0, 1.0};
     for (std::size_t r = 0; r < replicates; ++r) {
+        if (seen) seen(static_cast<double>(r) / static_cast<double>(replicates));
         const auto sample = draw_law(f.law, stops, data.size(), bits, r);
         const Fit refit = fit(f.law.law, sample);
         const auto d = refit.outcome == FitOutcome::converged ? distances(refit.law, sample)

@@ -4,6 +4,7 @@
 #include "fragility/bootstrap_random.hpp"
 #include "fragility/censored_fit.hpp"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,8 +48,10 @@ constexpr double kRejected = 0.01; ///< level of each of the three tests [-]
 /// The smallest p-value of the three tests; 1 without tests.
 [[nodiscard]] double least_p(const GoodnessOfFit& tests);
 
+/// @param seen told how far it is after each sample [0 to 1], if given
 [[nodiscard]] GoodnessOfFit goodness_of_fit(const Fit& fit, std::span<const Observation> data,
                                             const RandomBits& bits,
-                                            std::size_t replicates = 1000);
+                                            std::size_t replicates = 1000,
+                                            const std::function<void(double)>& seen = {});
 
 } // namespace fragility

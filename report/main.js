@@ -41,6 +41,8 @@ function statistics(data) {
     add('fragility', 'performance_limits', 'law_parameters');
     modes(data, section('modes', 'Failure modes'));
     add('modes', 'modes', 'means_by_mode', 'equal_modes', 'mode_thresholds');
+    section('assumed', 'Assumptions', note('What the walls of this study were taken to be, beside what the page found out about them.'));
+    add('assumed', 'materials', 'wall_and_loads');
     const inputs = section('inputs', 'Inputs', note('Values drawn for all walls, and the distribution they were drawn from, cut at what is physically possible.'));
     if (data.histograms.length) histograms(data, inputs);
     else inputs.append(element('p', {}, 'Nothing was random.'));

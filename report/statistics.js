@@ -36,7 +36,7 @@ export function fragility(data, host) {
     const set = (name) => (value) => ((chosen[name] = value), show());
     host.append(
         choice('Limit state', states.map((s, i) => ({ value: i, text: s.name })), 0, set('state')).row,
-        choice('Stress', [{ value: 'all', text: 'all' }, ...data.levels.map((l, i) => ({ value: i, text: l.name }))], 'all', set('level')).row,
+        choice('Stress', everyLevel(data), 'all', set('level')).row,
         where, legend);
     show();
 }
@@ -52,7 +52,7 @@ function fragilitySeries(data, c, x, alone) {
         const last = c.steps.at(-1)[1];
         const at = [0, ...c.steps.map((s) => s[0]), last === 1 ? x.at(-1) : c.known_to]; // all down: for good
         const p = [0, ...c.steps.map((s) => s[1]), last];
-        series.push({ label: `${alone ? '' : `${name}: `}share of the walls pushed, without a law (Kaplan-Meier)`, colour: alone ? '#222222' : colour, dash: alone ? [] : dashOf(c.level), width: 1.2, data: resample(x, at, p, true) });
+        series.push({ label: `${alone ? '' : `${name}: `}observed share of the walls (Kaplan-Meier)`, colour: alone ? '#222222' : colour, dash: alone ? [] : dashOf(c.level), width: 1.2, data: resample(x, at, p, true) });
     }
     return series;
 }
@@ -128,30 +128,42 @@ export function histograms(data, host) {
     host.append(key([{ label: 'drawn', colour: '#56B4E9', band: true }, { label: 'prescribed', colour: '#D55E00' }]));
 }
 
+/** Of the first walls of one stress. @return the chart, or nothing where there are too few */
+function runningChart(data, level, host, height) {
+    const lines = data.running.filter((r) => r.level === level);
+    if (!lines.length) return null;
+    const n = Math.max(...lines.map((r) => r.error.length));
+    const x = Array.from({ length: n }, (_, i) => i + 1);
+    const padded = (v) => x.map((_, i) => v[i - (n - v.length)] ?? null);
+    const series = lines.map((r, i) => ({ label: words(r.key), colour: levelColour(i), dash: dashOf(i), data: padded(r.error) }));
+    const peak = lines.find((r) => r.key === 'peak force');
+    if (peak) series.unshift({ label: 'peak force: 95 % band of independent samples', colour: '#767676', width: 0, band: [padded(peak.band.map((b) => -b)), padded(peak.band)] });
+    const most = Math.max(...series.flatMap((s) => (s.data ?? []).map((v) => Math.abs(v ?? 0))), 1);
+    const drawn = chart(host, { label: `Error of the mean after a number of walls, ${data.levels[level].name}`, x, series, xLabel: 'walls', wholeX: true, yLabel: 'error of the mean [%]', height, yRange: [-1.15 * most, 1.15 * most] });
+    return { drawn, series };
+}
+
 export function running(data, host) {
     if (!data.running.length) return host.append(element('p', {}, 'Too few walls.'));
-    const where = plot();
+    const where = element('div', {});
     const legend = element('div', {});
-    let drawn;
-    const show = (level) => {
-        drawn?.remove();
-        const lines = data.running.filter((r) => r.level === level);
-        if (!lines.length) return;
-        const n = Math.max(...lines.map((r) => r.error.length));
-        const x = Array.from({ length: n }, (_, i) => i + 1);
-        const padded = (v) => x.map((_, i) => v[i - (n - v.length)] ?? null);
-        const series = lines.map((r, i) => ({ label: words(r.key), colour: levelColour(i), dash: dashOf(i), data: padded(r.error) }));
-        const peak = lines.find((r) => r.key === 'peak force');
-        if (peak) series.unshift({ label: 'peak force: 95 % band of independent samples', colour: '#767676', width: 0, band: [padded(peak.band.map((b) => -b)), padded(peak.band)] });
-        const most = Math.max(...series.flatMap((s) => (s.data ?? []).slice(Math.min(4, Math.floor(n / 10))).map((v) => Math.abs(v ?? 0))), 1);
-        drawn = chart(where, { label: `Error of the mean after a number of walls, ${data.levels[level].name}`, x, series, xLabel: 'walls', wholeX: true, yLabel: 'error of the mean [%]', height: 320, yRange: [-1.15 * most, 1.15 * most] });
-        legend.replaceChildren(key(series));
+    const levels = [...new Set(data.running.map((r) => r.level))];
+    let charts = [];
+    const show = (chosen) => {
+        charts.forEach((c) => c.drawn.remove());
+        const shown = chosen === 'all' ? levels : levels.filter((l) => l === chosen);
+        const hosts = shown.map(plot);
+        where.className = shown.length > 1 ? 'small' : '';
+        where.replaceChildren(...shown.map((l, i) => element('figure', {}, element('h3', {}, data.levels[l].name), hosts[i])));
+        charts = shown.map((l, i) => runningChart(data, l, hosts[i], shown.length > 1 ? 240 : 320));
+        const keys = new Map(charts.flatMap((c) => c.series).map((s) => [s.label, s]));
+        legend.replaceChildren(shown.length ? key([...keys.values()]) : element('p', {}, 'Too few walls.'));
     };
-    const first = data.running[0].level;
-    const options = data.levels.map((l, i) => ({ value: i, text: l.name }));
-    host.append(choice('Stress', options, first, show).row, where, legend);
-    show(first);
+    host.append(choice('Stress', everyLevel(data), 'all', show).row, where, legend);
+    show('all');
 }
+
+const everyLevel = (data) => [{ value: 'all', text: 'all' }, ...data.levels.map((l, i) => ({ value: i, text: l.name }))];
 
 /** Bars to both sides of zero, longest first, with intervals. */
 function tornado(bars, measure) {
@@ -170,15 +182,15 @@ function tornado(bars, measure) {
 export function sensitivity(data, host) {
     if (!data.inputs.length) return host.append(element('p', {}, 'Nothing was random.'));
     const where = element('div', { class: 'pair' });
-    const state = { level: 0, measure: 'spearman' };
+    const state = { level: 'all', measure: 'spearman' };
     const show = () => {
-        const parts = data.sensitivity.filter((s) => s.level === state.level);
+        const parts = data.sensitivity.filter((s) => state.level === 'all' || s.level === state.level);
         where.replaceChildren(...parts.map((s) => element('figure', {},
-            element('h3', {}, `${s.response}, ${s.walls} ${s.walls === 1 ? 'wall' : 'walls'}`),
+            element('h3', {}, `${data.levels[s.level].name}: ${s.response}, ${s.walls} ${s.walls === 1 ? 'wall' : 'walls'}`),
             s.bars.length ? tornado(s.bars, state.measure) : element('p', {}, `Too few walls: ${data.inputs.length + 4} are needed.`))));
     };
     host.append(
-        choice('Stress', data.levels.map((l, i) => ({ value: i, text: l.name })), 0, (v) => ((state.level = v), show())).row,
+        choice('Stress', everyLevel(data), 'all', (v) => ((state.level = v), show())).row,
         choice('Measure', [{ value: 'spearman', text: 'rank correlation' }, { value: 'prcc', text: 'partial rank correlation' }], 'spearman', (v) => ((state.measure = v), show())).row,
         where);
     show();

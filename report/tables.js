@@ -27,7 +27,9 @@ function copyButtons(forms, name) {
 }
 
 export function table(t) {
-    const cells = (name, row) => row.map((c) => element(name, name === 'th' ? { scope: 'col' } : {}, c));
+    const kLong = 40; // signs: sentences are broken
+    const long = t.head.map((_, c) => t.rows.some((row) => row[c].length > kLong));
+    const cells = (name, row) => row.map((text, c) => element(name, { ...(name === 'th' ? { scope: 'col' } : {}), ...(long[c] ? { class: 'words' } : {}) }, text));
     const rows = element('tbody', {});
     const fill = () => rows.childElementCount || rows.append(...t.rows.map((row) => element('tr', {}, ...cells('td', row))));
     const body = element('table', {}, element('thead', {}, element('tr', {}, ...cells('th', t.head))), rows);

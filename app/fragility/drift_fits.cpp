@@ -26,7 +26,8 @@ std::size_t place(const DriftData& data, std::size_t state, int mode)
 } // namespace
 
 JudgedFit judged(const DriftOptions& options, fragility::Law law,
-                 std::span<const fragility::Observation> limits, std::size_t group)
+                 std::span<const fragility::Observation> limits, std::size_t group,
+                 const std::function<void(double)>& seen)
 {
     JudgedFit f{fragility::fit(law, limits), {}};
     const std::uint64_t seed = uq::replicate_seed(options.seed, group);
@@ -34,12 +35,14 @@ JudgedFit judged(const DriftOptions& options, fragility::Law law,
         return uq::bits(seed, replicate, uq::Purpose::bootstrap, draw);
     };
     if (options.bootstrap > 0)
-        f.tests = fragility::goodness_of_fit(f.fit, limits, bits, options.bootstrap);
+        f.tests = fragility::goodness_of_fit(f.fit, limits, bits, options.bootstrap, seen);
     return f;
 }
 
-void judge(DriftData& data)
+void judge(DriftData& data, const FitProgress& progress)
 {
+    const std::size_t of_group = data.states.size() * (data.modes.size() + 1);
+    const auto all = static_cast<double>(data.groups.size() * of_group);
     for (std::size_t g = 0; g < data.groups.size(); ++g) {
         DriftGroup& group = data.groups[g];
         std::vector<std::vector<fragility::Observation>> seen; // many sets share a limit state
@@ -50,9 +53,15 @@ void judge(DriftData& data)
                 const auto known = std::ranges::find_if(
                     seen, [&](const auto& x) { return same(x, seen.back()); });
                 const auto i = static_cast<std::size_t>(known - seen.begin());
-                fits.push_back(i + 1 < seen.size()
-                                   ? JudgedFit(fits[i])
-                                   : judged(data.options, data.options.law, seen.back(), g));
+                const auto before = static_cast<double>(g * of_group + fits.size());
+                const auto tell = [&](double done) {
+                    if (progress)
+                        progress((before + done) / all,
+                                 group.name + ", " + state_name(data.states[s]));
+                };
+                fits.push_back(i + 1 < seen.size() ? JudgedFit(fits[i])
+                                                   : judged(data.options, data.options.law,
+                                                            seen.back(), g, tell));
             }
         group.fits = std::move(fits);
     }

@@ -5,6 +5,7 @@
 #include "app/fragility/fragility_data.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -14,10 +15,13 @@ namespace app {
 /// @param group its number, which keys the random samples: equal drifts have equal p-values
 [[nodiscard]] JudgedFit judged(const DriftOptions& options, fragility::Law law,
                                std::span<const fragility::Observation> limits,
-                               std::size_t group);
+                               std::size_t group, const std::function<void(double)>& seen = {});
+
+/// Told how far the fits are [0 to 1], and whose fit is at hand: "0.50 MPa, paper ultimate".
+using FitProgress = std::function<void(double done, const std::string& fit)>;
 
 /// Fits and tests all laws once; without it each table does so for itself.
-void judge(DriftData& data);
+void judge(DriftData& data, const FitProgress& seen = {});
 
 /// Of one limit state: of all walls of a group, or of one mode.
 [[nodiscard]] JudgedFit judged_fit(const DriftData& data, std::size_t group, std::size_t state,

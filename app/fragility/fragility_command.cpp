@@ -15,6 +15,8 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
 #include "app/output/markup.hpp"
+#include "app/output/progress.hpp"
+#include "app/output/result_folder.hpp"
 #include "app/store/wall_file.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/text/config_error.hpp"
@@ -140,11 +142,11 @@ void check_columns(const Command& command, bool study)
         refuse("--of", "missing; name the column of the numbers of all walls");
 }
 
-FragilityOutput output_of(const Command& command)
+FragilityOutput output_of(const Command& command, const FitProgress& seen)
 {
     const bool study = is_study(command.study);
     check_columns(command, study);
-    if (study) return study_output(read_study_walls(command.study, command.overrides));
+    if (study) return study_output(read_study_walls(command.study, command.overrides), seen);
     const DriftOptions options = options_of(command.overrides);
     const Csv csv = parse_csv(command.study, read_file(command.study));
     check_rows(command.study, csv);
@@ -156,14 +158,14 @@ FragilityOutput output_of(const Command& command)
     DriftData data =
         drift_data(command.study, csv, {command.drift, command.censored, command.group});
     data.options = options;
-    return drift_output(std::move(data));
+    return drift_output(std::move(data), seen);
 }
 
 } // namespace
 
-FragilityOutput drift_output(DriftData data)
+FragilityOutput drift_output(DriftData data, const FitProgress& seen)
 {
-    judge(data);
+    judge(data, seen);
     FragilityOutput output;
     output.source = counts_text(data);
     output.tables = {{"performance_limits", performance_table(data), true},
@@ -178,9 +180,9 @@ FragilityOutput drift_output(DriftData data)
     return output;
 }
 
-FragilityOutput study_output(const StudyWalls& walls)
+FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
 {
-    FragilityOutput output = drift_output(drift_data(walls));
+    FragilityOutput output = drift_output(drift_data(walls), seen);
     output.remarks = failures(walls);
     std::vector<NamedTable> tables = {{"modes", mode_table(walls), true},
                                       {"means_by_mode", mean_table(walls)},
@@ -199,9 +201,22 @@ FragilityOutput study_output(const StudyWalls& walls)
     return output;
 }
 
+void check_fragility(const Command& command)
+{
+    check_and_announce(command.out,
+                       {"README.md", "fragility.json", "performance_limits.csv",
+                        "performance_limits.md", "performance_limits.tex"},
+                       command.quiet);
+}
+
 int fragility_command(const Command& command)
 {
-    const FragilityOutput output = output_of(command);
+    check_fragility(command);
+    Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
+    const FragilityOutput output = output_of(command, [&](double done, const std::string& fit) {
+        progress.update(done, "testing the fit of " + fit);
+    });
+    progress.finish("tested all fits");
     const std::size_t removed = write_output(command.out, output);
     const std::size_t width = terminal_width();
     bool marked = false;

@@ -1,6 +1,7 @@
 #pragma once
 /// `drystone fragility FILE.h5`, or of a CSV: tables, curves and pictures in a folder.
 
+#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/fragility_data.hpp"
 #include "app/fragility/fragility_output.hpp"
 #include "app/input/command.hpp"
@@ -9,10 +10,15 @@
 namespace app {
 
 /// Tables, curves and pictures that need drifts alone.
-[[nodiscard]] FragilityOutput drift_output(DriftData data);
+[[nodiscard]] FragilityOutput drift_output(DriftData data, const FitProgress& seen = {});
 
 /// The same of a study, and what its walls tell beyond.
-[[nodiscard]] FragilityOutput study_output(const StudyWalls& walls);
+[[nodiscard]] FragilityOutput study_output(const StudyWalls& walls,
+                                           const FitProgress& seen = {});
+
+/// Asks before a run what the tables would refuse after it.
+/// @throws ConfigError if a file of theirs is there and is from no earlier run
+void check_fragility(const Command& command);
 
 /// @return exit code
 /// @throws ConfigError, StoreError, std::runtime_error

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace app {
 namespace {
@@ -18,7 +19,11 @@ using fragility::Observation;
 /// Why there are no numbers; the law's own reason where there are walls.
 std::string without_fit(const fragility::PerformanceLimits& limits, const DriftGroup& group)
 {
-    if (limits.n > 0.0) return "Not identifiable: " + limits.reason + ".";
+    if (limits.n > 0.0) {
+        constexpr std::string_view opening = "not identifiable: ";
+        const bool opened = limits.reason.starts_with(opening);
+        return "Not identifiable: " + limits.reason.substr(opened ? opening.size() : 0) + ".";
+    }
     return group.walls.empty() ? "No wall gave a result."
                                : "The limit state is not defined on any curve.";
 }

@@ -1,6 +1,8 @@
 #include "app/input/key_effects.hpp"
 
+#include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
+#include "dem/block/build_cost.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -42,6 +44,23 @@ void refuse_drawn(const Study& study)
                        "names one wall of the study, for push alone; remove it");
 }
 
+std::string cost_note(const Study& study)
+{
+    constexpr double kSeconds = 10.0, kBytes = 1e9, kMostBytes = 64e9, kMinute = 60.0;
+    const dem::BuildCost c = dem::build_cost(layout_of(study), study.discretisation);
+    const std::string time = c.seconds < kMinute ? fixed(std::max(c.seconds, 1.0), 0) + " s"
+                                                 : fixed(c.seconds / kMinute, 0) + " min";
+    const std::string text =
+        "about " + time + " and " + fixed(std::max(c.bytes, 1e8) / 1e9, 1) + " GB";
+    const std::string less = "fewer solver.contact_points or solver.zones_per_interval, or "
+                             "longer units beside their height, cost less";
+    if (c.bytes > kMostBytes)
+        throw error_at(study.source, "solver.contact_points",
+                       "the blocks would take " + text + " before the push begins; " + less);
+    if (c.seconds < kSeconds && c.bytes < kBytes) return "";
+    return "note: making the blocks takes " + text + " before the push begins; " + less + "\n";
+}
+
 void say_effects(const Study& study, const Command& command)
 {
     if (command.verb == nullptr) return;
@@ -52,6 +71,7 @@ void say_effects(const Study& study, const Command& command)
                   << fixed(study.load.max_displacement * 1e3, 2)
                   << " mm; ultimate displacement of the mean wall one way: "
                   << study.load.scaled << '\n';
+    std::cerr << cost_note(study);
     for (const std::string& note : study.geometry.notes)
         std::cerr << "note: wall.geometry: " << note << '\n';
 }

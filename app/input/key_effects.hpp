@@ -17,6 +17,10 @@ namespace app {
 /// since one study file serves several verbs.
 [[nodiscard]] std::string effect_notes(const Study& study, const Verb& verb);
 
+/// What making the blocks will cost, where that is much: a line for people; else nothing.
+/// @throws ConfigError where no machine of today has the memory
+[[nodiscard]] std::string cost_note(const Study& study);
+
 /// @throws ConfigError where the study names one wall (uq.drawn)
 void refuse_drawn(const Study& study);
 

@@ -45,9 +45,9 @@ std::string cut(const std::string& text, int columns)
 
 } // namespace
 
-Progress::Progress(std::ostream& out, ProgressOptions options, Clock clock)
+Progress::Progress(std::ostream& out, ProgressOptions options, Clock clock, double begin)
     : out_(out), options_(options), clock_(std::move(clock)), start_(clock_()),
-      last_sample_(start_), last_drawn_(start_)
+      last_sample_(start_), last_done_(begin), last_drawn_(start_)
 {
 }
 

@@ -21,7 +21,8 @@ class Progress {
   public:
     using Clock = std::function<double()>; ///< [s], never backwards
 
-    Progress(std::ostream& out, ProgressOptions options, Clock clock);
+    /// @param begin share of the work that was done before, in [0, 1]: it took no time
+    Progress(std::ostream& out, ProgressOptions options, Clock clock, double begin = 0.0);
     /// Ends a line that was drawn and not finished, so that an error message starts on a line
     /// of its own.
     ~Progress();

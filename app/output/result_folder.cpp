@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <map>
 #include <set>
@@ -76,6 +77,15 @@ void check_results(const fs::path& folder, const std::vector<fs::path>& names,
                    std::string_view list)
 {
     check_foreign(folder, names, read_list(folder, list));
+}
+
+void check_and_announce(const fs::path& folder, const std::vector<fs::path>& names, bool quiet,
+                        std::string_view list)
+{
+    check_results(folder, names, list);
+    if (!quiet && !listed_files(folder, list).empty())
+        std::cerr << "note: " << folder.string()
+                  << " has results of an earlier run, which will be replaced\n";
 }
 
 std::size_t write_results(const fs::path& folder, const std::vector<OutputFile>& files,

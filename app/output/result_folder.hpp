@@ -26,6 +26,11 @@ void check_results(const std::filesystem::path& folder,
                    const std::vector<std::filesystem::path>& names,
                    std::string_view list = kFileList);
 
+/// Asks the same, and says on stderr where results of an earlier run will be replaced.
+void check_and_announce(const std::filesystem::path& folder,
+                        const std::vector<std::filesystem::path>& names, bool quiet,
+                        std::string_view list = kFileList);
+
 /// Writes all files and the list of them. Files that the list of an earlier run names and this run does
 /// not write are removed, unless they have been changed since; other files stay as they are.
 /// @return how many were removed

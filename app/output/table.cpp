@@ -108,7 +108,7 @@ void add_plain(const Head& c, const Cell& cell, std::vector<PlainTable::Value>& 
 
 } // namespace
 
-Number given(double x) { return {.value = std::isfinite(x) ? std::stod(number(x, 12)) : x}; }
+Number given(double x) { return {.value = rounded(x, 12)}; }
 
 int decimals_for(double size)
 {

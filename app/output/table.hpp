@@ -84,8 +84,8 @@ struct PlainTable {
 [[nodiscard]] std::string as_text(const Table& table, std::size_t width = 0);
 [[nodiscard]] std::string as_csv(const Table& table); ///< RFC 4180, numbers with all digits
 [[nodiscard]] std::string as_markdown(const Table& table);
-/// A table environment with booktabs rules, no wider than the page (graphicx); long tables are a
-/// longtable.
+/// A table environment with booktabs rules, in \footnotesize; a table wider than an A4 page (16 cm of text) is parted into
+/// blocks of columns, each with the keys. Long tables are a longtable. Packages booktabs, graphicx, longtable.
 [[nodiscard]] std::string as_latex(const Table& table);
 
 /// What people see: texts of the cells in their columns, and the sentences below.

@@ -162,9 +162,9 @@ Row level_row(const PushedWall& w)
 Table level_table(const Study& study, const std::vector<PushedWall>& walls)
 {
     Table t;
-    t.caption = "Capacity per vertical stress. Ultimate: the " +
-                ultimate_text(study.fragility) + "; > where it had not when the push ended." +
-                backbone_text(study);
+    t.title = "Capacity per vertical stress";
+    t.caption = "Ultimate: the " + ultimate_text(study.fragility) +
+                "; > where it had not when the push ended." + backbone_text(study);
     t.head = {"stress [MPa]",
               "peak [kN]",
               "at [mm]",
@@ -246,10 +246,7 @@ void check_folder(const Command& command, const Study& study,
                 wall_folder(wanted.size(),
                             study.load.vertical_stress[static_cast<std::size_t>(w.level)]) /
                 name);
-    check_results(command.out, names, kPushList);
-    if (!command.quiet && !listed_files(command.out, kPushList).empty())
-        std::cerr << "note: " << command.out
-                  << " has results of an earlier push, which will be replaced\n";
+    check_and_announce(command.out, names, command.quiet, kPushList);
 }
 
 /// With the layout of the wall that is pushed.

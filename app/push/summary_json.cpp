@@ -4,6 +4,7 @@
 #include "app/push/hand_checks.hpp"
 #include "app/reading/wall_words.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/text/number_text.hpp"
 #include "app/version.hpp"
 
 #include <nlohmann/json.hpp>
@@ -20,9 +21,16 @@ constexpr double kToMm = 1e3, kToKn = 1e-3, kToMpa = 1e-6;
 
 Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
+/// A value of the study file, with its digits: a change of unit leaves no 0.39999999999999997.
+Json as_given(double x)
+{
+    constexpr int kDigits = 15;
+    return std::isfinite(x) ? Json(rounded(x, kDigits)) : Json(nullptr);
+}
+
 Json displacement_mm(const fragility::LimitDisplacement& d)
 {
-    return is_defined(d) ? Json(d.displacement * kToMm) : Json(nullptr);
+    return is_defined(d) ? number_or_null(d.displacement * kToMm) : Json(nullptr);
 }
 
 Json limit_states(const WallReading& reading, const ReadingRules& rules)
@@ -32,15 +40,16 @@ Json limit_states(const WallReading& reading, const ReadingRules& rules)
     const std::vector<StateName> names = state_names(rules);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const fragility::LimitDisplacement& limit = reading.limits.at(i);
-        list.push_back({{"set", names[i].set},
-                        {"name", names[i].name},
-                        {"rule", names[i].rule},
-                        {"displacement_mm", displacement_mm(limit)},
-                        {"drift_percent", is_defined(limit)
-                                              ? Json(100.0 * limit.displacement / rules.height)
-                                              : Json(nullptr)},
-                        {"reading", words(limit.reading)},
-                        {"reason", limit.reason}});
+        list.push_back(
+            {{"set", names[i].set},
+             {"name", names[i].name},
+             {"rule", names[i].rule},
+             {"displacement_mm", displacement_mm(limit)},
+             {"drift_percent", is_defined(limit)
+                                   ? number_or_null(100.0 * limit.displacement / rules.height)
+                                   : Json(nullptr)},
+             {"reading", words(limit.reading)},
+             {"reason", limit.reason}});
     }
     return list;
 }
@@ -116,7 +125,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     ReadingRules rules = reading_rules(study);
     rules.height = w.loads.height;
     Json j;
-    j["vertical_stress_MPa"] = w.vertical_stress * kToMpa;
+    j["vertical_stress_MPa"] = as_given(w.vertical_stress * kToMpa);
     j["outcome"] = words(w.result.outcome);
     j["peak_force_kN"] = number_or_null(peak_force(r) * kToKn);
     if (w.loads.pattern == dem::LoadPattern::body) {

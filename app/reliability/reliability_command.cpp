@@ -40,8 +40,9 @@ Number cell(const std::optional<double>& x)
 Table method_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
 {
     Table t;
-    t.caption = "P(" + p.words + "). Intervals 95 %; of " + std::to_string(a.evaluations) +
-                " evaluations " + std::to_string(a.failed.size()) +
+    t.title = "P(" + p.words + ")";
+    t.caption = "Intervals 95 %; of " + std::to_string(a.evaluations) + " evaluations " +
+                std::to_string(a.failed.size()) +
                 " failed, which count either way in the bounds.";
     t.head = {"method", "probability",     "beta", "standard error", "lower",
               "upper",  {"outcome", kNote}};
@@ -59,7 +60,8 @@ Table method_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
 Table sensitivity_table(const ReliabilityAnswer& a)
 {
     Table t;
-    t.caption = "What the response depends on. Intervals 95 %.";
+    t.title = "What the response depends on";
+    t.caption = "Intervals 95 %.";
     t.head = {"measure", "input", {"value", kInterval | kError}};
     t.keys = 2;
     for (const Sensitivity& s : a.sensitivities)
@@ -76,8 +78,8 @@ Table sensitivity_table(const ReliabilityAnswer& a)
 Table point_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
 {
     Table t;
-    t.caption =
-        "Design points, nearest first: the most probable values at which the event begins.";
+    t.title = "Design points, nearest first";
+    t.caption = "The most probable values at which the event begins.";
     t.head = {"point", "beta", "input", "value"};
     for (std::size_t k = 0; k < a.points.size(); ++k)
         for (std::size_t i = 0; i < p.inputs.size(); ++i)

@@ -4,6 +4,7 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/progress.hpp"
+#include "app/output/replaced_file.hpp"
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_page.hpp"
@@ -51,6 +52,17 @@ struct Draft {
         return report_page(title, data, films_json(study, listed, replay, note));
     }
 };
+
+/// Fits of many walls take their time.
+Json tested_data(const StudyWalls& study, const WallList& listed, bool quiet)
+{
+    Progress progress(std::cerr, stderr_progress(quiet), steady_seconds);
+    Json data = report_data(study, listed, [&](double done, const std::string& fit) {
+        progress.update(done, "testing the fit of " + fit);
+    });
+    progress.finish("tested all fits");
+    return data;
+}
 
 /// Films of walls, from the shelf or pushed again.
 Replay films_of(const StudyWalls& study, const WallList& walls, const Command& command,
@@ -104,15 +116,21 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
 
 } // namespace
 
+void check_report(const Command& command)
+{
+    check_replaced(command.out, kPageMark, command.quiet);
+}
+
 int report_command(const Command& command, const FilmShelf& shelf)
 {
     const std::filesystem::path file = command.words.front(), out = command.out;
     check_is_study(file);
+    check_report(command);
     const StudyWalls study = read_study_walls(file, command.overrides, Keep::everything);
     const std::string title =
         command.title.empty() ? "Drystone study " + file.stem().string() : command.title;
     Draft draft{study, title, walls_to_list(study, kMostListed), {}};
-    draft.data = report_data(study, draft.listed);
+    draft.data = tested_data(study, draft.listed, command.quiet);
     draft.data["file"] = file.filename().string();
     const Shown shown = show_walls(draft, command, shelf);
     const std::string page = draft.page(shown.replay, shown.note);

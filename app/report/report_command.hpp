@@ -6,6 +6,10 @@
 
 namespace app {
 
+/// Asks before a run what the page would refuse after it.
+/// @throws ConfigError if a file of its name is there and is no page of ours
+void check_report(const Command& command);
+
 /// @param shelf films of walls that need not be pushed again
 /// @return exit code 0
 /// @throws StoreError; ConfigError; std::runtime_error if the page cannot be written

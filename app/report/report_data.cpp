@@ -10,6 +10,7 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_words.hpp"
+#include "app/report/report_assumed.hpp"
 #include "app/report/report_curves.hpp"
 #include "app/report/report_cycles.hpp"
 #include "app/report/report_fragility.hpp"
@@ -34,7 +35,7 @@ using Json = nlohmann::ordered_json;
 Json shown(double x, int digits)
 {
     if (!std::isfinite(x)) return nullptr;
-    return std::stod(number(x, digits));
+    return rounded(x, digits);
 }
 
 Json levels_json(const StudyWalls& study)
@@ -125,6 +126,8 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
         {"equal_modes", equal_modes_table(study)},
         {"mode_thresholds", threshold_table(study)},
         {"inputs", input_table(study)},
+        {"materials", material_table(study)},
+        {"wall_and_loads", wall_and_load_table(study)},
         {"walls", wall_table(study, listed)}};
     Json all = Json::object();
     for (const auto& [name, table] : tables) all[name] = table_json(name, table);
@@ -146,10 +149,10 @@ Json overview_json(const StudyWalls& study)
 
 } // namespace
 
-Json report_data(const StudyWalls& study, const WallList& listed)
+Json report_data(const StudyWalls& study, const WallList& listed, const FitProgress& seen)
 {
     DriftData data = drift_data(study);
-    judge(data);
+    judge(data, seen);
     return {{"name", study.name},
             {"overview", overview_json(study)},
             {"levels", levels_json(study)},

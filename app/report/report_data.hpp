@@ -2,6 +2,7 @@
 /// All that the page shows, as JSON. Stresses in MPa, forces in kN and displacements in mm
 /// unless a name says otherwise; numbers that are not defined are null.
 
+#include "app/fragility/drift_fits.hpp"
 #include "app/report/report_replay.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,7 +16,8 @@ namespace app {
 /// @param study read with Keep::everything
 /// @param listed the walls that the page knows, and calls 0, 1, ...
 [[nodiscard]] nlohmann::ordered_json report_data(const StudyWalls& study,
-                                                 const WallList& listed);
+                                                 const WallList& listed,
+                                                 const FitProgress& seen = {});
 
 /// The walls that can be looked at: {"note", "films": [{"wall", "geometry", "frames", "step", "data"}], "geometries"},
 /// without geometry where there are none.

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double six_digits(double x) { return std::isfinite(x) ? std::stod(number(x, 6)) : kNone; }
+double six_digits(double x) { return std::isfinite(x) ? rounded(x, 6) : kNone; }
 
 /// Of all walls and joints, shown unit.
 std::vector<double> values_of(const StudyWalls& study, const StoredInput& input)

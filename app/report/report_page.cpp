@@ -62,6 +62,7 @@ std::string report_page(const std::string& title, const nlohmann::ordered_json& 
                         const nlohmann::ordered_json& films)
 {
     const auto content = [&](std::string_view name) -> std::string {
+        if (name == "mark") return std::string(kPageMark);
         if (name == "title") return html_text(title);
         if (name == "style") return std::string(report_style());
         if (name == "chart_style") return std::string(chart_style());

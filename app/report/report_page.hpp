@@ -8,6 +8,9 @@
 
 namespace app {
 
+/// By which a page is known as one of ours.
+constexpr std::string_view kPageMark = R"(<meta name="generator" content="drystone report">)";
+
 /// Text between tags, and in attributes in double quotes.
 [[nodiscard]] std::string html_text(std::string_view text);
 

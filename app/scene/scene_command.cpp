@@ -4,9 +4,8 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
-#include "app/output/atomic_output.hpp"
 #include "app/output/markup.hpp"
-#include "app/output/progress.hpp"
+#include "app/output/result_folder.hpp"
 #include "app/output/table.hpp"
 #include "app/scene/bond_indices.hpp"
 #include "app/scene/quality_terms.hpp"
@@ -120,6 +119,8 @@ std::string quality_text(const BondIndices& i, const QualityTerms& q)
            " of their extents. SM, WC and MM are not seen in an elevation.";
 }
 
+constexpr std::string_view kSceneList = "drystone_scene_files.txt";
+
 std::string layouts_text(const Study& study)
 {
     if (!has_layouts(study)) return "";
@@ -134,6 +135,9 @@ int scene_command(const Command& command)
 {
     const StudySource source = study_source(command);
     const Study& study = source.study;
+    const fs::path out = command.out;
+    check_and_announce(out, {"scene.json", "scene.dxf", "scene.svg"}, command.quiet,
+                       kSceneList);
     const dem::Layout layout = layout_of(study);
     const dem::Layout whole = whole_units(study);
     const std::vector<DrawnBlock> units = scene_units(study, whole);
@@ -141,12 +145,12 @@ int scene_command(const Command& command)
     const std::string counts = count_text(study, layout, units);
     const std::string sizes = size_text(study, layout, masonry_of(study, layout));
     const BondIndices indices = bond_indices(whole, units);
-    const fs::path out = command.out;
-    make_folder(out);
     const double unit = study.geometry.length_unit;
-    write_file(out / "scene.json", write_drawing_json(units, unit));
-    write_file(out / "scene.dxf", write_drawing_dxf(units, unit));
-    write_file(out / "scene.svg", scene_picture(layout, units, counts, sizes));
+    write_results(out,
+                  {{"scene.json", write_drawing_json(units, unit)},
+                   {"scene.dxf", write_drawing_dxf(units, unit)},
+                   {"scene.svg", scene_picture(layout, units, counts, sizes)}},
+                  kSceneList);
     std::cout << wrapped(counts + ".\n", terminal_width())
               << wrapped(sizes + ".\n", terminal_width())
               << wrapped(index_text(indices) + "\n", terminal_width())

@@ -78,7 +78,8 @@ void add_walls(const fs::path& shard, const StoreReader& reader,
         if (const auto [there, is_new] = in.emplace(wall.key, shard); !is_new)
             throw StoreError(wall_name(wall.key) + " is in '" + there->second.string() +
                              "' and in '" + shard.string() +
-                             "'. Nothing was written. Name each shard once.");
+                             "'. Nothing was written. Name each shard once; shards of two "
+                             "versions of the program may share the walls out in two ways.");
 }
 
 std::vector<StoreReader> open_shards(const std::vector<fs::path>& paths)

@@ -1,6 +1,7 @@
 #include "app/study/curves_command.hpp"
 
 #include "app/output/atomic_output.hpp"
+#include "app/output/replaced_file.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/number_text.hpp"
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
+#include <string_view>
 
 namespace app {
 namespace {
@@ -16,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kDigits = 9; // as capacity.csv
+constexpr std::string_view kHead = "level,vertical_stress_MPa,sample,displacement_mm,force_kN";
 
 void write_wall(std::ostream& out, const StoreHead& head, const WallRow& row)
 {
@@ -32,11 +35,12 @@ void write_wall(std::ostream& out, const StoreHead& head, const WallRow& row)
 int curves_command(const Command& command)
 {
     check_is_study(command.study);
+    check_replaced(command.out, kHead, command.quiet);
     StoreReader reader(command.study);
     const fs::path file = command.out, part = command.out + ".part";
     if (file.has_parent_path()) make_folder(file.parent_path());
     std::ofstream out(part, std::ios::binary);
-    out << "level,vertical_stress_MPa,sample,displacement_mm,force_kN\n";
+    out << kHead << '\n';
     std::size_t walls = 0;
     reader.for_each_row([&](const WallRow& row) {
         write_wall(out, reader.head(), row);

@@ -3,6 +3,8 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/output/replaced_file.hpp"
+#include "app/store/store_reader.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/provenance.hpp"
 #include "app/study/study_file_head.hpp"
@@ -16,40 +18,73 @@
 namespace app {
 namespace {
 
+/// @param last set to how far it came
 /// @return whether it ran to the end
-bool run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan, Store& store)
+bool run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan, Store& store,
+                 RunProgress& last)
 {
     const std::vector<WallKey> walls =
         pending_walls(store, run.shard, run.rerun_failed, deal_of(study));
+    const std::size_t before =
+        walls_of(store.head(), run.shard, deal_of(study)).size() - walls.size();
+    const auto seen = [&](const RunProgress& p) {
+        last = p;
+        if (run.seen) run.seen(p);
+    };
     try {
-        if (run.seen) run.seen({.all = walls.size()});
-        run_walls(study, plan, walls, run.threads, store, run.seen, run.frames);
+        seen({.all = walls.size(), .before = before});
+        run_walls(study, plan, walls, run.threads, store, seen, run.frames, before);
     } catch (const Interrupted&) {
         return false;
     }
     return true;
 }
 
-/// Brings the file to the last of `sizes`. @return whether it ran to the end
-bool work_on(const Study& study, const StudyRun& run, const std::vector<std::uint32_t>& sizes)
+/// A shard that was begun when walls were shared out in another way would go on with walls that another has.
+void refuse_other_deal(const Study& study, const StudyRun& run)
 {
+    std::error_code ignored;
+    if (run.shard.count == 1 || !std::filesystem::exists(run.file, ignored)) return;
+    StoreReader reader(run.file);
+    const std::vector<WallKey> foreign =
+        foreign_walls(reader.head(), reader.statuses(), deal_of(study));
+    if (!foreign.empty())
+        throw StoreError("'" + run.file.string() + "' has " + wall_name(foreign.front()) +
+                         ", which is not of this shard: another version of the program shared "
+                         "the walls out. Go on with all shards by that version, or name "
+                         "another file; shards that are finished can be merged.");
+}
+
+/// Brings the file to the last of `sizes`.
+/// @param end takes whether it ran to the end, and the walls of this round
+void work_on(const Study& study, const StudyRun& run, const std::vector<std::uint32_t>& sizes,
+             StudyRunEnd& end)
+{
+    refuse_other_deal(study, run);
     const SamplePlan plan = sample_plan(study, layout_of(study), sizes);
     StoreHead head = head_of(study, plan, sizes);
     head.shard = static_cast<std::uint32_t>(run.shard.index);
     head.shards = static_cast<std::uint32_t>(run.shard.count);
     head.sessions = {this_session(run.threads)};
     Store store(run.file, head);
-    const bool whole = run_pending(study, run, plan, store);
+    RunProgress last;
+    end.whole = run_pending(study, run, plan, store, last);
+    if (end.now == 0) end.before = last.before; // of the first round
+    end.now += last.done;
     store.compact();
-    return whole;
+}
+
+/// "runs/paper_summary"
+std::string summary_stem(const std::filesystem::path& file)
+{
+    return (file.parent_path() / (file.stem().string() + "_summary")).string();
 }
 
 void write_tables(const std::filesystem::path& file, const Table& table)
 {
-    const std::filesystem::path stem = file.parent_path() / (file.stem().string() + "_summary");
-    write_file(stem.string() + ".csv", as_csv(table));
-    write_file(stem.string() + ".md", as_markdown(table));
-    write_file(stem.string() + ".tex", as_latex(table));
+    write_file(summary_stem(file) + ".csv", as_csv(table));
+    write_file(summary_stem(file) + ".md", as_markdown(table));
+    write_file(summary_stem(file) + ".tex", as_latex(table));
 }
 
 } // namespace
@@ -58,7 +93,8 @@ StudyRunEnd run_study(const Study& study, const StudyRun& run)
 {
     if (run.file.has_parent_path()) make_folder(run.file.parent_path());
     std::vector<std::uint32_t> sizes = design_sizes(study, run.file);
-    StudyRunEnd end{work_on(study, run, sizes), {}};
+    StudyRunEnd end;
+    work_on(study, run, sizes, end);
     if (study.uq.stop == kNoStop || !is_random(study)) return end;
     while (end.whole) {
         const StoppingState state =
@@ -66,9 +102,17 @@ StudyRunEnd run_study(const Study& study, const StudyRun& run)
         end.remark = state.remark;
         if (state.next <= sizes.back()) break;
         sizes.push_back(state.next);
-        end.whole = work_on(study, run, sizes);
+        work_on(study, run, sizes, end);
     }
     return end;
+}
+
+void check_summary(const std::filesystem::path& file)
+{
+    constexpr bool quiet = true; // the file of a study is its own study's
+    check_replaced(summary_stem(file) + ".csv", "stress [MPa],walls,failed", quiet);
+    for (const char* const ending : {".md", ".tex"})
+        check_replaced(summary_stem(file) + ending, kSummaryTitle, quiet);
 }
 
 StudySummary study_summary(const std::filesystem::path& file, bool write)

@@ -28,11 +28,16 @@ struct StudyRun {
 struct StudyRunEnd {
     bool whole = false; ///< else it was interrupted; the same run goes on where it stopped
     std::string remark; ///< of the stopping rule
+    std::size_t before = 0, now = 0; ///< walls that the file had, and that this run added
 };
 
 /// Adds samples until the rule of the study is content, if it has one.
 /// @throws ConfigError, StoreError, and what `seen` throws but Interrupted; walls that are finished are kept
 [[nodiscard]] StudyRunEnd run_study(const Study& study, const StudyRun& run);
+
+/// Asks before a run what study_summary would replace.
+/// @throws ConfigError if a file of its name is no summary of ours
+void check_summary(const std::filesystem::path& file);
 
 /// One row per stress level, also into FILE_summary.csv, .md and .tex beside FILE.h5.
 /// @param write false: of a shard nothing is written

@@ -6,6 +6,7 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/cells.hpp"
+#include "app/output/replaced_file.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -64,6 +65,7 @@ int sample_command(const Command& command)
                        "nothing to draw: no value of this study is a distribution; write e.g. "
                        "\"friction_angle = normal(mean 31.8 deg, cov 0.20)\"");
     say_effects(study, command);
+    check_replaced(command.out, "level,vertical_stress [MPa],sample", command.quiet);
     const dem::Layout layout = layout_of(study);
     const SamplePlan plan = sample_plan(study, layout, source.sizes);
     Table table = head_of(study, plan);

@@ -2,6 +2,7 @@
 
 #include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/output/replaced_file.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/push_layouts.hpp"
 #include "app/study/study_file_head.hpp"
@@ -156,6 +157,7 @@ std::string slurm_script(const Command& command, int shards, double minutes)
 
 int write_slurm_script(const Study& study, const Command& command)
 {
+    check_replaced(command.script, kHead, command.quiet);
     const double seconds = seconds_per_wall(study);
     const std::size_t walls = wall_count(study);
     const int shards = command.shard.count > 1 ? command.shard.count

@@ -6,12 +6,14 @@
 #include "app/study/interrupt.hpp"
 #include "app/study/run_study.hpp"
 #include "app/study/slurm_command.hpp"
+#include "app/study/study_file_head.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <set>
 
 namespace app {
 namespace {
@@ -31,11 +33,42 @@ fs::path shard_file(const fs::path& out, Shard shard)
     return file;
 }
 
+/// "16 of 120 walls"; of a study that goes on "120 of 120 walls (104 before, 16 now)"
 std::string progress_text(const RunProgress& p, double seconds)
 {
-    return std::to_string(p.done) + " of " + std::to_string(p.all) + " walls, " +
-           std::to_string(p.failed) + " failed, " +
+    std::string text = std::to_string(p.before + p.done) + " of " +
+                       std::to_string(p.before + p.all) + " walls";
+    if (p.before > 0)
+        text +=
+            " (" + std::to_string(p.before) + " before, " + std::to_string(p.done) + " now)";
+    return text + ", " + std::to_string(p.failed) + " failed, " +
            fixed(static_cast<double>(p.done) / std::max(seconds, 1e-9), 1) + " walls/s";
+}
+
+/// Empty where nothing was there before.
+std::string resumed_text(const StudyRunEnd& end)
+{
+    if (end.before == 0) return "";
+    return std::to_string(end.before + end.now) +
+           " walls in the file: " + std::to_string(end.before) + " from before, " +
+           std::to_string(end.now) + " of this run\n";
+}
+
+/// Warns of a shard that cannot tell of every stress.
+void say_levels(const Study& study, Shard shard)
+{
+    StoreHead head;
+    for (const double stress : study.load.vertical_stress)
+        head.levels.push_back({stress, samples_of(study)});
+    std::set<std::uint32_t> here;
+    for (const WallKey wall : walls_of(head, shard, deal_of(study))) here.insert(wall.level);
+    if (here.size() == head.levels.size()) return;
+    std::cerr << wrapped(
+        "note: this shard has walls under " + std::to_string(here.size()) + " of " +
+            std::to_string(head.levels.size()) + " stresses, for there are fewer samples (" +
+            std::to_string(samples_of(study)) + ") than shards (" +
+            std::to_string(shard.count) + "); alone it says nothing about the others\n",
+        terminal_width());
 }
 
 /// Shows how far a study is: a line for each round of walls.
@@ -46,11 +79,15 @@ class RunLine {
     {
         if (p.done == 0) {
             start_ = steady_seconds();
-            line_.emplace(std::cerr, stderr_progress(quiet_), steady_seconds);
+            const double all = static_cast<double>(p.before + p.all);
+            line_.emplace(std::cerr, stderr_progress(quiet_), steady_seconds,
+                          static_cast<double>(p.before) / std::max(all, 1.0));
         }
         const std::string text = progress_text(p, steady_seconds() - start_);
         if (p.done < p.all)
-            line_->update(static_cast<double>(p.done) / static_cast<double>(p.all), text);
+            line_->update(static_cast<double>(p.before + p.done) /
+                              static_cast<double>(p.before + p.all),
+                          text);
         else
             line_->finish(text);
     }
@@ -92,11 +129,13 @@ int study_command(const Command& command, const FrameTaker& frames)
     run.threads = command.threads;
     run.rerun_failed = command.rerun_failed;
     run.frames = frames;
+    if (command.shard.count == 1) check_summary(run.file);
+    if (!command.quiet) say_levels(study, run.shard);
     catch_interrupts();
     const StudyRunEnd end = run_with_line(study, run, command.quiet);
     const StudySummary summary = study_summary(run.file, command.shard.count == 1);
     std::cout << as_text(summary.table, terminal_width()) << summary.remarks << end.remark
-              << "written to " << run.file.string() << '\n';
+              << resumed_text(end) << "written to " << run.file.string() << '\n';
     if (!end.whole)
         std::cerr << "drystone: interrupted; the same command goes on where it stopped\n";
     return end.whole && summary.failed == 0 ? 0 : 1;

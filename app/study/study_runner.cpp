@@ -38,21 +38,41 @@ class RowBuffer {
 
 Deal deal_of(const Study& study) { return has_layouts(study) ? Deal::samples : Deal::walls; }
 
+namespace {
+
+/// @param levels of the study
+bool is_of(Shard shard, WallKey key, std::size_t levels, Deal deal)
+{
+    const auto count = static_cast<std::size_t>(shard.count);
+    // Levels begin at shards far apart: where samples are no multiple of the shards, those that
+    // are left over are spread.
+    const std::size_t begin = deal == Deal::samples ? 0 : key.level * count / levels;
+    return (key.sample + begin) % count == static_cast<std::size_t>(shard.index);
+}
+
+} // namespace
+
 std::vector<WallKey> walls_of(const StoreHead& head, Shard shard, Deal deal)
 {
     std::uint32_t most = 0;
     for (const StoreLevel& level : head.levels) most = std::max(most, level.samples);
     std::vector<WallKey> walls;
-    std::size_t number = 0;
     for (std::uint32_t sample = 0; sample < most; ++sample)
-        for (std::uint32_t level = 0; level < head.levels.size(); ++level) {
-            if (sample >= head.levels[level].samples) continue;
-            const std::size_t turn = deal == Deal::samples ? sample : number++;
-            const bool mine = turn % static_cast<std::size_t>(shard.count) ==
-                              static_cast<std::size_t>(shard.index);
-            if (mine) walls.push_back({level, sample});
-        }
+        for (std::uint32_t level = 0; level < head.levels.size(); ++level)
+            if (sample < head.levels[level].samples &&
+                is_of(shard, {level, sample}, head.levels.size(), deal))
+                walls.push_back({level, sample});
     return walls;
+}
+
+std::vector<WallKey> foreign_walls(const StoreHead& head, const std::vector<WallStatus>& there,
+                                   Deal deal)
+{
+    const Shard shard{static_cast<int>(head.shard), static_cast<int>(head.shards)};
+    std::vector<WallKey> foreign;
+    for (const WallStatus& wall : there)
+        if (!is_of(shard, wall.key, head.levels.size(), deal)) foreign.push_back(wall.key);
+    return foreign;
 }
 
 std::vector<WallKey> pending_walls(const Store& store, Shard shard, bool rerun_failed,
@@ -69,10 +89,11 @@ std::vector<WallKey> pending_walls(const Store& store, Shard shard, bool rerun_f
 RunProgress run_walls(const Study& study, const SamplePlan& plan,
                       const std::vector<WallKey>& walls, int threads, Store& store,
                       const std::function<void(const RunProgress&)>& seen,
-                      const FrameTaker& frames)
+                      const FrameTaker& frames, std::size_t before)
 {
     RunProgress so_far;
     so_far.all = walls.size();
+    so_far.before = before;
     RowBuffer rows(store);
     PushList list;
     list.size = walls.size();

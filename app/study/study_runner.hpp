@@ -15,15 +15,22 @@ namespace app {
 
 /// What is dealt out to the shards of a study, in turns.
 enum class Deal {
-    walls,
+    walls,  ///< of each level every N-th, from another shard on for each level
     samples ///< with the walls under all stresses, which lie in one layout
 };
 [[nodiscard]] Deal deal_of(const Study& study);
 
 /// Walls of a part of a study, sample by sample under all levels, so that a study that is stopped
-/// has about as many of each.
+/// has about as many of each. Samples that are added later change nothing for those before. A shard
+/// has walls under every level unless there are fewer samples than shards.
 [[nodiscard]] std::vector<WallKey> walls_of(const StoreHead& head, Shard shard,
                                             Deal deal = Deal::walls);
+
+/// Walls that a file has, though a shard of this number has them not: another version of the program
+/// shared them out. None of a whole study.
+[[nodiscard]] std::vector<WallKey> foreign_walls(const StoreHead& head,
+                                                 const std::vector<WallStatus>& there,
+                                                 Deal deal = Deal::walls);
 
 /// Those that the store has not, and failed ones too if asked for.
 [[nodiscard]] std::vector<WallKey> pending_walls(const Store& store, Shard shard,
@@ -31,9 +38,11 @@ enum class Deal {
 
 struct RunProgress {
     std::size_t done = 0, failed = 0, all = 0; ///< walls of this run
-    double solver_seconds = 0.0;               ///< of one core
+    std::size_t before = 0;      ///< walls of this part of the study that the file had already
+    double solver_seconds = 0.0; ///< of one core
 };
 
+/// @param before walls that need not be pushed: for RunProgress
 /// Finished walls are stored every three seconds, whatever happens then.
 /// @param seen after each wall
 /// @param frames of each wall that gives a result, in no order
@@ -41,6 +50,6 @@ struct RunProgress {
 RunProgress run_walls(const Study& study, const SamplePlan& plan,
                       const std::vector<WallKey>& walls, int threads, Store& store,
                       const std::function<void(const RunProgress&)>& seen,
-                      const FrameTaker& frames = {});
+                      const FrameTaker& frames = {}, std::size_t before = 0);
 
 } // namespace app

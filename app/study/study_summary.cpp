@@ -63,7 +63,7 @@ StudySummary summarise(const StudyWalls& walls)
 {
     const FragilityInput& f = walls.study.fragility;
     StudySummary s;
-    s.table.title = "Results by stress";
+    s.table.title = kSummaryTitle;
     s.table.caption =
         "Walls per vertical stress. Errors are standard errors of independent samples; a Latin "
         "hypercube has less. The " +

@@ -9,6 +9,8 @@
 
 namespace app {
 
+constexpr const char* kSummaryTitle = "Results by stress";
+
 struct StudySummary {
     Table table;
     std::string remarks; ///< lines: walls that failed and why, walls still to run

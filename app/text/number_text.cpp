@@ -34,6 +34,14 @@ std::string number(double value, int digits)
     return to_text(value == 0.0 ? 0.0 : value, std::chars_format::general, digits);
 }
 
+double rounded(double value, int digits)
+{
+    const std::string text = number(value, digits);
+    double x = value;
+    std::from_chars(text.data(), text.data() + text.size(), x); // subnormal values too
+    return x;
+}
+
 std::string fixed(double value, int decimals)
 {
     assert(decimals >= 0 && decimals <= 17);

@@ -11,4 +11,8 @@ namespace dem {
 /// Over all faces, those at the base and at the beam included. Costs nothing: no block is meshed.
 [[nodiscard]] std::size_t contact_count(const Layout& layout, const Discretisation& d);
 
+/// On one face.
+[[nodiscard]] std::size_t contact_count(const Face& face, const Layout& layout,
+                                        const Discretisation& d);
+
 } // namespace dem

@@ -12,13 +12,10 @@ namespace dem {
 
 namespace {
 
-/// Contact points along a face. They are as dense as on the face of a half unit.
 FacePoints points_of(const Face& f, const Layout& layout, const Discretisation& d)
 {
-    const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
-    const double interval = layout.half_unit / (d.contact_points - 1);
-    const int intervals = std::max(1, static_cast<int>(std::lround(length / interval)));
-    return face_points(d.face_rule, intervals + 1, d.zones_per_interval);
+    return face_points(d.face_rule, static_cast<int>(contact_count(f, layout, d)),
+                       d.zones_per_interval);
 }
 
 Motion motion_of(const Layout& layout, LoadPattern pattern, int block)
@@ -196,10 +193,18 @@ void check(const Layout& layout, const Elastic& stone, const Beam& beam, const L
 
 } // namespace
 
+/// As dense as on the face of a half unit.
+std::size_t contact_count(const Face& f, const Layout& layout, const Discretisation& d)
+{
+    const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
+    const double interval = layout.half_unit / (d.contact_points - 1);
+    return static_cast<std::size_t>(std::max(1L, std::lround(length / interval))) + 1;
+}
+
 std::size_t contact_count(const Layout& layout, const Discretisation& d)
 {
     std::size_t n = 0;
-    for (const Face& f : layout.faces) n += points_of(f, layout, d).position.size();
+    for (const Face& f : layout.faces) n += contact_count(f, layout, d);
     return n;
 }
 

@@ -57,6 +57,7 @@ TEST_CASE("fragility limits: data that carry no fit get a note and no number",
          {std::vector{1.0}, {1.0, 2.0}, {2.0, 2.0, 2.0}, {0.0, 1.0, 2.0}, {-2.5, -2.5, -2.5}}) {
         const app::Table t = app::performance_table(scenes::drifts({few}));
         CHECK(cell(t, 0, "note").starts_with("Not identifiable: "));
+        CHECK(cell(t, 0, "note").find("not identifiable") == std::string::npos);
         for (const char* const empty :
              {kMedian, "5 % drift [%]", "95 % drift [%]", "dispersion",
               "std error of ln median", "total dispersion"})
@@ -367,6 +368,14 @@ TEST_CASE("fragility limits: fits made once give the tables that each makes for 
     app::DriftData data = scenes::drifts({{1.0, 2.0, 4.0, 2.0, 3.0, -3.9}, {2.0, 1.0, 1.5}});
     data.options.bootstrap = 20;
     const std::string apart = app::as_csv(app::fit_table(data));
-    app::judge(data);
+    std::vector<double> told;
+    app::judge(data, [&](double done, const std::string& fit) {
+        told.push_back(done);
+        CHECK(fit.starts_with(told.size() <= 20 ? data.groups[0].name : data.groups[1].name));
+    });
     CHECK(app::as_csv(app::fit_table(data)) == apart);
+    REQUIRE(told.size() == 40); // of each of the samples of both fits
+    CHECK(std::is_sorted(told.begin(), told.end()));
+    CHECK(told.front() == 0.0);
+    CHECK(told.back() == Approx(0.975));
 }

@@ -2,6 +2,7 @@
 
 #include "app/fragility/fragility_command.hpp"
 #include "app/fragility_scenes.hpp"
+#include "app/latex_width.hpp"
 #include "app/output/result_folder.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 
@@ -48,6 +49,15 @@ TEST_CASE(
             CHECK(index.find("](" + file + ")") != std::string::npos);
     for (const app::NamedPicture& p : output.pictures)
         CHECK(index.find("](pictures/" + p.name + ".svg)") != std::string::npos);
+}
+
+TEST_CASE("fragility output: no table in LaTeX is wider than an A4 page",
+          "[app][fragility_output]")
+{
+    for (const app::NamedTable& t : app::study_output(scenes::study_walls(30)).tables) {
+        INFO(t.name << "\n" << app::as_latex(t.table));
+        CHECK(scenes::widest_latex(app::as_latex(t.table)) <= scenes::kPagePoints);
+    }
 }
 
 TEST_CASE(

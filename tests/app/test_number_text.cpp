@@ -2,11 +2,22 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
 using app::fixed;
 using app::number;
+
+TEST_CASE("number text: rounded is the nearest value of that many digits, however small",
+          "[app][number_text]")
+{
+    CHECK(app::rounded(0.4 * 1e6 * 1e-6, 15) == 0.4);
+    CHECK(app::rounded(-123.456, 4) == -123.5);
+    CHECK(app::rounded(1.2345e-310, 3) == 1.23e-310);
+    CHECK(app::rounded(0.0, 6) == 0.0);
+    CHECK(std::isnan(app::rounded(std::nan(""), 6)));
+}
 
 TEST_CASE("number text: what is not finite is empty", "[app][number_text]")
 {

@@ -12,6 +12,7 @@ using app::Progress;
 using app::ProgressOptions;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
 
 namespace {
 
@@ -76,6 +77,16 @@ TEST_CASE("progress: a line that was drawn is ended when the run breaks off", "[
         CHECK(count(out.str(), '\n') == 0);
     }
     CHECK(count(out.str(), '\n') == 1);
+}
+
+TEST_CASE("progress: what was done before the run took it no time", "[app][progress]")
+{
+    std::ostringstream out;
+    double now = 0.0;
+    Progress progress(
+        out, kPlain, [&] { return now; }, 0.8);
+    for (; now < 10.5; now += 0.5) progress.update(0.8 + 0.005 * now, "");
+    CHECK_THAT(out.str(), StartsWith(" 85 % 0:30 left"));
 }
 
 TEST_CASE("progress: without a terminal there is a line every 10 s and one at the end",

@@ -1,4 +1,7 @@
+#include "app/input/wall_geometry.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/study/pushed_wall.hpp"
+#include "app/study/run_study.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_runner.hpp"
@@ -8,6 +11,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -135,4 +139,82 @@ TEST_CASE("study runner: shards share out the walls of a study, each to one of t
     std::sort(all.begin(), all.end());
     CHECK(all.size() == 12);
     CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+}
+
+TEST_CASE(
+    "study runner: each shard has about as many walls of every level, whatever the numbers",
+    "[app][study_runner]")
+{
+    const int levels = GENERATE(1, 2, 3, 5, 12), shards = GENERATE(2, 3, 4, 5, 12, 16);
+    const std::uint32_t samples = GENERATE(16U, 40U, 50U);
+    app::StoreHead head, more;
+    for (int l = 0; l < levels; ++l) {
+        head.levels.push_back({1e5 * (l + 1), samples});
+        more.levels.push_back({1e5 * (l + 1), samples + 7});
+    }
+    std::size_t least = 1'000'000, most = 0;
+    for (int i = 0; i < shards; ++i) {
+        const std::vector<app::WallKey> walls = app::walls_of(head, {i, shards});
+        least = std::min(least, walls.size());
+        most = std::max(most, walls.size());
+        std::vector<std::uint32_t> of_level(static_cast<std::size_t>(levels));
+        for (const app::WallKey wall : walls) ++of_level[wall.level];
+        for (const std::uint32_t n : of_level) {
+            CHECK(n >= samples / static_cast<std::uint32_t>(shards));
+            CHECK(n <= samples / static_cast<std::uint32_t>(shards) + 1);
+        }
+        std::vector<app::WallKey> grown = app::walls_of(more, {i, shards});
+        std::erase_if(grown, [&](app::WallKey w) { return w.sample >= samples; });
+        CHECK(grown == walls);
+    }
+    CHECK(most - least <= 2); // the samples that are left over are spread
+}
+
+TEST_CASE("study runner: a shard that another version shared out is not gone on with",
+          "[app][study_runner]")
+{
+    const Study s = study_scenes::study("samples = 4");
+    const scenes::TemporaryFolder folder;
+    app::StudyRun part;
+    part.file = folder.path / "part.h5";
+    part.shard = {0, 2};
+    REQUIRE(app::run_study(s, part).whole);
+    CHECK(app::run_study(s, part).before == 4);
+    const dem::Layout layout = app::layout_of(s);
+    const std::vector<std::uint32_t> sizes = {4};
+    const app::SamplePlan plan = sample_plan(s, layout, sizes);
+    app::StoreHead head = app::head_of(s, plan, sizes);
+    head.shards = 2;
+    part.file = folder.path / "old.h5";
+    app::Store old(part.file, head); // the walls of even numbers: those of level 0
+    app::run_walls(s, plan, {{0, 0}, {0, 1}}, 1, old, {});
+    old.compact();
+    CHECK_THROWS_WITH(
+        app::run_study(s, part),
+        Catch::Contains("has wall (level 0, sample 1), which is not of this shard"));
+}
+
+TEST_CASE("study runner: a run that goes on tells what was there before it",
+          "[app][study_runner]")
+{
+    const Study s = study_scenes::study("samples = 5");
+    const scenes::TemporaryFolder folder;
+    app::StudyRun run;
+    run.file = folder.path / "study.h5";
+    std::vector<app::RunProgress> seen;
+    run.seen = [&](const app::RunProgress& p) {
+        seen.push_back(p);
+        if (p.done == 4 && p.before == 0) throw app::Interrupted();
+    };
+    const app::StudyRunEnd first = app::run_study(s, run);
+    CHECK_FALSE(first.whole);
+    CHECK(first.before == 0);
+    CHECK(first.now == 4);
+    seen.clear();
+    const app::StudyRunEnd rest = app::run_study(s, run);
+    CHECK(rest.whole);
+    CHECK(rest.before == 4);
+    CHECK(rest.now == 6);
+    REQUIRE(!seen.empty());
+    for (const app::RunProgress& p : seen) CHECK((p.before == 4 && p.all == 6));
 }

@@ -115,6 +115,14 @@ std::set<std::string> null_keys(const Json& j)
 
 } // namespace
 
+TEST_CASE("summary: a number that was given has the digits that were given",
+          "[app][summary_json]")
+{
+    PushedWall w = good_wall();
+    w.vertical_stress = 0.4 * 1e6; // times 1e-6 it is 0.39999999999999997
+    CHECK(summary(w).at("vertical_stress_MPa").dump() == "0.4");
+}
+
 TEST_CASE("summary: numbers are in the units of their keys", "[app][summary_json]")
 {
     const Json j = summary(good_wall());

@@ -1,3 +1,4 @@
+#include "app/latex_width.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/markup.hpp"
 
@@ -114,10 +115,11 @@ TEST_CASE("table: as LaTeX it is an environment with booktabs rules, no wider th
           "\\begin{table}\n"
           "\\centering\n"
           "\\caption{Mode of failure}\n"
+          "\\footnotesize\\setlength{\\tabcolsep}{4pt}\n"
           "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n"
           "\\begin{tabular}{rrr}\n"
           "\\toprule\n"
-          "stress [MPa] & peak [kN] & mode \\\\\n"
+          "\\shortstack[r]{stress\\\\{}[MPa]} & peak [kN] & mode \\\\\n"
           "\\midrule\n"
           "0.15 & 16.2 & rocking \\\\\n"
           "1.25 &  & mixed \\\\\n"
@@ -136,6 +138,32 @@ TEST_CASE("table: with a title the caption of LaTeX is short, and the rest stand
     CHECK(text.find("Mode of failure") > text.find("\\end{tabular}"));
     for (int i = 0; i < 60; ++i) t.rows.push_back(t.rows.front());
     CHECK(app::as_latex(t).find("\\begin{longtable}{rrr}") != std::string::npos);
+}
+
+TEST_CASE("table: one that a page of LaTeX does not take is parted into blocks with the keys",
+          "[app][table]")
+{
+    app::Table t = table("", {"wall"}, {});
+    const int columns = GENERATE(1, 9, 10, 40), rows = GENERATE(2, 50);
+    for (int c = 0; c < columns; ++c)
+        t.head.emplace_back("drift of wall number " + std::to_string(c) + " [%]");
+    for (int r = 0; r < rows; ++r) {
+        app::Row row = {"wall " + std::to_string(r)};
+        for (int c = 0; c < columns; ++c) row.emplace_back("0.50 [0.45, 0.55]");
+        t.rows.push_back(row);
+    }
+    const std::string text = app::as_latex(t);
+    CHECK(scenes::widest_latex(text) <= scenes::kPagePoints);
+    std::size_t captions = 0, keys = 0, heads = 0;
+    for (std::size_t at = 0; (at = text.find("\\caption", at)) != std::string::npos; ++at)
+        ++captions;
+    for (std::size_t at = 0; (at = text.find("\nwall 1 & ", at)) != std::string::npos; ++at)
+        ++keys;
+    for (std::size_t at = 0; (at = text.find("\\toprule", at)) != std::string::npos; ++at)
+        ++heads;
+    CHECK(captions == 1);
+    CHECK(keys == heads);
+    CHECK(keys == static_cast<std::size_t>((columns + 4) / 5));
 }
 
 TEST_CASE("table: what LaTeX would obey is written as it reads", "[app][table]")

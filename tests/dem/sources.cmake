@@ -4,6 +4,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_block_element.cpp
     dem/test_block_modes.cpp
     dem/test_bond.cpp
+    dem/test_build_cost.cpp
     dem/test_condensation.cpp
     dem/test_crack_unloading.cpp
     dem/test_crushing.cpp

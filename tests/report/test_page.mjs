@@ -34,7 +34,7 @@ const data = `(async () => {
     return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).text();
 })()`;
 const sections = `[...document.querySelectorAll('section')].map((s) => s.id)`;
-const kSections = ['overview', 'curves', 'fragility', 'modes', 'inputs', 'running', 'sensitivity', 'walls', 'provenance'];
+const kSections = ['overview', 'curves', 'fragility', 'modes', 'assumed', 'inputs', 'running', 'sensitivity', 'walls', 'provenance'];
 const visibleText = `document.body.innerText + [...document.querySelectorAll('svg *')].flatMap((e) => [...e.attributes].map((a) => a.value)).join(' ')`;
 const kNoNumber = /\b(NaN|Infinity|undefined|null|inf|nan)\b/;
 const press = (selector) => `document.querySelector(${JSON.stringify(selector)}).click()`;
@@ -176,6 +176,28 @@ claims['charts of all stresses and of each can be chosen'] = () =>
         assert.equal(await page.evaluate(`document.querySelector('.paper').clientHeight`), 0); // for paper alone
     });
 
+claims['running means and sensitivities of all stresses stand side by side, or one alone'] = () =>
+    withPage({}, async (page) => {
+        const names = (id) => page.evaluate(`[...document.querySelectorAll('#${id} figure h3')].map((h) => h.textContent)`);
+        assert.deepEqual(await names('running'), ['0.50 MPa', '1.00 MPa']);
+        assert.equal(await page.evaluate(`document.querySelectorAll('#running .u-wrap').length`), 2);
+        assert.deepEqual((await names('sensitivity')).map((n) => n.split(',')[0]),
+            ['0.50 MPa: peak force', '0.50 MPa: ultimate displacement', '1.00 MPa: peak force', '1.00 MPa: ultimate displacement']);
+        await page.evaluate(`${button('#running', '1.00 MPa')}.click(), ${button('#sensitivity', '1.00 MPa')}.click()`);
+        assert.deepEqual(await names('running'), ['1.00 MPa']);
+        assert.equal((await names('sensitivity')).length, 2);
+    });
+
+claims['the page says in words what the study took for given'] = () =>
+    withPage({}, async (page) => {
+        const rows = await page.evaluate(`[...document.querySelectorAll('#table-materials tbody tr')].map((r) => [...r.children].map((c) => c.textContent))`);
+        const row = (name) => rows.find(([quantity]) => quantity === name).slice(1, 3);
+        assert.deepEqual(row('joint: friction angle'), ['normal, mean 31.8 deg, coefficient of variation 0.20', 'drawn for each wall']);
+        assert.deepEqual(row('joint: wall modulus'), ['768, 1057 MPa', 'study file']);
+        assert.deepEqual(row('unit: residual cohesion'), ['0 MPa', 'default']);
+        assert.match(await page.evaluate(`document.getElementById('table-wall_and_loads').textContent`), /load: vertical stress/);
+    });
+
 claims['a phone shows the page without scrolling sideways'] = () =>
     withPage({ width: 360, height: 740, mobile: true }, async (page) => {
         const [wide, screen] = await page.evaluate(`[document.documentElement.scrollWidth, innerWidth]`);
@@ -195,7 +217,7 @@ claims['paper shows curves and tables and no buttons'] = () =>
         const pdf = await page.pdf();
         assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
         const pages = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length;
-        assert.ok(pages >= 3 && pages <= 14, `${pages} pages`);
+        assert.ok(pages >= 3 && pages <= 16, `${pages} pages`); // two of them with what the study assumed
     });
 
 claims['every control and picture has a name'] = () =>

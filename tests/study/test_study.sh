@@ -182,6 +182,16 @@ claim_tables_and_page_follow_where_asked() {
     refused 2 "a shard has no report" study part --slurm "$work/job.sh" --report
 }
 
+claim_a_study_that_goes_on_counts_what_was_there() {
+    study whole --set uq.samples=4 --set uq.design=monte_carlo >/dev/null
+    study whole --set uq.samples=10 --set uq.design=monte_carlo >"$work/said"
+    grep -qx '20 walls in the file: 8 from before, 12 of this run' "$work/said" || fail "$(cat "$work/said")"
+    "$program" study "$here/small.ini" --out "$work/part.h5" --set uq.samples=2 --shard 1/3 >/dev/null 2>"$work/said"
+    grep -q 'this shard has walls under' "$work/said" || fail "$(cat "$work/said")"
+    "$program" study "$here/small.ini" --out "$work/part.h5" --set uq.samples=10 --shard 1/5 >/dev/null 2>"$work/said"
+    ! grep -q 'note:' "$work/said" || fail "$(cat "$work/said")"
+}
+
 claim_two_runs_on_one_file_are_refused() {
     "$program" study "$here/small.ini" --out "$work/one.h5" --set uq.samples=2000 --threads 1 --quiet >/dev/null 2>&1 &
     local first=$!
@@ -210,6 +220,41 @@ claim_a_job_array_has_any_name_and_merges_its_shards() {
     bash job.sh --partition=x >/dev/null
     grep -qxF -- "--output=$work/${name//%/%%}.logs/%a.log" sent || fail "$(cat sent)"
     refused 2 'give uq.samples' "$program" study "$name.ini" --slurm job.sh --set uq.stop=mixed_share
+}
+
+claim_no_verb_replaces_what_it_did_not_write() {
+    local size=(--set uq.samples=6) ini=$here/small.ini out file verb
+    study one "${size[@]}" >/dev/null
+    run_verb() { # $1: verb
+        case $1 in
+        scene | push) "$program" "$1" "$ini" --set joint.friction_angle="30 deg" --set joint.stiffness_factor=1 \
+            --set unit.tensile_strength="3.7 MPa" --out "$work/$1" ;;
+        sample) "$program" sample "$ini" "${size[@]}" --out "$work/sample.csv" ;;
+        slurm) "$program" study "$ini" "${size[@]}" --out "$work/array.h5" --slurm "$work/slurm.sh" --shard '*/2' ;;
+        study) "$program" study "$ini" "${size[@]}" --out "$work/two.h5" --report ;;
+        curves) "$program" curves "$work/one.h5" --out "$work/curves.csv" ;;
+        report) "$program" report "$work/one.h5" --walls 0 --out "$work/report.html" ;;
+        fragility) "$program" fragility "$work/one.h5" --out "$work/fragility" ;;
+        esac
+    }
+    for out in scene/scene.dxf push/levels.svg sample.csv slurm.sh two_summary.md two/README.md two.html curves.csv \
+        report.html fragility/fragility.json; do
+        verb=${out%%[./]*}
+        verb=${verb/two*/study}
+        file=$work/$out
+        mkdir -p "${file%/*}"
+        echo mine >"$file"
+        refused 2 'is there already' run_verb "$verb"
+        [[ $(cat "$file") == mine ]] || fail "$verb replaced $out"
+        rm -- "$file"
+    done
+    [[ ! -e $work/two.h5 ]] || fail "walls were pushed before the names were looked at"
+    for verb in scene push sample slurm curves report fragility; do
+        run_verb "$verb" >/dev/null 2>"$work/said"
+        ! grep -q 'replaced' "$work/said" || fail "$(cat "$work/said")"
+        run_verb "$verb" >/dev/null 2>"$work/said"
+        grep -q 'replaced' "$work/said" || fail "$verb does not say that it replaces its earlier result"
+    done
 }
 
 claim_what_cannot_be_written_is_said() {

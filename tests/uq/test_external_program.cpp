@@ -118,6 +118,9 @@ TEST_CASE("external program: each way to fail has its own reason", "[uq][externa
         return has(reason(shell(scratch, script)), part);
     };
     says("echo one >&2; echo two >&2; exit 3", "exit code 3; stderr: one | two");
+    says("printf 'a\\033[31m\\377b' >&2; exit 3",
+         "exit code 3; stderr: a [31m\xEF\xBF\xBD"
+         "b"); // no escapes, nothing but UTF-8
     says("kill -SEGV $$", "signal 11 (Segmentation fault)");
     says("true", "there is no result file");
     says(": > $2", "the result is empty");

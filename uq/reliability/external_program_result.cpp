@@ -152,6 +152,8 @@ std::string last_lines(const std::filesystem::path& file, int lines)
     std::string text = end_of(file, kErrorsRead).text;
     for (char& c : text) // what could spoil a table or a terminal
         if ((c >= 0 && c < ' ' && c != '\n') || c == 0x7f) c = ' ';
+    // bytes that are no UTF-8 become its sign for them
+    text = json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
     std::vector<std::string> all;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);)
