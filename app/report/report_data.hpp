@@ -15,9 +15,8 @@ namespace app {
 
 /// @param study read with Keep::everything
 /// @param listed the walls that the page knows, and calls 0, 1, ...
-[[nodiscard]] nlohmann::ordered_json report_data(const StudyWalls& study,
-                                                 const WallList& listed,
-                                                 const FitProgress& seen = {});
+[[nodiscard]] nlohmann::ordered_json
+report_data(const StudyWalls& study, const WallList& listed, const FitProgress& seen = {});
 
 /// The walls that can be looked at: {"note", "films": [{"wall", "geometry", "frames", "step", "data"}], "geometries"},
 /// without geometry where there are none.

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kDigits = 9; // as capacity.csv
-constexpr std::string_view kHead = "level,vertical_stress_MPa,sample,displacement_mm,force_kN";
+constexpr std::string_view kColumns =
+    "level,vertical_stress_MPa,sample,displacement_mm,force_kN";
 
 void write_wall(std::ostream& out, const StoreHead& head, const WallRow& row)
 {
@@ -35,12 +36,12 @@ void write_wall(std::ostream& out, const StoreHead& head, const WallRow& row)
 int curves_command(const Command& command)
 {
     check_is_study(command.study);
-    check_replaced(command.out, kHead, command.quiet);
+    check_replaced(command.out, kColumns, command.quiet);
     StoreReader reader(command.study);
     const fs::path file = command.out, part = command.out + ".part";
     if (file.has_parent_path()) make_folder(file.parent_path());
     std::ofstream out(part, std::ios::binary);
-    out << kHead << '\n';
+    out << kColumns << '\n';
     std::size_t walls = 0;
     reader.for_each_row([&](const WallRow& row) {
         write_wall(out, reader.head(), row);
