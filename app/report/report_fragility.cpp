@@ -23,17 +23,17 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kDrifts = 121;
 constexpr double kDoubtful = 0.05; ///< p-value below which a line over the stress is not drawn
 
-double rounded(double p) { return std::round(p * 1e5) / 1e5; }
+double five_decimals(double p) { return std::round(p * 1e5) / 1e5; }
 
 void add_mixture(const std::vector<fragility::ModeGroup>& modes,
                  const std::vector<double>& drifts, double confidence, Json& c)
 {
     const fragility::Mixture mix = fragility::mixture_curve(modes, drifts, confidence);
     for (const fragility::MixturePoint& p : mix.points) {
-        c["least"].push_back(rounded(p.least));
-        c["most"].push_back(rounded(p.most));
-        c["lower"].push_back(rounded(p.band.lower));
-        c["upper"].push_back(rounded(p.band.upper));
+        c["least"].push_back(five_decimals(p.least));
+        c["most"].push_back(five_decimals(p.most));
+        c["lower"].push_back(five_decimals(p.band.lower));
+        c["upper"].push_back(five_decimals(p.band.upper));
     }
     c["fitted"] = std::any_of(mix.fits.begin(), mix.fits.end(), [](const fragility::Fit& f) {
         return f.outcome == fragility::FitOutcome::converged;
@@ -47,13 +47,13 @@ Json curve_json(const DriftData& data, std::size_t state, std::size_t level,
     const DriftGroup& group = data.groups[level];
     const auto modes = mode_groups(data, level, state);
     Json c = {{"level", level}, {"drift", Json::array()}, {"fitted", false}};
-    for (const double d : drifts) c["drift"].push_back(rounded(d));
+    for (const double d : drifts) c["drift"].push_back(five_decimals(d));
     if (no_mixture(modes).empty()) add_mixture(modes, drifts, data.options.confidence, c);
     const fragility::KaplanMeier km = fragility::kaplan_meier(limits_of(group, state));
-    c["known_to"] = rounded(km.end);
+    c["known_to"] = five_decimals(km.end);
     c["steps"] = Json::array();
     for (const auto& s : km.steps)
-        c["steps"].push_back({rounded(s.at), rounded(s.probability)});
+        c["steps"].push_back({five_decimals(s.at), five_decimals(s.probability)});
     return c;
 }
 
@@ -71,10 +71,10 @@ Json model_json(const fragility::ModeModel& model, double low, double high, doub
         Eigen::VectorXd at(1);
         at(0) = low + (high - low) * i / (kPoints - 1);
         const auto p = fragility::mode_probability(model, 0, at, confidence);
-        m["stress"].push_back(rounded(at(0)));
-        m["value"].push_back(rounded(p.value));
-        m["lower"].push_back(rounded(p.interval.lower));
-        m["upper"].push_back(rounded(p.interval.upper));
+        m["stress"].push_back(five_decimals(at(0)));
+        m["value"].push_back(five_decimals(p.value));
+        m["lower"].push_back(five_decimals(p.interval.lower));
+        m["upper"].push_back(five_decimals(p.interval.upper));
     }
     return m;
 }
