@@ -94,6 +94,7 @@ constexpr std::array kVerbs = {
          .example = "drystone sample configs/quick.ini",
          .out = OutKind::file,
          .extension = ".csv",
+         .suffix = "_samples", // curves of the study have its name
          .sections = "wall lintel stone joint unit beam base load uq",
          .run = sample_command},
     Verb{.name = "reliability",

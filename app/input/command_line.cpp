@@ -180,8 +180,8 @@ std::string default_out(const Verb& verb, const Command& command)
             name +=
                 "_" + command.level.substr(0, command.level.find_first_not_of("0123456789."));
     }
-    return ((results ? read.parent_path() : fs::path("runs")) / name).string() +
-           std::string(verb.extension);
+    name.append(verb.suffix).append(verb.extension);
+    return ((results ? read.parent_path() : fs::path("runs")) / name).string();
 }
 
 void set_out(const Verb& verb, Command& command)

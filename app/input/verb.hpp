@@ -28,9 +28,10 @@ struct Verb {
     std::string_view meaning = ""; ///< one line
     std::string_view example = ""; ///< shown where words are missing
     OutKind out = OutKind::folder;
-    std::string_view extension = "";      ///< of OutKind::file
-    std::size_t least = 1, most = 1;      ///< number of words
-    std::string_view sections = "";       ///< of the study file that it reads, between blanks
+    std::string_view extension = ""; ///< of OutKind::file
+    std::string_view suffix = "";    ///< of the default name, where another verb has it too
+    std::size_t least = 1, most = 1; ///< number of words
+    std::string_view sections = "";  ///< of the study file that it reads, between blanks
     int (*run)(const Command&) = nullptr; ///< returns the exit code
 };
 
