@@ -17,7 +17,7 @@ constexpr Named named(std::string_view word, auto value)
 
 inline constexpr std::array kYesNo = {named("yes", true), named("no", false)};
 
-/// Keys that say how a file is read.
+/// The condition of keys that say how a file is read.
 inline constexpr Condition kOfFile{[](const Study& s) { return !s.geometry.file.empty(); },
                                    "there is no wall.geometry to read; remove it", true};
 

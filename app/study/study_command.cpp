@@ -45,7 +45,7 @@ std::string progress_text(const RunProgress& p, double seconds)
            fixed(static_cast<double>(p.done) / std::max(seconds, 1e-9), 1) + " walls/s";
 }
 
-/// Empty where nothing was there before.
+/// What a study that went on has now; empty if it had no wall before.
 std::string resumed_text(const StudyRunEnd& end)
 {
     if (end.before == 0) return "";

@@ -11,7 +11,7 @@ namespace dem {
 /// Over all faces, those at the base and at the beam included. Costs nothing: no block is meshed.
 [[nodiscard]] std::size_t contact_count(const Layout& layout, const Discretisation& d);
 
-/// On one face.
+/// Number of contact points on one face, which are as dense as on the face of a half unit.
 [[nodiscard]] std::size_t contact_count(const Face& face, const Layout& layout,
                                         const Discretisation& d);
 

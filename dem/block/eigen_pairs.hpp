@@ -1,20 +1,21 @@
 #pragma once
-/// Dense symmetric eigenvalue problems of blocks. One file solves all of them: these solvers are what takes a compiler
-/// longest in the whole folder.
+/// Dense symmetric eigenvalue problems of blocks. One file solves all of them, because a compiler takes seconds for each
+/// file that does.
 
 #include <Eigen/Dense>
 
 namespace dem {
 
 struct EigenPairs {
-    Eigen::MatrixXd vectors; ///< one per column, orthonormal (in C, where there is one)
-    Eigen::VectorXd values;  ///< rising
+    Eigen::MatrixXd
+        vectors; ///< one in each column; V^T V = 1, or V^T C V = 1 where there is a C
+    Eigen::VectorXd values; ///< in rising order
 };
 
-/// Of K v = lambda v; K symmetric, of at least one row.
+/// Solves K v = lambda v. K is symmetric and has at least one row.
 [[nodiscard]] EigenPairs eigen_pairs(const Eigen::MatrixXd& k);
 
-/// Of K v = lambda C v; K symmetric, C symmetric and positive definite, both of the same size, at least one row.
+/// Solves K v = lambda C v. K is symmetric, C symmetric and positive definite; both have the same size, at least one row.
 [[nodiscard]] EigenPairs eigen_pairs(const Eigen::MatrixXd& k, const Eigen::MatrixXd& c);
 
 } // namespace dem

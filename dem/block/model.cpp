@@ -193,7 +193,6 @@ void check(const Layout& layout, const Elastic& stone, const Beam& beam, const L
 
 } // namespace
 
-/// As dense as on the face of a half unit.
 std::size_t contact_count(const Face& f, const Layout& layout, const Discretisation& d)
 {
     const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);

@@ -16,10 +16,10 @@ namespace dem {
 namespace {
 
 constexpr long long kLookEvery = 500; // steps between looks at the whole wall
-constexpr long long kWatchEvery = 50; // and while one with finite displacements may be falling
+constexpr long long kWatchEvery = 50; // steps between them while a wall may be falling
 // Share of kinetic in all energy that passed through a wall above which it falls, if it stores less. On its way in
 // balance a wall has some 1e-4 of it; the ledger of one that falls breaks at 0.2 to 0.5, where blocks strike each other.
-constexpr double kFalling = 0.1; // choice
+constexpr double kFalling = 0.1; // a free choice between the two
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit

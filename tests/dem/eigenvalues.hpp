@@ -3,5 +3,5 @@
 
 #include <Eigen/Core>
 
-/// Of a symmetric matrix, rising.
+/// The eigenvalues of a symmetric matrix, in rising order.
 [[nodiscard]] Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
