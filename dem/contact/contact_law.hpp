@@ -180,8 +180,9 @@ template <class Real> struct ElasticTrial {
 };
 
 template <Unloading kUnloading = Unloading::secant, class Real>
-[[nodiscard]] ElasticTrial<Real> try_elastic(const CrackLaw<Real>& law,
-                                             const CrackState<Real>& s, Real du_n, Real du_s)
+[[nodiscard,
+  gnu::always_inline]] inline ElasticTrial<Real> // called for every crack in every step
+try_elastic(const CrackLaw<Real>& law, const CrackState<Real>& s, Real du_n, Real du_s)
 {
     const Real u_n = s.u_n + du_n;
     const Real sigma = crack_stress<kUnloading>(law, s.unloading, u_n);

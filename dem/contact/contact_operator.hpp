@@ -73,12 +73,13 @@ void scatter_block(const ContactOperator& a, const int* contact, const Real* vel
 template <class Real>
 void gather(const ContactOperator& a, const int* contact, const Real* stress, Real* modal)
 {
+    // A few sums at a time would wait for one another: each of these passes takes as many as there are.
     int j = 0;
     for (; j + 16 <= a.modes; j += 16) detail::gather_block<16>(a, contact, stress, j, modal);
     for (; j + 12 <= a.modes; j += 12) detail::gather_block<12>(a, contact, stress, j, modal);
-    for (; j + 8 <= a.modes; j += 8) detail::gather_block<8>(a, contact, stress, j, modal);
-    for (; j + 4 <= a.modes; j += 4) detail::gather_block<4>(a, contact, stress, j, modal);
-    for (; j + 2 <= a.modes; j += 2) detail::gather_block<2>(a, contact, stress, j, modal);
+    for (; j + 9 <= a.modes; j += 9) detail::gather_block<9>(a, contact, stress, j, modal);
+    for (; j + 6 <= a.modes; j += 6) detail::gather_block<6>(a, contact, stress, j, modal);
+    for (; j + 3 <= a.modes; j += 3) detail::gather_block<3>(a, contact, stress, j, modal);
     for (; j < a.modes; ++j) detail::gather_block<1>(a, contact, stress, j, modal);
 }
 

@@ -53,13 +53,13 @@ template <class Real>
                    a.half.c * b.half.c + a.half.s * b.half.s, // half of what b is turned past a
         sh = b.half.s * a.half.c - b.half.c * a.half.s;
     Overlap<Real> o;
-    o.nx = Real(p.nx) * cm + Real(p.nz) * sm;
-    o.nz = Real(p.nz) * cm - Real(p.nx) * sm;
+    o.nx = multiply_add(Real(p.nx), cm, Real(p.nz) * sm);
+    o.nz = multiply_add(Real(p.nz), cm, Real(-p.nx) * sm);
     const Real dx = b.x - a.x, dz = b.z - a.z;
-    o.dt = o.nz * dx - o.nx * dz;
-    o.dn = o.nx * dx + o.nz * dz;
+    o.dt = multiply_add(o.nz, dx, -(o.nx * dz));
+    o.dn = multiply_add(o.nx, dx, o.nz * dz);
 
-    const Real shift_a = -(Real(p.side_a.normal) * sh);
+    const Real shift_a = Real(-p.side_a.normal) * sh;
     const Real shift_b = multiply_add(Real(p.side_b.normal), sh, o.dt);
     const Real a_from = multiply_add(Real(p.side_a.from), ch, shift_a),
                a_to = multiply_add(Real(p.side_a.to), ch, shift_a),
@@ -73,13 +73,14 @@ template <class Real>
 
     const Real per_ch = Real(1.0) / select(facing, ch, Real(1.0)), slope = sh * per_ch;
     o.along_sides = o.length * per_ch;
-    const Real height_a = multiply_add(slope, o.from - a_from,
-                                       Real(p.side_a.normal) * ch + Real(p.side_a.from) * sh);
-    const Real height_b =
-        multiply_add(-slope, o.from - b_from,
-                     (Real(p.side_b.normal) * ch - Real(p.side_b.from) * sh) + o.dn);
+    const Real height_a =
+        multiply_add(slope, o.from - a_from,
+                     multiply_add(Real(p.side_a.normal), ch, Real(p.side_a.from) * sh));
+    const Real height_b = multiply_add(
+        slope, b_from - o.from,
+        multiply_add(Real(p.side_b.normal), ch, multiply_add(Real(-p.side_b.from), sh, o.dn)));
     o.gap = height_b - height_a;
-    o.widening = -(Real(2.0) * slope * o.length);
+    o.widening = Real(-2.0) * slope * o.length;
     o.height = Real(0.5) * (height_a + height_b);
 
     o.pressed = multiply_add(centre, o.length, o.from);
@@ -113,9 +114,12 @@ template <class Real>
                            const BlockFrame<Real>& b)
 {
     const Real vx = b.vx - a.vx, vz = b.vz - a.vz;
-    const Real t = (o.nz * vx - o.nx * vz) + (b.spin * (o.height - o.dn) - a.spin * o.height);
-    const Real n = (o.nx * vx + o.nz * vz) - (b.spin * (o.pressed - o.dt) - a.spin * o.pressed);
-    return t * o.tilt.c - n * o.tilt.s;
+    const Real spin = b.spin - a.spin; // of b past a
+    const Real t = multiply_add(
+        o.nz, vx, multiply_add(spin, o.height, -multiply_add(o.nx, vz, b.spin * o.dn)));
+    const Real n = multiply_add(
+        o.nx, vx, multiply_add(o.nz, vz, multiply_add(b.spin, o.dt, -(spin * o.pressed))));
+    return multiply_add(t, o.tilt.c, -(n * o.tilt.s));
 }
 
 /// Stresses of the contacts of a pair, summed with their areas.
@@ -123,6 +127,22 @@ template <class Real> struct StressSum {
     Real normal{0.0}, tangential{0.0}; ///< [N]
     Real normal_first{0.0},
         tangential_first{0.0}; ///< times the place along the overlap, 0 to 1
+
+    /// @param place along the overlap, 0 to 1;  normal_force, shear of one contact [N]
+    void add(Real place, Real normal_force, Real shear)
+    {
+        normal += normal_force;
+        tangential += shear;
+        normal_first = multiply_add(place, normal_force, normal_first);
+        tangential_first = multiply_add(place, shear, tangential_first);
+    }
+
+    /// The same on a share of the area.
+    [[nodiscard]] StressSum on(Real share) const
+    {
+        return {share * normal, share * tangential, share * normal_first,
+                share * tangential_first};
+    }
 };
 
 /// Where along the overlap the stresses press, 0 to 1; where none do, the end that closes as the blocks turn.
@@ -140,17 +160,17 @@ template <class Real>
 void add_forces(const Overlap<Real>& o, const StressSum<Real>& s, BlockFrame<Real>& a,
                 BlockFrame<Real>& b)
 {
-    const Real n = s.normal * o.tilt.c - s.tangential * o.tilt.s,
-               t = s.normal * o.tilt.s + s.tangential * o.tilt.c,
-               first = s.normal_first * o.tilt.c - s.tangential_first * o.tilt.s;
-    const Real fx = o.nx * n + o.nz * t, fz = o.nz * n - o.nx * t;
-    const Real moment = o.height * t - (o.from * n + o.length * first);
+    const Real n = multiply_add(s.normal, o.tilt.c, -(s.tangential * o.tilt.s)),
+               t = multiply_add(s.normal, o.tilt.s, s.tangential * o.tilt.c),
+               first = multiply_add(s.normal_first, o.tilt.c, -(s.tangential_first * o.tilt.s));
+    const Real fx = multiply_add(o.nx, n, o.nz * t), fz = multiply_add(o.nz, n, -(o.nx * t));
+    const Real moment = multiply_add(o.height, t, -multiply_add(o.from, n, o.length * first));
     a.fx += fx;
     a.fz += fz;
     a.moment += moment;
     b.fx -= fx;
     b.fz -= fz;
-    b.moment -= moment - (o.dn * t - o.dt * n);
+    b.moment -= moment - multiply_add(o.dn, t, -(o.dt * n));
 }
 
 } // namespace dem

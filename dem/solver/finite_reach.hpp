@@ -77,11 +77,7 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
         friction = multiply_add(area, u.friction, friction);
         stored =
             multiply_add(area, stored_energy(law, u.state.u_n, u.sigma, u.state.tau), stored);
-        const Real normal = share * (area * u.sigma), shear = share * (area * u.state.tau);
-        sum.normal += normal;
-        sum.tangential += shear;
-        sum.normal_first = multiply_add(place, normal, sum.normal_first);
-        sum.tangential_first = multiply_add(place, shear, sum.tangential_first);
+        sum.add(place, area * u.sigma, area * u.state.tau);
     }
     s.friction += share * friction - grown * stored;
     auto& last = s.finite.further[row];
@@ -92,7 +88,7 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
             o.past_far,
             o.past_near,
             select(active, centre_of_pressure(o, sum), last.centre)};
-    add_forces(o, sum, a, b);
+    add_forces(o, sum.on(share), a, b);
 }
 
 /// Blocks that overhang the last block under them. Where no wall of the register has such a block

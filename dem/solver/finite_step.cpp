@@ -73,7 +73,9 @@ template <class Real> struct PairStep {
     Overlap<Real> overlap;
     Real gap, widening, slip; ///< changes in this step [m]
     Real share, grown;        ///< see FiniteState::Pair; grown by, in this step [-]
-    StressSum<Real> sum;
+    StressSum<Real> sum;      ///< on the undeformed area
+    Real stretched{0.0},
+        sheared{0.0}; ///< sums of sigma x stretch and tau^2 on that area, of add()
 
     PairStep(const FiniteTables& t, const ContactRun& run, int pair, WallState<Real>& s)
         : overlap(overlap_of(t.pairs[pair], s.finite.frames[t.pairs[pair].a],
@@ -102,23 +104,29 @@ template <class Real> struct PairStep {
     [[nodiscard]] Real before() const { return share - grown; }
 
     /// Sums up a contact that has its new stresses.
-    void add(const StepTables& t, int k, WallState<Real>& s)
+    /// @param stretch whose energy is stored [m]
+    void add(const StepTables& t, int k, Real stretch, WallState<Real>& s)
     {
-        const Real sigma = share * s.stress[2 * k], tau = share * s.stress[2 * k + 1];
-        s.finite.acting[2 * k] = sigma;
-        s.finite.acting[2 * k + 1] = tau;
-        const Real normal_force = Real(t.area[k]) * sigma, shear = Real(t.area[k]) * tau;
-        const Real place(t.finite.place[k]);
-        sum.normal += normal_force;
-        sum.tangential += shear;
-        sum.normal_first = multiply_add(place, normal_force, sum.normal_first);
-        sum.tangential_first = multiply_add(place, shear, sum.tangential_first);
+        const Real sigma = s.stress[2 * k], tau = s.stress[2 * k + 1], area(t.area[k]);
+        s.finite.acting[2 * k] = share * sigma;
+        s.finite.acting[2 * k + 1] = share * tau;
+        const Real normal_force = area * sigma, shear = area * tau;
+        sum.add(Real(t.finite.place[k]), normal_force, shear);
+        stretched = multiply_add(normal_force, stretch, stretched);
+        sheared = multiply_add(shear, tau, sheared);
+    }
+
+    /// Energy that the area brings which came into contact in this step [J]. It is not work of a force, so the
+    /// ledger has it with the friction.
+    template <class Law> [[nodiscard]] Real brought(const Law& law) const
+    {
+        return grown * (Real(0.5) * multiply_add(sheared, law.inv_ks, stretched));
     }
 
     void act(const FiniteTables& t, int pair, WallState<Real>& s) const
     {
         s.finite.pairs[pair].centre = centre_of_pressure(overlap, sum);
-        add_forces(overlap, sum, s.finite.frames[t.pairs[pair].a],
+        add_forces(overlap, sum.on(share), s.finite.frames[t.pairs[pair].a],
                    s.finite.frames[t.pairs[pair].b]);
     }
 };
@@ -137,7 +145,7 @@ void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState
     const DryLaw<Real> law = s.laws.dry[run.law];
     const bool wears = !s.roughness.empty();
     PairStep<Real> step(t.finite, run, pair, s);
-    Real friction(0.0), stored(0.0);
+    Real friction(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
         Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
         if (!s.crushed.empty())
@@ -151,11 +159,9 @@ void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState
                 roughness_after(s.laws.dry_wear[run.law], s.roughness[k], u.slip, u.sigma);
         set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
         friction = multiply_add(Real(t.area[k]), u.friction, friction);
-        stored = multiply_add(Real(t.area[k]),
-                              stored_energy(law, u.state.u_n, u.sigma, u.state.tau), stored);
-        step.add(t, k, s);
+        step.add(t, k, u.state.u_n, s);
     }
-    s.friction += step.share * friction - step.grown * stored;
+    s.friction += step.share * friction - step.brought(law);
     step.act(t.finite, pair, s);
 }
 
@@ -164,17 +170,14 @@ void advance_tied(const StepTables& t, const ContactRun& run, int pair, WallStat
 {
     const DryLaw<Real>& law = s.laws.tied[run.law];
     PairStep<Real> step(t.finite, run, pair, s);
-    Real stored(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
         const Real u_n = s.u_n[k] + step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
         const Real tau =
             multiply_add(law.ks, step.tangential(take(s.du[2 * k + 1])), s.stress[2 * k + 1]);
         set_contact(s, k, u_n, law.kn * u_n, tau);
-        stored =
-            multiply_add(Real(t.area[k]), stored_energy(law, u_n, law.kn * u_n, tau), stored);
-        step.add(t, k, s);
+        step.add(t, k, u_n, s);
     }
-    s.friction -= step.grown * stored;
+    s.friction -= step.brought(law);
     step.act(t.finite, pair, s);
 }
 
@@ -184,7 +187,6 @@ void advance_crack(const StepTables& t, bool shortcuts, const ContactRun& run, i
 {
     const CrackLaw<Real>& law = s.laws.cracks[run.law];
     PairStep<Real> step(t.finite, run, pair, s);
-    Real stored(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
         Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
         if (!s.crushed.empty())
@@ -205,13 +207,9 @@ void advance_crack(const StepTables& t, bool shortcuts, const ContactRun& run, i
         const Real propped = kUnloading == Unloading::elastic
                                  ? s.cracks[k - t.first_crack].unloading
                                  : Real(0.0);
-        stored = multiply_add(
-            Real(t.area[k]),
-            stored_energy(law, s.u_n[k] - propped, s.stress[2 * k], s.stress[2 * k + 1]),
-            stored);
-        step.add(t, k, s);
+        step.add(t, k, s.u_n[k] - propped, s);
     }
-    s.friction -= step.grown * stored;
+    s.friction -= step.brought(law);
     step.act(t.finite, pair, s);
 }
 

@@ -15,21 +15,9 @@ import numpy as np
 from scipy.optimize import linprog
 from scipy.sparse import coo_matrix
 
+from ferris_tin_loi import FRICTION, HEIGHT, WALLS, blocks, courses
+
 NEAR = 0.03  # [m]; faces farther apart cannot meet within a step
-UNIT, HEIGHT, FRICTION = 0.4, 0.175, 0.65
-
-# Widths of each kind of course in units; negative: an opening. Then the courses from below.
-WALLS = {
-    1: ({"L": [0.5, 1, 1, 1, 1, 0.5], "M": [1] * 5}, "L M L M L M"),
-    2: ({"L": [0.5, 1, 1, 1, 1, 0.5], "M": [1] * 5}, "L M L M L M L M L M"),
-    3: ({"F": [1] * 4, "G": [0.5, 1, 1, 1, 0.5], "W": [1, 0.5, -1, 0.5, 1], "V": [0.5, 1, -1, 1, 0.5]}, "F G F V W V W V F G F"),
-    4: ({"F": [0.5, 1, 1, 1, 1, 0.5], "G": [1] * 5, "V": [1, -1, 1, -1, 1], "W": [0.5, 0.5, -1, 0.5, 0.5, -1, 0.5, 0.5]},
-        "F G F V W V W V F G F"),
-    5: ({"F": [0.5, 1, 1, 0.5], "G": [1] * 3, "V": [1, -1, 1], "W": [0.5, 0.5, -1, 0.5, 0.5]}, "F G F V W V W V F G F V W V W V F G F"),
-    6: ({"F": [0.5, 1, 1, 1, 1, 1, 1, 0.5], "G": [1] * 7, "V": [0.5, 1, -1, 1, 1, -1, 1, 0.5], "W": [1, 0.5, -1, 0.5, 1, 0.5, -1, 0.5, 1]},
-        "F G F G V W V W V G F G V W V W V G F G F"),
-}
-
 arguments = argparse.ArgumentParser()
 arguments.add_argument("step", nargs="?", type=float, default=1e-3)
 arguments.add_argument("--wall", type=int, choices=WALLS, default=1)
@@ -37,14 +25,12 @@ arguments.add_argument("--block", action="store_true")
 arguments.add_argument("--steps", type=int)
 asked = arguments.parse_args()
 step, height, friction = asked.step, HEIGHT, FRICTION
-kinds, order = WALLS[asked.wall]
-courses = [[UNIT * width for width in kinds[kind]] for kind in order.split()]
+rows = courses(asked.wall)
 if asked.block:
-    height, friction, courses = 1.0, 10.0, [[0.2]]
+    height, friction, rows = 1.0, 10.0, [[0.2]]
 
-blocks = [(c, sum(map(abs, widths[:i])) + width / 2, width / 2)
-          for c, widths in enumerate(courses) for i, width in enumerate(widths) if width > 0]
-course, x, half = (np.array(values) for values in zip(*blocks))
+course, left, right_edge = (np.array(values) for values in zip(*blocks(rows)))
+x, half = (left + right_edge) / 2, (right_edge - left) / 2
 z = (course + 0.5) * height
 turned = np.zeros(len(x))  # clockwise [rad]
 weight = half / half.sum()
