@@ -3,6 +3,8 @@
 ///
 ///   ./drystone validate           runs everything, then
 ///   validation WORK DOCS
+///   ./drystone validate --end     runs the walls of the last section, then writes that section anew
+///   validation WORK DOCS --end
 
 #include "app/fragility/fragility_means.hpp"
 #include "app/output/atomic_output.hpp"
@@ -16,7 +18,9 @@
 #include "bench/validation/remarks.hpp"
 
 #include <exception>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <stdexcept>
 
 namespace {
@@ -65,9 +69,18 @@ std::vector<bench::Sample> last_falls(const fs::path& work)
     return falls;
 }
 
+constexpr const char* kPushedToTheEnd = "## 8. Pushed to the end"; // the last section
+
 /// What the paper's walls do when they are pushed on, with blocks that turn.
-void push_on(const app::StudyWalls& paper, const app::StudyWalls& collapse, Page& page)
+Page pushed_to_the_end(const fs::path& work)
 {
+    const app::StudyWalls paper = app::read_study_walls(work / "paper.h5", {}),
+                          collapse = app::read_study_walls(work / "collapse.h5", {});
+    check_levels(bench::level_statistics(paper), 5, 50, work / "paper.h5");
+    check_levels(bench::level_statistics(collapse), 5, 50, work / "collapse.h5");
+    Page page;
+    page.write(kPushedToTheEnd);
+    page.write("Written by `./drystone validate --end` on " + bench::machine_line() + ".");
     app::Table t;
     t.caption = "The paper's walls, 50 under each stress, the same samples in both rows.";
     t.head = bench::limit_head();
@@ -89,6 +102,7 @@ void push_on(const app::StudyWalls& paper, const app::StudyWalls& collapse, Page
         "cracks at the toe: [limits.md](limits.md).");
     page.show(t);
     page.show(bench::limits_by_mode(collapse));
+    return page;
 }
 
 Page page_of(const fs::path& work)
@@ -97,12 +111,10 @@ Page page_of(const fs::path& work)
     const app::StudyWalls paper = read("paper.h5"), large = read("large.h5"),
                           spatial = read("spatial.h5"),
                           spatial_large = read("spatial_large.h5"),
-                          independent = read("spatial_independent.h5"),
-                          collapse = read("collapse.h5");
+                          independent = read("spatial_independent.h5");
     const bench::OurLevels ours{bench::level_statistics(paper), bench::level_statistics(large)};
     check_levels(ours.same_size, 5, 50, work / "paper.h5");
     check_levels(ours.large, 5, 500, work / "large.h5");
-    check_levels(bench::level_statistics(collapse), 5, 50, work / "collapse.h5");
     const auto combined = bench::read_levels(work / "large_combined.h5");
     check_levels(combined, 5, 500, work / "large_combined.h5");
     const auto rigid = bench::read_levels(work / "rigid_limit.h5");
@@ -168,19 +180,32 @@ Page page_of(const fs::path& work)
     auto means = app::mean_curve_pictures(large);
     for (app::NamedPicture& p : means) p.name = "fig15_" + p.name;
     page.show(means);
-    page.write("## 8. Pushed to the end");
-    push_on(paper, collapse, page);
+    page.text += pushed_to_the_end(work).text;
     return page;
+}
+
+/// The page as it stands with its last section written anew.
+std::string with_new_end(const fs::path& file, const std::string& section)
+{
+    std::ifstream in(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t at = text.find(kPushedToTheEnd);
+    if (at == std::string::npos)
+        throw std::runtime_error(file.string() + ": no line \"" + kPushedToTheEnd + "\"");
+    return text.replace(at, std::string::npos, section);
 }
 
 int run(int argc, char** argv)
 {
-    if (argc != 3) {
-        std::cerr << "usage: validation WORK DOCS\n";
+    const bool end = argc == 4 && argv[3] == std::string("--end");
+    if (argc != 3 && !end) {
+        std::cerr << "usage: validation WORK DOCS [--end]\n";
         return 2;
     }
-    const Page page = page_of(argv[1]); // everything is read before anything is written
     const fs::path docs = argv[2];
+    // Everything is read before anything is written.
+    Page page = end ? pushed_to_the_end(argv[1]) : page_of(argv[1]);
+    if (end) page.text = with_new_end(docs / "validation.md", page.text);
     app::make_folder(docs / "validation");
     for (const app::NamedPicture& p : page.pictures)
         app::write_file(docs / "validation" / (p.name + ".svg"), p.svg);

@@ -192,7 +192,7 @@ TEST_CASE("wall run: after the drop a wall is pushed in haste, before it as with
     CHECK(hasty.curve.back().displacement ==
           Approx(calm.curve.back().displacement).epsilon(0.005));
 
-    // A stiffer wall needs its slow steps less.
+    // Under a larger stress the gain is larger.
     CHECK(followed_to_its_end(0.75, 2.0).cost.steps <
           0.96 * static_cast<double>(followed_to_its_end(0.75, 1.0).cost.steps));
 }
