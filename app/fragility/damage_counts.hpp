@@ -2,7 +2,7 @@
 /// A table of counts: at each intensity, how many walls (or analyses, or buildings) there were and
 /// how many had reached each limit state.
 
-#include "app/fragility/drift_csv.hpp"
+#include "app/text/csv.hpp"
 #include "fragility/ordinal_fit.hpp"
 
 #include <string>

@@ -4,126 +4,15 @@
 #include "app/text/words.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
 #include <map>
-#include <set>
 
 namespace app {
 namespace {
-
-/// Splits a text into records; what is left to check is whether they fit the head.
-class Splitter {
-  public:
-    Splitter(const std::string& path, std::string_view text, char separator, int first_line)
-        : path_(path), text_(text), separator_(separator), line_(first_line)
-    {
-    }
-
-    std::vector<CsvRow> records()
-    {
-        std::vector<CsvRow> all;
-        while (at_ < text_.size()) {
-            CsvRow row{{}, line_};
-            const std::size_t start = at_;
-            while (cell(row)) {
-            }
-            const bool blank = std::ranges::all_of(
-                row.cells, [](const std::string& c) { return trimmed(c).empty(); });
-            const bool quoted = row.cells.size() == 1 && text_[start] == '"';
-            if (!blank || quoted) all.push_back(std::move(row));
-        }
-        return all;
-    }
-
-  private:
-    /// @return whether the record goes on
-    bool cell(CsvRow& row)
-    {
-        std::string content;
-        if (at_ < text_.size() && text_[at_] == '"') {
-            content = quoted();
-            const std::string_view rest = text_.substr(at_, 2);
-            if (!rest.empty() && rest[0] != separator_ && rest[0] != '\n' && rest != "\r\n" &&
-                rest != "\r")
-                throw ConfigError(path_, line_, "",
-                                  "text behind the quote that closes a cell; write a quote "
-                                  "inside a cell as \"\"");
-        }
-        while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n')
-            content += text_[at_++];
-        const bool more = at_ < text_.size() && text_[at_] == separator_;
-        if (!more && !content.empty() && content.back() == '\r') content.pop_back();
-        row.cells.push_back(std::move(content));
-        if (at_ < text_.size()) line_ += text_[at_++] == '\n' ? 1 : 0;
-        return more;
-    }
-
-    std::string quoted()
-    {
-        const int start = line_;
-        std::string content;
-        for (++at_; at_ < text_.size(); ++at_) {
-            if (text_[at_] == '"' && at_ + 1 < text_.size() && text_[at_ + 1] == '"') {
-                ++at_;
-            } else if (text_[at_] == '"') {
-                ++at_;
-                return content;
-            }
-            line_ += text_[at_] == '\n' ? 1 : 0;
-            content += text_[at_];
-        }
-        throw ConfigError(path_, start, "", "a quoted cell is not closed; add a \" at its end");
-    }
-
-    const std::string& path_;
-    std::string_view text_;
-    char separator_;
-    std::size_t at_ = 0;
-    int line_;
-};
-
-char separator_of(std::string_view text)
-{
-    const std::string_view head = text.substr(0, text.find('\n'));
-    char best = ',';
-    std::ptrdiff_t most = 0;
-    for (const char c : {',', ';', '\t'}) {
-        bool quoted = false;
-        std::ptrdiff_t n = 0;
-        for (const char h : head) {
-            if (h == '"') quoted = !quoted;
-            n += h == c && !quoted ? 1 : 0;
-        }
-        if (n > most) {
-            most = n;
-            best = c;
-        }
-    }
-    return best;
-}
-
-void check_head(const std::string& path, const CsvRow& head)
-{
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < head.cells.size(); ++i) {
-        const std::string& name = head.cells[i];
-        if (name.empty())
-            throw ConfigError(path, head.line, "",
-                              "column " + std::to_string(i + 1) + " has no name");
-        if (!names.insert(name).second)
-            throw ConfigError(path, head.line, "",
-                              "two columns are called " + in_quotes(name) + "; rename one");
-    }
-}
-
-/// Without its unit in brackets, [%] or (%).
-std::string_view bare(std::string_view head)
-{
-    const auto open = head.find_first_of("[(");
-    return open == 0 ? head : trimmed(head.substr(0, open));
-}
 
 std::string unit_of(std::string_view head)
 {
@@ -132,18 +21,8 @@ std::string unit_of(std::string_view head)
     return std::string(trimmed(head.substr(open + 1, close - open - 1)));
 }
 
-struct Place {
-    const std::string& path;
-    const CsvRow& row;
-    std::string_view column;
-};
-
-[[noreturn]] void refuse(const Place& at, const std::string& why)
-{
-    throw ConfigError(at.path, at.row.line, at.column, why);
-}
-
-bool read_censored(const Place& at, std::string text)
+bool read_censored(const std::string& path, const CsvRow& row, std::string_view column,
+                   std::string text)
 {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
         return static_cast<char>(c < 128 ? std::tolower(c) : c);
@@ -152,8 +31,9 @@ bool read_censored(const Place& at, std::string text)
         if (text == yes) return true;
     for (const char* const no : {"0", "no", "n", "false", "observed"})
         if (text == no) return false;
-    refuse(at, in_quotes(text) + " does not say whether the value is a bound; write 1, yes or "
-                                 "censored, or 0, no or observed");
+    refuse_cell(path, row, column,
+                in_quotes(text) + " does not say whether the value is a bound; write 1, yes or "
+                                  "censored, or 0, no or observed");
 }
 
 double percent_per_unit(const std::string& unit)
@@ -194,8 +74,8 @@ std::optional<fragility::Observation> drift_at(const std::string& path, const Cs
     }
     const double d = number_at(path, csv, plain, column);
     if (!bound && d == 0.0)
-        refuse(
-            {path, row, csv.head[column]},
+        refuse_cell(
+            path, row, csv.head[column],
             "is 0, where no limit state is reached; write the drift, or NA if it is not known");
     return bound ? fragility::right_censored(d) : fragility::observed(d);
 }
@@ -208,7 +88,7 @@ DriftWall read_wall(const std::string& path, const Csv& csv, const Indices& colu
         bool bound = false;
         if (!columns.censored.empty() && !is_missing(trimmed(row.cells[columns.drift[i]]))) {
             const std::size_t c = columns.censored[columns.censored.size() == 1 ? 0 : i];
-            bound = read_censored({path, row, csv.head[c]}, std::string(trimmed(row.cells[c])));
+            bound = read_censored(path, row, csv.head[c], std::string(trimmed(row.cells[c])));
         }
         wall.limits.push_back(drift_at(path, csv, row, columns.drift[i], bound));
     }
@@ -221,7 +101,7 @@ std::string group_name(const std::string& path, const Csv& csv, const Indices& c
     if (!columns.group) return "all";
     const std::string name(trimmed(row.cells[*columns.group]));
     if (name.empty())
-        refuse({path, row, csv.head[*columns.group]}, "empty cell; name its group");
+        refuse_cell(path, row, csv.head[*columns.group], "empty cell; name its group");
     return name;
 }
 
@@ -255,69 +135,6 @@ std::string all_of(const std::vector<std::string>& messages)
 
 } // namespace
 
-std::size_t find_column(const std::string& path, const Csv& csv, std::string_view name)
-{
-    std::vector<std::string_view> names(csv.head.begin(), csv.head.end());
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) return i;
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (bare(names[i]) == name) found.push_back(i);
-    if (found.size() == 1) return found.front();
-    if (found.size() > 1)
-        throw ConfigError(path, 0, name, "several columns have this name; add the unit");
-    throw ConfigError(path, 0, name, "no such column; " + suggestion(name, names));
-}
-
-double number_at(const std::string& path, const Csv& csv, const CsvRow& row, std::size_t column)
-{
-    const Place at{path, row, csv.head[column]};
-    std::string text(trimmed(row.cells[column]));
-    if (text.empty()) refuse(at, "empty cell; write a number, or take the row out");
-    if (csv.separator != ',') std::replace(text.begin(), text.end(), ',', '.');
-    double value = 0.0;
-    const char* first = text.data() + (text.front() == '+' ? 1 : 0);
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(first, last, value);
-    if (error != std::errc() || end != last) refuse(at, in_quotes(text) + " is not a number");
-    if (!std::isfinite(value)) refuse(at, in_quotes(text) + " is not a finite number");
-    if (value < 0.0) refuse(at, in_quotes(text) + " is negative; it must be at least 0");
-    return value;
-}
-
-Csv parse_csv(const std::string& path, std::string_view text)
-{
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    Csv csv;
-    int first_line = 1;
-    if (text.starts_with("sep=") && text.size() > 4) { // Excel names its separator so
-        csv.separator = text[4];
-        text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
-        first_line = 2;
-    } else {
-        csv.separator = separator_of(text);
-    }
-    csv.rows = Splitter(path, text, csv.separator, first_line).records();
-    if (csv.rows.empty()) throw ConfigError(path, 0, "", "no head; name the columns in line 1");
-    for (std::string& name : csv.rows.front().cells) name = std::string(trimmed(name));
-    check_head(path, csv.rows.front());
-    csv.head = csv.rows.front().cells;
-    csv.rows.erase(csv.rows.begin());
-    for (const CsvRow& row : csv.rows)
-        if (row.cells.size() != csv.head.size())
-            throw ConfigError(path, row.line, "",
-                              std::to_string(row.cells.size()) + " cells, but the head has " +
-                                  std::to_string(csv.head.size()));
-    return csv;
-}
-
-void check_rows(const std::string& path, const Csv& csv)
-{
-    if (csv.rows.empty())
-        throw ConfigError(path, 0, "",
-                          "there is no row below the head; write one for each wall");
-}
-
 DriftData drift_data(const std::string& path, const Csv& csv, const DriftColumns& columns)
 {
     check_rows(path, csv);
@@ -330,7 +147,7 @@ DriftData drift_data(const std::string& path, const Csv& csv, const DriftColumns
         if (!data.states.empty() && unit != data.unit)
             throw ConfigError(path, 0, head, "columns of drift must have one unit");
         data.unit = unit;
-        data.states.push_back({"", std::string(bare(head)), "column " + in_quotes(head)});
+        data.states.push_back({"", std::string(bare_name(head)), "column " + in_quotes(head)});
     }
     for (const std::string& name : columns.censored)
         at.censored.push_back(find_column(path, csv, name));

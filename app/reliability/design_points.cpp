@@ -1,0 +1,159 @@
+#include "app/reliability/design_points.hpp"
+
+#include "app/reliability/method_answers.hpp"
+#include "uq/designs/stream.hpp"
+#include "uq/marginals/normal_quantile.hpp"
+#include "uq/reliability/evaluate.hpp"
+#include "uq/reliability/importance_sampling.hpp"
+#include "uq/reliability/sorm.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace app {
+namespace {
+
+std::string words(const uq::FormResult& r)
+{
+    if (r.outcome == uq::FormOutcome::agreed && r.reason.empty()) return "two searches agree";
+    return r.reason;
+}
+
+void take(const uq::FormResult& r, const ReliabilityProblem& p, ReliabilityAnswer& a)
+{
+    for (const uq::DesignPoint& point : r.points) {
+        const Eigen::MatrixXd u = point.at.u.transpose();
+        a.points.push_back(
+            {point.beta, point.at.u,
+             p.event.to_physical ? p.event.to_physical(u).row(0).transpose() : point.at.u});
+    }
+    if (r.points.empty()) return;
+    const Eigen::VectorXd share = uq::importance_factors(r.points.front());
+    Sensitivity s{"alpha^2 of FORM", {}};
+    for (Eigen::Index i = 0; i < share.size(); ++i)
+        s.shares.push_back({p.normal[static_cast<std::size_t>(i)], share(i), {}, {}, {}});
+    a.sensitivities.push_back(std::move(s));
+}
+
+/// The searches of a model that scatters. A wall's answer scatters by about 0.2 % of its force, which is
+/// some hundredths of a standard deviation of u: differences over 0.3 give a direction good to about 5
+/// degrees, and a point that far off its axis is wrong in beta by 0.5 %.
+void loosen(uq::FormOptions& o)
+{
+    o.search.step = 0.3;
+    o.search.on_surface = 0.03;
+    o.search.on_axis = 0.3;
+    o.search.max_iterations = 20;
+    o.same_point = 0.6;
+}
+
+} // namespace
+
+void look_elsewhere(const ReliabilityProblem& p, const uq::FormResult& found,
+                    ReliabilityAnswer& a)
+{
+    constexpr std::size_t kLooks = 100;
+    constexpr double kFurther =
+        1.2; ///< there P of one direction is a tenth of that at beta = 3
+    if (found.points.empty() || !(found.points.front().beta > 0.0)) return;
+    const std::size_t n = std::min(kLooks, left(p, a) / 2);
+    const double radius = kFurther * found.points.front().beta;
+    Eigen::MatrixXd u(static_cast<Eigen::Index>(n), p.event.dimension);
+    Eigen::Index rows = 0;
+    for (std::uint64_t k = 0; k < 20 * n && rows < u.rows(); ++k) {
+        uq::Stream random(p.seed, k, uq::Purpose::bootstrap);
+        Eigen::VectorXd way(p.event.dimension);
+        for (double& v : way) v = random.normal();
+        way.normalize();
+        if (std::ranges::none_of(found.points, [&](const uq::DesignPoint& d) {
+                return d.at.u.normalized().dot(way) > 1e-9;
+            }))
+            u.row(rows++) = radius * way.transpose();
+    }
+    if (rows == 0) return;
+    uq::Ledger ledger;
+    const Eigen::VectorXd g = uq::limit_values(p.event, u.topRows(rows), ledger);
+    take(ledger, a);
+    const auto reached = (g.array() <= 0.0).count();
+    const std::string seen = std::to_string(reached) + " of " + std::to_string(rows) +
+                             " points looked at in other directions, 1.2 beta away";
+    if (reached > 0)
+        a.warnings.push_back(
+            "there are further design points: " + seen +
+            ", have passed the limit state too, and FORM gives the probability "
+            "of one alone; method = subset or monte_carlo counts all");
+    else
+        a.methods.front().outcome += "; " + seen + ", have passed the limit state";
+}
+
+uq::FormResult search(const ReliabilityProblem& p, std::size_t budget, ReliabilityAnswer& a)
+{
+    uq::FormOptions o;
+    o.seed = p.seed;
+    o.max_evaluations = budget;
+    if (p.rough) loosen(o);
+    uq::FormResult r = uq::form(p.event, o);
+    take(r.ledger, a);
+    take(r, p, a);
+    MethodAnswer m;
+    m.method = "FORM";
+    m.outcome = words(r);
+    if (r.outcome == uq::FormOutcome::agreed) m.probability = uq::probability(r.points.front());
+    a.methods.push_back(m);
+    if (r.points.size() > 1)
+        a.warnings.push_back(std::to_string(r.points.size()) +
+                             " design points were found: FORM gives the probability of the "
+                             "nearest one alone; method = importance takes all of them");
+    return r;
+}
+
+void second_order(const ReliabilityProblem& p, const uq::FormResult& first,
+                  ReliabilityAnswer& a)
+{
+    if (first.outcome != uq::FormOutcome::agreed) return;
+    const auto d = static_cast<std::size_t>(p.event.dimension);
+    if (const std::size_t needed = 2 * (d - 1) * (d - 1) + 1; needed > left(p, a)) {
+        a.warnings.push_back("SORM was left out: it needs " + std::to_string(needed) +
+                             " evaluations, and " + std::to_string(left(p, a)) +
+                             " of the budget are left");
+        return;
+    }
+    const uq::SormResult r = uq::sorm(p.event, first.points.front());
+    take(r.ledger, a);
+    const auto one = [&](const char* name, const std::optional<double>& value) {
+        MethodAnswer m;
+        m.method = std::string("SORM, ") + name;
+        m.probability = value;
+        m.outcome = value ? "curvatures by differences"
+                          : (r.reason.empty() ? "not defined for these curvatures" : r.reason);
+        a.methods.push_back(m);
+    };
+    one("Breitung", r.breitung);
+    one("Hohenbichler", r.hohenbichler);
+    one("Tvedt", r.tvedt);
+}
+
+void important(const ReliabilityProblem& p, const uq::FormResult& first, ReliabilityAnswer& a)
+{
+    if (first.points.empty()) {
+        a.warnings.emplace_back("no design point was found: no importance sampling");
+        return;
+    }
+    if (left(p, a) == 0) {
+        a.warnings.emplace_back("the budget was used up by the search: no importance sampling");
+        return;
+    }
+    Eigen::MatrixXd centres(static_cast<Eigen::Index>(first.points.size()), p.event.dimension);
+    for (Eigen::Index i = 0; i < centres.rows(); ++i)
+        centres.row(i) = first.points[static_cast<std::size_t>(i)].at.u.transpose();
+    uq::ImportanceOptions o;
+    o.max_samples = left(p, a);
+    o.batch = std::min<std::size_t>(o.batch, o.max_samples);
+    o.target_cov = p.target_cov;
+    o.seed = p.seed;
+    add("importance sampling", uq::importance_sampling(p.event, centres, o).exceedance, a);
+}
+
+} // namespace app

@@ -1,0 +1,63 @@
+#include "app/reliability/method_answers.hpp"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+std::string words(uq::SamplingOutcome o)
+{
+    switch (o) {
+    case uq::SamplingOutcome::target_reached:
+        return "target coefficient of variation reached";
+    case uq::SamplingOutcome::limit_reached:
+        return "budget used up before the target was reached";
+    case uq::SamplingOutcome::none_passed:
+        return "the event was never seen: an upper bound";
+    case uq::SamplingOutcome::all_passed:
+        return "the event was always seen: a lower bound";
+    case uq::SamplingOutcome::no_answer:
+        break;
+    }
+    return "every evaluation failed";
+}
+
+MethodAnswer sampled(const std::string& method, const uq::Exceedance& e)
+{
+    MethodAnswer m;
+    m.method = method;
+    m.outcome = words(e.outcome);
+    m.lower = e.estimate.interval.lower;
+    m.upper = e.estimate.interval.upper;
+    const bool bound = e.outcome == uq::SamplingOutcome::none_passed ||
+                       e.outcome == uq::SamplingOutcome::all_passed ||
+                       e.outcome == uq::SamplingOutcome::no_answer;
+    if (!bound) {
+        m.probability = e.estimate.value;
+        m.std_error = e.estimate.std_error;
+    }
+    return m;
+}
+
+} // namespace
+
+std::size_t left(const ReliabilityProblem& p, const ReliabilityAnswer& a)
+{
+    const auto budget = static_cast<std::size_t>(p.budget);
+    return budget - std::min(budget, a.evaluations);
+}
+
+void take(const uq::Ledger& ledger, ReliabilityAnswer& a)
+{
+    a.evaluations += ledger.evaluations;
+    a.failed.insert(a.failed.end(), ledger.failed.begin(), ledger.failed.end());
+}
+
+void add(const std::string& method, const uq::Exceedance& e, ReliabilityAnswer& a)
+{
+    a.methods.push_back(sampled(method, e));
+    a.warnings.insert(a.warnings.end(), e.warnings.begin(), e.warnings.end());
+    take(e.ledger, a);
+}
+
+} // namespace app
