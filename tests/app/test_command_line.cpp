@@ -59,6 +59,7 @@ TEST_CASE("command line: what is made of a file of results lies beside it",
     CHECK(parse({"fragility", "far/house.h5"}).out == "far/house");
     CHECK(parse({"report", "far/house.h5"}).out == "far/house.html");
     CHECK(parse({"curves", "house.h5"}).out == "house.csv");
+    CHECK(parse({"study", "house.ini", "--out", "new/"}).out == "new/house.h5");
     CHECK(parse({"sample", "house.ini"}).out == "runs/house_samples.csv");
     CHECK(parse({"push", "far/house.h5", "--sample", "17", "--level", "0.4 MPa"}).out ==
           "far/house_17_0.4");
