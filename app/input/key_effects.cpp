@@ -1,5 +1,6 @@
 #include "app/input/key_effects.hpp"
 
+#include "app/input/key_values.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/build_cost.hpp"
@@ -19,11 +20,13 @@ bool reads(const Verb& verb, const Key& key)
 
 std::string effect_notes(const Study& study, const Verb& verb)
 {
+    const Study defaults;
     std::vector<std::pair<std::string_view, std::string>> reasons; // and their keys
     for (const Key& key : study_keys()) {
         if (!reads(verb, key) || find_entry(study.source, key.name) == nullptr) continue;
         const std::string_view why = why_no_effect(key, study);
-        if (why.empty()) continue;
+        // The study of a pushed wall writes out all defaults, and nothing is lost with one that plays no part.
+        if (why.empty() || value_text(key, study) == value_text(key, defaults)) continue;
         const auto found = std::find_if(reasons.begin(), reasons.end(),
                                         [&](const auto& r) { return r.first == why; });
         if (found == reasons.end())

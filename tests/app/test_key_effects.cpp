@@ -309,3 +309,11 @@ TEST_CASE("key effects: keys with the same reason share a line", "[app][key_effe
     CHECK(notes.find("note: uq.samples, uq.seed: no effect, because no value of the study is a "
                      "distribution\n") != std::string::npos);
 }
+
+TEST_CASE("key effects: a default that is written out is not remarked on", "[app][key_effects]")
+{
+    const std::string defaults = "joint.wear_length=none", other = "joint.wear_length=10 mm";
+    CHECK(app::effect_notes(read(kLeast, {defaults}), kPush).empty());
+    CHECK(app::effect_notes(read(kLeast, {other}), kPush).find("joint.wear_length") !=
+          std::string::npos);
+}
