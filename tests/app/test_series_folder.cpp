@@ -94,6 +94,7 @@ TEST_CASE("series folder: a push that starts anew leaves nothing of its first tr
     add_all(series, a_push(6, 3e-3));
     series.begin_anew();
     CHECK(series.empty());
+    CHECK(content(f.part).size() == 1); // that it is unfinished
     const std::vector<dem::Snapshot> walls = a_push(3);
     add_all(series, walls);
     series.seal();
