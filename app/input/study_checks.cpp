@@ -255,7 +255,7 @@ void check_steps(const Study& study)
 /// What is kept must be more than nothing and fit into memory.
 void check_output(const Study& study)
 {
-    constexpr double kMostPoints = 1e6, kMostSnapshots = 1e4;
+    constexpr double kMostPoints = 1e6;
     const PushWay way = push_way(study);
     const double path = way.length;
     const OutputInput& out = study.output;
@@ -265,9 +265,6 @@ void check_output(const Study& study)
     }
     if (path / out.record_every + way.turns * dem::Recorder::kAfterTurn > kMostPoints) {
         refuse(study, "output.record_every", "makes more than 1000000 points; record fewer");
-    }
-    if (out.snapshot_every > 0.0 && path / out.snapshot_every > kMostSnapshots) {
-        refuse(study, "output.snapshot_every", "makes more than 10000 snapshots; keep fewer");
     }
 }
 

@@ -210,7 +210,7 @@ constexpr std::array kKeys = {
     Key{.name = "output.snapshot_every", .unit = "mm", .range = {'[', 0, 1000, ']'},
         .effect = kWithSeries,
         .verbs = "push",
-        .meaning = "spacing of the ParaView series; 0: only the peak and the end",
+        .meaning = "spacing of the ParaView series, at most one for each point of the curve; 0: only the peak and the end",
         .field = kAt<&Study::output, &OutputInput::snapshot_every>},
     Key{.name = "output.paraview", .kind = Kind::word, .names = kYesNo,
         .verbs = "push",

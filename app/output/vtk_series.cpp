@@ -1,12 +1,10 @@
 #include "app/output/vtk_series.hpp"
 
-#include "app/output/atomic_output.hpp"
 #include "app/output/block_displacement.hpp"
 #include "app/output/vtk_grid.hpp"
 
-#include <cmath>
 #include <cstddef>
-#include <system_error>
+#include <vector>
 
 namespace app {
 
@@ -44,26 +42,6 @@ int kind_number(dem::FaceKind kind)
         return 4;
     }
     return -1;
-}
-
-/// Way of the load line up to each snapshot [mm].
-std::vector<double> way_of_load(const std::vector<dem::Snapshot>& walls)
-{
-    std::vector<double> way;
-    double last = 0.0, sum = 0.0; // [m]
-    for (const dem::Snapshot& wall : walls) {
-        sum += std::abs(wall.displacement - last);
-        last = wall.displacement;
-        way.push_back(sum * 1e3);
-    }
-    return way;
-}
-
-std::string file_name(const std::string& stem, std::size_t index)
-{
-    const std::string digits = std::to_string(index);
-    return stem + '_' + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits +
-           ".vtu";
 }
 
 } // namespace
@@ -123,41 +101,6 @@ std::string joints_vtu(const dem::Snapshot& wall)
     grid.cell_data = {kind, id, block_a, block_b, normal};
     grid.field_data = load_data(wall);
     return vtu_text(grid);
-}
-
-void remove_vtk_series(const std::filesystem::path& folder)
-{
-    std::error_code nothing_there;
-    // first what names the others
-    for (const char* name : {"wall.pvd", "joints.pvd"})
-        std::filesystem::remove(folder / name, nothing_there);
-    for (const char* stem : {"wall", "joints"})
-        for (std::size_t i = 0;
-             std::filesystem::remove(folder / file_name(stem, i), nothing_there); ++i) {
-        }
-    std::filesystem::remove(folder, nothing_there); // stays if others have put something there
-}
-
-void write_vtk_series(const std::filesystem::path& folder,
-                      const std::vector<dem::Snapshot>& walls)
-{
-    remove_vtk_series(folder);
-    make_folder(folder);
-    const std::vector<double> way = way_of_load(walls);
-    std::vector<double> times;
-    std::vector<std::string> blocks, joints;
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-        if (i + 1 < walls.size() && way[i + 1] == way[i])
-            continue; // two at one time would overlap
-        blocks.push_back(file_name("wall", times.size()));
-        joints.push_back(file_name("joints", times.size()));
-        times.push_back(way[i]);
-        write_file(folder / blocks.back(), blocks_vtu(walls[i]));
-        write_file(folder / joints.back(), joints_vtu(walls[i]));
-    }
-    // last, so that they never name a file that is not there
-    write_file(folder / "wall.pvd", pvd_text(times, blocks));
-    write_file(folder / "joints.pvd", pvd_text(times, joints));
 }
 
 } // namespace app

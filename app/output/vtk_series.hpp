@@ -1,11 +1,9 @@
 #pragma once
-/// A push as a time series for ParaView: blocks in wall.pvd, joints in joints.pvd.
+/// One wall of a time series for ParaView (series_folder.hpp).
 
 #include "dem/scene/snapshot.hpp"
 
-#include <filesystem>
 #include <string>
-#include <vector>
 
 namespace app {
 
@@ -19,15 +17,5 @@ namespace app {
 /// if a value is not finite.
 [[nodiscard]] std::string blocks_vtu(const dem::Snapshot& wall);
 [[nodiscard]] std::string joints_vtu(const dem::Snapshot& wall);
-
-/// Creates `folder` if needed and writes wall_0000.vtu ..., joints_0000.vtu ..., then wall.pvd
-/// and joints.pvd, which name them. Time is the way of the load line in mm: its displacement in
-/// a monotonic push. Of snapshots at the same time the last is kept. Files of an earlier series are
-/// removed. Throws std::runtime_error if a file cannot be written.
-void write_vtk_series(const std::filesystem::path& folder,
-                      const std::vector<dem::Snapshot>& walls);
-
-/// Removes what write_vtk_series has written there, and the folder if nothing else is in it.
-void remove_vtk_series(const std::filesystem::path& folder);
 
 } // namespace app

@@ -10,12 +10,12 @@
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
-#include "app/output/vtk_series.hpp"
 #include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/push/limit_table.hpp"
+#include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/reading/wall_words.hpp"
 #include "app/study/drawn_wall.hpp"
@@ -43,14 +43,14 @@ namespace fs = std::filesystem;
 
 /// Pushes all walls. One line shows how far they are together: those that are done, and the one
 /// that spoke last.
-std::vector<PushedWall> push_all(const Study& study, const std::vector<WantedWall>& wanted,
-                                 int threads, bool quiet)
+/// @param plan where to push the walls
+std::vector<PushedWall> push_all(const Study& study, dem::PushPlan plan,
+                                 const std::vector<WantedWall>& wanted, int threads, bool quiet)
 {
     std::vector<PushedWall> walls(wanted.size());
     Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
     std::mutex mutex;
     double finished = 0.0;
-    dem::PushPlan plan = push_plan(study);
     plan.progress = [&](double done, double displacement, double force) {
         const std::lock_guard lock(mutex);
         line.update(std::min(1.0, (finished + done) / static_cast<double>(wanted.size())),
@@ -130,15 +130,6 @@ std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
     return files;
 }
 
-void write_series(const fs::path& folder, const Study& study, const PushedWall& w)
-{
-    const dem::PushResult& r = w.result;
-    if (dem::failed(r.outcome) || !study.output.paraview)
-        return remove_vtk_series(folder); // of an earlier run
-    const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
-    write_vtk_series(folder, r.snapshots.empty() ? std::vector{peak, r.at_end} : r.snapshots);
-}
-
 Row level_row(const PushedWall& w)
 {
     const WallReading& r = w.reading;
@@ -199,16 +190,18 @@ fs::path wall_folder(std::size_t walls, double stress)
     return walls == 1 ? fs::path() : folder_of(stress);
 }
 
-/// Series are known by their own names; those of folders that this run does not write go too.
-void remove_old_series(const fs::path& out)
+std::vector<fs::path> wall_folders(const Study& study, const std::vector<WantedWall>& wanted)
 {
-    for (const fs::path& name : listed_files(out, kPushList))
-        if (name.filename() == "summary.json")
-            remove_vtk_series(out / name.parent_path() / "series");
+    std::vector<fs::path> folders;
+    for (const WantedWall& w : wanted)
+        folders.push_back(wall_folder(
+            wanted.size(), study.load.vertical_stress[static_cast<std::size_t>(w.level)]));
+    return folders;
 }
 
 void write_all(const Command& command, const Study& study,
-               const std::vector<WantedWall>& wanted, const std::vector<PushedWall>& walls)
+               const std::vector<WantedWall>& wanted, const std::vector<PushedWall>& walls,
+               PushedSeries& series)
 {
     const fs::path out = command.out;
     std::vector<OutputFile> files;
@@ -225,10 +218,12 @@ void write_all(const Command& command, const Study& study,
     add_table("limit_states", limit_table(study, walls), files);
     if (!wanted.front().draw.values.empty())
         files.push_back({"drawn.csv", as_csv(drawn_table(study, wanted.front().draw))});
-    remove_old_series(out);
-    for (const PushedWall& w : walls)
-        write_series(out / wall_folder(walls.size(), w.vertical_stress) / "series", study, w);
+    for (std::size_t i = 0; i < walls.size(); ++i)
+        if (study.output.paraview && !dem::failed(walls[i].result.outcome))
+            series.seal(i, walls[i].result);
+    remove_listed_series(out, kPushList);
     write_results(out, files, kPushList);
+    series.publish(); // after the list that says whose it is
 }
 
 /// Before any wall is pushed: what cannot be written afterwards.
@@ -238,14 +233,16 @@ void check_folder(const Command& command, const Study& study,
     std::vector<fs::path> names = {"limit_states.csv", "limit_states.md", "limit_states.tex",
                                    "levels.csv",       "levels.md",       "levels.tex",
                                    "levels.svg",       "drawn.csv"};
-    for (const WantedWall& w : wanted)
+    const std::vector<fs::path> folders = wall_folders(study, wanted);
+    for (const fs::path& folder : folders)
         for (const char* const name :
              {"study.ini", "summary.json", "capacity.csv", "cycles.csv", "backbones.csv",
               "capacity.svg", "wall.svg"})
-            names.push_back(
-                wall_folder(wanted.size(),
-                            study.load.vertical_stress[static_cast<std::size_t>(w.level)]) /
-                name);
+            names.push_back(folder / name);
+    if (study.output.paraview) {
+        const std::vector<fs::path> foreign = foreign_series(command.out, folders, kPushList);
+        names.insert(names.end(), foreign.begin(), foreign.end());
+    }
     check_and_announce(command.out, names, command.quiet, kPushList);
 }
 
@@ -265,9 +262,12 @@ int push_command(const Command& command)
     say_effects(source.study, command);
     const Study study = pushed_study(source.study, command.sample);
     check_folder(command, study, wanted);
+    PushedSeries series(command.out, wall_folders(study, wanted));
+    dem::PushPlan plan = push_plan(study);
+    plan.sink = series.sink();
     const std::vector<PushedWall> walls =
-        push_all(study, wanted, command.threads, command.quiet);
-    write_all(command, study, wanted, walls);
+        push_all(study, std::move(plan), wanted, command.threads, command.quiet);
+    write_all(command, study, wanted, walls, series);
     std::cout << as_text(level_table(study, walls), terminal_width()) << '\n'
               << as_text(limit_table(study, walls), terminal_width());
     for (const PushedWall& w : walls)

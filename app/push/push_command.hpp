@@ -7,7 +7,8 @@ namespace app {
 
 /// Writes, into command.out or a folder per stress level below it: capacity.csv, capacity.svg,
 /// summary.json, wall.svg, study.ini (the effective configuration) and series/*.pvd for
-/// ParaView. Several levels also give levels.csv, .md, .tex, .svg. Files of an earlier push are removed.
+/// ParaView, which are written while the wall is pushed. Several levels also give levels.csv, .md, .tex, .svg. Files of
+/// an earlier push are removed.
 /// @returns exit code: 0, or 1 if a wall's numbers broke
 /// @throws ConfigError before anything is written
 [[nodiscard]] int push_command(const Command& command);

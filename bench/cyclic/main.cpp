@@ -35,13 +35,22 @@ std::string page_of(const bench::TwoStudies& both)
     std::string text = "# Cyclic pushes\n\nWritten by `./drystone cyclic` on " +
                        bench::machine_line() +
                        ". What is read off cycles: [model.md](model.md), section 5.\n\n";
-    text += "## 1. Closed forms\n\n" + app::as_markdown(bench::block_loops()) +
-            "\nWhat a rocking block loses is friction: contact points that unload slip, and "
-            "come into contact again at "
-            "another place. A block whose toe is held hardly does; the solver takes next to "
-            "nothing. Neither more contact points nor a slower drive takes that friction "
-            "away:\n\n" +
-            app::as_markdown(bench::rocking_loops()) + "\n";
+    text +=
+        "## 1. Closed forms\n\n" + app::as_markdown(bench::block_loops()) +
+        "\nWhat a rocking block loses is friction: contact points that unload slip, and "
+        "come into contact again at "
+        "another place. A block whose toe is held hardly does; the solver takes next to "
+        "nothing. Neither more contact points nor a slower drive takes that friction "
+        "away:\n\n" +
+        app::as_markdown(bench::rocking_loops()) +
+        "\nThat friction is the wall's. A rigid block on the same springs and friction that is "
+        "in balance at every moment loses the same (tests/scenes/rocking_statics.hpp), and "
+        "with finite displacements nearly so:\n\n" +
+        app::as_markdown(bench::rocking_in_balance()) +
+        "\nWhere the joint opens, a point loses its compression while it still carries shear: "
+        "it slips, and comes into contact again without shear. More friction lets fewer points "
+        "slip before they open, but a point that opens gives up its shear whatever its "
+        "friction. What the solver takes is in the column beside.\n\n";
     text += "## 2. Speed of the drive\n\n" + app::as_markdown(bench::loops_over_speed()) +
             "\nThe solver's damping is no property of the wall. Its share of small loops "
             "shrinks with the speed; of large "

@@ -4,6 +4,7 @@
 #include "dem/block/model.hpp"
 #include "fragility/cyclic_curve.hpp"
 #include "scenes/paper_wall.hpp"
+#include "scenes/rocking_statics.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -143,6 +144,57 @@ app::Table rocking_loops()
              app::plain_number(100.0 * l.cycles.at(1).energy / whole, 2),
              app::plain_number(100.0 * l.lost(1, &dem::Energy::friction) / whole, 2),
              app::plain_number(100.0 * l.lost(1, &dem::Energy::damping) / whole, 4)});
+    }
+    return t;
+}
+
+app::Table rocking_in_balance()
+{
+    app::Table t;
+    t.caption =
+        "A rigid block of 1 m x 1 m with a free toe, second of two equal cycles, in percent of "
+        "4 F "
+        "d: as pushed, and in balance at every moment, without masses, damping and speed.";
+    t.head = {"friction angle [degrees]",
+              "points",
+              "amplitude [mm]",
+              "energy [%]",
+              "balance [%]",
+              "solver [%]",
+              "finite displacements [%]"};
+    struct Case {
+        double angle_deg;
+        int points;
+        double amplitude_mm;
+    };
+    for (const Case& c : {Case{25, 17, 10}, Case{31.8, 17, 10}, Case{40, 17, 10},
+                          Case{50, 17, 10}, Case{31.8, 5, 10}, Case{31.8, 9, 10},
+                          Case{31.8, 33, 10}, Case{31.8, 17, 20}, Case{31.8, 17, 30}}) {
+        scenes::Scene s = scenes::monolith(1.0, 1.0, 0.5e6, 8.08e9);
+        s.wall.toe = dem::Toe::free;
+        s.stone.young_modulus = s.beam.material.young_modulus = 1e15;
+        dem::Discretisation d;
+        d.contact_points = c.points;
+        d.block_modes = d.beam_modes = 3;
+        const dem::Model m = scenes::model_of(s, d);
+        dem::WallMaterials w = scenes::uniform(s, m);
+        w.base_joint.tan_phi = std::tan(c.angle_deg * std::numbers::pi / 180.0);
+        const double a = c.amplitude_mm;
+        const auto share = [a](const Loops& l, double energy) {
+            return 100.0 * energy / (4.0 * l.cycles.at(1).force_plus * a * 1e-3);
+        };
+        const Loops l = loops_of(m, w, there_and_back({a, a}));
+        dem::SolverOptions finite;
+        finite.kinematics = dem::Kinematics::finite;
+        const Loops turned = loops_of(m, w, there_and_back({a, a}), finite);
+        const scenes::RockingLoop exact =
+            scenes::rocking_loop(scenes::in_balance(s, w, l.result.at_end), a * 1e-3);
+        t.rows.push_back(
+            {app::given(c.angle_deg), app::count(c.points), app::count(a),
+             app::plain_number(share(l, l.cycles.at(1).energy), 3),
+             app::plain_number(100.0 * exact.energy / (4.0 * exact.force * a * 1e-3), 3),
+             app::plain_number(share(l, l.lost(1, &dem::Energy::damping)), 4),
+             app::plain_number(share(turned, turned.cycles.at(1).energy), 3)});
     }
     return t;
 }

@@ -11,6 +11,10 @@ namespace bench {
 /// What a block that rocks with a free toe loses, for several contact points, modes and speeds.
 [[nodiscard]] app::Table rocking_loops();
 
+/// The same of a rigid block with other friction, points and amplitudes, beside a block that is in balance at every moment, and
+/// with finite displacements.
+[[nodiscard]] app::Table rocking_in_balance();
+
 /// Energy of each cycle of the paper's wall at 0.50 MPa for several speeds of the drive.
 [[nodiscard]] app::Table loops_over_speed();
 

@@ -8,6 +8,7 @@
 #include "dem/solver/energy.hpp"
 #include "dem/solver/solver_options.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -48,7 +49,8 @@ struct PushResult {
     Outcome outcome = Outcome::reached_target;
     /// The first point is the wall before the push. Where the push turns back a point stands at the turn.
     std::vector<CurvePoint> curve;
-    /// As PushPlan::snapshot_every asks, in the order of the push; the first is before the push.
+    /// As PushPlan::snapshot_every asks, in the order of the push; the first is before the push. Empty where
+    /// PushPlan::sink takes them.
     std::vector<Snapshot> snapshots;
     Snapshot at_peak;                ///< at the curve point with the largest force
     std::optional<Snapshot> at_drop; ///< where the force first came down to PushPlan::drop
@@ -74,12 +76,22 @@ struct PushResult {
     RunCost cost;
 };
 
+/// Takes the snapshots of walls as they come, so that none is kept in memory. Both functions are called from the
+/// thread that pushes the wall, for several walls at the same time; what they throw ends the push.
+struct SnapshotSink {
+    std::function<void(std::size_t wall, Snapshot&&)>
+        take; ///< empty: PushResult::snapshots keeps them
+    /// The push of this wall starts anew: what was taken of it so far is void. Not empty where `take` is not.
+    std::function<void(std::size_t wall)> forget;
+};
+
 /// Where to push the wall and what to keep. Nothing is computed that is not asked for.
 struct PushPlan {
     /// Displacements of the load line in order [m]; in a cyclic push they change sign.
     std::vector<double> targets = {0.03};
     double record_every = 5e-5;  ///< travelled displacement between curve points [m], > 0
     double snapshot_every = 0.0; ///< travelled displacement between snapshots [m]; 0 takes none
+    SnapshotSink sink;           ///< of these snapshots; `push` calls its wall 0
     /// Whether the energy is balanced at every curve point, or only every few hundred steps.
     bool energy_at_points = true;
     bool snapshot_at_peak = true;

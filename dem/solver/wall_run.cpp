@@ -6,6 +6,7 @@
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/static_start.hpp"
 #include "dem/solver/take_snapshot.hpp"
+#include "dem/solver/thread_time.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -150,10 +151,10 @@ template <class Real> void WallRun::begin_push(const WallState<Real>& state, int
     const double force = dem::lane(state.top_force, lane);
     result_.curve.push_back({0.0, force, dem::lane(state.base_shear, lane), 0.0, e});
     result_.settled = drive_.settled();
-    const Snapshot s = take_snapshot(task_->model, task_->tables, state, lane, 0.0, force);
+    Snapshot s = take_snapshot(task_->model, task_->tables, state, lane, 0.0, force);
     result_.settlement = settlement_of(s);
     if (task_->plan.snapshot_at_peak) result_.at_peak = s;
-    if (task_->plan.snapshot_every > 0.0) result_.snapshots.push_back(s);
+    if (task_->plan.snapshot_every > 0.0) keep(std::move(s));
     next_snapshot_ = task_->plan.snapshot_every;
 }
 
@@ -163,6 +164,19 @@ template <class Real> Energy WallRun::energy(const WallState<Real>& state, int l
     if (!drive_.settling())
         e.lifted = std::max(0.0, drive_work_ - (e.work - work_before_push_));
     return e;
+}
+
+/// The time that the sink takes is none of the solver's.
+void WallRun::keep(Snapshot&& snapshot)
+{
+    const SnapshotSink& sink = task_->plan.sink;
+    if (!sink.take) {
+        result_.snapshots.push_back(std::move(snapshot));
+        return;
+    }
+    const double before = thread_seconds();
+    sink.take(number_, std::move(snapshot));
+    spend(before - thread_seconds());
 }
 
 /// Means over intervals do not reach the turn. The last two of this way tell the point there; the forces of the moment
@@ -212,7 +226,7 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
         result_.at_drop = snapshot();
     drive_.after_drop(task_->plan.drop > 0.0 && std::abs(p.force) <= task_->plan.drop * peak_);
     if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_) {
-        result_.snapshots.push_back(snapshot());
+        keep(snapshot());
         next_snapshot_ += task_->plan.snapshot_every;
     }
     decided_ = task_->plan.decided && task_->plan.decided(result_.curve);
@@ -309,6 +323,7 @@ void WallRun::reduce_step()
     fresh.step_reductions = result_.step_reductions + 1;
     fresh.cost = result_.cost;
     result_ = std::move(fresh);
+    if (task_->plan.sink.take) task_->plan.sink.forget(number_);
     drive_ = Drive(task_->plan.targets, options_);
     recorder_ = Recorder(task_->plan.record_every);
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;

@@ -46,6 +46,7 @@ class WallRun {
     template <class Real> void settle(WallState<Real>& state, int lane);
     template <class Real> void go_on(const WallState<Real>& state, int lane);
     template <class Real> void take_point(const WallState<Real>& state, int lane);
+    void keep(Snapshot&& snapshot);
     template <class Real> void take_turn(const WallState<Real>& state, int lane);
     template <class Real>
     [[nodiscard]] Energy energy(const WallState<Real>& state, int lane) const;

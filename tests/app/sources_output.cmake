@@ -7,6 +7,7 @@ set(TEST_APP_OUTPUT_SOURCES
     app/test_number_text.cpp
     app/test_progress.cpp
     app/test_result_folder.cpp
+    app/test_series_folder.cpp
     app/test_svg_elements.cpp
     app/test_vtk_series.cpp
     app/test_wall_svg.cpp

@@ -2,5 +2,6 @@
 set(TEST_APP_PUSH_SOURCES
     app/bad_input/studies.cpp
     app/test_scene.cpp
+    app/test_pushed_series.cpp
     app/test_summary_json.cpp
     app/test_table.cpp)

@@ -1,5 +1,6 @@
 #include "app/output/vtk_series.hpp"
 
+#include "app/output/series_folder.hpp"
 #include "app/text/number_text.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 #include "tests/scenes/temporary_folder.hpp"
@@ -189,19 +190,22 @@ TEST_CASE("vtk series: no file of an earlier series stays", "[app][vtk_series]")
     CHECK(std::distance(fs::directory_iterator(series), {}) == 1);
 }
 
-TEST_CASE("vtk series: a value that is not finite is refused, and no series is listed",
+TEST_CASE("vtk series: a value that is not finite is refused, and the earlier series stays",
           "[app][vtk_series]")
 {
     const scenes::TemporaryFolder folder;
     std::vector<dem::Snapshot> walls = a_push();
-    app::write_vtk_series(folder.path, walls);
+    app::write_vtk_series(folder.path / "series", walls);
+    const std::string before = read_text(folder.path / "series" / "wall_0001.vtu");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     SECTION("in a block") { walls[1].blocks[5].displacement[0].z = nan; }
     SECTION("in a joint") { walls[1].faces[5].contacts[0].sigma = nan; }
     SECTION("in the load") { walls[1].force = nan; }
-    CHECK_THROWS_AS(app::write_vtk_series(folder.path, walls), std::invalid_argument);
-    CHECK_FALSE(fs::exists(folder.path / "wall.pvd"));
-    CHECK_FALSE(fs::exists(folder.path / "joints.pvd"));
+    CHECK_THROWS_AS(app::write_vtk_series(folder.path / "series", walls),
+                    std::invalid_argument);
+    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
+    CHECK(listed(folder.path / "series" / "joints.pvd", "file").size() == 3);
+    CHECK(read_text(folder.path / "series" / "wall_0001.vtu") == before);
 }
 
 TEST_CASE("vtk series: faces with one contact or none are written as VTK wants them",

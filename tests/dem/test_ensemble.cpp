@@ -12,6 +12,7 @@
 #include <limits>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -182,6 +183,30 @@ TEST_CASE(
         CHECK(small_wall::same(together[i], dem::push(a.model, a.walls[i], a.plan, o)));
     }
     CHECK(anew > 0);
+}
+
+TEST_CASE("ensemble: a sink takes the snapshots of each wall under its number, from any thread",
+          "[dem][ensemble]")
+{
+    const Alone& a = alone();
+    const auto [threads, scalar] =
+        GENERATE(std::pair{1, false}, std::pair{3, false}, std::pair{3, true});
+    std::vector<std::vector<dem::Snapshot>> taken(kWalls);
+    dem::PushPlan plan = a.plan;
+    plan.sink = {
+        .take = [&](std::size_t wall,
+                    dem::Snapshot&& shot) { taken.at(wall).push_back(std::move(shot)); },
+        .forget = [&](std::size_t wall) { taken.at(wall).clear(); }};
+    dem::Ensemble e;
+    e.size = kWalls;
+    e.wall = [&](std::size_t i) { return a.walls.at(i); };
+    e.done = [&](std::size_t i, PushResult&& r) {
+        CHECK(r.snapshots.empty());
+        r.snapshots = taken.at(i);
+        CHECK(small_wall::same(r, a.results[i]));
+    };
+    dem::push_ensemble(a.model, e, plan, a.options, workers(threads, scalar));
+    for (const auto& shots : taken) CHECK(shots.size() == 4); // every 1 mm of 3 mm
 }
 
 TEST_CASE("ensemble: a wall's own vertical stress is that of a model with this stress",

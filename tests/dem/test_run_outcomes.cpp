@@ -1,10 +1,13 @@
 #include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
+#include "dem/solver/thread_time.hpp"
 #include "small_wall.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -120,6 +123,75 @@ TEST_CASE("wall run: a ledger that does not close halves the step and the wall s
         ++reduced_once;
     }
     CHECK(reduced_once > 0);
+}
+
+TEST_CASE(
+    "wall run: a sink takes the snapshots that would be kept, and forgets those of a push "
+    "that starts anew",
+    "[dem][wall_run]")
+{
+    PushPlan plan = with_snapshots(), streamed = plan;
+    std::vector<dem::Snapshot> taken;
+    std::size_t forgotten = 0;
+    streamed.sink = {.take =
+                         [&](std::size_t wall, dem::Snapshot&& shot) {
+                             CHECK(wall == 0);
+                             taken.push_back(std::move(shot));
+                         },
+                     .forget =
+                         [&](std::size_t wall) {
+                             CHECK(wall == 0);
+                             forgotten += taken.size();
+                             taken.clear();
+                         }};
+    SolverOptions o = small_wall::quick();
+    for (int sample = 0; sample < 6 && forgotten == 0; ++sample) {
+        const Weak wall(0.15, sample);
+        o.energy_tolerance = 0.01;
+        const PushResult first = wall.pushed(plan, o),
+                         second = wall.pushed(plan, reduced(o, 1));
+        if (first.residual < 1.5 * second.residual) continue;
+        o.energy_tolerance = std::sqrt(first.residual * second.residual);
+        taken.clear();
+        const PushResult kept = wall.pushed(plan, o);
+        PushResult r = wall.pushed(streamed, o);
+        CHECK(r.step_reductions == 1);
+        CHECK(r.snapshots.empty());
+        REQUIRE(taken.size() == kept.snapshots.size());
+        r.snapshots = taken;
+        CHECK(same_answer(r, kept));
+    }
+    CHECK(forgotten > 0);
+    streamed.sink.forget = nullptr;
+    CHECK_THROWS_WITH(Weak().pushed(streamed, o), Catch::Contains("sink"));
+}
+
+TEST_CASE("wall run: the time of a sink is none of the solver's", "[dem][wall_run]")
+{
+    PushPlan plan = with_snapshots(2e-4);
+    plan.snapshot_every = 1e-4;
+    double spent = 0.0;
+    plan.sink.take = [&](std::size_t, dem::Snapshot&&) {
+        const double begin = dem::thread_seconds();
+        while (dem::thread_seconds() < begin + 0.2) {
+        }
+        spent += dem::thread_seconds() - begin;
+    };
+    plan.sink.forget = [](std::size_t) {};
+    const PushResult r = Weak().pushed(plan, small_wall::quick());
+    CHECK(spent > 0.5);
+    CHECK(r.cost.seconds > 0.0);
+    CHECK(r.cost.seconds < 0.2);
+}
+
+TEST_CASE("wall run: what a sink throws ends the push", "[dem][wall_run]")
+{
+    PushPlan plan = with_snapshots();
+    plan.sink.take = [](std::size_t, dem::Snapshot&& shot) {
+        if (shot.displacement > 1e-3) throw std::runtime_error("disk full");
+    };
+    plan.sink.forget = [](std::size_t) {};
+    CHECK_THROWS_WITH(Weak().pushed(plan, small_wall::quick()), "disk full");
 }
 
 TEST_CASE("wall run: a ledger that closes with no step ends as energy astray",

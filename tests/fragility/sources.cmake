@@ -5,7 +5,9 @@ set(TEST_FRAGILITY_SOURCES
     fragility/test_curve_table.cpp
     fragility/test_cyclic_curve.cpp
     fragility/test_pushed_cycles.cpp
+    fragility/test_rocking_loops.cpp
     scenes/paper_wall.cpp
+    scenes/rocking_statics.cpp
     fragility/test_limit_states.cpp
     fragility/test_measured_walls.cpp
     ../bench/comparison.cpp

@@ -263,8 +263,6 @@ constexpr std::array kStudies = {
         "study.ini:23: output.record_every: must be at most the path of the push, 30 mm"},
     BadStudy{"a curve of too many points", "[load]", "[output]\nrecord_every = 1e-6 mm\n[load]",
         "study.ini:23: output.record_every: makes more than 1000000 points; record fewer"},
-    BadStudy{"too many snapshots", "[load]", "[output]\nsnapshot_every = 1e-6 mm\n[load]",
-        "study.ini:23: output.snapshot_every: makes more than 10000 snapshots; keep fewer"},
 };
 // clang-format on
 
