@@ -12,7 +12,7 @@ add_custom_command(
     DEPENDS ${report_files} ${PROJECT_SOURCE_DIR}/report/embed.cmake
     VERBATIM)
 
-drystone_library(app_report
+drystone_app_library(report
     ${report_assets}
     report/film_shelf.cpp
     report/report_assumed.cpp
