@@ -11,8 +11,9 @@ add_custom_command(
             -P ${PROJECT_SOURCE_DIR}/report/embed.cmake
     DEPENDS ${report_files} ${PROJECT_SOURCE_DIR}/report/embed.cmake
     VERBATIM)
+add_custom_target(report_assets DEPENDS ${report_assets}) # else it would wait for all libraries that the one below links
 
-drystone_library(app_report
+drystone_app_library(report
     ${report_assets}
     report/film_shelf.cpp
     report/report_assumed.cpp

@@ -1,7 +1,7 @@
 find_path(HTTPLIB_INCLUDE_DIR httplib.h REQUIRED)
 find_library(HTTPLIB_LIBRARY cpp-httplib) # where it is not compiled, the header is all
 
-drystone_library(app_serve
+drystone_app_library(serve
     serve/http_server.cpp
     serve/serve_command.cpp
     serve/served_walls.cpp

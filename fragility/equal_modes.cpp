@@ -3,6 +3,8 @@
 #include "fragility/interval.hpp"
 #include "fragility/standard_law.hpp"
 
+#include <Eigen/Householder>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,6 +58,21 @@ Interval fieller(double u, double v, double uu, double uv, double vv, double z,
     return {(-b - root) / a, (-b + root) / a, confidence};
 }
 
+/// Columns 2, 3, ... of the reflection I - tau (1, v) (1, v)^T, which takes `a` onto the first axis.
+MatrixXd orthonormal_columns_across(const VectorXd& a)
+{
+    const Eigen::Index n = a.size() - 1;
+    VectorXd v(n);
+    double tau = 0.0, length = 0.0;
+    a.makeHouseholder(v, tau, length);
+    MatrixXd columns = MatrixXd::Identity(n + 1, n + 1).rightCols(n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        columns(0, j) -= tau * v(j);
+        for (Eigen::Index i = 0; i < n; ++i) columns(i + 1, j) -= tau * v(i) * v(j);
+    }
+    return columns;
+}
+
 /// Largest log-likelihood with the two modes equally likely at t.
 class EqualAt {
   public:
@@ -70,16 +87,15 @@ class EqualAt {
     [[nodiscard]] double operator()(double t) const
     {
         const VectorXd held = unit_.cwiseProduct(c_.u + t * c_.v);
-        const MatrixXd full = Eigen::HouseholderQR<MatrixXd>(held).householderQ();
-        const MatrixXd free = unit_.asDiagonal() * full.rightCols(held.size() - 1);
+        const MatrixXd across = orthonormal_columns_across(held);
+        const MatrixXd free = unit_.asDiagonal() * across;
         const auto f = [&](const VectorXd& alpha) {
             Local l = mode_likelihood(design_, counts_, free * alpha);
             l.gradient = free.transpose() * l.gradient;
             l.hessian = free.transpose() * l.hessian * free;
             return l;
         };
-        const VectorXd start =
-            full.rightCols(held.size() - 1).transpose() * best_.cwiseQuotient(unit_);
+        const VectorXd start = across.transpose() * best_.cwiseQuotient(unit_);
         const Maximum m = maximise(f, start);
         return m.converged ? m.local.value : -kInfinity;
     }

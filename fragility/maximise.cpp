@@ -12,13 +12,13 @@ constexpr double kRounding = 1e-13;
 /// estimate by less than 1e-6 of its standard error.
 constexpr double kSound = 1e-12;
 
-struct Step {
+struct NewtonStep {
     bool concave;
     Eigen::VectorXd by;
     double gain; ///< gradient * step, >= 0
 };
 
-Step newton_step(const Local& here)
+NewtonStep newton_step(const Local& here)
 {
     const Eigen::MatrixXd curvature = -here.hessian;
     const Eigen::VectorXd size = curvature.diagonal().cwiseAbs().cwiseMax(1e-300);
@@ -48,7 +48,7 @@ Maximum maximise(const std::function<Local(const Eigen::VectorXd&)>& f, Eigen::V
     if (!sound(m.local)) return m;
     double last_gain = HUGE_VAL;
     while (m.iterations < options.max_iterations) {
-        const Step step = newton_step(m.local);
+        const NewtonStep step = newton_step(m.local);
         const double worth = std::max(1.0, std::abs(m.local.value));
         m.converged = step.concave && step.gain <= kSound * worth;
         const bool at_rounding = step.gain > 0.25 * last_gain;

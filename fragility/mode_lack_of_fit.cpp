@@ -1,6 +1,6 @@
 #include "fragility/mode_lack_of_fit.hpp"
 
-#include <boost/math/special_functions/gamma.hpp>
+#include "fragility/chi_squared.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,7 @@ LackOfFit lack_of_fit(const ModeModel& model, const ModeData& data)
     f.deviance = std::max(0.0, f.deviance);
     f.degrees = std::max<Eigen::Index>(0, f.degrees - model.coefficients.size());
     if (f.degrees > 0)
-        f.p_value =
-            boost::math::gamma_q(0.5 * static_cast<double>(f.degrees), 0.5 * f.deviance);
+        f.p_value = chi_squared_survival(f.deviance, static_cast<double>(f.degrees));
     return f;
 }
 

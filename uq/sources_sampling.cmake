@@ -2,12 +2,14 @@ set(UQ_SAMPLING_SOURCES
     designs/correlation_matrix.cpp
     designs/design.cpp
     designs/design_criteria.cpp
+    designs/eigen_pairs.cpp
     designs/iman_conover.cpp
     designs/latin.cpp
     designs/latin_annealing.cpp
     designs/nataf.cpp
     designs/normal_copula.cpp
     marginals/beta.cpp
+    marginals/boost_quantiles.cpp
     marginals/constant.cpp
     marginals/discrete.cpp
     marginals/empirical.cpp

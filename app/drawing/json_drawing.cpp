@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <string>
@@ -97,7 +98,8 @@ std::string vertex_name(const DrawingFrame& frame, const json& name, int line)
     if (name.is_string()) return name.get<std::string>();
     if (!name.is_number_integer())
         refuse(frame, line, "a face of a mesh is not a list of vertices");
-    return name.dump();
+    return name.is_number_unsigned() ? std::to_string(name.get<std::uint64_t>())
+                                     : std::to_string(name.get<std::int64_t>());
 }
 
 std::string layer_of(const json& object)

@@ -1,9 +1,8 @@
 #include "app/drawing/write_drawing.hpp"
 
 #include "app/drawing/drawing_file.hpp"
+#include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace app {
 namespace {
@@ -19,7 +18,7 @@ std::string write_drawing_json(std::span<const DrawnBlock> blocks, double unit)
     for (const DrawnBlock& block : blocks) {
         text += &block == &blocks.front() ? "\n{" : ",\n{";
         if (!block.layer.empty())
-            text += "\"layer\": " + nlohmann::json(readable_name(block.layer)).dump() + ", ";
+            text += "\"layer\": " + text_of(readable_name(block.layer)) + ", ";
         text += "\"outline\": [";
         for (const dem::Point& p : block.outline) {
             text += &p == &block.outline.front() ? "[" : ", [";

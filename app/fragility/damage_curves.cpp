@@ -3,9 +3,8 @@
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/number_text.hpp"
+#include "fragility/chi_squared.hpp"
 #include "fragility/standard_law.hpp"
-
-#include <boost/math/special_functions/gamma.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +55,7 @@ Number estimate(double value, double error, double log_error, double z, int deci
 Number p_cell(const OrdinalFit& f)
 {
     if (!(f.freedom > 0.0)) return {};
-    return plain_number(boost::math::gamma_q(0.5 * f.freedom, 0.5 * std::max(0.0, f.deviance)),
+    return plain_number(fragility::chi_squared_survival(std::max(0.0, f.deviance), f.freedom),
                         3);
 }
 

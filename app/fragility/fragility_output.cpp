@@ -3,16 +3,14 @@
 #include "app/output/markup.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/unique_names.hpp"
+#include "app/text/json_text.hpp"
 #include "app/version.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <sstream>
 
 namespace app {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 Json cell_json(const PlainTable::Value& cell)
@@ -73,7 +71,7 @@ std::string fragility_json(const FragilityOutput& output)
                       {"version", std::string(kVersion)},
                       {"remarks", output.remarks},
                       {"tables", tables}};
-    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return text_of(all, 1) + "\n";
 }
 
 void make_names_unique(FragilityOutput& output)

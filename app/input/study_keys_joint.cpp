@@ -47,7 +47,7 @@ constexpr Condition kBondInTension{
 constexpr Range kStiffness{'(', 0, 1e6, ']'}; // [GPa/m]
 
 // clang-format off
-constexpr std::array kKeys = {
+constexpr std::array kJointKeys = {
     Key{.name = "joint.wall_modulus", .kind = Kind::list, .unit = "MPa", .range = {'(', 0, 1e6, ']'},
         .derived = {"or normal_stiffness"},
         .meaning = "one per stress level, gives k_n by Eq. 2 (paper, Table 3)",
@@ -109,6 +109,6 @@ constexpr std::array kKeys = {
 
 } // namespace
 
-std::span<const Key> joint_keys() { return kKeys; }
+std::span<const Key> joint_keys() { return kJointKeys; }
 
 } // namespace app

@@ -13,7 +13,7 @@ constexpr std::array kKeeps = {named("none", KeepRuns::none), named("failed", Ke
 constexpr std::array kEvents = {named("below", false), named("above", true)};
 
 // clang-format off
-constexpr std::array kKeys = {
+constexpr std::array kProgramKeys = {
     Key{.name = "model.command", .kind = Kind::text, .example = "./model {input} {output}",
         .meaning = "program and its arguments, run without a shell (docs/external_program.md)",
         .field = kAt<&Study::program, &ProgramInput::command>},
@@ -55,7 +55,7 @@ constexpr std::array kKeys = {
 std::span<const Key> program_keys()
 {
     static const std::vector<Key> all = [] {
-        std::vector<Key> keys(kKeys.begin(), kKeys.end());
+        std::vector<Key> keys(kProgramKeys.begin(), kProgramKeys.end());
         for (const char* const shared : {"reliability.method", "reliability.budget",
                                          "reliability.target_cov", "uq.seed", "uq.pearson"})
             keys.push_back(*find_key(shared));

@@ -13,7 +13,7 @@ namespace {
 
 using Mode = dem::ModeThresholds;
 
-constexpr std::array kFidelities = {
+constexpr std::array kCheapFidelities = {
     named("rigid", dem::Fidelity::rigid), named("simple", dem::Fidelity::simple),
     named("standard", dem::Fidelity::standard), named("zones", dem::Fidelity::zones),
     named("fine", dem::Fidelity::fine)};
@@ -111,7 +111,7 @@ constexpr Condition kUserStates{
     "fragility.limit_states does not name user"};
 
 // clang-format off
-constexpr std::array kKeys = {
+constexpr std::array kRandomKeys = {
     Key{.name = "uq.design", .kind = Kind::word, .names = kDesigns,
         .effect = kWithRandom, .verbs = "push study sample",
         .meaning = "how the samples are drawn; lhs: Latin hypercube",
@@ -187,7 +187,7 @@ constexpr std::array kKeys = {
         .effect = kSampled,
         .meaning = "coefficient of variation that the probability should have: sampling stops there",
         .field = kAt<&Study::reliability, &ReliabilityInput::target_cov>},
-    Key{.name = "reliability.cheap", .kind = Kind::word, .names = kFidelities,
+    Key{.name = "reliability.cheap", .kind = Kind::word, .names = kCheapFidelities,
         .effect = kMultiFidelity,
         .meaning = "fidelity of the cheap model of multi_fidelity",
         .field = kAt<&Study::reliability, &ReliabilityInput::cheap>},
@@ -239,6 +239,6 @@ constexpr std::array kKeys = {
 
 } // namespace
 
-std::span<const Key> random_keys() { return kKeys; }
+std::span<const Key> random_keys() { return kRandomKeys; }
 
 } // namespace app

@@ -88,7 +88,7 @@ constexpr Condition kSlowingDrive{[](const Study& s) { return s.solver.unbalance
 constexpr Range kModeCount{'[', 3, 1000, ']'}; // [-]
 
 // clang-format off
-constexpr std::array kKeys = {
+constexpr std::array kSolverKeys = {
     Key{.name = "load.vertical_stress", .kind = Kind::list, .unit = "MPa", .range = kStrength,
         .example = "0.50 MPa",
         .meaning = "stress levels, through the beam on length x thickness",
@@ -225,6 +225,6 @@ constexpr std::array kKeys = {
 
 } // namespace
 
-std::span<const Key> solver_keys() { return kKeys; }
+std::span<const Key> solver_keys() { return kSolverKeys; }
 
 } // namespace app

@@ -16,7 +16,7 @@ constexpr std::array kRotations = {named("free", dem::BeamRotation::free),
                                    named("fixed", dem::BeamRotation::fixed)};
 
 // clang-format off
-constexpr std::array kKeys = {
+constexpr std::array kSupportKeys = {
     Key{.name = "beam.present", .kind = Kind::word, .names = kYesNo,
         .meaning = "no: a wall alone, pushed by load.pattern = body",
         .field = kAt<&Study::beam, &Beam::present>},
@@ -61,6 +61,6 @@ constexpr std::array kKeys = {
 
 } // namespace
 
-std::span<const Key> support_keys() { return kKeys; }
+std::span<const Key> support_keys() { return kSupportKeys; }
 
 } // namespace app

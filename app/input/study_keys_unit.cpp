@@ -59,7 +59,7 @@ constexpr Condition kUnitsCrush{
     "unit.compressive_strength is none"};
 
 // clang-format off
-constexpr std::array kKeys = {
+constexpr std::array kUnitKeys = {
     Key{.name = "unit.cracks", .kind = Kind::text,
         .derived = {"mid, or none where wall.unit_cracks is no"},
         .meaning = "where units may crack: none, mid (paper), thirds, grid(4, 4), diagonals, voronoi(40 mm)",
@@ -152,6 +152,6 @@ constexpr std::array kKeys = {
 
 } // namespace
 
-std::span<const Key> unit_keys() { return kKeys; }
+std::span<const Key> unit_keys() { return kUnitKeys; }
 
 } // namespace app

@@ -108,7 +108,7 @@ constexpr Condition kMovingFirstCourse{
 constexpr Range kLength{'[', 0.001, 100, ']'}; // [m]
 
 // clang-format off
-constexpr std::array kKeys = {
+constexpr std::array kWallKeys = {
     Key{.name = "wall.geometry", .kind = Kind::text,
         .meaning = "a drawing of the blocks (.dxf, .json, .svg) or a picture of the stones (.png), in place of courses; from the folder of the study",
         .field = kAt<&Study::geometry, &GeometryInput::file>},
@@ -233,6 +233,6 @@ constexpr std::array kKeys = {
 
 } // namespace
 
-std::span<const Key> wall_keys() { return kKeys; }
+std::span<const Key> wall_keys() { return kWallKeys; }
 
 } // namespace app

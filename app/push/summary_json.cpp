@@ -4,18 +4,15 @@
 #include "app/push/hand_checks.hpp"
 #include "app/reading/wall_words.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
 namespace app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kToMm = 1e3, kToKn = 1e-3, kToMpa = 1e-6;
 
@@ -170,7 +167,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
         static_cast<double>(w.result.cost.contact_updates) / w.result.cost.seconds);
     j["version"] = kVersion;
     j["study"] = effective_configuration(study);
-    return j.dump(2) + "\n";
+    return text_of(j, 2) + "\n";
 }
 
 } // namespace app

@@ -1,9 +1,8 @@
 #include "app/reliability/kept_evaluations.hpp"
 
 #include "app/text/config_error.hpp"
+#include "app/text/json_text.hpp"
 #include "uq/reliability/evaluate.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -18,10 +17,7 @@ namespace fs = std::filesystem;
 constexpr Eigen::Index kAtOnce = 32; ///< samples that a kill may lose
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-std::string as_line(const nlohmann::json& j)
-{
-    return j.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
+std::string as_line(const Json& j) { return text_of(j) + "\n"; }
 
 } // namespace
 
@@ -41,11 +37,11 @@ KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
         sound = line.size() + 1;
         while (std::getline(in, line) && !in.eof()) {
             try {
-                const nlohmann::json j = nlohmann::json::parse(line);
-                const nlohmann::json& y = j.at("y");
+                const Json j = json_of(line);
+                const Json& y = j.at("y");
                 known_[j.at("x").get<std::vector<double>>()] = {
                     y.is_null() ? kNan : y.get<double>(), j.at("why").get<std::string>()};
-            } catch (const nlohmann::json::exception&) {
+            } catch (const Json::exception&) {
                 throw std::runtime_error(
                     "'" + file_.string() +
                     "' is damaged; remove it: its evaluations are made again");
@@ -63,9 +59,8 @@ KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
 
 void KeptEvaluations::keep(const std::vector<double>& x, const Answer& a)
 {
-    out_ << as_line({{"x", x},
-                     {"y", a.failure.empty() ? nlohmann::json(a.y) : nlohmann::json(nullptr)},
-                     {"why", a.failure}});
+    out_ << as_line(
+        {{"why", a.failure}, {"x", x}, {"y", a.failure.empty() ? Json(a.y) : Json(nullptr)}});
     known_[x] = a;
 }
 

@@ -12,10 +12,10 @@
 #include "app/study/interrupt.hpp"
 #include "app/study/study_identity.hpp"
 #include "app/study/wanted_walls.hpp"
+#include "app/text/json_text.hpp"
 #include "app/version.hpp"
 
 #include <gsl/gsl_cdf.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,6 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 /// Shown with four digits; a small probability with as many as it needs, since decimals would hide it.
 Number cell(const std::optional<double>& x)
 {
@@ -144,7 +142,7 @@ std::string answer_json(const ReliabilityProblem& p, const ReliabilityAnswer& a)
              {"inputs", values}});
     }
     // Reasons may quote what another program printed, in any encoding.
-    return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return text_of(all, 2) + "\n";
 }
 
 void add_table(const std::string& name, const Table& table, std::vector<OutputFile>& files)

@@ -9,10 +9,9 @@
 #include "app/report/report_data.hpp"
 #include "app/report/report_page.hpp"
 #include "app/study/study_file_head.hpp"
+#include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/layout.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -20,8 +19,6 @@
 
 namespace app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// How many walls are shown: as asked for, else as many as kMostFilmedBlocks allows.
 std::size_t most_walls(const StudyWalls& study, const std::optional<int>& asked)
@@ -85,7 +82,7 @@ Replay films_of(const StudyWalls& study, const WallList& walls, const Command& c
 void keep_in_page(const Draft& draft, Replay& replay)
 {
     const Study& study = draft.study.study;
-    const std::size_t geometry = wall_geometry(layout_of(study)).dump().size();
+    const std::size_t geometry = text_of(wall_geometry(layout_of(study))).size();
     const std::size_t each = has_layouts(study) ? geometry : 0;
     const std::size_t rest = draft.page({}, chosen_text(1, 2)).size() + geometry + 100;
     keep_first(replay, kMostPageBytes - std::min(rest, kMostPageBytes), each);

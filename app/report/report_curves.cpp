@@ -2,16 +2,13 @@
 
 #include "app/fragility/fragility_means.hpp"
 #include "app/report/report_bytes.hpp"
-
-#include <nlohmann/json.hpp>
+#include "app/text/json_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Largest distance and force of all walls.
 struct Extent {

@@ -4,16 +4,13 @@
 #include "app/fragility/fragility_means.hpp"
 #include "app/report/report_bytes.hpp"
 #include "app/study/wall_frames.hpp"
-
-#include <nlohmann/json.hpp>
+#include "app/text/json_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A path at 0, 1, 2, ... steps of its way.
 struct EvenPath {

@@ -17,11 +17,10 @@
 #include "app/report/report_inputs.hpp"
 #include "app/report/report_overview.hpp"
 #include "app/study/study_summary.hpp"
+#include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
 #include "dem/scene/layout.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <map>
@@ -29,8 +28,6 @@
 
 namespace app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json shown(double x, int digits)
 {

@@ -1,9 +1,8 @@
 #include "app/report/report_film.hpp"
 
 #include "app/report/report_bytes.hpp"
+#include "app/text/json_text.hpp"
 #include "dem/scene/polygon.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,8 +11,6 @@
 
 namespace app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kDamageStep = 1.0 / 255.0; ///< of damage and crushing
 

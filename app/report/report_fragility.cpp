@@ -2,6 +2,7 @@
 
 #include "app/fragility/fragility_curves.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "fragility/binomial.hpp"
 #include "fragility/equal_modes.hpp"
@@ -10,15 +11,11 @@
 #include "fragility/mode_lack_of_fit.hpp"
 #include "fragility/mode_model.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 
 namespace app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kDrifts = 121;
 constexpr double kDoubtful = 0.05; ///< p-value below which a line over the stress is not drawn

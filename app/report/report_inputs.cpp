@@ -1,10 +1,9 @@
 #include "app/report/report_inputs.hpp"
 
 #include "app/fragility/fragility_inputs.hpp"
+#include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "uq/estimates/running_mean.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +11,6 @@
 
 namespace app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 

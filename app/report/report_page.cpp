@@ -2,8 +2,7 @@
 
 #include "app/report/report_assets.hpp"
 #include "app/report/report_bytes.hpp"
-
-#include <nlohmann/json.hpp>
+#include "app/text/json_text.hpp"
 
 #include <cstdint>
 #include <stdexcept>
@@ -38,8 +37,7 @@ std::string html_text(std::string_view text)
 std::string script_json(const nlohmann::ordered_json& data)
 {
     // "<" only occurs inside strings of JSON; written so, "</script>" and "<!--" cannot occur
-    const std::string text =
-        data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    const std::string text = text_of(data);
     std::string out;
     out.reserve(text.size());
     for (const char c : text) {

@@ -1,8 +1,7 @@
 #include "app/serve/umbridge.hpp"
 
 #include "app/input/units.hpp"
-
-#include <nlohmann/json.hpp>
+#include "app/text/json_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +10,7 @@
 namespace app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-HttpReply reply_of(const Json& json)
-{
-    return {200, json.dump(-1, ' ', false, Json::error_handler_t::replace)};
-}
+HttpReply reply_of(const Json& json) { return {200, text_of(json)}; }
 
 HttpReply invalid(const std::string& why) { return umbridge_error(400, "InvalidInput", why); }
 
@@ -121,7 +115,7 @@ HttpReply umbridge_reply(std::span<const ServedModel> models, std::string_view p
 {
     Json request;
     try {
-        request = Json::parse(body);
+        request = json_of(body);
     } catch (const Json::exception&) {
         return invalid("the request is not JSON");
     }

@@ -1,8 +1,7 @@
 #include "uq/estimates/estimate_critical.hpp"
 
+#include "uq/marginals/boost_quantiles.hpp"
 #include "uq/marginals/normal_quantile.hpp"
-
-#include <boost/math/distributions/students_t.hpp>
 
 #include <stdexcept>
 #include <string>
@@ -26,8 +25,7 @@ double student_factor(double confidence, double freedom)
 {
     check_confidence(confidence);
     if (!(freedom > 0.0)) throw std::invalid_argument("degrees of freedom must be > 0");
-    const boost::math::students_t t(freedom);
-    return boost::math::quantile(boost::math::complement(t, 0.5 * (1.0 - confidence)));
+    return upper_student_quantile(freedom, 0.5 * (1.0 - confidence));
 }
 
 } // namespace uq

@@ -1,9 +1,9 @@
 #include "uq/estimates/quantile_estimate.hpp"
 
 #include "uq/estimates/estimate_critical.hpp"
+#include "uq/marginals/boost_quantiles.hpp"
 #include "uq/marginals/normal_quantile.hpp"
 
-#include <boost/math/special_functions/beta.hpp>
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
@@ -70,8 +70,8 @@ std::vector<double> beta_weights(std::size_t n, double p)
     std::vector<double> w(n);
     double before = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-        const double upto = boost::math::ibeta((real + 1.0) * p, (real + 1.0) * (1.0 - p),
-                                               static_cast<double>(i + 1) / real);
+        const double upto = beta_probability((real + 1.0) * p, (real + 1.0) * (1.0 - p),
+                                             static_cast<double>(i + 1) / real);
         w[i] = upto - before;
         before = upto;
     }

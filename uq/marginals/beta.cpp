@@ -30,7 +30,7 @@ double log_beta(double alpha, double beta)
 /// the leading term of P, from where Newton does not turn back.
 constexpr double kFar = 1e-6;
 
-Split beta_quantile(double alpha, double beta, double p)
+Split split_quantile(double alpha, double beta, double p)
 {
     double y = 0.0;
     double t = 0.0;
@@ -108,11 +108,11 @@ double upper_tail(const Beta& s, double x)
 }
 double at_lower(const Beta& s, double p)
 {
-    return between_ends(s, beta_quantile(s.alpha, s.beta, p));
+    return between_ends(s, split_quantile(s.alpha, s.beta, p));
 }
 double at_upper(const Beta& s, double q)
 {
-    const Split mirrored = beta_quantile(s.beta, s.alpha, q);
+    const Split mirrored = split_quantile(s.beta, s.alpha, q);
     return between_ends(s, {mirrored.y, mirrored.t});
 }
 MeanSd mean_sd(const Beta& s)

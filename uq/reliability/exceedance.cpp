@@ -1,6 +1,7 @@
 #include "uq/reliability/exceedance.hpp"
 
-#include <boost/math/special_functions/beta.hpp>
+#include "uq/marginals/boost_quantiles.hpp"
+
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
@@ -34,8 +35,8 @@ Interval binomial_interval(std::size_t successes, std::size_t n, double confiden
                                     std::to_string(n) + " is not a share");
     const double tail = 0.5 * (1.0 - confidence);
     const auto k = static_cast<double>(successes), all = static_cast<double>(n);
-    return {successes == 0 ? 0.0 : boost::math::ibeta_inv(k, all - k + 1.0, tail),
-            successes == n ? 1.0 : boost::math::ibetac_inv(k + 1.0, all - k, tail), confidence};
+    return {successes == 0 ? 0.0 : beta_quantile(k, all - k + 1.0, tail),
+            successes == n ? 1.0 : upper_beta_quantile(k + 1.0, all - k, tail), confidence};
 }
 
 Exceedance count_exceedance(std::size_t passed, std::size_t failed, std::size_t n,

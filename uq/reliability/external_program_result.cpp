@@ -14,7 +14,7 @@ namespace uq {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargestResult = std::size_t{16} << 20; ///< [bytes]
 constexpr std::size_t kErrorsRead = 2000;                     ///< [bytes], from the end
@@ -118,9 +118,9 @@ ProgramResult numbers(const json& result, const std::vector<std::string>& respon
 std::string input_text(std::uint64_t sample, const std::vector<std::string>& parameters,
                        const Eigen::VectorXd& x)
 {
-    nlohmann::ordered_json input;
+    json input;
     input["sample"] = sample;
-    input["parameters"] = nlohmann::ordered_json::object();
+    input["parameters"] = json::object();
     for (std::size_t i = 0; i < parameters.size(); ++i)
         input["parameters"][parameters[i]] = x(static_cast<Eigen::Index>(i));
     return input.dump(1) + "\n";
@@ -153,7 +153,7 @@ std::string last_lines(const std::filesystem::path& file, int lines)
     for (char& c : text) // what could spoil a table or a terminal
         if ((c >= 0 && c < ' ' && c != '\n') || c == 0x7f) c = ' ';
     // bytes that are no UTF-8 become its sign for them
-    text = json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+    text = parsed(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
     std::vector<std::string> all;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);)

@@ -1,7 +1,8 @@
 #include "uq/reliability/sorm.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include "uq/designs/eigen_pairs.hpp"
+
+#include <Eigen/Householder>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sf_erf.h>
 
@@ -18,8 +19,15 @@ namespace {
 Eigen::MatrixXd tangent_plane(const Eigen::VectorXd& alpha)
 {
     const Eigen::Index d = alpha.size();
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(alpha);
-    return (qr.householderQ() * Eigen::MatrixXd::Identity(d, d)).rightCols(d - 1);
+    Eigen::VectorXd v(d - 1); // the reflection onto the first axis is I - tau (1, v) (1, v)^T
+    double tau = 0.0, length = 0.0;
+    alpha.makeHouseholder(v, tau, length);
+    Eigen::MatrixXd t = Eigen::MatrixXd::Identity(d, d).rightCols(d - 1);
+    for (Eigen::Index j = 0; j + 1 < d; ++j) {
+        t(0, j) -= tau * v(j);
+        for (Eigen::Index i = 0; i + 1 < d; ++i) t(i + 1, j) -= tau * v(i) * v(j);
+    }
+    return t;
 }
 
 /// Points of the differences: the centre; then for each i +e_i, -e_i; then for each i < j
@@ -93,7 +101,7 @@ SormResult sorm(const LimitState& s, const DesignPoint& p, double step)
     // With the origin on the passed side (beta < 0) P = 1 - P(other side), of curvature -kappa.
     const double side = p.beta < 0.0 ? -1.0 : 1.0, beta = std::abs(p.beta);
     const Eigen::MatrixXd scaled = hessian(g, t.cols(), step) / p.at.gradient.norm();
-    r.curvatures = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
+    r.curvatures = eigen_pairs(scaled).values;
     const Eigen::VectorXd kappa = side * r.curvatures;
     if (!correction(beta, kappa)) {
         std::ostringstream why;
