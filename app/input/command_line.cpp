@@ -189,7 +189,8 @@ void set_out(const Verb& verb, Command& command)
     if (verb.out == OutKind::none) return;
     if (verb.out == OutKind::first_word) command.out = command.words.front();
     if (command.out.empty()) command.out = default_out(verb, command);
-    if (verb.out == OutKind::file && command.out.back() == '/') // a folder that may not exist yet
+    if (verb.out == OutKind::file &&
+        command.out.back() == '/') // a folder that may not exist yet
         command.out += fs::path(default_out(verb, command)).filename().string();
     check_out(verb, command.out);
     if (verb.out == OutKind::file) check_out_file(verb, command);
