@@ -21,7 +21,7 @@ for private in contact/pack.hpp solver/step.hpp; do
 done
 
 # By CMake, with no flag of ours: then the numbers of the command line.
-quietly cmake -S "$root/examples/cpp" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_BUILD_TYPE=Release \
+quietly cmake -G Ninja -S "$root/examples/cpp" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS="${DRYSTONE_CXX_FLAGS-}" -DCMAKE_CXX_COMPILER="${CXX-g++}"
 quietly cmake --build "$work/cmake" --verbose
 ! grep -E -- '-W(all|error|extra)|-fno-tree-vectorize|-ffp-contract' "$work/said" || die "a flag of ours reaches the user"

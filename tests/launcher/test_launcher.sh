@@ -246,6 +246,15 @@ claim_test_ends_with_the_count() {
         "drystone: building what changed"
 }
 
+claim_the_tests_want_python_and_the_program_does_not() {
+    echo python3 >"$box/absent"
+    fake id <<<'echo 1000'
+    drystone test
+    expect_equal "the list for the tests" "$(sed -n 's/^    //p' "$box/err")" python3
+    drystone show yes
+    expect_equal "stdout of the program" "$(cat "$box/out")" "<yes>"
+}
+
 claim_test_fails_with_a_test() {
     write_presets '"STUB_TEST": "echo cause; exit 3"'
     drystone test
