@@ -1,5 +1,5 @@
 /// curve_hash: all bits of the curves of a fixed ensemble as one number, through packs and one wall at a
-/// time; then those of a wall of rubble in mortar. The numbers must not depend on compiler, flags, register or threads
+/// time; then those of walls of rubble, in mortar and of many dry stones. The numbers must not depend on compiler, flags, register or threads
 /// (tests/same_bits.sh).
 
 #include "dem/block/model.hpp"
@@ -49,6 +49,7 @@ struct Case {
     dem::Fidelity fidelity;
     dem::ContactLaw law;
     dem::Damping damping;
+    dem::Kinematics kinematics = dem::Kinematics::small;
 };
 
 /// Two samples at each of three stresses.
@@ -76,6 +77,7 @@ std::vector<dem::PushResult> pushed(const dem::Model& model,
     o.steps_per_mm = 50;
     o.law = c.law;
     o.damping = c.damping;
+    o.kinematics = c.kinematics;
     dem::push_ensemble(model, ensemble, plan, o, {.scalar = scalar});
     return results;
 }
@@ -100,6 +102,25 @@ dem::Model rubble_model(const scenes::Scene& s)
     layout.mortar = true;
     return dem::discretise(layout, s.stone, s.beam, s.loads, {s.joint, s.crack},
                            dem::discretisation_of(dem::Fidelity::simple));
+}
+
+/// So many dry stones that the matrix of each is stored once.
+void add_many_stones(Hash& packs, Hash& scalar)
+{
+    scenes::Scene s = scenes::paper_wall(0.50);
+    dem::DrawnWall wall;
+    for (dem::Outline& stone : dem::rubble({.length = 2.2}))
+        wall.units.push_back({std::move(stone)});
+    const dem::Model model = dem::discretise(dem::drawn_layout(wall, s.beam.height), s.stone,
+                                             s.beam, s.loads, {s.joint, s.crack});
+    const std::vector<dem::WallMaterials> walls{scenes::table5_spatial_sample(s, model, 0),
+                                                scenes::table5_spatial_sample(s, model, 1)};
+    for (const dem::Kinematics k : {dem::Kinematics::small, dem::Kinematics::finite}) {
+        const Case c{dem::Fidelity::standard, dem::ContactLaw::coupled, dem::Damping::combined,
+                     k};
+        for (const dem::PushResult& r : pushed(model, walls, c, 0.001, false)) add(r, packs);
+        for (const dem::PushResult& r : pushed(model, walls, c, 0.001, true)) add(r, scalar);
+    }
 }
 
 void add_rubble(Hash& packs, Hash& scalar)
@@ -132,6 +153,7 @@ try {
     std::printf("scalar %016llx\n", static_cast<unsigned long long>(scalar.value()));
     Hash rubble_packs, rubble_scalar;
     add_rubble(rubble_packs, rubble_scalar);
+    add_many_stones(rubble_packs, rubble_scalar);
     std::printf("rubble %016llx\n", static_cast<unsigned long long>(rubble_packs.value()));
     const bool same =
         packs.value() == scalar.value() && rubble_packs.value() == rubble_scalar.value();

@@ -56,7 +56,8 @@ template <class Real> double product_speed(bench::PushedWalls<Real>& w)
     constexpr int kRounds = 500;
     const double seconds = bench::shortest(kChunks, [&] {
         for (int i = 0; i < kRounds; ++i) {
-            dem::gather(matrix, contact, w.state.stress.data(), w.state.block_force.data());
+            dem::gather(matrix, contact, w.tables.area.data(), w.state.stress.data(),
+                        w.state.block_force.data());
             dem::scatter(matrix, contact, w.state.v.data() + block.first_mode,
                          w.state.du.data());
         }

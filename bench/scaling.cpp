@@ -1,4 +1,4 @@
-/// scaling [OUT.md | samples | threads | blocks]: what the cost does when samples, cores or blocks
+/// scaling [OUT.md | samples | threads | blocks | stones]: what the cost does when samples, cores or blocks
 /// become more.
 
 #include "bench/machine.hpp"
@@ -28,6 +28,11 @@ zone between contact points, which steps do not feel). One wall alone in plain d
 memory that a step touches, cost of a block-step per wall, the same against the smallest wall, and the speed at which
 memory is moved (least amount, see kernel.md). Shortest of 30 runs after a ramp of the load.)";
 
+constexpr const char* kStonesText =
+    R"(Random stones (`wall.bond = rubble`, 0.2 x 0.1 m, dry) beside walls of equal units. Default settings, one core. Units
+of one shape share the matrices of their modes; each stone has its own. Cost of a contact point, a step and a wall: of one wall alone in plain
+doubles, and in a register of walls. Shortest of 30 runs after a ramp of the load.)";
+
 struct Part {
     const char *name, *title, *text;
     app::Table (*measure)();
@@ -36,7 +41,8 @@ struct Part {
 // Samples first: what they need must not hide behind the memory of a large wall.
 constexpr Part kParts[] = {{"samples", "Samples", kSamplesText, bench::sample_table},
                            {"threads", "Threads", kThreadsText, bench::thread_table},
-                           {"blocks", "Blocks", kBlocksText, bench::block_table}};
+                           {"blocks", "Blocks", kBlocksText, bench::block_table},
+                           {"stones", "Stones", kStonesText, bench::stone_table}};
 
 } // namespace
 
@@ -48,7 +54,7 @@ int main(int argc, char** argv)
                        std::any_of(std::begin(kParts), std::end(kParts),
                                    [&](const Part& p) { return argument == p.name; });
     if (argc > 2 || !known) {
-        std::cerr << "usage: scaling [OUT.md | samples | threads | blocks]\n";
+        std::cerr << "usage: scaling [OUT.md | samples | threads | blocks | stones]\n";
         return 2;
     }
     bench::Report report{"Scaling", "", {}};

@@ -1,12 +1,10 @@
 #include "app/text/number_text.hpp"
 #include "bench/scaling_parts.hpp"
 #include "bench/shortest.hpp"
+#include "bench/step_time.hpp"
 #include "bench/work_count.hpp"
-#include "dem/block/model.hpp"
-#include "dem/solver/step.hpp"
 #include "scenes/paper_wall.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -32,30 +30,16 @@ struct Measured {
     double speed = 0.0; ///< of what is moved [bytes/s]
 };
 
-/// Shortest step of a register of walls after a ramp of the load.
 template <class Real>
 Measured measure(const scenes::Scene& scene, const dem::Model& model,
                  const dem::StepTables& tables)
 {
-    const dem::SolverOptions options;
-    const int blocks = static_cast<int>(tables.blocks.size());
-    const int ramp = std::clamp(3'000'000 / blocks, 30, 300);
-    const int chunk = std::max(1, 30'000 / blocks); // about 10 ms
-    dem::WallState<Real> state = dem::empty_lanes<Real>(model, tables);
-    for (int i = 0; i < dem::lanes<Real>; ++i)
-        dem::load_lane(model, tables, scenes::table5_spatial_sample(scene, model, i), options,
-                       i, state);
-    for (int i = 0; i < ramp; ++i)
-        dem::step(tables, options, {Real(1.0 * (i + 1) / ramp), Real(0.0)}, state);
-    const dem::StepInput<Real> push{Real(1.0), Real(1e-7)};
-    const double step = shortest(30,
-                                 [&] {
-                                     for (int i = 0; i < chunk; ++i)
-                                         dem::step(tables, options, push, state);
-                                 }) /
-                        chunk;
+    const double step = step_time<Real>(model, tables, {}, [&](int lane) {
+        return scenes::table5_spatial_sample(scene, model, lane);
+    });
+    const double blocks = static_cast<double>(tables.blocks.size());
     const Traffic t = traffic_of(work_of(tables), sizeof(Real));
-    return {t.state, step / (1.0 * blocks * dem::lanes<Real>), t.moved() / step};
+    return {t.state, step / (blocks * dem::lanes<Real>), t.moved() / step};
 }
 
 void add(const Measured& m, const Measured& smallest, app::Row& row)

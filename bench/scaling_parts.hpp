@@ -1,5 +1,5 @@
 #pragma once
-/// The three tables of scaling.cpp.
+/// The tables of scaling.cpp.
 
 #include "app/output/table.hpp"
 
@@ -10,6 +10,9 @@ namespace bench {
 
 /// Blocks: cost of a block-step from 100 to 100 000 blocks in one wall.
 [[nodiscard]] app::Table block_table();
+
+/// Stones: cost of a contact where blocks share their matrices, and where each has its own.
+[[nodiscard]] app::Table stone_table();
 
 /// Samples: 10 to 100 000 tiny walls, memory against number.
 [[nodiscard]] app::Table sample_table();

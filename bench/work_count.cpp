@@ -14,7 +14,7 @@ StepWork work_of(const dem::StepTables& t)
         w.multiply_adds += 2LL * 2LL * ports * b.modes;
     }
     for (const auto& a : t.matrices)
-        w.matrix_numbers += static_cast<long long>(a.to_modes.size() + a.to_contacts.size());
+        w.matrix_bytes += static_cast<long long>(bytes_of(a));
     w.dry = t.first_tied;
     w.tied = t.first_crack - t.first_tied;
     w.cracks = t.n_contacts - t.first_crack;
@@ -34,7 +34,7 @@ Traffic traffic_of(const StepWork& w, std::size_t real)
     const auto sum = [](auto... terms) { return (static_cast<double>(terms) + ...); };
     const auto bytes = static_cast<double>(real);
     const double tables =
-        sizeof(double) * sum(w.matrix_numbers, w.contacts()) + sizeof(int) * sum(w.ports);
+        sum(w.matrix_bytes) + sizeof(double) * sum(w.contacts()) + sizeof(int) * sum(w.ports);
     const double laws = bytes * sum(4 * w.dry_laws, 11 * w.crack_laws);
     Traffic t;
     // q, v, last_force, inv_mass, load, elasticity; du, stress (2 each), u_n; memory of a crack

@@ -27,7 +27,7 @@ struct StepWork {
     long long dry_laws = 0, crack_laws = 0;  ///< faces: each reads its law once
     long long multiply_adds = 0;             ///< of the port products, per wall
     long long operations = 0;                ///< all others, per wall
-    long long matrix_numbers = 0;            ///< in the matrices of all elements
+    long long matrix_bytes = 0;              ///< of the matrices of all elements
     [[nodiscard]] long long contacts() const { return dry + tied + cracks; }
 };
 

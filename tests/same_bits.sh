@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bash tests/same_bits.sh [DIR]   one ensemble and a wall of rubble, the same curves to the last bit: through packs and one
+# bash tests/same_bits.sh [DIR]   one ensemble and walls of rubble, the same curves to the last bit: through packs and one
 # wall at a time, with every register width, g++ and clang++, optimised and not. Builds in a directory that it removes.
 # DIR: the build directory of the Debian package, whose three solvers stand for three of the builds.
 set -uo pipefail

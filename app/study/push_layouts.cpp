@@ -65,8 +65,27 @@ class LayoutRun {
         } catch (const Left&) {
         } catch (...) {
             const std::lock_guard lock(mutex_);
-            if (!fault_) fault_ = std::current_exception();
-            ended_ = true;
+            end();
+        }
+    }
+
+    /// With the lock held, while an exception is handled.
+    void end()
+    {
+        if (!fault_) fault_ = std::current_exception();
+        ended_ = true;
+    }
+
+    /// Hands a wall on. The run has ended before another thread can hand on the next one, if this fails.
+    void hand_on(std::size_t i, const WallDraw& draw, PushedWall&& wall)
+    {
+        const std::lock_guard lock(mutex_);
+        if (ended_) throw Left();
+        try {
+            list_.done(i, draw, std::move(wall));
+        } catch (...) {
+            end();
+            throw;
         }
     }
 
@@ -90,9 +109,7 @@ class LayoutRun {
             return list_.wall(group.walls[i]);
         };
         part.done = [&](std::size_t i, const WallDraw& draw, PushedWall&& wall) {
-            const std::lock_guard lock(mutex_);
-            if (ended_) throw Left();
-            list_.done(group.walls[i], draw, std::move(wall));
+            hand_on(group.walls[i], draw, std::move(wall));
         };
         push_walls(*own, *model, plan_, part, threads_);
     }
@@ -101,9 +118,7 @@ class LayoutRun {
     {
         for (const std::size_t i : group.walls) {
             const std::optional<WantedWall> wanted = list_.wall(i);
-            if (!wanted) continue;
-            const std::lock_guard lock(mutex_);
-            list_.done(i, wanted->draw, no_wall(study_, wanted->level, why));
+            if (wanted) hand_on(i, wanted->draw, no_wall(study_, wanted->level, why));
         }
     }
 

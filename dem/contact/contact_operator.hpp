@@ -5,8 +5,10 @@
 ///   modal force += sum over ports of to_modes x (sigma, tau)
 ///   relative displacement (du_n, du_s) of the contact += to_contacts x modal velocity
 
+#include "dem/contact/own_matrix.hpp"
 #include "dem/contact/pack.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace dem {
@@ -16,7 +18,17 @@ struct ContactOperator {
     int modes = 0;
     std::vector<double> to_modes;    ///< 2 ports x modes, row-major [m2 m/sqrt(J)]
     std::vector<double> to_contacts; ///< modes x 2 ports, row-major [m/sqrt(J)]
+    std::vector<double> own;         ///< in place of both, see own_matrix.hpp
 };
+
+/// The same, with its matrix stored once.
+[[nodiscard]] ContactOperator with_own_matrix(const ContactOperator& a);
+
+/// [bytes]
+[[nodiscard]] inline std::size_t bytes_of(const ContactOperator& a)
+{
+    return sizeof(double) * (a.to_modes.size() + a.to_contacts.size() + a.own.size());
+}
 
 namespace detail {
 
@@ -69,10 +81,14 @@ void scatter_block(const ContactOperator& a, const int* contact, const Real* vel
 } // namespace detail
 
 /// Modal forces from contact stresses.
-/// @param contact index of each port's contact;  stress: (sigma, tau) of each contact [Pa]
+/// @param contact index of each port's contact;  area: of each contact [m2]
+/// @param stress (sigma, tau) of each contact [Pa]
 template <class Real>
-void gather(const ContactOperator& a, const int* contact, const Real* stress, Real* modal)
+void gather(const ContactOperator& a, const int* contact, const double* area,
+            const Real* stress, Real* modal)
 {
+    if (!a.own.empty())
+        return detail::gather_own(a.own.data(), a.modes, a.ports, contact, area, stress, modal);
     // A few sums at a time would wait for one another: each of these passes takes as many as there are.
     int j = 0;
     for (; j + 16 <= a.modes; j += 16) detail::gather_block<16>(a, contact, stress, j, modal);
@@ -88,6 +104,8 @@ void gather(const ContactOperator& a, const int* contact, const Real* stress, Re
 template <class Real>
 void scatter(const ContactOperator& a, const int* contact, const Real* velocity, Real* du)
 {
+    if (!a.own.empty())
+        return detail::scatter_own(a.own.data(), a.modes, a.ports, contact, velocity, du);
     int p = 0;
     for (; p + 8 <= a.ports; p += 8) detail::scatter_block<8>(a, contact, velocity, p, du);
     for (; p + 4 <= a.ports; p += 4) detail::scatter_block<4>(a, contact, velocity, p, du);

@@ -38,8 +38,8 @@ Conjugate<Real> small_forces(const StepTables& t, const StepInput<Real>& in, Wal
     Conjugate<Real> sum;
     Real* force = s.block_force.data();
     for (const auto& b : t.blocks) {
-        gather(t.matrices[b.element], t.port_contact.data() + b.first_port, s.stress.data(),
-               force);
+        gather(t.matrices[b.element], t.port_contact.data() + b.first_port, t.area.data(),
+               s.stress.data(), force);
         for (int i = 0; i < b.modes; ++i) {
             const int m = b.first_mode + i;
             set_forces(m, force[i] - s.laws.elasticity[m] * s.q[m],
@@ -95,8 +95,8 @@ Conjugate<Real> finite_forces(const StepTables& t, const StepInput<Real>& in,
         const auto& elastic = t.finite.elastic[row.element];
         const Turn<Real> turn = whole(s.finite.frames[b].half);
         if (elastic.modes > 0)
-            gather(elastic, t.port_contact.data() + row.first_port, s.finite.acting.data(),
-                   force);
+            gather(elastic, t.port_contact.data() + row.first_port, t.area.data(),
+                   s.finite.acting.data(), force);
         for (int i = 0; i < elastic.modes; ++i) {
             const int m = row.first_mode + t.finite.blocks[b].rigid + i;
             const Real load = in.load_factor *

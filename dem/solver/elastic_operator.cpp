@@ -34,8 +34,8 @@ void apply_stiffness(const StepTables& t, const std::vector<double>& q, WallStat
     elastic_stress(t, s, s.du, s.stress);
     for (const auto& b : t.blocks) {
         double* force = kq.data() + b.first_mode;
-        gather(t.matrices[b.element], t.port_contact.data() + b.first_port, s.stress.data(),
-               force);
+        gather(t.matrices[b.element], t.port_contact.data() + b.first_port, t.area.data(),
+               s.stress.data(), force);
         for (int i = 0; i < b.modes; ++i)
             force[i] = s.laws.elasticity[b.first_mode + i] * q[b.first_mode + i] - force[i];
     }

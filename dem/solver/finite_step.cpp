@@ -54,7 +54,8 @@ void move_blocks(const StepTables& t, double damping_factor, const StepInput<Rea
         const Turn<Real> turn = whole(s.finite.frames[b].half);
         const OuterForce<Real> outer = outer_force(f, b, turn, in.load_factor, s);
         s.load_x += outer.fx;
-        if (elastic.modes > 0) gather(elastic, contact, s.finite.acting.data(), force);
+        if (elastic.modes > 0)
+            gather(elastic, contact, t.area.data(), s.finite.acting.data(), force);
         for (int i = 0; i < elastic.modes; ++i) {
             const int m = first + i;
             const Real load = in.load_factor *

@@ -22,7 +22,7 @@ void move_blocks(const StepTables& t, double damping_factor, const StepInput<Rea
     for (const auto& b : t.blocks) {
         const ContactOperator& matrix = t.matrices[b.element];
         const int* contact = t.port_contact.data() + b.first_port;
-        gather(matrix, contact, s.stress.data(), force);
+        gather(matrix, contact, t.area.data(), s.stress.data(), force);
         for (int i = 0; i < b.modes; ++i) {
             const int m = b.first_mode + i;
             const Real load = in.load_factor * s.laws.load[m], before = s.v[m];

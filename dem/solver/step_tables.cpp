@@ -9,6 +9,9 @@ namespace dem {
 
 namespace {
 
+/// Matrices of all blocks that fit the second cache of today's processors beside the state of a wall.
+constexpr std::size_t kManyMatrices = 1 << 20; // [bytes]
+
 /// Index of a dry contact's law in LaneLaws::dry.
 int dry_law(const Model& m, const Contact& c)
 {
@@ -133,6 +136,25 @@ void tabulate_blocks(const Model& m, StepTables& t)
     }
 }
 
+std::size_t bytes_of(const std::vector<ContactOperator>& matrices)
+{
+    std::size_t sum = 0;
+    for (const ContactOperator& a : matrices) sum += dem::bytes_of(a);
+    return sum;
+}
+
+/// The matrices of elements that only one block has.
+void store_own_matrices_once(const Model& m, StepTables& t)
+{
+    std::vector<int> blocks(m.elements.size(), 0);
+    for (const auto& b : t.blocks) ++blocks[b.element];
+    for (std::size_t e = 0; e < m.elements.size(); ++e) {
+        if (blocks[e] != 1) continue;
+        t.matrices[e] = with_own_matrix(t.matrices[e]);
+        t.finite.elastic[e] = with_own_matrix(t.finite.elastic[e]);
+    }
+}
+
 } // namespace
 
 StepTables step_tables(const Model& m)
@@ -152,6 +174,7 @@ StepTables step_tables(const Model& m)
     t.ground =
         shares(m, t, [&m](int block) { return block == kGround || is_supported(m, block); });
     t.finite = finite_tables(m, t);
+    if (bytes_of(t.matrices) > kManyMatrices) store_own_matrices_once(m, t);
     return t;
 }
 

@@ -1,6 +1,7 @@
 #include "dem/solver/take_snapshot.hpp"
 
 #include "dem/block/model.hpp"
+#include "dem/solver/elastic_operator.hpp"
 
 namespace dem {
 
@@ -78,15 +79,10 @@ template <class Real>
 std::vector<double> slips(const StepTables& t, const WallState<Real>& state, int lane,
                           double drive)
 {
-    std::vector<double> slip(t.n_contacts, 0.0);
-    for (const auto& b : t.blocks) {
-        const ContactOperator& a = t.matrices[b.element];
-        for (int p = 0; p < a.ports; ++p)
-            for (int i = 0; i < a.modes; ++i)
-                slip[t.port_contact[b.first_port + p]] +=
-                    a.to_contacts[2 * (static_cast<std::size_t>(i) * a.ports + p) + 1] *
-                    dem::lane(state.q[b.first_mode + i], lane);
-    }
+    std::vector<double> q, du(state.du.size()), slip;
+    for (const Real& x : state.q) q.push_back(dem::lane(x, lane));
+    stretch(t, q, du);
+    for (int k = 0; k < t.n_contacts; ++k) slip.push_back(du[2 * k + 1]);
     if (state.finite.frames.empty()) {
         for (const HorizontalShare& h : t.beam)
             if (h.row % 2 == 1) slip[h.row / 2] += h.factor * drive;

@@ -19,8 +19,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using app::Study;
@@ -158,7 +161,10 @@ TEST_CASE("random layouts: what done throws ends the run and is thrown, whatever
         list.wall = [](std::size_t) -> app::WantedWall { return {0, {}}; };
         int taken = 0;
         list.done = [&](std::size_t, const app::WallDraw&, app::PushedWall&&) {
-            if (++taken == 2) throw std::runtime_error("the disk is full");
+            if (++taken != 2) return;
+            std::this_thread::sleep_for(
+                std::chrono::milliseconds(50)); // others wait to hand on
+            throw std::runtime_error("the disk is full");
         };
         CHECK_THROWS_WITH(app::push_in_layouts(
                               s, app::bare_plan(s), list,

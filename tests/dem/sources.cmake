@@ -30,6 +30,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_finite_block.cpp
     dem/test_finite_wall.cpp
     dem/test_overlap.cpp
+    dem/test_own_matrix.cpp
     dem/test_recorder.cpp
     dem/test_rubble.cpp
     dem/test_rotation.cpp

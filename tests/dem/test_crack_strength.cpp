@@ -266,7 +266,7 @@ double elastic_stiffness(const CrackPattern& pattern, double joints)
     for (const dem::HorizontalShare& h : t.beam) driven[h.row] += h.factor;
     dem::elastic_stress(t, s, driven, s.stress);
     for (const auto& b : t.blocks)
-        dem::gather(t.matrices[b.element], t.port_contact.data() + b.first_port,
+        dem::gather(t.matrices[b.element], t.port_contact.data() + b.first_port, t.area.data(),
                     s.stress.data(), s.laws.load.data() + b.first_mode);
     REQUIRE(dem::solve_preload(t, s));
     dem::stretch(t, s.q, du);
