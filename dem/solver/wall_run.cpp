@@ -1,6 +1,7 @@
 #include "dem/solver/wall_run.hpp"
 
 #include "dem/block/model.hpp"
+#include "dem/solver/brittle_contacts.hpp"
 #include "dem/solver/drive_speed.hpp"
 #include "dem/solver/finite_step.hpp"
 #include "dem/solver/stability_limit.hpp"
@@ -24,39 +25,6 @@ constexpr double kFalling = 0.1; // a free choice between the two
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
-
-int count_snap_back(const Model& m, const WallMaterials& w)
-{
-    int n = 0;
-    for (const Contact& c : m.cracks) {
-        const int joint = c.material - m.layout.n_cracks;
-        const CrackMaterial k = joint < 0 ? w.cracks[c.material] : bond_of(w.joints[joint]);
-        n += k.ft > std::sqrt(2.0 * k.fracture_energy * k.kn);
-    }
-    return n;
-}
-
-int count_brittle_crushing(const Model& m, const WallMaterials& w)
-{
-    if (!m.layout.crushing) return 0;
-    int n = 0;
-    const auto add = [&n](const auto& material) {
-        const Crushing& c = material.crushing;
-        n += c.energy > 0.0 && c.strength > std::sqrt(2.0 * c.energy * material.kn);
-    };
-    for (const Contact& c : m.cracks) {
-        const int joint = c.material - m.layout.n_cracks;
-        if (joint < 0)
-            add(w.cracks[c.material]);
-        else
-            add(w.joints[joint]);
-    }
-    for (const Contact& c : m.dry)
-        add(c.material == kBaseMaterial   ? w.base_joint
-            : c.material == kBeamMaterial ? w.beam_joint
-                                          : w.joints[c.material]);
-    return n;
-}
 
 /// Mean settlement of the beam's lower face [m].
 double settlement_of(const Snapshot& s)
@@ -100,8 +68,8 @@ WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
       unbalance_scale_(unbalance_measure(task.model, materials_)),
       drive_(task.plan.targets, options_), recorder_(task.plan.record_every)
 {
-    result_.snap_back_contacts = count_snap_back(task.model, materials_);
-    result_.brittle_crushing_contacts = count_brittle_crushing(task.model, materials_);
+    result_.snap_back_contacts = snap_back_contacts(task.model, materials_);
+    result_.brittle_crushing_contacts = brittle_crushing_contacts(task.model, materials_);
 }
 
 /// This wall alone, unloaded, with a step that is stable as long as nothing opens, slips or cracks. Up to

@@ -1,37 +1,14 @@
 #pragma once
 /// Where the walls of a batch are and what they are made of: one array per quantity, one lane per wall.
 
-#include "dem/contact/contact_law.hpp"
-#include "dem/contact/crushing.hpp"
-#include "dem/contact/wear.hpp"
-#include "dem/scene/wall.hpp"
 #include "dem/solver/energy.hpp"
 #include "dem/solver/finite_state.hpp"
-#include "dem/solver/solver_options.hpp"
-#include "dem/solver/step_tables.hpp"
+#include "dem/solver/lane_laws.hpp"
 
 #include <span>
 #include <vector>
 
 namespace dem {
-
-/// What walls are made of. It is set when a wall takes its lane and only read while the wall is pushed.
-/// The paper's wall: 4600 numbers, 37 kB per lane.
-template <class Real> struct LaneLaws {
-    std::vector<Real> inv_mass; ///< by mode: 1 / fictitious mass [1/step2]
-    std::vector<Real> load;     ///< by mode: self-weight and vertical stress in full [sqrt(J)]
-    std::vector<Real> elasticity; ///< by mode: lambda of this wall's stone [-]
-    /// Of body forces, else empty. By mode: self-weight, and the same acting to the right [sqrt(J)].
-    std::vector<Real> weight, sway;
-    Real whole_weight{0.0}, supported_weight{0.0}; ///< of all blocks, of those on supports [N]
-    std::vector<DryLaw<Real>> dry;      ///< by joint ID - 1, then the joints at base and beam
-    std::vector<DryLaw<Real>> tied;     ///< one, of the beam
-    std::vector<CrackLaw<Real>> cracks; ///< by crack ID - 1
-    std::vector<CrushingLaw<Real>> dry_crushing,
-        crack_crushing;                      ///< as dry and cracks; or empty
-    std::vector<WearLaw<Real>> dry_wear;     ///< as dry; or empty
-    Unloading unloading = Unloading::secant; ///< of the cracks of all lanes
-};
 
 /// Where walls are. A step reads and writes all of it.
 /// The paper's wall: 9200 numbers, 74 kB per lane.
