@@ -107,7 +107,7 @@ TEST_CASE("work count: one unit counted by hand", "[bench][work_count]")
     CHECK(w.modes == 3 + 3 + 2); // the beam's sway is prescribed
     // forces and displacements x normal and tangential x ports x modes
     CHECK(w.multiply_adds == 2 * 2 * (6 * 3 + 6 * 3 + 4 * 2));
-    CHECK(w.matrix_numbers == w.multiply_adds); // no two of these blocks are alike
+    CHECK(w.matrix_bytes == 8 * w.multiply_adds); // no two of these blocks are alike
     CHECK(w.dry_laws == 2 + 2);
     CHECK(w.crack_laws == 1);
 }
@@ -138,7 +138,7 @@ TEST_CASE("work count: a pack moves as many bytes as its lanes would apart, tabl
         bench::work_of(dem::step_tables(scenes::model_of(scenes::paper_wall(0.75))));
     const bench::Traffic one = bench::traffic_of(w, 8), eight = bench::traffic_of(w, 64);
     CHECK(eight.written == 8.0 * one.written);
-    const double tables = 8.0 * static_cast<double>(w.matrix_numbers + w.contacts()) +
+    const double tables = static_cast<double>(w.matrix_bytes + 8 * w.contacts()) +
                           4.0 * static_cast<double>(w.ports);
     CHECK(eight.read - tables == 8.0 * (one.read - tables));
     CHECK(eight.state - tables == 8.0 * (one.state - tables));
