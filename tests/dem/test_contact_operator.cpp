@@ -1,7 +1,7 @@
-#include "bits.hpp"
 #include "dem/block/model.hpp"
 #include "dem/contact/contact_operator.hpp"
 #include "dem/solver/step_tables.hpp"
+#include "random_lanes.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,24 +15,10 @@
 namespace {
 
 using dem::ContactOperator;
-using dem::lanes;
 using dem::multiply_add;
+using random_lanes::numbers;
 
 constexpr int kMostPorts = 25, kMostModes = 45;
-
-/// In [-1, 1).
-double number(std::mt19937_64& random)
-{
-    return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
-}
-
-template <class Real> std::vector<Real> numbers(std::size_t n, std::mt19937_64& random)
-{
-    std::vector<Real> v(n);
-    for (Real& x : v)
-        for (int i = 0; i < lanes<Real>; ++i) dem::set_lane(x, i, number(random));
-    return v;
-}
 
 /// A block with ports on some of more contacts, in no order.
 template <class Real> struct Block {
@@ -55,11 +41,7 @@ template <class Real> struct Block {
 
 template <class Real> bool same(const std::vector<Real>& a, const std::vector<Real>& b)
 {
-    bool all = a.size() == b.size();
-    for (std::size_t k = 0; all && k < a.size(); ++k)
-        for (int i = 0; i < lanes<Real>; ++i)
-            all = all && bits::same(dem::lane(a[k], i), dem::lane(b[k], i));
-    return all;
+    return std::ranges::equal(a, b, random_lanes::same<Real>);
 }
 
 /// Row by row of to_modes, each product added in the order of the ports.

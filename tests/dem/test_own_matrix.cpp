@@ -1,9 +1,9 @@
-#include "bits.hpp"
 #include "dem/block/model.hpp"
 #include "dem/contact/contact_operator.hpp"
 #include "dem/scene/drawn_layout.hpp"
 #include "dem/scene/rubble.hpp"
 #include "dem/solver/step_tables.hpp"
+#include "random_lanes.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,30 +16,9 @@
 namespace {
 
 using dem::ContactOperator;
-using dem::lanes;
 using dem::multiply_add;
-
-/// In [-1, 1).
-double number(std::mt19937_64& random)
-{
-    return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
-}
-
-template <class Real> std::vector<Real> numbers(std::size_t n, std::mt19937_64& random)
-{
-    std::vector<Real> v(n);
-    for (Real& x : v)
-        for (int i = 0; i < lanes<Real>; ++i) dem::set_lane(x, i, number(random));
-    return v;
-}
-
-template <class Real> bool same(Real a, Real b)
-{
-    bool all = true;
-    for (int i = 0; i < lanes<Real>; ++i)
-        all = all && bits::same(dem::lane(a, i), dem::lane(b, i));
-    return all;
-}
+using random_lanes::numbers;
+using random_lanes::same;
 
 /// A block with ports on some of more contacts, in no order.
 struct Block {
