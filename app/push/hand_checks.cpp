@@ -75,6 +75,30 @@ void add_missing_limit(const Study& study, const PushedWall& w,
             "load.max_displacement");
 }
 
+/// Small displacements leave a joint the contact that it was built with, however far it slides.
+void add_slid_off(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
+{
+    constexpr double kFar = 0.25; // of its length: a free choice
+    if (study.solver.kinematics != dem::Kinematics::small || dem::failed(w.result.outcome))
+        return;
+    double slid = 0.0, length = 0.0; // [m]
+    for (const dem::FaceState& face : w.result.at_end.faces) {
+        if (face.contacts.size() < 2) continue;
+        const dem::Point from = face.contacts.front().at, to = face.contacts.back().at;
+        const double own = std::hypot(to.x - from.x, to.z - from.z);
+        for (const dem::ContactState& c : face.contacts)
+            if (c.sigma < 0.0 && std::abs(c.slip) > std::max(kFar * own, slid)) {
+                slid = std::abs(c.slip);
+                length = own;
+            }
+    }
+    if (slid > 0.0)
+        remarks.push_back("at the end a joint of " + fixed(1e3 * length, 0) +
+                          " mm has slid by " + fixed(1e3 * slid, 0) +
+                          " mm; small displacements leave it all of its contact: write "
+                          "solver.kinematics = finite");
+}
+
 /// A wall of stiff joints may have its peak, and lose it, between two recorded points.
 void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
 {
@@ -156,6 +180,7 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     HandChecks h = checks_of(study, w);
     add_missing_limit(study, w, h.remarks);
     add_coarse_peak(w, h.remarks);
+    add_slid_off(study, w, h.remarks);
     return h;
 }
 

@@ -317,6 +317,30 @@ TEST_CASE("summary: a peak that comes between two recorded points is remarked",
     CHECK_FALSE(remarked(w));
 }
 
+TEST_CASE("summary: a joint that slid off its neighbour with small displacements is remarked",
+          "[app][summary_json]")
+{
+    const auto remarked = [](double slip, double sigma, const std::string& kinematics) {
+        PushedWall w = good_wall();
+        dem::FaceState joint;
+        joint.kind = dem::FaceKind::head_joint;
+        joint.contacts.resize(2);
+        joint.contacts[1].at.x = 0.1;
+        joint.contacts[1].slip = slip;
+        joint.contacts[1].sigma = sigma;
+        w.result.at_end.faces = {joint};
+        const app::Study study = study_texts::read_good({"solver.kinematics=" + kinematics});
+        const Json j = Json::parse(app::summary_json(study, w)).at("hand_checks");
+        return j.at("remarks").dump().find("a joint of 100 mm has slid by 26 mm") !=
+               std::string::npos;
+    };
+    CHECK(remarked(0.026, -1e6, "small"));
+    CHECK(remarked(-0.026, -1e6, "small"));
+    CHECK_FALSE(remarked(0.024, -1e6, "small")); // a quarter of its length is no fault
+    CHECK_FALSE(remarked(0.026, 0.0, "small"));  // an open joint carries nothing
+    CHECK_FALSE(remarked(0.026, -1e6, "finite"));
+}
+
 TEST_CASE("summary: a run that took no time has no speed", "[app][summary_json]")
 {
     PushedWall w = good_wall();
