@@ -13,8 +13,7 @@ StepWork work_of(const dem::StepTables& t)
         // two products, gather and scatter; two rows per port
         w.multiply_adds += 2LL * 2LL * ports * b.modes;
     }
-    for (const auto& a : t.matrices)
-        w.matrix_bytes += static_cast<long long>(bytes_of(a));
+    for (const auto& a : t.matrices) w.matrix_bytes += static_cast<long long>(bytes_of(a));
     w.dry = t.first_tied;
     w.tied = t.first_crack - t.first_tied;
     w.cracks = t.n_contacts - t.first_crack;
