@@ -1,5 +1,7 @@
 #include "bench/nodal_wall.hpp"
 
+#include "dem/solver/lane_laws.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -15,24 +17,6 @@ using Eigen::VectorXd;
 dem::DryLaw<double> dry_law(const dem::JointMaterial& j)
 {
     return {j.kn, j.ks, 1.0 / j.ks, j.tan_phi};
-}
-
-dem::CrackLaw<double> crack_law(const dem::CrackMaterial& c)
-{
-    dem::CrackLaw<double> law;
-    law.kn = c.kn;
-    law.ks = c.ks;
-    law.inv_ks = 1.0 / c.ks;
-    law.ft = c.ft;
-    law.u_el = c.ft / c.kn;
-    const double u_ul = c.ft > 0.0 ? 2.0 * c.fracture_energy / c.ft : 0.0;
-    law.inv_softening = u_ul > law.u_el ? 1.0 / (u_ul - law.u_el) : dem::kBreaksAtOnce;
-    law.cohesion_res = c.cohesion_res;
-    law.cohesion_drop = c.cohesion - c.cohesion_res;
-    law.tan_phi_res = c.tan_phi_res;
-    law.tan_phi_drop = c.tan_phi - c.tan_phi_res;
-    law.tension_weight = c.tension_reduces_shear ? 1.0 : 0.0;
-    return law;
 }
 
 dem::CrackState<double> uncracked(const dem::CrackLaw<double>& law) { return dem::intact(law); }
@@ -51,7 +35,7 @@ void link_contacts(const dem::Model& m, const dem::WallMaterials& w, NodalWall& 
     for (const dem::Contact& c : m.dry) n.dry.push_back(dry(c));
     for (const dem::Contact& c : m.tied) n.tied.push_back(dry(c));
     for (const dem::Contact& c : m.cracks) {
-        const dem::CrackLaw<double> law = crack_law(w.cracks[c.material]);
+        const dem::CrackLaw<double> law = dem::crack_law(w.cracks[c.material]);
         n.cracks.push_back({2 * c.a, 2 * c.b, c.nx, c.nz, c.area, law, uncracked(law)});
     }
 }

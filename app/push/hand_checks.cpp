@@ -93,9 +93,9 @@ void add_slid_off(const Study& study, const PushedWall& w, std::vector<std::stri
             }
     }
     if (slid > 0.0)
-        remarks.push_back("at the end a joint of " + fixed(1e3 * length, 0) +
-                          " mm has slid by " + fixed(1e3 * slid, 0) +
-                          " mm; small displacements leave it all of its contact: write "
+        remarks.push_back("at the end of the push a joint that is " + fixed(1e3 * length, 0) +
+                          " mm long has slid by " + fixed(1e3 * slid, 0) +
+                          " mm, and small displacements leave it all of its contact; write "
                           "solver.kinematics = finite");
 }
 

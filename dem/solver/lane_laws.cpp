@@ -31,24 +31,6 @@ std::vector<double> stiffness_ratio(const Model& m, const WallMaterials& w)
     return ratio;
 }
 
-CrackLaw<double> crack_law(const CrackMaterial& c)
-{
-    CrackLaw<double> law;
-    law.kn = c.kn;
-    law.ks = c.ks;
-    law.inv_ks = 1.0 / c.ks;
-    law.ft = c.ft;
-    law.u_el = c.ft / c.kn;
-    const double u_ul = c.ft > 0.0 ? 2.0 * c.fracture_energy / c.ft : 0.0;
-    law.inv_softening = u_ul > law.u_el ? 1.0 / (u_ul - law.u_el) : kBreaksAtOnce;
-    law.cohesion_res = c.cohesion_res;
-    law.cohesion_drop = c.cohesion - c.cohesion_res;
-    law.tan_phi_res = c.tan_phi_res;
-    law.tan_phi_drop = c.tan_phi - c.tan_phi_res;
-    law.tension_weight = c.tension_reduces_shear ? 1.0 : 0.0;
-    return law;
-}
-
 template <class Real> void set_law(int i, const JointMaterial& j, DryLaw<Real>& law)
 {
     set_lane(law.kn, i, j.kn);
@@ -164,6 +146,24 @@ void set_weights(const Model& m, const WallMaterials& w, int lane, LaneLaws<Real
 }
 
 } // namespace
+
+CrackLaw<double> crack_law(const CrackMaterial& c)
+{
+    CrackLaw<double> law;
+    law.kn = c.kn;
+    law.ks = c.ks;
+    law.inv_ks = 1.0 / c.ks;
+    law.ft = c.ft;
+    law.u_el = c.ft / c.kn;
+    const double u_ul = c.ft > 0.0 ? 2.0 * c.fracture_energy / c.ft : 0.0;
+    law.inv_softening = u_ul > law.u_el ? 1.0 / (u_ul - law.u_el) : kBreaksAtOnce;
+    law.cohesion_res = c.cohesion_res;
+    law.cohesion_drop = c.cohesion - c.cohesion_res;
+    law.tan_phi_res = c.tan_phi_res;
+    law.tan_phi_drop = c.tan_phi - c.tan_phi_res;
+    law.tension_weight = c.tension_reduces_shear ? 1.0 : 0.0;
+    return law;
+}
 
 template <class Real> LaneLaws<Real> empty_laws(const Model& m, const StepTables& t)
 {

@@ -30,6 +30,9 @@ template <class Real> struct LaneLaws {
     Unloading unloading = Unloading::secant; ///< of the cracks of all lanes
 };
 
+/// The law of a potential crack, or of the bond of a joint with mortar.
+[[nodiscard]] CrackLaw<double> crack_law(const CrackMaterial& material);
+
 /// Laws of a model, of no wall yet; set_laws() fills the lanes.
 template <class Real>
 [[nodiscard]] LaneLaws<Real> empty_laws(const Model& model, const StepTables& tables);

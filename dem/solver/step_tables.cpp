@@ -9,7 +9,7 @@ namespace dem {
 
 namespace {
 
-/// Matrices of all blocks that fit the second cache of today's processors beside the state of a wall.
+/// Matrices of all blocks that are larger together do not fit the second cache of today's processors: a free choice.
 constexpr std::size_t kManyMatrices = 1 << 20; // [bytes]
 
 /// Index of a dry contact's law in LaneLaws::dry.
