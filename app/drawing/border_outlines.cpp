@@ -51,10 +51,8 @@ std::vector<std::vector<dem::Point>> outlines_of(const DrawingFrame& frame,
     for (std::size_t c = 0; c < network.chains.size(); ++c) {
         const Chain& chain = network.chains[c];
         if (chain.gone) continue;
-        if (chain.left != kMortar)
-            own[static_cast<std::size_t>(chain.left)].push_back({c, true});
-        if (chain.right != kMortar)
-            own[static_cast<std::size_t>(chain.right)].push_back({c, false});
+        if (chain.left != kMortar) own[chain.left].push_back({c, true});
+        if (chain.right != kMortar) own[chain.right].push_back({c, false});
     }
     std::vector<std::vector<dem::Point>> outlines;
     for (const std::vector<OwnChain>& chains : own)

@@ -7,17 +7,12 @@
 namespace app {
 namespace {
 
-dem::Point node_at(const OutlineNetwork& network, int n)
-{
-    return network.nodes[static_cast<std::size_t>(n)];
-}
-
 bool contains(const OutlineNetwork& network, const Ring& ring, dem::Point p)
 {
     bool inside = false;
     for (std::size_t i = 0; i < ring.corners.size(); ++i) {
-        const dem::Point a = node_at(network, ring.corners[i]);
-        const dem::Point b = node_at(network, ring.corners[(i + 1) % ring.corners.size()]);
+        const dem::Point a = network.nodes[ring.corners[i]];
+        const dem::Point b = network.nodes[ring.corners[(i + 1) % ring.corners.size()]];
         if ((a.z > p.z) == (b.z > p.z)) continue;
         if (p.x < a.x + (p.z - a.z) / (b.z - a.z) * (b.x - a.x)) inside = !inside;
     }
@@ -30,9 +25,9 @@ struct Box {
 
 Box box_of(const OutlineNetwork& network, const Ring& ring)
 {
-    Box box{node_at(network, ring.corners.front()), node_at(network, ring.corners.front())};
+    Box box{network.nodes[ring.corners.front()], network.nodes[ring.corners.front()]};
     for (const int n : ring.corners) {
-        const dem::Point p = node_at(network, n);
+        const dem::Point p = network.nodes[n];
         box.low = {std::min(box.low.x, p.x), std::min(box.low.z, p.z)};
         box.high = {std::max(box.high.x, p.x), std::max(box.high.z, p.z)};
     }
@@ -45,16 +40,16 @@ struct RingSets {
     explicit RingSets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0); }
     int root(int i)
     {
-        while (parent[static_cast<std::size_t>(i)] != i) {
-            int& up = parent[static_cast<std::size_t>(i)];
-            i = up = parent[static_cast<std::size_t>(up)];
+        while (parent[i] != i) {
+            int& up = parent[i];
+            i = up = parent[up];
         }
         return i;
     }
     void unite(int i, int j)
     {
         const int a = root(i), b = root(j);
-        parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        parent[std::max(a, b)] = std::min(a, b);
     }
 };
 
@@ -66,7 +61,7 @@ void check_hidden(const OutlineNetwork& network, RingSets& touching)
     for (const Ring& ring : network.rings) boxes.push_back(box_of(network, ring));
     for (std::size_t i = 0; i < network.rings.size(); ++i) {
         if (touching.root(static_cast<int>(i)) != static_cast<int>(i)) continue;
-        const dem::Point p = node_at(network, network.rings[i].corners.front());
+        const dem::Point p = network.nodes[network.rings[i].corners.front()];
         for (std::size_t j = 0; j < network.rings.size(); ++j) {
             const Box& box = boxes[j];
             if (p.x < box.low.x || p.x > box.high.x || p.z < box.low.z || p.z > box.high.z)
@@ -104,18 +99,16 @@ void check_floating(const OutlineNetwork& network)
     std::vector<char> stands(network.rings.size());
     for (std::size_t r = 0; r < network.rings.size(); ++r)
         for (const int n : network.rings[r].corners)
-            if (node_at(network, n).z == 0.0)
-                stands[static_cast<std::size_t>(joined.root(static_cast<int>(r)))] = 1;
+            if (network.nodes[n].z == 0.0) stands[joined.root(static_cast<int>(r))] = 1;
     std::size_t floating = 0;
     const Ring* first = nullptr;
     for (std::size_t r = 0; r < network.rings.size(); ++r) {
-        if (stands[static_cast<std::size_t>(joined.root(static_cast<int>(r)))]) continue;
+        if (stands[joined.root(static_cast<int>(r))]) continue;
         if (++floating == 1) first = &network.rings[r];
     }
     if (!first) return;
     refuse(network.frame, first->line,
-           "the block at " +
-               coordinates(network.frame, node_at(network, first->corners.front())) +
+           "the block at " + coordinates(network.frame, network.nodes[first->corners.front()]) +
                " stands neither on the floor nor on blocks that do (" +
                counted(floating, "such block", "such blocks") +
                "); close the gaps, or make wall.snap (" + millimetres(network.snap) +

@@ -9,23 +9,13 @@
 namespace app {
 namespace {
 
-dem::Point position(const OutlineNetwork& network, int n)
-{
-    return network.nodes[static_cast<std::size_t>(n)];
-}
-
-const Ring& ring_at(const OutlineNetwork& network, int r)
-{
-    return network.rings[static_cast<std::size_t>(r)];
-}
-
 [[noreturn]] void refuse_overlap(const OutlineNetwork& network, int one, int other,
                                  dem::Point where)
 {
     const auto [first, second] = std::minmax(one, other);
-    const Ring& ring = ring_at(network, second);
+    const Ring& ring = network.rings[second];
     refuse(network.frame, ring.line,
-           "this block overlaps " + block_name(network, ring_at(network, first)) + " at " +
+           "this block overlaps " + block_name(network, network.rings[first]) + " at " +
                coordinates(network.frame, where) + " by more than wall.snap (" +
                millimetres(network.snap) + "); draw them side by side");
 }
@@ -35,10 +25,10 @@ void check_crossings(const OutlineNetwork& network)
     const NetworkSides all = network_sides(network);
     const std::optional<Crossing> crossing = first_crossing(network.nodes, all.sides);
     if (!crossing) return;
-    const int one = all.ring[static_cast<std::size_t>(crossing->first)];
-    const int other = all.ring[static_cast<std::size_t>(crossing->second)];
+    const int one = all.ring[crossing->first];
+    const int other = all.ring[crossing->second];
     if (one != other) refuse_overlap(network, one, other, crossing->at);
-    refuse(network.frame, ring_at(network, one).line,
+    refuse(network.frame, network.rings[one].line,
            "the outline of this block crosses itself at " +
                coordinates(network.frame, crossing->at) + "; draw its corners in order");
 }
@@ -47,10 +37,10 @@ void check_crossings(const OutlineNetwork& network)
 std::pair<double, double> area_and_length(const OutlineNetwork& network, const Ring& ring)
 {
     double twice = 0.0, length = 0.0;
-    const dem::Point o = position(network, ring.corners.front());
+    const dem::Point o = network.nodes[ring.corners.front()];
     for (std::size_t i = 0; i < ring.corners.size(); ++i) {
-        const dem::Point a = position(network, ring.corners[i]);
-        const dem::Point b = position(network, ring.corners[(i + 1) % ring.corners.size()]);
+        const dem::Point a = network.nodes[ring.corners[i]];
+        const dem::Point b = network.nodes[ring.corners[(i + 1) % ring.corners.size()]];
         twice += (a.x - o.x) * (b.z - o.z) - (a.z - o.z) * (b.x - o.x);
         length += std::hypot(b.x - a.x, b.z - a.z);
     }
@@ -64,7 +54,7 @@ void orient(OutlineNetwork& network)
         if (2.0 * std::abs(area) <= network.snap * length) {
             refuse(network.frame, ring.line,
                    "the block at " +
-                       coordinates(network.frame, position(network, ring.corners.front())) +
+                       coordinates(network.frame, network.nodes[ring.corners.front()]) +
                        " has no area, or is thinner than wall.snap (" +
                        millimetres(network.snap) + "); delete it");
         }
@@ -82,17 +72,17 @@ void check_shared_sides(const OutlineNetwork& network)
             const Side side{ring.corners[i], ring.corners[(i + 1) % ring.corners.size()]};
             const auto [known, is_new] = owner.emplace(side, static_cast<int>(r));
             if (is_new) continue;
-            std::vector<int> a = ring.corners, b = ring_at(network, known->second).corners;
+            std::vector<int> a = ring.corners, b = network.rings[known->second].corners;
             std::sort(a.begin(), a.end());
             std::sort(b.begin(), b.end());
             if (a != b)
                 refuse_overlap(network, known->second, static_cast<int>(r),
-                               position(network, side.a));
+                               network.nodes[side.a]);
             refuse(network.frame, ring.line,
                    "this block is drawn twice: " +
-                       block_name(network, ring_at(network, known->second)) +
+                       block_name(network, network.rings[known->second]) +
                        " has the same corners, such as " +
-                       coordinates(network.frame, position(network, side.a)) +
+                       coordinates(network.frame, network.nodes[side.a]) +
                        "; delete one of them");
         }
     }
@@ -123,12 +113,10 @@ void check_sectors(const OutlineNetwork& network)
     for (std::size_t r = 0; r < network.rings.size(); ++r) {
         const std::vector<int>& c = network.rings[r].corners;
         for (std::size_t i = 0; i < c.size(); ++i) {
-            const dem::Point p = position(network, c[i]);
-            const double begin = direction(p, position(network, c[(i + 1) % c.size()]));
-            const double end =
-                direction(p, position(network, c[(i + c.size() - 1) % c.size()]));
-            around[static_cast<std::size_t>(c[i])].push_back(
-                {begin, turned(end - begin), static_cast<int>(r)});
+            const dem::Point p = network.nodes[c[i]];
+            const double begin = direction(p, network.nodes[c[(i + 1) % c.size()]]);
+            const double end = direction(p, network.nodes[c[(i + c.size() - 1) % c.size()]]);
+            around[c[i]].push_back({begin, turned(end - begin), static_cast<int>(r)});
         }
     }
     for (std::size_t n = 0; n < around.size(); ++n) {

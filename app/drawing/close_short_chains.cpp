@@ -33,11 +33,11 @@ Meeting meeting_of(const ChainNetwork& network, int stones)
     for (std::size_t c = 0; c < network.chains.size(); ++c) {
         const Chain& chain = network.chains[c];
         for (const int j : {chain.from, chain.to}) {
-            m.areas[static_cast<std::size_t>(j)].insert({chain.left, chain.right});
-            m.chains[static_cast<std::size_t>(j)].insert(static_cast<int>(c));
+            m.areas[j].insert({chain.left, chain.right});
+            m.chains[j].insert(static_cast<int>(c));
         }
         for (const int area : {chain.left, chain.right})
-            if (area != kMortar) ++m.borders[static_cast<std::size_t>(area)];
+            if (area != kMortar) ++m.borders[area];
     }
     return m;
 }
@@ -50,7 +50,7 @@ bool can_close(const ChainNetwork& network, const Meeting& m, const Chain& chain
     if (chain.from == chain.to || chain.on_frame()) return false;
     if (network.junctions[from].on_frame && network.junctions[to].on_frame) return false;
     for (const int area : {chain.left, chain.right})
-        if (m.borders[static_cast<std::size_t>(area)] <= kLeastBorders) return false;
+        if (m.borders[area] <= kLeastBorders) return false;
     std::vector<int> common; // a third area at both ends would touch itself
     std::set_intersection(m.areas[from].begin(), m.areas[from].end(), m.areas[to].begin(),
                           m.areas[to].end(), std::back_inserter(common));
@@ -59,7 +59,7 @@ bool can_close(const ChainNetwork& network, const Meeting& m, const Chain& chain
 
 void close_chain(ChainNetwork& network, Meeting& m, int c)
 {
-    Chain& chain = network.chains[static_cast<std::size_t>(c)];
+    Chain& chain = network.chains[c];
     const auto stays = static_cast<std::size_t>(chain.from),
                goes = static_cast<std::size_t>(chain.to);
     Junction &kept = network.junctions[stays], &lost = network.junctions[goes];
@@ -67,14 +67,13 @@ void close_chain(ChainNetwork& network, Meeting& m, int c)
         kept = lost;
     else if (!kept.on_frame)
         kept.at = {0.5 * (kept.at.x + lost.at.x), 0.5 * (kept.at.z + lost.at.z)};
-    for (const int area : {chain.left, chain.right})
-        --m.borders[static_cast<std::size_t>(area)];
+    for (const int area : {chain.left, chain.right}) --m.borders[area];
     chain.gone = true;
     m.areas[stays].insert(m.areas[goes].begin(), m.areas[goes].end());
     m.chains[stays].insert(m.chains[goes].begin(), m.chains[goes].end());
     m.chains[stays].erase(c);
     for (const int other : m.chains[stays]) {
-        Chain& moved = network.chains[static_cast<std::size_t>(other)];
+        Chain& moved = network.chains[other];
         if (moved.from == static_cast<int>(goes)) moved.from = static_cast<int>(stays);
         if (moved.to == static_cast<int>(goes)) moved.to = static_cast<int>(stays);
         if (moved.from == static_cast<int>(stays)) moved.points.front() = kept.at;
@@ -93,7 +92,7 @@ std::size_t close_short_chains(ChainNetwork& network, int stones, double least)
     std::sort(order.begin(), order.end());
     std::size_t closed = 0;
     for (const auto& [length, c] : order) {
-        const Chain& chain = network.chains[static_cast<std::size_t>(c)];
+        const Chain& chain = network.chains[c];
         if (length >= least) break;
         if (length_of(chain) >= least || !can_close(network, m, chain)) continue;
         close_chain(network, m, c);

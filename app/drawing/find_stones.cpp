@@ -49,7 +49,7 @@ TwoGreys two_greys(const Picture& picture, std::size_t pixels)
     for (std::size_t i = 0; i < pixels; ++i) {
         const Colour c = colour_of(picture, i);
         grey += c.is_grey() ? 1 : 0;
-        histogram[static_cast<std::size_t>(c.grey())] += 1.0;
+        histogram[c.grey()] += 1.0;
     }
     const double n = static_cast<double>(pixels);
     double sum = 0.0;

@@ -20,11 +20,6 @@ struct Fitting {
     double farthest = 0.0; ///< that a corner was moved to another [m]
 };
 
-dem::Point at(const OutlineNetwork& network, int n)
-{
-    return network.nodes[static_cast<std::size_t>(n)];
-}
-
 [[noreturn]] void refuse_crowd(const OutlineNetwork& network, const TooCrowded& crowd)
 {
     refuse(network.frame, 0,
@@ -40,7 +35,7 @@ void refuse_repeated(const OutlineNetwork& network, const Ring& ring)
     if (twice == sorted.end()) return;
     refuse(network.frame, ring.line,
            "the outline of this block comes within wall.snap (" + millimetres(network.snap) +
-               ") of itself at " + coordinates(network.frame, at(network, *twice)) +
+               ") of itself at " + coordinates(network.frame, network.nodes[*twice]) +
                "; draw it apart, or make wall.snap smaller");
 }
 
@@ -51,13 +46,13 @@ void renumber(OutlineNetwork& network, const std::vector<int>& node)
         std::vector<int> corners;
         const int old = ring.corners.front();
         for (const int c : ring.corners) {
-            const int n = node[static_cast<std::size_t>(c)];
+            const int n = node[c];
             if (corners.empty() || corners.back() != n) corners.push_back(n);
         }
         while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
         if (corners.size() < 3) {
             refuse(network.frame, ring.line,
-                   "the block at " + coordinates(network.frame, at(network, old)) +
+                   "the block at " + coordinates(network.frame, network.nodes[old]) +
                        " has no area, or is smaller than wall.snap (" +
                        millimetres(network.snap) + "); delete it");
         }
@@ -81,7 +76,7 @@ void join_corners(OutlineNetwork& network, Fitting& fitting)
 {
     const std::vector<int> used = used_nodes(network);
     std::vector<dem::Point> points;
-    for (const int n : used) points.push_back(at(network, n));
+    for (const int n : used) points.push_back(network.nodes[n]);
     const Welded welded = weld(points, network.snap);
     if (welded.farthest > 2.0 * network.snap) {
         refuse(network.frame, 0,
@@ -93,11 +88,9 @@ void join_corners(OutlineNetwork& network, Fitting& fitting)
     fitting.joined += welded.moved;
     fitting.farthest = std::max(fitting.farthest, welded.farthest);
     std::vector<int> node(network.nodes.size());
-    for (std::size_t i = 0; i < used.size(); ++i)
-        node[static_cast<std::size_t>(used[i])] =
-            used[static_cast<std::size_t>(welded.node[i])];
+    for (std::size_t i = 0; i < used.size(); ++i) node[used[i]] = used[welded.node[i]];
     renumber(network, node);
-    const auto now = [&](int n) { return node[static_cast<std::size_t>(n)]; };
+    const auto now = [&](int n) { return node[n]; };
     for (OnSide& o : fitting.on_sides) o = {now(o.a), now(o.n), now(o.b)};
     std::erase_if(fitting.on_sides,
                   [](const OnSide& o) { return o.a == o.n || o.n == o.b || o.a == o.b; });
@@ -109,7 +102,7 @@ dem::Point farthest_from(const OutlineNetwork& network, const Ring& ring, dem::P
     dem::Point found = p;
     double most = 0.0;
     for (const int n : ring.corners) {
-        const dem::Point q = at(network, n);
+        const dem::Point q = network.nodes[n];
         const double distance = std::hypot(q.x - p.x, q.z - p.z);
         if (distance <= most) continue;
         most = distance;
@@ -121,11 +114,11 @@ dem::Point farthest_from(const OutlineNetwork& network, const Ring& ring, dem::P
 void refuse_thin(const OutlineNetwork& network)
 {
     for (const Ring& ring : network.rings) {
-        const dem::Point a = farthest_from(network, ring, at(network, ring.corners.front()));
+        const dem::Point a = farthest_from(network, ring, network.nodes[ring.corners.front()]);
         const dem::Point b = farthest_from(network, ring, a);
         double share = 0.0;
         const bool thin = std::all_of(ring.corners.begin(), ring.corners.end(), [&](int n) {
-            return distance_to_segment(at(network, n), a, b, share) <= network.snap;
+            return distance_to_segment(network.nodes[n], a, b, share) <= network.snap;
         });
         if (!thin) continue;
         refuse(network.frame, ring.line,
@@ -158,8 +151,7 @@ bool put_on_sides(OutlineNetwork& network, Fitting& fitting)
             const int a = ring.corners[i], b = ring.corners[(i + 1) % ring.corners.size()];
             const Side side{std::min(a, b), std::max(a, b)};
             const auto it = std::lower_bound(all.sides.begin(), all.sides.end(), side);
-            const std::vector<int>& between =
-                found[static_cast<std::size_t>(it - all.sides.begin())];
+            const std::vector<int>& between = found[it - all.sides.begin()];
             corners.push_back(a);
             if (a < b)
                 corners.insert(corners.end(), between.begin(), between.end());
@@ -183,15 +175,16 @@ void straighten_sides(OutlineNetwork& network, const Fitting& fitting)
     for (std::size_t sweep = 0; sweep < most && moved; ++sweep) {
         moved = false;
         for (const OnSide& o : fitting.on_sides) {
-            const dem::Point a = at(network, o.a), b = at(network, o.b), p = at(network, o.n);
+            const dem::Point a = network.nodes[o.a], b = network.nodes[o.b],
+                             p = network.nodes[o.n];
             double share = 0.0;
             if (distance_to_segment(p, a, b, share) <= kLeastSnap) continue;
             const dem::Point on{a.x + share * (b.x - a.x),
                                 p.z == 0.0 ? 0.0 : a.z + share * (b.z - a.z)};
-            const dem::Point was = fitting.drawn[static_cast<std::size_t>(o.n)];
+            const dem::Point was = fitting.drawn[o.n];
             if (std::hypot(on.x - was.x, on.z - was.z) > 2.0 * network.snap) continue;
             moved |= std::hypot(on.x - p.x, on.z - p.z) > 0.1 * kLeastSnap;
-            network.nodes[static_cast<std::size_t>(o.n)] = on;
+            network.nodes[o.n] = on;
         }
     }
 }
@@ -201,8 +194,7 @@ void note_fitting(OutlineNetwork& network, const Fitting& fitting)
     std::set<int> on_sides;
     double farthest = 0.0;
     for (const OnSide& o : fitting.on_sides) {
-        const dem::Point was = fitting.drawn[static_cast<std::size_t>(o.n)],
-                         now = at(network, o.n);
+        const dem::Point was = fitting.drawn[o.n], now = network.nodes[o.n];
         on_sides.insert(o.n);
         farthest = std::max(farthest, std::hypot(now.x - was.x, now.z - was.z));
     }

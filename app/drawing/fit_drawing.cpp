@@ -130,8 +130,7 @@ Drawing fit_drawing(RawDrawing raw, double snap)
     Drawing drawing;
     for (const Ring& ring : network.rings) {
         DrawnBlock block;
-        for (const int n : ring.corners)
-            block.outline.push_back(network.nodes[static_cast<std::size_t>(n)]);
+        for (const int n : ring.corners) block.outline.push_back(network.nodes[n]);
         block.layer = ring.layer;
         if (ring.line > 0) block.place = "line " + std::to_string(ring.line);
         drawing.blocks.push_back(std::move(block));

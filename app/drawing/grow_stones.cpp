@@ -98,12 +98,11 @@ void keep_largest_pieces(Labels& labels)
                 queue.push_back(q);
             });
         size.push_back(queue.size());
-        int& best = largest[static_cast<std::size_t>(labels.label[first])];
-        if (best < 0 || size[static_cast<std::size_t>(best)] < queue.size()) best = piece;
+        int& best = largest[labels.label[first]];
+        if (best < 0 || size[best] < queue.size()) best = piece;
     }
     for (std::size_t p = 0; p < labels.label.size(); ++p)
-        if (labels.label[p] != kMortar &&
-            piece_of[p] != largest[static_cast<std::size_t>(labels.label[p])])
+        if (labels.label[p] != kMortar && piece_of[p] != largest[labels.label[p]])
             labels.label[p] = kMortar;
 }
 

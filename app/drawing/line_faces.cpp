@@ -23,11 +23,6 @@ struct LineNetwork {
     std::vector<std::size_t> begin;   ///< of each node's half lines
 };
 
-dem::Point position(const LineNetwork& network, int n)
-{
-    return network.nodes[static_cast<std::size_t>(n)];
-}
-
 /// The pieces between the nodes on each line, each once.
 std::map<Side, int> pieces_of(const RawDrawing& drawing, const std::vector<dem::Point>& nodes,
                               const std::vector<Side>& lines, double snap)
@@ -53,11 +48,7 @@ std::map<Side, int> pieces_of(const RawDrawing& drawing, const std::vector<dem::
         owner.push_back(line);
     }
     if (const std::optional<Crossing> crossing = first_crossing(nodes, sides)) {
-        const auto line = [&](int side) {
-            return drawing
-                .lines[static_cast<std::size_t>(owner[static_cast<std::size_t>(side)])]
-                .line;
-        };
+        const auto line = [&](int side) { return drawing.lines[owner[side]].line; };
         refuse(drawing.frame, line(crossing->second),
                "this line crosses that of line " + std::to_string(line(crossing->first)) +
                    " at " + raw_coordinates(drawing.frame, crossing->at) +
@@ -78,7 +69,7 @@ LineNetwork connected(const RawDrawing& drawing, double snap)
     for (std::size_t i = 0; i < drawing.lines.size(); ++i)
         lines.push_back({welded.node[2 * i], welded.node[2 * i + 1]});
     for (const auto& [side, line] : pieces_of(drawing, network.nodes, lines, snap)) {
-        const dem::Point a = position(network, side.a), b = position(network, side.b);
+        const dem::Point a = network.nodes[side.a], b = network.nodes[side.b];
         network.half_lines.push_back({side.a, side.b, line, std::atan2(b.z - a.z, b.x - a.x)});
         network.half_lines.push_back({side.b, side.a, line, std::atan2(a.z - b.z, a.x - b.x)});
     }
@@ -99,7 +90,7 @@ void refuse_loose_ends(const RawDrawing& drawing, const LineNetwork& network, do
     for (std::size_t n = 0; n < network.nodes.size(); ++n) {
         if (network.begin[n + 1] - network.begin[n] != 1) continue;
         const int line = network.half_lines[network.begin[n]].line;
-        refuse(drawing.frame, drawing.lines[static_cast<std::size_t>(line)].line,
+        refuse(drawing.frame, drawing.lines[line].line,
                "this line ends at " + raw_coordinates(drawing.frame, network.nodes[n]) +
                    ", where within wall.snap (" + millimetres(snap * drawing.frame.unit) +
                    ") no other begins; close the outline, or delete the line");
@@ -115,8 +106,7 @@ std::vector<std::size_t> next_around(const LineNetwork& network)
     }
     std::vector<std::size_t> next;
     for (const HalfLine& h : network.half_lines) {
-        const std::size_t back = index[{h.to, h.from}],
-                          first = network.begin[static_cast<std::size_t>(h.to)];
+        const std::size_t back = index[{h.to, h.from}], first = network.begin[h.to];
         const std::size_t last = network.begin[static_cast<std::size_t>(h.to) + 1] - 1;
         next.push_back(back == first ? last : back - 1); // the next one clockwise
     }
@@ -130,9 +120,8 @@ std::string main_layer(const RawDrawing& drawing, const LineNetwork& network,
     std::map<std::string, double> lengths;
     for (const std::size_t i : face) {
         const HalfLine& h = network.half_lines[i];
-        const dem::Point a = position(network, h.from), b = position(network, h.to);
-        lengths[drawing.lines[static_cast<std::size_t>(h.line)].layer] +=
-            std::hypot(b.x - a.x, b.z - a.z);
+        const dem::Point a = network.nodes[h.from], b = network.nodes[h.to];
+        lengths[drawing.lines[h.line].layer] += std::hypot(b.x - a.x, b.z - a.z);
     }
     const auto longest =
         std::max_element(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) {
@@ -148,11 +137,11 @@ void add_face(RawDrawing& drawing, const LineNetwork& network,
     double twice = 0.0;
     for (const std::size_t i : face) {
         const HalfLine& h = network.half_lines[i];
-        const dem::Point o = position(network, network.half_lines[face.front()].from);
-        const dem::Point a = position(network, h.from), b = position(network, h.to);
+        const dem::Point o = network.nodes[network.half_lines[face.front()].from];
+        const dem::Point a = network.nodes[h.from], b = network.nodes[h.to];
         twice += (a.x - o.x) * (b.z - o.z) - (a.z - o.z) * (b.x - o.x);
         outline.corners.push_back(a);
-        const int line = drawing.lines[static_cast<std::size_t>(h.line)].line;
+        const int line = drawing.lines[h.line].line;
         outline.line = outline.line == 0 ? line : std::min(outline.line, line);
     }
     if (twice <= 0.0) return; // what is around everything
@@ -180,9 +169,9 @@ void add_faces(RawDrawing& drawing, const LineNetwork& network)
     for (std::size_t i = 0; i < none; ++i) {
         const HalfLine& h = network.half_lines[i];
         if (left[{h.to, h.from}] != face_of[i]) continue;
-        refuse(drawing.frame, drawing.lines[static_cast<std::size_t>(h.line)].line,
-               "the line from " + raw_coordinates(drawing.frame, position(network, h.from)) +
-                   " to " + raw_coordinates(drawing.frame, position(network, h.to)) +
+        refuse(drawing.frame, drawing.lines[h.line].line,
+               "the line from " + raw_coordinates(drawing.frame, network.nodes[h.from]) +
+                   " to " + raw_coordinates(drawing.frame, network.nodes[h.to]) +
                    " is no side of a closed outline; delete it");
     }
     for (const std::vector<std::size_t>& face : faces) add_face(drawing, network, face);

@@ -22,16 +22,14 @@ void note_gaps(OutlineNetwork& network)
     }
     for (std::size_t s = 0; s < found.size(); ++s)
         for (const int node : found[s]) {
-            const std::vector<int>& own = rings[static_cast<std::size_t>(node)];
+            const std::vector<int>& own = rings[node];
             if (std::find(own.begin(), own.end(), all.ring[s]) != own.end()) continue;
-            if (std::exchange(counted_node[static_cast<std::size_t>(node)], 1)) continue;
+            if (std::exchange(counted_node[node], 1)) continue;
             double share = 0.0;
             widest = std::max(
-                widest, distance_to_segment(
-                            network.nodes[static_cast<std::size_t>(node)],
-                            network.nodes[static_cast<std::size_t>(all.sides[s].a)],
-                            network.nodes[static_cast<std::size_t>(all.sides[s].b)], share));
-            if (++n == 1) first = network.nodes[static_cast<std::size_t>(node)];
+                widest, distance_to_segment(network.nodes[node], network.nodes[all.sides[s].a],
+                                            network.nodes[all.sides[s].b], share));
+            if (++n == 1) first = network.nodes[node];
         }
     if (n == 0) return;
     network.notes.push_back(

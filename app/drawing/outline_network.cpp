@@ -30,17 +30,14 @@ std::vector<std::vector<int>> rings_of_nodes(const OutlineNetwork& network)
 {
     std::vector<std::vector<int>> rings(network.nodes.size());
     for (std::size_t r = 0; r < network.rings.size(); ++r)
-        for (const int n : network.rings[r].corners)
-            rings[static_cast<std::size_t>(n)].push_back(static_cast<int>(r));
+        for (const int n : network.rings[r].corners) rings[n].push_back(static_cast<int>(r));
     return rings;
 }
 
 std::string block_name(const OutlineNetwork& network, const Ring& ring)
 {
     if (ring.line > 0) return "the block of line " + std::to_string(ring.line);
-    return "the block at " +
-           coordinates(network.frame,
-                       network.nodes[static_cast<std::size_t>(ring.corners.front())]);
+    return "the block at " + coordinates(network.frame, network.nodes[ring.corners.front()]);
 }
 
 } // namespace app

@@ -100,8 +100,8 @@ std::vector<std::string> places_of(const Labels& labels)
     for (int row = 0; row < labels.rows; ++row)
         for (int column = 0; column < labels.columns; ++column) {
             const int stone = labels.at(column, row);
-            if (stone == kMortar || !places[static_cast<std::size_t>(stone)].empty()) continue;
-            places[static_cast<std::size_t>(stone)] =
+            if (stone == kMortar || !places[stone].empty()) continue;
+            places[stone] =
                 "pixel (" + std::to_string(column) + ", " + std::to_string(row) + ")";
         }
     return places;

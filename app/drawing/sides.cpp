@@ -23,9 +23,9 @@ double turn(dem::Point a, dem::Point b, dem::Point c)
 
 int root_of(std::vector<int>& parent, int i)
 {
-    while (parent[static_cast<std::size_t>(i)] != i) {
-        int& up = parent[static_cast<std::size_t>(i)];
-        i = up = parent[static_cast<std::size_t>(up)];
+    while (parent[i] != i) {
+        int& up = parent[i];
+        i = up = parent[up];
     }
     return i;
 }
@@ -33,8 +33,7 @@ int root_of(std::vector<int>& parent, int i)
 void unite(std::vector<int>& parent, int i, int j)
 {
     const int a = root_of(parent, i), b = root_of(parent, j);
-    parent[static_cast<std::size_t>(std::max(a, b))] =
-        std::min(a, b); // the first of them stays
+    parent[std::max(a, b)] = std::min(a, b); // the first of them stays
 }
 
 struct Celled {
@@ -52,10 +51,9 @@ void unite_neighbours(std::vector<int>& parent, std::span<const dem::Point> poin
                      right == 0 && up == 0 ? from.point + 1 : 0};
     for (auto it = std::lower_bound(all.begin(), all.end(), key);
          it != all.end() && it->column == key.column && it->row == key.row; ++it) {
-        const dem::Point p = points[static_cast<std::size_t>(from.point)];
+        const dem::Point p = points[from.point];
         if (++pairs > kMostPairs) throw TooCrowded(p);
-        if (distance(p, points[static_cast<std::size_t>(it->point)]) <= snap)
-            unite(parent, from.point, it->point);
+        if (distance(p, points[it->point]) <= snap) unite(parent, from.point, it->point);
     }
 }
 
@@ -65,14 +63,14 @@ std::vector<int> distinct_points(std::vector<int>& parent, std::span<const dem::
     std::vector<int> order(points.size()), distinct;
     std::iota(order.begin(), order.end(), 0);
     const auto key = [&](int i) {
-        const dem::Point& p = points[static_cast<std::size_t>(i)];
+        const dem::Point& p = points[i];
         return std::pair(p.x, p.z);
     };
     std::sort(order.begin(), order.end(),
               [&](int i, int j) { return std::pair(key(i), i) < std::pair(key(j), j); });
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (!distinct.empty() && key(distinct.back()) == key(order[i])) {
-            parent[static_cast<std::size_t>(order[i])] = distinct.back();
+            parent[order[i]] = distinct.back();
         } else {
             distinct.push_back(order[i]);
         }
@@ -89,7 +87,7 @@ Welded weld(std::span<const dem::Point> points, double snap)
     std::vector<Celled> cells;
     const double size = std::max(snap, 1e-9);
     for (const int i : distinct_points(parent, points)) {
-        const dem::Point& p = points[static_cast<std::size_t>(i)];
+        const dem::Point& p = points[i];
         cells.push_back({static_cast<std::int64_t>(std::floor(p.x / size)),
                          static_cast<std::int64_t>(std::floor(p.z / size)), i});
     }
@@ -102,8 +100,7 @@ Welded weld(std::span<const dem::Point> points, double snap)
     Welded welded;
     for (std::size_t i = 0; i < points.size(); ++i) {
         welded.node.push_back(root_of(parent, static_cast<int>(i)));
-        const double moved =
-            distance(points[i], points[static_cast<std::size_t>(welded.node[i])]);
+        const double moved = distance(points[i], points[welded.node[i]]);
         if (moved > 1e-9) ++welded.moved;
         if (moved <= welded.farthest) continue;
         welded.farthest = moved;
@@ -126,8 +123,7 @@ std::vector<std::vector<int>> nodes_on_sides(std::span<const dem::Point> nodes,
 {
     const PlaneGrid grid(nodes);
     std::vector<char> used(nodes.size());
-    for (const Side& side : sides)
-        used[static_cast<std::size_t>(side.a)] = used[static_cast<std::size_t>(side.b)] = 1;
+    for (const Side& side : sides) used[side.a] = used[side.b] = 1;
     std::vector<std::pair<std::size_t, int>> entries;
     for (std::size_t i = 0; i < nodes.size(); ++i)
         if (used[i]) entries.emplace_back(grid.cell_of(nodes[i]), static_cast<int>(i));
@@ -136,8 +132,7 @@ std::vector<std::vector<int>> nodes_on_sides(std::span<const dem::Point> nodes,
     std::vector<std::pair<double, int>> on_side;
     std::size_t pairs = 0;
     for (std::size_t s = 0; s < sides.size(); ++s) {
-        const dem::Point a = nodes[static_cast<std::size_t>(sides[s].a)],
-                         b = nodes[static_cast<std::size_t>(sides[s].b)];
+        const dem::Point a = nodes[sides[s].a], b = nodes[sides[s].b];
         on_side.clear();
         grid.visit_segment(a, b, snap, [&](std::size_t cell) {
             pairs += 1 + lists[cell].size();
@@ -145,8 +140,7 @@ std::vector<std::vector<int>> nodes_on_sides(std::span<const dem::Point> nodes,
             for (const int n : lists[cell]) {
                 if (n == sides[s].a || n == sides[s].b) continue;
                 double share = 0.0;
-                if (distance_to_segment(nodes[static_cast<std::size_t>(n)], a, b, share) <=
-                    snap)
+                if (distance_to_segment(nodes[n], a, b, share) <= snap)
                     on_side.emplace_back(share, n);
             }
         });
@@ -160,7 +154,7 @@ std::vector<Crossing> all_crossings(std::span<const dem::Point> nodes,
                                     std::span<const Side> sides)
 {
     const PlaneGrid grid(nodes);
-    const auto at = [&](int i) { return nodes[static_cast<std::size_t>(i)]; };
+    const auto at = [&](int i) { return nodes[i]; };
     std::vector<std::pair<std::size_t, int>> entries;
     for (std::size_t s = 0; s < sides.size(); ++s) {
         grid.visit_segment(at(sides[s].a), at(sides[s].b), 0.0, [&](std::size_t cell) {
@@ -172,8 +166,7 @@ std::vector<Crossing> all_crossings(std::span<const dem::Point> nodes,
     std::vector<Crossing> found;
     std::size_t pairs = 0;
     const auto compare = [&](int i, int j) {
-        const Side &s = sides[static_cast<std::size_t>(i)],
-                   &t = sides[static_cast<std::size_t>(j)];
+        const Side &s = sides[i], &t = sides[j];
         if (++pairs > kMostPairs || found.size() > 1'000'000) throw TooCrowded(at(s.a));
         if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) return;
         const double ta = turn(at(s.a), at(s.b), at(t.a)), tb = turn(at(s.a), at(s.b), at(t.b));

@@ -88,12 +88,11 @@ bool mark_conflicts(const ChainSides& all, std::vector<char>& marked)
         nodes_on_sides(all.nodes, all.sides, kTouching);
     std::vector<std::vector<std::size_t>> sides_at(all.nodes.size());
     for (std::size_t s = 0; s < all.sides.size(); ++s)
-        for (const int n : {all.sides[s].a, all.sides[s].b})
-            sides_at[static_cast<std::size_t>(n)].push_back(s);
+        for (const int n : {all.sides[s].a, all.sides[s].b}) sides_at[n].push_back(s);
     for (std::size_t s = 0; s < touching.size(); ++s)
         for (const int n : touching[s]) {
             mark(s);
-            for (const std::size_t other : sides_at[static_cast<std::size_t>(n)]) mark(other);
+            for (const std::size_t other : sides_at[n]) mark(other);
         }
     std::vector<std::pair<Side, std::size_t>> sorted;
     for (std::size_t s = 0; s < all.sides.size(); ++s) sorted.emplace_back(all.sides[s], s);

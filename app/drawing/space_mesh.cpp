@@ -80,7 +80,7 @@ RawOutline flat_outline(const DrawingFrame& frame, const SpaceMesh& mesh,
 {
     RawOutline outline{{}, mesh.layer, mesh.line};
     for (const int i : ring) {
-        const auto& p = mesh.points[static_cast<std::size_t>(i)];
+        const auto& p = mesh.points[i];
         outline.corners.push_back(checked_point(frame, mesh.line, p[0], p[up]));
     }
     return outline;
@@ -91,9 +91,8 @@ std::vector<int> front_of(const SpaceMesh& mesh, std::size_t axis)
     const double front = span_along(mesh, axis).low + kFlat * size_of(mesh);
     std::vector<std::vector<int>> faces;
     for (const auto& face : mesh.faces) {
-        const bool in_front = std::all_of(face.begin(), face.end(), [&](int i) {
-            return mesh.points[static_cast<std::size_t>(i)][axis] <= front;
-        });
+        const bool in_front = std::all_of(face.begin(), face.end(),
+                                          [&](int i) { return mesh.points[i][axis] <= front; });
         if (in_front) faces.push_back(face);
     }
     return outline_of(faces);

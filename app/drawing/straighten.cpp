@@ -18,7 +18,7 @@ bool is_straight(const OutlineNetwork& network, const std::vector<int>& corners,
                  const ThinnedRing& thin, std::size_t i)
 {
     constexpr std::size_t kMost = 2000; // on one straight line; keeps the cost in bounds
-    const auto at = [&](int n) { return network.nodes[static_cast<std::size_t>(n)]; };
+    const auto at = [&](int n) { return network.nodes[n]; };
     const dem::Point a = at(corners[thin.before[i]]), b = at(corners[thin.after[i]]);
     const std::vector<int>&one = thin.left_out[thin.before[i]], &other = thin.left_out[i];
     if (one.size() + other.size() > kMost) return false;
@@ -54,9 +54,7 @@ std::vector<int> straightened(const OutlineNetwork& network, const std::vector<i
     for (bool changed = true; changed;) {
         changed = false;
         for (std::size_t i = 0; i < n; ++i) {
-            if (gone[i] || thin.size <= 3 ||
-                rings[static_cast<std::size_t>(corners[i])].size() > 1)
-                continue;
+            if (gone[i] || thin.size <= 3 || rings[corners[i]].size() > 1) continue;
             if (!is_straight(network, corners, thin, i)) continue;
             leave_out(corners, thin, i);
             gone[i] = 1;

@@ -69,8 +69,8 @@ Chain walk(CornerGrid& grid, const std::vector<int>& junction_at, int x, int y, 
     chain.points.push_back(grid.position(x, y));
     while (true) {
         grid.walked[grid.index(x, y)] |= static_cast<std::uint8_t>(1 << direction);
-        x += kRight[static_cast<std::size_t>(direction)];
-        y += kDown[static_cast<std::size_t>(direction)];
+        x += kRight[direction];
+        y += kDown[direction];
         const int back = (direction + 2) % 4;
         grid.walked[grid.index(x, y)] |= static_cast<std::uint8_t>(1 << back);
         chain.points.push_back(grid.position(x, y));

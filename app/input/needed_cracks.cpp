@@ -62,9 +62,8 @@ std::set<int> used_units(const Study& study, const dem::Model& model)
     for (int level = 0; level < static_cast<int>(study.load.vertical_stress.size()); ++level) {
         const dem::CrackMaterial strength =
             crack_material(study.parameters, study.wall.course_height, level);
-        dem::WallMaterials w = materials(
-            study.parameters, study.wall.course_height, level,
-            study.load.vertical_stress[static_cast<std::size_t>(level)], model.layout);
+        dem::WallMaterials w = materials(study.parameters, study.wall.course_height, level,
+                                         study.load.vertical_stress[level], model.layout);
         for (dem::CrackMaterial& c : w.cracks) c.ft = c.cohesion = kUnbreakable;
         const dem::PushResult r = dem::push(model, w, plan, study.solver);
         if (dem::failed(r.outcome))

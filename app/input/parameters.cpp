@@ -8,7 +8,7 @@ namespace {
 /// The value of one level, from a list with one value for all levels or one for each.
 double at_level(const std::vector<double>& values, int level)
 {
-    return values.size() == 1 ? values.front() : values.at(static_cast<std::size_t>(level));
+    return values.size() == 1 ? values.front() : values.at(level);
 }
 
 dem::JointParameters joint_parameters(const Parameters& p, double course_height, int level)

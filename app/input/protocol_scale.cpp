@@ -26,7 +26,7 @@ Study one_way_study(const Study& study)
 fragility::LimitDisplacement ultimate_of_mean_wall(const Study& s, const dem::Model& model,
                                                    int level)
 {
-    const double stress = s.load.vertical_stress[static_cast<std::size_t>(level)];
+    const double stress = s.load.vertical_stress[level];
     const dem::WallMaterials w =
         materials(s.parameters, s.wall.course_height, level, stress, model.layout);
     const dem::PushResult r = dem::push(model, w, push_plan(s), s.solver);
@@ -58,10 +58,9 @@ void scale_protocol(Study& study)
         const bool seen = is_observed(ultimate);
         const double at = seen ? ultimate.displacement : s.load.max_displacement;
         largest = std::max(largest, at);
-        study.load.scaled +=
-            (level > 0 ? ", " : "") + std::string(seen ? "" : "> ") + fixed(at * 1e3, 2) +
-            " mm under " +
-            number(s.load.vertical_stress[static_cast<std::size_t>(level)] * 1e-6, 6) + " MPa";
+        study.load.scaled += (level > 0 ? ", " : "") + std::string(seen ? "" : "> ") +
+                             fixed(at * 1e3, 2) + " mm under " +
+                             number(s.load.vertical_stress[level] * 1e-6, 6) + " MPa";
     }
     study.load.max_displacement = std::round(largest * 1e5) * 1e-5;
 }

@@ -135,7 +135,7 @@ std::string effective_configuration(const Study& study)
 
 dem::Loads loads(const Study& study, int level)
 {
-    return {study.load.vertical_stress.at(static_cast<std::size_t>(level)),
+    return {study.load.vertical_stress.at(level),
             study.load.height,
             study.load.gravity,
             study.load.top,

@@ -261,8 +261,7 @@ std::string outlines_text(const Study& study)
     std::string text;
     for (const dem::DrawnUnit& unit : g.units) {
         if (!text.empty()) text += "; ";
-        if (unit.material > 0)
-            text += g.layers[static_cast<std::size_t>(unit.material - 1)] + ": ";
+        if (unit.material > 0) text += g.layers[unit.material - 1] + ": ";
         text += outline_text(unit);
     }
     return text;

@@ -18,7 +18,7 @@ bool can_open_first(const Study& study, const dem::FaceState& face, const dem::S
 {
     if (study.wall.base != dem::Base::fixed) return face.kind == dem::FaceKind::base_joint;
     return face.kind == dem::FaceKind::bed_joint && face.block_a >= 0 &&
-           wall.blocks.at(static_cast<std::size_t>(face.block_a)).course == 1;
+           wall.blocks.at(face.block_a).course == 1;
 }
 
 std::optional<double> compression(const Study& study, const dem::Snapshot& wall)

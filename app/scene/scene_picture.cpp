@@ -223,7 +223,7 @@ SceneCounts count_faces(const dem::Layout& layout)
     std::vector<int> seen(static_cast<std::size_t>(layout.n_joints) + 1, 0);
     for (const dem::Face& f : layout.faces) {
         const bool joint = f.kind == FaceKind::bed_joint || f.kind == FaceKind::head_joint;
-        if (joint && seen.at(static_cast<std::size_t>(f.id))++ > 0) continue;
+        if (joint && seen.at(f.id)++ > 0) continue;
         n.beds += f.kind == FaceKind::bed_joint ? 1 : 0;
         n.heads += f.kind == FaceKind::head_joint ? 1 : 0;
         n.cracks += f.kind == FaceKind::unit_crack ? 1 : 0;
@@ -255,7 +255,7 @@ std::string scene_picture(const dem::Layout& layout, std::span<const DrawnBlock>
         svg_text({kMargin, 54.0}, below, "fill=\"#444\"");
     body += draw_units(units, view);
     if (static_cast<std::size_t>(layout.beam) < layout.blocks.size()) {
-        const dem::Block& beam = layout.blocks[static_cast<std::size_t>(layout.beam)];
+        const dem::Block& beam = layout.blocks[layout.beam];
         body += svg_polygon(placed(dem::corners_of(beam), view),
                             svg_attribute("fill", kBeamTint) + std::string(kEdge)) +
                 svg_text({view.place(dem::centre_of(beam)).x,

@@ -30,7 +30,7 @@ std::vector<DrawnBlock> scene_units(const Study& study, const dem::Layout& whole
 {
     std::vector<DrawnBlock> units;
     for (int b = 0; b < whole.beam; ++b) {
-        const dem::Block& block = whole.blocks[static_cast<std::size_t>(b)];
+        const dem::Block& block = whole.blocks[b];
         units.push_back({dem::corners_of(block), layer_of(study, block.material), ""});
     }
     return units;
