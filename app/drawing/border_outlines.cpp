@@ -30,7 +30,7 @@ std::vector<dem::Point> ring_of(const DrawingFrame& frame, const ChainNetwork& n
         if (next == leaving.end() || ++walked > own.size()) break;
         const Chain& chain = network.chains[next->second.chain];
         std::vector<dem::Point> points = simplified.points[next->second.chain];
-        if (!next->second.forward) std::reverse(points.begin(), points.end());
+        if (!next->second.forward) std::ranges::reverse(points);
         ring.insert(ring.end(), points.begin(), points.end() - 1);
         at = next->second.forward ? chain.to : chain.from;
     } while (at != first);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace app {
 namespace {
@@ -34,39 +33,20 @@ Box box_of(const OutlineNetwork& network, const Ring& ring)
     return box;
 }
 
-/// Sets of rings: that of each ring is named by its first.
-struct RingSets {
-    std::vector<int> parent;
-    explicit RingSets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0); }
-    int root(int i)
-    {
-        while (parent[i] != i) {
-            int& up = parent[i];
-            i = up = parent[up];
-        }
-        return i;
-    }
-    void unite(int i, int j)
-    {
-        const int a = root(i), b = root(j);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
-};
-
 /// Where no sides cross and the blocks at each corner lie one after the other, a block within another shares no corner
 /// with it, nor do the blocks that hang together with it: one corner of each such group tells.
-void check_hidden(const OutlineNetwork& network, RingSets& touching)
+void check_hidden(const OutlineNetwork& network, IndexSets& touching)
 {
     std::vector<Box> boxes;
     for (const Ring& ring : network.rings) boxes.push_back(box_of(network, ring));
     for (std::size_t i = 0; i < network.rings.size(); ++i) {
-        if (touching.root(static_cast<int>(i)) != static_cast<int>(i)) continue;
+        if (touching.first_of(static_cast<int>(i)) != static_cast<int>(i)) continue;
         const dem::Point p = network.nodes[network.rings[i].corners.front()];
         for (std::size_t j = 0; j < network.rings.size(); ++j) {
             const Box& box = boxes[j];
             if (p.x < box.low.x || p.x > box.high.x || p.z < box.low.z || p.z > box.high.z)
                 continue;
-            if (touching.root(static_cast<int>(j)) == static_cast<int>(i) ||
+            if (touching.first_of(static_cast<int>(j)) == static_cast<int>(i) ||
                 !contains(network, network.rings[j], p))
                 continue;
             refuse(network.frame, network.rings[i].line,
@@ -77,9 +57,9 @@ void check_hidden(const OutlineNetwork& network, RingSets& touching)
     }
 }
 
-RingSets rings_that_share(const OutlineNetwork& network, bool sides)
+IndexSets rings_that_share(const OutlineNetwork& network, bool sides)
 {
-    RingSets sets(network.rings.size());
+    IndexSets sets(network.rings.size());
     std::map<Side, int> owner;
     for (std::size_t r = 0; r < network.rings.size(); ++r) {
         const std::vector<int>& c = network.rings[r].corners;
@@ -95,15 +75,15 @@ RingSets rings_that_share(const OutlineNetwork& network, bool sides)
 
 void check_floating(const OutlineNetwork& network)
 {
-    RingSets joined = rings_that_share(network, true);
+    IndexSets joined = rings_that_share(network, true);
     std::vector<char> stands(network.rings.size());
     for (std::size_t r = 0; r < network.rings.size(); ++r)
         for (const int n : network.rings[r].corners)
-            if (network.nodes[n].z == 0.0) stands[joined.root(static_cast<int>(r))] = 1;
+            if (network.nodes[n].z == 0.0) stands[joined.first_of(static_cast<int>(r))] = 1;
     std::size_t floating = 0;
     const Ring* first = nullptr;
     for (std::size_t r = 0; r < network.rings.size(); ++r) {
-        if (stands[joined.root(static_cast<int>(r))]) continue;
+        if (stands[joined.first_of(static_cast<int>(r))]) continue;
         if (++floating == 1) first = &network.rings[r];
     }
     if (!first) return;
@@ -119,7 +99,7 @@ void check_floating(const OutlineNetwork& network)
 
 void check_groups(const OutlineNetwork& network)
 {
-    RingSets touching = rings_that_share(network, false);
+    IndexSets touching = rings_that_share(network, false);
     check_hidden(network, touching);
     check_floating(network);
 }

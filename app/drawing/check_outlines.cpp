@@ -73,8 +73,8 @@ void check_shared_sides(const OutlineNetwork& network)
             const auto [known, is_new] = owner.emplace(side, static_cast<int>(r));
             if (is_new) continue;
             std::vector<int> a = ring.corners, b = network.rings[known->second].corners;
-            std::sort(a.begin(), a.end());
-            std::sort(b.begin(), b.end());
+            std::ranges::sort(a);
+            std::ranges::sort(b);
             if (a != b)
                 refuse_overlap(network, known->second, static_cast<int>(r),
                                network.nodes[side.a]);
@@ -122,7 +122,7 @@ void check_sectors(const OutlineNetwork& network)
     for (std::size_t n = 0; n < around.size(); ++n) {
         std::vector<Sector>& sectors = around[n];
         if (sectors.size() < 2) continue;
-        std::sort(sectors.begin(), sectors.end(), [](const Sector& a, const Sector& b) {
+        std::ranges::sort(sectors, [](const Sector& a, const Sector& b) {
             return std::pair(a.begin, a.ring) < std::pair(b.begin, b.ring);
         });
         for (std::size_t i = 0; i < sectors.size(); ++i) {

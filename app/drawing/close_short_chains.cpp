@@ -89,7 +89,7 @@ std::size_t close_short_chains(ChainNetwork& network, int stones, double least)
     std::vector<std::pair<double, int>> order;
     for (std::size_t c = 0; c < network.chains.size(); ++c)
         order.emplace_back(length_of(network.chains[c]), static_cast<int>(c));
-    std::sort(order.begin(), order.end());
+    std::ranges::sort(order);
     std::size_t closed = 0;
     for (const auto& [length, c] : order) {
         const Chain& chain = network.chains[c];

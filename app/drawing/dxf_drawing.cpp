@@ -1,8 +1,9 @@
-#include "app/drawing/dxf_drawing.hpp"
+#include "app/drawing/drawing_formats.hpp"
 
 #include "app/drawing/dxf_entities.hpp"
 #include "app/drawing/dxf_groups.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -18,31 +19,7 @@ void refuse_other_formats(const DrawingFrame& frame, std::string_view bytes)
         refuse(frame, 0, "is a DWG drawing; save it as ASCII DXF");
     }
     if (bytes.find('\0') != std::string_view::npos) {
-        refuse(frame, 0, "holds bytes that are no text; save the drawing as ASCII DXF");
-    }
-}
-
-struct NamedUnit {
-    std::string_view name;
-    double length; ///< [m]; 0: none stated
-};
-
-/// Of the header variable $INSUNITS (DXF reference of Autodesk, HEADER section).
-NamedUnit inserted_unit(int code)
-{
-    switch (code) {
-    case 1:
-        return {"in", 0.0254};
-    case 2:
-        return {"ft", 0.3048};
-    case 4:
-        return {"mm", 1e-3};
-    case 5:
-        return {"cm", 1e-2};
-    case 6:
-        return {"m", 1.0};
-    default:
-        return {"", 0.0};
+        refuse(frame, 0, "holds bytes that are not text; save the drawing as ASCII DXF");
     }
 }
 
@@ -55,9 +32,11 @@ void read_header(DxfContent& content, DxfGroups& groups)
         if (group.code == 0) break;
         if (group.code == 9) wanted = group.value == "$INSUNITS";
         if (group.code != 70 || !wanted) continue;
-        const NamedUnit unit = inserted_unit(dxf_integer(content.drawing.frame, group));
-        content.drawing.own_unit = unit.length;
-        content.drawing.own_unit_name = unit.name;
+        const int code = dxf_integer(content.drawing.frame, group);
+        const auto unit = std::ranges::find(kLengthUnits, code, &LengthUnit::dxf_code);
+        const LengthUnit stated = unit != kLengthUnits.end() ? *unit : LengthUnit{};
+        content.drawing.own_unit = stated.metres;
+        content.drawing.own_unit_name = stated.name;
     }
 }
 
@@ -75,19 +54,6 @@ void read_entities(DxfContent& content, DxfGroups& groups)
         const DxfEntity entity = read_entity(groups, head);
         add_entity(content, entity, groups);
     }
-}
-
-void note_what_was_ignored(DxfContent& content)
-{
-    std::string list;
-    for (const auto& [type, n] : content.ignored) {
-        list += (list.empty() ? "" : ", ") + std::to_string(n) + " " + type;
-    }
-    if (!list.empty())
-        content.drawing.notes.push_back("Ignored, because they are no outlines: " + list + ".");
-    if (content.in_paper_space == 0) return;
-    content.drawing.notes.push_back(counted(content.in_paper_space, "entity", "entities") +
-                                    " of the paper space ignored.");
 }
 
 } // namespace
@@ -119,7 +85,11 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
     if (!has_entities)
         refuse(frame, groups.line(),
                "has no section ENTITIES; draw the outlines of the blocks in the model space");
-    note_what_was_ignored(content);
+    note_ignored(content.drawing, content.ignored);
+    if (content.in_paper_space > 0)
+        content.drawing.notes.push_back(
+            counted(content.in_paper_space, "entity", "entities") + " of the paper space " +
+            (content.in_paper_space == 1 ? "was" : "were") + " ignored.");
     return std::move(content.drawing);
 }
 

@@ -157,21 +157,15 @@ void add_heavy_polyline(DxfContent& content, const DxfEntity& entity, DxfGroups&
     add_outline(drawing, std::move(outline), (a.flags & 1) != 0, content.snap);
 }
 
-void add_line(DxfContent& content, const DxfEntity& entity)
+void add_straight(DxfContent& content, const DxfEntity& entity)
 {
-    RawDrawing& drawing = content.drawing;
-    const DrawingFrame& frame = drawing.frame;
-    if (drawing.lines.size() >= kMostCorners) {
-        refuse(frame, entity.line,
-               "has more than " + std::to_string(kMostCorners) +
-                   " lines; draw a part of the wall");
-    }
+    const DrawingFrame& frame = content.drawing.frame;
     Attributes a;
     if (const DxfGroup* layer = find_group(entity, 8)) a.layer = readable_name(layer->value);
     refuse_height(frame, entity.line, number_of(frame, entity, 30, 0.0),
                   number_of(frame, entity, 31, 0.0));
-    drawing.lines.push_back({point_of(frame, entity, 10, 20), point_of(frame, entity, 11, 21),
-                             a.layer, entity.line});
+    add_line(content.drawing, {point_of(frame, entity, 10, 20), point_of(frame, entity, 11, 21),
+                               a.layer, entity.line});
 }
 
 } // namespace
@@ -199,16 +193,16 @@ void add_entity(DxfContent& content, const DxfEntity& entity, DxfGroups& groups)
         ++content.in_paper_space;
         return;
     }
-    const auto refused = std::find_if(kRefused.begin(), kRefused.end(),
-                                      [&](const Remedy& r) { return r.type == entity.type; });
+    const auto refused =
+        std::ranges::find_if(kRefused, [&](const Remedy& r) { return r.type == entity.type; });
     if (refused != kRefused.end()) {
         refuse(frame, entity.line,
-               "at " + raw_coordinates(frame, point_of(frame, entity, 10, 20)) + " is " +
+               "at " + raw_coordinates(frame, point_of(frame, entity, 10, 20)) + " there is " +
                    std::string(refused->what));
     }
     if (entity.type == "LWPOLYLINE") return add_light_polyline(content, entity);
     if (entity.type == "POLYLINE") return add_heavy_polyline(content, entity, groups);
-    if (entity.type == "LINE") return add_line(content, entity);
+    if (entity.type == "LINE") return add_straight(content, entity);
     if (entity.type == "VERTEX" || entity.type == "SEQEND")
         return; // of a polyline in paper space
     ++content.ignored[readable_name(entity.type.substr(0, 40))];

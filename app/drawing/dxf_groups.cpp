@@ -1,22 +1,12 @@
 #include "app/drawing/dxf_groups.hpp"
 
 #include "app/drawing/drawing_file.hpp"
+#include "app/text/words.hpp"
 
 #include <cmath>
 #include <string>
 
 namespace app {
-namespace {
-
-std::string_view trimmed(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-} // namespace
-
 std::string_view DxfGroups::take_line()
 {
     const std::size_t end = text_.find('\n', at_);
@@ -37,7 +27,7 @@ bool DxfGroups::next(DxfGroup& group)
     if (!read_number(code, number) || number != std::floor(number) || std::abs(number) > 2000) {
         refuse(frame_, line_,
                "\"" + readable_name(code.substr(0, 40)) +
-                   "\" is no group code of DXF; save the drawing as ASCII DXF again");
+                   "\" is not a group code of DXF; save the drawing as ASCII DXF again");
     }
     if (at_ >= text_.size())
         refuse(frame_, line_, "the file ends within a pair; save the drawing as DXF again");
@@ -59,7 +49,7 @@ double dxf_number(const DrawingFrame& frame, const DxfGroup& group)
     if (!read_number(group.value, value)) {
         refuse(frame, group.line,
                "\"" + readable_name(group.value.substr(0, 40)) +
-                   "\" is no number; save the drawing as DXF again");
+                   "\" is not a number; save the drawing as DXF again");
     }
     return value;
 }
@@ -70,7 +60,7 @@ int dxf_integer(const DrawingFrame& frame, const DxfGroup& group)
     if (value != std::floor(value) || std::abs(value) > 1e9) {
         refuse(frame, group.line,
                "\"" + readable_name(group.value.substr(0, 40)) +
-                   "\" is no whole number; save the drawing as DXF again");
+                   "\" is not a whole number; save the drawing as DXF again");
     }
     return static_cast<int>(value);
 }

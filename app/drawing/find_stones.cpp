@@ -98,36 +98,14 @@ struct Pieces {
     std::size_t covered = 0; ///< pixels of stones
 };
 
-/// Collects the connected pixels of one kind, from `first`.
-void collect_piece(const Labels& labels, const std::vector<int>& kind, std::size_t first,
-                   std::vector<char>& seen, std::vector<std::size_t>& piece)
-{
-    piece.assign(1, first);
-    seen[first] = 1;
-    const auto columns = static_cast<std::size_t>(labels.columns), all = labels.label.size();
-    const auto visit = [&](std::size_t pixel) {
-        if (seen[pixel] || kind[pixel] != kind[first]) return;
-        seen[pixel] = 1;
-        piece.push_back(pixel);
-    };
-    for (std::size_t k = 0; k < piece.size(); ++k) {
-        const std::size_t p = piece[k];
-        if (p % columns > 0) visit(p - 1);
-        if (p % columns + 1 < columns) visit(p + 1);
-        if (p >= columns) visit(p - columns);
-        if (p + columns < all) visit(p + columns);
-    }
-}
-
 Pieces number_pieces(const DrawingFrame& frame, Labels& labels, const std::vector<int>& kind,
                      double least_pixels)
 {
     std::vector<char> seen(labels.label.size());
-    std::vector<std::size_t> piece;
     Pieces pieces;
     for (std::size_t i = 0; i < labels.label.size(); ++i) {
         if (seen[i] || kind[i] == kMortar) continue;
-        collect_piece(labels, kind, i, seen, piece);
+        const std::vector<std::size_t> piece = connected(labels, kind, i, seen);
         if (static_cast<double>(piece.size()) < least_pixels) {
             ++pieces.dirt;
             continue;
@@ -180,7 +158,8 @@ Labels find_stones(const DrawingFrame& frame, const Picture& picture, PixelSize 
         fixed(100.0 * share, 1) + " %); the mortar between them was divided at its middle.");
     if (pieces.dirt > 0) {
         notes.push_back(counted(pieces.dirt, "area", "areas") + " smaller than " +
-                        number(least * pixel_area * 1e4, 3) + " cm2 taken as dirt.");
+                        number(least * pixel_area * 1e4, 3) + " cm2 " +
+                        (pieces.dirt == 1 ? "was" : "were") + " taken as dirt.");
     }
     return labels;
 }

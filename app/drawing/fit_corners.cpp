@@ -30,8 +30,8 @@ struct Fitting {
 void refuse_repeated(const OutlineNetwork& network, const Ring& ring)
 {
     std::vector<int> sorted = ring.corners;
-    std::sort(sorted.begin(), sorted.end());
-    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
+    const auto twice = std::ranges::adjacent_find(sorted);
     if (twice == sorted.end()) return;
     refuse(network.frame, ring.line,
            "the outline of this block comes within wall.snap (" + millimetres(network.snap) +
@@ -67,7 +67,7 @@ std::vector<int> used_nodes(const OutlineNetwork& network)
     std::vector<int> used;
     for (const Ring& ring : network.rings)
         used.insert(used.end(), ring.corners.begin(), ring.corners.end());
-    std::sort(used.begin(), used.end());
+    std::ranges::sort(used);
     used.erase(std::unique(used.begin(), used.end()), used.end());
     return used;
 }
@@ -117,7 +117,7 @@ void refuse_thin(const OutlineNetwork& network)
         const dem::Point a = farthest_from(network, ring, network.nodes[ring.corners.front()]);
         const dem::Point b = farthest_from(network, ring, a);
         double share = 0.0;
-        const bool thin = std::all_of(ring.corners.begin(), ring.corners.end(), [&](int n) {
+        const bool thin = std::ranges::all_of(ring.corners, [&](int n) {
             return distance_to_segment(network.nodes[n], a, b, share) <= network.snap;
         });
         if (!thin) continue;
@@ -150,7 +150,7 @@ bool put_on_sides(OutlineNetwork& network, Fitting& fitting)
         for (std::size_t i = 0; i < ring.corners.size(); ++i) {
             const int a = ring.corners[i], b = ring.corners[(i + 1) % ring.corners.size()];
             const Side side{std::min(a, b), std::max(a, b)};
-            const auto it = std::lower_bound(all.sides.begin(), all.sides.end(), side);
+            const auto it = std::ranges::lower_bound(all.sides, side);
             const std::vector<int>& between = found[it - all.sides.begin()];
             corners.push_back(a);
             if (a < b)
@@ -210,9 +210,10 @@ void note_fitting(OutlineNetwork& network, const Fitting& fitting)
             millimetres(farthest) + ".");
     }
     if (fitting.straight > 0) {
-        network.notes.push_back(
-            counted(fitting.straight, "corner", "corners") +
-            " on straight lines left out, where no other block has a corner.");
+        network.notes.push_back(counted(fitting.straight,
+                                        "corner was left out that lies on a straight line",
+                                        "corners were left out that lie on straight lines") +
+                                ", where no other block has a corner.");
     }
 }
 

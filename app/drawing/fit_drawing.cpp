@@ -1,11 +1,10 @@
-#include "app/drawing/fit_drawing.hpp"
+#include "app/drawing/drawing_formats.hpp"
 
 #include "app/drawing/line_faces.hpp"
 #include "app/drawing/outline_network.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -29,20 +28,12 @@ Extent extent_of(const RawDrawing& raw)
     return e;
 }
 
-struct LengthUnit {
-    const char* name;
-    double length; ///< [m]
-};
-constexpr std::array kUnits = {LengthUnit{"mm", 1e-3}, LengthUnit{"cm", 1e-2},
-                               LengthUnit{"m", 1.0}, LengthUnit{"in", 0.0254},
-                               LengthUnit{"ft", 0.3048}};
-
 /// The units that make walls of a usual size.
 std::string units_that_fit(double size)
 {
     std::string names;
-    for (const LengthUnit& unit : kUnits) {
-        const double metres = size * unit.length;
+    for (const LengthUnit& unit : kLengthUnits) {
+        const double metres = size * unit.metres;
         if (metres < 0.3 || metres > 50.0) continue;
         names += (names.empty() ? "" : " or ") + std::string(unit.name);
     }

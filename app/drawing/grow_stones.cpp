@@ -70,40 +70,20 @@ void grow_row(Labels& labels, const InColumn& nearest, PixelSize size, int row,
     }
 }
 
-template <class Visit>
-void visit_neighbours(const Labels& labels, std::size_t p, const Visit& visit)
-{
-    const auto columns = static_cast<std::size_t>(labels.columns);
-    if (p % columns > 0) visit(p - 1);
-    if (p % columns + 1 < columns) visit(p + 1);
-    if (p >= columns) visit(p - columns);
-    if (p + columns < labels.label.size()) visit(p + columns);
-}
-
 /// Of each stone the largest connected piece stays; the others become mortar.
 void keep_largest_pieces(Labels& labels)
 {
-    std::vector<int> piece_of(labels.label.size(), -1);
-    std::vector<std::size_t> queue, size;
-    std::vector<int> largest(static_cast<std::size_t>(labels.stones), -1);
+    std::vector<char> seen(labels.label.size());
+    std::vector<std::vector<std::size_t>> largest(static_cast<std::size_t>(labels.stones));
     for (std::size_t first = 0; first < labels.label.size(); ++first) {
-        if (piece_of[first] >= 0 || labels.label[first] == kMortar) continue;
-        const int piece = static_cast<int>(size.size());
-        queue.assign(1, first);
-        piece_of[first] = piece;
-        for (std::size_t k = 0; k < queue.size(); ++k)
-            visit_neighbours(labels, queue[k], [&](std::size_t q) {
-                if (piece_of[q] >= 0 || labels.label[q] != labels.label[first]) return;
-                piece_of[q] = piece;
-                queue.push_back(q);
-            });
-        size.push_back(queue.size());
-        int& best = largest[labels.label[first]];
-        if (best < 0 || size[best] < queue.size()) best = piece;
+        if (seen[first] || labels.label[first] == kMortar) continue;
+        std::vector<std::size_t> piece = connected(labels, labels.label, first, seen);
+        std::vector<std::size_t>& best = largest[labels.label[first]];
+        if (best.size() < piece.size()) best.swap(piece);
     }
-    for (std::size_t p = 0; p < labels.label.size(); ++p)
-        if (labels.label[p] != kMortar && piece_of[p] != largest[labels.label[p]])
-            labels.label[p] = kMortar;
+    std::ranges::fill(labels.label, kMortar);
+    for (int stone = 0; stone < labels.stones; ++stone)
+        for (const std::size_t p : largest[stone]) labels.label[p] = stone;
 }
 
 /// Mortar is taken pixel by pixel by the stones beside it.
@@ -126,6 +106,20 @@ void fill_mortar(Labels& labels)
 }
 
 } // namespace
+
+std::vector<std::size_t> connected(const Labels& labels, const std::vector<int>& kind,
+                                   std::size_t first, std::vector<char>& seen)
+{
+    std::vector<std::size_t> piece{first};
+    seen[first] = 1;
+    for (std::size_t k = 0; k < piece.size(); ++k)
+        visit_neighbours(labels, piece[k], [&](std::size_t p) {
+            if (seen[p] || kind[p] != kind[first]) return;
+            seen[p] = 1;
+            piece.push_back(p);
+        });
+    return piece;
+}
 
 Labels grow_stones(Labels labels, PixelSize size)
 {

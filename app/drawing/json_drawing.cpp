@@ -1,4 +1,4 @@
-#include "app/drawing/json_drawing.hpp"
+#include "app/drawing/drawing_formats.hpp"
 
 #include "app/drawing/drawing_file.hpp"
 #include "app/drawing/space_mesh.hpp"
@@ -85,7 +85,7 @@ std::array<double, 3> space_point(const DrawingFrame& frame, const json& point, 
         if (point.is_object() && point.contains(kNames[i])) value = &point[kNames[i]];
         if (point.is_array() && i < point.size()) value = &point[i];
         if (value && !value->is_number())
-            refuse(frame, line, "a vertex of a mesh has a coordinate that is no number");
+            refuse(frame, line, "a vertex of a mesh has a coordinate that is not a number");
         if (value) p[i] = value->get<double>();
         p[i] = checked_point(frame, line, p[i], 0.0).x;
     }
@@ -157,7 +157,8 @@ bool add_object(JsonContent& content, const json& object, int line)
     RawDrawing& drawing = content.drawing;
     if (object.contains("outline")) {
         if (!object["outline"].is_array()) {
-            refuse(drawing.frame, line, "\"outline\" is no list; write [[x, y], [x, y], ...]");
+            refuse(drawing.frame, line,
+                   "\"outline\" is not a list; write [[x, y], [x, y], ...]");
         }
         RawOutline outline = outline_of(drawing.frame, object["outline"], line);
         outline.layer = layer_of(object);
@@ -194,7 +195,7 @@ bool take(JsonContent& content, int depth, json::parse_event_t event, json& pars
     case json::parse_event_t::array_start:
         if (depth > kDeepest) {
             refuse(content.drawing.frame, content.line,
-                   "lists within lists, more than 64 deep, are no drawing");
+                   "lists are nested more than 64 deep; no drawing needs that");
         }
         content.begun.resize(level);
         content.begun.push_back(content.line);
@@ -237,7 +238,7 @@ RawDrawing read_json_drawing(const DrawingFrame& frame, std::string_view bytes, 
         const std::size_t from = why.rfind(": ");
         if (from != std::string_view::npos) why.remove_prefix(from + 2);
         refuse(frame, content.line,
-               "is no JSON (" + readable_name(why.substr(0, 200)) +
+               "is not JSON (" + readable_name(why.substr(0, 200)) +
                    "); export the drawing again");
     }
     add_meshes(content.drawing, content.meshes, snap);

@@ -50,9 +50,8 @@ std::map<Side, int> pieces_of(const RawDrawing& drawing, const std::vector<dem::
     if (const std::optional<Crossing> crossing = first_crossing(nodes, sides)) {
         const auto line = [&](int side) { return drawing.lines[owner[side]].line; };
         refuse(drawing.frame, line(crossing->second),
-               "this line crosses that of line " + std::to_string(line(crossing->first)) +
-                   " at " + raw_coordinates(drawing.frame, crossing->at) +
-                   "; let both end there");
+               "this line crosses the one of line " + std::to_string(line(crossing->first)) +
+                   " at " + raw_coordinates(drawing.frame, crossing->at) + "; end both there");
     }
     return pieces;
 }
@@ -73,13 +72,11 @@ LineNetwork connected(const RawDrawing& drawing, double snap)
         network.half_lines.push_back({side.a, side.b, line, std::atan2(b.z - a.z, b.x - a.x)});
         network.half_lines.push_back({side.b, side.a, line, std::atan2(a.z - b.z, a.x - b.x)});
     }
-    std::sort(network.half_lines.begin(), network.half_lines.end(),
-              [](const HalfLine& a, const HalfLine& b) {
-                  return std::tuple(a.from, a.angle, a.to) < std::tuple(b.from, b.angle, b.to);
-              });
+    std::ranges::sort(network.half_lines, [](const HalfLine& a, const HalfLine& b) {
+        return std::tuple(a.from, a.angle, a.to) < std::tuple(b.from, b.angle, b.to);
+    });
     network.begin.assign(network.nodes.size() + 1, 0);
-    for (const HalfLine& h : network.half_lines)
-        ++network.begin[static_cast<std::size_t>(h.from) + 1];
+    for (const HalfLine& h : network.half_lines) ++network.begin[h.from + 1];
     for (std::size_t n = 0; n < network.nodes.size(); ++n)
         network.begin[n + 1] += network.begin[n];
     return network;
@@ -107,7 +104,7 @@ std::vector<std::size_t> next_around(const LineNetwork& network)
     std::vector<std::size_t> next;
     for (const HalfLine& h : network.half_lines) {
         const std::size_t back = index[{h.to, h.from}], first = network.begin[h.to];
-        const std::size_t last = network.begin[static_cast<std::size_t>(h.to) + 1] - 1;
+        const std::size_t last = network.begin[h.to + 1] - 1;
         next.push_back(back == first ? last : back - 1); // the next one clockwise
     }
     return next;
@@ -123,10 +120,9 @@ std::string main_layer(const RawDrawing& drawing, const LineNetwork& network,
         const dem::Point a = network.nodes[h.from], b = network.nodes[h.to];
         lengths[drawing.lines[h.line].layer] += std::hypot(b.x - a.x, b.z - a.z);
     }
-    const auto longest =
-        std::max_element(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) {
-            return a.second < b.second * (1.0 - 1e-9);
-        });
+    const auto longest = std::ranges::max_element(lengths, [](const auto& a, const auto& b) {
+        return a.second < b.second * (1.0 - 1e-9);
+    });
     return longest->first;
 }
 
@@ -172,7 +168,7 @@ void add_faces(RawDrawing& drawing, const LineNetwork& network)
         refuse(drawing.frame, drawing.lines[h.line].line,
                "the line from " + raw_coordinates(drawing.frame, network.nodes[h.from]) +
                    " to " + raw_coordinates(drawing.frame, network.nodes[h.to]) +
-                   " is no side of a closed outline; delete it");
+                   " is not a side of a closed outline; delete it");
     }
     for (const std::vector<std::size_t>& face : faces) add_face(drawing, network, face);
 }
@@ -195,7 +191,7 @@ void add_line_faces(RawDrawing& drawing, double snap)
     }
     drawing.notes.push_back(counted(drawing.lines.size(), "line encloses ", "lines enclose ") +
                             counted(drawing.outlines.size() - before, "block", "blocks") +
-                            "; each area that lines enclose is one, an opening too.");
+                            "; each enclosed area is a block, even an opening.");
 }
 
 } // namespace app

@@ -23,7 +23,7 @@ void note_gaps(OutlineNetwork& network)
     for (std::size_t s = 0; s < found.size(); ++s)
         for (const int node : found[s]) {
             const std::vector<int>& own = rings[node];
-            if (std::find(own.begin(), own.end(), all.ring[s]) != own.end()) continue;
+            if (std::ranges::find(own, all.ring[s]) != own.end()) continue;
             if (std::exchange(counted_node[node], 1)) continue;
             double share = 0.0;
             widest = std::max(
@@ -34,8 +34,9 @@ void note_gaps(OutlineNetwork& network)
     if (n == 0) return;
     network.notes.push_back(
         counted(n, "corner lies", "corners lie") + " near a side of another block, up to " +
-        millimetres(widest) + " away, and do not touch it, such as that at " +
-        coordinates(network.frame, first) + "; a larger wall.snap would close these gaps.");
+        millimetres(widest) + " away, and " + (n == 1 ? "does" : "do") +
+        " not touch it, such as the one at " + coordinates(network.frame, first) +
+        "; a larger wall.snap would close these gaps.");
 }
 
 } // namespace app

@@ -16,7 +16,7 @@ NetworkSides network_sides(const OutlineNetwork& network)
             all.push_back({{std::min(a, b), std::max(a, b)}, static_cast<int>(r)});
         }
     }
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     NetworkSides found;
     for (const auto& [side, ring] : all) {
         if (!found.sides.empty() && found.sides.back() == side) continue;

@@ -40,6 +40,23 @@ struct Labels {
     }
 };
 
+/// Calls visit(index) for the pixels beside pixel p.
+template <class Visit>
+void visit_neighbours(const Labels& labels, std::size_t p, const Visit& visit)
+{
+    const auto columns = static_cast<std::size_t>(labels.columns);
+    if (p % columns > 0) visit(p - 1);
+    if (p % columns + 1 < columns) visit(p + 1);
+    if (p >= columns) visit(p - columns);
+    if (p + columns < labels.label.size()) visit(p + columns);
+}
+
+/// The connected pixels of one kind that `first` is one of. Those that are seen are passed over, and these are seen then.
+/// @param kind of each pixel
+[[nodiscard]] std::vector<std::size_t> connected(const Labels& labels,
+                                                 const std::vector<int>& kind,
+                                                 std::size_t first, std::vector<char>& seen);
+
 /// Size of a pixel.
 struct PixelSize {
     double width = 0.0, height = 0.0; ///< [m]

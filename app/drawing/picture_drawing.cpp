@@ -1,4 +1,4 @@
-#include "app/drawing/picture_drawing.hpp"
+#include "app/drawing/drawing_formats.hpp"
 
 #include "app/drawing/border_chains.hpp"
 #include "app/drawing/picture.hpp"
@@ -79,17 +79,19 @@ void note_borders(Drawing& drawing, const Borders& borders, double simplify)
         before += borders.network.chains[c].points.size() - 1;
         after += borders.simplified.points[c].size() - 1;
     }
-    drawing.notes.push_back("Borders between stones simplified to " + millimetres(simplify) +
-                            ": " + std::to_string(after) + " sides of " +
-                            std::to_string(before) + ".");
+    drawing.notes.push_back("Borders between stones were simplified to " +
+                            millimetres(simplify) + ": " + std::to_string(after) +
+                            " sides of " + std::to_string(before) + ".");
     if (borders.closed > 0) {
-        drawing.notes.push_back(counted(borders.closed, "border", "borders") +
-                                " shorter than " + millimetres(kShortest * simplify) +
-                                " closed to points.");
+        drawing.notes.push_back(
+            counted(borders.closed, "border", "borders") + " shorter than " +
+            millimetres(kShortest * simplify) +
+            (borders.closed == 1 ? " was closed to a point." : " were closed to points."));
     }
     if (borders.simplified.finer > 0) {
-        drawing.notes.push_back(counted(borders.simplified.finer, "border", "borders") +
-                                " simplified less, because they would have touched others.");
+        drawing.notes.push_back(
+            counted(borders.simplified.finer, "border was", "borders were") +
+            " simplified less, to keep clear of others.");
     }
 }
 

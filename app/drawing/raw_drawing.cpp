@@ -34,17 +34,13 @@ std::string millimetres(double length)
     return number(length * 1e3, length < 0.1 ? 3 : 6) + " mm";
 }
 
-std::string counted(std::size_t n, std::string_view one, std::string_view more)
-{
-    return std::to_string(n) + " " + std::string(n == 1 ? one : more);
-}
-
 dem::Point checked_point(const DrawingFrame& frame, int line, double x, double z)
 {
     constexpr double kLargest = 1e9; // 1000 km in mm
     if (!(std::abs(x) <= kLargest && std::abs(z) <= kLargest)) {
-        refuse(frame, line,
-               "a coordinate is no number between -1e9 and 1e9; draw the wall near the origin");
+        refuse(
+            frame, line,
+            "a coordinate is not a number between -1e9 and 1e9; draw the wall near the origin");
     }
     return {x + 0.0, z + 0.0}; // no -0.0
 }
@@ -65,10 +61,29 @@ void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double sn
         refuse(frame, outline.line,
                "this outline is open: it begins at " + raw_coordinates(frame, first) +
                    " and ends at " + raw_coordinates(frame, last) + ", " + millimetres(gap) +
-                   " apart; close it, or delete it if it is no block");
+                   " apart; close it, or delete it if it is not a block");
     }
     if (corners.size() > 1 && gap <= snap) corners.pop_back();
     drawing.outlines.push_back(std::move(outline));
+}
+
+void add_line(RawDrawing& drawing, RawLine line)
+{
+    if (drawing.lines.size() >= kMostCorners) {
+        refuse(drawing.frame, line.line,
+               "has more than " + std::to_string(kMostCorners) +
+                   " lines; draw a part of the wall");
+    }
+    drawing.lines.push_back(std::move(line));
+}
+
+void note_ignored(RawDrawing& drawing, const std::map<std::string, std::size_t>& ignored)
+{
+    if (ignored.empty()) return;
+    std::string list;
+    for (const auto& [kind, n] : ignored)
+        list += (list.empty() ? "" : ", ") + std::to_string(n) + " " + kind;
+    drawing.notes.push_back("These were ignored because they are not outlines: " + list + ".");
 }
 
 } // namespace app

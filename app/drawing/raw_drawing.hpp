@@ -1,9 +1,12 @@
 #pragma once
 /// What a drawing holds before its outlines are fitted together, in its own unit, and how it is refused.
 
+#include "app/text/words.hpp"
 #include "dem/scene/snapshot.hpp"
 
+#include <array>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +15,16 @@ namespace app {
 
 constexpr std::size_t kMostBlocks = 20'000;
 constexpr std::size_t kMostCorners = 1'000'000;
+
+struct LengthUnit {
+    std::string_view name;
+    double metres = 0.0;
+    int dxf_code =
+        0; ///< of the header variable $INSUNITS (DXF reference of Autodesk, HEADER section)
+};
+/// The units that drawings are made in.
+constexpr std::array<LengthUnit, 5> kLengthUnits = {
+    {{"mm", 1e-3, 4}, {"cm", 1e-2, 5}, {"m", 1.0, 6}, {"in", 0.0254, 1}, {"ft", 0.3048, 2}}};
 
 /// A polygon, closed by the side from its last corner to its first.
 struct RawOutline {
@@ -57,13 +70,16 @@ struct RawDrawing {
 /// "0.4 mm" of a length in metres.
 [[nodiscard]] std::string millimetres(double length);
 
-/// "1 block", "2 blocks".
-[[nodiscard]] std::string counted(std::size_t n, std::string_view one, std::string_view more);
-
 /// Adds a chain of corners that is a closed outline: `closed`, or its ends coincide within `snap`.
 /// @param snap [m]
 /// @throws ConfigError if it is open, or a coordinate is no finite number
 void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double snap);
+
+/// @throws ConfigError if there are too many
+void add_line(RawDrawing& drawing, RawLine line);
+
+/// Notes how many of each kind were passed over.
+void note_ignored(RawDrawing& drawing, const std::map<std::string, std::size_t>& ignored);
 
 /// A point whose coordinates are finite and at most 1e9.
 /// @throws ConfigError

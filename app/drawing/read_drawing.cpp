@@ -1,15 +1,11 @@
-#include "app/drawing/drawing.hpp"
 #include "app/drawing/drawing_file.hpp"
-#include "app/drawing/dxf_drawing.hpp"
-#include "app/drawing/fit_drawing.hpp"
-#include "app/drawing/json_drawing.hpp"
-#include "app/drawing/picture_drawing.hpp"
-#include "app/drawing/svg_drawing.hpp"
+#include "app/drawing/drawing_formats.hpp"
 #include "app/text/config_error.hpp"
 #include "dem/scene/drawn_layout.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <boost/algorithm/string/case_conv.hpp>
+
+#include <locale>
 #include <string>
 #include <utility>
 
@@ -19,9 +15,7 @@ namespace {
 std::string extension_of(const std::filesystem::path& path)
 {
     std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    boost::to_lower(extension, std::locale::classic());
     return extension;
 }
 
@@ -60,8 +54,9 @@ Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& op
     if (extension == ".svg")
         return fit_drawing(read_svg(frame, read_drawing_bytes(path), snap), snap);
     if (is_picture(path)) return read_picture(frame, read_drawing_bytes(path), options);
-    throw ConfigError(frame.file, 0, "",
-                      "is no drawing that can be read; give a .dxf, .json, .svg or .png file");
+    throw ConfigError(
+        frame.file, 0, "",
+        "is not a drawing that can be read; give a .dxf, .json, .svg or .png file");
 }
 
 } // namespace app

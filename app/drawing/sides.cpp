@@ -21,21 +21,6 @@ double turn(dem::Point a, dem::Point b, dem::Point c)
     return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
 }
 
-int root_of(std::vector<int>& parent, int i)
-{
-    while (parent[i] != i) {
-        int& up = parent[i];
-        i = up = parent[up];
-    }
-    return i;
-}
-
-void unite(std::vector<int>& parent, int i, int j)
-{
-    const int a = root_of(parent, i), b = root_of(parent, j);
-    parent[std::max(a, b)] = std::min(a, b); // the first of them stays
-}
-
 struct Celled {
     std::int64_t column = 0, row = 0;
     int point = 0;
@@ -43,22 +28,22 @@ struct Celled {
 };
 
 /// Unites the points of one cell with those of the cell at this offset, where they are within snap.
-void unite_neighbours(std::vector<int>& parent, std::span<const dem::Point> points,
+void unite_neighbours(IndexSets& sets, std::span<const dem::Point> points,
                       std::span<const Celled> all, const Celled& from, std::int64_t right,
                       std::int64_t up, double snap, std::size_t& pairs)
 {
     const Celled key{from.column + right, from.row + up,
                      right == 0 && up == 0 ? from.point + 1 : 0};
-    for (auto it = std::lower_bound(all.begin(), all.end(), key);
+    for (auto it = std::ranges::lower_bound(all, key);
          it != all.end() && it->column == key.column && it->row == key.row; ++it) {
         const dem::Point p = points[from.point];
         if (++pairs > kMostPairs) throw TooCrowded(p);
-        if (distance(p, points[it->point]) <= snap) unite(parent, from.point, it->point);
+        if (distance(p, points[it->point]) <= snap) sets.unite(from.point, it->point);
     }
 }
 
 /// Indices of the points that differ from all points before them; the others are united with the first of their kind.
-std::vector<int> distinct_points(std::vector<int>& parent, std::span<const dem::Point> points)
+std::vector<int> distinct_points(IndexSets& sets, std::span<const dem::Point> points)
 {
     std::vector<int> order(points.size()), distinct;
     std::iota(order.begin(), order.end(), 0);
@@ -66,11 +51,11 @@ std::vector<int> distinct_points(std::vector<int>& parent, std::span<const dem::
         const dem::Point& p = points[i];
         return std::pair(p.x, p.z);
     };
-    std::sort(order.begin(), order.end(),
-              [&](int i, int j) { return std::pair(key(i), i) < std::pair(key(j), j); });
+    std::ranges::sort(
+        order, [&](int i, int j) { return std::pair(key(i), i) < std::pair(key(j), j); });
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (!distinct.empty() && key(distinct.back()) == key(order[i])) {
-            parent[order[i]] = distinct.back();
+            sets.unite(distinct.back(), order[i]);
         } else {
             distinct.push_back(order[i]);
         }
@@ -82,24 +67,23 @@ std::vector<int> distinct_points(std::vector<int>& parent, std::span<const dem::
 
 Welded weld(std::span<const dem::Point> points, double snap)
 {
-    std::vector<int> parent(points.size());
-    std::iota(parent.begin(), parent.end(), 0);
+    IndexSets sets(points.size());
     std::vector<Celled> cells;
     const double size = std::max(snap, 1e-9);
-    for (const int i : distinct_points(parent, points)) {
+    for (const int i : distinct_points(sets, points)) {
         const dem::Point& p = points[i];
         cells.push_back({static_cast<std::int64_t>(std::floor(p.x / size)),
                          static_cast<std::int64_t>(std::floor(p.z / size)), i});
     }
-    std::sort(cells.begin(), cells.end());
+    std::ranges::sort(cells);
     std::size_t pairs = 0;
     constexpr std::pair<int, int> kAhead[] = {{0, 0}, {0, 1}, {1, -1}, {1, 0}, {1, 1}};
     for (const Celled& from : cells)
         for (const auto& [right, up] : kAhead)
-            unite_neighbours(parent, points, cells, from, right, up, snap, pairs);
+            unite_neighbours(sets, points, cells, from, right, up, snap, pairs);
     Welded welded;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        welded.node.push_back(root_of(parent, static_cast<int>(i)));
+        welded.node.push_back(sets.first_of(static_cast<int>(i)));
         const double moved = distance(points[i], points[welded.node[i]]);
         if (moved > 1e-9) ++welded.moved;
         if (moved <= welded.farthest) continue;
@@ -144,7 +128,7 @@ std::vector<std::vector<int>> nodes_on_sides(std::span<const dem::Point> nodes,
                     on_side.emplace_back(share, n);
             }
         });
-        std::sort(on_side.begin(), on_side.end());
+        std::ranges::sort(on_side);
         for (const auto& [share, n] : on_side) found[s].push_back(n);
     }
     return found;
@@ -182,8 +166,7 @@ std::vector<Crossing> all_crossings(std::span<const dem::Point> nodes,
             for (std::size_t j = i + 1; j < here.size(); ++j) compare(here[i], here[j]);
     }
     const auto key = [](const Crossing& c) { return std::pair(c.first, c.second); };
-    std::sort(found.begin(), found.end(),
-              [&](const auto& c, const auto& d) { return key(c) < key(d); });
+    std::ranges::sort(found, [&](const auto& c, const auto& d) { return key(c) < key(d); });
     found.erase(std::unique(found.begin(), found.end(),
                             [&](const auto& c, const auto& d) { return key(c) == key(d); }),
                 found.end());

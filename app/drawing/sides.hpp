@@ -3,8 +3,10 @@
 
 #include "dem/scene/snapshot.hpp"
 
+#include <algorithm>
 #include <compare>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -19,6 +21,28 @@ struct TooCrowded : std::runtime_error {
     {
     }
     dem::Point at;
+};
+
+/// Indices from 0 in sets, each of which is named by its first.
+class IndexSets {
+  public:
+    explicit IndexSets(std::size_t n) : parent_(n)
+    {
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
+    [[nodiscard]] int first_of(int i)
+    {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void unite(int i, int j)
+    {
+        const int a = first_of(i), b = first_of(j);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<int> parent_;
 };
 
 struct Welded {

@@ -96,7 +96,7 @@ bool mark_conflicts(const ChainSides& all, std::vector<char>& marked)
         }
     std::vector<std::pair<Side, std::size_t>> sorted;
     for (std::size_t s = 0; s < all.sides.size(); ++s) sorted.emplace_back(all.sides[s], s);
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
         if (sorted[i].first != sorted[i + 1].first) continue;
         mark(sorted[i].second);
@@ -121,14 +121,14 @@ SimplifiedChains simplify_chains(const ChainNetwork& network, double tolerance)
             const double own = halved[c] > kHalvings ? 0.0 : std::ldexp(tolerance, -halved[c]);
             result.points[c] = simplified(network.chains[c].points, own, work);
         }
-        std::fill(marked.begin(), marked.end(), 0);
+        std::ranges::fill(marked, 0);
         result.crossing = mark_conflicts(sides_of(network, result.points), marked);
         if (!result.crossing) break;
         for (std::size_t c = 0; c < marked.size(); ++c)
             if (marked[c]) ++halved[c];
     }
-    result.finer = static_cast<std::size_t>(
-        std::count_if(halved.begin(), halved.end(), [](int n) { return n > 0; }));
+    result.finer =
+        static_cast<std::size_t>(std::ranges::count_if(halved, [](int n) { return n > 0; }));
     return result;
 }
 

@@ -43,7 +43,7 @@ bool is_prism(const SpaceMesh& mesh, std::size_t axis)
 {
     const Span span = span_along(mesh, axis);
     const double width = kFlat * size_of(mesh);
-    return std::all_of(mesh.points.begin(), mesh.points.end(), [&](const auto& p) {
+    return std::ranges::all_of(mesh.points, [&](const auto& p) {
         return p[axis] - span.low <= width || span.high - p[axis] <= width;
     });
 }
@@ -91,8 +91,8 @@ std::vector<int> front_of(const SpaceMesh& mesh, std::size_t axis)
     const double front = span_along(mesh, axis).low + kFlat * size_of(mesh);
     std::vector<std::vector<int>> faces;
     for (const auto& face : mesh.faces) {
-        const bool in_front = std::all_of(face.begin(), face.end(),
-                                          [&](int i) { return mesh.points[i][axis] <= front; });
+        const bool in_front =
+            std::ranges::all_of(face, [&](int i) { return mesh.points[i][axis] <= front; });
         if (in_front) faces.push_back(face);
     }
     return outline_of(faces);
@@ -135,8 +135,8 @@ void add_meshes(RawDrawing& drawing, const std::vector<SpaceMesh>& meshes, doubl
 {
     if (meshes.empty()) return;
     const auto all = [&](auto is, std::size_t axis) {
-        return std::all_of(meshes.begin(), meshes.end(),
-                           [&](const SpaceMesh& mesh) { return is(mesh, axis); });
+        return std::ranges::all_of(meshes,
+                                   [&](const SpaceMesh& mesh) { return is(mesh, axis); });
     };
     for (const std::size_t axis : {std::size_t{1}, std::size_t{2}})
         if (all(is_flat, axis)) return add_flat(drawing, meshes, axis, snap);

@@ -26,8 +26,8 @@ bool is_straight(const OutlineNetwork& network, const std::vector<int>& corners,
     const auto near = [&](int n) {
         return distance_to_segment(at(n), a, b, share) <= network.snap;
     };
-    return near(corners[i]) && std::all_of(one.begin(), one.end(), near) &&
-           std::all_of(other.begin(), other.end(), near);
+    return near(corners[i]) && std::ranges::all_of(one, near) &&
+           std::ranges::all_of(other, near);
 }
 
 void leave_out(const std::vector<int>& corners, ThinnedRing& thin, std::size_t i)

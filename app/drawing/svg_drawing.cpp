@@ -1,4 +1,4 @@
-#include "app/drawing/svg_drawing.hpp"
+#include "app/drawing/drawing_formats.hpp"
 
 #include "app/drawing/drawing_file.hpp"
 #include "app/drawing/svg_geometry.hpp"
@@ -88,16 +88,13 @@ void add_rectangle(SvgContent& content, const SvgElement& element, const SvgGrou
 
 void add_svg_line(SvgContent& content, const SvgElement& element, const SvgGroup& group)
 {
-    if (content.drawing.lines.size() >= kMostCorners) {
-        refuse(content.drawing.frame, element.place.line,
-               "has more than 1000000 lines; draw a part of the wall");
-    }
-    content.drawing.lines.push_back({placed(content, element, group.transform,
-                                            {element.length("x1"), element.length("y1")}),
-                                     placed(content, element, group.transform,
-                                            {element.length("x2"), element.length("y2")}),
-                                     group.label.empty() ? group.id : group.label,
-                                     element.place.line});
+    const auto end = [&](const char* x, const char* y) {
+        return placed(content, element, group.transform,
+                      {element.length(x), element.length(y)});
+    };
+    add_line(content.drawing,
+             {end("x1", "y1"), end("x2", "y2"), group.label.empty() ? group.id : group.label,
+              element.place.line});
 }
 
 /// True if the element draws; what lies within it is then passed over.
@@ -134,14 +131,14 @@ void refuse_shape(const SvgContent& content, const SvgElement& element, const Sv
     };
     if (element.name == "circle" || element.name == "ellipse") {
         refuse(content.drawing.frame, element.place.line,
-               "at " + at("cx", "cy") + " is a " + std::string(element.name) +
+               "at " + at("cx", "cy") + " there is a " + std::string(element.name) +
                    "; convert it to a path of straight pieces");
     }
     if (element.name == "use") {
-        refuse(
-            content.drawing.frame, element.place.line,
-            "at " + at("x", "y") +
-                " is a clone (use); unlink it, so that its outline is in the drawing itself");
+        refuse(content.drawing.frame, element.place.line,
+               "at " + at("x", "y") +
+                   " there is a clone (use); unlink it, so that its outline is in the drawing "
+                   "itself");
     }
     if (element.name == "svg") {
         refuse(content.drawing.frame, element.place.line,
@@ -162,8 +159,8 @@ void read_root(SvgContent& content, const SvgElement& element)
     constexpr std::array<std::pair<std::string_view, double>, 3> kLengths = {
         {{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}}};
     double length = 0.0;
-    const auto known = std::find_if(kLengths.begin(), kLengths.end(),
-                                    [&](const auto& u) { return u.first == unit; });
+    const auto known =
+        std::ranges::find_if(kLengths, [&](const auto& u) { return u.first == unit; });
     const std::vector<SvgPoint> corners = svg_points(element.place, box);
     if (known == kLengths.end() || !read_number(text.substr(0, end), length) ||
         corners.size() != 2)
@@ -185,7 +182,7 @@ void begin_group(SvgContent& content, const SvgElement& element, SvgGroup group)
 {
     if (content.groups.size() >= kDeepestGroup) {
         refuse(content.drawing.frame, element.place.line,
-               "groups within groups, more than 256 deep, are no drawing");
+               "groups are nested more than 256 deep; no drawing needs that");
     }
     if (element.name == "g") {
         const char *label = element.find("inkscape:label"), *id = element.find("id");
@@ -212,7 +209,7 @@ void begin_element(SvgContent& content, std::string_view name, const XML_Char** 
     if (content.groups.empty()) {
         if (name != "svg")
             refuse(content.drawing.frame, element.place.line,
-                   "is no SVG: it begins with <" + readable_name(name.substr(0, 40)) + ">");
+                   "is not SVG: it begins with <" + readable_name(name.substr(0, 40)) + ">");
         read_root(content, element);
         return begin_group(content, element, {});
     }
@@ -221,7 +218,7 @@ void begin_element(SvgContent& content, std::string_view name, const XML_Char** 
     content.skipped = 1;
     if (name.find(':') != std::string_view::npos)
         return; // of the drawing program, such as sodipodi:namedview
-    if (std::find(kSilent.begin(), kSilent.end(), name) != kSilent.end()) return;
+    if (std::ranges::find(kSilent, name) != kSilent.end()) return;
     const SvgGroup group = group_of(content, element);
     if (add_shape(content, element, group)) return;
     refuse_shape(content, element, group);
@@ -267,14 +264,10 @@ RawDrawing read_svg(const DrawingFrame& frame, std::string_view bytes, double sn
     if (content.error) std::rethrow_exception(content.error);
     if (status != XML_STATUS_OK) {
         refuse(frame, static_cast<int>(XML_GetCurrentLineNumber(parser.get())),
-               "is no XML (" + std::string(XML_ErrorString(XML_GetErrorCode(parser.get()))) +
+               "is not XML (" + std::string(XML_ErrorString(XML_GetErrorCode(parser.get()))) +
                    "); export the drawing again");
     }
-    std::string list;
-    for (const auto& [name, n] : content.ignored)
-        list += (list.empty() ? "" : ", ") + std::to_string(n) + " " + name;
-    if (!list.empty())
-        content.drawing.notes.push_back("Ignored, because they are no outlines: " + list + ".");
+    note_ignored(content.drawing, content.ignored);
     return std::move(content.drawing);
 }
 

@@ -96,8 +96,8 @@ const Verb& asked_verb(std::span<const Verb> verbs, const std::vector<po::option
                        std::vector<std::string>& words)
 {
     for (const char* const name : {"help", "version"}) {
-        const bool asked = std::any_of(given.begin(), given.end(),
-                                       [&](const auto& g) { return g.string_key == name; });
+        const bool asked =
+            std::ranges::any_of(given, [&](const auto& g) { return g.string_key == name; });
         if (!asked) continue;
         words.resize(std::min<std::size_t>(words.size(), name == std::string("help") ? 1 : 0));
         return known_verb(verbs, name);

@@ -92,12 +92,11 @@ std::vector<std::string_view> items(std::string_view list)
 std::optional<double> take(Call& call, std::string_view name, std::string_view unit)
 {
     const auto is_it = [&](const Parameter& p) { return p.name == name; };
-    const auto found = std::find_if(call.parameters.begin(), call.parameters.end(), is_it);
+    const auto found = std::ranges::find_if(call.parameters, is_it);
     if (found == call.parameters.end()) return {};
     const double value = parse_quantity(found->value, unit);
     call.parameters.erase(found);
-    if (std::find_if(call.parameters.begin(), call.parameters.end(), is_it) !=
-        call.parameters.end())
+    if (std::ranges::find_if(call.parameters, is_it) != call.parameters.end())
         throw BadValue(in_quotes(name) + " is given twice in " + in_quotes(call.text) +
                        "; keep one of them");
     return value;
@@ -106,7 +105,7 @@ std::optional<double> take(Call& call, std::string_view name, std::string_view u
 bool fits(const MarginalForm& f, const Call& call)
 {
     if (f.name != call.name || f.parameters.size() != call.parameters.size()) return false;
-    return std::all_of(call.parameters.begin(), call.parameters.end(), [&](const Parameter& p) {
+    return std::ranges::all_of(call.parameters, [&](const Parameter& p) {
         return std::ranges::find(f.parameters, p.name, &uq::ShapeParameter::name) !=
                f.parameters.end();
     });
@@ -132,7 +131,7 @@ uq::Shape shape_of(Call& call, std::string_view unit)
 uq::Marginal empirical(std::string_view text, std::string_view unit)
 {
     uq::Empirical data{parse_quantities(inside(text), unit)};
-    std::sort(data.sorted.begin(), data.sorted.end());
+    std::ranges::sort(data.sorted);
     return {data};
 }
 
@@ -140,7 +139,7 @@ uq::Marginal marginal_of(std::string_view text, std::string_view unit)
 {
     Call call = split_call(text);
     const auto names = form_names();
-    if (std::find(names.begin(), names.end(), call.name) == names.end())
+    if (std::ranges::find(names, call.name) == names.end())
         throw BadValue("unknown distribution " + in_quotes(call.name) + "; " +
                        suggestion(call.name, names));
     if (call.name == "empirical") return empirical(text, unit);

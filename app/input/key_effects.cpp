@@ -27,8 +27,8 @@ std::string effect_notes(const Study& study, const Verb& verb)
         const std::string_view why = why_no_effect(key, study);
         // The study of a pushed wall writes out all defaults, and nothing is lost with one that plays no part.
         if (why.empty() || value_text(key, study) == value_text(key, defaults)) continue;
-        const auto found = std::find_if(reasons.begin(), reasons.end(),
-                                        [&](const auto& r) { return r.first == why; });
+        const auto found =
+            std::ranges::find_if(reasons, [&](const auto& r) { return r.first == why; });
         if (found == reasons.end())
             reasons.emplace_back(why, key.name);
         else

@@ -18,8 +18,7 @@ std::vector<std::string_view> section_names(Keys keys)
     std::vector<std::string_view> names;
     for (const Key& key : keys) {
         const std::string_view section = section_of(key.name);
-        if (std::find(names.begin(), names.end(), section) == names.end())
-            names.push_back(section);
+        if (std::ranges::find(names, section) == names.end()) names.push_back(section);
     }
     return names;
 }
@@ -30,7 +29,7 @@ void refuse_unknown_section(const StudyFile& file, Keys keys, int line,
     const std::string_view path = line > 0 ? std::string_view(file.path) : "--set";
     const std::string shown = "[" + std::string(section) + "]";
     const auto names = section_names(keys);
-    if (std::find(names.begin(), names.end(), section) == names.end()) {
+    if (std::ranges::find(names, section) == names.end()) {
         throw ConfigError(path, line, shown, "unknown section; " + suggestion(section, names));
     }
 }

@@ -113,12 +113,11 @@ std::vector<std::string_view> set_words()
 void add_set(const Study& study, std::string_view name, ReadingRules& rules)
 {
     const auto known = fragility::limit_state_sets();
-    const auto set = std::find(known.begin(), known.end(), name);
+    const auto set = std::ranges::find(known, name);
     if (set == known.end() && name != "user")
         throw error_at(study.source, "fragility.limit_states",
                        in_quotes(name) + " is no set; " + suggestion(name, set_words()));
-    if (set != known.end() &&
-        std::find(rules.sets.begin(), rules.sets.end(), *set) == rules.sets.end())
+    if (set != known.end() && std::ranges::find(rules.sets, *set) == rules.sets.end())
         rules.sets.push_back(*set);
     if (set != known.end()) return;
     rules.user = parse_user_states(study.fragility.user_states);

@@ -207,8 +207,8 @@ std::function<bool(std::span<const dem::CurvePoint>)> at_zero_force(int directio
 {
     return [direction](std::span<const dem::CurvePoint> curve) {
         if (direction * curve.back().force > 0.0) return false;
-        return std::any_of(curve.begin(), curve.end(),
-                           [=](const dem::CurvePoint& p) { return direction * p.force > 0.0; });
+        return std::ranges::any_of(
+            curve, [=](const dem::CurvePoint& p) { return direction * p.force > 0.0; });
     };
 }
 

@@ -53,8 +53,8 @@ void check_count(const Study& study, std::string_view key, std::size_t values)
 void check_levels_differ(const Study& study)
 {
     std::vector<double> levels = study.load.vertical_stress;
-    std::sort(levels.begin(), levels.end());
-    const auto twice = std::adjacent_find(levels.begin(), levels.end());
+    std::ranges::sort(levels);
+    const auto twice = std::ranges::adjacent_find(levels);
     if (twice != levels.end()) {
         refuse(study, "load.vertical_stress",
                text(*twice, "MPa") + " is given twice; keep one of them");

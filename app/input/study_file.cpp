@@ -53,8 +53,8 @@ class LineReader {
                            "; write its name alone in brackets, such as [wall]");
         }
         section_ = name;
-        const bool known = std::any_of(file_.sections.begin(), file_.sections.end(),
-                                       [&](const auto& s) { return s.name == section_; });
+        const bool known = std::ranges::any_of(
+            file_.sections, [&](const auto& s) { return s.name == section_; });
         if (!known) file_.sections.push_back({section_, line_});
     }
 
@@ -128,8 +128,8 @@ StudyFile with_overrides(StudyFile file, std::span<const std::string> assignment
                               in_quotes(value) + " has a # or a line break, which a study file "
                                                  "cannot keep in a value; leave it out");
         }
-        const auto given = std::find_if(file.entries.begin(), file.entries.end(),
-                                        [&](const Entry& e) { return e.key == key; });
+        const auto given =
+            std::ranges::find_if(file.entries, [&](const Entry& e) { return e.key == key; });
         if (given == file.entries.end()) {
             file.entries.push_back({key, value, 0});
         } else if (given->line == 0) {
@@ -143,15 +143,15 @@ StudyFile with_overrides(StudyFile file, std::span<const std::string> assignment
 
 const Entry* find_entry(const StudyFile& file, std::string_view key)
 {
-    const auto found = std::find_if(file.entries.begin(), file.entries.end(),
-                                    [&](const Entry& e) { return e.key == key; });
+    const auto found =
+        std::ranges::find_if(file.entries, [&](const Entry& e) { return e.key == key; });
     return found == file.entries.end() ? nullptr : &*found;
 }
 
 const SectionHeader* find_section(const StudyFile& file, std::string_view name)
 {
-    const auto found = std::find_if(file.sections.begin(), file.sections.end(),
-                                    [&](const SectionHeader& s) { return s.name == name; });
+    const auto found = std::ranges::find_if(
+        file.sections, [&](const SectionHeader& s) { return s.name == name; });
     return found == file.sections.end() ? nullptr : &*found;
 }
 

@@ -32,7 +32,7 @@ constexpr std::array kMethods = {named("monte_carlo", ReliabilityMethod::monte_c
 template <std::size_t N> constexpr auto with_responses(const std::array<Named, N>& others)
 {
     std::array<Named, N + kWallResponses.size()> names;
-    std::copy(others.begin(), others.end(), names.begin());
+    std::ranges::copy(others, names.begin());
     for (std::size_t i = 0; i < kWallResponses.size(); ++i)
         names[N + i] = named(kWallResponses[i].name, i);
     return names;
@@ -80,7 +80,7 @@ constexpr Condition kWithLevels{
     "no value is a distribution, or there is only one stress level"};
 constexpr Condition kVariesInWalls{
     [](const Study& s) {
-        return std::any_of(s.random.begin(), s.random.end(), [](const RandomInput& r) {
+        return std::ranges::any_of(s.random, [](const RandomInput& r) {
             return r.varies == Varies::by_joint || r.varies == Varies::by_crack;
         });
     },

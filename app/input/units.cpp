@@ -57,8 +57,8 @@ constexpr std::array kUnits = {
 
 const Unit& unit_named(std::string_view name)
 {
-    const auto found = std::find_if(kUnits.begin(), kUnits.end(),
-                                    [&](const Unit& u) { return u.name == name; });
+    const auto found =
+        std::ranges::find_if(kUnits, [&](const Unit& u) { return u.name == name; });
     assert(found != kUnits.end());
     return *found;
 }
@@ -124,7 +124,7 @@ Parts number_and_unit(std::string_view text, const Unit& unit)
 double in_si(const Parts& parts, const Unit& expected)
 {
     const auto names = alternatives(expected);
-    if (std::find(names.begin(), names.end(), parts.unit) == names.end()) {
+    if (std::ranges::find(names, parts.unit) == names.end()) {
         const std::string is = "unit " + in_quotes(parts.unit);
         if (parts.unit.starts_with('/')) {
             throw BadValue(in_quotes(std::string(parts.number_text) + std::string(parts.unit)) +
@@ -179,7 +179,7 @@ std::vector<double> parse_quantities(std::string_view text, std::string_view uni
     if (std::all_of(parts.begin(), parts.end() - 1, is_bare)) {
         for (Parts& p : parts) p.unit = parts.back().unit;
     }
-    if (!unit.empty() && std::any_of(parts.begin(), parts.end(), is_bare)) {
+    if (!unit.empty() && std::ranges::any_of(parts, is_bare)) {
         throw BadValue(is_bare(parts.back()) && is_bare(parts.front())
                            ? "missing unit; write " + example(text, expected)
                            : "missing unit in " + in_quotes(text) +
@@ -235,7 +235,7 @@ std::string format_quantities(std::span<const double> si, std::string_view unit)
     };
     const std::string text = text_in(wanted);
     const std::vector<double> back = parse_quantities(text, unit);
-    if (std::equal(si.begin(), si.end(), back.begin(), back.end())) return text;
+    if (std::ranges::equal(si, back)) return text;
     return text_in(unit_named(alternatives(wanted).front()));
 }
 

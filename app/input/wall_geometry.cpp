@@ -48,7 +48,7 @@ std::pair<std::string, std::string_view> named_part(std::string_view text)
 /// 0 where the layer is of the wall's own stone.
 int material_of(const std::vector<std::string>& layers, std::string_view layer)
 {
-    const auto at = std::find(layers.begin(), layers.end(), layer);
+    const auto at = std::ranges::find(layers, layer);
     return at == layers.end() ? 0 : 1 + static_cast<int>(at - layers.begin());
 }
 

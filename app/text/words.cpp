@@ -51,6 +51,11 @@ std::string listed(std::span<const std::string_view> words)
     return text;
 }
 
+std::string counted(std::size_t n, std::string_view one, std::string_view more)
+{
+    return std::to_string(n) + ' ' + std::string(n == 1 ? one : more);
+}
+
 int edit_distance(std::string_view a, std::string_view b)
 {
     std::vector<int> row(b.size() + 1); // distance of a[0, i) to each b[0, j)

@@ -1,6 +1,7 @@
 #pragma once
 /// Words in messages: quoted, listed, and the one that was probably meant.
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ namespace app {
 
 /// "m, cm or mm"
 [[nodiscard]] std::string listed(std::span<const std::string_view> words);
+
+/// "1 block", "2 blocks".
+[[nodiscard]] std::string counted(std::size_t n, std::string_view one, std::string_view more);
 
 /// Fewest letters to insert, delete or replace (Levenshtein).
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);

@@ -86,15 +86,15 @@ TEST_CASE("bad drawing: what JSON cannot be is refused with its line", "[app][ba
     check(
         {{"w.json", "", "w.json: is empty", ""},
          {"w.json", "{\"blocks\": []}", "w.json: holds no blocks", "[[[x, y]"},
-         {"w.json", "{\n\"blocks\": [[[0, 0], [1, 0],", "w.json:2: is no JSON",
+         {"w.json", "{\n\"blocks\": [[[0, 0], [1, 0],", "w.json:2: is not JSON",
           "unexpected end of input"},
          {"w.json", "{\"blocks\": [\n[[0, 0], [1], [1, 1]]]}",
           "w.json:2: a corner is not [x, y]", ""},
-         {"w.json", "{\"blocks\": [\n[[0, 0], [1e999, 0], [1, 1]]]}", "w.json:2: is no JSON",
+         {"w.json", "{\"blocks\": [\n[[0, 0], [1e999, 0], [1, 1]]]}", "w.json:2: is not JSON",
           "number overflow"},
          {"w.json", "{\"blocks\": [\n[[0, 0], [1e10, 0], [1, 1]]]}",
-          "w.json:2: a coordinate is no number between", ""},
-         {"w.json", std::string(100'000, '['), "w.json:1: lists within lists", ""},
+          "w.json:2: a coordinate is not a number between", ""},
+         {"w.json", std::string(100'000, '['), "w.json:1: lists are nested", ""},
          {"w.json", R"({"vertex": {"0": {"x": 0}}, "face": {"0": [0, 1, 2]}})",
           "w.json:1: a face of a mesh names a vertex", ""},
          {"w.json",
@@ -113,9 +113,9 @@ TEST_CASE(
           "w.dxf:6: this outline is open: it begins at (0, 0)",
           "ends at (0, 1), 1000 mm apart"},
          {"w.dxf", dxf_text(block + "0\nARC\n8\n0\n10\n2\n20\n3\n40\n1\n50\n0\n51\n90\n"),
-          "w.dxf:30: at (2, 3) is an arc", "straight pieces"},
+          "w.dxf:30: at (2, 3) there is an arc", "straight pieces"},
          {"w.dxf", dxf_text("0\nCIRCLE\n10\n2\n20\n3\n40\n1\n"),
-          "w.dxf:6: at (2, 3) is a circle", ""},
+          "w.dxf:6: at (2, 3) there is a circle", ""},
          {"w.dxf", dxf_text("0\nELLIPSE\n10\n2\n20\n3\n"), "w.dxf:6: at (2, 3) is an ellipse",
           ""},
          {"w.dxf", dxf_text("0\nSPLINE\n10\n2\n20\n3\n"), "w.dxf:6: at (2, 3) is a spline", ""},
@@ -134,21 +134,21 @@ TEST_CASE(
                    dxf_line(1, 1, 2, 2)),
           "w.dxf:42: this line ends at (2, 2)", "no other begins"},
          {"w.dxf", dxf_text(dxf_line(0, 0, 1, 1) + dxf_line(1, 0, 0, 1)),
-          "w.dxf:", "at (0.5, 0.5); let both end there"},
+          "w.dxf:", "at (0.5, 0.5); end both there"},
          {"w.dxf",
           dxf_text(dxf_line(0, 0, 1, 0) + dxf_line(1, 0, 1, 1) + dxf_line(1, 1, 0, 0) +
                    dxf_line(1, 0, 3, 0) + dxf_line(3, 0, 4, 0) + dxf_line(4, 0, 4, 1) +
                    dxf_line(4, 1, 3, 0)),
-          "w.dxf:42: the line from (1, 0) to (3, 0) is no side", ""},
-         {"w.dxf", dxf_text("0\nLWPOLYLINE\n10\nnan\n20\n0\n"), "w.dxf:8: \"nan\" is no number",
+          "w.dxf:42: the line from (1, 0) to (3, 0) is not a side", ""},
+         {"w.dxf", dxf_text("0\nLWPOLYLINE\n10\nnan\n20\n0\n"), "w.dxf:8: \"nan\" is not a number",
           ""},
-         {"w.dxf", dxf_text("x\nLWPOLYLINE\n"), "w.dxf:5: \"x\" is no group code", "ASCII DXF"},
+         {"w.dxf", dxf_text("x\nLWPOLYLINE\n"), "w.dxf:5: \"x\" is not a group code", "ASCII DXF"},
          {"w.dxf", "0\nSECTION\n2\nENTITIES\n" + block, "w.dxf:28: the file ends without EOF",
           "cut off"},
          {"w.dxf", "AutoCAD Binary DXF\r\n\x1a", "w.dxf: is a binary DXF", "ASCII"},
          {"w.dxf", "0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nEOF\n",
           "w.dxf:8: has no section ENTITIES", ""},
-         {"w.obj", "v 0 0 0\n", "w.obj: is no drawing that can be read", ".dxf"}});
+         {"w.obj", "v 0 0 0\n", "w.obj: is not a drawing that can be read", ".dxf"}});
 }
 
 TEST_CASE("bad drawing: more than can be a wall is refused at once", "[app][bad_drawing]")

@@ -126,7 +126,7 @@ TEST_CASE("drawing fit: corners on straight lines go unless another block has a 
         kMillimetres);
     CHECK(wall.blocks[0].outline.size() == 5);
     CHECK(wall.blocks[2].outline.size() == 5); // 1 mm is a corner
-    CHECK(scenes::notes(wall, "3 corners on straight lines left out"));
+    CHECK(scenes::notes(wall, "3 corners were left out that lie on straight lines"));
 }
 
 TEST_CASE("drawing fit: the same drawing gives the same bits, and a fitted one stays as it is",
@@ -154,6 +154,6 @@ TEST_CASE("drawing fit: gaps a little wider than snap are told", "[app][drawing_
     const app::Drawing wall = drawing_of(
         "w.json", json_text({rectangle(0, 0, 100, 100), rectangle(101, 0, 200, 100)}),
         kMillimetres);
-    CHECK(scenes::notes(wall, "up to 1 mm away, and do not touch it"));
+    CHECK(scenes::notes(wall, "up to 1 mm away, and does not touch it"));
     CHECK(scenes::common_sides(wall) == 0);
 }

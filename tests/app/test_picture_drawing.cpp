@@ -157,7 +157,7 @@ TEST_CASE("picture drawing: white stones grow to the middle of the mortar and fi
     CHECK(wall.blocks[1].place == "pixel (110, 4)");
     CHECK(scenes::notes(wall, "bright stones (grey 255 of 255) on dark mortar (0)"));
     CHECK(scenes::notes(wall, "3 stones cover 1.664 m2 of 2 m2 (83.2 %)"));
-    CHECK(scenes::notes(wall, "1 area smaller than 36 cm2 taken as dirt"));
+    CHECK(scenes::notes(wall, "1 area smaller than 36 cm2 was taken as dirt"));
 }
 
 TEST_CASE("picture drawing: stones of one colour each may touch, and black is mortar",
@@ -230,7 +230,7 @@ TEST_CASE("picture drawing: stones thinner than the tolerance keep their place b
     CHECK(wall.blocks.size() == 3);
     check_fills(wall, 2.0, 1.0);
     CHECK(crossings(wall) == 0);
-    CHECK(scenes::notes(wall, "simplified less, because they would have touched others"));
+    CHECK(scenes::notes(wall, "simplified less, to keep clear of others"));
 }
 
 TEST_CASE("picture drawing: stones that grow stay in one piece", "[app][picture_drawing]")
@@ -295,7 +295,7 @@ TEST_CASE("picture drawing: borders much shorter than the tolerance are closed t
     CHECK(scenes::common_sides(wall(0.009)) ==
           5); // the short one, of 20 mm, has a side of its own
     CHECK(scenes::common_sides(wall(0.011)) == 4); // 22 mm
-    CHECK(scenes::notes(wall(0.011), "1 border shorter than 22 mm closed to points"));
+    CHECK(scenes::notes(wall(0.011), "1 border shorter than 22 mm was closed to a point"));
     check_fills(wall(0.011), 1.0, 1.0);
 }
 

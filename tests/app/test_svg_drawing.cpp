@@ -73,8 +73,8 @@ TEST_CASE("svg drawing: what has no straight outline is refused with line and co
     CHECK(why("<path d=\"M0 0 L3 4 C 5 5 6 6 7 7 Z\"/>")
               .starts_with("w.svg:3: a path has a curve (C) that begins at (3, 4)"));
     CHECK(why("\n<circle cx=\"3\" cy=\"4\" r=\"1\"/>")
-              .starts_with("w.svg:4: at (3, 4) is a circle"));
-    CHECK(why("<use x=\"1\" y=\"2\"/>").starts_with("w.svg:3: at (1, 2) is a clone"));
+              .starts_with("w.svg:4: at (3, 4) there is a circle"));
+    CHECK(why("<use x=\"1\" y=\"2\"/>").starts_with("w.svg:3: at (1, 2) there is a clone"));
     CHECK(why("<rect width=\"3\" height=\"4\" rx=\"1\"/>")
               .starts_with("w.svg:3: the rectangle at (0, 0) has rounded corners"));
     CHECK(why("<rect width=\"3mm\" height=\"4\"/>").starts_with("w.svg:3: width is \"3mm\""));
@@ -86,9 +86,9 @@ TEST_CASE("svg drawing: what has no straight outline is refused with line and co
     CHECK(
         why("<path d=\"M0 0 L1 nan\"/>").starts_with("w.svg:3: expected a number at \"nan\""));
     CHECK(why("<path d=\"M0 0 X\"/>").starts_with("w.svg:3: a path has the command \"X\""));
-    CHECK(why("<g>").starts_with("w.svg:4: is no XML (mismatched tag)"));
+    CHECK(why("<g>").starts_with("w.svg:4: is not XML (mismatched tag)"));
     CHECK(why("").starts_with("w.svg: holds no closed outline"));
-    CHECK(refusal("w.svg", "<html/>").starts_with("w.svg:1: is no SVG: it begins with <html>"));
+    CHECK(refusal("w.svg", "<html/>").starts_with("w.svg:1: is not SVG: it begins with <html>"));
     std::string deep;
     for (int i = 0; i < 100'000; ++i) deep += "<g>";
     CHECK(why(deep).find("more than 256 deep") != std::string::npos);
