@@ -1,16 +1,10 @@
 #include "app/verbs.hpp"
 
+#include "app/commands.hpp"
 #include "app/fragility/fragility_command.hpp"
 #include "app/input/command_line.hpp"
-#include "app/push/push_command.hpp"
-#include "app/reliability/reliability_command.hpp"
 #include "app/report/report_command.hpp"
-#include "app/scene/scene_command.hpp"
-#include "app/serve/serve_command.hpp"
-#include "app/study/curves_command.hpp"
 #include "app/study/interrupt.hpp"
-#include "app/study/merge_command.hpp"
-#include "app/study/sample_command.hpp"
 #include "app/study/study_command.hpp"
 #include "app/version.hpp"
 

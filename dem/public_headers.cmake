@@ -6,14 +6,20 @@ set(DEM_PUBLIC_HEADERS
     block/face_rule.hpp
     block/model.hpp
     contact/contact_options.hpp
+    scene/bond_indices.hpp
     scene/crack_pattern.hpp
     scene/drawn_layout.hpp
     scene/layout.hpp
     scene/mechanism.hpp
     scene/paper_materials.hpp
+    scene/polygon.hpp
+    scene/quality_terms.hpp
+    scene/rigid_wall.hpp
     scene/snapshot.hpp
+    scene/snapshot_reading.hpp
     scene/wall.hpp
     solver/curve_point.hpp
+    solver/cyclic_protocol.hpp
     solver/energy.hpp
     solver/ensemble.hpp
     solver/push.hpp

@@ -1,4 +1,5 @@
 #include "app/drawing/outline_network.hpp"
+#include "dem/scene/polygon.hpp"
 
 #include <algorithm>
 #include <map>
@@ -6,48 +7,24 @@
 namespace app {
 namespace {
 
-bool contains(const OutlineNetwork& network, const Ring& ring, dem::Point p)
-{
-    bool inside = false;
-    for (std::size_t i = 0; i < ring.corners.size(); ++i) {
-        const dem::Point a = network.nodes[ring.corners[i]];
-        const dem::Point b = network.nodes[ring.corners[(i + 1) % ring.corners.size()]];
-        if ((a.z > p.z) == (b.z > p.z)) continue;
-        if (p.x < a.x + (p.z - a.z) / (b.z - a.z) * (b.x - a.x)) inside = !inside;
-    }
-    return inside;
-}
-
-struct Box {
-    dem::Point low, high;
-};
-
-Box box_of(const OutlineNetwork& network, const Ring& ring)
-{
-    Box box{network.nodes[ring.corners.front()], network.nodes[ring.corners.front()]};
-    for (const int n : ring.corners) {
-        const dem::Point p = network.nodes[n];
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.z, p.z)};
-    }
-    return box;
-}
-
 /// Where no sides cross and the blocks at each corner lie one after the other, a block within another shares no corner
 /// with it, nor do the blocks that hang together with it: one corner of each such group tells.
 void check_hidden(const OutlineNetwork& network, IndexSets& touching)
 {
-    std::vector<Box> boxes;
-    for (const Ring& ring : network.rings) boxes.push_back(box_of(network, ring));
+    std::vector<std::vector<dem::Point>> outlines;
+    std::vector<dem::Region> extents;
+    for (const Ring& ring : network.rings) {
+        outlines.push_back(outline_of(network, ring));
+        extents.push_back(dem::extent_of(outlines.back()));
+    }
     for (std::size_t i = 0; i < network.rings.size(); ++i) {
         if (touching.first_of(static_cast<int>(i)) != static_cast<int>(i)) continue;
         const dem::Point p = network.nodes[network.rings[i].corners.front()];
         for (std::size_t j = 0; j < network.rings.size(); ++j) {
-            const Box& box = boxes[j];
-            if (p.x < box.low.x || p.x > box.high.x || p.z < box.low.z || p.z > box.high.z)
-                continue;
+            const dem::Region& e = extents[j];
+            if (p.x < e.x0 || p.x > e.x1 || p.z < e.z0 || p.z > e.z1) continue;
             if (touching.first_of(static_cast<int>(j)) == static_cast<int>(i) ||
-                !contains(network, network.rings[j], p))
+                !dem::is_inside(outlines[j], p))
                 continue;
             refuse(network.frame, network.rings[i].line,
                    "this block lies within " + block_name(network, network.rings[j]) + ", at " +

@@ -1,4 +1,5 @@
 #include "app/drawing/outline_network.hpp"
+#include "dem/scene/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,28 +34,19 @@ void check_crossings(const OutlineNetwork& network)
                coordinates(network.frame, crossing->at) + "; draw its corners in order");
 }
 
-/// Signed area [m2] and length [m] of a ring.
-std::pair<double, double> area_and_length(const OutlineNetwork& network, const Ring& ring)
-{
-    double twice = 0.0, length = 0.0;
-    const dem::Point o = network.nodes[ring.corners.front()];
-    for (std::size_t i = 0; i < ring.corners.size(); ++i) {
-        const dem::Point a = network.nodes[ring.corners[i]];
-        const dem::Point b = network.nodes[ring.corners[(i + 1) % ring.corners.size()]];
-        twice += (a.x - o.x) * (b.z - o.z) - (a.z - o.z) * (b.x - o.x);
-        length += std::hypot(b.x - a.x, b.z - a.z);
-    }
-    return {twice / 2.0, length};
-}
-
 void orient(OutlineNetwork& network)
 {
     for (Ring& ring : network.rings) {
-        const auto [area, length] = area_and_length(network, ring);
+        const std::vector<dem::Point> outline = outline_of(network, ring);
+        const double area = dem::polygon_area(outline);
+        double length = 0.0;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const dem::Point a = outline[i], b = outline[(i + 1) % outline.size()];
+            length += std::hypot(b.x - a.x, b.z - a.z);
+        }
         if (2.0 * std::abs(area) <= network.snap * length) {
             refuse(network.frame, ring.line,
-                   "the block at " +
-                       coordinates(network.frame, network.nodes[ring.corners.front()]) +
+                   "the block at " + coordinates(network.frame, outline.front()) +
                        " has no area, or is thinner than wall.snap (" +
                        millimetres(network.snap) + "); delete it");
         }

@@ -3,6 +3,7 @@
 #include "app/drawing/line_faces.hpp"
 #include "app/drawing/outline_network.hpp"
 #include "app/text/number_text.hpp"
+#include "dem/scene/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,20 +13,13 @@
 namespace app {
 namespace {
 
-struct Extent {
-    dem::Point low, high; ///< in the drawing's unit
-};
-
-Extent extent_of(const RawDrawing& raw)
+/// In the drawing's unit.
+dem::Region extent_of(const RawDrawing& raw)
 {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    Extent e{{kFar, kFar}, {-kFar, -kFar}};
+    dem::Region all = dem::extent_of(raw.outlines.front().corners);
     for (const RawOutline& outline : raw.outlines)
-        for (const dem::Point& p : outline.corners) {
-            e.low = {std::min(e.low.x, p.x), std::min(e.low.z, p.z)};
-            e.high = {std::max(e.high.x, p.x), std::max(e.high.z, p.z)};
-        }
-    return e;
+        all = dem::join(all, dem::extent_of(outline.corners));
+    return all;
 }
 
 /// The units that make walls of a usual size.
@@ -40,19 +34,17 @@ std::string units_that_fit(double size)
     return names;
 }
 
-void check_size(const RawDrawing& raw, const Extent& e)
+void check_size(const RawDrawing& raw, const dem::Region& e)
 {
     constexpr double kSmallest = 0.05, kLargest = 100.0; // [m]
-    const double width = e.high.x - e.low.x, height = e.high.z - e.low.z,
-                 size = std::max(width, height);
+    const double width = e.x1 - e.x0, height = e.z1 - e.z0, size = std::max(width, height);
     const double unit = raw.frame.unit;
     if (size * unit >= kSmallest && size * unit <= kLargest) return;
     const std::string fits = units_that_fit(size);
     refuse(raw.frame, 0,
            "the wall is " + number(width * unit, 4) + " x " + number(height * unit, 4) +
-               " m, from " + raw_coordinates(raw.frame, {e.low.x, e.low.z}) + " to " +
-               raw_coordinates(raw.frame, {e.high.x, e.high.z}) +
-               "; walls have 0.05 to 100 m: " +
+               " m, from " + raw_coordinates(raw.frame, {e.x0, e.z0}) + " to " +
+               raw_coordinates(raw.frame, {e.x1, e.z1}) + "; walls have 0.05 to 100 m: " +
                (fits.empty() ? "draw it in its true size"
                              : "wall.length_unit = " + fits + " would fit"));
 }
@@ -90,7 +82,7 @@ void shift_to_origin(Drawing& drawing)
 {
     double left = std::numeric_limits<double>::infinity();
     for (const DrawnBlock& block : drawing.blocks)
-        for (const dem::Point& p : block.outline) left = std::min(left, p.x);
+        left = std::min(left, dem::extent_of(block.outline).x0);
     for (DrawnBlock& block : drawing.blocks)
         for (dem::Point& p : block.outline) p.x -= left;
 }
@@ -110,19 +102,17 @@ Drawing fit_drawing(RawDrawing raw, double snap)
                "has more than " + std::to_string(kMostCorners) +
                    " corners; simplify the drawing");
     }
-    const Extent extent = extent_of(raw);
+    const dem::Region extent = extent_of(raw);
     check_size(raw, extent);
     note_unit(raw);
-    raw.frame.origin = extent.low;
+    raw.frame.origin = {extent.x0, extent.z0};
     OutlineNetwork network = network_of(std::move(raw), snap);
     fit_corners(network);
     check_outlines(network);
     note_gaps(network);
     Drawing drawing;
     for (const Ring& ring : network.rings) {
-        DrawnBlock block;
-        for (const int n : ring.corners) block.outline.push_back(network.nodes[n]);
-        block.layer = ring.layer;
+        DrawnBlock block{outline_of(network, ring), ring.layer, ""};
         if (ring.line > 0) block.place = "line " + std::to_string(ring.line);
         drawing.blocks.push_back(std::move(block));
     }

@@ -34,6 +34,13 @@ std::vector<std::vector<int>> rings_of_nodes(const OutlineNetwork& network)
     return rings;
 }
 
+std::vector<dem::Point> outline_of(const OutlineNetwork& network, const Ring& ring)
+{
+    std::vector<dem::Point> outline;
+    for (const int n : ring.corners) outline.push_back(network.nodes[n]);
+    return outline;
+}
+
 std::string block_name(const OutlineNetwork& network, const Ring& ring)
 {
     if (ring.line > 0) return "the block of line " + std::to_string(ring.line);

@@ -38,6 +38,10 @@ struct NetworkSides {
 /// The rings that have each node, in order.
 [[nodiscard]] std::vector<std::vector<int>> rings_of_nodes(const OutlineNetwork& network);
 
+/// The places of a ring's corners [m].
+[[nodiscard]] std::vector<dem::Point> outline_of(const OutlineNetwork& network,
+                                                 const Ring& ring);
+
 /// "the block of line 12", or of its first corner where the file has no lines.
 [[nodiscard]] std::string block_name(const OutlineNetwork& network, const Ring& ring);
 
@@ -56,8 +60,8 @@ std::size_t straighten(OutlineNetwork& network);
 /// nothing
 void check_outlines(OutlineNetwork& network);
 
-/// The part of it that looks at blocks as groups: what lies within another block, or hangs together with none on the floor. Takes
-/// for granted that no sides cross and that the blocks around each corner lie one after the other.
+/// The part of it that looks at blocks as groups: what lies within another block, or hangs together with none on the
+/// floor. Takes for granted that no sides cross and that the blocks around each corner lie one after the other.
 /// @throws ConfigError
 void check_groups(const OutlineNetwork& network);
 

@@ -1,17 +1,15 @@
 #include "app/drawing/plane_grid.hpp"
 
+#include "dem/scene/polygon.hpp"
+
 namespace app {
 
 PlaneGrid::PlaneGrid(std::span<const dem::Point> points)
 {
     if (points.empty()) return;
-    dem::Point high = low_ = points.front();
-    for (const dem::Point& p : points) {
-        low_ = {std::min(low_.x, p.x), std::min(low_.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.z, p.z)};
-    }
-    const double width = high.x - low_.x, height = high.z - low_.z,
-                 longer = std::max(width, height);
+    const dem::Region e = dem::extent_of(points);
+    low_ = {e.x0, e.z0};
+    const double width = e.x1 - e.x0, height = e.z1 - e.z0, longer = std::max(width, height);
     if (longer <= 0.0) return;
     const double n = static_cast<double>(points.size());
     size_ = std::max(std::sqrt(width * height / n), longer / std::min(n + 1.0, 4096.0));

@@ -7,7 +7,6 @@
 #include "dem/scene/layout.hpp"
 #include "dem/scene/rubble.hpp"
 
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -43,25 +42,21 @@ void read_rubble(Study& study)
 void read_openings(Study& study)
 {
     if (study.geometry.openings.empty()) return;
-    try {
+    read_at(study.source, "wall.openings", [&] {
         for (const std::string_view part : split(study.geometry.openings, ";")) {
             const std::vector<std::string_view> v = split(part, ",");
             if (v.size() != 4)
                 throw BadValue(
                     in_quotes(part) +
-                    " is no opening; write x, z, width and height: \"0.4 m, 0 m, 0.6 "
-                    "m, 1.2 m\"");
+                    " is not an opening; write x, z, width and height: \"0.4 m, 0 m, "
+                    "0.6 m, 1.2 m\"");
             study.wall.openings.push_back({parse_quantity(v[0], "m"), parse_quantity(v[1], "m"),
                                            parse_quantity(v[2], "m"),
                                            parse_quantity(v[3], "m")});
         }
         study.geometry.layers = {"lintel"}; // as which `scene` draws and exports them
         static_cast<void>(dem::lay_out(study.wall, 0.0));
-    } catch (const BadValue& bad) {
-        throw error_at(study.source, "wall.openings", bad.what());
-    } catch (const std::invalid_argument& bad) {
-        throw error_at(study.source, "wall.openings", bad.what());
-    }
+    });
 }
 
 } // namespace

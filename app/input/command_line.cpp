@@ -52,14 +52,6 @@ std::vector<po::option> given_options(const std::vector<std::string>& arguments)
     }
 }
 
-const Verb& known_verb(std::span<const Verb> verbs, const std::string& word)
-{
-    if (const Verb* verb = find_verb(verbs, word)) return *verb;
-    std::vector<std::string_view> names;
-    for (const Verb& v : verbs) names.push_back(v.name);
-    refuse(word, "unknown verb; " + suggestion(word, names));
-}
-
 void apply(const Option& option, const po::option& given, Command& command)
 {
     const std::string name = "--" + option.name;

@@ -78,16 +78,6 @@ std::string_view inside(std::string_view text)
     return trimmed(text.substr(open + 1, text.size() - open - 2));
 }
 
-std::vector<std::string_view> items(std::string_view list)
-{
-    std::vector<std::string_view> found;
-    for (std::size_t begin = 0, comma = 0; comma != std::string_view::npos; begin = comma + 1) {
-        comma = list.find(',', begin);
-        found.push_back(trimmed(list.substr(begin, comma - begin)));
-    }
-    return found;
-}
-
 /// Takes a parameter out of the call.
 std::optional<double> take(Call& call, std::string_view name, std::string_view unit)
 {
@@ -143,7 +133,7 @@ uq::Marginal marginal_of(std::string_view text, std::string_view unit)
         throw BadValue("unknown distribution " + in_quotes(call.name) + "; " +
                        suggestion(call.name, names));
     if (call.name == "empirical") return empirical(text, unit);
-    for (const std::string_view item : items(inside(text)))
+    for (const std::string_view item : split(inside(text), ","))
         call.parameters.push_back(split_parameter(text, item));
     uq::Marginal m;
     m.lower = take(call, "from", unit).value_or(m.lower);
@@ -166,6 +156,8 @@ uq::Marginal parse_distribution(std::string_view text, std::string_view unit)
         const uq::Marginal m = marginal_of(text, unit);
         uq::check(m);
         return m;
+    } catch (const BadValue&) {
+        throw;
     } catch (const std::invalid_argument& bad) {
         throw BadValue(in_quotes(text) + ": " + bad.what());
     }

@@ -4,8 +4,6 @@
 #include "app/input/key_values.hpp"
 #include "app/input/option.hpp"
 #include "app/input/study_keys.hpp"
-#include "app/text/config_error.hpp"
-#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -97,13 +95,7 @@ std::string help_of(const Verb& verb)
 
 std::string help_text(std::span<const Verb> verbs, std::string_view topic)
 {
-    const Verb* verb = find_verb(verbs, topic);
-    if (verb == nullptr && !topic.empty()) {
-        std::vector<std::string_view> names;
-        for (const Verb& v : verbs) names.push_back(v.name);
-        throw ConfigError("drystone", 0, topic, "unknown verb; " + suggestion(topic, names));
-    }
-    return (verb != nullptr ? help_of(*verb) : help_of_program(verbs)) +
+    return (topic.empty() ? help_of_program(verbs) : help_of(known_verb(verbs, topic))) +
            "\nExit codes: 0 done, 1 failed, 2 error in the input.\n";
 }
 

@@ -44,7 +44,7 @@ void refuse_drawn(const Study& study)
 {
     if (!study.uq.drawn.empty())
         throw error_at(study.source, "uq.drawn",
-                       "names one wall of the study, for push alone; remove it");
+                       "names one wall of the study, and only push reads it; remove it");
 }
 
 std::string cost_note(const Study& study)
@@ -56,7 +56,7 @@ std::string cost_note(const Study& study)
     const std::string text =
         "about " + time + " and " + fixed(std::max(c.bytes, 1e8) / 1e9, 1) + " GB";
     const std::string less = "fewer solver.contact_points or solver.zones_per_interval, or "
-                             "longer units beside their height, cost less";
+                             "units that are longer for their height, cost less";
     if (c.bytes > kMostBytes)
         throw error_at(study.source, "solver.contact_points",
                        "the blocks would take " + text + " before the push begins; " + less);
@@ -72,7 +72,7 @@ void say_effects(const Study& study, const Command& command)
     if (!study.load.scaled.empty())
         std::cerr << "note: load.protocol_scale: the protocol goes to "
                   << fixed(study.load.max_displacement * 1e3, 2)
-                  << " mm; ultimate displacement of the mean wall one way: "
+                  << " mm; ultimate displacement of the mean wall pushed one way: "
                   << study.load.scaled << '\n';
     std::cerr << cost_note(study);
     for (const std::string& note : study.geometry.notes)

@@ -79,11 +79,7 @@ void refuse_unknown(const StudyFile& file, std::span<const Key> keys,
 void read_key(const Key& key, Study& study)
 {
     if (const Entry* entry = find_entry(study.source, key.name)) {
-        try {
-            read_value(key, entry->value, study);
-        } catch (const BadValue& bad) {
-            throw error_at(study.source, key.name, bad.what());
-        }
+        read_at(study.source, key.name, [&] { read_value(key, entry->value, study); });
     } else if (!key.example.empty() && is_used(key, study)) {
         throw error_at(study.source, key.name,
                        "missing; write e.g. \"" + std::string(name_in_section(key.name)) +

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <stdexcept>
 
 namespace app {
 namespace {
@@ -44,7 +43,7 @@ void read_term(std::string_view name, std::string_view term, fragility::UserLimi
     const std::string_view what = words.back();
     if (words.size() > 2 || !(weight > 0.0))
         refuse_state(name, in_quotes(term) +
-                               " is no term; write a positive factor and one of " +
+                               " is not a term; write a positive factor and one of " +
                                listed(kTerms));
     if (what == "yield") {
         state.yield += weight;
@@ -60,7 +59,7 @@ void read_term(std::string_view name, std::string_view term, fragility::UserLimi
 
 double drift_of(std::string_view name, std::string_view text)
 {
-    if (!text.ends_with('%')) refuse_state(name, in_quotes(text) + " is no drift in %");
+    if (!text.ends_with('%')) refuse_state(name, in_quotes(text) + " is not a drift in %");
     const double percent = number_of(name, trimmed(text.substr(0, text.size() - 1)));
     if (!(percent > 0.0 && percent <= 100.0))
         refuse_state(name, in_quotes(text) + " is out of range; must be in (0, 100] %");
@@ -72,7 +71,7 @@ UserState parse_state(std::string_view text)
     const std::size_t colon = text.find(':');
     const std::string_view name = trimmed(text.substr(0, colon));
     if (colon == std::string_view::npos || name.empty())
-        throw BadValue(in_quotes(text) + " is no limit state; write \"name: 0.7 yield\"");
+        throw BadValue(in_quotes(text) + " is not a limit state; write \"name: 0.7 yield\"");
     UserState user;
     user.state.name = name;
     auto rules = split(text.substr(colon + 1), " or ");
@@ -94,11 +93,7 @@ void check_state(const UserState& user)
 {
     ReadingRules rules;
     rules.user = {user};
-    try {
-        static_cast<void>(state_names(rules));
-    } catch (const std::invalid_argument& e) {
-        throw BadValue(e.what());
-    }
+    static_cast<void>(state_names(rules));
 }
 
 /// Sets that a study asks for, "user" among them.
@@ -116,13 +111,13 @@ void add_set(const Study& study, std::string_view name, ReadingRules& rules)
     const auto set = std::ranges::find(known, name);
     if (set == known.end() && name != "user")
         throw error_at(study.source, "fragility.limit_states",
-                       in_quotes(name) + " is no set; " + suggestion(name, set_words()));
+                       in_quotes(name) + " is not a set; " + suggestion(name, set_words()));
     if (set != known.end() && std::ranges::find(rules.sets, *set) == rules.sets.end())
         rules.sets.push_back(*set);
     if (set != known.end()) return;
     rules.user = parse_user_states(study.fragility.user_states);
     if (rules.user.empty())
-        throw BadValue("missing for the set user; write \"name: 0.7 yield; ...\"");
+        throw BadValue("is missing, and the set user needs it; write \"name: 0.7 yield; ...\"");
 }
 
 } // namespace
@@ -150,13 +145,11 @@ ReadingRules reading_rules(const Study& study)
     rules.height = study.load.height;
     rules.direction = push_way(study).direction;
     rules.backbone = f.backbone;
-    try {
+    read_at(study.source, "fragility.user_states", [&] {
         static_cast<void>(parse_user_states(f.user_states)); // also where no set asks for them
         for (const std::string_view name : split(f.limit_states, ","))
             add_set(study, name, rules);
-    } catch (const BadValue& bad) {
-        throw error_at(study.source, "fragility.user_states", bad.what());
-    }
+    });
     return rules;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/input/wall_geometry.hpp"
 #include "dem/block/model.hpp"
+#include "dem/scene/snapshot_reading.hpp"
 #include "dem/solver/push.hpp"
 
 #include <algorithm>
@@ -33,14 +34,6 @@ Study coarse_study(const Study& study)
     return s;
 }
 
-/// Share of the strength that is used.
-double demand(const dem::ContactState& c, const dem::CrackMaterial& m)
-{
-    const double tension = m.ft > 0.0 ? c.sigma / m.ft : INFINITY;
-    const double shear = m.cohesion - c.sigma * m.tan_phi;
-    return std::max(tension, shear > 0.0 ? std::abs(c.tau) / shear : INFINITY);
-}
-
 /// Adds the numbers of the units that use their strength.
 void add_used(const dem::Snapshot& wall, const dem::CrackMaterial& strength,
               std::set<int>& units)
@@ -48,7 +41,7 @@ void add_used(const dem::Snapshot& wall, const dem::CrackMaterial& strength,
     for (const dem::FaceState& f : wall.faces) {
         if (f.kind != dem::FaceKind::unit_crack) continue;
         const bool used = std::ranges::any_of(f.contacts, [&](const dem::ContactState& c) {
-            return demand(c, strength) >= kNeededShare;
+            return dem::strength_used(c, strength) >= kNeededShare;
         });
         if (used) units.insert(wall.blocks[f.block_b].unit);
     }
@@ -67,8 +60,8 @@ std::set<int> used_units(const Study& study, const dem::Model& model)
         for (dem::CrackMaterial& c : w.cracks) c.ft = c.cohesion = kUnbreakable;
         const dem::PushResult r = dem::push(model, w, plan, study.solver);
         if (dem::failed(r.outcome))
-            throw std::invalid_argument(
-                "the coarse push that finds the units failed; write toe, or boxes");
+            throw std::invalid_argument("the coarse push that looks for these units failed; "
+                                        "write toe or boxes instead");
         for (const dem::Snapshot& wall : r.snapshots) add_used(wall, strength, units);
         add_used(r.at_end, strength, units);
     }
@@ -84,10 +77,9 @@ std::vector<dem::Region> needed_cracks(const Study& study)
     const std::set<int> used = used_units(s, model);
     std::map<int, dem::Region> whole; // by unit
     for (const dem::Block& b : model.layout.blocks) {
-        const auto [at, first] = whole.try_emplace(b.unit, dem::Region{b.x0, b.z0, b.x1, b.z1});
-        dem::Region& r = at->second;
-        r = {std::min(r.x0, b.x0), std::min(r.z0, b.z0), std::max(r.x1, b.x1),
-             std::max(r.z1, b.z1)};
+        const dem::Region own{b.x0, b.z0, b.x1, b.z1};
+        const auto [at, first] = whole.try_emplace(b.unit, own);
+        at->second = dem::join(at->second, own);
     }
     std::vector<dem::Region> boxes;
     int last = -1;

@@ -89,7 +89,7 @@ std::vector<Option> table()
          [](Command& c, Text v) { c.intensity = some_text(v); }},
         {"failed", "COLUMN", "column of the numbers that reached a limit state; may be repeated, mildest first", "fragility", true,
          [](Command& c, Text v) { c.failed.push_back(some_text(v)); }},
-        {"of", "COLUMN", "column of the numbers of all walls (analyses, buildings) in a table of counts", "fragility", false,
+        {"of", "COLUMN", "column of the total numbers of walls (analyses, buildings) in a table of counts", "fragility", false,
          [](Command& c, Text v) { c.of = some_text(v); }},
         {"state", "COLUMN", "column of damage states (0 for none, 1, 2, ...) in place of --failed", "fragility", false,
          [](Command& c, Text v) { c.state = some_text(v); }},

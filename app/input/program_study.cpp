@@ -11,13 +11,11 @@ RandomInput variable(const StudyFile& file, const Entry& entry)
 {
     RandomInput input;
     input.key = name_in_section(entry.key);
-    try {
-        input.marginal = is_distribution(entry.value)
-                             ? parse_distribution(entry.value, "")
-                             : uq::Marginal{uq::Constant{parse_quantity(entry.value, "")}};
-    } catch (const BadValue& bad) {
-        throw error_at(file, entry.key, bad.what());
-    }
+    input.marginal = read_at(file, entry.key, [&] {
+        return is_distribution(entry.value)
+                   ? parse_distribution(entry.value, "")
+                   : uq::Marginal{uq::Constant{parse_quantity(entry.value, "")}};
+    });
     input.mean = uq::mean(input.marginal);
     return input;
 }

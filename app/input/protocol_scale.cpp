@@ -17,7 +17,7 @@ namespace {
 Study one_way_study(const Study& study)
 {
     Study s = study;
-    s.load.protocol = Protocol::none;
+    s.load.protocol = dem::Protocol::none;
     s.load.stop_below = 0.0;
     s.output.paraview = false;
     return s;
@@ -32,7 +32,7 @@ fragility::LimitDisplacement ultimate_of_mean_wall(const Study& s, const dem::Mo
     const dem::PushResult r = dem::push(model, w, push_plan(s), s.solver);
     if (dem::failed(r.outcome))
         throw error_at(s.source, "load.protocol_scale",
-                       "the push one way that finds the scale failed; write given");
+                       "the push that finds the scale failed; write protocol_scale = given");
     std::vector<double> displacement, force;
     for (const dem::CurvePoint& p : r.curve) {
         displacement.push_back(p.displacement);
@@ -48,7 +48,7 @@ void scale_protocol(Study& study)
 {
     const LoadInput& load = study.load;
     const bool followed =
-        load.protocol != Protocol::none && load.targets.empty() && load.amplitudes.empty();
+        load.protocol != dem::Protocol::none && load.targets.empty() && load.amplitudes.empty();
     if (!load.scale_one_way || !followed) return;
     const Study s = one_way_study(study);
     const dem::Model model = model_of(s);

@@ -50,7 +50,7 @@ void refuse_layouts(const Study& study)
 {
     if (has_layouts(study))
         throw error_at(study.source, "wall.layouts",
-                       "the layouts are drawn by the verb study alone; write 1");
+                       "only the verb study draws layouts; write 1");
 }
 
 } // namespace app

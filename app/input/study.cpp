@@ -53,7 +53,7 @@ Study read_study(const StudyFile& file)
 {
     if (is_program_study(file))
         throw ConfigError(file.path, find_section(file, "model")->line, "[model]",
-                          "another program is studied by the verb reliability alone");
+                          "only the verb reliability takes a study of another program");
     refuse_unknown(file, study_keys());
     Study study;
     study.source = file;
@@ -125,7 +125,8 @@ std::string effective_configuration(const Study& study)
                            : entry->line == 0 ? "--set"
                                               : "";
         if (key.name == "load.max_displacement" && !study.load.scaled.empty())
-            mark = "ultimate of the mean wall one way: " + study.load.scaled;
+            mark =
+                "ultimate displacement of the mean wall pushed one way: " + study.load.scaled;
         mark += cut_text(key, study, mark.empty());
         if (!mark.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
         text += line + (mark.empty() ? "" : "# ") + mark + "\n";
@@ -157,10 +158,10 @@ namespace {
 std::vector<double> targets_of(const LoadInput& load)
 {
     if (!load.targets.empty()) return load.targets;
-    std::vector<CyclicStage> stages = stages_of(load.protocol, load.max_displacement);
+    std::vector<dem::CyclicStage> stages = dem::stages_of(load.protocol, load.max_displacement);
     if (!load.amplitudes.empty()) stages.clear();
     for (const double a : load.amplitudes) stages.push_back({a, load.repeats});
-    return stages.empty() ? std::vector{load.max_displacement} : cyclic_targets(stages);
+    return stages.empty() ? std::vector{load.max_displacement} : dem::cyclic_targets(stages);
 }
 
 /// True once the force is below a share of the largest so far, on a push that goes one way. A wall that is not
@@ -193,7 +194,7 @@ std::function<bool(std::span<const dem::CurvePoint>)> stop_both_below(double sha
         for (const fragility::Cycle& c : fragility::cycles({displacement, force})) {
             plus = std::max(plus, c.force_plus);
             minus = std::min(minus, c.force_minus);
-            // Half a cycle has not been to the other side yet.
+            // After half a cycle the wall has not been on the other side.
             weak =
                 (plus == 0.0 || (c.displacement_plus > 0.0 && c.force_plus < share * plus)) &&
                 (minus == 0.0 || (c.displacement_minus < 0.0 && c.force_minus > share * minus));

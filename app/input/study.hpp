@@ -2,7 +2,6 @@
 /// A study: everything one run needs, in SI, each value checked against its range and its
 /// fellows.
 
-#include "app/input/cyclic_protocol.hpp"
 #include "app/input/parameters.hpp"
 #include "app/input/study_file.hpp"
 #include "dem/block/discretisation.hpp"
@@ -10,6 +9,7 @@
 #include "dem/scene/mechanism.hpp"
 #include "dem/scene/paper_materials.hpp"
 #include "dem/scene/wall.hpp"
+#include "dem/solver/cyclic_protocol.hpp"
 #include "dem/solver/push.hpp"
 #include "dem/solver/solver_options.hpp"
 #include "fragility/bilinear.hpp"
@@ -67,7 +67,8 @@ struct LoadInput {
         targets; ///< displacements visited in order [m]; empty: max_displacement
     std::vector<double> amplitudes; ///< of cycles, in order [m], > 0; empty: no cycles
     int repeats = 1;                ///< cycles of each amplitude, >= 1
-    Protocol protocol = Protocol::none;
+    dem::Protocol protocol =
+        dem::Protocol::none;    ///< none: one way, or as amplitudes or targets say
     bool scale_one_way = false; ///< of the protocol, see app/input/protocol_scale.hpp
     std::string scaled; ///< what that found, as words; empty: max_displacement is as given
     double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0

@@ -35,8 +35,10 @@ std::string level_text(const Study& study, std::size_t level)
            text(study.load.vertical_stress[level], "MPa") + ")";
 }
 
+/// A value may be the same under all stress levels.
 void check_count(const Study& study, std::string_view key, std::size_t values)
 {
+    if (values < 2) return;
     const std::size_t levels = study.load.vertical_stress.size();
     if (values < levels) {
         refuse(study, key,
@@ -67,7 +69,7 @@ void check_normal_stiffness(const Study& study, double kn)
 {
     if (kn * study.parameters.joint.stiffness_factor < kSoftest)
         refuse(study, "joint.normal_stiffness",
-               "with joint.stiffness_factor the joints are softer than 1 Pa/m; write more");
+               "times joint.stiffness_factor is below 1 Pa/m; write a larger value");
 }
 
 void check_wall_modulus(const Study& study, double modulus)
@@ -80,10 +82,9 @@ void check_wall_modulus(const Study& study, double modulus)
     }
     const double kn = dem::joint_stiffness(study.wall.course_height, modulus, e);
     if (!(kn >= kSoftest && kn <= kStiffest)) {
-        refuse(
-            study, "joint.wall_modulus",
-            text(modulus, "MPa") +
-                " makes the joint stiffness of Eq. 2 leave the range of 1 Pa/m to 1e+06 GPa/m");
+        refuse(study, "joint.wall_modulus",
+               text(modulus, "MPa") +
+                   " gives a joint stiffness by Eq. 2 outside 1 Pa/m to 1e+06 GPa/m");
     }
 }
 
@@ -191,7 +192,7 @@ void check_load(const Study& study)
     }
     if (!study.load.targets.empty() && !study.load.amplitudes.empty())
         refuse(study, "load.amplitudes",
-               "load.targets says the way of the push too; remove one of them");
+               "load.targets gives the displacements already; remove one of the two keys");
 }
 
 /// What pushes, and what there is to push.
@@ -235,7 +236,7 @@ void check_top_load(const Study& study)
         refuse(study, "load.link_length",
                "is needed by load.top = link: for example 2 m, or -2 m for a tendon below");
     if (!link && study.load.link_length != 0.0)
-        refuse(study, "load.link_length", "is of no use without load.top = link");
+        refuse(study, "load.link_length", "has no effect without load.top = link; remove it");
 }
 
 /// A protocol that no wall can finish.
@@ -248,8 +249,8 @@ void check_steps(const Study& study)
         least <= static_cast<double>(study.solver.most_steps))
         return;
     refuse(study, "solver.most_steps",
-           "is less than the " + number(least, 3) + " steps that a way of " +
-               text(way.length, "m") + " takes at least; ask for fewer cycles, or write more");
+           "is less than the " + number(least, 3) + " steps that a path of " +
+               text(way.length, "m") + " needs; ask for fewer cycles, or allow more steps");
 }
 
 /// What is kept must be more than nothing and fit into memory.
@@ -280,18 +281,12 @@ void check_stiffness(const Study& study)
     }
     if (!joint.wall_modulus.empty() && !joint.normal_stiffness.empty()) {
         refuse(study, "joint.normal_stiffness",
-               "given besides joint.wall_modulus, which gives it by Eq. 2; keep one of them");
+               "is given although joint.wall_modulus determines it by Eq. 2; keep one of them");
     }
     check_levels_differ(study);
-    if (joint.wall_modulus.size() > 1) {
-        check_count(study, "joint.wall_modulus", joint.wall_modulus.size());
-    }
-    if (joint.normal_stiffness.size() > 1) {
-        check_count(study, "joint.normal_stiffness", joint.normal_stiffness.size());
-    }
-    if (joint.shear_stiffness.size() > 1) {
-        check_count(study, "joint.shear_stiffness", joint.shear_stiffness.size());
-    }
+    check_count(study, "joint.wall_modulus", joint.wall_modulus.size());
+    check_count(study, "joint.normal_stiffness", joint.normal_stiffness.size());
+    check_count(study, "joint.shear_stiffness", joint.shear_stiffness.size());
     for (const double modulus : joint.wall_modulus) check_wall_modulus(study, modulus);
     for (const double kn : joint.normal_stiffness) check_normal_stiffness(study, kn);
 }

@@ -5,6 +5,7 @@
 #include "app/text/config_error.hpp"
 
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,5 +54,16 @@ struct StudyFile {
 /// line.
 [[nodiscard]] ConfigError error_at(const StudyFile& file, std::string_view key,
                                    std::string_view why);
+
+/// What read() returns. If it throws std::invalid_argument, such as BadValue, that becomes an error about the key.
+template <class Read>
+decltype(auto) read_at(const StudyFile& file, std::string_view key, Read read)
+{
+    try {
+        return read();
+    } catch (const std::invalid_argument& bad) {
+        throw error_at(file, key, bad.what());
+    }
+}
 
 } // namespace app

@@ -34,6 +34,10 @@ inline constexpr Condition kWithGravity{[](const Study& s) { return s.load.gravi
                                         "load.gravity is 0"};
 
 inline constexpr std::array kNone = {named("none", 0)};
+inline constexpr std::array kFidelities = {
+    named("rigid", dem::Fidelity::rigid), named("simple", dem::Fidelity::simple),
+    named("standard", dem::Fidelity::standard), named("zones", dem::Fidelity::zones),
+    named("fine", dem::Fidelity::fine)};
 
 // The ends of the ranges are beyond any wall: they catch a wrong power of ten.
 inline constexpr Range kHeight{'[', 0.001, 10, ']'}; // [m]

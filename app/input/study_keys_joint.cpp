@@ -21,7 +21,7 @@ constexpr Condition kJointsCrush{
     [](const Study& s) { return s.parameters.joint.crushing.strength > 0.0; },
     "joint.compressive_strength is none"};
 constexpr Condition kDryJoints{[](const Study& s) { return !has_mortar(s); },
-                               "joints have mortar, whose law knows no wear; remove it", true};
+                               "joints with mortar do not wear; remove it", true};
 constexpr Condition kJointsWear{
     [](const Study& s) { return s.parameters.joint.wear_length > 0.0; },
     "joint.wear_length is none"};
@@ -62,25 +62,25 @@ constexpr std::array kJointKeys = {
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::shear_stiffness>},
     Key{.name = "joint.friction_angle", .unit = "deg", .range = kAngle, .example = "31.8 deg",
         .varies = Varies::by_joint,
-        .meaning = "of the joints (paper, Table 4)",
+        .meaning = "friction angle of the joints (paper, Table 4)",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::friction_angle>},
     Key{.name = "joint.stiffness_factor", .range = kFactor,
         .varies = Varies::by_joint,
-        .meaning = "on k_n and k_s of the joints (paper, Table 5)",
+        .meaning = "factor on k_n and k_s of the joints (paper, Table 5)",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::stiffness_factor>},
 
     Key{.name = "joint.tensile_strength", .unit = "MPa", .range = kStrength,
         .varies = Varies::by_joint,
-        .meaning = "of mortar; 0: dry",
+        .meaning = "tensile strength of the mortar; 0: dry",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::tensile_strength>},
     Key{.name = "joint.cohesion", .unit = "MPa", .range = kStrength,
         .varies = Varies::by_joint,
-        .meaning = "of mortar; 0: dry. Friction alone is left where it is broken",
+        .meaning = "cohesion of the mortar; 0: dry. Only friction is left where the mortar is broken",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::cohesion>},
     Key{.name = "joint.fracture_energy", .unit = "N/m", .range = {'[', 0, 1e6, ']'},
         .effect = kBondInTension,
         .varies = Varies::by_joint,
-        .meaning = "of mortar, mode I",
+        .meaning = "fracture energy of the mortar, mode I",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::fracture_energy>},
 
     Key{.name = "joint.compressive_strength", .unit = "MPa", .range = {'(', 0, 10000, ']'}, .names = kNone,
@@ -102,7 +102,7 @@ constexpr std::array kJointKeys = {
         .used = kDryJoints, .effect = kJointsWear,
         .derived = {.rule = "friction_angle", .follow = [](Parameters& p, double) { p.joint.residual_friction_angle = p.joint.friction_angle; }},
         .varies = Varies::by_joint,
-        .meaning = "of a worn joint, at most the initial one",
+        .meaning = "friction angle of a worn joint, at most the initial one",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::residual_friction_angle>},
 };
 // clang-format on

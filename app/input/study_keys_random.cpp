@@ -13,10 +13,6 @@ namespace {
 
 using Mode = dem::ModeThresholds;
 
-constexpr std::array kCheapFidelities = {
-    named("rigid", dem::Fidelity::rigid), named("simple", dem::Fidelity::simple),
-    named("standard", dem::Fidelity::standard), named("zones", dem::Fidelity::zones),
-    named("fine", dem::Fidelity::fine)};
 constexpr std::array kDesigns = {named("lhs", uq::DesignKind::latin_random),
                                  named("lhs_centred", uq::DesignKind::latin_centred),
                                  named("lhs_optimised", uq::DesignKind::latin_optimised),
@@ -84,7 +80,7 @@ constexpr Condition kVariesInWalls{
             return r.varies == Varies::by_joint || r.varies == Varies::by_crack;
         });
     },
-    "no distribution is of a joint or of a crack"};
+    "no distribution belongs to a joint or a crack"};
 constexpr Condition kWithFields{
     [](const Study& s) { return s.uq.spatial == Spatial::correlated; },
     "uq.spatial is not correlated"};
@@ -95,7 +91,7 @@ constexpr Condition kWithGroups{[](const Study& s) { return is_by_group(s.uq.ker
                                 "uq.kernel is not same_course, same_unit or all"};
 constexpr Condition kWithStop{
     [](const Study& s) { return is_random(s) && s.uq.stop != kNoStop; },
-    "uq.stop is none, or the study is of one wall per stress"};
+    "uq.stop is none, or the study has one wall per stress level"};
 constexpr Condition kMultiFidelity{
     [](const Study& s) { return s.reliability.method == ReliabilityMethod::multi_fidelity; },
     "reliability.method is not multi_fidelity"};
@@ -126,7 +122,7 @@ constexpr std::array kRandomKeys = {
         .field = kAt<&Study::uq, &UqInput::seed>},
     Key{.name = "uq.shared", .kind = Kind::word, .names = kYesNo,
         .effect = kWithLevels, .verbs = "push study sample",
-        .meaning = "the same samples under every stress level, or a design of its own for each (paper)",
+        .meaning = "yes: the same samples under every stress level; no: a design for each (paper)",
         .field = kAt<&Study::uq, &UqInput::shared>},
     Key{.name = "uq.spatial", .kind = Kind::word, .names = kSpatial,
         .effect = kVariesInWalls,
@@ -138,7 +134,7 @@ constexpr std::array kRandomKeys = {
     Key{.name = "uq.correlation_length", .kind = Kind::list, .unit = "m", .range = {'(', 0, 1e6, ']'},
         .used = kWithFields,
         .derived = {"must be given with kernels by distance"},
-        .meaning = "of kernels by distance; two values for exponential_l1, along x and z",
+        .meaning = "correlation length of kernels by distance; two values for exponential_l1, along x and z",
         .field = kAt<&Study::uq, &UqInput::correlation_length>},
     Key{.name = "uq.matern_nu", .range = {'[', 0.05, 50, ']'}, .used = kWithFields,
         .effect = kWithMatern,
@@ -146,7 +142,7 @@ constexpr std::array kRandomKeys = {
         .field = kAt<&Study::uq, &UqInput::matern_nu>},
     Key{.name = "uq.group_correlation", .range = {'[', 0, 1, ']'}, .used = kWithFields,
         .effect = kWithGroups,
-        .meaning = "between joints of one group, kernels same_course, same_unit, all",
+        .meaning = "correlation between joints of one group, of the kernels same_course, same_unit, all",
         .field = kAt<&Study::uq, &UqInput::group_correlation>},
     Key{.name = "uq.stop", .kind = Kind::word, .names = kStops,
         .effect = kWithSamples, .verbs = "study",
@@ -154,11 +150,11 @@ constexpr std::array kRandomKeys = {
         .field = kAt<&Study::uq, &UqInput::stop>},
     Key{.name = "uq.stop_half_width", .range = {'(', 0, 1, ']'},
         .effect = kWithStop, .verbs = "study",
-        .meaning = "of that interval, as a share of the mean; of mixed_share as it is",
+        .meaning = "half width of that interval as a share of the mean; for mixed_share in absolute terms",
         .field = kAt<&Study::uq, &UqInput::stop_half_width>},
     Key{.name = "uq.most_samples", .kind = Kind::count, .range = {'[', 1, 1e7, ']'},
         .effect = kWithStop, .verbs = "study",
-        .meaning = "at which the rule gives up",
+        .meaning = "number of samples at which the rule gives up",
         .field = kAt<&Study::uq, &UqInput::most_samples>},
     Key{.name = "uq.pearson", .kind = Kind::text,
         .effect = kWithRandom,
@@ -174,20 +170,20 @@ constexpr std::array kRandomKeys = {
         .meaning = "form: design point, FORM and SORM; importance: sampling around it; subset: small probabilities; sobol: what the response depends on",
         .field = kAt<&Study::reliability, &ReliabilityInput::method>},
     Key{.name = "reliability.response", .kind = Kind::word, .names = kResponses,
-        .meaning = "that is to fall to the demand or below; ultimate: at fragility.ultimate_share",
+        .meaning = "response whose fall to the demand or below is the event; ultimate: at fragility.ultimate_share",
         .field = kAt<&Study::reliability, &ReliabilityInput::response>},
     Key{.name = "reliability.demand", .kind = Kind::text,
         .derived = {"must be given for reliability"},
-        .meaning = "40 kN, 15 mm, or 1.2 for a drift of 1.2 %",
+        .meaning = "demand, such as 40 kN, 15 mm, or 1.2 for a drift of 1.2 %",
         .field = kAt<&Study::reliability, &ReliabilityInput::demand>},
     Key{.name = "reliability.budget", .kind = Kind::count, .range = {'[', 10, 1e8, ']'},
-        .meaning = "walls at most; multi_fidelity: their cost in all",
+        .meaning = "largest number of walls; multi_fidelity: largest total cost, in walls",
         .field = kAt<&Study::reliability, &ReliabilityInput::budget>},
     Key{.name = "reliability.target_cov", .range = {'(', 0, 10, ']'},
         .effect = kSampled,
         .meaning = "coefficient of variation that the probability should have: sampling stops there",
         .field = kAt<&Study::reliability, &ReliabilityInput::target_cov>},
-    Key{.name = "reliability.cheap", .kind = Kind::word, .names = kCheapFidelities,
+    Key{.name = "reliability.cheap", .kind = Kind::word, .names = kFidelities,
         .effect = kMultiFidelity,
         .meaning = "fidelity of the cheap model of multi_fidelity",
         .field = kAt<&Study::reliability, &ReliabilityInput::cheap>},
@@ -198,32 +194,32 @@ constexpr std::array kRandomKeys = {
     Key{.name = "fragility.user_states", .kind = Kind::text,
         .effect = kUserStates,
         .derived = {"none"},
-        .meaning = "of the set user: slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate; near: ultimate or 1.0 %",
+        .meaning = "limit states of the set user: slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate; near: ultimate or 1.0 %",
         .field = kAt<&Study::fragility, &FragilityInput::user_states>},
     Key{.name = "fragility.crossing", .kind = Kind::word, .names = kCrossings,
         .meaning = "which fall to ultimate_share counts on a jerky curve",
         .field = kAt<&Study::fragility, &FragilityInput::crossing>},
     Key{.name = "fragility.ultimate_share", .range = {'(', 0, 1, ')'},
-        .meaning = "of the peak force, at the ultimate displacement (paper, section 4.2)",
+        .meaning = "share of the peak force at the ultimate displacement (paper, section 4.2)",
         .field = kAt<&Study::fragility, &FragilityInput::ultimate_share>},
     Key{.name = "fragility.bilinear_share", .range = {'(', 0, 1, ']'},
-        .meaning = "of the peak force, through which the bilinear rises (Circolare 7/2019, C7.3.4.2)",
+        .meaning = "share of the peak force through which the bilinear curve rises (Circolare 7/2019, C7.3.4.2)",
         .field = kAt<&Study::fragility, &FragilityInput::bilinear_share>},
     Key{.name = "fragility.backbone", .kind = Kind::word, .names = kBackbones,
         .effect = kToAndFro,
-        .meaning = "on which limit states of a push to and fro are read; worse: the direction that reaches each first",
+        .meaning = "curve on which limit states of a push to and fro are read; worse: that of the direction that reaches each state first",
         .field = kAt<&Study::fragility, &FragilityInput::backbone>},
     Key{.name = "fragility.law", .kind = Kind::word, .names = kDriftLaws,
         .verbs = "study fragility",
-        .meaning = "of limit drifts and displacements",
+        .meaning = "distribution of limit drifts and displacements",
         .field = kAt<&Study::fragility, &FragilityInput::law>},
     Key{.name = "fragility.confidence", .range = {'(', 0, 1, ')'},
         .verbs = "study fragility",
-        .meaning = "of all intervals",
+        .meaning = "confidence level of all intervals",
         .field = kAt<&Study::fragility, &FragilityInput::confidence>},
     Key{.name = "fragility.bootstrap", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
         .verbs = "study fragility",
-        .meaning = "samples behind the p-values of fits; 0 none",
+        .meaning = "samples behind the p-values of fits; 0: none",
         .field = kAt<&Study::fragility, &FragilityInput::bootstrap>},
     Key{.name = "fragility.modes", .kind = Kind::word, .names = kModeRules,
         .meaning = "three: rocking, sliding, mixed; two (paper): walls that slide whole count as rocking, all that lose load as mixed",
@@ -232,7 +228,7 @@ constexpr std::array kRandomKeys = {
         .meaning = "rotation / displacement below which a wall does not rock: it slides, or is of mixed mode where cracked",
         .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::rotation_share>},
     Key{.name = "fragility.cracked_units", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
-        .meaning = "units cracked through from which it counts as cracked; 0: sliding is enough",
+        .meaning = "units cracked through from which a wall counts as cracked; 0: sliding is enough",
         .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::cracked_units>},
 };
 // clang-format on

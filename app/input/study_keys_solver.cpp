@@ -21,18 +21,14 @@ constexpr std::array kKinematics = {named("small", dem::Kinematics::small),
 constexpr std::array kTopLoads = {
     named("dead", dem::TopLoad::dead), named("fixed_line", dem::TopLoad::fixed_line),
     named("follower", dem::TopLoad::follower), named("link", dem::TopLoad::link)};
-constexpr std::array kProtocols = {named("none", Protocol::none),
-                                   named("fema461", Protocol::fema461),
-                                   named("iso16670", Protocol::iso16670)};
+constexpr std::array kProtocols = {named("none", dem::Protocol::none),
+                                   named("fema461", dem::Protocol::fema461),
+                                   named("iso16670", dem::Protocol::iso16670)};
 constexpr std::array kScales = {named("given", false), named("one_way", true)};
 constexpr std::array kPatterns = {named("beam", dem::LoadPattern::beam),
                                   named("body", dem::LoadPattern::body)};
 constexpr std::array kPreloads = {named("solved", dem::Preload::solved),
                                   named("ramped", dem::Preload::ramped)};
-constexpr std::array kFidelities = {
-    named("rigid", dem::Fidelity::rigid), named("simple", dem::Fidelity::simple),
-    named("standard", dem::Fidelity::standard), named("zones", dem::Fidelity::zones),
-    named("fine", dem::Fidelity::fine)};
 constexpr std::array kModes = {named("all", 0), named("rigid", 3)};
 
 /// Top of the beam, or the centre of gravity of what body forces push.
@@ -68,7 +64,7 @@ constexpr Condition kAlone{
 constexpr Condition kWithAmplitudes{[](const Study& s) { return !s.load.amplitudes.empty(); },
                                     "no load.amplitudes are given"};
 constexpr Condition kWithProtocol{
-    [](const Study& s) { return kAlone.holds(s) && s.load.protocol != Protocol::none; },
+    [](const Study& s) { return kAlone.holds(s) && s.load.protocol != dem::Protocol::none; },
     "no load.protocol is followed"};
 constexpr Condition kWithWeight{[](const Study& s) {
                                     return s.parameters.stone.density > 0.0 ||
@@ -95,11 +91,11 @@ constexpr std::array kSolverKeys = {
         .field = kAt<&Study::load, &LoadInput::vertical_stress>},
     Key{.name = "load.height", .unit = "m", .range = {'(', 0, 10010, ']'},
         .derived = {"top of the beam; of body forces the centre of gravity", derive_load_height},
-        .meaning = "of the horizontal load above the floor, within the beam; drifts are displacements over it",
+        .meaning = "height of the horizontal load above the floor, within the beam; drifts are displacements over it",
         .field = kAt<&Study::load, &LoadInput::height>},
     Key{.name = "load.max_displacement", .unit = "mm", .range = {'(', 0, 1000, ']'},
         .effect = kAlone,
-        .meaning = "of the load line; targets and amplitudes replace it",
+        .meaning = "largest displacement of the load line; targets and amplitudes replace it",
         .field = kAt<&Study::load, &LoadInput::max_displacement>},
     Key{.name = "load.targets", .kind = Kind::list, .unit = "mm", .range = {'[', -1000, 1000, ']'},
         .derived = {"max_displacement"},
@@ -107,7 +103,7 @@ constexpr std::array kSolverKeys = {
         .field = kAt<&Study::load, &LoadInput::targets>},
     Key{.name = "load.amplitudes", .kind = Kind::list, .unit = "mm", .range = {'(', 0, 1000, ']'},
         .derived = {"no cycles"},
-        .meaning = "of cycles, each to the right and to the left, in order; the push ends at zero",
+        .meaning = "amplitudes of cycles, each to the right and to the left, in order; the push ends at zero",
         .field = kAt<&Study::load, &LoadInput::amplitudes>},
     Key{.name = "load.repeats", .kind = Kind::count, .range = {'[', 1, 10000, ']'},
         .effect = kWithAmplitudes,
@@ -120,8 +116,8 @@ constexpr std::array kSolverKeys = {
         .field = kAt<&Study::load, &LoadInput::protocol>},
     Key{.name = "load.protocol_scale", .kind = Kind::word, .names = kScales,
         .effect = kWithProtocol,
-        .meaning = "largest amplitude of the protocol: load.max_displacement, or one_way: where the mean wall pushed one"
-                   " way so far reaches its ultimate displacement; of several stress levels the largest",
+        .meaning = "largest amplitude of the protocol; given: load.max_displacement; one_way: the ultimate displacement"
+                   " of the mean wall pushed one way, the largest over the stress levels",
         .field = kAt<&Study::load, &LoadInput::scale_one_way>},
     Key{.name = "load.stop_below", .range = {'[', 0, 1, ')'},
         .meaning = "ends the push once the force is below this share of the peak; 0: at zero force"
@@ -136,7 +132,7 @@ constexpr std::array kSolverKeys = {
                    " space), follower (normal to it), link (docs/theory.md)",
         .field = kAt<&Study::load, &LoadInput::top>},
     Key{.name = "load.link_length", .unit = "m", .range = {'[', -1000, 1000, ']'},
-        .meaning = "of load.top = link: positive a strut to a hinge above, negative a tendon to one"
+        .meaning = "length of the link of load.top = link: positive for a strut to a hinge above, negative for a tendon to one"
                    " below",
         .field = kAt<&Study::load, &LoadInput::link_length>},
     Key{.name = "load.gravity", .unit = "m/s2", .range = {'[', 0, 100, ']'},
@@ -154,7 +150,7 @@ constexpr std::array kSolverKeys = {
         .field = kAt<&Study::solver, &SolverOptions::kinematics>},
     Key{.name = "solver.contact_points", .kind = Kind::count, .range = {'[', 2, 100, ']'},
         .derived = {"of fidelity", derive_contact_points},
-        .meaning = "per face of a half unit",
+        .meaning = "number of contact points per face of a half unit",
         .field = kAt<&Study::discretisation, &Discretisation::contact_points>},
     Key{.name = "solver.face_rule", .kind = Kind::word, .names = kFaceRules,
         .meaning = "contact points evenly spaced, or Gauss-Lobatto",
@@ -176,32 +172,32 @@ constexpr std::array kSolverKeys = {
         .meaning = "gamma of Eq. 1",
         .field = kAt<&Study::solver, &SolverOptions::damping_factor>},
     Key{.name = "solver.step_fraction", .range = {'(', 0, 1, ']'},
-        .meaning = "of the largest stable step",
+        .meaning = "time step as a share of the largest stable step",
         .field = kAt<&Study::solver, &SolverOptions::step_fraction>},
     Key{.name = "solver.steps_per_mm", .range = {'[', 1, 1e9, ']'},
-        .meaning = "explicit steps to a millimetre of the load line's way at full speed",
+        .meaning = "explicit steps per millimetre that the load line travels at full speed",
         .field = kAt<&Study::solver, &SolverOptions::steps_per_mm>},
     Key{.name = "solver.preload", .kind = Kind::word, .names = kPreloads,
-        .meaning = "the vertical load: from the static solution, or by a ramp",
+        .meaning = "solved: the vertical load comes from the static solution; ramped: by a ramp",
         .field = kAt<&Study::solver, &SolverOptions::preload>},
     Key{.name = "solver.preload_steps", .kind = Kind::count, .range = {'[', 1, 1e12, ']'},
-        .meaning = "at most, to come to rest under the vertical load",
+        .meaning = "largest number of steps to come to rest under the vertical load",
         .field = kAt<&Study::solver, &SolverOptions::preload_steps>},
     Key{.name = "solver.preload_unbalance", .range = {'(', 0, 1, ')'},
         .meaning = "unbalanced / applied load at which the vertical load counts as carried",
         .field = kAt<&Study::solver, &SolverOptions::preload_unbalance>},
     Key{.name = "solver.unbalance_limit", .range = {'[', 0, 1, ']'},
-        .meaning = "|top - base shear| / vertical load above which the drive slows; 0 never",
+        .meaning = "|top - base shear| / vertical load above which the drive slows; 0: never",
         .field = kAt<&Study::solver, &SolverOptions::unbalance_limit>},
     Key{.name = "solver.min_speed", .range = {'(', 0, 1, ']'},
         .effect = kSlowingDrive,
         .meaning = "slowest drive, as a share of full speed",
         .field = kAt<&Study::solver, &SolverOptions::min_speed>},
     Key{.name = "solver.energy_tolerance", .range = {'(', 0, 1, ')'},
-        .meaning = "largest energy residual; beyond it the step is halved, in the end the wall failed",
+        .meaning = "largest energy residual; above it the step is halved; if that does not help, the wall has failed",
         .field = kAt<&Study::solver, &SolverOptions::energy_tolerance>},
     Key{.name = "solver.most_steps", .kind = Kind::count, .range = {'[', 1, 1e12, ']'},
-        .meaning = "of one wall; a wall that needs more has failed",
+        .meaning = "largest number of steps of one wall; a wall that needs more has failed",
         .field = kAt<&Study::solver, &SolverOptions::most_steps>},
 
     Key{.name = "output.record_every", .unit = "mm", .range = {'(', 0, 1000, ']'},

@@ -26,9 +26,9 @@ using Pattern = dem::CrackPattern;
 constexpr Condition kWithCrackRegion{
     [](const Study& s) { return !s.cracks.where.empty(); },
     "unit.cracks holds everywhere; write unit.cracks_where, or remove it", true};
-constexpr Condition kWithCrackPattern{[](const Study& s) { return !s.cracks.pattern.empty(); },
-                                      "unit.cracks is not given; write it, or remove this",
-                                      true};
+constexpr Condition kWithCrackPattern{
+    [](const Study& s) { return !s.cracks.pattern.empty(); },
+    "unit.cracks is not given; write unit.cracks, or remove this key", true};
 constexpr Condition kWithVoronoi{[](const Study& s) {
                                      return any_pattern(s, [](const Pattern& p) {
                                          return p.kind == Pattern::Kind::voronoi;
@@ -39,7 +39,7 @@ constexpr Condition kSharedStiffness{
     [](const Study& s) {
         return any_pattern(s, [](const Pattern& p) { return dem::shares_stiffness(p); });
     },
-    "cracks are parallel vertical lines, whose stiffness is unit.stiffness_ratio"};
+    "cracks are parallel vertical lines, whose stiffness follows from unit.stiffness_ratio"};
 constexpr Condition kPaperStiffness{
     [](const Study& s) {
         return any_pattern(s, [](const Pattern& p) {
@@ -66,7 +66,7 @@ constexpr std::array kUnitKeys = {
         .field = kAt<&Study::cracks, &CrackInput::pattern>},
     Key{.name = "unit.cracks_where", .kind = Kind::text, .used = kWithCrackPattern,
         .derived = {"everywhere"},
-        .meaning = "units whose middle lies in x, z, width, height, or in several such boxes: 0.5 m, 0 m, 0.5 m, 0.4 m; ...; toe: the lower 40 % of the half that the wall is pushed towards; needed: those that a coarse push finds near their strength, the others have none",
+        .meaning = "units whose middle lies in x, z, width, height, or in several such boxes: 0.5 m, 0 m, 0.5 m, 0.4 m; ...; toe: the lower 40 % of the half that the wall is pushed towards; needed: the units that a coarse push brings near their strength; the others get no cracks",
         .field = kAt<&Study::cracks, &CrackInput::where>},
     Key{.name = "unit.cracks_elsewhere", .kind = Kind::text, .used = kWithCrackRegion,
         .derived = {"mid"},
@@ -74,11 +74,11 @@ constexpr std::array kUnitKeys = {
         .field = kAt<&Study::cracks, &CrackInput::elsewhere>},
     Key{.name = "unit.cracks_seed", .kind = Kind::count, .range = {'[', 0, 1e9, ']'},
         .used = kWithCrackPattern, .effect = kWithVoronoi,
-        .meaning = "of the cells of voronoi",
+        .meaning = "seed of the cells of voronoi",
         .field = kAt<&Study::wall, &WallGeometry::cracks, &dem::UnitCracks::seed>},
     Key{.name = "unit.crack_rigidity", .range = {'(', 1, 1000, ']'},
         .used = kWithCrackPattern, .effect = kSharedStiffness,
-        .meaning = "k_n of a crack over the stiffness of the stone between two cracks, where pieces have cracks on all sides; the stone is as much stiffer as keeps that of the unit",
+        .meaning = "k_n of a crack over the stiffness of the stone between two cracks, where pieces have cracks on all sides; the stone is made stiffer so that the unit keeps its stiffness",
         .field = kAt<&Study::wall, &WallGeometry::cracks, &dem::UnitCracks::rigidity>},
     Key{.name = "unit.stiffness_ratio", .range = {'(', 0, 1e6, ']'}, .used = kWithCracks,
         .effect = kPaperStiffness,
@@ -93,33 +93,33 @@ constexpr std::array kUnitKeys = {
     Key{.name = "unit.cohesion", .unit = "MPa", .range = kStrength, .used = kWithCracks,
         .derived = {.rule = "tensile_strength", .follow = [](Parameters& p, double) { p.unit.cohesion = p.unit.tensile_strength; }},
         .varies = Varies::by_crack,
-        .meaning = "initial (paper, Table 4)",
+        .meaning = "initial cohesion (paper, Table 4)",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::cohesion>},
     Key{.name = "unit.residual_cohesion", .unit = "MPa", .range = kStrength,
         .used = kWithCracks,
         .varies = Varies::by_crack,
-        .meaning = "at most the initial one",
+        .meaning = "residual cohesion, at most the initial one",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::residual_cohesion>},
     Key{.name = "unit.fracture_energy", .unit = "N/m", .range = {'[', 0, 1e6, ']'},
         .used = kWithCracks, .effect = kTensileCracks,
         .example = "110 N/m",
         .varies = Varies::by_crack,
-        .meaning = "mode I (paper, Table 4)",
+        .meaning = "fracture energy, mode I (paper, Table 4)",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::fracture_energy>},
     Key{.name = "unit.friction_angle", .unit = "deg", .range = kAngle, .used = kWithCracks,
         .example = "35 deg",
         .varies = Varies::by_crack,
-        .meaning = "initial, of a crack (paper, Table 4)",
+        .meaning = "initial friction angle of a crack (paper, Table 4)",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::friction_angle>},
     Key{.name = "unit.residual_friction_angle", .unit = "deg", .range = kAngle,
         .used = kWithCracks,
         .derived = {.rule = "friction_angle", .follow = [](Parameters& p, double) { p.unit.residual_friction_angle = p.unit.friction_angle; }},
         .varies = Varies::by_crack,
-        .meaning = "at most the initial one (paper, Table 4)",
+        .meaning = "residual friction angle, at most the initial one (paper, Table 4)",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::residual_friction_angle>},
     Key{.name = "unit.stiffness_factor", .range = kFactor, .used = kWithCracks,
         .varies = Varies::by_crack,
-        .meaning = "on k_n and k_s of the cracks (paper, Table 5)",
+        .meaning = "factor on k_n and k_s of the cracks (paper, Table 5)",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::stiffness_factor>},
     Key{.name = "unit.compressive_strength", .unit = "MPa", .range = {'(', 0, 10000, ']'}, .names = kNone,
         .used = kWithCracks,
@@ -141,11 +141,11 @@ constexpr std::array kUnitKeys = {
     Key{.name = "unit.snap_back", .kind = Kind::word, .names = kSnapBacks,
         .used = kWithCracks,
         .effect = kTensileCracks,
-        .meaning = "where f_T > sqrt(2 G k_n) a crack breaks at f_T, or is weakened to that value",
+        .meaning = "where f_T > sqrt(2 G k_n) a crack breaks; breaks: at f_T, weakens: at that value",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::snap_back>},
     Key{.name = "unit.unloading", .kind = Kind::word, .names = kUnloadings,
         .used = kWithCrackLaw,
-        .meaning = "an open crack closes to the origin, or with k_n (paper, Table 1) and stays propped",
+        .meaning = "secant: an open crack unloads to the origin; elastic: with k_n (paper, Table 1), and stays open",
         .field = kAt<&Study::solver, &SolverOptions::unloading>},
 };
 // clang-format on

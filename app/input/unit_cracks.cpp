@@ -24,7 +24,7 @@ constexpr double kSmallestCell = 1e-3, kLargestCell = 10.0; // [m]
 {
     throw BadValue(
         in_quotes(text) +
-        " is no pattern; write none, mid, thirds, grid(4, 4), diagonals or voronoi(40 mm)");
+        " is not a pattern; write none, mid, thirds, grid(4, 4), diagonals or voronoi(40 mm)");
 }
 
 /// What stands between the brackets of "NAME(...)"; nothing if the text does not begin with the name.
@@ -41,7 +41,7 @@ int parse_pieces(std::string_view text)
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
     if (error != std::errc{} || end != text.data() + text.size() || n < 1 || n > kMostPieces)
         throw BadValue(in_quotes(text) +
-                       " is no number of pieces; write a whole number from 1 to " +
+                       " is not a number of pieces; write a whole number from 1 to " +
                        std::to_string(kMostPieces));
     return n;
 }
@@ -62,7 +62,7 @@ dem::CrackPattern parse_pattern(std::string_view text)
         const double size = parse_quantity(in, "m");
         if (!(size >= kSmallestCell && size <= kLargestCell))
             throw BadValue("cells of " + in_quotes(in) +
-                           " are no pieces of units; write 1 mm to 10 m");
+                           " are not pieces of units; write 1 mm to 10 m");
         return {CrackKind::voronoi, 1, 1, size};
     }
     refuse_pattern(text);
@@ -82,7 +82,7 @@ dem::Region parse_box(std::string_view text)
     const std::vector<std::string_view> v = split(text, ",");
     if (v.size() != 4)
         throw BadValue(in_quotes(text) +
-                       " is no region; write toe, needed, or x, z, width and height: "
+                       " is not a region; write toe, needed, or x, z, width and height: "
                        "\"0.5 m, 0 m, 0.5 m, 0.4 m\"");
     const double x = parse_quantity(v[0], "m"), z = parse_quantity(v[1], "m"),
                  width = parse_quantity(v[2], "m"), height = parse_quantity(v[3], "m");
@@ -112,16 +112,6 @@ std::string regions_text(const std::vector<dem::Region>& regions)
     return text;
 }
 
-/// Runs a reading of one key, whose errors are said with its place.
-template <class Read> void read_at(const Study& study, std::string_view key, Read read)
-{
-    try {
-        read();
-    } catch (const BadValue& bad) {
-        throw error_at(study.source, key, bad.what());
-    }
-}
-
 /// A drawn wall has whole units only where their length is given, rubble none.
 void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& pattern)
 {
@@ -133,9 +123,10 @@ void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& 
         throw error_at(
             study.source, key,
             study.geometry.rubble
-                ? "mid is of whole units, which rubble has not; write thirds, grid(2, 2), ..."
-                : "mid is of whole units; a drawn wall needs wall.unit_length to tell them, "
-                  "or write thirds, grid(2, 2), ...");
+                ? "mid needs whole units, and rubble has none; write thirds, grid(2, 2), ..."
+                : "mid needs whole units; give wall.unit_length, by which whole units of a "
+                  "drawn "
+                  "wall are known, or write thirds, grid(2, 2), ...");
     pattern = {CrackKind::none};
 }
 
@@ -150,11 +141,12 @@ CrackPatterns crack_patterns(const Study& study)
     if (!in.pattern.empty()) {
         if (!in.in_units)
             throw error_at(study.source, "unit.cracks",
-                           "wall.unit_cracks says that there are none; remove one of them");
-        read_at(study, "unit.cracks", [&] { p.pattern = parse_pattern(in.pattern); });
+                           "wall.unit_cracks = no says that units have no cracks; remove one "
+                           "of the two keys");
+        read_at(study.source, "unit.cracks", [&] { p.pattern = parse_pattern(in.pattern); });
     }
     if (!in.elsewhere.empty())
-        read_at(study, "unit.cracks_elsewhere",
+        read_at(study.source, "unit.cracks_elsewhere",
                 [&] { p.elsewhere = parse_pattern(in.elsewhere); });
     else if (trimmed(in.where) == kNeeded)
         p.elsewhere = {CrackKind::none};
@@ -169,18 +161,15 @@ void read_unit_cracks(Study& study)
     study.wall.cracks.pattern = p.pattern;
     study.wall.cracks.elsewhere = p.elsewhere;
     if (!study.cracks.where.empty())
-        read_at(study, "unit.cracks_where",
+        read_at(study.source, "unit.cracks_where",
                 [&] { study.wall.cracks.where = parse_regions(study.cracks.where, study); });
 }
 
 void find_needed_cracks(Study& study)
 {
     if (trimmed(study.cracks.where) != kNeeded || !has_cracks(study)) return;
-    try {
-        study.wall.cracks.where = needed_cracks(study);
-    } catch (const std::invalid_argument& bad) {
-        throw error_at(study.source, "unit.cracks_where", bad.what());
-    }
+    study.wall.cracks.where =
+        read_at(study.source, "unit.cracks_where", [&] { return needed_cracks(study); });
     study.cracks.where = regions_text(study.wall.cracks.where);
     if (study.cracks.elsewhere.empty()) study.cracks.elsewhere = "none";
 }

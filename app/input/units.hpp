@@ -11,8 +11,8 @@ namespace app {
 
 /// Why a text is not the value asked for, and what to write instead; who reads it adds the
 /// place.
-struct BadValue : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct BadValue : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
 };
 
 /// One number with its unit, such as "0.20 m".

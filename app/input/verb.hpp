@@ -38,6 +38,10 @@ struct Verb {
 /// nullptr if there is no verb of this name.
 [[nodiscard]] const Verb* find_verb(std::span<const Verb> verbs, std::string_view name);
 
+/// The same, or an error that says which verb was probably meant.
+/// @throws ConfigError
+[[nodiscard]] const Verb& known_verb(std::span<const Verb> verbs, std::string_view name);
+
 /// Whether `word` is one of the words of `list`, which are divided by blanks.
 [[nodiscard]] bool is_listed(std::string_view word, std::string_view list);
 

@@ -63,7 +63,7 @@ std::vector<dem::DrawnUnit> parse_outlines(const GeometryInput& g)
             unit.outline.push_back(parse_corner(corner));
         if (unit.outline.size() < 3 || !(dem::polygon_area(unit.outline) > 0.0))
             throw BadValue(in_quotes(part) +
-                           " is no outline; it needs three corners, counter-clockwise");
+                           " is not an outline; it needs three corners, counter-clockwise");
         units.push_back(std::move(unit));
     }
     return units;
@@ -78,9 +78,10 @@ void parse_layer_stones(Study& study)
         const auto [name, values] = named_part(part);
         const std::vector<std::string_view> v = split(values, ",");
         if (name.empty() || v.size() != 3)
-            throw BadValue(in_quotes(part) +
-                           " is no stone of a layer; write for example \"lintel: 30 GPa, 0.2, "
-                           "2500 kg/m3\"");
+            throw BadValue(
+                in_quotes(part) +
+                " is not a stone of a layer; write for example \"lintel: 30 GPa, 0.2, "
+                "2500 kg/m3\"");
         const dem::Elastic stone{parse_quantity(v[0], "GPa"), parse_quantity(v[1], ""),
                                  parse_quantity(v[2], "kg/m3")};
         if (!(stone.young_modulus > 0.0 && stone.poisson_ratio >= 0.0 &&
@@ -182,12 +183,8 @@ void read_geometry(Study& study)
     if (!g.file.empty() && !g.outlines.empty())
         throw error_at(study.source, "wall.outlines",
                        "wall.geometry draws the wall too; remove one of them");
-    try {
-        parse_layer_stones(study);
-    } catch (const BadValue& bad) {
-        throw error_at(study.source, "wall.layer_stones", bad.what());
-    }
-    try {
+    read_at(study.source, "wall.layer_stones", [&] { parse_layer_stones(study); });
+    read_at(study.source, key, [&] {
         if (g.file.empty()) {
             g.units = parse_outlines(g);
             check_outlines(study);
@@ -199,11 +196,7 @@ void read_geometry(Study& study)
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;
         study.cracks.cut_nothing = layout.n_cracks == 0;
-    } catch (const BadValue& bad) {
-        throw error_at(study.source, key, bad.what());
-    } catch (const std::invalid_argument& bad) {
-        throw error_at(study.source, key, bad.what());
-    }
+    });
 }
 
 dem::Region wall_extent(const Study& study)
@@ -211,13 +204,9 @@ dem::Region wall_extent(const Study& study)
     if (!is_drawn(study))
         return {0.0, 0.0, study.wall.length,
                 dem::top_of_course(study.wall, study.wall.courses)};
-    dem::Region all{INFINITY, 0.0, -INFINITY, 0.0};
-    for (const dem::DrawnUnit& unit : study.geometry.units)
-        for (const dem::Point p : unit.outline) {
-            all.x0 = std::min(all.x0, p.x);
-            all.x1 = std::max(all.x1, p.x);
-            all.z1 = std::max(all.z1, p.z);
-        }
+    const std::vector<dem::DrawnUnit>& units = study.geometry.units;
+    dem::Region all = dem::extent_of(units.front().outline);
+    for (const dem::DrawnUnit& unit : units) all = dem::join(all, dem::extent_of(unit.outline));
     return all;
 }
 

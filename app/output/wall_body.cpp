@@ -1,5 +1,7 @@
 #include "app/output/wall_body.hpp"
 
+#include "dem/scene/snapshot_reading.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,19 +20,12 @@ using dem::Snapshot;
 
 constexpr std::array<const char*, 3> kStoneTints = {"#f3ecdf", "#ece3d2", "#f0e8d8"};
 
-double compression(const FaceState& face)
-{
-    double force = 0.0;
-    for (const ContactState& c : face.contacts) force += std::max(0.0, -c.sigma) * c.area;
-    return force;
-}
-
 /// Where the compression of a face acts.
 Pixel resultant(const Snapshot& wall, const WallView& view, const FaceState& face)
 {
     Pixel at;
     for (const ContactState& c : face.contacts) {
-        const double share = std::max(0.0, -c.sigma) * c.area / compression(face);
+        const double share = std::max(0.0, -c.sigma) * c.area / compression_of(face);
         const Pixel p = place_contact(wall, view, face, c).middle;
         at = {at.x + share * p.x, at.y + share * p.y};
     }
@@ -99,13 +94,6 @@ std::string draw_block_edges(const dem::BlockState& block, std::span<const Pixel
 
 } // namespace
 
-double largest_compression(const Snapshot& wall)
-{
-    double largest = 0.0;
-    for (const FaceState& face : wall.faces) largest = std::max(largest, compression(face));
-    return largest;
-}
-
 std::string draw_undeformed(const Snapshot& wall, const WallView& view)
 {
     std::string blocks;
@@ -142,7 +130,7 @@ std::string draw_thrust(const Snapshot& wall, const WallView& view, double wides
     if (!(widest_force > 0.0)) return {};
     std::string struts;
     for (const FaceState& face : wall.faces) {
-        const double share = compression(face) / widest_force;
+        const double share = compression_of(face) / widest_force;
         if (share < 0.02) continue; // thinner than a hairline
         const Pixel at = resultant(wall, view, face);
         const double width = view.mark_size * kThrustWidest * share;

@@ -12,9 +12,6 @@ namespace app {
 inline constexpr const char* kThrustColour = "#8aa399";
 inline constexpr double kThrustWidest = 11.0; // [px] at mark_size 1
 
-/// Largest compressive force over one face [N]; 0 if there is none.
-[[nodiscard]] double largest_compression(const dem::Snapshot& wall);
-
 /// Faint undeformed blocks.
 [[nodiscard]] std::string draw_undeformed(const dem::Snapshot& wall, const WallView& view);
 

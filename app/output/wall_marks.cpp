@@ -1,5 +1,7 @@
 #include "app/output/wall_marks.hpp"
 
+#include "dem/scene/snapshot_reading.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,18 +15,6 @@ using dem::ContactState;
 using dem::FaceKind;
 using dem::FaceState;
 using dem::Snapshot;
-
-bool slides(const ContactState& c, double threshold)
-{
-    return c.opening <= threshold && std::abs(c.slip) > threshold;
-}
-
-bool cracked_through(const FaceState& face)
-{
-    return !face.contacts.empty() &&
-           std::all_of(face.contacts.begin(), face.contacts.end(),
-                       [](const ContactState& c) { return c.damage >= 1.0; });
-}
 
 std::vector<ContactPixels> place_contacts(const Snapshot& wall, const WallView& view,
                                           const FaceState& face)
@@ -107,16 +97,6 @@ std::string arrows_of(const FaceState& face, const std::vector<ContactPixels>& a
 
 } // namespace
 
-double largest_slip(const Snapshot& wall, double threshold)
-{
-    double largest = 0.0;
-    for (const FaceState& face : wall.faces)
-        for (const ContactState& c : face.contacts)
-            if (face.kind != FaceKind::unit_crack && slides(c, threshold))
-                largest = std::max(largest, std::abs(c.slip));
-    return largest;
-}
-
 std::string draw_openings(const Snapshot& wall, const WallView& view, const MarkSizes& sizes)
 {
     Gaps gaps;
@@ -166,14 +146,6 @@ std::string draw_slips(const Snapshot& wall, const WallView& view, const MarkSiz
     return lines + arrows;
 }
 
-bool any_crushed(const Snapshot& wall)
-{
-    return std::ranges::any_of(wall.faces, [](const FaceState& face) {
-        return std::ranges::any_of(face.contacts,
-                                   [](const ContactState& c) { return c.crushed > 0.0; });
-    });
-}
-
 std::string crushed_mark(Pixel at, double lost, double size)
 {
     const double side = 6.0 * size; // [px]
@@ -199,7 +171,7 @@ std::string draw_cracks(const Snapshot& wall, const WallView& view)
     for (const FaceState& face : wall.faces) {
         if (face.kind != FaceKind::unit_crack || face.contacts.empty()) continue;
         const std::vector<ContactPixels> at = place_contacts(wall, view, face);
-        if (cracked_through(face)) {
+        if (is_cracked_through(face)) {
             through += draw_gap(at, 0, at.size() - 1);
             continue;
         }

@@ -24,9 +24,6 @@ inline constexpr const char* kSlipColour = "#e08214";
 inline constexpr const char* kCrushColour = "#5e2a84";
 inline constexpr double kSlipThinnest = 1.5, kSlipWidest = 7.0; // [px] at mark_size 1
 
-/// Largest slip of contacts that are marked as slipping [m]; 0 if there is none.
-[[nodiscard]] double largest_slip(const dem::Snapshot& wall, double threshold);
-
 /// Filled gaps of joints.
 [[nodiscard]] std::string draw_openings(const dem::Snapshot& wall, const WallView& view,
                                         const MarkSizes& sizes);
@@ -42,7 +39,6 @@ inline constexpr double kSlipThinnest = 1.5, kSlipWidest = 7.0; // [px] at mark_
 
 /// A square at each contact that has begun to crush, filled as far as its strength is lost.
 [[nodiscard]] std::string draw_crushed(const dem::Snapshot& wall, const WallView& view);
-[[nodiscard]] bool any_crushed(const dem::Snapshot& wall);
 
 /// The square. @param lost share of the strength [-]
 [[nodiscard]] std::string crushed_mark(Pixel at, double lost, double size);

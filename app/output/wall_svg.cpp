@@ -6,6 +6,7 @@
 #include "app/output/wall_marks.hpp"
 #include "app/output/wall_view.hpp"
 #include "app/text/number_text.hpp"
+#include "dem/scene/snapshot_reading.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #include "app/output/wall_view.hpp"
 
 #include "app/output/block_displacement.hpp"
+#include "dem/scene/snapshot_reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +15,6 @@ namespace {
 double larger_side(const WallBox& box)
 {
     return std::max(box.high.x - box.low.x, box.high.z - box.low.z);
-}
-
-double largest_joint_movement(const dem::Snapshot& wall)
-{
-    double largest = 0.0;
-    for (const dem::FaceState& face : wall.faces)
-        for (const dem::ContactState& c : face.contacts)
-            largest = std::max({largest, c.opening, std::abs(c.slip)});
-    return largest;
 }
 
 /// Largest of 1, 2, 3, 5 times a power of ten that is at most `x`, within [1, 1000].
@@ -64,15 +56,6 @@ WallBox join(const WallBox& a, const WallBox& b)
             {std::max(a.high.x, b.high.x), std::max(a.high.z, b.high.z)}};
 }
 
-double largest_displacement(const dem::Snapshot& wall)
-{
-    double largest = 0.0;
-    for (const dem::BlockState& block : wall.blocks)
-        for (const dem::Point& u : block.displacement)
-            largest = std::max(largest, std::hypot(u.x, u.z));
-    return largest;
-}
-
 double drawing_scale(const dem::Snapshot& wall)
 {
     const WallBox rest = box_of(wall.blocks, 0.0);
@@ -80,7 +63,7 @@ double drawing_scale(const dem::Snapshot& wall)
     constexpr double kSmall =
         1e-12; // [m] a wall at rest is drawn at the largest scale, and looks at rest
     const double by_displacement = 0.15 * size / std::max(largest_displacement(wall), kSmall);
-    const double by_joint = 0.12 * size / std::max(largest_joint_movement(wall), kSmall);
+    const double by_joint = 0.12 * size / std::max(largest_movement(wall), kSmall);
     return round_down(std::min(by_displacement, by_joint));
 }
 

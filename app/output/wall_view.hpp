@@ -41,9 +41,6 @@ struct ContactPixels {
 /// 0.12, of the smaller side of the wall. In [1, 1000].
 [[nodiscard]] double drawing_scale(const dem::Snapshot& wall);
 
-/// Largest length of a displacement of the wall [m].
-[[nodiscard]] double largest_displacement(const dem::Snapshot& wall);
-
 [[nodiscard]] ContactPixels place_contact(const dem::Snapshot& wall, const WallView& view,
                                           const dem::FaceState& face,
                                           const dem::ContactState& contact);

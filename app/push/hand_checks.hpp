@@ -12,18 +12,13 @@ namespace app {
 
 struct HandChecks {
     double vertical_load = 0.0; ///< on the top, with the weight of the beam [N]
-    double wall_weight = 0.0;   ///< of the courses that can turn [N]
-    /// (N + W) L / (2 h): turning about the toe of the lowest joint that can open, h from there to the load
-    /// line [N]. Body forces: f times the weight of all blocks, with f = (N + W) L / 2 over the moment of the
-    /// weight above that joint turned sideways.
-    /// Nothing for a wall that is drawn, has openings, or whose joints have mortar.
+    double wall_weight = 0.0;   ///< of what can turn [N]
+    /// As dem::RigidWall has it [N]; nothing for a wall that is drawn, has openings, or whose joints have mortar.
     std::optional<double> rocking_limit;
-    /// tan(phi) (N + weight of the top course), the least of the bed joints [N]. Body forces: f times the weight
-    /// of all blocks, with f = tan(phi) (N + W) over the weight above the lowest joint, which is the least.
-    /// Nothing where the angle is drawn for each joint or wall, nor where there is no rocking limit.
+    /// The same; nothing where the angle is drawn for each joint or wall, nor where there is no rocking limit.
     std::optional<double> sliding_limit;
-    /// Largest compression in the lowest joints that can open, at the end of the push [Pa]; nothing where the
-    /// push failed. Where joints have no compressive strength, nothing limits it.
+    /// dem::toe_stress at the end of the push [Pa]; nothing where the push failed. Where joints have no compressive
+    /// strength, nothing limits it.
     std::optional<double> toe_stress;
     std::vector<std::string>
         remarks; ///< results beyond a limit, and what cannot happen in this wall

@@ -1,4 +1,4 @@
-#include "app/push/push_command.hpp"
+#include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
 #include "app/input/random_layouts.hpp"

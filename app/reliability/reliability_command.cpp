@@ -1,4 +1,4 @@
-#include "app/reliability/reliability_command.hpp"
+#include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
 #include "app/input/study_keys.hpp"

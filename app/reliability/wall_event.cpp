@@ -34,13 +34,10 @@ Demand demand_of(const Study& study)
                        "missing; write e.g. \"demand = 40 kN\" under [reliability]");
     const WallResponse& r = response_of(study);
     const bool percent = r.unit == "%";
-    try {
-        const double value = parse_quantity(text, percent ? "" : r.unit);
-        return {percent ? value / r.scale : value,
-                std::string(r.words) + " <= " + text + (percent ? " %" : "")};
-    } catch (const BadValue& bad) {
-        throw error_at(study.source, "reliability.demand", bad.what());
-    }
+    const double value = read_at(study.source, "reliability.demand",
+                                 [&] { return parse_quantity(text, percent ? "" : r.unit); });
+    return {percent ? value / r.scale : value,
+            std::string(r.words) + " <= " + text + (percent ? " %" : "")};
 }
 
 /// A push that ends before the demand can never show it.

@@ -54,11 +54,8 @@ void read_pair(const Study& study, const std::string& item, Eigen::MatrixXd& r)
     const Eigen::Index i = input_named(study, a), j = input_named(study, b);
     check_pair(study, i, j);
     if (r(i, j) != 0.0) refuse(study, a + " and " + b + " are given twice; keep one of them");
-    try {
-        r(i, j) = r(j, i) = parse_quantity(value, "");
-    } catch (const BadValue& bad) {
-        refuse(study, bad.what());
-    }
+    r(i, j) = r(j, i) =
+        read_at(study.source, "uq.pearson", [&] { return parse_quantity(value, ""); });
 }
 
 } // namespace
@@ -72,11 +69,8 @@ std::optional<uq::NormalCopula> dependence_of(const Study& study)
     Eigen::MatrixXd pearson = Eigen::MatrixXd::Identity(n, n);
     std::istringstream list(study.uq.pearson);
     for (std::string item; std::getline(list, item, ',');) read_pair(study, item, pearson);
-    try {
-        return uq::normal_copula(variables, pearson);
-    } catch (const std::invalid_argument& bad) {
-        refuse(study, bad.what());
-    }
+    return read_at(study.source, "uq.pearson",
+                   [&] { return uq::normal_copula(variables, pearson); });
 }
 
 } // namespace app

@@ -1,4 +1,4 @@
-#include "app/scene/scene_command.hpp"
+#include "app/commands.hpp"
 
 #include "app/drawing/write_drawing.hpp"
 #include "app/input/key_effects.hpp"
@@ -7,14 +7,16 @@
 #include "app/output/markup.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table.hpp"
-#include "app/scene/bond_indices.hpp"
-#include "app/scene/quality_terms.hpp"
 #include "app/scene/scene_picture.hpp"
 #include "app/scene/scene_units.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 #include "dem/block/contact_count.hpp"
+#include "dem/scene/bond_indices.hpp"
 #include "dem/scene/layout.hpp"
+#include "dem/scene/quality_terms.hpp"
+#include "dem/scene/rigid_wall.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string counted(std::size_t n, const std::string& one, const std::string& many)
-{
-    return std::to_string(n) + ' ' + (n == 1 ? one : many);
-}
-
-std::string counted(int n, const std::string& one)
+std::string plural(int n, const std::string& one)
 {
     return counted(static_cast<std::size_t>(n), one, one + 's');
 }
@@ -45,78 +42,64 @@ std::string count_text(const Study& study, const dem::Layout& layout,
 {
     std::string text = counted(units.size(), "unit", "units");
     if (static_cast<std::size_t>(layout.beam) != units.size())
-        text += " in " + counted(layout.beam, "block");
-    return text + ", " + counted(layout.n_joints, "joint") + ", " +
-           counted(layout.n_cracks, "potential crack") + ", " +
+        text += " in " + plural(layout.beam, "block");
+    return text + ", " + plural(layout.n_joints, "joint") + ", " +
+           plural(layout.n_cracks, "potential crack") + ", " +
            counted(dem::contact_count(layout, study.discretisation), "contact point",
                    "contact points");
 }
 
-/// Without the beam [m2], and its weight [N].
-struct Masonry {
-    double area = 0.0, weight = 0.0;
-};
-
-Masonry masonry_of(const Study& study, const dem::Layout& layout)
+std::string size_text(const Study& study, const dem::Layout& layout)
 {
-    Masonry m;
-    for (std::size_t b = 0; b < static_cast<std::size_t>(layout.beam); ++b) {
-        const dem::Block& block = layout.blocks[b];
-        const dem::Elastic& stone = dem::stone_of(layout, static_cast<int>(b),
-                                                  study.parameters.stone, study.beam.material);
-        const double area = dem::area_of(block);
-        m.area += area;
-        m.weight += area * layout.thickness * stone.density * study.load.gravity;
-    }
-    return m;
-}
-
-std::string size_text(const Study& study, const dem::Layout& layout, const Masonry& m)
-{
+    const dem::Weights w = dem::weights_of(layout, study.parameters.stone, study.beam.material,
+                                           study.load.gravity);
     return number(wall_length(study), 4) + " m long, " + number(layout.height, 4) +
-           " m high, " + number(layout.thickness, 4) + " m thick; " + number(m.area, 4) +
-           " m2 of stone, " + fixed(m.weight * 1e-3, 2) + " kN";
+           " m high, " + number(layout.thickness, 4) + " m thick; " + number(w.area, 4) +
+           " m2 of stone, " + fixed(w.masonry * 1e-3, 2) + " kN";
 }
 
 std::string whole_mm(double metres) { return fixed(metres * 1e3, 0); }
 
-std::string index_text(const BondIndices& i)
+std::string index_text(const dem::BondIndices& i)
 {
-    std::string text =
-        "Mean unit " + whole_mm(i.mean_length) + " x " + whole_mm(i.mean_height) + " mm. ";
+    std::string text = "The mean unit is " + whole_mm(i.mean_length) + " x " +
+                       whole_mm(i.mean_height) + " mm. ";
     text += std::isfinite(i.trace)
-                ? "Line of minimum trace " + fixed(i.trace, 2) + " m, " +
+                ? "The line of minimum trace is " + fixed(i.trace, 2) + " m long, " +
                       fixed(i.trace_ratio, 2) + " times the height. "
-                : "No line of minimum trace: no way through joints from the floor to the top. ";
+                : "There is no line of minimum trace: no way leads through joints from the "
+                  "floor to the top. ";
     text += std::isfinite(i.mean_overlap)
-                ? "Overlap of head joints in successive courses: mean " +
-                      fixed(i.mean_overlap, 2) + ", least " + fixed(i.least_overlap, 2) +
-                      " times the height of a unit."
-                : "Overlap of head joints: not defined without rectangles in courses.";
+                ? "The overlap of head joints in successive courses is " +
+                      fixed(i.mean_overlap, 2) +
+                      " times the height of a unit on average, and " +
+                      fixed(i.least_overlap, 2) + " times at least."
+                : "The overlap of head joints is not defined without rectangles in courses.";
     return text;
 }
 
-std::string_view word(Fulfilled f)
+std::string_view word(dem::Fulfilled f)
 {
-    return f == Fulfilled::fully    ? "fulfilled"
-           : f == Fulfilled::partly ? "partly"
-                                    : "not fulfilled";
+    return f == dem::Fulfilled::fully    ? "fulfilled"
+           : f == dem::Fulfilled::partly ? "partly"
+                                         : "not fulfilled";
 }
 
 std::string percent(double share) { return fixed(100.0 * share, 0) + " %"; }
 
-std::string quality_text(const BondIndices& i, const QualityTerms& q)
+std::string quality_text(const dem::BondIndices& i, const dem::QualityTerms& q)
 {
     const std::string level = std::isfinite(i.level_trace_ratio)
-                                  ? "minimum trace from side to side " +
+                                  ? "the minimum trace from side to side is " +
                                         fixed(i.level_trace_ratio, 2) + " times the length"
-                                  : "no way through joints from side to side";
-    return "Of the masonry quality index: dimensions (SD) " + std::string(word(q.dimensions)) +
-           ", " + percent(q.long_stones) + " of the units are longer than 400 mm, " +
-           percent(q.middle_stones) + " 200 to 400 mm; head joints (VJ) " +
-           std::string(word(q.staggered)) + "; for bed joints (HJ): " + level +
-           "; for shapes (SS): units fill " + percent(q.filled) +
-           " of their extents. SM, WC and MM are not seen in an elevation.";
+                                  : "no way leads through joints from side to side";
+    return "Terms of the masonry quality index: dimensions (SD): " +
+           std::string(word(q.dimensions)) + " (" + percent(q.long_stones) +
+           " of the units are longer than 400 mm, " + percent(q.middle_stones) +
+           " are 200 to 400 mm long); head joints (VJ): " + std::string(word(q.staggered)) +
+           "; bed joints (HJ): " + level + "; shapes (SS): the units fill " +
+           percent(q.filled) +
+           " of their extents. SM, WC and MM cannot be seen in an elevation.";
 }
 
 constexpr std::string_view kSceneList = "drystone_scene_files.txt";
@@ -143,8 +126,8 @@ int scene_command(const Command& command)
     const std::vector<DrawnBlock> units = scene_units(study, whole);
     say_effects(study, command);
     const std::string counts = count_text(study, layout, units);
-    const std::string sizes = size_text(study, layout, masonry_of(study, layout));
-    const BondIndices indices = bond_indices(whole, units);
+    const std::string sizes = size_text(study, layout);
+    const dem::BondIndices indices = dem::bond_indices(whole);
     const double unit = study.geometry.length_unit;
     write_results(out,
                   {{"scene.json", write_drawing_json(units, unit)},
@@ -154,7 +137,7 @@ int scene_command(const Command& command)
     std::cout << wrapped(counts + ".\n", terminal_width())
               << wrapped(sizes + ".\n", terminal_width())
               << wrapped(index_text(indices) + "\n", terminal_width())
-              << wrapped(quality_text(indices, quality_terms(indices, units)) + "\n",
+              << wrapped(quality_text(indices, dem::quality_terms(indices, whole)) + "\n",
                          terminal_width())
               << layouts_text(study) << "scene.svg, scene.json and scene.dxf written to "
               << command.out << '\n';

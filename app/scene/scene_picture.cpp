@@ -223,7 +223,7 @@ SceneCounts count_faces(const dem::Layout& layout)
     std::vector<int> seen(static_cast<std::size_t>(layout.n_joints) + 1, 0);
     for (const dem::Face& f : layout.faces) {
         const bool joint = f.kind == FaceKind::bed_joint || f.kind == FaceKind::head_joint;
-        if (joint && seen.at(f.id)++ > 0) continue;
+        if (joint && seen.at(static_cast<std::size_t>(f.id))++ > 0) continue;
         n.beds += f.kind == FaceKind::bed_joint ? 1 : 0;
         n.heads += f.kind == FaceKind::head_joint ? 1 : 0;
         n.cracks += f.kind == FaceKind::unit_crack ? 1 : 0;

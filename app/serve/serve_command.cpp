@@ -1,4 +1,4 @@
-#include "app/serve/serve_command.hpp"
+#include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
 #include "app/serve/http_server.hpp"

@@ -1,4 +1,4 @@
-#include "app/study/curves_command.hpp"
+#include "app/commands.hpp"
 
 #include "app/output/atomic_output.hpp"
 #include "app/output/replaced_file.hpp"

@@ -73,12 +73,10 @@ std::string drawn_text(const Study& study, const WantedWall& wall)
 
 WantedWall drawn_wall(const Study& study)
 {
-    try {
+    return read_at(study.source, "uq.drawn", [&]() -> WantedWall {
         const auto parts = split(study.uq.drawn, ";");
         return {parse_level(study, parts.front()), parse_draw(study, parts)};
-    } catch (const BadValue& bad) {
-        throw error_at(study.source, "uq.drawn", bad.what());
-    }
+    });
 }
 
 Study with_drawn(Study study, const WantedWall& wall)

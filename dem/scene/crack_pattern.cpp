@@ -1,7 +1,6 @@
 #include "dem/scene/crack_pattern.hpp"
 
 #include "dem/scene/clip.hpp"
-#include "dem/scene/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +14,6 @@ namespace dem {
 namespace {
 
 constexpr double kRounding = 1e-6; // [m]
-
-Region extent_of(const Outline& outline)
-{
-    const auto [left, right] = std::ranges::minmax(outline, {}, &Point::x);
-    const auto [low, high] = std::ranges::minmax(outline, {}, &Point::z);
-    return {left.x, low.z, right.x, high.z};
-}
 
 /// Both sides of a line, of all the pieces.
 std::vector<Outline> halved(const std::vector<Outline>& pieces, Point at, Point normal)

@@ -1,7 +1,7 @@
 #pragma once
 /// Where units may crack: the lines and cells that divide a unit into pieces.
 
-#include "dem/scene/snapshot.hpp"
+#include "dem/scene/polygon.hpp"
 
 #include <vector>
 
@@ -19,12 +19,6 @@ struct CrackPattern {
     int columns = 2, rows = 1; ///< of a grid, >= 1
     double size = 0.0;         ///< of voronoi cells [m], > 0
     friend bool operator==(const CrackPattern&, const CrackPattern&) = default;
-};
-
-/// An upright rectangle [m].
-struct Region {
-    double x0 = 0.0, z0 = 0.0, x1 = 0.0, z1 = 0.0;
-    friend bool operator==(const Region&, const Region&) = default;
 };
 
 struct UnitCracks {

@@ -197,13 +197,12 @@ void add_base_faces(int last, Layout& layout)
 
 Block block_of(std::vector<Point> outline)
 {
+    const Region e = extent_of(outline);
     Block b;
-    const auto [left, right] = std::ranges::minmax(outline, {}, &Point::x);
-    const auto [low, high] = std::ranges::minmax(outline, {}, &Point::z);
-    b.x0 = left.x;
-    b.x1 = right.x;
-    b.z0 = low.z;
-    b.z1 = high.z;
+    b.x0 = e.x0;
+    b.x1 = e.x1;
+    b.z0 = e.z0;
+    b.z1 = e.z1;
     if (!is_rectangle(outline, b)) b.outline = std::move(outline);
     return b;
 }

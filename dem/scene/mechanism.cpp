@@ -1,6 +1,7 @@
 #include "dem/scene/mechanism.hpp"
 
 #include "dem/scene/polygon.hpp"
+#include "dem/scene/snapshot_reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,7 @@ std::vector<int> held_together(const Snapshot& wall)
     };
     for (const FaceState& f : wall.faces) {
         if (f.kind != FaceKind::unit_crack) continue;
-        if (broken_contacts(f) == static_cast<int>(f.contacts.size())) continue;
+        if (f.contacts.empty() || is_cracked_through(f)) continue;
         const int a = root(f.block_a), b = root(f.block_b);
         first[std::max(a, b)] = std::min(a, b);
     }

@@ -20,6 +20,19 @@ template <class Visit> void each_side(std::span<const Point> outline, Visit visi
 
 } // namespace
 
+Region extent_of(std::span<const Point> points)
+{
+    const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
+    const auto [low, high] = std::ranges::minmax(points, {}, &Point::z);
+    return {left.x, low.z, right.x, high.z};
+}
+
+Region join(const Region& a, const Region& b)
+{
+    return {std::min(a.x0, b.x0), std::min(a.z0, b.z0), std::max(a.x1, b.x1),
+            std::max(a.z1, b.z1)};
+}
+
 double polygon_area(std::span<const Point> outline)
 {
     double twice = 0.0;

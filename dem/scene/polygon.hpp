@@ -1,11 +1,23 @@
 #pragma once
-/// Closed outlines: area, middle, whether a point lies inside.
+/// Closed outlines: area, middle, extent, whether a point lies inside.
 
 #include "dem/scene/snapshot.hpp"
 
 #include <span>
 
 namespace dem {
+
+/// An upright rectangle [m].
+struct Region {
+    double x0 = 0.0, z0 = 0.0, x1 = 0.0, z1 = 0.0;
+    friend bool operator==(const Region&, const Region&) = default;
+};
+
+/// The smallest rectangle around at least one point.
+[[nodiscard]] Region extent_of(std::span<const Point> points);
+
+/// The smallest rectangle around both.
+[[nodiscard]] Region join(const Region& a, const Region& b);
 
 /// Positive where the corners run counter-clockwise [m2].
 [[nodiscard]] double polygon_area(std::span<const Point> outline);

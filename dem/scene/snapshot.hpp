@@ -15,7 +15,7 @@ enum class FaceKind { bed_joint, head_joint, unit_crack, beam_joint, base_joint 
 
 /// One contact point of a face. Opening and tension are positive.
 struct ContactState {
-    Point at;              ///< undeformed position [m]
+    Point at{};            ///< undeformed position [m]
     double area = 0.0;     ///< tributary area [m2]
     double opening = 0.0;  ///< u_n [m]; negative where the contact is compressed
     double slip = 0.0;     ///< total tangential displacement of block b past block a [m]

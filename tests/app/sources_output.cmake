@@ -3,7 +3,7 @@ set(TEST_APP_OUTPUT_SOURCES
     app/test_axis_ticks.cpp
     app/test_capacity_csv.cpp
     app/test_chart_svg.cpp
-    app/test_cyclic_protocol.cpp
+    app/test_cycles_csv.cpp
     app/test_number_text.cpp
     app/test_progress.cpp
     app/test_result_folder.cpp

@@ -64,7 +64,7 @@ TEST_CASE("fragility states: what is not a rule is refused with what is",
     const struct {
         const char* text;
         const char* message;
-    } cases[] = {{"0.7 yield", "is no limit state"},
+    } cases[] = {{"0.7 yield", "is not a limit state"},
                  {"a: 0.7 yeld", "did you mean \"yield\"?"},
                  {"a: -1 yield", "positive factor"},
                  {"a: drop", "has no share"},
@@ -82,7 +82,8 @@ TEST_CASE("fragility states: what is not a rule is refused with what is",
     CHECK_THROWS_AS(wanted("limit_states = user"), app::ConfigError);
     // found when the study is read, before any wall is run, and where no set asks for it, too
     CHECK_THROWS_WITH(study_scenes::study("samples = 1\n[fragility]\nlimit_states = NTC"),
-                      Catch::Contains("study.ini:") && Catch::Contains("\"NTC\" is no set"));
-    CHECK_THROWS_WITH(study_scenes::study("samples = 1\n[fragility]\nuser_states = slight"),
-                      Catch::Contains("fragility.user_states: \"slight\" is no limit state"));
+                      Catch::Contains("study.ini:") && Catch::Contains("\"NTC\" is not a set"));
+    CHECK_THROWS_WITH(
+        study_scenes::study("samples = 1\n[fragility]\nuser_states = slight"),
+        Catch::Contains("fragility.user_states: \"slight\" is not a limit state"));
 }

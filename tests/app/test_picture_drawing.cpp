@@ -263,7 +263,7 @@ TEST_CASE("picture drawing: a stone of three borders keeps them, however short",
                                          {.width = 1.0, .height = 1.0, .simplify = 0.051});
     CHECK(wall.blocks.size() == 4);
     check_fills(wall, 1.0, 1.0);
-    CHECK_FALSE(scenes::notes(wall, "closed to points"));
+    CHECK_FALSE(scenes::notes(wall, "closed to"));
 }
 
 TEST_CASE("picture drawing: a short border stays where a stone would touch itself",

@@ -46,7 +46,8 @@ TEST_CASE(
     const auto targets = push_plan(scaled).targets;
     CHECK(*std::max_element(targets.begin(), targets.end()) == scaled.load.max_displacement);
     const std::string said = effective_configuration(scaled);
-    CHECK(said.find("ultimate of the mean wall one way: ") != std::string::npos);
+    CHECK(said.find("ultimate displacement of the mean wall pushed one way: ") !=
+          std::string::npos);
     // Read again, it is the same push without another one to find it.
     const Study again = study_texts::read(said);
     CHECK(again.load.scaled.empty());

@@ -1,4 +1,4 @@
-#include "app/push/push_command.hpp"
+#include "app/commands.hpp"
 
 #include "scenes/temporary_folder.hpp"
 

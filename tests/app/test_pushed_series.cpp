@@ -3,7 +3,7 @@
 #include "app/push/pushed_series.hpp"
 
 #include "app/child_process.hpp"
-#include "app/push/push_command.hpp"
+#include "app/commands.hpp"
 #include "app/store/store_error.hpp"
 #include "scenes/temporary_folder.hpp"
 

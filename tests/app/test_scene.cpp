@@ -1,11 +1,7 @@
+#include "app/commands.hpp"
 #include "app/input/key_effects.hpp"
 #include "app/input/wall_geometry.hpp"
-#include "app/push/push_command.hpp"
-#include "app/scene/bond_indices.hpp"
-#include "app/scene/quality_terms.hpp"
-#include "app/scene/scene_command.hpp"
 #include "app/scene/scene_units.hpp"
-#include "app/study_texts.hpp"
 #include "dem/scene/polygon.hpp"
 #include "scenes/temporary_folder.hpp"
 
@@ -13,11 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -88,17 +82,6 @@ app::Study study_of(const std::string& file, const std::vector<std::string>& ove
     return app::read_study(app::with_overrides(app::read_study_file(file), overrides));
 }
 
-app::BondIndices indices_of(const app::Study& study)
-{
-    const dem::Layout whole = app::whole_units(study);
-    return app::bond_indices(whole, app::scene_units(study, whole));
-}
-
-app::BondIndices indices_of(const std::vector<std::string>& overrides)
-{
-    return indices_of(study_of(kWall, overrides));
-}
-
 } // namespace
 
 TEST_CASE("scene command: the paper's wall, exported and read again, is the same wall",
@@ -151,61 +134,6 @@ TEST_CASE("scene units: a unit that a crack parts is whole again, with its own c
     CHECK(units[1].outline.size() == 5);
     CHECK(dem::polygon_area(units[0].outline) == Approx(0.0189));
     CHECK(units[0].layer == "wall");
-}
-
-TEST_CASE("bond indices: running bond by hand, stack bond has straight joints", "[app][scene]")
-{
-    const app::BondIndices running = indices_of(study_of(kWall));
-    CHECK(running.trace == Approx(1.9)); // ten head joints of 0.1 m, nine half units of 0.1 m
-    CHECK(running.trace_ratio == Approx(1.9));
-    CHECK(running.least_overlap == Approx(1.0)); // half of 200 mm over 100 mm
-    CHECK(running.mean_overlap == Approx(1.0));
-    CHECK(running.mean_length == Approx(10.0 / 55.0));
-    CHECK(running.mean_height == Approx(0.1));
-    const app::BondIndices quarter = indices_of({"wall.bond=0.25"});
-    CHECK(quarter.trace == Approx(1.45));
-    CHECK(quarter.least_overlap == Approx(0.5));
-    const app::BondIndices stack = indices_of({"wall.bond=stack"});
-    CHECK(stack.trace_ratio == Approx(1.0));
-    CHECK(stack.least_overlap == Approx(0.0).margin(1e-12));
-    CHECK(std::isnan(indices_of({"wall.courses=1", "load.height=0.2 m"}).mean_overlap));
-}
-
-TEST_CASE("bond indices: from side to side, 1 along bed joints; longer through rubble",
-          "[app][scene]")
-{
-    CHECK(indices_of(study_texts::read_good()).level_trace_ratio == Approx(1.0));
-    const app::BondIndices rubble = indices_of(study_texts::read_good({"wall.bond=rubble"}));
-    CHECK(rubble.level_trace_ratio > 1.01);
-    CHECK(rubble.trace_ratio > 1.01);
-    CHECK(std::isnan(rubble.least_overlap));
-}
-
-TEST_CASE("quality terms: sizes and shapes of units by hand, staggering by the trace",
-          "[app][scene]")
-{
-    const std::vector<app::DrawnBlock> units = {
-        {{{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.2}, {0.0, 0.2}}, "wall", ""},
-        {{{0.5, 0.0}, {0.8, 0.0}, {0.5, 0.2}}, "wall", ""},
-        {{{0.8, 0.0}, {0.9, 0.0}, {0.9, 0.45}, {0.8, 0.45}}, "wall", ""}};
-    using enum app::Fulfilled;
-    app::BondIndices indices;
-    indices.trace_ratio = 1.5;
-    const app::QualityTerms terms = app::quality_terms(indices, units);
-    CHECK(terms.long_stones == Approx(2.0 / 3.0));
-    CHECK(terms.middle_stones == Approx(1.0 / 3.0));
-    CHECK(terms.filled == Approx((0.1 + 0.03 + 0.045) / (0.1 + 0.06 + 0.045)));
-    CHECK(terms.dimensions == fully);
-    CHECK(terms.staggered == partly);
-    const std::vector<app::DrawnBlock> small(
-        3, {{{0.0, 0.0}, {0.15, 0.0}, {0.15, 0.1}, {0.0, 0.1}}, "wall", ""});
-    indices.trace_ratio = 1.3;
-    std::vector<app::DrawnBlock> halves = {units[0], small[0]}; // no class has more than half
-    CHECK(app::quality_terms(indices, halves).dimensions == partly);
-    CHECK(app::quality_terms(indices, small).dimensions == no);
-    CHECK(app::quality_terms(indices, small).staggered == no);
-    indices.trace_ratio = std::numeric_limits<double>::quiet_NaN(); // no way at all
-    CHECK(app::quality_terms(indices, small).staggered == fully);
 }
 
 TEST_CASE("scene command: what was closed or simplified of a drawing is said", "[app][scene]")

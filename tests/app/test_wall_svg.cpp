@@ -3,6 +3,7 @@
 #include "app/output/wall_body.hpp"
 #include "app/output/wall_legend.hpp"
 #include "app/output/wall_marks.hpp"
+#include "dem/scene/snapshot_reading.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 #include "tests/scenes/xml_tree.hpp"
 
@@ -122,7 +123,7 @@ TEST_CASE("wall picture: slip is marked where a joint is closed, wider where it 
     CHECK(scenes::number_of(lines[0], "stroke-width") == Approx(app::kSlipThinnest + range));
     CHECK(scenes::number_of(lines[5], "stroke-width") ==
           Approx(app::kSlipThinnest + range / 2));
-    CHECK(app::largest_slip(wall, 5e-4) == 0.02);
+    CHECK(dem::largest_slip(wall, 5e-4) == 0.02);
 }
 
 TEST_CASE("wall picture: half-arrows show which side goes where", "[app][wall_svg]")
@@ -184,12 +185,12 @@ TEST_CASE("wall picture: thrust is as wide as the compression, and tension has n
         for (dem::ContactState& c : face.contacts)
             c.sigma = face.kind == FaceKind::bed_joint ? 1e6 : 0.0;
     CHECK(app::draw_thrust(wall, kView, 1e4).empty());
-    CHECK(app::largest_compression(wall) == 0.0);
+    CHECK(dem::largest_compression(wall) == 0.0);
     auto& face =
         *std::find_if(wall.faces.begin(), wall.faces.end(),
                       [](const dem::FaceState& f) { return f.kind == FaceKind::bed_joint; });
     for (dem::ContactState& c : face.contacts) c.sigma = -5e5; // on 0.1 m x 0.2 m: 10 kN
-    CHECK(app::largest_compression(wall) == Approx(1e4).epsilon(1e-12));
+    CHECK(dem::largest_compression(wall) == Approx(1e4).epsilon(1e-12));
     const auto struts = elements(parse_elements(app::draw_thrust(wall, kView, 4e4)), "line");
     REQUIRE(struts.size() == 2);
     CHECK(scenes::number_of(struts[0], "stroke-width") == Approx(app::kThrustWidest / 4));

@@ -1,6 +1,7 @@
 #include "app/output/wall_view.hpp"
 
 #include "app/output/block_displacement.hpp"
+#include "dem/scene/snapshot_reading.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -28,10 +29,10 @@ TEST_CASE("wall view: the wall stays a wall, and its mechanism is seen", "[app][
     const double scale = app::drawing_scale(wall);
     const double size = 1.0; // [m] the smaller side
     CAPTURE(displacement, scale);
-    CHECK(scale * app::largest_displacement(wall) <= 0.15 * size);
+    CHECK(scale * dem::largest_displacement(wall) <= 0.15 * size);
     CHECK(scale * largest_opening(wall) <= 0.12 * size);
     // round factors are at most 2 apart, and the two bounds differ by less than 3
-    if (scale < 1000.0) CHECK(scale * app::largest_displacement(wall) >= 0.15 * size / 6.0);
+    if (scale < 1000.0) CHECK(scale * dem::largest_displacement(wall) >= 0.15 * size / 6.0);
 }
 
 TEST_CASE("wall view: a wall that leans without a gap leans visibly and no more",

@@ -4,6 +4,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_block_element.cpp
     dem/test_block_modes.cpp
     dem/test_bond.cpp
+    dem/test_bond_indices.cpp
     dem/test_build_cost.cpp
     dem/test_condensation.cpp
     dem/test_crack_unloading.cpp
@@ -11,6 +12,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_crushing_finite.cpp
     dem/test_crack_strength.cpp
     dem/test_cracked_layout.cpp
+    dem/test_cyclic_protocol.cpp
     dem/test_drawn_layout.cpp
     dem/test_drive.cpp
     dem/test_elastic_trial.cpp
@@ -31,10 +33,14 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_finite_wall.cpp
     dem/test_overlap.cpp
     dem/test_own_matrix.cpp
+    dem/test_polygon.cpp
+    dem/test_quality_terms.cpp
     dem/test_recorder.cpp
+    dem/test_rigid_wall.cpp
     dem/test_rubble.cpp
     dem/test_rotation.cpp
     dem/test_run_outcomes.cpp
+    dem/test_snapshot_reading.cpp
     dem/test_stability_limit.cpp
     dem/test_static_start.cpp
     dem/test_step_tables.cpp

@@ -1,12 +1,13 @@
 #pragma once
 /// What an elevation tells of the masonry quality index, MQI = SM (SD + SS + WC + HJ + VJ + MM) of Borri, Corradi, Castori,
 /// De Maria (2015), Bull. Earthquake Eng. 13:2647. Limits of SD and VJ: its Tables 2 and 6, as transcribed in rapidMQI
-/// (G. Castellazzi, University of Bologna); VJ there is of a trace between points about 1 m apart, at least 0.5 m. Stone (SM), leaves (WC) and mortar (MM) are not seen in it; shape (SS) and
-/// level beds (HJ) are judged by eye there and measured here.
+/// (G. Castellazzi, University of Bologna); VJ there is of a trace between points about 1 m apart, at least 0.5 m. Stone (SM),
+/// leaves (WC) and mortar (MM) cannot be seen in an elevation; shape (SS) and level beds (HJ) are judged by eye there and
+/// measured here.
 
-#include "app/scene/bond_indices.hpp"
+#include "dem/scene/bond_indices.hpp"
 
-namespace app {
+namespace dem {
 
 enum class Fulfilled { no, partly, fully };
 
@@ -22,8 +23,8 @@ struct QualityTerms {
         0.0; ///< for SS: area of the units over that of their extents [-], 1 of rectangles
 };
 
-/// @param units at least one
-[[nodiscard]] QualityTerms quality_terms(const BondIndices& indices,
-                                         std::span<const DrawnBlock> units);
+/// @param indices of the layout
+/// @param layout whose blocks are whole units, at least one
+[[nodiscard]] QualityTerms quality_terms(const BondIndices& indices, const Layout& layout);
 
-} // namespace app
+} // namespace dem

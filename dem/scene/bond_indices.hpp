@@ -1,12 +1,9 @@
 #pragma once
 /// How well the stones of a wall are interlocked, by indices that people use. docs/theory.md, section "Scenes".
 
-#include "app/drawing/drawing.hpp"
 #include "dem/scene/layout.hpp"
 
-#include <span>
-
-namespace app {
+namespace dem {
 
 /// NaN: not defined for this wall.
 struct BondIndices {
@@ -22,8 +19,8 @@ struct BondIndices {
     double mean_length = 0.0, mean_height = 0.0; ///< of the units, of their extents [m]
 };
 
-/// @param units as scene_units() makes them, at least one
-[[nodiscard]] BondIndices bond_indices(const dem::Layout& layout,
-                                       std::span<const DrawnBlock> units);
+/// @param layout whose blocks are whole units: laid out without potential cracks
+/// @throws std::invalid_argument if it has cracks, or no unit
+[[nodiscard]] BondIndices bond_indices(const Layout& layout);
 
-} // namespace app
+} // namespace dem

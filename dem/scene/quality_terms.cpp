@@ -1,11 +1,9 @@
-#include "app/scene/quality_terms.hpp"
-
-#include "dem/scene/polygon.hpp"
+#include "dem/scene/quality_terms.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace app {
+namespace dem {
 namespace {
 
 constexpr double kMiddle = 0.2, kLong = 0.4;      // of a unit [m]
@@ -28,16 +26,15 @@ Fulfilled staggering_of(double trace_ratio)
 
 } // namespace
 
-QualityTerms quality_terms(const BondIndices& indices, std::span<const DrawnBlock> units)
+QualityTerms quality_terms(const BondIndices& indices, const Layout& layout)
 {
     QualityTerms t;
-    const double share = 1.0 / static_cast<double>(units.size());
+    const double share = 1.0 / layout.beam;
     double area = 0.0, extents = 0.0;
-    for (const DrawnBlock& u : units) {
-        const auto [left, right] = std::ranges::minmax(u.outline, {}, &dem::Point::x);
-        const auto [low, high] = std::ranges::minmax(u.outline, {}, &dem::Point::z);
-        const double width = right.x - left.x, height = high.z - low.z;
-        area += dem::polygon_area(u.outline);
+    for (int b = 0; b < layout.beam; ++b) {
+        const Block& unit = layout.blocks[b];
+        const double width = unit.x1 - unit.x0, height = unit.z1 - unit.z0;
+        area += area_of(unit);
         extents += width * height;
         const double size = std::max(width, height);
         if (size > kLong + kRounding)
@@ -51,4 +48,4 @@ QualityTerms quality_terms(const BondIndices& indices, std::span<const DrawnBloc
     return t;
 }
 
-} // namespace app
+} // namespace dem

@@ -1,4 +1,3 @@
-#include "app/input/cyclic_protocol.hpp"
 #include "app/output/backbones_csv.hpp"
 #include "app/output/cycles_csv.hpp"
 
@@ -16,39 +15,6 @@ TEST_CASE("backbones.csv: both directions, with positive displacements and force
     const std::vector<double> x{0, 0.002, 0, -0.001, 0}, f{0, 1000, 0, -500, 0};
     CHECK(backbones_csv({x, f}) ==
           "side,displacement_mm,force_kN\nright,0,0\nright,2,1\nleft,0,0\nleft,1,0.5\n");
-}
-
-TEST_CASE("cyclic protocol: FEMA 461 grows by 1.4 to the largest amplitude", "[app][cyclic]")
-{
-    const auto stages = stages_of(Protocol::fema461, 0.03);
-    REQUIRE(stages.size() == 10);
-    CHECK(stages.back().amplitude == 0.03);
-    CHECK(stages.front().amplitude / 0.03 == Approx(0.0484).margin(5e-5)); // 1 / 1.4^9
-    CHECK(stages[4].amplitude / stages[3].amplitude == Approx(1.4).epsilon(1e-12));
-    CHECK(std::all_of(stages.begin(), stages.end(),
-                      [](const CyclicStage& s) { return s.cycles == 2; }));
-}
-
-TEST_CASE("cyclic protocol: ISO 16670 has five single and five triple amplitudes",
-          "[app][cyclic]")
-{
-    const auto stages = stages_of(Protocol::iso16670, 0.1);
-    REQUIRE(stages.size() == 10);
-    CHECK(stages.front().amplitude == Approx(0.00125).epsilon(1e-12));
-    CHECK(stages[4].cycles == 1);
-    CHECK(stages[5].cycles == 3);
-    CHECK(stages[5].amplitude == Approx(0.02).epsilon(1e-12));
-    CHECK(stages.back().amplitude == Approx(0.1).epsilon(1e-12));
-    CHECK(cyclic_targets(stages).size() == 2 * (5 + 15) + 1);
-}
-
-TEST_CASE("cyclic protocol: each cycle goes right and left, the push ends at zero",
-          "[app][cyclic]")
-{
-    CHECK(cyclic_targets({{0.003, 2}, {0.006, 1}}) ==
-          std::vector{0.003, -0.003, 0.003, -0.003, 0.006, -0.006, 0.0});
-    CHECK(cyclic_targets({}).empty());
-    CHECK(stages_of(Protocol::none, 0.03).empty());
 }
 
 TEST_CASE("cycles.csv: every column in its unit and place", "[app][cyclic]")

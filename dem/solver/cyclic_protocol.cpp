@@ -1,8 +1,8 @@
-#include "app/input/cyclic_protocol.hpp"
+#include "dem/solver/cyclic_protocol.hpp"
 
 #include <cmath>
 
-namespace app {
+namespace dem {
 
 std::vector<CyclicStage> stages_of(Protocol protocol, double largest)
 {
@@ -33,4 +33,4 @@ std::vector<double> cyclic_targets(const std::vector<CyclicStage>& stages)
     return targets;
 }
 
-} // namespace app
+} // namespace dem

@@ -1,22 +1,21 @@
-#include "app/scene/bond_indices.hpp"
-
-#include "app/output/table.hpp"
-#include "dem/scene/drawn_layout.hpp"
+#include "dem/scene/bond_indices.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <queue>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
-namespace app {
+namespace dem {
 namespace {
 
-using dem::FaceKind;
-using dem::Point;
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
 /// Ends of faces. Those that a piece of joint left out lies between are one.
 class Ends {
@@ -35,7 +34,7 @@ class Ends {
         return points.size() - 1;
     }
 
-    static constexpr double kCell = 1.01 * dem::kShortestFace; // [m]
+    static constexpr double kCell = 1.01 * kShortestFace; // [m]
     std::vector<Point> points;
 
   private:
@@ -48,13 +47,13 @@ struct Way {
 };
 
 /// Dijkstra's shortest way through joints.
-/// @param begins, ends conditions on a point
+/// @param begins, arrives conditions on a point
 template <class Begins, class Arrives>
-double least_trace(const dem::Layout& layout, Begins begins, Arrives arrives)
+double least_trace(const Layout& layout, Begins begins, Arrives arrives)
 {
     Ends ends;
     std::vector<std::vector<Way>> ways;
-    for (const dem::Face& f : layout.faces) {
+    for (const Face& f : layout.faces) {
         if (f.kind != FaceKind::bed_joint && f.kind != FaceKind::head_joint) continue;
         const std::size_t a = ends.number_of(f.from), b = ends.number_of(f.to);
         ways.resize(ends.points.size());
@@ -79,33 +78,32 @@ double least_trace(const dem::Layout& layout, Begins begins, Arrives arrives)
     return kUnknown;
 }
 
-bool of_rectangles(const dem::Layout& layout)
+bool of_rectangles(const Layout& layout)
 {
-    return std::ranges::all_of(layout.blocks,
-                               [](const dem::Block& b) { return b.outline.empty(); });
+    return std::ranges::all_of(layout.blocks, [](const Block& b) { return b.outline.empty(); });
 }
 
-bool share_a_block(const dem::Face& f, const dem::Face& g)
+bool share_a_block(const Face& f, const Face& g)
 {
     return f.a == g.a || f.a == g.b || f.b == g.a || f.b == g.b;
 }
 
 /// Of each head joint that others begin above [m].
-std::vector<double> overlaps(const dem::Layout& layout)
+std::vector<double> overlaps(const Layout& layout)
 {
-    std::map<long long, std::vector<const dem::Face*>> beginning; // by level
+    std::map<long long, std::vector<const Face*>> beginning; // by level
     const auto level = [](double z) { return std::llround(z / Ends::kCell); };
-    for (const dem::Face& f : layout.faces)
+    for (const Face& f : layout.faces)
         if (f.kind == FaceKind::head_joint)
             beginning[level(std::min(f.from.z, f.to.z))].push_back(&f);
     std::vector<double> found;
-    for (const dem::Face& f : layout.faces) {
+    for (const Face& f : layout.faces) {
         if (f.kind != FaceKind::head_joint) continue;
         double least = kNoEnd;
         const long long top = level(std::max(f.from.z, f.to.z));
         for (long long l = top - 1; l <= top + 1; ++l)
             if (const auto at = beginning.find(l); at != beginning.end())
-                for (const dem::Face* g : at->second)
+                for (const Face* g : at->second)
                     if (g != &f && !share_a_block(f, *g))
                         least = std::min(least, std::abs(g->from.x - f.from.x));
         if (least < kNoEnd) found.push_back(least);
@@ -115,22 +113,22 @@ std::vector<double> overlaps(const dem::Layout& layout)
 
 } // namespace
 
-BondIndices bond_indices(const dem::Layout& layout, std::span<const DrawnBlock> units)
+BondIndices bond_indices(const Layout& layout)
 {
+    if (layout.beam < 1 || layout.n_cracks > 0)
+        throw std::invalid_argument("bond indices: the layout must have units without cracks");
     BondIndices indices;
     indices.trace = least_trace(
         layout, [](Point p) { return p.z < Ends::kCell; },
         [&](Point p) { return p.z > layout.height - Ends::kCell; });
     indices.trace_ratio = indices.trace / layout.height;
-    const auto n = static_cast<double>(units.size());
     double first = kNoEnd, last = -kNoEnd;
-    for (const DrawnBlock& u : units) {
-        const auto [left, right] = std::ranges::minmax(u.outline, {}, &Point::x);
-        const auto [low, high] = std::ranges::minmax(u.outline, {}, &Point::z);
-        first = std::min(first, left.x);
-        last = std::max(last, right.x);
-        indices.mean_length += (right.x - left.x) / n;
-        indices.mean_height += (high.z - low.z) / n;
+    for (int b = 0; b < layout.beam; ++b) {
+        const Block& unit = layout.blocks[b];
+        first = std::min(first, unit.x0);
+        last = std::max(last, unit.x1);
+        indices.mean_length += (unit.x1 - unit.x0) / layout.beam;
+        indices.mean_height += (unit.z1 - unit.z0) / layout.beam;
     }
     const double level_trace = least_trace(
         layout, [&](Point p) { return p.x < first + Ends::kCell; },
@@ -147,4 +145,4 @@ BondIndices bond_indices(const dem::Layout& layout, std::span<const DrawnBlock> 
     return indices;
 }
 
-} // namespace app
+} // namespace dem

@@ -1,12 +1,12 @@
 #pragma once
-/// Protocols of pushes to and fro, as lists of displacements to visit.
+/// Protocols of pushes to and fro, as lists of displacements to visit: PushPlan::targets.
 
 #include <vector>
 
-namespace app {
+namespace dem {
 
 enum class Protocol {
-    none, ///< one way, or as load.amplitudes or load.targets say
+    none, ///< no stages
     fema461, ///< FEMA 461 (2007), 2.9.1: ten amplitudes, each 1.4 times the one before, two cycles each
     iso16670, ///< ISO 16670 (2003), 6.3 (ASTM E2126, method B): 1.25 to 10 % once, 20 to 100 % three times
 };
@@ -26,4 +26,4 @@ struct CyclicStage {
 /// without stages.
 [[nodiscard]] std::vector<double> cyclic_targets(const std::vector<CyclicStage>& stages);
 
-} // namespace app
+} // namespace dem

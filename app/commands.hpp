@@ -1,0 +1,41 @@
+#pragma once
+/// The verbs that need nothing but their command. Each returns the exit code, 0 where nothing else is said, and throws
+/// ConfigError for bad input, before anything is written, StoreError for a file of a study that cannot be used, and
+/// std::runtime_error for what the machine refuses.
+
+#include "app/input/command.hpp"
+
+namespace app {
+
+/// `drystone scene`: the wall that a study describes, before anything is computed. Writes scene.svg, scene.json and
+/// scene.dxf, and says what the wall is. The last two hold whole units in the unit of wall.length_unit, and are read
+/// again with wall.geometry.
+[[nodiscard]] int scene_command(const Command& command);
+
+/// `drystone push`: every stress level of a study file, one wall each. Writes, into command.out or a folder per stress
+/// level below it: capacity.csv, capacity.svg, summary.json, wall.svg, study.ini (the effective configuration) and
+/// series/*.pvd for ParaView, which are written while the wall is pushed. Several levels also give levels.csv, .md, .tex,
+/// .svg. Files of an earlier push are removed.
+/// @return 1 if a wall's numbers broke
+[[nodiscard]] int push_command(const Command& command);
+
+/// `drystone sample`: the samples of a study as a table, without running a wall.
+[[nodiscard]] int sample_command(const Command& command);
+
+/// `drystone curves`: all capacity curves of a study as one CSV. Columns level, vertical_stress_MPa, sample,
+/// displacement_mm, force_kN; one line per point, wall by wall.
+[[nodiscard]] int curves_command(const Command& command);
+
+/// `drystone merge`: shards of one study into one file.
+/// @return 0: all walls are there and none failed; 1: some failed, or are missing with --partial
+[[nodiscard]] int merge_command(const Command& command);
+
+/// `drystone reliability`: the probability of an event, with its doubt and what it depends on.
+/// @return 0: an answer; 1: none
+[[nodiscard]] int reliability_command(const Command& command);
+
+/// `drystone serve`: the walls of a study over HTTP, for any program that speaks UM-Bridge, until it is told to end
+/// (Ctrl-C, SIGTERM).
+[[nodiscard]] int serve_command(const Command& command);
+
+} // namespace app
