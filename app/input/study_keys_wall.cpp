@@ -1,9 +1,11 @@
 /// The wall, its stone and its lintels: keys of the study file.
 
 #include "app/drawing/drawing.hpp"
+#include "app/drawing/raw_drawing.hpp"
 #include "app/input/study_key_table.hpp"
 #include "app/input/wall_geometry.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -84,8 +86,12 @@ constexpr Condition kRandomLayout{
     "no layout is drawn at random; write wall.bond = rubble, or wall.unit_length_cov, or "
     "remove it",
     true};
-constexpr std::array kLengthUnits = {named("mm", 1e-3), named("cm", 1e-2), named("m", 1.0),
-                                     named("in", 0.0254), named("ft", 0.3048)};
+constexpr auto kUnitNames = [] {
+    std::array<Named, kLengthUnits.size()> names;
+    std::ranges::transform(kLengthUnits, names.begin(),
+                           [](const LengthUnit& u) { return named(u.name, u.metres); });
+    return names;
+}();
 constexpr Condition kWithOpenings{[](const Study& s) { return !s.geometry.openings.empty(); },
                                   "the wall has no openings; write wall.openings, or remove it",
                                   true};
@@ -116,7 +122,7 @@ constexpr std::array kWallKeys = {
     Key{.name = "wall.outlines", .kind = Kind::text,
         .meaning = "the same as text: corners x z in metres, counter-clockwise, between commas; blocks between semicolons",
         .field = kAt<&Study::geometry, &GeometryInput::outlines>},
-    Key{.name = "wall.length_unit", .kind = Kind::word, .names = kLengthUnits, .used = kOfFile,
+    Key{.name = "wall.length_unit", .kind = Kind::word, .names = kUnitNames, .used = kOfFile,
         .effect = kOfDrawing,
         .meaning = "length of one unit of the drawing",
         .field = kAt<&Study::geometry, &GeometryInput::length_unit>},

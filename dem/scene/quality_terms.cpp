@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kMiddle = 0.2, kLong = 0.4;      // of a unit [m]
 constexpr double kStaggered = 1.6, kPartly = 1.4; // trace over height
-constexpr double kRounding = 1e-6;                // [m], and of a share
+constexpr double kSlack = 1e-6;                   // [m], and of a share
 
 Fulfilled dimensions_of(const QualityTerms& t)
 {
-    if (t.long_stones > 0.5 + kRounding) return Fulfilled::fully;
+    if (t.long_stones > 0.5 + kSlack) return Fulfilled::fully;
     const double small = 1.0 - t.long_stones - t.middle_stones;
-    return small > 0.5 + kRounding ? Fulfilled::no : Fulfilled::partly;
+    return small > 0.5 + kSlack ? Fulfilled::no : Fulfilled::partly;
 }
 
 /// Where no way leads through joints, all are staggered.
@@ -37,9 +37,9 @@ QualityTerms quality_terms(const BondIndices& indices, const Layout& layout)
         area += area_of(unit);
         extents += width * height;
         const double size = std::max(width, height);
-        if (size > kLong + kRounding)
+        if (size > kLong + kSlack)
             t.long_stones += share;
-        else if (size > kMiddle - kRounding)
+        else if (size > kMiddle - kSlack)
             t.middle_stones += share;
     }
     t.filled = area / extents;

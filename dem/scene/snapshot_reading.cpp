@@ -7,7 +7,7 @@ namespace dem {
 namespace {
 
 /// The largest value of the contacts of a wall; 0 if none is larger.
-template <class Value> double largest(const Snapshot& wall, Value value)
+template <class Value> double largest_of(const Snapshot& wall, Value value)
 {
     double found = 0.0;
     for (const FaceState& face : wall.faces)
@@ -41,7 +41,7 @@ double largest_displacement(const Snapshot& wall)
 
 double largest_movement(const Snapshot& wall)
 {
-    return largest(wall, [](const FaceState&, const ContactState& c) {
+    return largest_of(wall, [](const FaceState&, const ContactState& c) {
         return std::max(c.opening, std::abs(c.slip));
     });
 }
@@ -53,7 +53,7 @@ bool slides(const ContactState& c, double threshold)
 
 double largest_slip(const Snapshot& wall, double threshold)
 {
-    return largest(wall, [=](const FaceState& face, const ContactState& c) {
+    return largest_of(wall, [=](const FaceState& face, const ContactState& c) {
         return face.kind != FaceKind::unit_crack && slides(c, threshold) ? std::abs(c.slip)
                                                                          : 0.0;
     });
@@ -68,7 +68,7 @@ bool is_cracked_through(const FaceState& face)
 
 bool any_crushed(const Snapshot& wall)
 {
-    return largest(wall, [](const FaceState&, const ContactState& c) { return c.crushed; }) >
+    return largest_of(wall, [](const FaceState&, const ContactState& c) { return c.crushed; }) >
            0.0;
 }
 

@@ -116,6 +116,13 @@ class Study:
         return self._study.samples
 
     @property
+    def bond(self) -> dict[str, float]:
+        """How well the units are interlocked, as `drystone scene` says it (docs/theory.md, Scenes): trace [m], trace_ratio,
+        level_trace_ratio, least_overlap and mean_overlap [-]; mean_length and mean_height of a unit [m]; shares of long_stones
+        and middle_stones, and filled [-], for the masonry quality index. What is not defined on this wall is nan."""
+        return self._study.bond()
+
+    @property
     def configuration(self) -> str:
         """The study in full, as a study file that reads back to the same study."""
         return self._study.configuration

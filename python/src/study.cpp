@@ -3,11 +3,14 @@
 #include "app/input/verb.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/summary_json.hpp"
+#include "app/scene/scene_units.hpp"
 #include "app/study/drawn_wall.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/run_study.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_file_head.hpp"
+#include "dem/scene/bond_indices.hpp"
+#include "dem/scene/quality_terms.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/beside_python.hpp"
 #include "python/src/bind.hpp"
@@ -33,6 +36,23 @@ std::string notes(const LoadedStudy& study)
 }
 
 int samples(const LoadedStudy& study) { return static_cast<int>(study.source.sizes.back()); }
+
+std::map<std::string, double> bond(const LoadedStudy& study)
+{
+    const dem::Layout whole = app::whole_units(study.source.study);
+    const dem::BondIndices i = dem::bond_indices(whole);
+    const dem::QualityTerms q = dem::quality_terms(i, whole);
+    return {{"trace", i.trace},
+            {"trace_ratio", i.trace_ratio},
+            {"level_trace_ratio", i.level_trace_ratio},
+            {"least_overlap", i.least_overlap},
+            {"mean_overlap", i.mean_overlap},
+            {"mean_length", i.mean_length},
+            {"mean_height", i.mean_height},
+            {"long_stones", q.long_stones},
+            {"middle_stones", q.middle_stones},
+            {"filled", q.filled}};
+}
 
 void check_level(const LoadedStudy& study, int level)
 {
@@ -221,6 +241,7 @@ void bind_study(py::module_& m)
     py::class_<LoadedStudy, StudyPointer>(m, "LoadedStudy")
         .def(py::init(&load_study), py::arg("path"), py::arg("overrides"), py::arg("wall"))
         .def("notes", &notes)
+        .def("bond", &bond)
         .def_property_readonly("samples", &samples)
         .def_property_readonly(
             "vertical_stress",

@@ -46,6 +46,12 @@ class StudyIsThatOfTheCommandLine(InFolder):
                 self.same(displacement, file["curves/displacement"][at[i]:at[i + 1]])
                 self.same(force, file["curves/force"][at[i]:at[i + 1]])
 
+    def test_bond(self):
+        bond = drystone.Study(QUICK).bond
+        self.assertAlmostEqual(bond["trace"], 1.9)  # ten head joints of 0.1 m, nine half units of 0.1 m
+        self.assertAlmostEqual(bond["mean_length"], 10 / 55)
+        self.assertAlmostEqual(bond["filled"], 1.0)
+
     def test_study(self):
         theirs = drystone.open(self.command_line())
         study = drystone.Study(QUICK, set=STUDY)
