@@ -23,4 +23,5 @@ set(DEM_PUBLIC_HEADERS
     solver/energy.hpp
     solver/ensemble.hpp
     solver/push.hpp
-    solver/solver_options.hpp)
+    solver/solver_options.hpp
+    solver/stop_rules.hpp)

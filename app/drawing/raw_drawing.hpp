@@ -75,6 +75,7 @@ struct RawDrawing {
 /// @throws ConfigError if it is open, or a coordinate is no finite number
 void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double snap);
 
+/// Adds a line.
 /// @throws ConfigError if there are too many
 void add_line(RawDrawing& drawing, RawLine line);
 

@@ -10,6 +10,7 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
+#include "dem/solver/stop_rules.hpp"
 #include "fragility/cyclic_curve.hpp"
 
 #include <algorithm>
@@ -164,20 +165,8 @@ std::vector<double> targets_of(const LoadInput& load)
     return stages.empty() ? std::vector{load.max_displacement} : dem::cyclic_targets(stages);
 }
 
-/// True once the force is below a share of the largest so far, on a push that goes one way. A wall that is not
-/// symmetric may begin with a force against the push.
-/// @param direction of the push, 1 or -1
-std::function<bool(std::span<const dem::CurvePoint>)> stop_below(double share, int direction)
-{
-    return [share, direction](std::span<const dem::CurvePoint> curve) {
-        double peak = 0.0;
-        for (const dem::CurvePoint& p : curve) peak = std::max(peak, direction * p.force);
-        return curve.size() > 1 && peak > 0.0 && direction * curve.back().force < share * peak;
-    };
-}
-
 /// True once the forces of a whole cycle are below a share of the largest so far, on both sides.
-std::function<bool(std::span<const dem::CurvePoint>)> stop_both_below(double share)
+dem::StopRule stop_both_below(double share)
 {
     return [share](std::span<const dem::CurvePoint> curve) {
         const std::size_t n = curve.size(); // cycles end where the path passes zero
@@ -203,16 +192,6 @@ std::function<bool(std::span<const dem::CurvePoint>)> stop_both_below(double sha
     };
 }
 
-/// True once a wall that has carried something carries nothing any more.
-std::function<bool(std::span<const dem::CurvePoint>)> at_zero_force(int direction)
-{
-    return [direction](std::span<const dem::CurvePoint> curve) {
-        if (direction * curve.back().force > 0.0) return false;
-        return std::ranges::any_of(
-            curve, [=](const dem::CurvePoint& p) { return direction * p.force > 0.0; });
-    };
-}
-
 } // namespace
 
 dem::PushPlan push_plan(const Study& study)
@@ -227,9 +206,9 @@ dem::PushPlan push_plan(const Study& study)
     if (finite && !to_and_fro) plan.drop = fragility::kUltimateShare;
     if (study.load.stop_below > 0.0)
         plan.decided = to_and_fro ? stop_both_below(study.load.stop_below)
-                                  : stop_below(study.load.stop_below, direction);
+                                  : dem::stop_below(study.load.stop_below, direction);
     else if (finite && !to_and_fro)
-        plan.decided = at_zero_force(direction);
+        plan.decided = dem::at_zero_force(direction);
     return plan;
 }
 
