@@ -101,7 +101,7 @@ std::vector<BadDrawing> bad_drawings()
             {"arc", "w.dxf", dxf(triangle + "0\nARC\n10\n2\n20\n3\n40\n1\n50\n0\n51\n90\n"),
              "m", "w.dxf:24: at (2, 3) there is an arc"},
             {"spline", "w.dxf", dxf(triangle + "0\nSPLINE\n10\n2\n20\n3\n"), "m",
-             "w.dxf:24: at (2, 3) is a spline"},
+             "w.dxf:24: at (2, 3) there is a spline"},
             {"empty layer", "w.dxf", dxf(triangle),
              "m\nlayer_stones = lintel: 30 GPa, 0.2, 2500 kg/m3",
              "study.ini:", "the drawing has no layer \"lintel\""},

@@ -154,6 +154,6 @@ TEST_CASE("drawing fit: gaps a little wider than snap are told", "[app][drawing_
     const app::Drawing wall = drawing_of(
         "w.json", json_text({rectangle(0, 0, 100, 100), rectangle(101, 0, 200, 100)}),
         kMillimetres);
-    CHECK(scenes::notes(wall, "up to 1 mm away, and does not touch it"));
+    CHECK(scenes::notes(wall, "up to 1 mm away, and do not touch it"));
     CHECK(scenes::common_sides(wall) == 0);
 }
