@@ -8,7 +8,7 @@ namespace app {
 dem::Point displacement_at(const dem::Snapshot& wall, int block, dem::Point at)
 {
     if (block < 0) return {};
-    const dem::BlockState& b = wall.blocks.at(static_cast<std::size_t>(block));
+    const dem::BlockState& b = wall.blocks.at(block);
     double nearest = std::numeric_limits<double>::infinity();
     dem::Point u;
     for (std::size_t i = 0; i < b.outline.size(); ++i) {

@@ -33,7 +33,7 @@ void take(const uq::FormResult& r, const ReliabilityProblem& p, ReliabilityAnswe
     const Eigen::VectorXd share = uq::importance_factors(r.points.front());
     Sensitivity s{"alpha^2 of FORM", {}};
     for (Eigen::Index i = 0; i < share.size(); ++i)
-        s.shares.push_back({p.normal[static_cast<std::size_t>(i)], share(i), {}, {}, {}});
+        s.shares.push_back({p.normal[i], share(i), {}, {}, {}});
     a.sensitivities.push_back(std::move(s));
 }
 
@@ -147,7 +147,7 @@ void important(const ReliabilityProblem& p, const uq::FormResult& first, Reliabi
     }
     Eigen::MatrixXd centres(static_cast<Eigen::Index>(first.points.size()), p.event.dimension);
     for (Eigen::Index i = 0; i < centres.rows(); ++i)
-        centres.row(i) = first.points[static_cast<std::size_t>(i)].at.u.transpose();
+        centres.row(i) = first.points[i].at.u.transpose();
     uq::ImportanceOptions o;
     o.max_samples = left(p, a);
     o.batch = std::min<std::size_t>(o.batch, o.max_samples);

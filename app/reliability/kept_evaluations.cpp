@@ -79,8 +79,7 @@ uq::BlackBox KeptEvaluations::around(uq::BlackBox model, Eigen::Index response)
             const std::vector<Eigen::Index> part(fresh.begin() + static_cast<long>(first),
                                                  fresh.begin() + static_cast<long>(first + n));
             uq::Samples few{samples.x(part, Eigen::all), {}};
-            for (const Eigen::Index i : part)
-                few.id.push_back(samples.id[static_cast<std::size_t>(i)]);
+            for (const Eigen::Index i : part) few.id.push_back(samples.id[i]);
             const uq::Responses r = uq::evaluate(model, few, response + 1);
             for (std::size_t k = 0; k < n; ++k)
                 keep(row(part[k]), {r.y(static_cast<Eigen::Index>(k), response), r.failure[k]});

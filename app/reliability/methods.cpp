@@ -124,8 +124,8 @@ void regress(const ReliabilityProblem& p, const std::vector<Evaluated>& seen,
     Eigen::MatrixXd x(n, d);
     Eigen::VectorXd y(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        x.row(i) = sound[static_cast<std::size_t>(i)]->x.transpose();
-        y(i) = sound[static_cast<std::size_t>(i)]->response;
+        x.row(i) = sound[i]->x.transpose();
+        y(i) = sound[i]->response;
     }
     const auto r = uq::regress(x, y, {.scale = uq::RegressionScale::ranks});
     if (!r) return;
@@ -146,8 +146,7 @@ uq::BlackBox noting(const uq::LimitState& s, std::vector<Evaluated>& seen,
         [model = s.model, response = s.response, &seen, on_batch](const uq::Samples& samples) {
             uq::Responses r = uq::evaluate(model, samples, response + 1);
             for (Eigen::Index i = 0; i < samples.x.rows(); ++i)
-                seen.push_back({samples.x.row(i).transpose(), r.y(i, response),
-                                r.failure[static_cast<std::size_t>(i)]});
+                seen.push_back({samples.x.row(i).transpose(), r.y(i, response), r.failure[i]});
             if (on_batch) on_batch();
             return r;
         };

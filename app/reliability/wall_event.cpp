@@ -22,7 +22,7 @@ struct Demand {
 
 const WallResponse& response_of(const Study& study)
 {
-    return kWallResponses.at(static_cast<std::size_t>(study.reliability.response));
+    return kWallResponses.at(study.reliability.response);
 }
 
 /// The demand in the unit of its response.
@@ -100,7 +100,7 @@ ReliabilityProblem wall_problem(const Study& given, const Command& command)
     p.event.dimension = plan.values.n_columns;
     p.event.response = static_cast<Eigen::Index>(study.reliability.response);
     p.event.threshold = demand.value;
-    const double stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
+    const double stress = study.load.vertical_stress[level];
     p.words = demand.words + " under " + number(stress / 1e6, 12) + " MPa";
     for (const Column& c : input_columns(plan))
         p.inputs.push_back(c.name + " [" + c.unit + "]");
@@ -108,7 +108,7 @@ ReliabilityProblem wall_problem(const Study& given, const Command& command)
     p.normal.resize(static_cast<std::size_t>(plan.values.n_columns));
     for (std::size_t i = 0; i < columns.size(); ++i)
         for (std::size_t c = 0; c < columns[i].size(); ++c)
-            p.normal[static_cast<std::size_t>(columns[i][c])] =
+            p.normal[columns[i][c]] =
                 plan.inputs[i].key + (columns[i].size() > 1 ? "." + std::to_string(c + 1) : "");
     p.method = study.reliability.method;
     p.budget = study.reliability.budget;

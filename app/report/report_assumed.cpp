@@ -1,4 +1,4 @@
-#include "app/report/report_assumed.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/input/distribution_text.hpp"
 #include "app/input/key_values.hpp"

@@ -1,7 +1,8 @@
-#include "app/report/report_curves.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/fragility/fragility_means.hpp"
 #include "app/report/report_bytes.hpp"
+#include "app/study/resampled_curve.hpp"
 #include "app/text/json_text.hpp"
 
 #include <algorithm>

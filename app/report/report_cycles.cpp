@@ -1,4 +1,4 @@
-#include "app/report/report_cycles.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/fragility/fragility_cycles.hpp"
 #include "app/fragility/fragility_means.hpp"

@@ -14,22 +14,9 @@ namespace {
 
 constexpr double kDamageStep = 1.0 / 255.0; ///< of damage and crushing
 
-const char* kind_name(dem::FaceKind kind)
-{
-    switch (kind) {
-    case dem::FaceKind::bed_joint:
-        return "bed";
-    case dem::FaceKind::head_joint:
-        return "head";
-    case dem::FaceKind::unit_crack:
-        return "crack";
-    case dem::FaceKind::beam_joint:
-        return "beam";
-    case dem::FaceKind::base_joint:
-        break;
-    }
-    return "base";
-}
+/// In the order of dem::FaceKind.
+constexpr std::array kKindNames = {"bed", "head", "crack", "beam", "base"};
+static_assert(kKindNames.size() == static_cast<std::size_t>(dem::FaceKind::base_joint) + 1);
 
 /// Places in an outline of the points nearest to the corners of its box.
 struct Corners {
@@ -230,7 +217,8 @@ Json wall_geometry(const dem::Layout& layout)
         blocks.push_back(block);
     }
     for (const dem::Face& f : layout.faces) {
-        Json face = {kind_name(f.kind), f.id, f.a, f.b, f.from.x, f.from.z, f.to.x, f.to.z};
+        const char* const kind = kKindNames.at(static_cast<std::size_t>(f.kind));
+        Json face = {kind, f.id, f.a, f.b, f.from.x, f.from.z, f.to.x, f.to.z};
         const bool level = f.normal.x == 0.0 && f.normal.z == 1.0;
         if (!level && !(f.normal.x == 1.0 && f.normal.z == 0.0)) {
             face.push_back(f.normal.x);

@@ -1,4 +1,4 @@
-#include "app/report/report_inputs.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/fragility/fragility_inputs.hpp"
 #include "app/text/json_text.hpp"

@@ -1,4 +1,4 @@
-#include "app/report/report_overview.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"

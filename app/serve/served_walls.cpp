@@ -140,7 +140,7 @@ ServedModel normal_model(const Study& given, const Shared& shared, const ServedM
         model.inputs.push_back({"z" + std::to_string(i), "-", "standard normal"});
     for (std::size_t i = 0; i < plan.values.columns.size(); ++i)
         for (const int column : plan.values.columns[i])
-            model.inputs[static_cast<std::size_t>(column)].meaning =
+            model.inputs[column].meaning =
                 "standard normal coordinate of " + plan.inputs[i].key;
     model.evaluate = [to_physical = wall_map(study, plan),
                       at = physical.evaluate](std::span<const double> z) {
