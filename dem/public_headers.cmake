@@ -12,6 +12,7 @@ set(DEM_PUBLIC_HEADERS
     scene/mechanism.hpp
     scene/paper_materials.hpp
     scene/snapshot.hpp
+    scene/snapshot_vtu.hpp
     scene/wall.hpp
     solver/curve_point.hpp
     solver/energy.hpp

@@ -1,8 +1,7 @@
 #include "app/output/series_folder.hpp"
 
 #include "app/output/atomic_output.hpp"
-#include "app/output/vtk_grid.hpp"
-#include "app/output/vtk_series.hpp"
+#include "dem/scene/snapshot_vtu.hpp"
 
 #include <algorithm>
 #include <array>
@@ -126,8 +125,8 @@ void SeriesFolder::add(const dem::Snapshot& wall)
     if (times_.empty() || times_.back() != time) // two at one time would overlap
         times_.push_back(time);
     try {
-        write_file(part_ / file_name("wall", times_.size() - 1), blocks_vtu(wall));
-        write_file(part_ / file_name("joints", times_.size() - 1), joints_vtu(wall));
+        write_file(part_ / file_name("wall", times_.size() - 1), dem::blocks_vtu(wall));
+        write_file(part_ / file_name("joints", times_.size() - 1), dem::joints_vtu(wall));
     } catch (const std::invalid_argument& not_finite) {
         trouble_ = not_finite.what();
     }
@@ -148,7 +147,7 @@ void SeriesFolder::seal()
     for (const char* stem : kStems) {
         std::vector<std::string> files;
         for (std::size_t i = 0; i < times_.size(); ++i) files.push_back(file_name(stem, i));
-        write_file(part_ / index_name(stem), pvd_text(times_, files));
+        write_file(part_ / index_name(stem), dem::pvd_text(times_, files));
     }
     sealed_ = true;
 }

@@ -1,16 +1,25 @@
-#include "app/output/vtk_series.hpp"
+#include "dem/scene/snapshot_vtu.hpp"
 
-#include "app/output/block_displacement.hpp"
-#include "app/output/vtk_grid.hpp"
+#include "dem/scene/block_displacement.hpp"
+#include "dem/scene/vtk_grid.hpp"
 
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <vector>
 
-namespace app {
+namespace dem {
 
 namespace {
 
-std::vector<VtkArray> load_data(const dem::Snapshot& wall)
+// The kinds of face in the file are counted in this order.
+static_assert(static_cast<int>(FaceKind::bed_joint) == 0 &&
+              static_cast<int>(FaceKind::head_joint) == 1 &&
+              static_cast<int>(FaceKind::unit_crack) == 2 &&
+              static_cast<int>(FaceKind::beam_joint) == 3 &&
+              static_cast<int>(FaceKind::base_joint) == 4);
+
+std::vector<VtkArray> load_data(const Snapshot& wall)
 {
     std::vector<VtkArray> data = {vtk_reals("load_displacement"), vtk_reals("force")};
     data[0].add(wall.displacement);
@@ -19,40 +28,22 @@ std::vector<VtkArray> load_data(const dem::Snapshot& wall)
 }
 
 /// Between the two sides of a face.
-dem::Point middle_displacement(const dem::Snapshot& wall, const dem::FaceState& face,
-                               dem::Point at)
+Point middle_displacement(const Snapshot& wall, const FaceState& face, Point at)
 {
-    const dem::Point a = displacement_at(wall, face.block_a, at);
-    const dem::Point b = displacement_at(wall, face.block_b, at);
+    const Point a = displacement_at(wall, face.block_a, at);
+    const Point b = displacement_at(wall, face.block_b, at);
     return {0.5 * (a.x + b.x), 0.5 * (a.z + b.z)};
-}
-
-int kind_number(dem::FaceKind kind)
-{
-    switch (kind) {
-    case dem::FaceKind::bed_joint:
-        return 0;
-    case dem::FaceKind::head_joint:
-        return 1;
-    case dem::FaceKind::unit_crack:
-        return 2;
-    case dem::FaceKind::beam_joint:
-        return 3;
-    case dem::FaceKind::base_joint:
-        return 4;
-    }
-    return -1;
 }
 
 } // namespace
 
-std::string blocks_vtu(const dem::Snapshot& wall)
+std::string blocks_vtu(const Snapshot& wall)
 {
     VtkGrid grid;
     VtkArray displacement = vtk_vectors("displacement");
     VtkArray course = vtk_integers("course"), unit = vtk_integers("unit"),
              index = vtk_integers("block");
-    for (const dem::BlockState& block : wall.blocks) {
+    for (const BlockState& block : wall.blocks) {
         index.add(index.tuples);
         course.add(block.course);
         unit.add(block.unit);
@@ -68,7 +59,7 @@ std::string blocks_vtu(const dem::Snapshot& wall)
     return vtu_text(grid);
 }
 
-std::string joints_vtu(const dem::Snapshot& wall)
+std::string joints_vtu(const Snapshot& wall)
 {
     VtkGrid grid;
     VtkArray displacement = vtk_vectors("displacement");
@@ -78,9 +69,9 @@ std::string joints_vtu(const dem::Snapshot& wall)
     VtkArray kind = vtk_integers("kind"), id = vtk_integers("id");
     VtkArray block_a = vtk_integers("block_a"), block_b = vtk_integers("block_b");
     VtkArray normal = vtk_vectors("normal");
-    for (const dem::FaceState& face : wall.faces) {
+    for (const FaceState& face : wall.faces) {
         if (face.contacts.empty()) continue;
-        for (const dem::ContactState& c : face.contacts) {
+        for (const ContactState& c : face.contacts) {
             grid.add_point(c.at);
             displacement.add(middle_displacement(wall, face, c.at));
             opening.add(c.opening);
@@ -90,7 +81,7 @@ std::string joints_vtu(const dem::Snapshot& wall)
             damage.add(c.damage);
             area.add(c.area);
         }
-        kind.add(kind_number(face.kind));
+        kind.add(static_cast<int>(face.kind));
         id.add(face.id);
         block_a.add(face.block_a);
         block_b.add(face.block_b);
@@ -103,4 +94,17 @@ std::string joints_vtu(const dem::Snapshot& wall)
     return vtu_text(grid);
 }
 
-} // namespace app
+std::string pvd_text(const std::vector<double>& times, const std::vector<std::string>& files)
+{
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+                       "byte_order=\"LittleEndian\">\n<Collection>\n";
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        std::array<char, 32> time; // the shortest text that reads back as the same double
+        const auto end = std::to_chars(time.data(), time.data() + time.size(), times[i]).ptr;
+        text += "<DataSet timestep=\"" + std::string(time.data(), end) +
+                "\" part=\"0\" file=\"" + files.at(i) + "\"/>\n";
+    }
+    return text + "</Collection>\n</VTKFile>\n";
+}
+
+} // namespace dem
