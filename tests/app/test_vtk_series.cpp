@@ -1,5 +1,6 @@
 #include "app/output/series_folder.hpp"
 
+#include "app/series_scene.hpp"
 #include "app/text/number_text.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 #include "tests/scenes/temporary_folder.hpp"
@@ -54,7 +55,7 @@ TEST_CASE("vtk series: time is the way of the load line in mm", "[app][vtk_serie
     const scenes::TemporaryFolder folder;
     std::vector<dem::Snapshot> walls = a_push();
     walls.push_back(scenes::stair_step_rocking(-0.01)); // back again
-    app::write_vtk_series(folder.path / "vtk", walls);
+    scenes::write_series(folder.path / "vtk", walls);
     for (const char* name : {"wall", "joints"}) {
         const fs::path pvd = folder.path / "vtk" / (std::string(name) + ".pvd");
         CHECK(listed(pvd, "timestep") ==
@@ -71,20 +72,20 @@ TEST_CASE("vtk series: of walls at the same time the last is kept", "[app][vtk_s
     std::vector<dem::Snapshot> walls = a_push();
     walls.push_back(walls.back());
     walls.back().force = 77.0;
-    app::write_vtk_series(folder.path, walls);
-    CHECK(listed(folder.path / "wall.pvd", "file").size() == 3);
-    CHECK(vtu_array(read_text(folder.path / "wall_0002.vtu"), "force").at(0) == 77.0);
+    scenes::write_series(folder.path / "vtk", walls);
+    CHECK(listed(folder.path / "vtk" / "wall.pvd", "file").size() == 3);
+    CHECK(vtu_array(read_text(folder.path / "vtk" / "wall_0002.vtu"), "force").at(0) == 77.0);
 }
 
 TEST_CASE("vtk series: no file of an earlier series stays", "[app][vtk_series]")
 {
     const scenes::TemporaryFolder folder;
     const fs::path series = folder.path / "series";
-    app::write_vtk_series(series, a_push());
-    app::write_vtk_series(series, {scenes::wall_at_rest(), scenes::diagonal_crack(0.02, 0.6)});
+    scenes::write_series(series, a_push());
+    scenes::write_series(series, {scenes::wall_at_rest(), scenes::diagonal_crack(0.02, 0.6)});
     CHECK(std::distance(fs::directory_iterator(series), {}) == 6);
     std::ofstream(series / "notes.txt") << "mine";
-    app::remove_vtk_series(series);
+    app::write_results(folder.path, {});
     CHECK(std::distance(fs::directory_iterator(series), {}) == 1);
 }
 
@@ -93,15 +94,14 @@ TEST_CASE("vtk series: a value that is not finite is refused, and the earlier se
 {
     const scenes::TemporaryFolder folder;
     std::vector<dem::Snapshot> walls = a_push();
-    app::write_vtk_series(folder.path / "series", walls);
+    scenes::write_series(folder.path / "series", walls);
     const std::string before = read_text(folder.path / "series" / "wall_0001.vtu");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     SECTION("in a block") { walls[1].blocks[5].displacement[0].z = nan; }
     SECTION("in a joint") { walls[1].faces[5].contacts[0].sigma = nan; }
     SECTION("in the load") { walls[1].force = nan; }
-    CHECK_THROWS_AS(app::write_vtk_series(folder.path / "series", walls),
-                    std::invalid_argument);
-    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
+    CHECK_THROWS_AS(scenes::write_series(folder.path / "series", walls), std::invalid_argument);
+    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 2); // and the list
     CHECK(listed(folder.path / "series" / "joints.pvd", "file").size() == 3);
     CHECK(read_text(folder.path / "series" / "wall_0001.vtu") == before);
 }
@@ -112,7 +112,7 @@ TEST_CASE("vtk series: for the reader of VTK", "[.][vtk_reader]")
     const char* folder = std::getenv("DRYSTONE_VTK_FOLDER");
     REQUIRE(folder != nullptr);
     const std::vector<dem::Snapshot> walls = a_push();
-    app::write_vtk_series(folder, walls);
+    scenes::write_series(folder, walls);
     std::ofstream out(fs::path(folder) / "expected.txt");
     for (std::size_t i = 0; i < walls.size(); ++i) {
         std::vector<double> heights, openings;
