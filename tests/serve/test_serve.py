@@ -18,7 +18,7 @@ import tempfile
 PROGRAM, STUDY = sys.argv[1:3]
 CHEAP = ["--set", "solver.fidelity=rigid", "--set", "solver.steps_per_mm=100", "--set", "load.max_displacement=3 mm",
          "--set", "uq.samples=8"]
-RESPONSES = ["peak_force", "peak_displacement"]
+RESPONSES = ["peak_force", "peak_displacement", "friction_energy"]
 
 
 def start(*more):
