@@ -16,6 +16,7 @@ set(DEM_PUBLIC_HEADERS
     scene/wall.hpp
     solver/curve_point.hpp
     solver/energy.hpp
+    solver/energy_parts.hpp
     solver/ensemble.hpp
     solver/push.hpp
     solver/solver_options.hpp)

@@ -92,7 +92,7 @@ std::string wrapped(const std::string& text, std::size_t width)
 std::size_t shown_width(std::string_view text)
 {
     return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+        std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 std::size_t terminal_width()

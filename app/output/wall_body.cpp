@@ -81,11 +81,10 @@ std::string draw_block_edges(const dem::BlockState& block, std::span<const Pixel
     };
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t next = (i + 1) % outline.size();
-        const bool hidden =
-            std::any_of(cracks.begin(), cracks.end(), [&](const FaceState* crack) {
-                return on_line_of(*crack, block.outline[i]) &&
-                       on_line_of(*crack, block.outline[next]);
-            });
+        const bool hidden = std::ranges::any_of(cracks, [&](const FaceState* crack) {
+            return on_line_of(*crack, block.outline[i]) &&
+                   on_line_of(*crack, block.outline[next]);
+        });
         if (hidden) {
             flush();
             continue;

@@ -17,18 +17,13 @@
 #include "app/version.hpp"
 #include "dem/scene/layout.hpp"
 
-#include <cmath>
 #include <map>
 #include <string_view>
 
 namespace app {
 namespace {
 
-Json shown(double x, int digits)
-{
-    if (!std::isfinite(x)) return nullptr;
-    return rounded(x, digits);
-}
+Json shown(double x, int digits) { return or_null(rounded(x, digits)); }
 
 Json levels_json(const StudyWalls& study)
 {

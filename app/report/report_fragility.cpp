@@ -32,7 +32,7 @@ void add_mixture(const std::vector<fragility::ModeGroup>& modes,
         c["lower"].push_back(five_decimals(p.band.lower));
         c["upper"].push_back(five_decimals(p.band.upper));
     }
-    c["fitted"] = std::any_of(mix.fits.begin(), mix.fits.end(), [](const fragility::Fit& f) {
+    c["fitted"] = std::ranges::any_of(mix.fits, [](const fragility::Fit& f) {
         return f.outcome == fragility::FitOutcome::converged;
     });
 }

@@ -19,6 +19,17 @@ static_assert(static_cast<int>(FaceKind::bed_joint) == 0 &&
               static_cast<int>(FaceKind::beam_joint) == 3 &&
               static_cast<int>(FaceKind::base_joint) == 4);
 
+struct ContactNumber {
+    const char* name;
+    double ContactState::*value;
+};
+constexpr std::array kContactNumbers = {ContactNumber{"opening", &ContactState::opening},
+                                        ContactNumber{"slip", &ContactState::slip},
+                                        ContactNumber{"sigma", &ContactState::sigma},
+                                        ContactNumber{"tau", &ContactState::tau},
+                                        ContactNumber{"damage", &ContactState::damage},
+                                        ContactNumber{"area", &ContactState::area}};
+
 std::vector<VtkArray> load_data(const Snapshot& wall)
 {
     std::vector<VtkArray> data = {vtk_reals("load_displacement"), vtk_reals("force")};
@@ -62,10 +73,8 @@ std::string blocks_vtu(const Snapshot& wall)
 std::string joints_vtu(const Snapshot& wall)
 {
     VtkGrid grid;
-    VtkArray displacement = vtk_vectors("displacement");
-    VtkArray opening = vtk_reals("opening"), slip = vtk_reals("slip"),
-             sigma = vtk_reals("sigma");
-    VtkArray tau = vtk_reals("tau"), damage = vtk_reals("damage"), area = vtk_reals("area");
+    grid.point_data = {vtk_vectors("displacement")};
+    for (const ContactNumber& n : kContactNumbers) grid.point_data.push_back(vtk_reals(n.name));
     VtkArray kind = vtk_integers("kind"), id = vtk_integers("id");
     VtkArray block_a = vtk_integers("block_a"), block_b = vtk_integers("block_b");
     VtkArray normal = vtk_vectors("normal");
@@ -73,13 +82,9 @@ std::string joints_vtu(const Snapshot& wall)
         if (face.contacts.empty()) continue;
         for (const ContactState& c : face.contacts) {
             grid.add_point(c.at);
-            displacement.add(middle_displacement(wall, face, c.at));
-            opening.add(c.opening);
-            slip.add(c.slip);
-            sigma.add(c.sigma);
-            tau.add(c.tau);
-            damage.add(c.damage);
-            area.add(c.area);
+            grid.point_data[0].add(middle_displacement(wall, face, c.at));
+            for (std::size_t i = 0; i < kContactNumbers.size(); ++i)
+                grid.point_data[i + 1].add(c.*kContactNumbers[i].value);
         }
         kind.add(static_cast<int>(face.kind));
         id.add(face.id);
@@ -88,7 +93,6 @@ std::string joints_vtu(const Snapshot& wall)
         normal.add(face.normal);
         grid.end_cell(face.contacts.size() == 1 ? kVtkVertex : kVtkPolyLine);
     }
-    grid.point_data = {displacement, opening, slip, sigma, tau, damage, area};
     grid.cell_data = {kind, id, block_a, block_b, normal};
     grid.field_data = load_data(wall);
     return vtu_text(grid);
