@@ -114,7 +114,10 @@ TEST_CASE("reliability: what is missing or too small is refused by name", "[uq][
     CHECK_THROWS_WITH(uq::reliability(p), Catch::Contains("cheap model"));
     p = by(ReliabilityMethod::form, event);
     p.normal.pop_back();
-    CHECK_THROWS_WITH(uq::reliability(p), Catch::Contains("name for each"));
+    CHECK_THROWS_WITH(uq::reliability(p), Catch::Contains("each of the 2 coordinates"));
+    p = by(ReliabilityMethod::form, event);
+    p.inputs.push_back("one too many");
+    CHECK_THROWS_WITH(uq::reliability(p), Catch::Contains("each of the 2 inputs"));
     p = by(ReliabilityMethod::form, {});
     CHECK_THROWS_AS(uq::reliability(p), std::invalid_argument);
 }

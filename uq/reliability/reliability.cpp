@@ -156,9 +156,17 @@ void check_problem(const ReliabilityProblem& p)
         throw std::invalid_argument("reliability: " + why);
     };
     check(p.event);
-    if (static_cast<Eigen::Index>(p.normal.size()) != p.event.dimension)
-        refuse("there must be a name for each of the " + std::to_string(p.event.dimension) +
-               " coordinates, but there are " + std::to_string(p.normal.size()));
+    const auto check_names = [&](const std::vector<std::string>& names, Eigen::Index n,
+                                 const std::string& what) {
+        if (static_cast<Eigen::Index>(names.size()) != n)
+            refuse("there must be a name for each of the " + std::to_string(n) + " " + what +
+                   ", but there are " + std::to_string(names.size()));
+    };
+    const Eigen::MatrixXd medians = Eigen::MatrixXd::Zero(1, p.event.dimension);
+    check_names(p.normal, p.event.dimension, "coordinates");
+    check_names(p.inputs,
+                p.event.to_physical ? p.event.to_physical(medians).cols() : p.event.dimension,
+                "inputs");
     if (const std::string why = budget_too_small(p.method, p.budget, p.event.dimension);
         !why.empty())
         refuse("the budget " + why);

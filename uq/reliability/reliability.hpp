@@ -64,7 +64,7 @@ struct ReliabilityAnswer {
     std::vector<DesignPointFound> points; ///< nearest first
     std::vector<std::string> warnings;
     std::size_t evaluations = 0; ///< of the event's model
-    std::vector<uq::FailedSample> failed;
+    std::vector<FailedSample> failed;
 };
 
 /// One evaluated sample of the event's model.
@@ -79,9 +79,11 @@ struct Evaluated {
 [[nodiscard]] std::string budget_too_small(ReliabilityMethod method, int budget,
                                            Eigen::Index dimension);
 
-/// Called after every batch with what was evaluated in it, in order. What it throws ends the analysis.
+/// Called after every batch with what was evaluated in it, in order. What it throws ends the analysis, but for a
+/// std::exception, which would be the failure of the batch.
 using OnBatch = std::function<void(std::span<const Evaluated>)>;
 
+/// The probability of the event by the method asked for, and what the response depends on, where the method shows it.
 /// What goes wrong with a sample stays with it, and is among the warnings and the failed samples.
 /// @throws std::invalid_argument naming what is missing or out of range: of the event, of its names, of the
 /// budget, or no cheap model for multi_fidelity; std::runtime_error if too few samples are sound for
