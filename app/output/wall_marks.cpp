@@ -22,8 +22,8 @@ bool slides(const ContactState& c, double threshold)
 bool cracked_through(const FaceState& face)
 {
     return !face.contacts.empty() &&
-           std::ranges::all_of(face.contacts,
-                               [](const ContactState& c) { return c.damage >= 1.0; });
+           std::all_of(face.contacts.begin(), face.contacts.end(),
+                       [](const ContactState& c) { return c.damage >= 1.0; });
 }
 
 std::vector<ContactPixels> place_contacts(const Snapshot& wall, const WallView& view,
@@ -61,7 +61,7 @@ struct Gaps {
     std::string areas, sides;
 };
 
-/// Adds a gap for each run of neighbouring contacts at least one of which is open.
+/// Adds a gap for each run of neighbouring contacts of which one or the other is open.
 void add_gaps(Gaps& gaps, const FaceState& face, const std::vector<ContactPixels>& at,
               double threshold)
 {
