@@ -17,10 +17,12 @@ set(DEM_PUBLIC_HEADERS
     scene/rigid_wall.hpp
     scene/snapshot.hpp
     scene/snapshot_reading.hpp
+    scene/snapshot_vtu.hpp
     scene/wall.hpp
     solver/curve_point.hpp
     solver/cyclic_protocol.hpp
     solver/energy.hpp
+    solver/energy_parts.hpp
     solver/ensemble.hpp
     solver/push.hpp
     solver/solver_options.hpp

@@ -42,11 +42,15 @@ set(UQ_PUBLIC_HEADERS
     reliability/form_search.hpp
     reliability/form_search_gradient.hpp
     reliability/importance_sampling.hpp
+    reliability/kept_evaluations.hpp
     reliability/limit_state.hpp
     reliability/multi_fidelity.hpp
     reliability/multi_fidelity_plan.hpp
+    reliability/reliability.hpp
+    reliability/reliability_method.hpp
     reliability/sorm.hpp
     reliability/subset_simulation.hpp
+    reliability/to_variables.hpp
     sensitivity/correlation_measures.hpp
     sensitivity/regression.hpp
     sensitivity/sobol_indices.hpp)

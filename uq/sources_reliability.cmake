@@ -1,6 +1,7 @@
 set(UQ_RELIABILITY_SOURCES
     reliability/control_variate.cpp
     reliability/crude_monte_carlo.cpp
+    reliability/design_methods.cpp
     reliability/evaluate.cpp
     reliability/exceedance.cpp
     reliability/external_program.cpp
@@ -12,10 +13,14 @@ set(UQ_RELIABILITY_SOURCES
     reliability/form_search_gradient.cpp
     reliability/form_search_hl_rf.cpp
     reliability/importance_sampling.cpp
+    reliability/kept_evaluations.cpp
     reliability/limit_state.cpp
+    reliability/method_answers.cpp
     reliability/multi_fidelity.cpp
     reliability/multi_fidelity_plan.cpp
+    reliability/reliability.cpp
     reliability/sorm.cpp
     reliability/sorm_paraboloid.cpp
     reliability/subset_simulation.cpp
-    reliability/subset_simulation_chains.cpp)
+    reliability/subset_simulation_chains.cpp
+    reliability/to_variables.cpp)

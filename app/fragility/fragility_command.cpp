@@ -203,10 +203,10 @@ FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
 
 void check_fragility(const Command& command)
 {
-    check_and_announce(command.out,
-                       {"README.md", "fragility.json", "performance_limits.csv",
-                        "performance_limits.md", "performance_limits.tex"},
-                       command.quiet);
+    check_results(command.out,
+                  {"README.md", "fragility.json", "performance_limits.csv",
+                   "performance_limits.md", "performance_limits.tex"},
+                  command.quiet);
 }
 
 int fragility_command(const Command& command)

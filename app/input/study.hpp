@@ -18,6 +18,7 @@
 #include "fragility/law.hpp"
 #include "uq/designs/design_kind.hpp"
 #include "uq/marginals/marginal.hpp"
+#include "uq/reliability/reliability_method.hpp"
 
 #include <cstdint>
 #include <string>
@@ -135,7 +136,7 @@ struct UqInput {
     std::string drawn;             ///< one wall alone (app/study/drawn_wall.hpp); empty: all
 };
 
-enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity, sobol };
+using uq::ReliabilityMethod;
 
 /// For the verb reliability: the probability that a response falls to a demand or below.
 struct ReliabilityInput {

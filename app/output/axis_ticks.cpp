@@ -41,8 +41,7 @@ std::string superscript(int n)
     static constexpr std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
                                                             "⁵", "⁶", "⁷", "⁸", "⁹"};
     std::string text = n < 0 ? "⁻" : "";
-    for (const char c : std::to_string(std::abs(n)))
-        text += kDigits[static_cast<std::size_t>(c - '0')];
+    for (const char c : std::to_string(std::abs(n))) text += kDigits[c - '0'];
     return text;
 }
 

@@ -76,9 +76,8 @@ std::vector<LegendEntry> place_legend(const Chart& chart,
     Pixel at = first;
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
         const Series& s = chart.series[i];
-        const bool known =
-            std::any_of(entries.begin(), entries.end(),
-                        [&](const LegendEntry& e) { return e.series->name == s.name; });
+        const bool known = std::ranges::any_of(
+            entries, [&](const LegendEntry& e) { return e.series->name == s.name; });
         if (s.name.empty() || known) continue;
         const double width = kSample + 8.0 + text_width(s.name, kTickSize) + 18.0;
         if (at.x > first.x && at.x + width > chart.width - kMargin) at = {first.x, at.y + 18.0};
@@ -93,8 +92,8 @@ std::vector<int> label_rows(const std::vector<ReferenceLine>& lines, const Axis&
 {
     std::vector<std::size_t> order(lines.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return lines[a].at < lines[b].at; });
+    std::ranges::stable_sort(
+        order, [&](std::size_t a, std::size_t b) { return lines[a].at < lines[b].at; });
     std::vector<int> rows(lines.size(), 0);
     std::vector<double> row_ends; // right end of the last label in each row [px]
     for (const std::size_t i : order) {

@@ -8,26 +8,6 @@ namespace app {
 
 namespace {
 
-/// Pairs of what is found and what is written for it; the first that matches counts.
-struct Replacement {
-    std::string_view found, written;
-};
-
-template <std::size_t N>
-std::string replaced(std::string_view text, const Replacement (&table)[N])
-{
-    std::string result;
-    while (!text.empty()) {
-        const auto* const hit = std::find_if(std::begin(table), std::end(table), [&](auto& r) {
-            return text.starts_with(r.found);
-        });
-        const bool found = hit != std::end(table);
-        result += found ? hit->written : text.substr(0, 1);
-        text.remove_prefix(found ? hit->found.size() : 1);
-    }
-    return result;
-}
-
 constexpr Replacement kMarkdown[] = {{"\\", "\\\\"}, {"|", "\\|"}, {"<", "\\<"},
                                      {"`", "\\`"},   {"*", "\\*"}, {"](", "]\\("},
                                      {"\r\n", " "},  {"\n", " "},  {"\r", " "}};
@@ -53,6 +33,20 @@ constexpr Replacement kLatex[] = {{">=", "$\\geq$"},
                                   {"\r", " "}};
 
 } // namespace
+
+std::string replaced(std::string_view text, std::span<const Replacement> table)
+{
+    std::string result;
+    result.reserve(text.size());
+    while (!text.empty()) {
+        const auto hit = std::ranges::find_if(
+            table, [&](const Replacement& r) { return text.starts_with(r.found); });
+        const bool found = hit != table.end();
+        result += found ? hit->written : text.substr(0, 1);
+        text.remove_prefix(found ? hit->found.size() : 1);
+    }
+    return result;
+}
 
 std::string csv_cell(const std::string& text)
 {
@@ -98,7 +92,7 @@ std::string wrapped(const std::string& text, std::size_t width)
 std::size_t shown_width(std::string_view text)
 {
     return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+        std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 std::size_t terminal_width()

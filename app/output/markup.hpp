@@ -2,10 +2,19 @@
 /// Any text as a part of CSV, Markdown, LaTeX or a terminal, where it reads as it was given and obeys nothing.
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace app {
+
+/// What is found in a text and what is written for it.
+struct Replacement {
+    std::string_view found, written;
+};
+
+/// The text with each place replaced by the first entry of the table that matches there.
+[[nodiscard]] std::string replaced(std::string_view text, std::span<const Replacement> table);
 
 /// RFC 4180: in double quotes where a separator, a quote or a line break would cut it.
 [[nodiscard]] std::string csv_cell(const std::string& text);

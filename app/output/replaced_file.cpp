@@ -19,10 +19,11 @@ void check_replaced(const std::filesystem::path& file, std::string_view mark, bo
     if (text.find(mark) == std::string_view::npos)
         throw ConfigError(
             "--out", 0, file.string(),
-            "is there already and is no earlier result of this verb; give another "
-            "name, or move the file away");
+            "exists already and was not written by this command; give another name, or "
+            "move the file away");
     if (!quiet)
-        std::cerr << "note: " << file.string() << " is an earlier result, which is replaced\n";
+        std::cerr << "note: " << file.string()
+                  << " is an earlier result and will be replaced\n";
 }
 
 } // namespace app

@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 namespace app {
 
@@ -27,6 +28,9 @@ std::string content_of(const fs::path& path)
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
+
+/// What the list has in place of a check sum for a file that was moved here: nobody needs to read it again.
+constexpr std::string_view kMoved = "moved";
 
 /// Names and check sums; a name that leads out of the folder is not ours.
 using List = std::map<std::string, std::string>;
@@ -60,30 +64,26 @@ void check_foreign(const fs::path& folder, const std::vector<fs::path>& names,
         if (fs::exists(folder / name, ignored) && before.count(name.string()) == 0)
             throw ConfigError(
                 "--out", 0, (folder / name).string(),
-                "is there already and is not from an earlier run of this version; "
+                "exists already and was not written by an earlier run of this version; "
                 "give another folder, or move the file away");
+}
+
+void move_file(const fs::path& from, const fs::path& to)
+{
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error)
+        throw std::runtime_error("cannot write '" + to.string() + "': " + error.message());
 }
 
 } // namespace
 
-std::vector<fs::path> listed_files(const fs::path& folder, std::string_view list)
-{
-    std::vector<fs::path> names;
-    for (const auto& [name, sum] : read_list(folder, list)) names.emplace_back(name);
-    return names;
-}
-
-void check_results(const fs::path& folder, const std::vector<fs::path>& names,
+void check_results(const fs::path& folder, const std::vector<fs::path>& names, bool quiet,
                    std::string_view list)
 {
-    check_foreign(folder, names, read_list(folder, list));
-}
-
-void check_and_announce(const fs::path& folder, const std::vector<fs::path>& names, bool quiet,
-                        std::string_view list)
-{
-    check_results(folder, names, list);
-    if (!quiet && !listed_files(folder, list).empty())
+    const List before = read_list(folder, list);
+    check_foreign(folder, names, before);
+    if (!quiet && !before.empty())
         std::cerr << "note: " << folder.string()
                   << " has results of an earlier run, which will be replaced\n";
 }
@@ -98,12 +98,19 @@ std::size_t write_results(const fs::path& folder, const std::vector<OutputFile>&
     List now, either = before;
     std::set<fs::path> folders = {folder};
     for (const OutputFile& f : files) {
-        either[f.name.string()] = now[f.name.string()] = check_sum(f.content);
+        either[f.name.string()] = now[f.name.string()] =
+            f.from.empty() ? check_sum(f.content) : std::string(kMoved);
         folders.insert((folder / f.name).parent_path());
     }
     for (const fs::path& f : folders) make_folder(f);
     write_file(folder / list, list_text(either)); // a kill leaves no file that is not ours
-    for (const OutputFile& f : files) write_file(folder / f.name, f.content);
+    std::error_code ignored;
+    for (const auto& [name, sum] :
+         before) // in the order of names: joints.pvd before joints_0000.vtu
+        if (sum == kMoved) fs::remove(folder / name, ignored);
+    for (const OutputFile& f : files)
+        f.from.empty() ? write_file(folder / f.name, f.content)
+                       : move_file(f.from, folder / f.name);
     std::size_t removed = 0;
     for (const auto& [name, sum] : before)
         if (now.count(name) == 0 && check_sum(content_of(folder / name)) == sum)

@@ -11,28 +11,24 @@ namespace app {
 struct OutputFile {
     std::filesystem::path name; ///< below the folder: "tables/modes.csv"
     std::string content;
+    std::filesystem::path from =
+        {}; ///< of a file that is finished: it is moved from there, content is empty
 };
 
 /// The list of files that a run wrote, with their check sums: how the next run knows what is ours.
 constexpr std::string_view kFileList = "drystone_files.txt";
 
-/// Names that the list of an earlier run has; empty where there is none.
-[[nodiscard]] std::vector<std::filesystem::path>
-listed_files(const std::filesystem::path& folder, std::string_view list = kFileList);
-
-/// Asks before a run what write_results would refuse after it.
+/// Asks before a run what write_results would refuse after it, and says on stderr where results of an earlier
+/// run will be replaced.
 /// @throws ConfigError if a file of one of these names is there and not on the list of an earlier run
 void check_results(const std::filesystem::path& folder,
-                   const std::vector<std::filesystem::path>& names,
+                   const std::vector<std::filesystem::path>& names, bool quiet,
                    std::string_view list = kFileList);
 
-/// Asks the same, and says on stderr where results of an earlier run will be replaced.
-void check_and_announce(const std::filesystem::path& folder,
-                        const std::vector<std::filesystem::path>& names, bool quiet,
-                        std::string_view list = kFileList);
-
 /// Writes all files and the list of them. Files that the list of an earlier run names and this run does
-/// not write are removed, unless they have been changed since; other files stay as they are.
+/// not write are removed, unless they have been changed since; other files stay as they are. Files that are moved here
+/// come last in `files`, in an order in which none of them names one that is not there yet; those of an earlier run are
+/// removed before the first of them.
 /// @return how many were removed
 /// @throws ConfigError before anything is written: a file that this run would replace is there and is
 /// not on the list of an earlier run

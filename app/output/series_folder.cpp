@@ -1,8 +1,7 @@
 #include "app/output/series_folder.hpp"
 
 #include "app/output/atomic_output.hpp"
-#include "app/output/vtk_grid.hpp"
-#include "app/output/vtk_series.hpp"
+#include "dem/scene/snapshot_vtu.hpp"
 
 #include <algorithm>
 #include <array>
@@ -53,47 +52,11 @@ bool is_series_name(const std::string& name)
     });
 }
 
-/// What names the others goes first, then the last file: a kill leaves a series that can be removed again.
-void remove_files(const fs::path& folder)
-{
-    std::error_code nothing_there;
-    for (const char* stem : kStems) fs::remove(folder / index_name(stem), nothing_there);
-    for (const char* stem : kStems) {
-        std::size_t n = 0;
-        while (fs::exists(folder / file_name(stem, n), nothing_there)) ++n;
-        while (n > 0) fs::remove(folder / file_name(stem, --n), nothing_there);
-    }
-}
-
-void move_file(const fs::path& from, const fs::path& to, const std::string& name)
-{
-    std::error_code error;
-    fs::rename(from / name, to / name, error);
-    if (error)
-        throw std::runtime_error("cannot write '" + (to / name).string() +
-                                 "': " + error.message());
-}
-
-std::optional<fs::path> first_series_file(const fs::path& folder)
-{
-    std::error_code nothing_there;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, nothing_there))
-        if (is_series_name(entry.path().filename().string())) return entry.path();
-    return {};
-}
-
-/// What a kill leaves of a file that was being written: ".NAME.PROCESS-NUMBER.tmp" (atomic_output.hpp).
-void remove_temporaries(const fs::path& folder)
+void remove_all_but_mark(const fs::path& part)
 {
     std::error_code ignored;
-    std::vector<fs::path> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        const fs::path name = entry.path().filename();
-        if (name.extension() != ".tmp" || !name.string().starts_with('.')) continue;
-        const std::string whole = name.stem().stem().string().substr(1);
-        if (whole == kMark || is_series_name(whole)) found.push_back(entry.path());
-    }
-    for (const fs::path& path : found) fs::remove(path, ignored);
+    for (const fs::directory_entry& entry : fs::directory_iterator(part, ignored))
+        if (entry.path().filename() != kMark) fs::remove_all(entry.path(), ignored);
 }
 
 } // namespace
@@ -126,8 +89,8 @@ void SeriesFolder::add(const dem::Snapshot& wall)
     if (times_.empty() || times_.back() != time) // two at one time would overlap
         times_.push_back(time);
     try {
-        write_file(part_ / file_name("wall", times_.size() - 1), blocks_vtu(wall));
-        write_file(part_ / file_name("joints", times_.size() - 1), joints_vtu(wall));
+        write_file(part_ / file_name("wall", times_.size() - 1), dem::blocks_vtu(wall));
+        write_file(part_ / file_name("joints", times_.size() - 1), dem::joints_vtu(wall));
     } catch (const std::invalid_argument& not_finite) {
         trouble_ = not_finite.what();
     }
@@ -135,50 +98,29 @@ void SeriesFolder::add(const dem::Snapshot& wall)
 
 void SeriesFolder::begin_anew()
 {
-    if (parent_) remove_files(part_);
+    if (parent_) remove_all_but_mark(part_);
     times_.clear();
     last_ = way_ = 0.0;
     trouble_.clear();
 }
 
-void SeriesFolder::seal()
+std::vector<OutputFile> SeriesFolder::seal()
 {
     if (!trouble_.empty()) throw std::invalid_argument(trouble_);
     if (!parent_) open();
+    std::vector<OutputFile> files, indices;
+    const auto finished = [&](const std::string& name) {
+        return OutputFile{folder_.filename() / name, {}, part_ / name};
+    };
     for (const char* stem : kStems) {
-        std::vector<std::string> files;
-        for (std::size_t i = 0; i < times_.size(); ++i) files.push_back(file_name(stem, i));
-        write_file(part_ / index_name(stem), pvd_text(times_, files));
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < times_.size(); ++i) names.push_back(file_name(stem, i));
+        write_file(part_ / index_name(stem), dem::pvd_text(times_, names));
+        for (const std::string& name : names) files.push_back(finished(name));
+        indices.push_back(finished(index_name(stem)));
     }
-    sealed_ = true;
-}
-
-void SeriesFolder::publish()
-{
-    if (!sealed_) return;
-    remove_vtk_series(folder_);
-    make_folder(folder_);
-    for (const char* stem : kStems)
-        for (std::size_t i = 0; i < times_.size(); ++i)
-            move_file(part_, folder_, file_name(stem, i));
-    // last, so that they never name a file that is not there
-    for (const char* stem : kStems) move_file(part_, folder_, index_name(stem));
-    sealed_ = false;
-}
-
-void write_vtk_series(const fs::path& folder, const std::vector<dem::Snapshot>& walls)
-{
-    SeriesFolder series(folder);
-    for (const dem::Snapshot& wall : walls) series.add(wall);
-    series.seal();
-    series.publish();
-}
-
-void remove_vtk_series(const fs::path& folder)
-{
-    remove_files(folder);
-    std::error_code not_empty;
-    fs::remove(folder, not_empty); // stays if others have put something there
+    files.insert(files.end(), indices.begin(), indices.end());
+    return files;
 }
 
 void remove_unfinished_series(const fs::path& folder)
@@ -186,19 +128,22 @@ void remove_unfinished_series(const fs::path& folder)
     const fs::path part = part_of(folder);
     std::error_code ignored;
     if (!fs::exists(part / kMark, ignored)) return;
-    remove_files(part);
-    remove_temporaries(part);
+    remove_all_but_mark(part); // a kill leaves what is still known as ours
     fs::remove(part / kMark, ignored);
     fs::remove(part, ignored);
 }
 
-std::optional<fs::path> in_the_way_of_series(const fs::path& folder, bool ours)
+std::vector<fs::path> in_the_way_of_series(const fs::path& folder)
 {
+    std::vector<fs::path> found;
+    std::error_code nothing_there;
     const fs::path part = part_of(folder);
-    std::error_code ignored;
-    std::optional<fs::path> found;
-    if (!ours) found = first_series_file(folder);
-    if (!found && !fs::exists(part / kMark, ignored)) found = first_series_file(part);
+    for (const fs::path& place : {folder, part})
+        if (!fs::exists(place / kMark, nothing_there))
+            for (const fs::directory_entry& entry :
+                 fs::directory_iterator(place, nothing_there))
+                if (is_series_name(entry.path().filename().string()))
+                    found.push_back(entry.path());
     return found;
 }
 

@@ -2,6 +2,7 @@
 /// The folder of a series for ParaView, written while the wall is pushed.
 
 #include "app/output/made_folder.hpp"
+#include "app/output/result_folder.hpp"
 #include "dem/scene/snapshot.hpp"
 
 #include <filesystem>
@@ -11,9 +12,9 @@
 
 namespace app {
 
-/// Walls go to disk one by one, into a folder beside the one that is named: "series.part". They come under their name
-/// when the push is over and all of them are there. A run that ends before leaves the series of an earlier run as it was; a
-/// kill leaves "series.part", marked as unfinished, which the next run removes.
+/// Walls go to disk one by one, into a folder beside the one that is named: "series.part". They are moved under their name
+/// when the push is over and all of them are there (result_folder.hpp). A run that ends before leaves the series of an
+/// earlier run as it was; a kill leaves "series.part", marked as unfinished, which the next run removes.
 ///
 /// Files: wall_0000.vtu ..., joints_0000.vtu ..., then wall.pvd and joints.pvd, which name them. Time is the way of the
 /// load line in mm: its displacement in a monotonic push. Of walls at the same time the last is kept.
@@ -21,7 +22,7 @@ class SeriesFolder {
   public:
     /// Writes nothing before the first wall.
     explicit SeriesFolder(std::filesystem::path folder);
-    /// Removes what was not published.
+    /// Removes what was not moved.
     ~SeriesFolder();
     SeriesFolder(const SeriesFolder&) = delete;
     SeriesFolder& operator=(const SeriesFolder&) = delete;
@@ -34,11 +35,10 @@ class SeriesFolder {
     [[nodiscard]] bool empty() const { return times_.empty(); }
 
     /// Writes what names the files. No wall is added afterwards.
+    /// @return the files, to be moved to where they belong by write_results(): names below the folder around that of the
+    /// series
     /// @throws std::runtime_error if a file cannot be written, std::invalid_argument if a value was not finite
-    void seal();
-    /// Puts the sealed series in the place of an earlier one. Does nothing where none was sealed.
-    /// @throws std::runtime_error if a file cannot be moved
-    void publish();
+    [[nodiscard]] std::vector<OutputFile> seal();
 
   private:
     void open();
@@ -48,22 +48,13 @@ class SeriesFolder {
     std::vector<double> times_;        ///< [mm]
     double last_ = 0.0, way_ = 0.0;    ///< displacement of the last wall, and way up to it [m]
     std::string trouble_;
-    bool sealed_ = false;
 };
-
-/// A whole series at once. @throws as SeriesFolder
-void write_vtk_series(const std::filesystem::path& folder,
-                      const std::vector<dem::Snapshot>& walls);
-
-/// Removes the files of a series, and the folder if nothing else is in it.
-void remove_vtk_series(const std::filesystem::path& folder);
 
 /// Removes what a killed run has left unfinished of the series in `folder`.
 void remove_unfinished_series(const std::filesystem::path& folder);
 
-/// A file that a series in `folder` would replace and that none of our runs wrote.
-/// @param ours whether an earlier run wrote what is in `folder`, as its list says (result_folder.hpp)
-[[nodiscard]] std::optional<std::filesystem::path>
-in_the_way_of_series(const std::filesystem::path& folder, bool ours);
+/// Files with names of a series that are in `folder` already, and in "series.part" unless it is marked as ours.
+[[nodiscard]] std::vector<std::filesystem::path>
+in_the_way_of_series(const std::filesystem::path& folder);
 
 } // namespace app

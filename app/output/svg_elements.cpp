@@ -1,7 +1,9 @@
 #include "app/output/svg_elements.hpp"
 
+#include "app/output/markup.hpp"
 #include "app/text/number_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -35,28 +37,11 @@ std::string points_attribute(std::span<const Pixel> points)
 
 std::string xml_escape(std::string_view text)
 {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        case '\'':
-            result += "&apos;";
-            break;
-        default:
-            result += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
-        }
-    }
+    constexpr Replacement kXml[] = {
+        {"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}, {"'", "&apos;"}};
+    std::string result = replaced(text, kXml);
+    std::ranges::replace_if(
+        result, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
     return result;
 }
 

@@ -129,8 +129,8 @@ ShownTable shown(const Table& t)
     ShownTable s;
     for (const Head& c : t.head)
         if ((c.holds & (kProgramsOnly | kNote)) == 0) s.head.push_back(c.name);
-    const bool noted = std::any_of(t.head.begin(), t.head.end(),
-                                   [](const Head& c) { return (c.holds & kNote) != 0; });
+    const bool noted =
+        std::ranges::any_of(t.head, [](const Head& c) { return (c.holds & kNote) != 0; });
     std::vector<std::string> marks;
     for (const Row& row : t.rows) {
         std::vector<std::string> cells;
@@ -139,7 +139,7 @@ ShownTable shown(const Table& t)
             const std::string text = cell_text(row[c]);
             if ((t.head[c].holds & (kProgramsOnly | kNote)) == 0) cells.push_back(text);
             if ((t.head[c].holds & kNote) == 0 || text.empty()) continue;
-            const auto known = std::find(s.notes.begin(), s.notes.end(), text);
+            const auto known = std::ranges::find(s.notes, text);
             mark += "[" + std::to_string(known - s.notes.begin() + 1) + "]";
             if (known == s.notes.end()) s.notes.push_back(text);
         }
@@ -162,7 +162,7 @@ PlainTable plain(const Table& t)
     for (const Head& c : t.head)
         for (std::string& name : plain_names(c)) p.head.push_back(std::move(name));
     for (std::size_t i = 0; i < p.head.size(); ++i)
-        while (std::count(p.head.begin(), p.head.end(), p.head[i]) > 1) p.head[i] += " (group)";
+        while (std::ranges::count(p.head, p.head[i]) > 1) p.head[i] += " (group)";
     for (const Row& row : t.rows) {
         p.rows.emplace_back();
         for (std::size_t c = 0; c < row.size(); ++c)

@@ -23,8 +23,9 @@ class UniqueNames {
   private:
     static std::string lower(std::string text)
     {
-        std::transform(text.begin(), text.end(), text.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        std::ranges::transform(text, text.begin(), [](unsigned char c) {
+            return static_cast<char>(std::tolower(c));
+        });
         return text;
     }
 

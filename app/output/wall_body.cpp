@@ -59,7 +59,7 @@ std::vector<std::vector<const FaceState*>> cracks_of_blocks(const Snapshot& wall
     for (const FaceState& face : wall.faces)
         if (face.kind == FaceKind::unit_crack)
             for (const int block : {face.block_a, face.block_b})
-                if (block >= 0) cracks.at(static_cast<std::size_t>(block)).push_back(&face);
+                if (block >= 0) cracks.at(block).push_back(&face);
     return cracks;
 }
 
@@ -76,11 +76,10 @@ std::string draw_block_edges(const dem::BlockState& block, std::span<const Pixel
     };
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t next = (i + 1) % outline.size();
-        const bool hidden =
-            std::any_of(cracks.begin(), cracks.end(), [&](const FaceState* crack) {
-                return on_line_of(*crack, block.outline[i]) &&
-                       on_line_of(*crack, block.outline[next]);
-            });
+        const bool hidden = std::ranges::any_of(cracks, [&](const FaceState* crack) {
+            return on_line_of(*crack, block.outline[i]) &&
+                   on_line_of(*crack, block.outline[next]);
+        });
         if (hidden) {
             flush();
             continue;
@@ -136,7 +135,7 @@ std::string draw_thrust(const Snapshot& wall, const WallView& view, double wides
         const double width = view.mark_size * kThrustWidest * share;
         for (const int index : {face.block_a, face.block_b}) {
             if (index < 0) continue;
-            const dem::BlockState& block = wall.blocks.at(static_cast<std::size_t>(index));
+            const dem::BlockState& block = wall.blocks.at(index);
             Pixel end = centre(block, view);
             if (block.course == 0)
                 end = {at.x, at.y + (end.y - at.y) * 0.6}; // straight up into the beam

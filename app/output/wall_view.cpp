@@ -1,6 +1,6 @@
 #include "app/output/wall_view.hpp"
 
-#include "app/output/block_displacement.hpp"
+#include "dem/scene/block_displacement.hpp"
 #include "dem/scene/snapshot_reading.hpp"
 
 #include <algorithm>
@@ -70,8 +70,10 @@ double drawing_scale(const dem::Snapshot& wall)
 ContactPixels place_contact(const dem::Snapshot& wall, const WallView& view,
                             const dem::FaceState& face, const dem::ContactState& contact)
 {
-    const Pixel a = view.place(contact.at, displacement_at(wall, face.block_a, contact.at));
-    const Pixel b = view.place(contact.at, displacement_at(wall, face.block_b, contact.at));
+    const Pixel a =
+        view.place(contact.at, dem::displacement_at(wall, face.block_a, contact.at));
+    const Pixel b =
+        view.place(contact.at, dem::displacement_at(wall, face.block_b, contact.at));
     return {a, b, {(a.x + b.x) / 2, (a.y + b.y) / 2}};
 }
 

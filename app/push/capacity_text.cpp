@@ -1,6 +1,7 @@
 #include "app/push/capacity_text.hpp"
 
 #include "app/output/capacity_csv.hpp"
+#include "dem/solver/energy_parts.hpp"
 
 #include <utility>
 
@@ -27,17 +28,9 @@ std::vector<CurveColumn> columns_of(const PushedWall& w)
     all.push_back(
         column(w, "base_shear_kN", [](const Point& p) { return p.base_shear * 1e-3; }));
     all.push_back(column(w, "unbalance_kN", [](const Point& p) { return p.unbalance * 1e-3; }));
-    const auto energy = [&](const char* name, double dem::Energy::*part) {
-        all.push_back(column(w, name, [=](const Point& p) { return p.energy.*part; }));
-    };
-    energy("work_J", &dem::Energy::work);
-    energy("elastic_J", &dem::Energy::elastic);
-    energy("friction_J", &dem::Energy::friction);
-    energy("fracture_J", &dem::Energy::fracture);
-    energy("crushing_J", &dem::Energy::crushing);
-    energy("damping_J", &dem::Energy::damping);
-    energy("kinetic_J", &dem::Energy::kinetic);
-    energy("lifted_J", &dem::Energy::lifted);
+    for (const dem::EnergyPart& part : dem::kEnergyParts)
+        all.push_back(column(w, std::string(part.name) + "_J",
+                             [&](const Point& p) { return p.energy.*part.value; }));
     return all;
 }
 

@@ -203,13 +203,15 @@ void write_all(const Command& command, const Study& study,
                const std::vector<WantedWall>& wanted, const std::vector<PushedWall>& walls,
                PushedSeries& series)
 {
-    const fs::path out = command.out;
-    std::vector<OutputFile> files;
+    std::vector<OutputFile> files, moved;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const fs::path folder = wall_folder(walls.size(), walls[i].vertical_stress);
         const Study used = study.random.empty() ? study : with_drawn(study, wanted[i]);
         for (OutputFile& f : wall_files(used, walls[i], command))
             files.push_back({folder / f.name, std::move(f.content)});
+        if (study.output.paraview && !dem::failed(walls[i].result.outcome))
+            for (const OutputFile& f : series.seal(i, walls[i].result))
+                moved.push_back({folder / f.name, {}, f.from});
     }
     if (walls.size() > 1) {
         add_table("levels", level_table(study, walls), files);
@@ -218,12 +220,8 @@ void write_all(const Command& command, const Study& study,
     add_table("limit_states", limit_table(study, walls), files);
     if (!wanted.front().draw.values.empty())
         files.push_back({"drawn.csv", as_csv(drawn_table(study, wanted.front().draw))});
-    for (std::size_t i = 0; i < walls.size(); ++i)
-        if (study.output.paraview && !dem::failed(walls[i].result.outcome))
-            series.seal(i, walls[i].result);
-    remove_listed_series(out, kPushList);
-    write_results(out, files, kPushList);
-    series.publish(); // after the list that says whose it is
+    files.insert(files.end(), moved.begin(), moved.end());
+    write_results(command.out, files, kPushList);
 }
 
 /// Before any wall is pushed: what cannot be written afterwards.
@@ -240,10 +238,10 @@ void check_folder(const Command& command, const Study& study,
               "capacity.svg", "wall.svg"})
             names.push_back(folder / name);
     if (study.output.paraview) {
-        const std::vector<fs::path> foreign = foreign_series(command.out, folders, kPushList);
-        names.insert(names.end(), foreign.begin(), foreign.end());
+        const std::vector<fs::path> there = series_there(command.out, folders);
+        names.insert(names.end(), there.begin(), there.end());
     }
-    check_and_announce(command.out, names, command.quiet, kPushList);
+    check_results(command.out, names, command.quiet, kPushList);
 }
 
 /// With the layout of the wall that is pushed.

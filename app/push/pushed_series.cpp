@@ -1,9 +1,5 @@
 #include "app/push/pushed_series.hpp"
 
-#include "app/output/result_folder.hpp"
-
-#include <algorithm>
-#include <optional>
 #include <system_error>
 
 namespace app {
@@ -26,25 +22,13 @@ void remove_all_unfinished(const fs::path& out)
 
 } // namespace
 
-std::vector<fs::path> foreign_series(const fs::path& out, const std::vector<fs::path>& walls,
-                                     std::string_view list)
+std::vector<fs::path> series_there(const fs::path& out, const std::vector<fs::path>& walls)
 {
-    const std::vector<fs::path> listed = listed_files(out, list);
     std::vector<fs::path> found;
-    for (const fs::path& wall : walls) {
-        const bool ours = std::ranges::count(listed, wall / "summary.json") > 0;
-        if (const std::optional<fs::path> file =
-                in_the_way_of_series(out / wall / kSeries, ours))
-            found.push_back(file->lexically_relative(out));
-    }
+    for (const fs::path& wall : walls)
+        for (const fs::path& file : in_the_way_of_series(out / wall / kSeries))
+            found.push_back(file.lexically_relative(out));
     return found;
-}
-
-void remove_listed_series(const fs::path& out, std::string_view list)
-{
-    for (const fs::path& name : listed_files(out, list))
-        if (name.filename() == "summary.json")
-            remove_vtk_series(out / name.parent_path() / kSeries);
 }
 
 PushedSeries::PushedSeries(const fs::path& out, const std::vector<fs::path>& walls)
@@ -61,7 +45,7 @@ dem::SnapshotSink PushedSeries::sink()
         .forget = [this](std::size_t wall) { series_.at(wall).begin_anew(); }};
 }
 
-void PushedSeries::seal(std::size_t wall, const dem::PushResult& r)
+std::vector<OutputFile> PushedSeries::seal(std::size_t wall, const dem::PushResult& r)
 {
     SeriesFolder& series = series_.at(wall);
     if (series.empty()) {
@@ -69,12 +53,7 @@ void PushedSeries::seal(std::size_t wall, const dem::PushResult& r)
         series.add(r.at_peak.blocks.empty() ? r.at_end : r.at_peak);
         series.add(r.at_end);
     }
-    series.seal();
-}
-
-void PushedSeries::publish()
-{
-    for (SeriesFolder& series : series_) series.publish();
+    return series.seal();
 }
 
 } // namespace app

@@ -7,8 +7,7 @@
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
-
-#include <cmath>
+#include "dem/solver/energy_parts.hpp"
 
 namespace app {
 
@@ -16,18 +15,16 @@ namespace {
 
 constexpr double kToMm = 1e3, kToKn = 1e-3, kToMpa = 1e-6;
 
-Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-
 /// A value of the study file, with its digits: a change of unit leaves no 0.39999999999999997.
 Json as_given(double x)
 {
     constexpr int kDigits = 15;
-    return std::isfinite(x) ? Json(rounded(x, kDigits)) : Json(nullptr);
+    return or_null(rounded(x, kDigits));
 }
 
 Json displacement_mm(const fragility::LimitDisplacement& d)
 {
-    return is_defined(d) ? number_or_null(d.displacement * kToMm) : Json(nullptr);
+    return is_defined(d) ? or_null(d.displacement * kToMm) : Json(nullptr);
 }
 
 Json limit_states(const WallReading& reading, const ReadingRules& rules)
@@ -37,16 +34,15 @@ Json limit_states(const WallReading& reading, const ReadingRules& rules)
     const std::vector<StateName> names = state_names(rules);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const fragility::LimitDisplacement& limit = reading.limits.at(i);
-        list.push_back(
-            {{"set", names[i].set},
-             {"name", names[i].name},
-             {"rule", names[i].rule},
-             {"displacement_mm", displacement_mm(limit)},
-             {"drift_percent", is_defined(limit)
-                                   ? number_or_null(100.0 * limit.displacement / rules.height)
-                                   : Json(nullptr)},
-             {"reading", words(limit.reading)},
-             {"reason", limit.reason}});
+        list.push_back({{"set", names[i].set},
+                        {"name", names[i].name},
+                        {"rule", names[i].rule},
+                        {"displacement_mm", displacement_mm(limit)},
+                        {"drift_percent",
+                         is_defined(limit) ? or_null(100.0 * limit.displacement / rules.height)
+                                           : Json(nullptr)},
+                        {"reading", words(limit.reading)},
+                        {"reason", limit.reason}});
     }
     return list;
 }
@@ -58,12 +54,11 @@ Json backbones(const WallReading& reading, const ReadingRules& rules)
     for (std::size_t i = 0; i < reading.backbones.size(); ++i) {
         const WallReading& r = reading.backbones[i];
         all[std::string(kSides[i])] = {
-            {"peak_force_kN", number_or_null(peak_force(r) * kToKn)},
-            {"displacement_at_peak_mm", number_or_null(peak_displacement(r) * kToMm)},
+            {"peak_force_kN", or_null(peak_force(r) * kToKn)},
+            {"displacement_at_peak_mm", or_null(peak_displacement(r) * kToMm)},
             {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
             {"ultimate_censored", is_censored(r.ultimate)},
-            {"stiffness_kN_per_mm",
-             r.stiffness ? number_or_null(*r.stiffness * 1e-6) : Json(nullptr)},
+            {"stiffness_kN_per_mm", or_null(r.stiffness, 1e-6)},
             {"no_reading", r.no_reading},
             {"limit_states", limit_states(r, rules)}};
     }
@@ -72,23 +67,22 @@ Json backbones(const WallReading& reading, const ReadingRules& rules)
 
 Json energy(const dem::Energy& e)
 {
-    return {
-        {"work_J", number_or_null(e.work)},         {"elastic_J", number_or_null(e.elastic)},
-        {"friction_J", number_or_null(e.friction)}, {"fracture_J", number_or_null(e.fracture)},
-        {"crushing_J", number_or_null(e.crushing)}, {"damping_J", number_or_null(e.damping)},
-        {"kinetic_J", number_or_null(e.kinetic)},   {"lifted_J", number_or_null(e.lifted)}};
+    Json all;
+    for (const dem::EnergyPart& part : dem::kEnergyParts)
+        all[std::string(part.name) + "_J"] = or_null(e.*part.value);
+    return all;
 }
 
 Json mechanism(const PushedWall& w, const FragilityInput& f)
 {
     const dem::ModeThresholds& t = f.mode;
-    return {{"rotation_share", number_or_null(w.mechanism.rotation_share)},
-            {"sliding_share", number_or_null(w.mechanism.sliding_share)},
+    return {{"rotation_share", or_null(w.mechanism.rotation_share)},
+            {"sliding_share", or_null(w.mechanism.sliding_share)},
             {"cracked_units", w.mechanism.cracked_units},
             {"spalled_units", w.mechanism.spalled_units},
             {"cracked_contacts", w.mechanism.cracked_contacts},
             {"crushed_contacts", w.mechanism.crushed_contacts},
-            {"crushed_through_mm2", number_or_null(w.mechanism.crushed_area * 1e6)},
+            {"crushed_through_mm2", or_null(w.mechanism.crushed_area * 1e6)},
             {"brittle_crushing_contacts", w.result.brittle_crushing_contacts},
             {"snap_back_contacts", w.result.snap_back_contacts},
             {"slid_whole", w.reading.slid},
@@ -101,14 +95,11 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
 
 Json checks(const HandChecks& h)
 {
-    const auto maybe = [](const std::optional<double>& x, double scale) {
-        return x ? number_or_null(*x * scale) : Json(nullptr);
-    };
-    return {{"vertical_load_kN", number_or_null(h.vertical_load * kToKn)},
-            {"wall_weight_kN", number_or_null(h.wall_weight * kToKn)},
-            {"rigid_rocking_limit_kN", maybe(h.rocking_limit, kToKn)},
-            {"sliding_limit_kN", maybe(h.sliding_limit, kToKn)},
-            {"toe_stress_MPa", maybe(h.toe_stress, kToMpa)},
+    return {{"vertical_load_kN", or_null(h.vertical_load * kToKn)},
+            {"wall_weight_kN", or_null(h.wall_weight * kToKn)},
+            {"rigid_rocking_limit_kN", or_null(h.rocking_limit, kToKn)},
+            {"sliding_limit_kN", or_null(h.sliding_limit, kToKn)},
+            {"toe_stress_MPa", or_null(h.toe_stress, kToMpa)},
             {"remarks", h.remarks}};
 }
 
@@ -124,13 +115,13 @@ std::string summary_json(const Study& study, const PushedWall& w)
     Json j;
     j["vertical_stress_MPa"] = as_given(w.vertical_stress * kToMpa);
     j["outcome"] = words(w.result.outcome);
-    j["peak_force_kN"] = number_or_null(peak_force(r) * kToKn);
+    j["peak_force_kN"] = or_null(peak_force(r) * kToKn);
     if (w.loads.pattern == dem::LoadPattern::body) {
-        j["peak_load_factor"] = number_or_null(peak_force(r) / w.result.weight);
+        j["peak_load_factor"] = or_null(peak_force(r) / w.result.weight);
         j["load_factor_rule"] = "horizontal body force over weight; displacements are means "
                                 "over the wall by weight";
     }
-    j["displacement_at_peak_mm"] = number_or_null(peak_displacement(r) * kToMm);
+    j["displacement_at_peak_mm"] = or_null(peak_displacement(r) * kToMm);
     j["peak_is_last_point"] = r.peak ? Json(r.peak->at_end) : Json(nullptr);
     j["ultimate_displacement_mm"] = displacement_mm(r.ultimate);
     j["ultimate_censored"] = is_censored(r.ultimate);
@@ -142,12 +133,11 @@ std::string summary_json(const Study& study, const PushedWall& w)
         "force after the peak first comes down to zero, or the wall comes down; if neither "
         "happens, censored at the last displacement";
     j["mode"] = whole ? Json(words(r.mode)) : Json(nullptr);
-    j["stiffness_kN_per_mm"] =
-        r.stiffness ? number_or_null(*r.stiffness * 1e-6) : Json(nullptr);
+    j["stiffness_kN_per_mm"] = or_null(r.stiffness, 1e-6);
     j["stiffness_rule"] = "secant at 30 % of the peak";
     j["no_reading"] = r.no_reading;
     j["load_height_m"] = w.loads.height;
-    j["settlement_mm"] = whole ? number_or_null(w.result.settlement * kToMm) : Json(nullptr);
+    j["settlement_mm"] = whole ? or_null(w.result.settlement * kToMm) : Json(nullptr);
     j["limit_states"] = limit_states(r, rules);
     if (!r.backbones.empty()) {
         j["read_on"] = kSides[static_cast<std::size_t>(rules.backbone)];
@@ -155,7 +145,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     }
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, w));
-    j["energy_residual"] = number_or_null(energy_residual(w));
+    j["energy_residual"] = or_null(energy_residual(w));
     j["energy"] = energy(w.result.energy);
     j["settled_before_push"] = w.result.settled;
     j["step_fraction"] = w.result.step_fraction;
@@ -163,8 +153,8 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["steps"] = w.result.cost.steps;
     j["contact_updates"] = w.result.cost.contact_updates;
     j["solver_seconds"] = w.result.cost.seconds;
-    j["contact_updates_per_second"] = number_or_null(
-        static_cast<double>(w.result.cost.contact_updates) / w.result.cost.seconds);
+    j["contact_updates_per_second"] =
+        or_null(static_cast<double>(w.result.cost.contact_updates) / w.result.cost.seconds);
     j["version"] = kVersion;
     j["study"] = effective_configuration(study);
     return text_of(j, 2) + "\n";

@@ -1,13 +1,11 @@
 #include "app/reliability/event.hpp"
-#include "app/reliability/methods.hpp"
 #include "app/sampling/study_dependence.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/text/words.hpp"
-#include "uq/designs/normal_copula.hpp"
 #include "uq/reliability/external_program.hpp"
+#include "uq/reliability/to_variables.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -38,21 +36,6 @@ std::vector<std::string> words_of(const StudyFile& file, const std::string& text
     return words;
 }
 
-uq::Map map_of(const Study& study)
-{
-    const auto d = static_cast<Eigen::Index>(study.random.size());
-    const std::optional<uq::NormalCopula> dependence = dependence_of(study);
-    const Eigen::MatrixXd factor =
-        dependence ? dependence->factor : Eigen::MatrixXd(Eigen::MatrixXd::Identity(d, d));
-    return [factor, inputs = study.random](const Eigen::MatrixXd& u) {
-        Eigen::MatrixXd x = u * factor.transpose();
-        for (std::size_t j = 0; j < inputs.size(); ++j)
-            for (double& value : x.col(static_cast<Eigen::Index>(j)))
-                value = uq::from_normal(inputs[j].marginal, value);
-        return x;
-    };
-}
-
 uq::ExternalProgram program_of(const Study& study, int threads)
 {
     const ProgramInput& input = study.program;
@@ -75,19 +58,21 @@ uq::ExternalProgram program_of(const Study& study, int threads)
 
 } // namespace
 
-ReliabilityProblem program_event(const Study& study, int threads)
+uq::ReliabilityProblem program_event(const Study& study, int threads)
 {
     const uq::ExternalProgram program = program_of(study, threads);
     const std::string response =
         study.program.response.empty() ? program.responses.front() : study.program.response;
-    const auto found = std::find(program.responses.begin(), program.responses.end(), response);
+    const auto found = std::ranges::find(program.responses, response);
     if (found == program.responses.end())
         throw error_at(study.source, "reliability.response",
                        in_quotes(response) + " is none of model.responses");
     const bool above = study.program.above;
-    ReliabilityProblem p;
-    p.event.to_physical = map_of(study);
-    p.event.dimension = static_cast<Eigen::Index>(study.random.size());
+    std::vector<uq::Marginal> variables;
+    for (const RandomInput& r : study.random) variables.push_back(r.marginal);
+    uq::ReliabilityProblem p =
+        asked_problem(study, static_cast<Eigen::Index>(variables.size()));
+    p.event.to_physical = uq::to_variables(variables, dependence_of(study));
     p.event.response = found - program.responses.begin();
     p.event.threshold = study.program.demand;
     p.event.passing = above ? uq::Passing::at_or_above : uq::Passing::at_or_below;
@@ -95,17 +80,6 @@ ReliabilityProblem program_event(const Study& study, int threads)
               find_entry(study.source, "reliability.demand")->value;
     p.inputs = program.parameters;
     p.normal = p.inputs;
-    p.method = study.reliability.method;
-    p.budget = study.reliability.budget;
-    if (const std::string why = too_small(p.method, p.budget, p.event.dimension); !why.empty())
-        throw error_at(study.source, "reliability.budget", why);
-    if (p.method == ReliabilityMethod::sobol && !study.uq.pearson.empty())
-        throw error_at(
-            study.source, "uq.pearson",
-            "has no meaning for reliability.method = sobol: Sobol' indices are shares "
-            "of independent inputs; leave it out");
-    p.target_cov = study.reliability.target_cov;
-    p.seed = study.uq.seed;
     try {
         p.event.model = uq::external_model(program);
     } catch (const std::invalid_argument& bad) {

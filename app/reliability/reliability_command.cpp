@@ -7,20 +7,22 @@
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
-#include "app/reliability/kept_evaluations.hpp"
-#include "app/reliability/methods.hpp"
+#include "app/reliability/event.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/study_identity.hpp"
 #include "app/study/wanted_walls.hpp"
+#include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
 #include "app/version.hpp"
-
-#include <gsl/gsl_cdf.h>
+#include "uq/marginals/normal_quantile.hpp"
+#include "uq/reliability/kept_evaluations.hpp"
+#include "uq/reliability/reliability.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <span>
 #include <stdexcept>
 
 namespace app {
@@ -35,19 +37,18 @@ Number cell(const std::optional<double>& x)
     return plain_number(*x, std::abs(*x) < kSmall ? kShortest : decimals_for(*x) + 1);
 }
 
-Table method_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
+Table method_table(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer& a)
 {
     Table t;
     t.title = "P(" + p.words + ")";
-    t.caption = "Intervals 95 %; of " + std::to_string(a.evaluations) + " evaluations " +
-                std::to_string(a.failed.size()) +
-                " failed, which count either way in the bounds.";
+    t.caption = "Intervals are 95 %. Of " + std::to_string(a.evaluations) + " evaluations " +
+                std::to_string(a.failed.size()) + " failed; the bounds count them either way.";
     t.head = {"method", "probability",     "beta", "standard error", "lower",
               "upper",  {"outcome", kNote}};
-    for (const MethodAnswer& m : a.methods) {
+    for (const uq::MethodAnswer& m : a.methods) {
         std::optional<double> beta;
         if (m.probability && *m.probability > 0.0 && *m.probability < 1.0)
-            beta = -gsl_cdf_ugaussian_Pinv(*m.probability);
+            beta = -uq::normal_quantile(*m.probability);
         t.rows.push_back({m.method, cell(m.probability), cell(beta), cell(m.std_error),
                           cell(m.lower), cell(m.upper), m.outcome});
     }
@@ -55,15 +56,15 @@ Table method_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
 }
 
 /// One line for each input and measure.
-Table sensitivity_table(const ReliabilityAnswer& a)
+Table sensitivity_table(const uq::ReliabilityAnswer& a)
 {
     Table t;
     t.title = "What the response depends on";
-    t.caption = "Intervals 95 %.";
+    t.caption = "Intervals are 95 %.";
     t.head = {"measure", "input", {"value", kInterval | kError}};
     t.keys = 2;
-    for (const Sensitivity& s : a.sensitivities)
-        for (const InputShare& i : s.shares)
+    for (const uq::Sensitivity& s : a.sensitivities)
+        for (const uq::InputShare& i : s.shares)
             t.rows.push_back({s.measure, i.input,
                               Number{.value = i.value,
                                      .error = i.std_error.value_or(kUnknown),
@@ -73,7 +74,7 @@ Table sensitivity_table(const ReliabilityAnswer& a)
     return t;
 }
 
-Table point_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
+Table point_table(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer& a)
 {
     Table t;
     t.title = "Design points, nearest first";
@@ -86,12 +87,12 @@ Table point_table(const ReliabilityProblem& p, const ReliabilityAnswer& a)
     return t;
 }
 
-Table evaluation_table(const ReliabilityProblem& p, const std::vector<Evaluated>& seen)
+Table evaluation_table(const uq::ReliabilityProblem& p, const std::vector<uq::Evaluated>& seen)
 {
     Table t;
     t.head.assign(p.inputs.begin(), p.inputs.end());
     t.head.insert(t.head.end(), {"response", "failure"});
-    for (const Evaluated& e : seen) {
+    for (const uq::Evaluated& e : seen) {
         Row row;
         for (const double x : e.x) row.emplace_back(Number{x});
         row.emplace_back(e.failure.empty() ? Number{e.response} : Number{});
@@ -101,12 +102,7 @@ Table evaluation_table(const ReliabilityProblem& p, const std::vector<Evaluated>
     return t;
 }
 
-Json json(const std::optional<double>& x)
-{
-    return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
-}
-
-std::string answer_json(const ReliabilityProblem& p, const ReliabilityAnswer& a)
+std::string answer_json(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer& a)
 {
     Json all = {{"event", p.words},
                 {"evaluations", a.evaluations},
@@ -115,24 +111,24 @@ std::string answer_json(const ReliabilityProblem& p, const ReliabilityAnswer& a)
                 {"sensitivity", Json::array()},
                 {"design_points", Json::array()},
                 {"warnings", a.warnings}};
-    for (const MethodAnswer& m : a.methods)
+    for (const uq::MethodAnswer& m : a.methods)
         all["methods"].push_back({{"method", m.method},
-                                  {"probability", json(m.probability)},
-                                  {"standard_error", json(m.std_error)},
-                                  {"lower", json(m.lower)},
-                                  {"upper", json(m.upper)},
+                                  {"probability", or_null(m.probability)},
+                                  {"standard_error", or_null(m.std_error)},
+                                  {"lower", or_null(m.lower)},
+                                  {"upper", or_null(m.upper)},
                                   {"outcome", m.outcome}});
-    for (const Sensitivity& s : a.sensitivities) {
+    for (const uq::Sensitivity& s : a.sensitivities) {
         Json inputs = Json::array();
-        for (const InputShare& i : s.shares)
+        for (const uq::InputShare& i : s.shares)
             inputs.push_back({{"input", i.input},
-                              {"value", json(i.value)},
-                              {"standard_error", json(i.std_error)},
-                              {"lower", json(i.lower)},
-                              {"upper", json(i.upper)}});
+                              {"value", or_null(i.value)},
+                              {"standard_error", or_null(i.std_error)},
+                              {"lower", or_null(i.lower)},
+                              {"upper", or_null(i.upper)}});
         all["sensitivity"].push_back({{"measure", s.measure}, {"inputs", inputs}});
     }
-    for (const DesignPointFound& point : a.points) {
+    for (const uq::DesignPointFound& point : a.points) {
         Json values = Json::object();
         for (std::size_t i = 0; i < p.inputs.size(); ++i)
             values[p.inputs[i]] = point.x(static_cast<Eigen::Index>(i));
@@ -161,11 +157,11 @@ void check_folder(const Command& command)
     std::vector<fs::path> names = {kEvaluations, "reliability.json"};
     for (const std::string name : {"reliability", "sensitivity", "design_points"})
         for (const char* const ending : {".csv", ".md", ".tex"}) names.push_back(name + ending);
-    check_results(command.out, names, kReliabilityList);
+    check_results(command.out, names, command.quiet, kReliabilityList);
 }
 
 struct Question {
-    ReliabilityProblem problem;
+    uq::ReliabilityProblem problem;
     std::string model; ///< what its answers depend on
 };
 
@@ -187,8 +183,8 @@ Question question_of(const Command& command)
     return q;
 }
 
-void write(const Command& command, const ReliabilityProblem& problem,
-           const ReliabilityAnswer& a, const std::vector<Evaluated>& seen)
+void write(const Command& command, const uq::ReliabilityProblem& problem,
+           const uq::ReliabilityAnswer& a, const std::vector<uq::Evaluated>& seen)
 {
     std::vector<OutputFile> files = {{kEvaluations, as_csv(evaluation_table(problem, seen))}};
     const Table sensitivity = sensitivity_table(a);
@@ -199,7 +195,8 @@ void write(const Command& command, const ReliabilityProblem& problem,
     write_results(command.out, files, kReliabilityList);
 }
 
-void say(const Command& command, const ReliabilityProblem& problem, const ReliabilityAnswer& a)
+void say(const Command& command, const uq::ReliabilityProblem& problem,
+         const uq::ReliabilityAnswer& a)
 {
     const Table methods = method_table(problem, a), sensitivity = sensitivity_table(a);
     std::cout << methods.caption << "\n\n" << as_text(methods, terminal_width());
@@ -211,31 +208,48 @@ void say(const Command& command, const ReliabilityProblem& problem, const Reliab
     std::cout << "written to " << command.out << '\n';
 }
 
+/// What an interrupted run has left in the folder of the results.
+/// @throws ConfigError if it is of another study
+uq::KeptEvaluations kept_in(const Command& command, const std::string& model)
+{
+    const fs::path file = fs::path(command.out) / "unfinished.jsonl";
+    try {
+        return uq::KeptEvaluations(file, model);
+    } catch (const std::invalid_argument&) {
+        throw ConfigError("drystone", 0, "--out",
+                          "'" + file.string() +
+                              "' holds the evaluations of an interrupted run of another study; "
+                              "remove it, or name another folder");
+    }
+}
+
 /// The answer; the evaluations are written whether there is one or not.
-ReliabilityAnswer answered(const Command& command, const Question& question)
+uq::ReliabilityAnswer answered(const Command& command, const Question& question)
 {
     make_folder(command.out);
-    KeptEvaluations kept(fs::path(command.out) / "unfinished.jsonl", question.model);
+    uq::KeptEvaluations kept = kept_in(command, question.model);
     if (kept.found() > 0 && !command.quiet)
-        std::cerr << "going on: " << kept.found() << " evaluations were made before\n";
-    ReliabilityProblem problem = question.problem;
+        std::cerr << "resuming: " << kept.found() << " evaluations were made earlier\n";
+    uq::ReliabilityProblem problem = question.problem;
     problem.event.model = kept.around(problem.event.model, problem.event.response);
     problem.event.response = 0;
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
-    std::vector<Evaluated> seen;
-    const auto on_batch = [&] {
+    std::vector<uq::Evaluated> seen;
+    const auto on_batch = [&](std::span<const uq::Evaluated> batch) {
+        seen.insert(seen.end(), batch.begin(), batch.end());
         progress.update(static_cast<double>(seen.size()) / problem.budget,
                         std::to_string(seen.size()) + " evaluations");
         if (interrupted()) throw Interrupted();
     };
     try {
-        const ReliabilityAnswer a = answer(problem, seen, on_batch);
+        const uq::ReliabilityAnswer a = uq::reliability(problem, on_batch);
         write(command, problem, a, seen);
         kept.remove();
         progress.finish(std::to_string(seen.size()) + " evaluations");
         return a;
-    } catch (const KeptEvaluations::NotKept& full) {
-        throw std::runtime_error(full.what);
+    } catch (const uq::KeptEvaluations::NotKept& full) {
+        throw std::runtime_error(full.what +
+                                 "; make space there and run the same command again");
     } catch (...) {
         write_results(command.out, {{kEvaluations, as_csv(evaluation_table(problem, seen))}},
                       kReliabilityList);
@@ -248,18 +262,18 @@ ReliabilityAnswer answered(const Command& command, const Question& question)
 int reliability_command(const Command& command)
 {
     const Question question = question_of(command);
-    const ReliabilityProblem& problem = question.problem;
+    const uq::ReliabilityProblem& problem = question.problem;
     check_folder(command);
     catch_interrupts();
     try {
-        const ReliabilityAnswer a = answered(command, question);
+        const uq::ReliabilityAnswer a = answered(command, question);
         say(command, problem, a);
         const bool any = std::ranges::any_of(
-            a.methods, [](const MethodAnswer& m) { return m.probability || m.upper; });
+            a.methods, [](const uq::MethodAnswer& m) { return m.probability || m.upper; });
         return any && a.failed.size() < a.evaluations ? 0 : 1;
     } catch (const Interrupted&) {
         std::cerr << "drystone: interrupted; the evaluations made so far are in " << command.out
-                  << "/evaluations.csv, and the same command goes on with them\n";
+                  << "/evaluations.csv, and the same command continues with them\n";
         return 1;
     }
 }

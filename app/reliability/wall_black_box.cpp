@@ -53,6 +53,23 @@ uq::Responses ask(const Shared& s, const uq::Samples& samples)
 
 } // namespace
 
+void check_random(const Study& study, const std::string& or_else)
+{
+    if (study.random.empty())
+        throw error_at(
+            study.source, "joint.friction_angle",
+            "no value of this study is a distribution; write e.g. \"friction_angle = "
+            "normal(mean 31.8 deg, cov 0.20)\"" +
+                or_else);
+}
+
+SamplePlan any_wall_plan(Study study, const dem::Layout& layout)
+{
+    const std::vector<std::uint32_t> one = {1};
+    study.uq.design = uq::DesignKind::monte_carlo;
+    return sample_plan(study, layout, one);
+}
+
 uq::BlackBox wall_model(const Study& study, const SamplePlan& plan, int level, int threads)
 {
     const auto shared =

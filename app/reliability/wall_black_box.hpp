@@ -3,10 +3,20 @@
 
 #include "app/input/study.hpp"
 #include "app/sampling/sample_plan.hpp"
+#include "dem/scene/layout.hpp"
 #include "uq/reliability/black_box.hpp"
 #include "uq/reliability/limit_state.hpp"
 
+#include <string>
+
 namespace app {
+
+/// @param or_else what else can be done, at the end of the message
+/// @throws ConfigError if no value of the study is a distribution
+void check_random(const Study& study, const std::string& or_else = "");
+
+/// How any wall of the study is drawn, by whoever draws the samples.
+[[nodiscard]] SamplePlan any_wall_plan(Study study, const dem::Layout& layout);
 
 /// Columns of the answer, in SI: those of kWallResponses. Where the force never falls to the ultimate share
 /// of the peak, the ultimate displacement is the end of the push: a bound, good for demands below it.

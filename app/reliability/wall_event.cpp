@@ -3,10 +3,10 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_response.hpp"
 #include "app/reliability/event.hpp"
-#include "app/reliability/methods.hpp"
 #include "app/reliability/wall_black_box.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/study_columns.hpp"
+#include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
@@ -22,7 +22,7 @@ struct Demand {
 
 const WallResponse& response_of(const Study& study)
 {
-    return kWallResponses.at(static_cast<std::size_t>(study.reliability.response));
+    return kWallResponses.at(study.reliability.response);
 }
 
 /// The demand in the unit of its response.
@@ -75,50 +75,31 @@ double cost_of(const Study& study)
 
 } // namespace
 
-ReliabilityProblem wall_problem(const Study& given, const Command& command)
+uq::ReliabilityProblem wall_problem(const Study& study, const Command& command)
 {
-    Study study = given;
     refuse_layouts(study);
-    study.uq.design = uq::DesignKind::monte_carlo; // the methods draw their own samples
-    if (study.random.empty())
-        throw error_at(
-            study.source, "joint.friction_angle",
-            "no value of this study is a distribution; write e.g. \"friction_angle = "
-            "normal(mean 31.8 deg, cov 0.20)\"");
+    check_random(study);
     const int level = level_of(study, command.level);
     const Demand demand = demand_of(study);
     check_reached(study, demand);
-    const std::vector<std::uint32_t> one = {1};
-    const SamplePlan plan = sample_plan(study, layout_of(study), one);
+    const SamplePlan plan = any_wall_plan(study, layout_of(study));
 
-    ReliabilityProblem p;
+    uq::ReliabilityProblem p = asked_problem(study, plan.values.n_columns);
     p.event.model = wall_model(study, plan, level, command.threads);
     p.event.to_physical = wall_map(study, plan);
-    p.event.dimension = plan.values.n_columns;
     p.event.response = static_cast<Eigen::Index>(study.reliability.response);
     p.event.threshold = demand.value;
-    const double stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
-    p.words = demand.words + " under " + number(stress / 1e6, 12) + " MPa";
+    const double stress = study.load.vertical_stress[level];
+    p.words = demand.words + " under " + stress_text(stress);
     for (const Column& c : input_columns(plan))
         p.inputs.push_back(c.name + " [" + c.unit + "]");
     const auto& columns = plan.values.columns; // of the design, of each input
     p.normal.resize(static_cast<std::size_t>(plan.values.n_columns));
     for (std::size_t i = 0; i < columns.size(); ++i)
         for (std::size_t c = 0; c < columns[i].size(); ++c)
-            p.normal[static_cast<std::size_t>(columns[i][c])] =
+            p.normal[columns[i][c]] =
                 plan.inputs[i].key + (columns[i].size() > 1 ? "." + std::to_string(c + 1) : "");
-    p.method = study.reliability.method;
-    p.budget = study.reliability.budget;
-    p.target_cov = study.reliability.target_cov;
-    p.seed = study.uq.seed;
     p.rough = true;
-    if (const std::string why = too_small(p.method, p.budget, p.event.dimension); !why.empty())
-        throw error_at(study.source, "reliability.budget", why);
-    if (p.method == ReliabilityMethod::sobol && !study.uq.pearson.empty())
-        throw error_at(
-            study.source, "uq.pearson",
-            "has no meaning for reliability.method = sobol: Sobol' indices are shares "
-            "of independent inputs; leave it out");
     if (p.method == ReliabilityMethod::multi_fidelity) {
         const Study low = cheaper(study);
         uq::CheapModel cheap;

@@ -1,4 +1,4 @@
-#include "app/report/report_assumed.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/input/distribution_text.hpp"
 #include "app/input/key_values.hpp"
@@ -71,7 +71,7 @@ std::string quantity(std::string_view key)
     std::string text(section_of(key));
     text += ": ";
     text += name_in_section(key);
-    std::replace(text.begin(), text.end(), '_', ' ');
+    std::ranges::replace(text, '_', ' ');
     return text;
 }
 

@@ -54,6 +54,14 @@ std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes)
     return out;
 }
 
+double largest_size(std::span<const double> numbers)
+{
+    double largest = 0.0;
+    for (const double x : numbers)
+        if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+    return largest;
+}
+
 std::vector<std::uint8_t> differences(std::span<const double> numbers, std::size_t length,
                                       double step, int order)
 {

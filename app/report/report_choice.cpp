@@ -38,8 +38,8 @@ WallList walls_to_list(const StudyWalls& study, std::size_t most)
     Groups groups;
     for (const StudyWall* w : all_walls(study)) groups[{w->key.level, {}}].push_back(w);
     WallList listed = in_turns(groups, most);
-    std::sort(listed.begin(), listed.end(),
-              [](const StudyWall* a, const StudyWall* b) { return a->key < b->key; });
+    std::ranges::sort(listed,
+                      [](const StudyWall* a, const StudyWall* b) { return a->key < b->key; });
     return listed;
 }
 

@@ -33,8 +33,8 @@ std::string chosen_text(std::size_t shown, std::size_t sound)
     if (shown == sound) return "Every wall that gave a result can be looked at.";
     return std::to_string(shown) + " of " + std::to_string(sound) +
            " walls can be looked at, taken in turns from each stress and mode in the order of "
-           "the samples, to keep the page small. A click on the curve of another says how to "
-           "draw it; drystone report --walls N takes more.";
+           "the samples, to keep the page small. Click on the curve of another wall to see "
+           "how to draw it; drystone report --walls N shows more.";
 }
 
 /// The page so far, and the listed walls.
@@ -104,10 +104,9 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
     for (const StudyLevel& level : study.levels) sound += level.walls.size();
     shown.note = chosen_text(shown.replay.walls.size(), sound);
     if (shown.replay.different > 0)
-        shown.note +=
-            " " + std::to_string(shown.replay.different) +
-            " of them came out otherwise than stored: the file was written by another "
-            "version of the program.";
+        shown.note += " " + std::to_string(shown.replay.different) +
+                      " of them differ from what is stored: the file was written by another "
+                      "version of the program.";
     return shown;
 }
 

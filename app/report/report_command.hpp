@@ -7,7 +7,7 @@
 namespace app {
 
 /// Asks before a run what the page would refuse after it.
-/// @throws ConfigError if a file of its name is there and is no page of ours
+/// @throws ConfigError if there is a file of its name that is not a page of ours
 void check_report(const Command& command);
 
 /// @param shelf films of walls that need not be pushed again

@@ -1,7 +1,8 @@
-#include "app/report/report_curves.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/fragility/fragility_means.hpp"
 #include "app/report/report_bytes.hpp"
+#include "app/study/resampled_curve.hpp"
 #include "app/text/json_text.hpp"
 
 #include <algorithm>
@@ -17,14 +18,11 @@ struct Extent {
 
 Extent extent_of(const StudyWalls& study)
 {
-    const auto widen = [](double& largest, const std::vector<double>& values) {
-        for (const double x : values) largest = std::max(largest, std::abs(x));
-    };
     Extent e;
     for (const StudyLevel& level : study.levels)
         for (const StudyWall& w : level.walls) {
-            widen(e.displacement, w.curve.displacement);
-            widen(e.force, w.curve.force);
+            e.displacement = std::max(e.displacement, largest_size(w.curve.displacement));
+            e.force = std::max(e.force, largest_size(w.curve.force));
         }
     return e;
 }

@@ -1,4 +1,4 @@
-#include "app/report/report_cycles.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/fragility/fragility_cycles.hpp"
 #include "app/fragility/fragility_means.hpp"
@@ -13,13 +13,9 @@ namespace app {
 namespace {
 
 /// A path at 0, 1, 2, ... steps of its way.
-struct EvenPath {
-    std::vector<double> displacement, force; ///< [m] [N]
-};
-
-EvenPath evenly(const WallCurve& c, double step, std::size_t most)
+WallCurve evenly(const WallCurve& c, double step, std::size_t most)
 {
-    EvenPath even;
+    WallCurve even;
     double way = 0.0; // up to the point before
     for (std::size_t i = 1; i < c.force.size(); ++i) {
         const double dx = c.displacement[i] - c.displacement[i - 1],
@@ -36,13 +32,6 @@ EvenPath evenly(const WallCurve& c, double step, std::size_t most)
     return even;
 }
 
-double largest_of(const std::vector<double>& values)
-{
-    double largest = 0.0;
-    for (const double x : values) largest = std::max(largest, std::abs(x));
-    return largest;
-}
-
 } // namespace
 
 Json loops_json(const StudyWalls& study, const WallList& listed)
@@ -53,7 +42,7 @@ Json loops_json(const StudyWalls& study, const WallList& listed)
     std::vector<double> displacements, forces;
     Json counts = Json::array();
     for (const StudyWall* w : listed) {
-        EvenPath even = evenly(w->curve, step, points);
+        WallCurve even = evenly(w->curve, step, points);
         counts.push_back(even.force.size());
         even.displacement.resize(points,
                                  even.displacement.empty() ? 0.0 : even.displacement.back());
@@ -62,8 +51,8 @@ Json loops_json(const StudyWalls& study, const WallList& listed)
                              even.displacement.end());
         forces.insert(forces.end(), even.force.begin(), even.force.end());
     }
-    const double length_step = std::max(largest_of(displacements), 1e-6) / 32000.0;
-    const double force_step = std::max(largest_of(forces), 1.0) / 32000.0;
+    const double length_step = std::max(largest_size(displacements), 1e-6) / 32000.0;
+    const double force_step = std::max(largest_size(forces), 1.0) / 32000.0;
     std::vector<std::uint8_t> bytes = differences(displacements, points, length_step, 1);
     const std::vector<std::uint8_t> more = differences(forces, points, force_step, 1);
     bytes.insert(bytes.end(), more.begin(), more.end());
@@ -73,9 +62,7 @@ Json loops_json(const StudyWalls& study, const WallList& listed)
 
 Json damping_json(const StudyWalls& study)
 {
-    const auto rounded = [](double x) {
-        return std::isfinite(x) ? Json(std::round(x * 1e3) / 1e3) : Json(nullptr);
-    };
+    const auto rounded = [](double x) { return or_null(std::round(x * 1e3) / 1e3); };
     std::vector<int> modes = modes_of(study);
     modes.insert(modes.begin(), kAllModes);
     Json all = Json::array();

@@ -10,30 +10,20 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_words.hpp"
-#include "app/report/report_assumed.hpp"
-#include "app/report/report_curves.hpp"
-#include "app/report/report_cycles.hpp"
-#include "app/report/report_fragility.hpp"
-#include "app/report/report_inputs.hpp"
-#include "app/report/report_overview.hpp"
+#include "app/report/report_parts.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
 #include "dem/scene/layout.hpp"
 
-#include <cmath>
 #include <map>
 #include <string_view>
 
 namespace app {
 namespace {
 
-Json shown(double x, int digits)
-{
-    if (!std::isfinite(x)) return nullptr;
-    return rounded(x, digits);
-}
+Json shown(double x, int digits) { return or_null(rounded(x, digits)); }
 
 Json levels_json(const StudyWalls& study)
 {

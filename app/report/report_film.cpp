@@ -14,22 +14,9 @@ namespace {
 
 constexpr double kDamageStep = 1.0 / 255.0; ///< of damage and crushing
 
-const char* kind_name(dem::FaceKind kind)
-{
-    switch (kind) {
-    case dem::FaceKind::bed_joint:
-        return "bed";
-    case dem::FaceKind::head_joint:
-        return "head";
-    case dem::FaceKind::unit_crack:
-        return "crack";
-    case dem::FaceKind::beam_joint:
-        return "beam";
-    case dem::FaceKind::base_joint:
-        break;
-    }
-    return "base";
-}
+/// In the order of dem::FaceKind.
+constexpr std::array kKindNames = {"bed", "head", "crack", "beam", "base"};
+static_assert(kKindNames.size() == static_cast<std::size_t>(dem::FaceKind::base_joint) + 1);
 
 /// Places in an outline of the points nearest to the corners of its box.
 struct Corners {
@@ -39,19 +26,18 @@ struct Corners {
 std::size_t nearest_point(const std::vector<dem::Point>& outline, double x, double z)
 {
     const auto away = [&](dem::Point p) { return std::hypot(p.x - x, p.z - z); };
-    const auto nearest =
-        std::min_element(outline.begin(), outline.end(),
-                         [&](dem::Point p, dem::Point q) { return away(p) < away(q); });
+    const auto nearest = std::ranges::min_element(
+        outline, [&](dem::Point p, dem::Point q) { return away(p) < away(q); });
     return static_cast<std::size_t>(nearest - outline.begin());
 }
 
 Corners corners_of(const std::vector<dem::Point>& outline)
 {
     if (outline.empty()) throw std::invalid_argument("a block without outline");
-    const auto [left, right] = std::minmax_element(
-        outline.begin(), outline.end(), [](dem::Point p, dem::Point q) { return p.x < q.x; });
-    const auto [low, high] = std::minmax_element(
-        outline.begin(), outline.end(), [](dem::Point p, dem::Point q) { return p.z < q.z; });
+    const auto [left, right] = std::ranges::minmax_element(
+        outline, [](dem::Point p, dem::Point q) { return p.x < q.x; });
+    const auto [low, high] = std::ranges::minmax_element(
+        outline, [](dem::Point p, dem::Point q) { return p.z < q.z; });
     return {nearest_point(outline, left->x, low->z), nearest_point(outline, right->x, low->z),
             nearest_point(outline, left->x, high->z),
             nearest_point(outline, right->x, high->z)};
@@ -70,7 +56,7 @@ bool is_rectangle(const std::vector<dem::Point>& outline, const Corners& at)
     return std::abs(dem::polygon_area(outline) - box) <= kRounding * box;
 }
 
-/// Least squares over all points of an outline that is no rectangle.
+/// Least squares over all points of an outline that is not a rectangle.
 Weights weights_of(const std::vector<dem::Point>& outline)
 {
     const auto [left, right] = std::ranges::minmax(outline, {}, &dem::Point::x);
@@ -202,14 +188,6 @@ std::vector<double> motions(std::span<const dem::Snapshot> frames)
     return series;
 }
 
-double largest(const std::vector<double>& series)
-{
-    double most = 0.0;
-    for (const double u : series)
-        if (std::isfinite(u)) most = std::max(most, std::abs(u));
-    return most;
-}
-
 void append(std::vector<std::uint8_t>& all, const std::vector<std::uint8_t>& more)
 {
     all.insert(all.end(), more.begin(), more.end());
@@ -230,7 +208,8 @@ Json wall_geometry(const dem::Layout& layout)
         blocks.push_back(block);
     }
     for (const dem::Face& f : layout.faces) {
-        Json face = {kind_name(f.kind), f.id, f.a, f.b, f.from.x, f.from.z, f.to.x, f.to.z};
+        const char* const kind = kKindNames.at(static_cast<std::size_t>(f.kind));
+        Json face = {kind, f.id, f.a, f.b, f.from.x, f.from.z, f.to.x, f.to.z};
         const bool level = f.normal.x == 0.0 && f.normal.z == 1.0;
         if (!level && !(f.normal.x == 1.0 && f.normal.z == 0.0)) {
             face.push_back(f.normal.x);
@@ -254,12 +233,13 @@ Film film_of(std::span<const dem::Snapshot> frames)
     const std::vector<double> moved = motions(frames);
     std::vector<double> drive;
     for (const dem::Snapshot& s : frames) drive.push_back(s.displacement);
-    film.step = std::max(kFilmStep, std::max(largest(moved), largest(drive)) / 32000.0);
+    film.step =
+        std::max(kFilmStep, std::max(largest_size(moved), largest_size(drive)) / 32000.0);
     std::vector<std::uint8_t> bytes = differences(drive, frames.size(), film.step, 2);
     append(bytes, differences(moved, frames.size(), film.step, 2));
     append(bytes, differences(damages(frames), frames.size(), kDamageStep, 1));
     const std::vector<double> crushed = crushings(frames);
-    film.crushing = largest(crushed) > 0.0;
+    film.crushing = largest_size(crushed) > 0.0;
     if (film.crushing) append(bytes, differences(crushed, frames.size(), kDamageStep, 1));
     film.data = base64(deflated(bytes));
     return film;

@@ -12,7 +12,7 @@
 
 namespace app {
 
-/// What all walls of a study have in common: blocks and faces, lengths in metres. Blocks that are no rectangles have
+/// What all walls of a study have in common: blocks and faces, lengths in metres. Blocks that are not rectangles have
 /// their corners as well, faces that are neither level nor upright their normal.
 [[nodiscard]] nlohmann::ordered_json wall_geometry(const dem::Layout& layout);
 

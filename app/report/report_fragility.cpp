@@ -1,4 +1,4 @@
-#include "app/report/report_fragility.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/fragility/fragility_curves.hpp"
 #include "app/study/fragility_text.hpp"
@@ -32,7 +32,7 @@ void add_mixture(const std::vector<fragility::ModeGroup>& modes,
         c["lower"].push_back(five_decimals(p.band.lower));
         c["upper"].push_back(five_decimals(p.band.upper));
     }
-    c["fitted"] = std::any_of(mix.fits.begin(), mix.fits.end(), [](const fragility::Fit& f) {
+    c["fitted"] = std::ranges::any_of(mix.fits, [](const fragility::Fit& f) {
         return f.outcome == fragility::FitOutcome::converged;
     });
 }
@@ -137,7 +137,7 @@ fragility::ModeData mode_data(const std::vector<ModeCount>& counts)
     const auto n = static_cast<Eigen::Index>(counts.size());
     fragility::ModeData data{Eigen::MatrixXd(n, 1), Eigen::MatrixXd(n, 2)};
     for (Eigen::Index i = 0; i < n; ++i) {
-        const ModeCount& c = counts[static_cast<std::size_t>(i)];
+        const ModeCount& c = counts[i];
         data.covariates(i, 0) = c.stress;
         data.counts.row(i) << c.rocking, c.walls - c.rocking;
     }

@@ -1,4 +1,4 @@
-#include "app/report/report_inputs.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/fragility/fragility_inputs.hpp"
 #include "app/text/json_text.hpp"
@@ -50,7 +50,7 @@ Json histogram(const StudyWalls& study, const StoredInput& input)
 {
     const std::vector<double> values = values_of(study, input);
     Json h = {{"key", input.key}, {"unit", input.unit}, {"values", values.size()}};
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const auto [low, high] = std::ranges::minmax_element(values);
     if (values.size() < 2 || !(*high > *low)) return h;
     const auto n = static_cast<double>(values.size());
     const auto bins = static_cast<std::size_t>(std::clamp(std::sqrt(n) * 1.2, 5.0, 40.0));
@@ -120,8 +120,7 @@ Json running_json(const StudyWalls& study)
                                             input.count == 1 ? sd : uq::moments(values).sd};
             all.push_back(running(uq::running_mean(values, prescribed), level, input.key));
         }
-        const bool some =
-            std::any_of(peaks.begin(), peaks.end(), [](double f) { return std::isfinite(f); });
+        const bool some = std::ranges::any_of(peaks, [](double f) { return std::isfinite(f); });
         if (some) all.push_back(running(uq::running_mean(peaks), level, "peak force"));
     }
     return all;

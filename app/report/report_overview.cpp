@@ -1,4 +1,4 @@
-#include "app/report/report_overview.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
@@ -25,8 +25,8 @@ std::string percent(double share) { return fixed(100.0 * share, 0); }
 /// "joint.friction_angle" as words.
 std::string words_of(std::string key)
 {
-    std::replace(key.begin(), key.end(), '_', ' ');
-    std::replace(key.begin(), key.end(), '.', ' ');
+    std::ranges::replace(key, '_', ' ');
+    std::ranges::replace(key, '.', ' ');
     return key;
 }
 
@@ -120,9 +120,10 @@ std::string lost_text(const FragilityInput& f)
 /// Lowest and highest stress side by side; nothing where one of them has few walls.
 std::vector<std::string> in_short(const StudyWalls& study)
 {
-    const auto [low, high] = std::minmax_element(
-        study.levels.begin(), study.levels.end(),
-        [](const StudyLevel& a, const StudyLevel& b) { return a.stress < b.stress; });
+    const auto [low, high] =
+        std::ranges::minmax_element(study.levels, [](const StudyLevel& a, const StudyLevel& b) {
+            return a.stress < b.stress;
+        });
     constexpr std::size_t kFewest = 5; // shares of fewer say nothing
     if (low == high || low->walls.size() < kFewest || high->walls.size() < kFewest) return {};
     const LevelMeans a = means_of(low->walls), b = means_of(high->walls);
@@ -156,8 +157,8 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
         const uq::Estimate e = uq::estimate_mean(peaks, f.confidence);
         text += "mean peak force " + fixed(e.value, 1) + " kN [" + fixed(e.interval.lower, 1) +
                 ", " + fixed(e.interval.upper, 1) + "], single walls between " +
-                fixed(*std::min_element(peaks.begin(), peaks.end()), 1) + " and " +
-                fixed(*std::max_element(peaks.begin(), peaks.end()), 1) + " kN; ";
+                fixed(*std::ranges::min_element(peaks), 1) + " and " +
+                fixed(*std::ranges::max_element(peaks), 1) + " kN; ";
     } else if (!peaks.empty()) {
         text += "peak force " + fixed(peaks.front(), 1) + " kN; ";
     }
@@ -193,13 +194,13 @@ void add_failures(const StudyWalls& study, std::vector<std::string>& text)
             line += (i > 0 ? ", " : "") + stress_text(study.levels[walls[i].level].stress) +
                     " sample " + std::to_string(walls[i].sample);
         line += walls.size() > kNamed ? ", and more in the table of walls)" : ")";
-        text.push_back(line + ". They are in no mean; shares are given as if each could have "
-                              "been of any mode.");
+        text.push_back(line + ". They enter no mean; the bounds of shares allow any mode for "
+                              "them.");
     }
     if (missing > 0)
         text.push_back(count_of(missing, "wall") + " of the study " +
                        (missing == 1 ? "is" : "are") +
-                       " not in the file: it is not finished, or a shard.");
+                       " not in the file: the study is not finished, or the file is a shard.");
 }
 
 std::vector<std::string> how_sure(const StudyWalls& study)
@@ -219,7 +220,7 @@ std::vector<std::string> how_sure(const StudyWalls& study)
             "ultimate displacement is only known to be larger (censored): the fits count it as "
             "larger, and the means leave it out.");
     text.push_back("In brackets: " + percent_text(study.study.fragility.confidence) +
-                   " intervals, as of independent samples. They hold the chance of "
+                   " intervals, as of independent samples. They cover the chance of "
                    "the draw, not the error of the model.");
     return text;
 }

@@ -1,5 +1,6 @@
 #include "app/report/report_page.hpp"
 
+#include "app/output/markup.hpp"
 #include "app/report/report_assets.hpp"
 #include "app/report/report_bytes.hpp"
 #include "app/text/json_text.hpp"
@@ -12,41 +13,16 @@ namespace app {
 
 std::string html_text(std::string_view text)
 {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
+    constexpr Replacement kHtml[] = {
+        {"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}};
+    return replaced(text, kHtml);
 }
 
 std::string script_json(const nlohmann::ordered_json& data)
 {
     // "<" only occurs inside strings of JSON; written so, "</script>" and "<!--" cannot occur
-    const std::string text = text_of(data);
-    std::string out;
-    out.reserve(text.size());
-    for (const char c : text) {
-        if (c == '<')
-            out += "\\u003c";
-        else
-            out += c;
-    }
-    return out;
+    constexpr Replacement kLess[] = {{"<", "\\u003c"}};
+    return replaced(text_of(data), kLess);
 }
 
 std::string packed(const nlohmann::ordered_json& data)

@@ -119,8 +119,7 @@ int scene_command(const Command& command)
     const StudySource source = study_source(command);
     const Study& study = source.study;
     const fs::path out = command.out;
-    check_and_announce(out, {"scene.json", "scene.dxf", "scene.svg"}, command.quiet,
-                       kSceneList);
+    check_results(out, {"scene.json", "scene.dxf", "scene.svg"}, command.quiet, kSceneList);
     const dem::Layout layout = layout_of(study);
     const dem::Layout whole = whole_units(study);
     const std::vector<DrawnBlock> units = scene_units(study, whole);

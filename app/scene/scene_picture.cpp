@@ -181,17 +181,30 @@ struct LegendItem {
     std::string sample, text;
 };
 
-std::vector<LegendItem> legend_items(const SceneCounts& n, std::span<const DrawnBlock> units)
+/// Joints and faces by kind. A joint between two blocks may have several faces, and counts once.
+std::array<int, kStyles.size()> count_faces(const dem::Layout& layout)
+{
+    std::array<int, kStyles.size()> n{};
+    std::vector<int> seen(layout.n_joints + 1, 0);
+    for (const dem::Face& f : layout.faces) {
+        const bool joint = f.kind == FaceKind::bed_joint || f.kind == FaceKind::head_joint;
+        if (!joint || seen.at(f.id)++ == 0) ++n.at(static_cast<std::size_t>(f.kind));
+    }
+    return n;
+}
+
+std::vector<LegendItem> legend_items(const dem::Layout& layout,
+                                     std::span<const DrawnBlock> units)
 {
     std::vector<LegendItem> items;
-    const std::array faces = {n.beds, n.heads, n.cracks, n.beam, n.base};
-    for (std::size_t k = 0; k < kStyles.size(); ++k)
-        if (faces[k] > 0)
-            items.push_back({svg_line({0, 0}, {34, 0}, dashes(kStyles[k])),
-                             std::to_string(faces[k]) + " " + kStyles[k].name});
-    if (n.clamped > 0)
+    const auto faces = count_faces(layout);
+    for (const Style& s : kStyles)
+        if (const int n = faces.at(static_cast<std::size_t>(s.kind)); n > 0)
+            items.push_back(
+                {svg_line({0, 0}, {34, 0}, dashes(s)), std::to_string(n) + " " + s.name});
+    if (const auto clamped = std::ranges::count_if(layout.blocks, is_clamped); clamped > 0)
         items.push_back({svg_group(svg_stroke("#444", 0.9), hatch({0, -4}, {34, -4})),
-                         std::to_string(n.clamped) + " blocks held on the floor"});
+                         std::to_string(clamped) + " blocks held on the floor"});
     const std::vector<std::string> layers = layers_of(units);
     for (const std::string& layer : layers)
         items.push_back(
@@ -216,23 +229,6 @@ std::string draw_legend(const std::vector<LegendItem>& items, double top, double
 }
 
 } // namespace
-
-SceneCounts count_faces(const dem::Layout& layout)
-{
-    SceneCounts n;
-    std::vector<int> seen(static_cast<std::size_t>(layout.n_joints) + 1, 0);
-    for (const dem::Face& f : layout.faces) {
-        const bool joint = f.kind == FaceKind::bed_joint || f.kind == FaceKind::head_joint;
-        if (joint && seen.at(static_cast<std::size_t>(f.id))++ > 0) continue;
-        n.beds += f.kind == FaceKind::bed_joint ? 1 : 0;
-        n.heads += f.kind == FaceKind::head_joint ? 1 : 0;
-        n.cracks += f.kind == FaceKind::unit_crack ? 1 : 0;
-        n.beam += f.kind == FaceKind::beam_joint ? 1 : 0;
-        n.base += f.kind == FaceKind::base_joint ? 1 : 0;
-    }
-    n.clamped = static_cast<int>(std::ranges::count_if(layout.blocks, is_clamped));
-    return n;
-}
 
 std::string scene_picture(const dem::Layout& layout, std::span<const DrawnBlock> units,
                           const std::string& title, const std::string& below)
@@ -267,7 +263,7 @@ std::string scene_picture(const dem::Layout& layout, std::span<const DrawnBlock>
     body += draw_size({left.x, left.y + 26}, {right.x, right.y + 26}, millimetres(x1 - x0)) +
             draw_size({left.x - 24, left.y}, {left.x - 24, view.place({0.0, layout.height}).y},
                       millimetres(layout.height));
-    const std::vector<LegendItem> items = legend_items(count_faces(layout), units);
+    const std::vector<LegendItem> items = legend_items(layout, units);
     const double legend = left.y + 76.0;
     body += draw_legend(items, legend, (page - 2 * kMargin) / 3.0);
     const auto rows = static_cast<double>((items.size() + 2) / 3);

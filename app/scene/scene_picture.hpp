@@ -9,13 +9,6 @@
 
 namespace app {
 
-/// Faces by kind and blocks with a support, as they are counted.
-struct SceneCounts {
-    int beds = 0, heads = 0, cracks = 0, base = 0, beam = 0; ///< faces
-    int clamped = 0;                                         ///< blocks
-};
-[[nodiscard]] SceneCounts count_faces(const dem::Layout& layout);
-
 /// SVG: units with their numbers, joints coloured by kind, supports hatched, sizes, a legend.
 /// @param units as scene_units() makes them, at least one
 /// @param title above the picture

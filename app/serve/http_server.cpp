@@ -103,7 +103,7 @@ void set_answers(httplib::Server& server, const HttpOptions& o,
     });
     server.set_exception_handler(
         [](const httplib::Request&, httplib::Response& response, std::exception_ptr) {
-            send(response, umbridge_error(500, "InvalidOutput", "the server is ending"));
+            send(response, umbridge_error(500, "InvalidOutput", "the server is shutting down"));
         });
 }
 

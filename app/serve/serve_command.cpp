@@ -37,7 +37,7 @@ void say(const HttpOptions& options, int port, const std::vector<ServedModel>& m
     std::cout.flush();
     if (!options.address.starts_with("127.") && options.address != "localhost" &&
         options.address != "::1")
-        std::cerr << "drystone: whoever reaches " << options.address
+        std::cerr << "drystone: anyone who can reach " << options.address
                   << " can push walls here; there is no password\n";
 }
 

@@ -7,36 +7,51 @@
 #include "app/reading/wall_response.hpp"
 #include "app/reliability/wall_black_box.hpp"
 #include "app/sampling/sample_plan.hpp"
+#include "app/study/study_columns.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/words.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <stdexcept>
 
 namespace app {
 namespace {
 
-/// A number of a wall beside those of kWallResponses.
-struct OtherResponse {
-    std::string_view name, unit, meaning;
-    double (*read)(const PushedWall&);
+/// A number of a wall that can be asked for.
+struct Output {
+    ServedColumn column;
+    std::function<double(const PushedWall&)> read;
 };
 
-constexpr OtherResponse kOthers[] = {
-    {"ultimate_censored", "-", "1: the ultimate displacement is only a lower bound",
-     [](const PushedWall& w) { return is_censored(w.reading.ultimate) ? 1.0 : 0.0; }},
-    {"cracked_units", "-", "units cracked through",
-     [](const PushedWall& w) { return static_cast<double>(w.mechanism.cracked_units); }},
-    {"rotation_share", "-", "rotation of the beam x height / displacement",
-     [](const PushedWall& w) { return w.mechanism.rotation_share; }},
-    {"sliding_share", "-", "slip of the closed bed joints / displacement",
-     [](const PushedWall& w) { return w.mechanism.sliding_share; }},
-    {"energy_residual", "-", "largest share of the work that the ledger misses",
-     energy_residual},
-};
+/// By name: those of kWallResponses, and the columns that the file of a study has for each wall.
+std::map<std::string, Output> known_outputs()
+{
+    std::map<std::string, Output> all;
+    const auto add = [&all](const ServedColumn& column, auto read) {
+        all.try_emplace(column.name, Output{column, read});
+    };
+    for (const WallResponse& r : kWallResponses)
+        add({std::string(r.name), std::string(r.unit == "%" ? "-" : si_unit(r.unit)),
+             std::string(r.words)},
+            [&r](const PushedWall& w) { return r.read(w.reading, w.loads.height); });
+    add({"ultimate_censored", "-", "1: the ultimate displacement is only a lower bound"},
+        [](const PushedWall& w) { return is_censored(w.reading.ultimate) ? 1.0 : 0.0; });
+    const auto add_stored = [&add](const std::vector<Column>& columns, auto WallRow::*values) {
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            add({columns[i].name, columns[i].unit, columns[i].meaning},
+                [i, values](const PushedWall& w) {
+                    return static_cast<double>((row_of({}, {}, w).*values)[i]);
+                });
+    };
+    add_stored(response_columns(), &WallRow::responses);
+    add_stored(count_columns(), &WallRow::counts);
+    return all;
+}
 
 /// What all models of a server share.
 struct Shared {
@@ -68,35 +83,30 @@ RandomInput input_named(const Study& study, const std::string& name)
         if (input.key == name) return input;
     const Key* const key = find_key(name);
     if (key == nullptr)
-        throw ConfigError("drystone", 0, "--input", in_quotes(name) + " is no key of a study");
+        throw ConfigError("drystone", 0, "--input",
+                          in_quotes(name) + " is not a key of a study");
     if (find_entry(study.source, name) == nullptr)
         throw error_at(study.source, name,
-                       "follows from others; give it a value, or --set " + name +
-                           "=..., so that it can be an input");
+                       "follows from other keys; give it a value, or --set " + name +
+                           "=..., to make it an input");
     return fixed_input(study, *key);
 }
 
 std::vector<ServedColumn> output_columns(const std::vector<std::string>& names, Shared& shared)
 {
+    const std::map<std::string, Output> known = known_outputs();
     std::vector<ServedColumn> columns;
-    std::vector<std::string_view> known;
-    for (const WallResponse& r : kWallResponses) known.push_back(r.name);
-    for (const OtherResponse& r : kOthers) known.push_back(r.name);
     for (const std::string& name : names) {
-        const auto r = std::ranges::find(kWallResponses, name, &WallResponse::name);
-        if (r != kWallResponses.end()) {
-            const auto unit = r->unit == "%" ? "-" : si_unit(r->unit);
-            columns.push_back({name, std::string(unit), std::string(r->words)});
-            shared.outputs.emplace_back(
-                [r](const PushedWall& w) { return r->read(w.reading, w.loads.height); });
-            continue;
+        const auto found = known.find(name);
+        if (found == known.end()) {
+            const auto all = std::views::keys(known);
+            throw ConfigError(
+                "drystone", 0, "--response",
+                in_quotes(name) + " is not a response; " +
+                    suggestion(name, std::vector<std::string_view>(all.begin(), all.end())));
         }
-        const auto other = std::ranges::find(kOthers, name, &OtherResponse::name);
-        if (other == std::end(kOthers))
-            throw ConfigError("drystone", 0, "--response",
-                              in_quotes(name) + " is no response; " + suggestion(name, known));
-        columns.push_back({name, std::string(other->unit), std::string(other->meaning)});
-        shared.outputs.emplace_back(other->read);
+        columns.push_back(found->second.column);
+        shared.outputs.push_back(found->second.read);
     }
     return columns;
 }
@@ -127,12 +137,9 @@ std::vector<ServedColumn> physical_columns(const Shared& shared)
 }
 
 /// The same model over standard normal coordinates.
-ServedModel normal_model(const Study& given, const Shared& shared, const ServedModel& physical)
+ServedModel normal_model(const Study& study, const Shared& shared, const ServedModel& physical)
 {
-    Study study = given;
-    study.uq.design = uq::DesignKind::monte_carlo; // the coordinates come from the client
-    const std::vector<std::uint32_t> one = {1};
-    const SamplePlan plan = sample_plan(study, shared.layout, one);
+    const SamplePlan plan = any_wall_plan(study, shared.layout);
     ServedModel model;
     model.name = physical.name + "_normal";
     model.outputs = physical.outputs;
@@ -140,7 +147,7 @@ ServedModel normal_model(const Study& given, const Shared& shared, const ServedM
         model.inputs.push_back({"z" + std::to_string(i), "-", "standard normal"});
     for (std::size_t i = 0; i < plan.values.columns.size(); ++i)
         for (const int column : plan.values.columns[i])
-            model.inputs[static_cast<std::size_t>(column)].meaning =
+            model.inputs[column].meaning =
                 "standard normal coordinate of " + plan.inputs[i].key;
     model.evaluate = [to_physical = wall_map(study, plan),
                       at = physical.evaluate](std::span<const double> z) {
@@ -171,12 +178,7 @@ ServedStudy served_study(const Study& study, const std::vector<std::string>& inp
             served.study.random.push_back(input_named(study, name));
     }
     refuse_layouts(served.study);
-    if (served.study.random.empty())
-        throw error_at(
-            study.source, "joint.friction_angle",
-            "no value of this study is a distribution; write e.g. \"friction_angle = "
-            "normal(mean 31.8 deg, cov 0.20)\", or name inputs: --input "
-            "joint.friction_angle");
+    check_random(served.study, ", or name inputs: --input joint.friction_angle");
     return served;
 }
 

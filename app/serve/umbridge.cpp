@@ -69,9 +69,8 @@ HttpReply evaluate(const Json& request, const ServedModel& model)
     try {
         check_config(request);
         const std::vector<double> y = model.evaluate(input_of(request, model));
-        const bool whole =
-            y.size() == model.outputs.size() &&
-            std::all_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); });
+        const bool whole = y.size() == model.outputs.size() &&
+                           std::ranges::all_of(y, [](double v) { return std::isfinite(v); });
         if (!whole) throw std::runtime_error("an output is not a number");
         return reply_of({{"output", Json::array({y})}});
     } catch (const BadValue& bad) {

@@ -39,7 +39,7 @@ Dataset::Dataset(const File& file, std::string name) : file_(&file), name_(std::
                      "find " + name_ + " in");
     const Handle space = file.owned(H5Dget_space(id_.get()), H5Sclose, "read");
     const int rank = H5Sget_simple_extent_ndims(space.get());
-    if (rank != 1 && rank != 2) file.fail("read " + name_ + ", which is no table, in");
+    if (rank != 1 && rank != 2) damaged(file.path, name_ + " is not a table");
     sizes_.resize(static_cast<std::size_t>(rank));
     file.checked(H5Sget_simple_extent_dims(space.get(), sizes_.data(), nullptr), "read");
 }

@@ -50,7 +50,7 @@ class Dataset {
         return values;
     }
 
-    /// Throws StoreError if it has not this many rows.
+    /// Throws StoreError if it does not have this many rows.
     void require_rows(std::uint64_t rows) const;
 
   private:

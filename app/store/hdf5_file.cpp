@@ -87,8 +87,8 @@ void damaged(const fs::path& file, const std::string& why)
     const bool part = file.parent_path().extension() == ".parts";
     throw StoreError(
         "'" + file.string() + "' is damaged: " + why +
-        (part ? "; remove it and run the same command again: its walls are run again"
-              : "; take a copy of it from before, or run the study again into another file"));
+        (part ? "; remove it and run the same command again: its walls will be run again"
+              : "; restore an earlier copy of it, or run the study again into another file"));
 }
 
 File open_file(const fs::path& path)

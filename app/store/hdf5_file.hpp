@@ -49,7 +49,7 @@ struct File {
 /// Throws StoreError: what is wrong with the file, and what to do.
 [[noreturn]] void damaged(const std::filesystem::path& file, const std::string& why);
 
-/// For reading. Throws StoreError if it is no HDF5 file or a damaged one.
+/// For reading. Throws StoreError if it is not an HDF5 file, or a damaged one.
 [[nodiscard]] File open_file(const std::filesystem::path& path);
 /// There must be no file of this name.
 [[nodiscard]] File create_file(const std::filesystem::path& path);

@@ -66,7 +66,7 @@ void check_equal(const fs::path& first_path, const StoreHead& first, const fs::p
     const std::string why = text_difference(whole_text(first), whole_text(other));
     if (!why.empty() || !(whole(first) == whole(other)))
         throw StoreError("'" + path.string() + "' is not of the study of '" +
-                         first_path.string() + "' (- there, + here):\n" + why +
+                         first_path.string() + "' (-: there, +: here):\n" + why +
                          "Nothing was written. Merge shards of one study only.");
 }
 
@@ -79,7 +79,7 @@ void add_walls(const fs::path& shard, const StoreReader& reader,
             throw StoreError(wall_name(wall.key) + " is in '" + there->second.string() +
                              "' and in '" + shard.string() +
                              "'. Nothing was written. Name each shard once; shards of two "
-                             "versions of the program may share the walls out in two ways.");
+                             "versions of the program may divide the walls differently.");
 }
 
 std::vector<StoreReader> open_shards(const std::vector<fs::path>& paths)

@@ -4,6 +4,7 @@
 /// renamed, so that a kill at any moment loses at most the walls of the append() in flight. Layout
 /// and guarantees: docs/store.md.
 
+#include "app/store/file_lock.hpp"
 #include "app/store/store_error.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_parts.hpp"
@@ -14,7 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,16 +35,13 @@ class Store {
     /// process left. See continued_head for what `wanted` may change.
     /// Throws StoreError (in use: names the process; differences: shows them; damaged; disk full;
     /// read-only folder), std::invalid_argument for a bad `wanted`. Then nothing was changed.
-    Store(std::filesystem::path file, const StoreHead& wanted,
+    Store(const std::filesystem::path& file, const StoreHead& wanted,
           const StoreOptions& options = {});
-    ~Store();
-    Store(Store&&) noexcept;
-    Store& operator=(Store&&) noexcept;
 
-    [[nodiscard]] const StoreHead& head() const; ///< as stored now
+    [[nodiscard]] const StoreHead& head() const { return head_; } ///< as stored now
     /// Status of a wall; none: not there, to be run. A wall just appended is there.
     [[nodiscard]] std::optional<std::int32_t> status(WallKey key) const;
-    [[nodiscard]] std::size_t size() const; ///< walls there
+    [[nodiscard]] std::size_t size() const { return walls_.size(); } ///< walls there
 
     /// Adds finished walls as one part: on return neither a kill nor a power cut loses them; before,
     /// none of them is there. It takes some milliseconds, so call it with many. A failed wall may be
@@ -58,8 +56,20 @@ class Store {
     void compact();
 
   private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    void create(const StoreHead& wanted);
+    void go_on(const StoreHead& wanted);
+    void add_part(const std::vector<const WallRow*>& rows);
+    void merge_parts();
+    void fold();
+
+    std::filesystem::path path_;
+    StoreOptions options_;
+    FileLock lock_;
+    StoreHead head_;
+    std::map<WallKey, std::int32_t> walls_; ///< with their statuses
+    std::vector<std::uint32_t> parts_;      ///< numbers, increasing
+    std::size_t merge_at_;                  ///< number of parts
+    std::size_t compacted_ = 0;             ///< walls in FILE.h5 since this process wrote it
 };
 
 } // namespace app

@@ -20,7 +20,7 @@ const char* remedy(int error)
     switch (error) {
     case ENOSPC:
     case EDQUOT:
-        return "; make space there and run the same command again, it goes on";
+        return "; make space there and run the same command again; it continues";
     case EFBIG:
         return "; raise the limit of file sizes (ulimit -f) and run the same command again";
     case EROFS:
@@ -34,7 +34,7 @@ const char* remedy(int error)
     case ELOOP:
         return "; it is a symbolic link: remove it";
     case EIO:
-        return "; the disk reports a fault: copy the file elsewhere and go on there";
+        return "; the disk reports a fault: copy the file elsewhere and continue there";
     case EMFILE:
     case ENFILE:
         return "; raise the number of open files (ulimit -n)";

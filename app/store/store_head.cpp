@@ -55,8 +55,8 @@ void check_levels(const std::string& file, const StoreHead& stored, const StoreH
         const StoreLevel& before = stored.levels[k];
         if (k >= wanted.levels.size())
             refuse(file, "has " + std::to_string(stored.levels.size()) +
-                             " levels of vertical stress, wanted are " +
-                             std::to_string(wanted.levels.size()));
+                             " levels of vertical stress, but " +
+                             std::to_string(wanted.levels.size()) + " are wanted");
         if (!(wanted.levels[k].vertical_stress == before.vertical_stress))
             refuse(file, "level " + std::to_string(k) + " has another vertical stress");
         if (wanted.levels[k].samples < before.samples)
@@ -102,8 +102,8 @@ void check_row(const StoreHead& head, const WallRow& row)
                 "is not a wall of this study");
     require_row(row.reason.find('\0') == std::string::npos, "the reason must not hold a NUL");
     const auto length = [&](const char* list, std::size_t is, std::size_t wanted) {
-        require_row(is == wanted, std::string(list) + " must be " + std::to_string(wanted) +
-                                      " numbers, are " + std::to_string(is));
+        require_row(is == wanted, "there must be " + std::to_string(wanted) + " " + list +
+                                      ", but there are " + std::to_string(is));
     };
     length("inputs", row.inputs.size(), head.inputs.size());
     length("responses", row.responses.size(), head.responses.size());
@@ -159,7 +159,8 @@ StoreHead continued_head(const std::string& file, const StoreHead& stored,
                          const StoreHead& wanted)
 {
     const std::string why = text_difference(study_text(stored), study_text(wanted));
-    if (!why.empty()) refuse(file, "has other inputs (- there, + here):\n" + why);
+    if (!why.empty())
+        refuse(file, "has other inputs (-: in the file, +: in this study):\n" + why);
     check_levels(file, stored, wanted);
 
     StoreHead head = wanted;

@@ -14,27 +14,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a wall is.
-struct Place {
-    StoredWall wall;
-    std::uint32_t file = 0, row = 0;
-};
-
 [[noreturn]] void not_there(const fs::path& file)
 {
-    throw StoreError("cannot open '" + file.string() + "': no such file" +
-                     (part_numbers(file).empty()
-                          ? ""
-                          : "; bring it back, '" + parts_of(file).string() + "' is there"));
+    throw StoreError(
+        "cannot open '" + file.string() + "': no such file" +
+        (part_numbers(file).empty()
+             ? ""
+             : "; restore it; its folder '" + parts_of(file).string() + "' is still there"));
 }
 
 void check_study(const WallFile& whole, const WallFile& part)
 {
     const std::string why = text_difference(study_text(whole.head()), study_text(part.head()));
     if (!why.empty())
-        throw StoreError("'" + part.path().string() +
-                         "' is not of the study beside it (- there, + here):\n" + why +
-                         "Move it away, or bring its file back.");
+        throw StoreError(
+            "'" + part.path().string() +
+            "' is not of the study beside it (-: in this file, +: in the part):\n" + why +
+            "Move it away, or restore its file.");
 }
 
 /// FILE.h5, then its parts. They are opened before it: what is merged into it meanwhile is then seen in
@@ -54,72 +50,63 @@ std::vector<WallFile> open_study(const fs::path& file)
 
 } // namespace
 
-struct StoreReader::Impl {
-    std::vector<WallFile> files;
-    std::vector<Place> places;
-    std::vector<WallStatus> statuses;
-
-    explicit Impl(std::vector<WallFile> from) : files(std::move(from))
-    {
-        for (std::uint32_t f = 0; f < files.size(); ++f) {
-            const std::vector<StoredWall>& walls = files[f].walls();
-            for (std::uint32_t i = 0; i < walls.size(); ++i) places.push_back({walls[i], f, i});
-        }
-        const auto key = [](const Place& place) { return place.wall.key; };
-        std::ranges::stable_sort(places, {}, key);
-        std::size_t kept = 0;
-        for (const Place& place : places) { // the last of those with one key
-            if (kept > 0 && key(places[kept - 1]) == key(place)) --kept;
-            places[kept++] = place;
-        }
-        places.resize(kept);
-        statuses.reserve(kept);
-        for (const Place& place : places)
-            statuses.push_back({place.wall.key, place.wall.status});
+StoreReader::StoreReader(std::vector<WallFile> files) : files_(std::move(files))
+{
+    for (std::uint32_t f = 0; f < files_.size(); ++f) {
+        const std::vector<StoredWall>& walls = files_[f].walls();
+        for (std::uint32_t i = 0; i < walls.size(); ++i) places_.push_back({walls[i], f, i});
     }
-};
+    const auto key = [](const Place& place) { return place.wall.key; };
+    std::ranges::stable_sort(places_, {}, key);
+    std::size_t kept = 0;
+    for (const Place& place : places_) { // the last of those with one key
+        if (kept > 0 && key(places_[kept - 1]) == key(place)) --kept;
+        places_[kept++] = place;
+    }
+    places_.resize(kept);
+    statuses_.reserve(kept);
+    for (const Place& place : places_) statuses_.push_back({place.wall.key, place.wall.status});
+}
 
-StoreReader::StoreReader(const fs::path& file) : impl_(std::make_unique<Impl>(open_study(file)))
+StoreReader::StoreReader(const fs::path& file) : StoreReader(open_study(file)) {}
+
+StoreReader::StoreReader(std::vector<StoreReader> several)
+    : StoreReader(files_of(std::move(several)))
 {
 }
 
-StoreReader::StoreReader(std::vector<StoreReader> several)
+std::vector<WallFile> StoreReader::files_of(std::vector<StoreReader> several)
 {
     std::vector<WallFile> files;
     for (StoreReader& reader : several)
-        std::ranges::move(reader.impl_->files, std::back_inserter(files));
-    impl_ = std::make_unique<Impl>(std::move(files));
+        std::ranges::move(reader.files_, std::back_inserter(files));
+    return files;
 }
 
-StoreReader::~StoreReader() = default;
-StoreReader::StoreReader(StoreReader&&) noexcept = default;
-StoreReader& StoreReader::operator=(StoreReader&&) noexcept = default;
-
-const StoreHead& StoreReader::head() const { return impl_->files.back().head(); }
-const std::vector<WallStatus>& StoreReader::statuses() const { return impl_->statuses; }
+const StoreHead& StoreReader::head() const { return files_.back().head(); }
 
 WallRow StoreReader::row(std::size_t i)
 {
-    const Place& place = impl_->places.at(i);
-    return impl_->files[place.file].row(place.row);
+    const Place& place = places_.at(i);
+    return files_[place.file].row(place.row);
 }
 
 std::optional<WallRow> StoreReader::row(WallKey key)
 {
-    const auto found = std::ranges::lower_bound(impl_->statuses, key, {}, &WallStatus::key);
-    if (found == impl_->statuses.end() || found->key != key) return {};
-    return row(static_cast<std::size_t>(found - impl_->statuses.begin()));
+    const auto found = std::ranges::lower_bound(statuses_, key, {}, &WallStatus::key);
+    if (found == statuses_.end() || found->key != key) return {};
+    return row(static_cast<std::size_t>(found - statuses_.begin()));
 }
 
 void StoreReader::for_each_row(const std::function<void(const WallRow&)>& visit)
 {
-    for (std::size_t i = 0; i < impl_->places.size(); ++i) visit(row(i));
+    for (std::size_t i = 0; i < places_.size(); ++i) visit(row(i));
 }
 
 RowSource StoreReader::walls()
 {
-    RowSource all{impl_->places.size(), 0, [this](std::size_t i) { return row(i); }};
-    for (const Place& place : impl_->places) all.points += place.wall.points;
+    RowSource all{places_.size(), 0, [this](std::size_t i) { return row(i); }};
+    for (const Place& place : places_) all.points += place.wall.points;
     return all;
 }
 

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,13 +26,10 @@ class StoreReader {
     explicit StoreReader(const std::filesystem::path& file);
     /// Several of one study as one, at least one. Of walls with one key the last reader's counts.
     explicit StoreReader(std::vector<StoreReader> several);
-    ~StoreReader();
-    StoreReader(StoreReader&&) noexcept;
-    StoreReader& operator=(StoreReader&&) noexcept;
 
     [[nodiscard]] const StoreHead& head() const;
     /// All walls in the order of their keys; what row(i) counts.
-    [[nodiscard]] const std::vector<WallStatus>& statuses() const;
+    [[nodiscard]] const std::vector<WallStatus>& statuses() const { return statuses_; }
 
     /// Wall i of statuses(), i in [0, statuses().size()); fastest in increasing order.
     [[nodiscard]] WallRow row(std::size_t i);
@@ -45,14 +41,23 @@ class StoreReader {
     [[nodiscard]] RowSource walls();
 
   private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    /// Where a wall is.
+    struct Place {
+        StoredWall wall;
+        std::uint32_t file = 0, row = 0;
+    };
+    explicit StoreReader(std::vector<WallFile> files);
+    static std::vector<WallFile> files_of(std::vector<StoreReader> several);
+
+    std::vector<WallFile> files_;
+    std::vector<Place> places_;
+    std::vector<WallStatus> statuses_;
 };
 
 /// Head alone, at the cost of opening.
 [[nodiscard]] StoreHead read_head(const std::filesystem::path& file);
 
-/// Walls of `head` of which `there` (in the order of keys) has none; of a shard, too, all of the study.
+/// Walls of `head` that are missing in `there`, which is in the order of keys; for a shard, of the whole study.
 [[nodiscard]] std::vector<WallKey> missing_walls(const StoreHead& head,
                                                  const std::vector<WallStatus>& there);
 

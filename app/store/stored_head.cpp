@@ -57,7 +57,9 @@ std::vector<T> structs(const hdf5::File& file, const Fields& fields)
         const std::vector<std::string> values = hdf5::texts_of(file, name);
         if (member == fields[0].second) list.resize(values.size());
         if (values.size() != list.size())
-            file.fail(std::string("find as many rows in ") + name + " as beside it in");
+            hdf5::damaged(file.path,
+                          std::string(name) +
+                              " does not have as many rows as the datasets beside it");
         for (std::size_t i = 0; i < list.size(); ++i) list[i].*member = values[i];
     }
     return list;
@@ -78,7 +80,9 @@ std::vector<Column> columns(const hdf5::File& file, const std::string& group)
 std::string only_text(const hdf5::File& file, const std::string& name)
 {
     const std::vector<std::string> list = hdf5::texts_of(file, name);
-    if (list.size() != 1) file.fail("find one text in " + name + " of");
+    if (list.size() != 1)
+        hdf5::damaged(file.path,
+                      name + " has " + std::to_string(list.size()) + " texts instead of one");
     return list.front();
 }
 
@@ -160,7 +164,8 @@ StoreHead stored_head(const hdf5::File& file)
     head.identity = only_text(file, "/identity");
     const auto stress = numbers<double>(file, "/levels/vertical_stress");
     const auto samples = numbers<std::uint32_t>(file, "/levels/samples");
-    if (stress.size() != samples.size()) file.fail("find a number of samples per level in");
+    if (stress.size() != samples.size())
+        hdf5::damaged(file.path, "there is not a number of samples for each level");
     for (std::size_t i = 0; i < stress.size(); ++i)
         head.levels.push_back({stress[i], samples[i]});
     head.design_sizes = numbers<std::uint32_t>(file, "/design_sizes");

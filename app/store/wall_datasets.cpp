@@ -98,7 +98,8 @@ WallDatasets::WallDatasets(const hdf5::File& file, const StoreHead& head)
     inputs_.require_rows(n);
     offset_.require_rows(n + 1);
     force_.require_rows(displacement_.rows());
-    if (inputs_.width() != head.inputs.size()) file.fail("find a name for each input in");
+    if (inputs_.width() != head.inputs.size())
+        hdf5::damaged(file.path, "there is not a name for each input");
 }
 
 std::vector<StoredWall> WallDatasets::index() const

@@ -2,6 +2,7 @@
 
 #include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/output/markup.hpp"
 #include "app/output/replaced_file.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/push_layouts.hpp"
@@ -79,9 +80,8 @@ exit "$code"
 /// As one word of a shell.
 std::string quoted(const std::string& text)
 {
-    std::string out = "'";
-    for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
-    return out + "'";
+    constexpr Replacement kQuote[] = {{"'", "'\\''"}};
+    return "'" + replaced(text, kQuote) + "'";
 }
 
 /// Twice the expected time and a quarter of an hour, at least one hour.

@@ -145,7 +145,7 @@ double number_at(const std::string& path, const Csv& csv, const CsvRow& row, std
     };
     std::string text(trimmed(row.cells[column]));
     if (text.empty()) refuse("empty cell; write a number, or take the row out");
-    if (csv.separator != ',') std::replace(text.begin(), text.end(), ',', '.');
+    if (csv.separator != ',') std::ranges::replace(text, ',', '.');
     double value = 0.0;
     const char* first = text.data() + (text.front() == '+' ? 1 : 0);
     const char* const last = text.data() + text.size();

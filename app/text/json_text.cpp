@@ -1,6 +1,13 @@
 #include "app/text/json_text.hpp"
 
+#include <cmath>
+
 namespace app {
+
+Json or_null(std::optional<double> x, double scale)
+{
+    return x && std::isfinite(*x * scale) ? Json(*x * scale) : Json(nullptr);
+}
 
 Json json_of(const std::string& text) { return Json::parse(text); }
 

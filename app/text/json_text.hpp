@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 
 namespace app {
@@ -12,7 +13,10 @@ using Json = nlohmann::ordered_json;
 /// @throws Json::exception
 [[nodiscard]] Json json_of(const std::string& text);
 
-/// Bytes that are no UTF-8 become the sign that stands for them.
+/// `x` times `scale`; null where it is not known or not finite, for which JSON has no number.
+[[nodiscard]] Json or_null(std::optional<double> x, double scale = 1.0);
+
+/// Bytes that are not UTF-8 become the replacement character.
 /// @param indent spaces for each level; -1: all on one line
 [[nodiscard]] std::string text_of(const Json& json, int indent = -1);
 

@@ -10,7 +10,7 @@ namespace app {
 /// @param digits in [1, 17]; 17 gives back the same double when read
 [[nodiscard]] std::string number(double value, int digits);
 
-/// The nearest double with at most `digits` significant digits; a value that is not finite stays as it is.
+/// The nearest double with at most `digits` significant digits; a value that is not finite is returned unchanged.
 [[nodiscard]] double rounded(double value, int digits);
 
 /// `value` with `decimals` places after the point, never "-0.0". Empty for NaN and infinities.

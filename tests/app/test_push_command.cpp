@@ -203,7 +203,7 @@ TEST_CASE("push command: a run leaves no file of the one before it, and replaces
         CHECK_FALSE(fs::exists(out / name));
     fs::remove(out / "drystone_push_files.txt"); // now the files are somebody's
     const std::string before = read_text(out / "summary.json");
-    CHECK_THROWS_WITH(push("wall.ini", out, overrides), Catch::Contains("is there already"));
+    CHECK_THROWS_WITH(push("wall.ini", out, overrides), Catch::Contains("exists already"));
     CHECK(read_text(out / "summary.json") == before);
 }
 

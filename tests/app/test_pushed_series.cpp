@@ -203,7 +203,7 @@ TEST_CASE("pushed series: a series that no run of ours wrote is not replaced",
     std::ofstream(out / where) << "mine";
     const auto before = content(out);
     const Overrides few = with({"output.snapshot_every=0.5 mm"});
-    CHECK_THROWS_WITH(push(out, few), Catch::Contains(where + ": is there already"));
+    CHECK_THROWS_WITH(push(out, few), Catch::Contains(where + ": exists already"));
     CHECK(content(out) == before);
     REQUIRE(push(out, with({"output.paraview=no"}, few)) == 0); // writes none
     CHECK(read_text(out / where) == "mine");

@@ -1,11 +1,8 @@
 #include "app/reliability/event.hpp"
-#include "app/reliability/kept_evaluations.hpp"
-#include "app/reliability/methods.hpp"
-#include "app/study/interrupt.hpp"
 #include "app/study_scenes.hpp"
 #include "app/text/config_error.hpp"
 #include "tests/scenes/temporary_folder.hpp"
-#include "uq/reliability/evaluate.hpp"
+#include "uq/reliability/reliability.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -13,14 +10,21 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
-using app::ReliabilityAnswer;
-using app::ReliabilityProblem;
+using uq::ReliabilityAnswer;
+using uq::ReliabilityProblem;
 
 namespace {
+
+ReliabilityAnswer answer(const ReliabilityProblem& p, std::vector<uq::Evaluated>& seen)
+{
+    return uq::reliability(p, [&](std::span<const uq::Evaluated> batch) {
+        seen.insert(seen.end(), batch.begin(), batch.end());
+    });
+}
 
 app::Study reliability(const std::string& text, const std::string& uq = "")
 {
@@ -77,7 +81,7 @@ TEST_CASE("reliability: of another program, R - S has beta = sqrt 2 and equal sh
     const Script script;
     const app::StudyFile file = external(script, "[reliability]\nmethod = form\ndemand = 0\n");
     REQUIRE(app::is_program_study(file));
-    std::vector<app::Evaluated> seen;
+    std::vector<uq::Evaluated> seen;
     const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
     REQUIRE(a.methods.front().probability);
     CHECK(*a.methods.front().probability == Approx(7.864960352514e-2).epsilon(1e-7));
@@ -97,7 +101,7 @@ TEST_CASE("reliability: correlated variables of another program, R - S with rho 
     const Script script;
     const app::StudyFile file = external(script, "[reliability]\nmethod = form\ndemand = 0\n"
                                                  "[uq]\npearson = r s 0.5\n");
-    std::vector<app::Evaluated> seen;
+    std::vector<uq::Evaluated> seen;
     const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
     REQUIRE(a.methods.front().probability);
     // beta = 2 / sqrt(1 + 1 - 2 rho) = 2
@@ -139,12 +143,12 @@ TEST_CASE("reliability: Sobol' indices of another program are those of the close
     const Script script;
     const app::StudyFile file =
         external(script, "[reliability]\nmethod = sobol\ndemand = 0\nbudget = 800\n");
-    std::vector<app::Evaluated> seen;
+    std::vector<uq::Evaluated> seen;
     const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
     CHECK(a.evaluations == 800);
     REQUIRE(a.sensitivities.size() == 2);
-    for (const app::Sensitivity& s : a.sensitivities)
-        for (const app::InputShare& share : s.shares) {
+    for (const uq::Sensitivity& s : a.sensitivities)
+        for (const uq::InputShare& share : s.shares) {
             REQUIRE(share.std_error);
             CHECK(std::abs(share.value - 0.5) < 4.0 * *share.std_error);
             CHECK(*share.std_error < 0.1);
@@ -162,12 +166,12 @@ TEST_CASE("reliability: no method asks for more evaluations than its budget",
     const app::StudyFile file =
         external(script, "[reliability]\nmethod = " + method +
                              "\ndemand = 0\nbudget = " + budget + "\ntarget_cov = 0.001\n");
-    std::vector<app::Evaluated> seen;
+    std::vector<uq::Evaluated> seen;
     const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
     INFO(method);
     CHECK(seen.size() <= std::stoul(budget));
     CHECK(seen.size() == a.evaluations);
-    for (const app::MethodAnswer& m : a.methods)
+    for (const uq::MethodAnswer& m : a.methods)
         CHECK(m.outcome.find("target coefficient") == std::string::npos);
 }
 
@@ -181,7 +185,7 @@ TEST_CASE(
                         "r = normal(mean 4, sd 1)\n[reliability]\ndemand = 0\nbudget = 60\n"
                         "method = " +
                             method + "\n");
-    std::vector<app::Evaluated> seen;
+    std::vector<uq::Evaluated> seen;
     const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
     INFO(method);
     REQUIRE(a.evaluations > 0);
@@ -195,124 +199,17 @@ TEST_CASE(
     CHECK(std::any_of(a.warnings.begin(), a.warnings.end(), told));
 }
 
-namespace {
-
-/// FORM of g(u) in two variables, whose answers scatter by some share of 1.
-ReliabilityProblem form_of(const std::function<double(double, double)>& g, double scatter)
-{
-    ReliabilityProblem p;
-    p.event.dimension = 2;
-    p.event.model = [g, scatter](const uq::Samples& s) {
-        uq::Responses r{Eigen::MatrixXd(s.x.rows(), 1),
-                        std::vector<std::string>(static_cast<std::size_t>(s.x.rows()))};
-        for (Eigen::Index i = 0; i < s.x.rows(); ++i) // a model without chance, yet rough
-            r.y(i, 0) = g(s.x(i, 0), s.x(i, 1)) +
-                        scatter * std::sin(1e5 * (s.x(i, 0) + 2.0 * s.x(i, 1)));
-        return r;
-    };
-    p.inputs = p.normal = {"a", "b"};
-    p.method = app::ReliabilityMethod::form;
-    p.rough = scatter > 0.0;
-    return p;
-}
-
-} // namespace
-
-TEST_CASE(
-    "reliability: FORM of a model that scatters finds its design point within the scatter",
-    "[app][reliability]")
-{
-    // a plane at beta = 3; the scatter is 1 % of a standard deviation of the response
-    const ReliabilityProblem p =
-        form_of([](double a, double b) { return 3.0 - 0.8 * a - 0.6 * b; }, 0.01);
-    std::vector<app::Evaluated> seen;
-    const ReliabilityAnswer a = answer(p, seen);
-    REQUIRE(a.methods.front().probability);
-    CHECK(*a.methods.front().probability == Approx(1.349898e-3).epsilon(0.15));
-    REQUIRE_FALSE(a.points.empty());
-    CHECK(a.points.front().beta == Approx(3.0).epsilon(0.01));
-    CHECK(a.sensitivities.front().shares[0].value == Approx(0.64).margin(0.08));
-    CHECK(a.methods.front().outcome.find("0 of 100 points looked at") != std::string::npos);
-}
-
-TEST_CASE("reliability: FORM says that the four-branch function has further design points",
-          "[app][reliability]")
-{
-    const auto four = [](double a, double b) {
-        const double bend = 3.0 + 0.1 * (a - b) * (a - b), sum = (a + b) / std::sqrt(2.0);
-        const double cut = 7.0 / std::sqrt(2.0);
-        return std::min({bend - sum, bend + sum, a - b + cut, b - a + cut});
-    };
-    std::vector<app::Evaluated> seen;
-    const ReliabilityAnswer a = answer(form_of(four, 0.0), seen);
-    const auto told = [](const std::string& w) {
-        return w.find("further design points") != std::string::npos ||
-               w.find("design points were found") != std::string::npos;
-    };
-    CHECK(std::any_of(a.warnings.begin(), a.warnings.end(), told));
-}
-
-TEST_CASE("reliability: an interrupted run goes on with the evaluations that it has made",
-          "[app][reliability]")
-{
-    const scenes::TemporaryFolder folder;
-    const auto file = folder.path / "unfinished.jsonl";
-    std::size_t asked = 0, stop_at = 100;
-    const uq::BlackBox model = [&](const uq::Samples& s) {
-        if (asked >= stop_at) throw app::Interrupted();
-        asked += s.id.size();
-        uq::Responses r{Eigen::MatrixXd(s.x.rows(), 2), std::vector<std::string>(s.id.size())};
-        for (Eigen::Index i = 0; i < s.x.rows(); ++i) {
-            r.y.row(i) << 0.0, std::sqrt(s.x(i, 0)); // not a number below zero: failed
-        }
-        return r;
-    };
-    uq::Samples samples{Eigen::VectorXd::LinSpaced(200, -0.3, 2.1), {}};
-    for (std::uint64_t i = 0; i < 200; ++i) samples.id.push_back(i);
-    const uq::Responses whole = uq::evaluate(
-        [&](const uq::Samples& s) {
-            stop_at = 1000;
-            return model(s);
-        },
-        samples, 2);
-    asked = 0;
-    stop_at = 100;
-    {
-        app::KeptEvaluations kept(file, "model 1");
-        CHECK_THROWS_AS(kept.around(model, 1)(samples), app::Interrupted);
-        CHECK(kept.found() == 0);
-    }
-    const std::size_t made = asked;
-    CHECK(made >= 100);
-    std::ofstream(file, std::ios::app) << R"({"x":[1.0],"y":)"; // cut off by a kill
-    stop_at = 1000;
-    app::KeptEvaluations kept(file, "model 1");
-    CHECK(kept.found() == made);
-    const uq::Responses r = kept.around(model, 1)(samples);
-    CHECK(asked == 200);
-    REQUIRE(r.y.cols() == 1);
-    for (Eigen::Index i = 0; i < 200; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        CHECK(r.failure[at] == whole.failure[at]);
-        if (r.failure[at].empty()) CHECK(r.y(i, 0) == whole.y(i, 1));
-    }
-    CHECK_THROWS_WITH(app::KeptEvaluations(file, "model 2"),
-                      Catch::Contains("of another study") && Catch::Contains("--out"));
-    kept.remove();
-    CHECK_FALSE(std::filesystem::exists(file));
-}
-
 TEST_CASE("reliability: Monte Carlo on the wall counts the walls at or below the demand",
           "[app][reliability]")
 {
     const app::Study s =
         reliability("response = peak_force\ndemand = 34 kN\nbudget = 60\ntarget_cov = 0.001\n");
     const ReliabilityProblem p = wall_problem(s, at("0.5"));
-    std::vector<app::Evaluated> seen;
+    std::vector<uq::Evaluated> seen;
     const ReliabilityAnswer a = answer(p, seen);
     REQUIRE(seen.size() == 60);
     int below = 0;
-    for (const app::Evaluated& e : seen) below += e.response <= 34e3 ? 1 : 0;
+    for (const uq::Evaluated& e : seen) below += e.response <= 34e3 ? 1 : 0;
     CHECK(below > 5);
     CHECK(below < 55);
     CHECK(*a.methods.front().probability == Approx(below / 60.0).epsilon(1e-12));
@@ -327,11 +224,11 @@ TEST_CASE("reliability: two fidelities of the wall agree with its expensive samp
 {
     const app::Study s =
         reliability("method = multi_fidelity\ndemand = 34 kN\nbudget = 200\ncheap = rigid\n");
-    std::vector<app::Evaluated> seen;
+    std::vector<uq::Evaluated> seen;
     const ReliabilityAnswer a = answer(wall_problem(s, at("0.5")), seen);
     REQUIRE(a.methods.front().probability);
     double below = 0.0;
-    for (const app::Evaluated& e : seen) below += e.response <= 34e3 ? 1.0 : 0.0;
+    for (const uq::Evaluated& e : seen) below += e.response <= 34e3 ? 1.0 : 0.0;
     const double n = static_cast<double>(seen.size()), share = below / n;
     CHECK(std::abs(*a.methods.front().probability - share) <
           4.0 * std::sqrt(share * (1.0 - share) / n));

@@ -1,4 +1,4 @@
-#include "app/report/report_curves.hpp"
+#include "app/report/report_parts.hpp"
 #include "app/study/resampled_curve.hpp"
 #include "app/wall_scenes.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/report/report_cycles.hpp"
+#include "app/report/report_parts.hpp"
 
 #include "app/report/report_data.hpp"
 #include "app/report/report_replay.hpp"

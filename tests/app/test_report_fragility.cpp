@@ -1,4 +1,4 @@
-#include "app/report/report_fragility.hpp"
+#include "app/report/report_parts.hpp"
 #include "app/wall_scenes.hpp"
 
 #include <catch2/catch.hpp>

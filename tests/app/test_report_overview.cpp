@@ -1,6 +1,5 @@
 #include "app/input/limit_state_text.hpp"
-#include "app/report/report_fragility.hpp"
-#include "app/report/report_overview.hpp"
+#include "app/report/report_parts.hpp"
 #include "app/study_scenes.hpp"
 #include "app/wall_scenes.hpp"
 

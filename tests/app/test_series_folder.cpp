@@ -1,6 +1,8 @@
 #include "app/output/series_folder.hpp"
 
 #include "app/child_process.hpp"
+#include "app/series_scene.hpp"
+#include "app/text/config_error.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 
@@ -41,7 +43,7 @@ std::map<std::string, std::string> content(const fs::path& folder)
 std::map<std::string, std::string> at_once(const std::vector<dem::Snapshot>& walls)
 {
     const scenes::TemporaryFolder folder;
-    app::write_vtk_series(folder.path / "series", walls);
+    scenes::write_series(folder.path / "series", walls);
     return content(folder.path / "series");
 }
 
@@ -55,13 +57,27 @@ struct Folder {
     fs::path series = temporary.path / "series", part = temporary.path / "series.part";
 };
 
+/// The refusal of a run that would write a series; empty if there is none.
+std::string in_the_way(const Folder& f)
+{
+    std::vector<fs::path> names;
+    for (const fs::path& file : app::in_the_way_of_series(f.series))
+        names.push_back(file.lexically_relative(f.temporary.path));
+    try {
+        app::check_results(f.temporary.path, names, true);
+    } catch (const app::ConfigError& e) {
+        return e.what();
+    }
+    return {};
+}
+
 } // namespace
 
 TEST_CASE("series folder: walls go to disk one by one, and under their name when all are there",
           "[app][series_folder]")
 {
     const Folder f;
-    app::write_vtk_series(f.series, a_push(5));
+    scenes::write_series(f.series, a_push(5));
     const auto before = content(f.series);
     const std::vector<dem::Snapshot> walls = a_push(3, 2e-3);
     {
@@ -74,11 +90,9 @@ TEST_CASE("series folder: walls go to disk one by one, and under their name when
             CHECK(fs::exists(f.part / ("joints_000" + std::to_string(i) + ".vtu")));
         }
         CHECK_FALSE(series.empty());
-        series.publish(); // nothing is sealed
+        const std::vector<app::OutputFile> files = series.seal();
         CHECK(content(f.series) == before);
-        series.seal();
-        CHECK(content(f.series) == before);
-        series.publish();
+        app::write_results(f.temporary.path, files);
         CHECK(content(f.series) == at_once(walls));
     }
     CHECK(content(f.series) == at_once(walls));
@@ -97,8 +111,7 @@ TEST_CASE("series folder: a push that starts anew leaves nothing of its first tr
     CHECK(content(f.part).size() == 1); // that it is unfinished
     const std::vector<dem::Snapshot> walls = a_push(3);
     add_all(series, walls);
-    series.seal();
-    series.publish();
+    app::write_results(f.temporary.path, series.seal());
     CHECK(content(f.series) == at_once(walls));
 }
 
@@ -114,23 +127,21 @@ TEST_CASE(
     SeriesFolder series(f.series);
     CHECK_NOTHROW(add_all(series, walls));
     CHECK_THROWS_AS(series.seal(), std::invalid_argument);
-    series.publish();
     CHECK_FALSE(fs::exists(f.series));
     series.begin_anew();
     add_all(series, a_push(2));
-    series.seal();
-    series.publish();
+    app::write_results(f.temporary.path, series.seal());
     CHECK(content(f.series) == at_once(a_push(2)));
 }
 
-TEST_CASE("series folder: what is not published goes, with the folders that were made for it",
+TEST_CASE("series folder: what is not moved goes, with the folders that were made for it",
           "[app][series_folder]")
 {
     const scenes::TemporaryFolder folder;
     {
         SeriesFolder series(folder.path / "level" / "series");
         add_all(series, a_push(2));
-        series.seal();
+        (void)series.seal();
     }
     CHECK(fs::is_empty(folder.path));
     fs::create_directory(folder.path / "level");
@@ -147,20 +158,20 @@ TEST_CASE(
 {
     const Folder f;
     const bool earlier = GENERATE(false, true);
-    if (earlier) app::write_vtk_series(f.series, a_push(5));
+    if (earlier) scenes::write_series(f.series, a_push(5));
     const auto before = content(f.series);
     const pid_t child = scenes::start_child([&]() -> int {
         SeriesFolder series(f.series);
         add_all(series, a_push(4));
         std::ofstream(f.part / ".wall_0004.vtu.77-1.tmp") << "half of it";
-        if (earlier) series.seal();
+        if (earlier) (void)series.seal();
         return std::raise(SIGKILL);
     });
     REQUIRE(scenes::wait_for(child) == -SIGKILL);
     CHECK(content(f.series) == before);
     CHECK(fs::exists(f.part / "wall_0003.vtu"));
-    CHECK_FALSE(app::in_the_way_of_series(f.series, earlier));
-    app::write_vtk_series(f.series, a_push(2));
+    CHECK(in_the_way(f).empty());
+    scenes::write_series(f.series, a_push(2));
     CHECK(content(f.series) == at_once(a_push(2)));
     CHECK_FALSE(fs::exists(f.part));
 }
@@ -170,7 +181,7 @@ TEST_CASE(
     "[app][series_folder]")
 {
     const Folder f;
-    app::write_vtk_series(f.series, a_push(2));
+    scenes::write_series(f.series, a_push(2));
     const auto before = content(f.series);
     rlimit limit{};
     ::getrlimit(RLIMIT_FSIZE, &limit);
@@ -197,27 +208,48 @@ TEST_CASE("series folder: files of others are told, and stay", "[app][series_fol
     const Folder f;
     const std::string name =
         GENERATE("wall.pvd", "joints.pvd", "wall_0000.vtu", "joints_12345.vtu");
-    CHECK_FALSE(app::in_the_way_of_series(f.series, false));
+    CHECK(in_the_way(f).empty());
     fs::create_directory(f.series);
     for (const char* other : {"wall_000.vtu", "wall_00x0.vtu", "walls_0000.vtu", "notes.txt"})
         std::ofstream(f.series / other) << "mine";
-    CHECK_FALSE(app::in_the_way_of_series(f.series, false));
+    CHECK(in_the_way(f).empty());
     std::ofstream(f.series / name) << "mine";
-    CHECK(app::in_the_way_of_series(f.series, false) == f.series / name);
-    CHECK_FALSE(app::in_the_way_of_series(f.series, true));
+    CHECK_THAT(in_the_way(f), Catch::Contains((f.series / name).string()));
     fs::rename(f.series, f.part); // not marked as ours
-    CHECK(app::in_the_way_of_series(f.series, true) == f.part / name);
+    CHECK_THAT(in_the_way(f), Catch::Contains((f.part / name).string()));
     app::remove_unfinished_series(f.series);
     CHECK(read_text(f.part / name) == "mine");
 }
 
-TEST_CASE("series folder: what was interrupted while it was removed can be removed again",
+TEST_CASE(
+    "series folder: what was interrupted while it was removed or moved is still known as ours",
+    "[app][series_folder]")
+{
+    const Folder f;
+    scenes::write_series(f.series, a_push(4));
+    for (const char* gone : {"wall.pvd", "joints.pvd", "wall_0003.vtu"})
+        fs::remove(f.series / gone);
+    CHECK(in_the_way(f).empty());
+    app::write_results(f.temporary.path, {});
+    CHECK_FALSE(fs::exists(f.series));
+}
+
+TEST_CASE("series folder: of two series the files of both are never side by side",
           "[app][series_folder]")
 {
     const Folder f;
-    app::write_vtk_series(f.series, a_push(4));
-    for (const char* gone : {"wall.pvd", "joints.pvd", "wall_0003.vtu"})
-        fs::remove(f.series / gone);
-    app::remove_vtk_series(f.series);
-    CHECK_FALSE(fs::exists(f.series));
+    scenes::write_series(f.series, a_push(5));
+    fs::create_directory(f.part);
+    std::ofstream(f.part / "wall_0000.vtu") << "new";
+    // the second file cannot be moved: as after a kill
+    CHECK_THROWS_WITH(
+        app::write_results(f.temporary.path,
+                           {{"series/wall_0000.vtu", {}, f.part / "wall_0000.vtu"},
+                            {"series/wall.pvd", {}, f.part / "wall.pvd"}}),
+        Catch::Contains("cannot write") && Catch::Contains("wall.pvd"));
+    CHECK(content(f.series) == std::map<std::string, std::string>{{"wall_0000.vtu", "new"}});
+    fs::remove_all(f.part);
+    CHECK(in_the_way(f).empty());
+    scenes::write_series(f.series, a_push(2));
+    CHECK(content(f.series) == at_once(a_push(2)));
 }

@@ -109,7 +109,7 @@ TEST_CASE("parts: those of another study, and parts without their file, are refu
     SECTION("without its file")
     {
         fs::remove(file);
-        CHECK_THAT(refusal(file), Contains("no such file; bring it back"));
+        CHECK_THAT(refusal(file), Contains("no such file; restore it"));
         CHECK_THROWS_WITH(Store(file, store_head(20)), Contains("without its"));
     }
     CHECK_THROWS_AS(Store(file, store_head(20)), StoreError);

@@ -1,6 +1,5 @@
 #include "app/output/wall_view.hpp"
 
-#include "app/output/block_displacement.hpp"
 #include "dem/scene/snapshot_reading.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 
@@ -110,16 +109,4 @@ TEST_CASE("wall view: the box of a wall holds every displaced point", "[app][wal
 TEST_CASE("wall view: a wall without blocks is refused", "[app][wall_view]")
 {
     CHECK_THROWS_AS(app::box_of({}, 0.0), std::invalid_argument);
-}
-
-TEST_CASE("block displacement: the ground does not move, a block moves as at its nearest point",
-          "[app][wall_view]")
-{
-    const dem::Snapshot wall = scenes::stair_step_rocking(0.011); // turns by 0.01
-    const int top_right = 99;
-    const dem::Point u = app::displacement_at(wall, top_right, {1.0, 1.0});
-    CHECK(u.x == Approx(0.01).epsilon(1e-12));
-    CHECK(std::abs(u.z) < 1e-15);
-    CHECK(app::displacement_at(wall, -1, {1.0, 0.0}).x == 0.0);
-    CHECK_THROWS_AS(app::displacement_at(wall, 1000, {0.0, 0.0}), std::out_of_range);
 }

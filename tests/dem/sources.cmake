@@ -1,6 +1,7 @@
 # Needs scenes/paper_wall.cpp.
 set(TEST_DEM_UNIT_SOURCES
     dem/eigenvalues.cpp
+    dem/test_block_displacement.cpp
     dem/test_block_element.cpp
     dem/test_block_modes.cpp
     dem/test_bond.cpp
@@ -41,6 +42,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_rotation.cpp
     dem/test_run_outcomes.cpp
     dem/test_snapshot_reading.cpp
+    dem/test_snapshot_vtu.cpp
     dem/test_stability_limit.cpp
     dem/test_static_start.cpp
     dem/test_step_tables.cpp

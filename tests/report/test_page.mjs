@@ -302,7 +302,7 @@ const others = {
     nothing_random: { overview: /Nothing was drawn at random/, inputs: /Nothing was random/, running: /Too few walls/, fragility: /No fit: 0\.50 MPa, 1\.00 MPa/ },
     layouts: { overview: /4 random layouts, those of wall\.seed = 1 and so on/ },
     spatial: { overview: /one value per joint/ },
-    shard: { overview: /are not in the file: it is not finished, or a shard/, provenance: /1 of 3/ },
+    shard: { overview: /are not in the file: the study is not finished, or the file is a shard/, provenance: /1 of 3/ },
     some_failed: { overview: /walls failed: solver\.most_steps were not enough/ },
     all_failed: { overview: /no wall gave a result/, curves: /No wall under this stress gave a curve/, modes: /No wall gave a result/ },
     cyclic: { overview: /to and fro, at most 3 mm/, curves: /Hysteresis: 0\.50 MPa/, cycles: /damping/ },

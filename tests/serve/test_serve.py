@@ -18,7 +18,7 @@ import tempfile
 PROGRAM, STUDY = sys.argv[1:3]
 CHEAP = ["--set", "solver.fidelity=rigid", "--set", "solver.steps_per_mm=100", "--set", "load.max_displacement=3 mm",
          "--set", "uq.samples=8"]
-RESPONSES = ["peak_force", "peak_displacement"]
+RESPONSES = ["peak_force", "peak_displacement", "friction_energy"]
 
 
 def start(*more):
@@ -55,12 +55,12 @@ def check_protocol(port):
     assert ("joint.friction_angle", "rad") in columns and ("unit.tensile_strength", "Pa") in columns, columns
     n = len(columns)
     assert ask(port, "/InputSizes", {"name": name}) == (200, {"inputSizes": [n]})
-    assert ask(port, "/OutputSizes", {"name": name, "config": {}}) == (200, {"outputSizes": [2]})
+    assert ask(port, "/OutputSizes", {"name": name, "config": {}}) == (200, {"outputSizes": [len(RESPONSES)]})
 
     # Zeros are the medians of the distributions.
     status, reply = ask(port, "/Evaluate", {"name": name + "_normal", "input": [[0] * n], "config": {}})
     assert status == 200 and list(reply) == ["output"] and len(reply["output"]) == 1, reply
-    assert len(reply["output"][0]) == 2 and 30e3 < reply["output"][0][0] < 60e3, reply
+    assert len(reply["output"][0]) == len(RESPONSES) and 30e3 < reply["output"][0][0] < 60e3, reply
 
     for path in ("/Gradient", "/ApplyJacobian", "/ApplyHessian"):
         check_error(ask(port, path, {"name": name}), 400, "UnsupportedFeature")

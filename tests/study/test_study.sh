@@ -244,7 +244,7 @@ claim_no_verb_replaces_what_it_did_not_write() {
         file=$work/$out
         mkdir -p "${file%/*}"
         echo mine >"$file"
-        refused 2 'is there already' run_verb "$verb"
+        refused 2 'exists already' run_verb "$verb"
         [[ $(cat "$file") == mine ]] || fail "$verb replaced $out"
         rm -- "$file"
     done

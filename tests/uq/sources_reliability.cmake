@@ -7,8 +7,11 @@ set(TEST_UQ_RELIABILITY_SOURCES
     uq/test_external_program.cpp
     uq/test_form.cpp
     uq/test_importance_sampling.cpp
+    uq/test_kept_evaluations.cpp
     uq/test_limit_state.cpp
     uq/test_multi_fidelity.cpp
     uq/test_multi_fidelity_plan.cpp
+    uq/test_reliability.cpp
     uq/test_sorm.cpp
-    uq/test_subset_simulation.cpp)
+    uq/test_subset_simulation.cpp
+    uq/test_to_variables.cpp)

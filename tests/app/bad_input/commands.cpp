@@ -25,7 +25,7 @@ const std::vector<BadCommand> kCommands = {
     {"a directory", {"push", "."},
         ".: is a directory; give a study file, such as configs/wall.ini"},
     {"a device without end", {"push", "/dev/zero"},
-        "/dev/zero: is larger than 1 MiB; this is no study file"},
+        "/dev/zero: is larger than 1 MiB; this is not a study file"},
     {"unknown option", {"push", "study.ini", "--thread", "2"},
         "drystone: --thread: unknown option; did you mean \"--threads\"?"},
     {"unknown option like no other", {"push", "study.ini", "--colour=red"},

@@ -1,21 +1,21 @@
 #pragma once
 /// What the methods put into the answer, each in the same way.
 
-#include "app/reliability/methods.hpp"
 #include "uq/reliability/exceedance.hpp"
+#include "uq/reliability/reliability.hpp"
 
 #include <cstddef>
 #include <string>
 
-namespace app {
+namespace uq {
 
 /// Evaluations that are left of the budget.
 [[nodiscard]] std::size_t left(const ReliabilityProblem& p, const ReliabilityAnswer& a);
 
 /// Counts evaluations and failed samples.
-void take(const uq::Ledger& ledger, ReliabilityAnswer& a);
+void take(const Ledger& ledger, ReliabilityAnswer& a);
 
 /// A probability from samples, its warnings and its evaluations. Where all or none passed it is a bound.
-void add(const std::string& method, const uq::Exceedance& e, ReliabilityAnswer& a);
+void add(const std::string& method, const Exceedance& e, ReliabilityAnswer& a);
 
-} // namespace app
+} // namespace uq

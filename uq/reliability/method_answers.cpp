@@ -1,37 +1,37 @@
-#include "app/reliability/method_answers.hpp"
+#include "uq/reliability/method_answers.hpp"
 
 #include <algorithm>
 
-namespace app {
+namespace uq {
 namespace {
 
-std::string words(uq::SamplingOutcome o)
+std::string words(SamplingOutcome o)
 {
     switch (o) {
-    case uq::SamplingOutcome::target_reached:
+    case SamplingOutcome::target_reached:
         return "target coefficient of variation reached";
-    case uq::SamplingOutcome::limit_reached:
+    case SamplingOutcome::limit_reached:
         return "budget used up before the target was reached";
-    case uq::SamplingOutcome::none_passed:
+    case SamplingOutcome::none_passed:
         return "the event was never seen: an upper bound";
-    case uq::SamplingOutcome::all_passed:
+    case SamplingOutcome::all_passed:
         return "the event was always seen: a lower bound";
-    case uq::SamplingOutcome::no_answer:
+    case SamplingOutcome::no_answer:
         break;
     }
     return "every evaluation failed";
 }
 
-MethodAnswer sampled(const std::string& method, const uq::Exceedance& e)
+MethodAnswer sampled(const std::string& method, const Exceedance& e)
 {
     MethodAnswer m;
     m.method = method;
     m.outcome = words(e.outcome);
     m.lower = e.estimate.interval.lower;
     m.upper = e.estimate.interval.upper;
-    const bool bound = e.outcome == uq::SamplingOutcome::none_passed ||
-                       e.outcome == uq::SamplingOutcome::all_passed ||
-                       e.outcome == uq::SamplingOutcome::no_answer;
+    const bool bound = e.outcome == SamplingOutcome::none_passed ||
+                       e.outcome == SamplingOutcome::all_passed ||
+                       e.outcome == SamplingOutcome::no_answer;
     if (!bound) {
         m.probability = e.estimate.value;
         m.std_error = e.estimate.std_error;
@@ -47,17 +47,17 @@ std::size_t left(const ReliabilityProblem& p, const ReliabilityAnswer& a)
     return budget - std::min(budget, a.evaluations);
 }
 
-void take(const uq::Ledger& ledger, ReliabilityAnswer& a)
+void take(const Ledger& ledger, ReliabilityAnswer& a)
 {
     a.evaluations += ledger.evaluations;
     a.failed.insert(a.failed.end(), ledger.failed.begin(), ledger.failed.end());
 }
 
-void add(const std::string& method, const uq::Exceedance& e, ReliabilityAnswer& a)
+void add(const std::string& method, const Exceedance& e, ReliabilityAnswer& a)
 {
     a.methods.push_back(sampled(method, e));
     a.warnings.insert(a.warnings.end(), e.warnings.begin(), e.warnings.end());
     take(e.ledger, a);
 }
 
-} // namespace app
+} // namespace uq

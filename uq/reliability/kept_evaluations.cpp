@@ -1,23 +1,28 @@
-#include "app/reliability/kept_evaluations.hpp"
+#include "uq/reliability/kept_evaluations.hpp"
 
-#include "app/text/config_error.hpp"
-#include "app/text/json_text.hpp"
 #include "uq/reliability/evaluate.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
-namespace app {
+namespace uq {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Eigen::Index kAtOnce = 32; ///< samples that a kill may lose
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using Json = nlohmann::json;
 
-std::string as_line(const Json& j) { return text_of(j) + "\n"; }
+constexpr std::size_t kAtOnce = 32; ///< samples that a kill may lose
+
+/// Bytes that are not UTF-8, which a reason may quote, become the replacement character.
+std::string as_line(const Json& j)
+{
+    return j.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 } // namespace
 
@@ -30,17 +35,16 @@ KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
     const bool begun = in && std::getline(in, line) && !in.eof();
     if (begun) {
         if (line + "\n" != as_line({{"model", model}}))
-            throw ConfigError("drystone", 0, "--out",
-                              "'" + file_.string() +
-                                  "' holds the evaluations of an interrupted run of another "
-                                  "study; remove it, or name another folder");
+            throw std::invalid_argument("'" + file_.string() +
+                                        "' holds the evaluations of another model");
         sound = line.size() + 1;
         while (std::getline(in, line) && !in.eof()) {
             try {
-                const Json j = json_of(line);
+                const Json j = Json::parse(line);
                 const Json& y = j.at("y");
                 known_[j.at("x").get<std::vector<double>>()] = {
-                    y.is_null() ? kNan : y.get<double>(), j.at("why").get<std::string>()};
+                    y.is_null() ? std::numeric_limits<double>::quiet_NaN() : y.get<double>(),
+                    j.at("why").get<std::string>()};
             } catch (const Json::exception&) {
                 throw std::runtime_error(
                     "'" + file_.string() +
@@ -64,9 +68,9 @@ void KeptEvaluations::keep(const std::vector<double>& x, const Answer& a)
     known_[x] = a;
 }
 
-uq::BlackBox KeptEvaluations::around(uq::BlackBox model, Eigen::Index response)
+BlackBox KeptEvaluations::around(BlackBox model, Eigen::Index response)
 {
-    return [this, model = std::move(model), response](const uq::Samples& samples) {
+    return [this, model = std::move(model), response](const Samples& samples) {
         const auto row = [&](Eigen::Index i) {
             const Eigen::VectorXd x = samples.x.row(i);
             return std::vector<double>(x.begin(), x.end());
@@ -75,20 +79,17 @@ uq::BlackBox KeptEvaluations::around(uq::BlackBox model, Eigen::Index response)
         for (Eigen::Index i = 0; i < samples.x.rows(); ++i)
             if (!known_.contains(row(i))) fresh.push_back(i);
         for (std::size_t first = 0; first < fresh.size(); first += kAtOnce) {
-            const std::size_t n = std::min<std::size_t>(kAtOnce, fresh.size() - first);
+            const std::size_t n = std::min(kAtOnce, fresh.size() - first);
             const std::vector<Eigen::Index> part(fresh.begin() + static_cast<long>(first),
                                                  fresh.begin() + static_cast<long>(first + n));
-            uq::Samples few{samples.x(part, Eigen::all), {}};
-            for (const Eigen::Index i : part)
-                few.id.push_back(samples.id[static_cast<std::size_t>(i)]);
-            const uq::Responses r = uq::evaluate(model, few, response + 1);
+            Samples few{samples.x(part, Eigen::all), {}};
+            for (const Eigen::Index i : part) few.id.push_back(samples.id[i]);
+            const Responses r = evaluate(model, few, response + 1);
             for (std::size_t k = 0; k < n; ++k)
                 keep(row(part[k]), {r.y(static_cast<Eigen::Index>(k), response), r.failure[k]});
-            if (!out_.flush())
-                throw NotKept{"cannot write '" + file_.string() +
-                              "'; make space there and run the same command again"};
+            if (!out_.flush()) throw NotKept{"cannot write '" + file_.string() + "'"};
         }
-        uq::Responses all{Eigen::MatrixXd(samples.x.rows(), 1), {}};
+        Responses all{Eigen::MatrixXd(samples.x.rows(), 1), {}};
         for (Eigen::Index i = 0; i < samples.x.rows(); ++i) {
             const Answer& a = known_.at(row(i));
             all.y(i, 0) = a.y;
@@ -104,4 +105,4 @@ void KeptEvaluations::remove()
     fs::remove(file_);
 }
 
-} // namespace app
+} // namespace uq

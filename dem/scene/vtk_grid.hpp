@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace dem {
 
 /// Values of one array. add() throws std::invalid_argument for a value that is not finite.
 struct VtkArray {
@@ -19,7 +19,7 @@ struct VtkArray {
     void add(double value);
     void add(int value);
     /// In the plane of the wall: x along, z up; y = 0.
-    void add(dem::Point vector);
+    void add(Point vector);
 };
 
 [[nodiscard]] VtkArray vtk_reals(std::string name);
@@ -36,7 +36,7 @@ struct VtkGrid {
     VtkArray types = {"types", "UInt8"};
     std::vector<VtkArray> point_data, cell_data, field_data;
 
-    void add_point(dem::Point at);
+    void add_point(Point at);
     /// Closes a cell over the points added since the last.
     void end_cell(int type);
 };
@@ -44,8 +44,4 @@ struct VtkGrid {
 /// The content of a .vtu file.
 [[nodiscard]] std::string vtu_text(const VtkGrid& grid);
 
-/// The text of a .pvd file: `files` at `times`, of equal length.
-[[nodiscard]] std::string pvd_text(const std::vector<double>& times,
-                                   const std::vector<std::string>& files);
-
-} // namespace app
+} // namespace dem

@@ -1,6 +1,4 @@
-#include "app/output/vtk_grid.hpp"
-
-#include "app/text/number_text.hpp"
+#include "dem/scene/vtk_grid.hpp"
 
 #include <array>
 #include <bit>
@@ -9,11 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-namespace app {
+namespace dem {
 
 namespace {
-
-constexpr const char* kHeader = "<?xml version=\"1.0\"?>\n";
 
 template <class T> void append(VtkArray& array, T value)
 {
@@ -72,7 +68,7 @@ void VtkArray::add(int value)
     ++tuples;
 }
 
-void VtkArray::add(dem::Point vector)
+void VtkArray::add(Point vector)
 {
     for (const double x : {vector.x, 0.0, vector.z}) append(*this, checked(*this, x));
     ++tuples;
@@ -82,7 +78,7 @@ VtkArray vtk_reals(std::string name) { return {std::move(name), "Float64"}; }
 VtkArray vtk_vectors(std::string name) { return {std::move(name), "Float64", 3}; }
 VtkArray vtk_integers(std::string name) { return {std::move(name), "Int32"}; }
 
-void VtkGrid::add_point(dem::Point at)
+void VtkGrid::add_point(Point at)
 {
     connectivity.add(points.tuples);
     points.add(at);
@@ -97,10 +93,9 @@ void VtkGrid::end_cell(int type)
 std::string vtu_text(const VtkGrid& grid)
 {
     std::string bytes;
-    std::string text =
-        std::string(kHeader) +
-        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" "
+                       "version=\"1.0\" byte_order=\"LittleEndian\" "
+                       "header_type=\"UInt64\">\n<UnstructuredGrid>\n";
     text += section("FieldData", grid.field_data, bytes);
     text += "<Piece NumberOfPoints=\"" + std::to_string(grid.points.tuples) +
             "\" NumberOfCells=\"" + std::to_string(grid.types.tuples) + "\">\n";
@@ -112,14 +107,4 @@ std::string vtu_text(const VtkGrid& grid)
            "\n</AppendedData>\n</VTKFile>\n";
 }
 
-std::string pvd_text(const std::vector<double>& times, const std::vector<std::string>& files)
-{
-    std::string text = std::string(kHeader) + "<VTKFile type=\"Collection\" version=\"1.0\" "
-                                              "byte_order=\"LittleEndian\">\n<Collection>\n";
-    for (std::size_t i = 0; i < times.size(); ++i)
-        text += "<DataSet timestep=\"" + number(times[i], 17) + "\" part=\"0\" file=\"" +
-                files.at(i) + "\"/>\n";
-    return text + "</Collection>\n</VTKFile>\n";
-}
-
-} // namespace app
+} // namespace dem

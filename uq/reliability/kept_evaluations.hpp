@@ -1,7 +1,7 @@
 #pragma once
-/// Evaluations on disk while `reliability` runs, so that the same command goes on after Ctrl-C or a kill.
+/// Evaluations on disk while an analysis runs, so that the next one continues with them after Ctrl-C or a kill.
 ///
-/// The file has a line of JSON for each evaluation, after one that says what the model is. It goes when the
+/// The file has a line of JSON for each evaluation, after one that says what the model is. Remove it when the
 /// answer is there: what another program answers today need not be what it answers tomorrow.
 
 #include "uq/reliability/black_box.hpp"
@@ -13,20 +13,20 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace uq {
 
 class KeptEvaluations {
   public:
     /// Reads what an interrupted run has left. A last line that a kill has cut off is dropped.
     /// @param model what the answers depend on, in words
-    /// @throws ConfigError if the file is that of another model; std::runtime_error if it is damaged or cannot be
-    /// written
+    /// @throws std::invalid_argument if the file is that of another model; std::runtime_error if it is damaged or
+    /// cannot be written
     KeptEvaluations(std::filesystem::path file, const std::string& model);
 
-    /// Thrown by the model of around() where the disk takes no more. No std::exception, which would be a failed
-    /// sample.
+    /// Thrown by the model of around() where the disk takes no more. It is not a std::exception, because that
+    /// would be a failed sample.
     struct NotKept {
-        std::string what;
+        std::string what; ///< names the file
     };
 
     /// Evaluations that were there at the start.
@@ -35,9 +35,9 @@ class KeptEvaluations {
     /// The model, asked only for what is not known, a few samples at a time, each few kept as they come.
     /// @param response the column that is kept; the only one of the answers
     /// The model that is returned must not outlive this.
-    [[nodiscard]] uq::BlackBox around(uq::BlackBox model, Eigen::Index response);
+    [[nodiscard]] BlackBox around(BlackBox model, Eigen::Index response);
 
-    /// The answer is there.
+    /// Removes the file, because the answer is there.
     void remove();
 
   private:
@@ -53,4 +53,4 @@ class KeptEvaluations {
     std::size_t found_ = 0;
 };
 
-} // namespace app
+} // namespace uq

@@ -1,10 +1,10 @@
-#include "app/reliability/design_points.hpp"
+#include "uq/reliability/design_methods.hpp"
 
-#include "app/reliability/method_answers.hpp"
 #include "uq/designs/stream.hpp"
 #include "uq/marginals/normal_quantile.hpp"
 #include "uq/reliability/evaluate.hpp"
 #include "uq/reliability/importance_sampling.hpp"
+#include "uq/reliability/method_answers.hpp"
 #include "uq/reliability/sorm.hpp"
 
 #include <algorithm>
@@ -12,35 +12,35 @@
 #include <optional>
 #include <utility>
 
-namespace app {
+namespace uq {
 namespace {
 
-std::string words(const uq::FormResult& r)
+std::string words(const FormResult& r)
 {
-    if (r.outcome == uq::FormOutcome::agreed && r.reason.empty()) return "two searches agree";
+    if (r.outcome == FormOutcome::agreed && r.reason.empty()) return "two searches agree";
     return r.reason;
 }
 
-void take(const uq::FormResult& r, const ReliabilityProblem& p, ReliabilityAnswer& a)
+void take(const FormResult& r, const ReliabilityProblem& p, ReliabilityAnswer& a)
 {
-    for (const uq::DesignPoint& point : r.points) {
+    for (const DesignPoint& point : r.points) {
         const Eigen::MatrixXd u = point.at.u.transpose();
         a.points.push_back(
             {point.beta, point.at.u,
              p.event.to_physical ? p.event.to_physical(u).row(0).transpose() : point.at.u});
     }
     if (r.points.empty()) return;
-    const Eigen::VectorXd share = uq::importance_factors(r.points.front());
+    const Eigen::VectorXd share = importance_factors(r.points.front());
     Sensitivity s{"alpha^2 of FORM", {}};
     for (Eigen::Index i = 0; i < share.size(); ++i)
-        s.shares.push_back({p.normal[static_cast<std::size_t>(i)], share(i), {}, {}, {}});
+        s.shares.push_back({p.normal[i], share(i), {}, {}, {}});
     a.sensitivities.push_back(std::move(s));
 }
 
 /// The searches of a model that scatters. A wall's answer scatters by about 0.2 % of its force, which is
 /// some hundredths of a standard deviation of u: differences over 0.3 give a direction good to about 5
 /// degrees, and a point that far off its axis is wrong in beta by 0.5 %.
-void loosen(uq::FormOptions& o)
+void loosen(FormOptions& o)
 {
     o.search.step = 0.3;
     o.search.on_surface = 0.03;
@@ -51,8 +51,7 @@ void loosen(uq::FormOptions& o)
 
 } // namespace
 
-void look_elsewhere(const ReliabilityProblem& p, const uq::FormResult& found,
-                    ReliabilityAnswer& a)
+void look_elsewhere(const ReliabilityProblem& p, const FormResult& found, ReliabilityAnswer& a)
 {
     constexpr std::size_t kLooks = 100;
     constexpr double kFurther =
@@ -63,18 +62,18 @@ void look_elsewhere(const ReliabilityProblem& p, const uq::FormResult& found,
     Eigen::MatrixXd u(static_cast<Eigen::Index>(n), p.event.dimension);
     Eigen::Index rows = 0;
     for (std::uint64_t k = 0; k < 20 * n && rows < u.rows(); ++k) {
-        uq::Stream random(p.seed, k, uq::Purpose::bootstrap);
+        Stream random(p.seed, k, Purpose::bootstrap);
         Eigen::VectorXd way(p.event.dimension);
         for (double& v : way) v = random.normal();
         way.normalize();
-        if (std::ranges::none_of(found.points, [&](const uq::DesignPoint& d) {
+        if (std::ranges::none_of(found.points, [&](const DesignPoint& d) {
                 return d.at.u.normalized().dot(way) > 1e-9;
             }))
             u.row(rows++) = radius * way.transpose();
     }
     if (rows == 0) return;
-    uq::Ledger ledger;
-    const Eigen::VectorXd g = uq::limit_values(p.event, u.topRows(rows), ledger);
+    Ledger ledger;
+    const Eigen::VectorXd g = limit_values(p.event, u.topRows(rows), ledger);
     take(ledger, a);
     const auto reached = (g.array() <= 0.0).count();
     const std::string seen = std::to_string(reached) + " of " + std::to_string(rows) +
@@ -88,19 +87,19 @@ void look_elsewhere(const ReliabilityProblem& p, const uq::FormResult& found,
         a.methods.front().outcome += "; " + seen + ", have passed the limit state";
 }
 
-uq::FormResult search(const ReliabilityProblem& p, std::size_t budget, ReliabilityAnswer& a)
+FormResult search(const ReliabilityProblem& p, std::size_t budget, ReliabilityAnswer& a)
 {
-    uq::FormOptions o;
+    FormOptions o;
     o.seed = p.seed;
     o.max_evaluations = budget;
     if (p.rough) loosen(o);
-    uq::FormResult r = uq::form(p.event, o);
+    FormResult r = form(p.event, o);
     take(r.ledger, a);
     take(r, p, a);
     MethodAnswer m;
     m.method = "FORM";
     m.outcome = words(r);
-    if (r.outcome == uq::FormOutcome::agreed) m.probability = uq::probability(r.points.front());
+    if (r.outcome == FormOutcome::agreed) m.probability = probability(r.points.front());
     a.methods.push_back(m);
     if (r.points.size() > 1)
         a.warnings.push_back(std::to_string(r.points.size()) +
@@ -109,10 +108,9 @@ uq::FormResult search(const ReliabilityProblem& p, std::size_t budget, Reliabili
     return r;
 }
 
-void second_order(const ReliabilityProblem& p, const uq::FormResult& first,
-                  ReliabilityAnswer& a)
+void second_order(const ReliabilityProblem& p, const FormResult& first, ReliabilityAnswer& a)
 {
-    if (first.outcome != uq::FormOutcome::agreed) return;
+    if (first.outcome != FormOutcome::agreed) return;
     const auto d = static_cast<std::size_t>(p.event.dimension);
     if (const std::size_t needed = 2 * (d - 1) * (d - 1) + 1; needed > left(p, a)) {
         a.warnings.push_back("SORM was left out: it needs " + std::to_string(needed) +
@@ -120,7 +118,7 @@ void second_order(const ReliabilityProblem& p, const uq::FormResult& first,
                              " of the budget are left");
         return;
     }
-    const uq::SormResult r = uq::sorm(p.event, first.points.front());
+    const SormResult r = sorm(p.event, first.points.front());
     take(r.ledger, a);
     const auto one = [&](const char* name, const std::optional<double>& value) {
         MethodAnswer m;
@@ -135,7 +133,7 @@ void second_order(const ReliabilityProblem& p, const uq::FormResult& first,
     one("Tvedt", r.tvedt);
 }
 
-void important(const ReliabilityProblem& p, const uq::FormResult& first, ReliabilityAnswer& a)
+void important(const ReliabilityProblem& p, const FormResult& first, ReliabilityAnswer& a)
 {
     if (first.points.empty()) {
         a.warnings.emplace_back("no design point was found: no importance sampling");
@@ -147,13 +145,13 @@ void important(const ReliabilityProblem& p, const uq::FormResult& first, Reliabi
     }
     Eigen::MatrixXd centres(static_cast<Eigen::Index>(first.points.size()), p.event.dimension);
     for (Eigen::Index i = 0; i < centres.rows(); ++i)
-        centres.row(i) = first.points[static_cast<std::size_t>(i)].at.u.transpose();
-    uq::ImportanceOptions o;
+        centres.row(i) = first.points[i].at.u.transpose();
+    ImportanceOptions o;
     o.max_samples = left(p, a);
     o.batch = std::min<std::size_t>(o.batch, o.max_samples);
     o.target_cov = p.target_cov;
     o.seed = p.seed;
-    add("importance sampling", uq::importance_sampling(p.event, centres, o).exceedance, a);
+    add("importance sampling", importance_sampling(p.event, centres, o).exceedance, a);
 }
 
-} // namespace app
+} // namespace uq

@@ -1,16 +1,16 @@
-#include "app/output/block_displacement.hpp"
+#include "dem/scene/block_displacement.hpp"
 
 #include <cmath>
 #include <limits>
 
-namespace app {
+namespace dem {
 
-dem::Point displacement_at(const dem::Snapshot& wall, int block, dem::Point at)
+Point displacement_at(const Snapshot& wall, int block, Point at)
 {
     if (block < 0) return {};
-    const dem::BlockState& b = wall.blocks.at(static_cast<std::size_t>(block));
+    const BlockState& b = wall.blocks.at(block);
     double nearest = std::numeric_limits<double>::infinity();
-    dem::Point u;
+    Point u;
     for (std::size_t i = 0; i < b.outline.size(); ++i) {
         const double distance = std::hypot(b.outline[i].x - at.x, b.outline[i].z - at.z);
         if (distance >= nearest) continue;
@@ -20,4 +20,4 @@ dem::Point displacement_at(const dem::Snapshot& wall, int block, dem::Point at)
     return u;
 }
 
-} // namespace app
+} // namespace dem

@@ -1,11 +1,11 @@
-#include "app/reliability/methods.hpp"
+#include "uq/reliability/reliability.hpp"
 
-#include "app/reliability/design_points.hpp"
-#include "app/reliability/method_answers.hpp"
 #include "uq/designs/sobol.hpp"
 #include "uq/marginals/normal_quantile.hpp"
 #include "uq/reliability/crude_monte_carlo.hpp"
+#include "uq/reliability/design_methods.hpp"
 #include "uq/reliability/evaluate.hpp"
+#include "uq/reliability/method_answers.hpp"
 #include "uq/reliability/subset_simulation.hpp"
 #include "uq/sensitivity/regression.hpp"
 #include "uq/sensitivity/sobol_indices.hpp"
@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace app {
+namespace uq {
 namespace {
 
 constexpr Eigen::Index kBatch = 100; ///< evaluations asked for at a time
@@ -25,33 +25,33 @@ constexpr int kSubsetLevels = 5;
 
 void plain(const ReliabilityProblem& p, ReliabilityAnswer& a)
 {
-    uq::MonteCarloOptions o;
+    MonteCarloOptions o;
     o.max_samples = static_cast<std::size_t>(p.budget);
     o.batch = std::min<std::size_t>(100, o.max_samples);
     o.target_cov = p.target_cov;
     o.seed = p.seed;
-    add("Monte Carlo", uq::crude_monte_carlo(p.event, o), a);
+    add("Monte Carlo", crude_monte_carlo(p.event, o), a);
 }
 
 void subsets(const ReliabilityProblem& p, ReliabilityAnswer& a)
 {
-    uq::SubsetOptions o;
+    SubsetOptions o;
     o.samples = static_cast<std::size_t>(p.budget) / (10 * kSubsetLevels) * 10;
     o.max_evaluations = static_cast<std::size_t>(p.budget);
     o.target_cov = p.target_cov;
     o.seed = p.seed;
-    add("subset simulation", uq::subset_simulation(p.event, o).exceedance, a);
+    add("subset simulation", subset_simulation(p.event, o).exceedance, a);
 }
 
 void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
 {
-    uq::MultiFidelityOptions o;
-    o.quantity = uq::Quantity::probability;
+    MultiFidelityOptions o;
+    o.quantity = Quantity::probability;
     o.expensive_cost = 1.0;
     o.budget = p.budget;
     o.pilot = std::max<std::size_t>(20, static_cast<std::size_t>(p.budget) / 4);
     o.seed = p.seed;
-    const uq::MultiFidelityResult r = uq::multi_fidelity(p.event, p.cheap, o);
+    const MultiFidelityResult r = multi_fidelity(p.event, p.cheap, o);
     take(r.expensive, a);
     MethodAnswer m;
     m.method = "multi-fidelity";
@@ -72,36 +72,35 @@ void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
 void variance_shares(const ReliabilityProblem& p, ReliabilityAnswer& a)
 {
     const Eigen::Index d = p.event.dimension, n = p.budget / (d + 2);
-    const Eigen::MatrixXd cube = uq::sobol(0, n, 2 * static_cast<int>(d), p.seed);
+    const Eigen::MatrixXd cube = sobol(0, n, 2 * static_cast<int>(d), p.seed);
     const Eigen::MatrixXd u =
-        uq::pick_freeze(cube.leftCols(d), cube.rightCols(d)).unaryExpr(&uq::normal_quantile);
-    uq::Ledger ledger;
+        pick_freeze(cube.leftCols(d), cube.rightCols(d)).unaryExpr(&normal_quantile);
+    Ledger ledger;
     Eigen::VectorXd g(u.rows());
     for (Eigen::Index first = 0; first < u.rows(); first += kBatch) {
         const Eigen::Index rows = std::min<Eigen::Index>(kBatch, u.rows() - first);
-        g.segment(first, rows) = uq::limit_values(p.event, u.middleRows(first, rows), ledger);
+        g.segment(first, rows) = limit_values(p.event, u.middleRows(first, rows), ledger);
     }
     const Eigen::ArrayXd independent = g.head(2 * n);
     const auto passed = static_cast<std::size_t>((independent <= 0.0).count()); // NaN is not
     const auto failed = static_cast<std::size_t>(independent.isNaN().count());
-    uq::Exceedance e =
-        uq::count_exceedance(passed, failed, static_cast<std::size_t>(2 * n), 0.95);
-    if (e.outcome == uq::SamplingOutcome::limit_reached &&
-        uq::coefficient_of_variation(e.estimate) <= p.target_cov)
-        e.outcome = uq::SamplingOutcome::target_reached;
+    Exceedance e = count_exceedance(passed, failed, static_cast<std::size_t>(2 * n), 0.95);
+    if (e.outcome == SamplingOutcome::limit_reached &&
+        coefficient_of_variation(e.estimate) <= p.target_cov)
+        e.outcome = SamplingOutcome::target_reached;
     e.ledger = std::move(ledger);
     add("Sobol' points", e, a);
     Sensitivity one{"first-order Sobol' index", {}};
     Sensitivity all{"total Sobol' index", {}};
-    uq::SobolIndices s;
+    SobolIndices s;
     try {
-        s = uq::sobol_indices(g, d);
+        s = sobol_indices(g, d);
     } catch (const std::invalid_argument& none) {
         a.warnings.push_back(std::string("there are no Sobol' indices: ") + none.what());
         return;
     }
     for (std::size_t i = 0; i < s.inputs.size(); ++i) {
-        const auto share = [&](const uq::Estimate& x) {
+        const auto share = [&](const Estimate& x) {
             return InputShare{p.normal[i], x.value, x.std_error, x.interval.lower,
                               x.interval.upper};
         };
@@ -112,8 +111,8 @@ void variance_shares(const ReliabilityProblem& p, ReliabilityAnswer& a)
 }
 
 /// Of independent samples.
-void regress(const ReliabilityProblem& p, const std::vector<Evaluated>& seen,
-             ReliabilityAnswer& a)
+void rank_correlations(const ReliabilityProblem& p, const std::vector<Evaluated>& seen,
+                       ReliabilityAnswer& a)
 {
     const auto d = static_cast<Eigen::Index>(p.inputs.size());
     std::vector<const Evaluated*> sound;
@@ -124,14 +123,14 @@ void regress(const ReliabilityProblem& p, const std::vector<Evaluated>& seen,
     Eigen::MatrixXd x(n, d);
     Eigen::VectorXd y(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        x.row(i) = sound[static_cast<std::size_t>(i)]->x.transpose();
-        y(i) = sound[static_cast<std::size_t>(i)]->response;
+        x.row(i) = sound[i]->x.transpose();
+        y(i) = sound[i]->response;
     }
-    const auto r = uq::regress(x, y, {.scale = uq::RegressionScale::ranks});
+    const auto r = regress(x, y, {.scale = RegressionScale::ranks});
     if (!r) return;
     Sensitivity s{"partial rank correlation with the response", {}};
     for (std::size_t i = 0; i < r->inputs.size(); ++i) {
-        const uq::Estimate& e = r->inputs[i].partial;
+        const Estimate& e = r->inputs[i].partial;
         s.shares.push_back({p.inputs[i], e.value, {}, e.interval.lower, e.interval.upper});
     }
     a.sensitivities.push_back(std::move(s));
@@ -139,18 +138,40 @@ void regress(const ReliabilityProblem& p, const std::vector<Evaluated>& seen,
 
 /// The model, with a note of what it was asked and what it said. Samples that the model throws on
 /// are failed samples here already, so that they are noted too.
-uq::BlackBox noting(const uq::LimitState& s, std::vector<Evaluated>& seen,
-                    const std::function<void()>& on_batch)
+BlackBox noting(const LimitState& s, std::vector<Evaluated>& seen, const OnBatch& on_batch)
 {
-    return
-        [model = s.model, response = s.response, &seen, on_batch](const uq::Samples& samples) {
-            uq::Responses r = uq::evaluate(model, samples, response + 1);
-            for (Eigen::Index i = 0; i < samples.x.rows(); ++i)
-                seen.push_back({samples.x.row(i).transpose(), r.y(i, response),
-                                r.failure[static_cast<std::size_t>(i)]});
-            if (on_batch) on_batch();
-            return r;
-        };
+    return [model = s.model, response = s.response, &seen, on_batch](const Samples& samples) {
+        Responses r = evaluate(model, samples, response + 1);
+        const std::size_t before = seen.size();
+        for (Eigen::Index i = 0; i < samples.x.rows(); ++i)
+            seen.push_back({samples.x.row(i).transpose(), r.y(i, response), r.failure[i]});
+        if (on_batch) on_batch(std::span(seen).subspan(before));
+        return r;
+    };
+}
+
+void check_problem(const ReliabilityProblem& p)
+{
+    const auto refuse = [](const std::string& why) {
+        throw std::invalid_argument("reliability: " + why);
+    };
+    check(p.event);
+    const auto check_names = [&](const std::vector<std::string>& names, Eigen::Index n,
+                                 const std::string& what) {
+        if (static_cast<Eigen::Index>(names.size()) != n)
+            refuse("there must be a name for each of the " + std::to_string(n) + " " + what +
+                   ", but there are " + std::to_string(names.size()));
+    };
+    const Eigen::MatrixXd medians = Eigen::MatrixXd::Zero(1, p.event.dimension);
+    check_names(p.normal, p.event.dimension, "coordinates");
+    check_names(p.inputs,
+                p.event.to_physical ? p.event.to_physical(medians).cols() : p.event.dimension,
+                "inputs");
+    if (const std::string why = budget_too_small(p.method, p.budget, p.event.dimension);
+        !why.empty())
+        refuse("the budget " + why);
+    if (p.method == ReliabilityMethod::multi_fidelity && p.cheap.empty())
+        refuse("multi_fidelity needs a cheap model");
 }
 
 /// The commonest reasons of failed evaluations, with their numbers.
@@ -158,7 +179,7 @@ void tell_failures(ReliabilityAnswer& a)
 {
     constexpr std::size_t kShown = 3;
     std::map<std::string, std::size_t> number;
-    for (const uq::FailedSample& f : a.failed) ++number[f.reason];
+    for (const FailedSample& f : a.failed) ++number[f.reason];
     std::vector<std::pair<std::size_t, std::string>> sorted;
     for (const auto& [reason, n] : number) sorted.emplace_back(n, reason);
     std::ranges::stable_sort(sorted, std::greater<>(),
@@ -169,12 +190,12 @@ void tell_failures(ReliabilityAnswer& a)
                              " evaluations failed: " + sorted[i].second);
     if (sorted.size() > kShown)
         a.warnings.push_back(std::to_string(sorted.size() - kShown) +
-                             " further reasons of failed evaluations are in evaluations.csv");
+                             " further reasons of failed evaluations are not shown");
 }
 
 } // namespace
 
-std::string too_small(ReliabilityMethod method, int budget, Eigen::Index dimension)
+std::string budget_too_small(ReliabilityMethod method, int budget, Eigen::Index dimension)
 {
     const auto d = static_cast<int>(dimension);
     const auto need = [budget](int least, const char* what) {
@@ -199,9 +220,10 @@ std::string too_small(ReliabilityMethod method, int budget, Eigen::Index dimensi
     return need(1, "one sample");
 }
 
-ReliabilityAnswer answer(const ReliabilityProblem& problem, std::vector<Evaluated>& seen,
-                         const std::function<void()>& on_batch)
+ReliabilityAnswer reliability(const ReliabilityProblem& problem, const OnBatch& on_batch)
 {
+    check_problem(problem);
+    std::vector<Evaluated> seen;
     ReliabilityProblem p = problem;
     p.event.model = noting(problem.event, seen, on_batch);
     ReliabilityAnswer a;
@@ -209,10 +231,10 @@ ReliabilityAnswer answer(const ReliabilityProblem& problem, std::vector<Evaluate
     switch (p.method) {
     case ReliabilityMethod::monte_carlo:
         plain(p, a);
-        regress(p, seen, a);
+        rank_correlations(p, seen, a);
         break;
     case ReliabilityMethod::form: {
-        const uq::FormResult first = search(p, budget, a);
+        const FormResult first = search(p, budget, a);
         look_elsewhere(p, first, a);
         if (!p.rough) second_order(p, first, a);
         break;
@@ -234,4 +256,4 @@ ReliabilityAnswer answer(const ReliabilityProblem& problem, std::vector<Evaluate
     return a;
 }
 
-} // namespace app
+} // namespace uq

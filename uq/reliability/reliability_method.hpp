@@ -1,0 +1,8 @@
+#pragma once
+/// The ways to a small probability, by name.
+
+namespace uq {
+
+enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity, sobol };
+
+} // namespace uq
