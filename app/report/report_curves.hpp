@@ -2,7 +2,6 @@
 /// Capacity curves for the page: of each wall, and their means.
 
 #include "app/report/report_choice.hpp"
-#include "app/study/resampled_curve.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

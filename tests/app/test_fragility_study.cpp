@@ -171,5 +171,5 @@ TEST_CASE(
                       Catch::Contains("a study has none"));
     CHECK_THROWS_WITH(run({"fragility", csv, "--drift", "drift", "--set",
                            "fragility.crossing=last", "--out", out}),
-                      Catch::Contains("of a table only"));
+                      Catch::Contains("for a table, only"));
 }
