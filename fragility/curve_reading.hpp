@@ -61,7 +61,7 @@ enum class Reading {
     not_defined ///< the curve has no such point; `displacement` is 0 and means nothing
 };
 
-/// In the order of Reading.
+/// Names in the order of Reading.
 inline constexpr std::array<std::string_view, 3> kReadingNames = {"observed", "censored",
                                                                   "not defined"};
 [[nodiscard]] constexpr std::string_view name(Reading reading)

@@ -71,7 +71,7 @@ enum class Side {
     left
 };
 
-/// In the order of Side.
+/// Names in the order of Side.
 inline constexpr std::array<std::string_view, 4> kSideNames = {"mean", "worse", "right",
                                                                "left"};
 

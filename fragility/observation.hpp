@@ -44,7 +44,7 @@ constexpr double kEndsTogether = 2e-3;
 /// beyond it. 0 without walls.
 [[nodiscard]] double known_to(std::span<const Observation> data);
 
-/// Whether a value is not beyond such an end.
+/// Whether walls that are known to `end` are known at x.
 [[nodiscard]] constexpr bool is_known(double x, double end)
 {
     return x <= end * (1.0 + kEndsTogether);

@@ -23,7 +23,7 @@ struct MeanOf {
 /// @param values of the walls; without any the mean is not known
 [[nodiscard]] MeanOf mean_of(const std::vector<double>& values, double confidence);
 
-/// Sum over number.
+/// The sum of the values divided by their number.
 [[nodiscard]] double plain_mean(const std::vector<double>& values);
 
 /// A mean ends where fewer of its walls are still pushed [-]: those left are not a fair sample, since walls

@@ -63,10 +63,10 @@ template <class Interval>
 /// Decimals that show three digits of a value of this size, in 0 .. 6.
 [[nodiscard]] int decimals_for(double size);
 
-/// A vertical stress, given in Pa, in MPa.
+/// A vertical stress [Pa] as a cell in MPa.
 [[nodiscard]] inline Number stress_cell(double stress) { return given(stress / 1e6); }
 
-/// `start`, and `more` behind it.
+/// The cells of `start`, followed by those of `more`.
 [[nodiscard]] Row joined(Row start, Row more);
 
 /// Adds a row to a table whose last column is a note: cells that are missing before it are empty.

@@ -24,7 +24,7 @@ struct WantedWall {
 [[nodiscard]] int values_per_wall(const RandomInput& input, Spatial spatial,
                                   const dem::Layout& layout);
 
-/// values_per_wall of each input.
+/// How many values each input has in a wall, by values_per_wall.
 [[nodiscard]] std::vector<int> sites_of(std::span<const RandomInput> inputs, Spatial spatial,
                                         const dem::Layout& layout);
 
@@ -34,7 +34,7 @@ struct WantedWall {
 /// @throws BadValue (app/input/units.hpp) if there are more or fewer
 [[nodiscard]] WallDraw draw_of(std::span<const int> sites, std::span<const double> values);
 
-/// The same; each value must lie in the range of its key.
+/// The same draw, each of whose values must lie in the range of its key.
 /// @throws BadValue (app/input/units.hpp) naming the key
 [[nodiscard]] WallDraw checked_draw(std::span<const RandomInput> inputs,
                                     std::span<const int> sites, std::span<const double> values);

@@ -27,7 +27,7 @@ enum class Deal {
                                             Deal deal = Deal::walls);
 
 /// Walls that a file has although they do not belong to a shard of this number: another version of the program
-/// divided them. None of a whole study.
+/// divided them. A whole study has none.
 [[nodiscard]] std::vector<WallKey> foreign_walls(const StoreHead& head,
                                                  const std::vector<WallStatus>& there,
                                                  Deal deal = Deal::walls);

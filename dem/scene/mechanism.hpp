@@ -36,7 +36,7 @@ enum class FailureMode {
     mixed    ///< diagonal shear: units crack and bed joints slide
 };
 
-/// In the order of FailureMode.
+/// Names in the order of FailureMode.
 inline constexpr std::array<std::string_view, 3> kModeNames = {"rocking", "sliding", "mixed"};
 [[nodiscard]] constexpr std::string_view name(FailureMode mode)
 {

@@ -31,7 +31,7 @@ enum class Outcome {
     no_wall        ///< its materials make no wall, so that nothing was pushed
 };
 
-/// In the order of Outcome.
+/// Names in the order of Outcome.
 inline constexpr std::array<std::string_view, 7> kOutcomeNames = {
     "reached target", "decided",      "lost equilibrium", "not finite",
     "energy astray",  "out of steps", "no wall"};

@@ -39,7 +39,8 @@ TEST_CASE("fragility modes: a mode that does not occur has the share 0 with an u
     CHECK(cell(t, 1, "Clopper-Pearson [%]") == "0.0 to 30.8"); // 1 - 0.025^(1/10)
     const app::Table equal = app::equal_modes_table(walls);
     CHECK(cell(equal, 0, "angle [deg]").empty());
-    CHECK(cell(equal, 0, "note") == "The mode mixed does not occur: the data have no such angle.");
+    CHECK(cell(equal, 0, "note") ==
+          "The mode mixed does not occur: the data have no such angle.");
     CHECK(cell(equal, 0, "slope [1/deg]").empty());
 }
 
@@ -184,7 +185,8 @@ TEST_CASE("fragility modes: three modes have their shares, their angles and thei
     const app::Table equal = app::equal_modes_table(walls);
     CHECK(cell(equal, 0, "other mode") == "sliding");
     CHECK(cell(equal, 0, "n") == "20");
-    CHECK(cell(equal, 1, "note") == "The mode mixed does not occur: the data have no such angle.");
+    CHECK(cell(equal, 1, "note") ==
+          "The mode mixed does not occur: the data have no such angle.");
     const app::Table t = app::threshold_table(walls);
     CHECK(cell(t, 0, "sliding at 0.50 MPa [%]") == "25");
     CHECK(cell(t, 0, "mixed at 0.50 MPa [%]") == "0");
