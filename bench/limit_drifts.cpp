@@ -36,15 +36,14 @@ std::string quantile_text(const fragility::KaplanMeier& km, double p)
 
 /// A limit drift of each wall. @param limit where the wall reached it
 template <class Limit>
-fragility::KaplanMeier drifts(const std::vector<const app::StudyWall*>& walls, double height,
-                              Limit limit)
+fragility::KaplanMeier drifts(const app::WallList& walls, double height, Limit limit)
 {
     std::vector<fragility::Observation> all;
     for (const app::StudyWall* w : walls) {
         const fragility::LimitDisplacement& u = limit(*w);
         const double drift = u.displacement / height;
-        all.push_back(app::is_observed(u) ? fragility::observed(drift)
-                                          : fragility::right_censored(drift));
+        all.push_back(is_observed(u) ? fragility::observed(drift)
+                                     : fragility::right_censored(drift));
     }
     return fragility::kaplan_meier(all);
 }
@@ -58,15 +57,6 @@ const fragility::LimitDisplacement& collapse(const app::StudyWall& w)
     return w.reading.collapse;
 }
 
-/// Walls of a mode, or of all modes (-1).
-std::vector<const app::StudyWall*> walls_of(const app::StudyLevel& level, int mode = -1)
-{
-    std::vector<const app::StudyWall*> walls;
-    for (const app::StudyWall& w : level.walls)
-        if (mode < 0 || app::mode_of(w) == mode) walls.push_back(&w);
-    return walls;
-}
-
 } // namespace
 
 app::Row limit_row(const std::string& name, const app::StudyWalls& study,
@@ -77,13 +67,14 @@ app::Row limit_row(const std::string& name, const app::StudyWalls& study,
     double force = 0.0, stood = 0.0;
     for (const app::StudyWall& w : level.walls) {
         force += app::peak_force(w.reading) * 1e-3;
-        stood += app::is_observed(w.reading.ultimate) ? 0.0 : 1.0;
+        stood += is_observed(w.reading.ultimate) ? 0.0 : 1.0;
     }
     std::string shares;
     for (const int mode : {app::kRocking, app::kSliding, app::kMixed})
         shares += (shares.empty() ? "" : " / ") +
                   app::fixed(100.0 * static_cast<double>(walls_of(level, mode).size()) / n, 0);
-    const fragility::KaplanMeier km = drifts(walls_of(level), study.height, ultimate);
+    const fragility::KaplanMeier km =
+        drifts(app::walls_of(level, app::kAllModes), study.height, ultimate);
     return {app::fixed(level.stress * 1e-6, 2),
             name,
             app::fixed(force / n, 1),

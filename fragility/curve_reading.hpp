@@ -6,6 +6,7 @@
 /// one displacement) is allowed. A curve that starts at a displacement above zero is led there
 /// from the origin by a straight line.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -60,12 +61,33 @@ enum class Reading {
     not_defined ///< the curve has no such point; `displacement` is 0 and means nothing
 };
 
+/// Names in the order of Reading.
+inline constexpr std::array<std::string_view, 3> kReadingNames = {"observed", "censored",
+                                                                  "not defined"};
+[[nodiscard]] constexpr std::string_view name(Reading reading)
+{
+    return kReadingNames[static_cast<int>(reading)];
+}
+
 struct LimitDisplacement {
     double displacement = 0.0; ///< [length], finite
     Reading reading = Reading::not_defined;
     /// Why it is not observed, or what an observed value leans on; else empty.
     std::string_view reason;
 };
+
+[[nodiscard]] constexpr bool is_observed(const LimitDisplacement& d)
+{
+    return d.reading == Reading::observed;
+}
+[[nodiscard]] constexpr bool is_censored(const LimitDisplacement& d)
+{
+    return d.reading == Reading::censored;
+}
+[[nodiscard]] constexpr bool is_defined(const LimitDisplacement& d)
+{
+    return d.reading != Reading::not_defined;
+}
 
 /// Jerky curves cross a level many times.
 enum class Crossing {

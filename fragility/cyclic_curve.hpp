@@ -6,9 +6,11 @@
 
 #include "fragility/curve_reading.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace fragility {
@@ -68,6 +70,10 @@ enum class Side {
     right, ///< the backbone of displacements > 0
     left
 };
+
+/// Names in the order of Side.
+inline constexpr std::array<std::string_view, 4> kSideNames = {"mean", "worse", "right",
+                                                               "left"};
 
 /// Of the displacements of two directions the one that comes first: not observed where it may come after the end of the
 /// other's curve, not defined where one is not.

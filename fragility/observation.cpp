@@ -2,6 +2,7 @@
 
 #include "fragility/interval.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -56,6 +57,23 @@ Counts count(std::span<const Observation> data, bool positive)
         }
     }
     return c;
+}
+
+double known_to(std::span<const Observation> data)
+{
+    double end = 0.0;
+    for (const Observation& o : data) end = std::max(end, o.lower);
+    return end;
+}
+
+double common_end(std::span<const Observation> data)
+{
+    const double largest = known_to(data);
+    double end = largest;
+    for (const Observation& o : data)
+        if (o.lower < o.upper && o.lower >= largest * (1.0 - kEndsTogether))
+            end = std::min(end, o.lower);
+    return end;
 }
 
 } // namespace fragility

@@ -37,4 +37,21 @@ struct Counts {
 };
 [[nodiscard]] Counts count(std::span<const Observation> data, bool positive);
 
+/// Runs of one push end up to one interval of their curve apart: ends that differ by less are one [-].
+constexpr double kEndsTogether = 2e-3;
+
+/// The largest value at which any of these walls reached the limit state or still stood: no wall was tested
+/// beyond it. 0 without walls.
+[[nodiscard]] double known_to(std::span<const Observation> data);
+
+/// Whether walls that are known to `end` are known at x.
+[[nodiscard]] constexpr bool is_known(double x, double end)
+{
+    return x <= end * (1.0 + kEndsTogether);
+}
+
+/// known_to, or where runs ended together there, the first of their ends: beyond it the few that went on
+/// would stand for all.
+[[nodiscard]] double common_end(std::span<const Observation> data);
+
 } // namespace fragility

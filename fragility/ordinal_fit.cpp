@@ -1,5 +1,6 @@
 #include "fragility/ordinal_fit.hpp"
 
+#include "fragility/chi_squared.hpp"
 #include "fragility/maximise.hpp"
 #include "fragility/standard_law.hpp"
 
@@ -174,6 +175,14 @@ void compare_with_shares(OrdinalFit& f, std::span<const StateCounts> data)
     f.freedom = free_shares - static_cast<double>(f.medians.size() + 1);
 }
 
+double two_sided(double confidence) { return StandardNormal::quantile(0.5 + 0.5 * confidence); }
+
+Interval log_interval(double value, double log_error, double confidence)
+{
+    const double factor = std::exp(two_sided(confidence) * log_error);
+    return {value / factor, value * factor, confidence};
+}
+
 } // namespace
 
 OrdinalFit fit_ordinal(std::span<const StateCounts> data)
@@ -202,6 +211,26 @@ OrdinalFit fit_ordinal(std::span<const StateCounts> data)
     return f;
 }
 
+double p_value(const OrdinalFit& fit)
+{
+    return fit.freedom > 0.0 ? chi_squared_survival(std::max(0.0, fit.deviance), fit.freedom)
+                             : std::numeric_limits<double>::quiet_NaN();
+}
+
+LogEstimate median(const OrdinalFit& fit, std::size_t state, double confidence)
+{
+    const auto k = static_cast<Index>(state - 1);
+    const double value = fit.medians[state - 1], log_error = std::sqrt(fit.covariance(k, k));
+    return {value, value * log_error, log_error, log_interval(value, log_error, confidence)};
+}
+
+LogEstimate dispersion(const OrdinalFit& fit, double confidence)
+{
+    const Index last = fit.covariance.rows() - 1;
+    const double value = fit.dispersion, error = std::sqrt(fit.covariance(last, last));
+    return {value, error, error / value, log_interval(value, error / value, confidence)};
+}
+
 StateProbability probability(const OrdinalFit& fit, std::size_t state, double intensity)
 {
     const auto k = static_cast<Index>(state - 1);
@@ -211,6 +240,13 @@ StateProbability probability(const OrdinalFit& fit, std::size_t state, double in
     const double variance = fit.covariance(k, k) + 2.0 * probit * fit.covariance(k, last) +
                             probit * probit * fit.covariance(last, last);
     return {StandardNormal::cdf(probit), probit, std::sqrt(variance) / fit.dispersion};
+}
+
+Interval band(const StateProbability& p, double confidence)
+{
+    const double z = two_sided(confidence);
+    return {StandardNormal::cdf(p.probit - z * p.probit_error),
+            StandardNormal::cdf(p.probit + z * p.probit_error), confidence};
 }
 
 std::vector<StateCounts> reaching(std::span<const StateCounts> data, std::size_t state)

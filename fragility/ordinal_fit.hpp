@@ -4,6 +4,7 @@
 /// multiple-stripe analysis (Baker 2015, Earthquake Spectra 31, 579-599, eq. 11). All states have
 /// one dispersion, so that their curves cannot cross.
 
+#include "fragility/interval.hpp"
 #include "fragility/model_outcome.hpp"
 
 #include <Eigen/Dense>
@@ -36,6 +37,22 @@ struct OrdinalFit {
 /// Maximum likelihood.
 [[nodiscard]] OrdinalFit fit_ordinal(std::span<const StateCounts> data);
 
+/// P(a chi-squared variable > deviance): how often counts that were drawn from the curves would differ from
+/// them more than those that were fitted. Rough where few walls are expected in a state. NaN without freedom.
+[[nodiscard]] double p_value(const OrdinalFit& fit);
+
+/// A positive number with its doubt, by the delta method on its logarithm.
+struct LogEstimate {
+    double value;
+    double std_error; ///< of the value, same unit
+    double log_error; ///< of ln value
+    Interval interval;
+};
+/// @param fit converged  @param state 1, 2, ...  @param confidence in (0, 1)
+[[nodiscard]] LogEstimate median(const OrdinalFit& fit, std::size_t state,
+                                 double confidence = 0.95);
+[[nodiscard]] LogEstimate dispersion(const OrdinalFit& fit, double confidence = 0.95);
+
 /// P(state >= k) at an intensity, and its standard error on the probit axis (delta method).
 struct StateProbability {
     double probability, probit, probit_error;
@@ -43,6 +60,9 @@ struct StateProbability {
 /// @param state 1, 2, ...  @param intensity > 0
 [[nodiscard]] StateProbability probability(const OrdinalFit& fit, std::size_t state,
                                            double intensity);
+/// The interval of the probability, by its standard error on the probit axis.
+/// @param confidence in (0, 1)
+[[nodiscard]] Interval band(const StateProbability& p, double confidence = 0.95);
 
 /// The same counts with all states below `state` as "none", and all others as reached.
 [[nodiscard]] std::vector<StateCounts> reaching(std::span<const StateCounts> data,

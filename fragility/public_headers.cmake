@@ -14,6 +14,7 @@ set(FRAGILITY_PUBLIC_HEADERS
     interval.hpp
     kaplan_meier.hpp
     law.hpp
+    law_parameters.hpp
     limit_states.hpp
     maximise.hpp
     median_bound.hpp
@@ -24,5 +25,6 @@ set(FRAGILITY_PUBLIC_HEADERS
     observation.hpp
     ordinal_fit.hpp
     performance_limits.hpp
+    resampled_curve.hpp
     sample_quantile.hpp
     stress_model.hpp)

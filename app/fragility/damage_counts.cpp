@@ -14,38 +14,20 @@ namespace {
 
 constexpr double kMostDamageStates = 20;
 
-struct Cells {
-    const std::string& path;
-    const Csv& csv;
-
-    [[nodiscard]] std::size_t column(const std::string& name) const
-    {
-        return find_column(path, csv, name);
-    }
-    [[nodiscard]] double at(const CsvRow& row, std::size_t c) const
-    {
-        return number_at(path, csv, row, c);
-    }
-    [[noreturn]] void refuse(const CsvRow& row, std::size_t c, const std::string& why) const
-    {
-        throw ConfigError(path, row.line, csv.head[c], why);
-    }
-};
-
 /// Walls in each state of a row, from the numbers that reached it or a severer one.
-std::vector<double> from_failed(const Cells& t, const CsvRow& row, std::size_t of,
+std::vector<double> from_failed(const Csv& csv, const CsvRow& row, std::size_t of,
                                 const std::vector<std::size_t>& failed)
 {
     std::vector<double> walls;
-    double before = t.at(row, of);
+    double before = number_at(csv, row, of);
     std::size_t column = of;
     for (const std::size_t c : failed) {
-        const double n = t.at(row, c);
+        const double n = number_at(csv, row, c);
         if (n > before)
-            t.refuse(row, c,
-                     number(n, 12) + " is more than " + number(before, 12) + " in column " +
-                         in_quotes(t.csv.head[column]) +
-                         (column == of ? "" : ", the milder state"));
+            refuse_cell(csv, row, c,
+                        number(n, 12) + " is more than " + number(before, 12) + " in column " +
+                            in_quotes(csv.head[column]) +
+                            (column == of ? "" : ", the milder state"));
         walls.push_back(before - n);
         before = n;
         column = c;
@@ -54,13 +36,14 @@ std::vector<double> from_failed(const Cells& t, const CsvRow& row, std::size_t o
     return walls;
 }
 
-std::vector<double> from_state(const Cells& t, const CsvRow& row, std::size_t state, double n)
+std::vector<double> from_state(const Csv& csv, const CsvRow& row, std::size_t state, double n)
 {
-    const double k = t.at(row, state);
+    const double k = number_at(csv, row, state);
     if (k != std::floor(k) || k > kMostDamageStates)
-        t.refuse(row, state,
-                 number(k, 12) + " is not a damage state; write 0 for none, 1, 2, ... up to " +
-                     number(kMostDamageStates, 12));
+        refuse_cell(csv, row, state,
+                    number(k, 12) +
+                        " is not a damage state; write 0 for none, 1, 2, ... up to " +
+                        number(kMostDamageStates, 12));
     std::vector<double> walls(static_cast<std::size_t>(k) + 1, 0.0);
     walls.back() = n;
     return walls;
@@ -79,31 +62,31 @@ merged(const std::map<double, std::vector<double>>& by_intensity, std::size_t st
 
 } // namespace
 
-DamageCounts damage_counts(const std::string& path, const Csv& csv, const CountColumns& columns)
+DamageCounts damage_counts(const Csv& csv, const CountColumns& columns)
 {
-    const Cells t{path, csv};
-    const std::size_t intensity = t.column(columns.intensity);
+    check_rows(csv);
+    const std::size_t intensity = find_column(csv, columns.intensity);
     std::vector<std::size_t> failed;
-    for (const std::string& name : columns.failed) failed.push_back(t.column(name));
+    for (const std::string& name : columns.failed) failed.push_back(find_column(csv, name));
     const bool by_state = failed.empty();
-    const std::size_t state = by_state ? t.column(columns.state) : 0;
+    const std::size_t state = by_state ? find_column(csv, columns.state) : 0;
     const bool counted = !columns.of.empty();
-    const std::size_t of = counted ? t.column(columns.of) : 0;
+    const std::size_t of = counted ? find_column(csv, columns.of) : 0;
 
     std::map<double, std::vector<double>> by_intensity;
     std::size_t states = failed.size() + 1;
     for (const CsvRow& row : csv.rows) {
-        const double x = t.at(row, intensity);
-        if (!(x > 0.0)) t.refuse(row, intensity, "is 0; an intensity must be above 0");
+        const double x = number_at(csv, row, intensity);
+        if (!(x > 0.0)) refuse_cell(csv, row, intensity, "is 0; an intensity must be above 0");
         const std::vector<double> walls =
-            by_state ? from_state(t, row, state, counted ? t.at(row, of) : 1.0)
-                     : from_failed(t, row, of, failed);
+            by_state ? from_state(csv, row, state, counted ? number_at(csv, row, of) : 1.0)
+                     : from_failed(csv, row, of, failed);
         std::vector<double>& sum = by_intensity[x];
         sum.resize(std::max(sum.size(), walls.size()), 0.0);
         for (std::size_t k = 0; k < walls.size(); ++k) sum[k] += walls[k];
         states = std::max(states, walls.size());
     }
-    DamageCounts d{std::filesystem::path(path).filename().string(),
+    DamageCounts d{std::filesystem::path(csv.path).filename().string(),
                    csv.head[intensity],
                    {},
                    merged(by_intensity, std::max<std::size_t>(states, 2))};

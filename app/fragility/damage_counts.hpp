@@ -27,8 +27,7 @@ struct DamageCounts {
 };
 
 /// @throws ConfigError naming row and column: no such column; an empty cell, a negative number, text;
-/// an intensity of 0; more walls in a state than there are in all, or than reached a milder state
-[[nodiscard]] DamageCounts damage_counts(const std::string& path, const Csv& csv,
-                                         const CountColumns& columns);
+/// an intensity of 0; more walls in a state than in total, or than reached a milder state
+[[nodiscard]] DamageCounts damage_counts(const Csv& csv, const CountColumns& columns);
 
 } // namespace app

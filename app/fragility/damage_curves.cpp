@@ -3,11 +3,6 @@
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/chi_squared.hpp"
-#include "fragility/standard_law.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace app {
 namespace {
@@ -18,11 +13,6 @@ using fragility::StateCounts;
 
 constexpr const char* kAlone = "alone";
 constexpr const char* kTogether = "one dispersion for all states";
-
-double quantile_of(double confidence)
-{
-    return fragility::StandardNormal::quantile(0.5 + 0.5 * confidence);
-}
 
 /// Walls in all, and those that reached a state.
 struct Totals {
@@ -40,48 +30,30 @@ Totals totals(const std::vector<StateCounts>& rows, std::size_t state)
     return t;
 }
 
-/// @param log_error standard error of ln value
-Number estimate(double value, double error, double log_error, double z, int decimals)
+Number estimate(const fragility::LogEstimate& e, double error, int decimals)
 {
-    const double factor = std::exp(z * log_error);
-    return {.value = value,
+    return {.value = e.value,
             .error = error,
-            .lower = value / factor,
-            .upper = value * factor,
+            .lower = e.interval.lower,
+            .upper = e.interval.upper,
             .decimals = decimals};
 }
 
-/// Of a chi-squared variable above the deviance; empty where nothing is left to compare.
-Number p_cell(const OrdinalFit& f)
-{
-    if (!(f.freedom > 0.0)) return {};
-    return plain_number(fragility::chi_squared_survival(std::max(0.0, f.deviance), f.freedom),
-                        3);
-}
-
 /// @param k place of the state in the fit, from 1
-Row row(const DamageCounts& d, std::size_t state, const OrdinalFit& f, std::size_t k,
-        const char* kind, double z)
+void add_fit(const DamageCounts& d, std::size_t state, const OrdinalFit& f, std::size_t k,
+             const char* kind, double confidence, app::Table& table)
 {
     const Totals t = totals(d.rows, state);
-    Row cells = {d.states[state - 1], kind, count(t.reached), count(t.n)};
-    if (f.outcome != ModelOutcome::converged) {
-        cells.insert(cells.end(), {{}, {}, {}, {}, {}, "No fit: " + f.reason + "."});
-        return cells;
-    }
-    const double median = f.medians[k - 1];
-    const auto at = static_cast<Eigen::Index>(k - 1), last = f.covariance.rows() - 1;
-    const double median_error = std::sqrt(f.covariance(at, at));
-    const double dispersion_error = std::sqrt(f.covariance(last, last));
-    cells.insert(
-        cells.end(),
-        {estimate(median, kUnknown, median_error, z, decimals_for(median)),
-         plain_number(median_error, 3),
-         estimate(f.dispersion, dispersion_error, dispersion_error / f.dispersion, z, 3),
-         plain_number(f.deviance, 2),
-         p_cell(f),
-         {}});
-    return cells;
+    const Row start = {d.states[state - 1], kind, count(t.reached), count(t.n)};
+    if (f.outcome != ModelOutcome::converged)
+        return add_row(table, start, "No fit: " + f.reason + ".");
+    const auto median = fragility::median(f, k, confidence);
+    const auto dispersion = fragility::dispersion(f, confidence);
+    add_row(table, joined(start, {estimate(median, kUnknown, decimals_for(median.value)),
+                                  plain_number(median.log_error, 3),
+                                  estimate(dispersion, dispersion.std_error, 3),
+                                  plain_number(f.deviance, 2),
+                                  plain_number(fragility::p_value(f), 3)}));
 }
 
 struct Fits {
@@ -102,12 +74,13 @@ app::Table fit_table(const DamageCounts& d, const Fits& f, double confidence)
 {
     app::Table t;
     t.title = "Median and dispersion of the fragility curve of each limit state";
-    t.caption = "Lognormal fragility curves by maximum likelihood: median of " + d.intensity +
-                " and dispersion (standard deviation of its logarithm), with " +
-                percent_text(confidence) +
-                " intervals from their standard errors on the logarithmic axis. p: how often "
-                "counts of these curves lie further from them than the counts of the table do "
-                "(chi-squared of the deviance; rough where few walls are expected in a cell).";
+    t.caption =
+        "Lognormal fragility curves by maximum likelihood: median of " + d.intensity +
+        " and dispersion (standard deviation of its logarithm), with " +
+        percent_text(confidence) +
+        " intervals from their standard errors on the logarithmic axis. p: how often "
+        "counts drawn from these curves would differ from them more than those of the "
+        "table (chi-squared of the deviance; rough where few walls are expected in a cell).";
     t.head = {"limit state",
               "fitted",
               "reached",
@@ -119,12 +92,11 @@ app::Table fit_table(const DamageCounts& d, const Fits& f, double confidence)
               "p",
               {"note", kNote}};
     t.keys = 2;
-    const double z = quantile_of(confidence);
     for (std::size_t k = 1; k <= d.states.size(); ++k)
-        t.rows.push_back(row(d, k, f.alone[k - 1], 1, kAlone, z));
+        add_fit(d, k, f.alone[k - 1], 1, kAlone, confidence, t);
     if (d.states.size() > 1)
         for (std::size_t k = 1; k <= d.states.size(); ++k)
-            t.rows.push_back(row(d, k, f.together, k, kTogether, z));
+            add_fit(d, k, f.together, k, kTogether, confidence, t);
     return t;
 }
 
@@ -135,13 +107,8 @@ double share(const StateCounts& row, std::size_t state)
     return t.reached / t.n;
 }
 
-double band_end(const fragility::StateProbability& p, double z)
-{
-    return fragility::StandardNormal::cdf(p.probit + z * p.probit_error);
-}
-
 app::Table curve_table(const DamageCounts& d, const OrdinalFit& f, std::size_t state,
-                       std::size_t k, double z)
+                       std::size_t k, double confidence)
 {
     app::Table t;
     t.title = "Observed shares and probability of " + d.states[state - 1];
@@ -153,8 +120,7 @@ app::Table curve_table(const DamageCounts& d, const OrdinalFit& f, std::size_t s
         const auto p = fragility::probability(f, k, row.intensity);
         t.rows.push_back({given(row.intensity), count(n.reached), count(n.n),
                           n.n > 0.0 ? plain_number(100.0 * n.reached / n.n, 1) : Number{},
-                          with_interval(100.0 * p.probability, 100.0 * band_end(p, -z),
-                                        100.0 * band_end(p, z), 1)});
+                          percent(p.probability, fragility::band(p, confidence), 1)});
     }
     return t;
 }
@@ -169,7 +135,7 @@ std::vector<double> grid(const DamageCounts& d)
 }
 
 NamedPicture picture(const DamageCounts& d, const std::vector<const OrdinalFit*>& fits,
-                     const std::vector<std::size_t>& places, double z)
+                     const std::vector<std::size_t>& places, double confidence)
 {
     Chart c;
     c.title = "Fragility from counts";
@@ -183,20 +149,16 @@ NamedPicture picture(const DamageCounts& d, const std::vector<const OrdinalFit*>
         }
         c.series.push_back(seen);
         if (fits[s]->outcome != ModelOutcome::converged) continue;
-        Series line{d.states[s], {}, {}, "", LineStyle::solid, 2.0, false};
-        Series low{"", {}, {}, "", LineStyle::dotted, 1.2, false}, high = low;
+        c.series.back().colour = palette(s);
+        Band curve(palette(s), 1.2);
+        curve.line.name = d.states[s];
+        curve.line.width = 2.0;
         for (const double x : grid(d)) {
             const auto p = fragility::probability(*fits[s], places[s], x);
-            for (Series* const one : {&line, &low, &high}) one->x.push_back(x);
-            line.y.push_back(p.probability);
-            low.y.push_back(band_end(p, -z));
-            high.y.push_back(band_end(p, z));
+            const auto band = fragility::band(p, confidence);
+            curve.add(x, p.probability, band.lower, band.upper);
         }
-        constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                            "#E69F00"};
-        for (Series* const one : {&line, &low, &high, &c.series.back()})
-            one->colour = kColours[s % std::size(kColours)];
-        c.series.insert(c.series.end(), {line, low, high});
+        add_band(c, curve);
     }
     return {"curves", "fragility curves with their bands (dotted), and the observed shares",
             line_chart(c)};
@@ -207,7 +169,6 @@ NamedPicture picture(const DamageCounts& d, const std::vector<const OrdinalFit*>
 FragilityOutput damage_output(const DamageCounts& d, double confidence)
 {
     const Fits f = fits_of(d);
-    const double z = quantile_of(confidence);
     const Totals all = totals(d.rows, 1);
     FragilityOutput out;
     out.source = d.source + ": " + number(all.n, 12) + " walls at " +
@@ -224,9 +185,9 @@ FragilityOutput damage_output(const DamageCounts& d, double confidence)
             continue;
         }
         out.tables.push_back({"curve_" + std::to_string(s + 1) + "_" + file_name(d.states[s]),
-                              curve_table(d, *shown.back(), s + 1, places.back(), z)});
+                              curve_table(d, *shown.back(), s + 1, places.back(), confidence)});
     }
-    if (!d.rows.empty()) out.pictures.push_back(picture(d, shown, places, z));
+    if (!d.rows.empty()) out.pictures.push_back(picture(d, shown, places, confidence));
     return out;
 }
 

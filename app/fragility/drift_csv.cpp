@@ -3,12 +3,14 @@
 #include "app/text/config_error.hpp"
 #include "app/text/words.hpp"
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <locale>
 #include <map>
 
 namespace app {
@@ -21,17 +23,15 @@ std::string unit_of(std::string_view head)
     return std::string(trimmed(head.substr(open + 1, close - open - 1)));
 }
 
-bool read_censored(const std::string& path, const CsvRow& row, std::string_view column,
-                   std::string text)
+bool read_censored(const Csv& csv, const CsvRow& row, std::size_t column)
 {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-        return static_cast<char>(c < 128 ? std::tolower(c) : c);
-    });
+    const std::string text =
+        boost::to_lower_copy(std::string(trimmed(row.cells[column])), std::locale::classic());
     for (const char* const yes : {"1", "yes", "y", "true", "censored"})
         if (text == yes) return true;
     for (const char* const no : {"0", "no", "n", "false", "observed"})
         if (text == no) return false;
-    refuse_cell(path, row, column,
+    refuse_cell(csv, row, column,
                 in_quotes(text) + " does not say whether the value is a bound; write 1, yes or "
                                   "censored, or 0, no or observed");
 }
@@ -60,9 +60,8 @@ bool is_missing(std::string_view text)
 }
 
 /// "2.27", "> 2.27" or ">= 2.27" (a bound), or nothing.
-std::optional<fragility::Observation> drift_at(const std::string& path, const Csv& csv,
-                                               const CsvRow& row, std::size_t column,
-                                               bool bound)
+std::optional<fragility::Observation> drift_at(const Csv& csv, const CsvRow& row,
+                                               std::size_t column, bool bound)
 {
     std::string_view text = trimmed(row.cells[column]);
     if (is_missing(text)) return {};
@@ -72,36 +71,33 @@ std::optional<fragility::Observation> drift_at(const std::string& path, const Cs
         text.remove_prefix(text.starts_with(">=") ? 2 : 1);
         plain.cells[column] = std::string(trimmed(text));
     }
-    const double d = number_at(path, csv, plain, column);
+    const double d = number_at(csv, plain, column);
     if (!bound && d == 0.0)
         refuse_cell(
-            path, row, csv.head[column],
+            csv, row, column,
             "is 0, where no limit state is reached; write the drift, or NA if it is not known");
     return bound ? fragility::right_censored(d) : fragility::observed(d);
 }
 
-DriftWall read_wall(const std::string& path, const Csv& csv, const Indices& columns,
-                    const CsvRow& row)
+DriftWall read_wall(const Csv& csv, const Indices& columns, const CsvRow& row)
 {
     DriftWall wall;
     for (std::size_t i = 0; i < columns.drift.size(); ++i) {
         bool bound = false;
         if (!columns.censored.empty() && !is_missing(trimmed(row.cells[columns.drift[i]]))) {
             const std::size_t c = columns.censored[columns.censored.size() == 1 ? 0 : i];
-            bound = read_censored(path, row, csv.head[c], std::string(trimmed(row.cells[c])));
+            bound = read_censored(csv, row, c);
         }
-        wall.limits.push_back(drift_at(path, csv, row, columns.drift[i], bound));
+        wall.limits.push_back(drift_at(csv, row, columns.drift[i], bound));
     }
     return wall;
 }
 
-std::string group_name(const std::string& path, const Csv& csv, const Indices& columns,
-                       const CsvRow& row)
+std::string group_name(const Csv& csv, const Indices& columns, const CsvRow& row)
 {
     if (!columns.group) return "all";
     const std::string name(trimmed(row.cells[*columns.group]));
-    if (name.empty())
-        refuse_cell(path, row, csv.head[*columns.group], "empty cell; name its group");
+    if (name.empty()) refuse_cell(csv, row, *columns.group, "empty cell; name its group");
     return name;
 }
 
@@ -116,8 +112,7 @@ void sort_groups(std::vector<DriftGroup>& groups)
         if (error != std::errc() || end != last || !std::isfinite(key)) return;
         keyed.emplace_back(key, g);
     }
-    std::stable_sort(keyed.begin(), keyed.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(keyed, {}, [](const auto& k) { return k.first; });
     for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = keyed[i].second;
 }
 
@@ -135,39 +130,39 @@ std::string all_of(const std::vector<std::string>& messages)
 
 } // namespace
 
-DriftData drift_data(const std::string& path, const Csv& csv, const DriftColumns& columns)
+DriftData drift_data(const Csv& csv, const DriftColumns& columns)
 {
-    check_rows(path, csv);
+    check_rows(csv);
     Indices at;
     DriftData data;
     for (const std::string& name : columns.drift) {
-        at.drift.push_back(find_column(path, csv, name));
+        at.drift.push_back(find_column(csv, name));
         const std::string& head = csv.head[at.drift.back()];
         const std::string unit = unit_of(head);
         if (!data.states.empty() && unit != data.unit)
-            throw ConfigError(path, 0, head, "columns of drift must have one unit");
+            throw ConfigError(csv.path, 0, head, "columns of drift must have one unit");
         data.unit = unit;
         data.states.push_back({"", std::string(bare_name(head)), "column " + in_quotes(head)});
     }
     for (const std::string& name : columns.censored)
-        at.censored.push_back(find_column(path, csv, name));
+        at.censored.push_back(find_column(csv, name));
     if (at.censored.size() > 1 && at.censored.size() != at.drift.size())
         throw ConfigError("drystone", 0, "--censored",
                           "given " + std::to_string(at.censored.size()) + " times for " +
                               std::to_string(at.drift.size()) +
                               " columns of drift; give it once, or once for each --drift");
-    if (!columns.group.empty()) at.group = find_column(path, csv, columns.group);
+    if (!columns.group.empty()) at.group = find_column(csv, columns.group);
     data.percent = percent_per_unit(data.unit);
     data.group_head = at.group ? csv.head[*at.group] : "group";
-    data.source = std::filesystem::path(path).filename().string();
+    data.source = std::filesystem::path(csv.path).filename().string();
     data.drift = "Values as given in the table";
     std::map<std::string, std::size_t> places;
     std::vector<std::string> wrong; // all rows are read, so that all mistakes are named at once
     std::size_t empty = 0;
     for (const CsvRow& row : csv.rows) try {
-            DriftWall wall = read_wall(path, csv, at, row);
+            DriftWall wall = read_wall(csv, at, row);
             for (const auto& limit : wall.limits) empty += limit ? 0 : 1;
-            const std::string name = group_name(path, csv, at, row);
+            const std::string name = group_name(csv, at, row);
             const auto [place, fresh] = places.emplace(name, data.groups.size());
             if (fresh) data.groups.push_back({name, {}, {}, 0, 0, {}});
             data.groups[place->second].walls.push_back(std::move(wall));
@@ -175,7 +170,7 @@ DriftData drift_data(const std::string& path, const Csv& csv, const DriftColumns
             wrong.emplace_back(e.what());
         }
     if (!wrong.empty())
-        throw ConfigError(path, 0, "",
+        throw ConfigError(csv.path, 0, "",
                           std::to_string(wrong.size()) +
                               (wrong.size() == 1 ? " mistake:" : " mistakes:") + all_of(wrong));
     if (empty > 0)

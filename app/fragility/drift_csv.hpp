@@ -23,7 +23,6 @@ struct DriftColumns {
 /// Units: those in brackets in the head, [%], (%), [-], [rad], [permille], [mm], ...
 /// @throws ConfigError with all mistakes of the table, by row and column: no such column; a zero, infinite
 /// or negative value, no number
-[[nodiscard]] DriftData drift_data(const std::string& path, const Csv& csv,
-                                   const DriftColumns& columns);
+[[nodiscard]] DriftData drift_data(const Csv& csv, const DriftColumns& columns);
 
 } // namespace app

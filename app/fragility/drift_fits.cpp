@@ -74,6 +74,14 @@ JudgedFit judged_fit(const DriftData& data, std::size_t group, std::size_t state
     return judged(data.options, data.options.law, limits_of(g, state, mode), group);
 }
 
+JudgedFit judged_lognormal(const DriftData& data, std::size_t group, std::size_t state)
+{
+    constexpr fragility::Law law = fragility::Law::lognormal;
+    return data.options.law == law
+               ? judged_fit(data, group, state)
+               : judged(data.options, law, limits_of(data.groups[group], state), group);
+}
+
 bool rejected(const JudgedFit& f) { return fragility::least_p(f.tests) < fragility::kRejected; }
 
 bool describes(const JudgedFit& f)
@@ -85,8 +93,8 @@ std::string rejected_text(const JudgedFit& f)
 {
     return "The goodness-of-fit tests reject the law (p = " +
            number(fragility::least_p(f.tests), 2) +
-           "): shares observed stand in its place (Kaplan-Meier), with intervals that suppose "
-           "no law.";
+           "): the observed shares replace it (Kaplan-Meier), with intervals that assume no "
+           "law.";
 }
 
 } // namespace app

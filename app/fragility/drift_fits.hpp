@@ -27,6 +27,10 @@ void judge(DriftData& data, const FitProgress& seen = {});
 [[nodiscard]] JudgedFit judged_fit(const DriftData& data, std::size_t group, std::size_t state,
                                    int mode = -1);
 
+/// The lognormal law of all walls of a group, whatever law was chosen.
+[[nodiscard]] JudgedFit judged_lognormal(const DriftData& data, std::size_t group,
+                                         std::size_t state);
+
 [[nodiscard]] bool rejected(const JudgedFit& f);
 
 /// There is a fit and no test rejects it.

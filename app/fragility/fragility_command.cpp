@@ -11,12 +11,12 @@
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
 #include "app/fragility/measured_drifts.hpp"
-#include "app/input/key_values.hpp"
+#include "app/input/key_reading.hpp"
 #include "app/input/random_layouts.hpp"
-#include "app/input/units.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
+#include "app/output/table_files.hpp"
 #include "app/store/wall_file.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/text/config_error.hpp"
@@ -24,7 +24,7 @@
 #include "app/text/words.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <array>
 #include <iostream>
 #include <iterator>
 
@@ -35,11 +35,11 @@ namespace fs = std::filesystem;
 
 void add_pictures(FragilityOutput& output, std::vector<NamedPicture> pictures)
 {
-    std::move(pictures.begin(), pictures.end(), std::back_inserter(output.pictures));
+    std::ranges::move(pictures, std::back_inserter(output.pictures));
 }
 
 /// "2 walls failed at 0.75 MPa: the energy ledger ..."
-std::string failures(const StudyWalls& walls)
+std::string remarks_of(const StudyWalls& walls)
 {
     std::string text = trouble_text(walls);
     if (walls.shard)
@@ -50,8 +50,8 @@ std::string failures(const StudyWalls& walls)
     if (has_layouts(walls.study) && repeated)
         text += "The samples lie in " + std::to_string(layouts) +
                 " random layouts, the same under all stresses. Walls of one layout depend on "
-                "each other; intervals take them for independent, and are too narrow where "
-                "layouts are few.\n";
+                "each other; intervals treat them as independent and are too narrow where "
+                "there are few layouts.\n";
     if (walls.shared)
         text +=
             "All stresses share one design: walls of two stresses depend on each other, and "
@@ -59,50 +59,35 @@ std::string failures(const StudyWalls& walls)
     return text;
 }
 
-std::string read_file(const std::string& path)
+Csv read_csv(const std::string& path)
 {
-    if (fs::is_directory(path)) throw ConfigError(path, 0, "", "is a directory; give a file");
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw ConfigError(path, 0, "", "cannot be read");
     constexpr std::size_t kMostBytes = std::size_t{1} << 28;
-    std::string text;
-    std::vector<char> part(std::size_t{1} << 20);
-    while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0) {
-        text.append(part.data(), static_cast<std::size_t>(in.gcount()));
-        if (text.size() > kMostBytes)
-            throw ConfigError(path, 0, "", "is larger than 256 MiB; give a table of walls");
-    }
+    const std::string text = read_bytes(
+        path, kMostBytes, "is larger than 256 MiB; give a table of walls", "give a file");
     if (!is_text(text))
-        throw ConfigError(path, 0, "",
-                          "is no text in UTF-8; save it as \"CSV UTF-8\", or convert it: iconv "
-                          "-f latin1 -t utf-8 (of a table from Windows), -f utf-16 (\"Unicode "
-                          "text\")");
-    return text;
+        throw ConfigError(
+            path, 0, "",
+            "is not text in UTF-8; save it as \"CSV UTF-8\", or convert it: iconv "
+            "-f latin1 -t utf-8 (of a table from Windows), -f utf-16 (\"Unicode "
+            "text\")");
+    return parse_csv(path, text);
 }
 
 /// fragility.key=value without a study; keys that need curves are refused.
 DriftOptions options_of(const std::vector<std::string>& overrides)
 {
+    constexpr std::array<std::string_view, 3> kNames = {"fragility.law", "fragility.confidence",
+                                                        "fragility.bootstrap"};
     Study study;
-    for (const std::string& o : overrides) {
-        const std::size_t equals = o.find('=');
-        const std::string name(trimmed(o.substr(0, equals)));
-        const bool known = name == "fragility.law" || name == "fragility.confidence" ||
-                           name == "fragility.bootstrap";
-        if (!known || equals == std::string::npos)
-            throw ConfigError("--set", 0, name,
-                              "of a table only fragility.law=..., fragility.confidence=... and "
-                              "fragility.bootstrap=... can be set");
-        const Key& key = *find_key(name);
-        try {
-            key.field.set(study,
-                          parse_value(key, trimmed(std::string_view(o).substr(equals + 1))));
-        } catch (const BadValue& bad) {
-            throw ConfigError("--set", 0, name, bad.what());
-        }
-    }
-    const FragilityInput& f = study.fragility;
-    return {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap), 1};
+    study.source = with_overrides({}, overrides);
+    for (const Entry& e : study.source.entries)
+        if (std::ranges::count(kNames, e.key) == 0)
+            throw ConfigError("--set", 0, e.key,
+                              "for a table, only fragility.law=..., fragility.confidence=... "
+                              "and fragility.bootstrap=... can be set");
+    for (const std::string_view name : kNames)
+        if (find_entry(study.source, name)) read_key(*find_key(name), study);
+    return drift_options(study);
 }
 
 /// A missing or damaged FILE.h5 is a study too: its reader says what is wrong with it.
@@ -118,8 +103,7 @@ void check_columns(const Command& command, bool study)
         throw ConfigError("drystone", 0, option, why);
     };
     if (study && (drifts || counts))
-        refuse("--drift, --intensity, ...",
-               "columns of a table; a study has none, leave them out");
+        refuse("--drift, --intensity, ...", "a study has no columns; leave these options out");
     if (study) return;
     if (drifts && counts)
         refuse(
@@ -139,7 +123,7 @@ void check_columns(const Command& command, bool study)
                "name either the columns of the numbers that reached the limit states, "
                "or with --state the column of damage states");
     if (command.state.empty() && command.of.empty())
-        refuse("--of", "missing; name the column of the numbers of all walls");
+        refuse("--of", "missing; name the column of the total numbers of walls");
 }
 
 FragilityOutput output_of(const Command& command, const FitProgress& seen)
@@ -148,15 +132,12 @@ FragilityOutput output_of(const Command& command, const FitProgress& seen)
     check_columns(command, study);
     if (study) return study_output(read_study_walls(command.study, command.overrides), seen);
     const DriftOptions options = options_of(command.overrides);
-    const Csv csv = parse_csv(command.study, read_file(command.study));
-    check_rows(command.study, csv);
+    const Csv csv = read_csv(command.study);
     if (!command.intensity.empty())
         return damage_output(
-            damage_counts(command.study, csv,
-                          {command.intensity, command.failed, command.state, command.of}),
+            damage_counts(csv, {command.intensity, command.failed, command.state, command.of}),
             options.confidence);
-    DriftData data =
-        drift_data(command.study, csv, {command.drift, command.censored, command.group});
+    DriftData data = drift_data(csv, {command.drift, command.censored, command.group});
     data.options = options;
     return drift_output(std::move(data), seen);
 }
@@ -183,7 +164,7 @@ FragilityOutput drift_output(DriftData data, const FitProgress& seen)
 FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
 {
     FragilityOutput output = drift_output(drift_data(walls), seen);
-    output.remarks = failures(walls);
+    output.remarks = remarks_of(walls);
     std::vector<NamedTable> tables = {{"modes", mode_table(walls), true},
                                       {"means_by_mode", mean_table(walls)},
                                       {"equal_modes", equal_modes_table(walls)},
@@ -203,10 +184,10 @@ FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
 
 void check_fragility(const Command& command)
 {
-    check_results(command.out,
-                  {"README.md", "fragility.json", "performance_limits.csv",
-                   "performance_limits.md", "performance_limits.tex"},
-                  command.quiet);
+    std::vector<fs::path> names = {"README.md", "fragility.json"};
+    for (const char* const ending : kTableEndings)
+        names.push_back(std::string("performance_limits") + ending);
+    check_results(command.out, names, command.quiet);
 }
 
 int fragility_command(const Command& command)

@@ -37,35 +37,25 @@ void add_fit(const DriftData& data, std::size_t g, std::size_t state, int mode,
     const auto limits = limits_of(data.groups[g], state, mode);
     const JudgedFit judged = judged_fit(data, g, state, mode);
     const fragility::Fit& fit = judged.fit;
-    Row start = {group_cell(data.groups[g]),
-                 mode < 0 ? std::string("all") : data.modes[static_cast<std::size_t>(mode)],
-                 count(static_cast<double>(limits.size()))};
-    if (fit.outcome != fragility::FitOutcome::converged) {
-        start.insert(start.end(), {{}, {}, {}, "No curve: " + fit.reason + "."});
-        t.rows.push_back(std::move(start));
-        return;
-    }
+    const Row start = {group_cell(data.groups[g]), mode < 0 ? "all" : data.modes[mode],
+                       count(limits.size())};
+    if (fit.outcome != fragility::FitOutcome::converged)
+        return add_row(t, start, "No curve: " + fit.reason + ".");
     const double end = known_to(limits);
-    if (rejected(judged)) {
-        const auto shares = fragility::observed_shares(limits, drifts, data.options.confidence);
-        for (std::size_t i = 0; i < drifts.size(); ++i) {
-            const bool known = drifts[i] <= end * (1.0 + kEndsTogether);
-            t.rows.push_back(start);
-            t.rows.back().insert(
-                t.rows.back().end(),
-                {drift_cell(drifts[i], drifts, end),
-                 known ? with_interval(shares[i].share, shares[i].band, 4) : Number{},
-                 {},
-                 rejected_text(judged)});
-        }
+    if (!rejected(judged)) {
+        for (const auto& p : fragility::fragility_curve(fit, drifts, data.options.confidence))
+            add_row(t, joined(start, {drift_cell(p.drift, drifts, end),
+                                      with_interval(p.probability, p.band, 4)}));
         return;
     }
-    for (const auto& p : fragility::fragility_curve(fit, drifts, data.options.confidence)) {
-        t.rows.push_back(start);
-        t.rows.back().insert(t.rows.back().end(), {drift_cell(p.drift, drifts, end),
-                                                   with_interval(p.probability, p.band, 4),
-                                                   {},
-                                                   {}});
+    const auto shares = fragility::observed_shares(limits, drifts, data.options.confidence);
+    for (std::size_t i = 0; i < drifts.size(); ++i) {
+        const bool known = fragility::is_known(drifts[i], end);
+        add_row(t,
+                joined(start,
+                       {drift_cell(drifts[i], drifts, end),
+                        known ? with_interval(shares[i].share, shares[i].band, 4) : Number{}}),
+                rejected_text(judged));
     }
 }
 
@@ -75,26 +65,19 @@ void add_mixture(const DriftData& data, std::size_t g, std::size_t state,
     const DriftGroup& group = data.groups[g];
     const auto modes = mode_groups(data, g, state);
     if (modes.size() < 2) return;
-    double n = 0;
-    for (const auto& m : modes) n += static_cast<double>(m.limits.size());
-    Row start = {group_cell(group), "mixture of modes", count(n)};
-    if (const std::string why = no_mixture(modes); !why.empty()) {
-        start.insert(start.end(), {{}, {}, {}, "No curve: " + why + "."});
-        t.rows.push_back(std::move(start));
-        return;
-    }
+    std::size_t n = 0;
+    for (const auto& m : modes) n += m.limits.size();
+    const Row start = {group_cell(group), "mixture of modes", count(n)};
+    if (const std::string why = no_mixture(modes); !why.empty())
+        return add_row(t, start, "No curve: " + why + ".");
     const double end = known_to(limits_of(group, state));
     for (const auto& p :
-         fragility::mixture_curve(modes, drifts, data.options.confidence).points) {
-        t.rows.push_back(start);
-        t.rows.back().insert(t.rows.back().end(), {drift_cell(p.drift, drifts, end),
-                                                   with_interval(p.least, p.band, 4),
-                                                   plain_number(p.most, 4),
-                                                   {}});
-    }
+         fragility::mixture_curve(modes, drifts, data.options.confidence).points)
+        add_row(t, joined(start, {drift_cell(p.drift, drifts, end),
+                                  with_interval(p.least, p.band, 4), plain_number(p.most, 4)}));
 }
 
-std::string state_text(const DriftState& s) { return state_name(s) + " (" + s.rule + ")"; }
+std::string state_text(const StateName& s) { return state_name(s) + " (" + s.rule + ")"; }
 
 Table curve_titled(const char* name, const DriftData& data, std::size_t state)
 {
@@ -105,7 +88,7 @@ Table curve_titled(const char* name, const DriftData& data, std::size_t state)
 
 } // namespace
 
-std::string state_file(const DriftState& s)
+std::string state_file(const StateName& s)
 {
     return file_name(s.set.empty() || s.set == s.name ? s.name : s.set + "_" + s.name);
 }
@@ -174,27 +157,17 @@ Table step_table(const DriftData& data, std::size_t state)
     for (const DriftGroup& g : data.groups) {
         const auto limits = limits_of(g, state);
         if (limits.empty()) {
-            t.rows.push_back({group_cell(g), {}, count(0), count(0), {}, {}, "No wall."});
+            add_row(t, {group_cell(g), {}, count(0), count(0)}, "No wall.");
             continue;
         }
         const auto km = fragility::kaplan_meier(limits, data.options.confidence);
-        const int d = decimals_for(km.end);
+        const Number end = plain_number(km.end, decimals_for(km.end));
         if (km.steps.empty())
-            t.rows.push_back({group_cell(g),
-                              {},
-                              count(static_cast<double>(limits.size())),
-                              count(0),
-                              {},
-                              plain_number(km.end, d),
-                              "No wall reached it."});
+            add_row(t, {group_cell(g), {}, count(limits.size()), count(0), {}, end},
+                    "No wall reached it.");
         for (const auto& s : km.steps)
-            t.rows.push_back({group_cell(g),
-                              plain_number(s.at, d + 1),
-                              count(s.at_risk),
-                              count(s.failed),
-                              with_interval(s.probability, s.band, 4),
-                              plain_number(km.end, d),
-                              {}});
+            add_row(t, {group_cell(g), plain_number(s.at, end.decimals + 1), count(s.at_risk),
+                        count(s.failed), with_interval(s.probability, s.band, 4), end});
     }
     return t;
 }

@@ -29,7 +29,7 @@ mode_groups(const DriftData& data, std::size_t group, std::size_t state);
 [[nodiscard]] std::string no_mixture(const std::vector<fragility::ModeGroup>& modes);
 
 /// Name of the files of a limit state: "ntc_SLV".
-[[nodiscard]] std::string state_file(const DriftState& state);
+[[nodiscard]] std::string state_file(const StateName& state);
 
 /// One chart with all groups of each limit state, and one with modes and bands of each group and limit state.
 [[nodiscard]] std::vector<NamedPicture> curve_pictures(const DriftData& data);

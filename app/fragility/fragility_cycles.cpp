@@ -1,11 +1,8 @@
 #include "app/fragility/fragility_cycles.hpp"
 
-#include "app/fragility/fragility_means.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
-#include "app/text/number_text.hpp"
-#include "uq/estimates/estimate.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -33,57 +30,29 @@ void add_cycle(const StudyWalls& study, const StudyWall& w, std::size_t k, Cycle
         all.residual.push_back(50.0 * (*c.residual_plus - *c.residual_minus) / study.height);
 }
 
-double plain_mean(const std::vector<double>& values)
-{
-    double sum = 0.0;
-    for (const double x : values) sum += x;
-    return sum / static_cast<double>(values.size());
-}
-
-CycleMean cycle_mean(const std::vector<double>& values, double confidence)
-{
-    if (values.empty()) return {kUnknown, {kUnknown, kUnknown, confidence}};
-    if (values.size() == 1) return {values.front(), {kUnknown, kUnknown, confidence}};
-    const uq::Estimate e = uq::estimate_mean(values, confidence);
-    return {e.value, {e.interval.lower, e.interval.upper, confidence}};
-}
-
-const char* cycle_group(int mode) { return mode == kAllModes ? "all" : mode_name(mode); }
-
-std::vector<int> modes_and_all(const StudyWalls& walls)
-{
-    std::vector<int> modes = modes_of(walls);
-    modes.push_back(kAllModes);
-    return modes;
-}
-
-NamedPicture damping_picture(const StudyWalls& walls, int mode)
+void add_damping(const StudyWalls& walls, int mode, std::vector<NamedPicture>& pictures)
 {
     Chart c;
-    const std::string who = cycle_group(mode);
+    const std::string who = mode_name(mode);
     c.title = "Equivalent viscous damping, " + who + " walls";
     c.x_label = "drift [%]";
     c.y_label = "damping [%]";
     for (std::size_t l = 0; l < walls.levels.size(); ++l) {
-        Series mean, low, high;
-        for (const CyclePoint& p : cycle_points(walls, walls.levels[l], mode)) {
-            for (Series* const s : {&mean, &low, &high}) s->x.push_back(p.drift);
-            mean.y.push_back(p.damping.value);
-            low.y.push_back(p.damping.interval.lower);
-            high.y.push_back(p.damping.interval.upper);
-        }
-        if (mean.x.empty()) continue;
-        mean.name = number(walls.levels[l].stress / 1e6, 6) + " MPa";
-        mean.points = true;
-        for (Series* const s : {&mean, &low, &high}) s->colour = stress_colour(l);
-        low.line = high.line = LineStyle::dotted;
-        low.width = high.width = 1.0;
-        c.series.insert(c.series.end(), {mean, low, high});
+        Band damping(palette(l));
+        for (const CyclePoint& p : cycle_points(walls, walls.levels[l], mode))
+            damping.add(p.drift, p.damping.value, p.damping.interval.lower,
+                        p.damping.interval.upper);
+        if (damping.line.x.empty()) continue;
+        damping.line.name = stress_text(walls.levels[l].stress);
+        damping.line.points = true;
+        add_band(c, damping);
     }
-    return {"damping_" + who,
-            "equivalent viscous damping over drift, " + who + " walls, per stress; dotted: " +
-                percent_text(walls.study.fragility.confidence) + " interval of the mean",
-            line_chart(c)};
+    if (c.series.empty()) return;
+    pictures.push_back(
+        {"damping_" + who,
+         "equivalent viscous damping over drift, " + who + " walls, per stress; dotted: " +
+             percent_text(walls.study.fragility.confidence) + " interval of the mean",
+         line_chart(c)});
 }
 
 } // namespace
@@ -96,14 +65,12 @@ std::vector<CyclePoint> cycle_points(const StudyWalls& walls, const StudyLevel& 
     std::vector<CyclePoint> points;
     for (std::size_t k = 0; k < most; ++k) {
         CycleValues all;
-        for (const StudyWall& w : level.walls)
-            if ((mode == kAllModes || mode_of(w) == mode) && k < w.cycles.size())
-                add_cycle(walls, w, k, all);
+        for (const StudyWall* w : walls_of(level, mode))
+            if (k < w->cycles.size()) add_cycle(walls, *w, k, all);
         if (all.drift.empty()) continue;
         points.push_back({k + 1, all.drift.size(), plain_mean(all.drift),
-                          cycle_mean(all.damping, confidence),
-                          cycle_mean(all.stiffness, confidence),
-                          cycle_mean(all.residual, confidence), plain_mean(all.energy)});
+                          mean_of(all.damping, confidence), mean_of(all.stiffness, confidence),
+                          mean_of(all.residual, confidence), plain_mean(all.energy)});
     }
     return points;
 }
@@ -121,15 +88,14 @@ Table cycle_table(const StudyWalls& walls)
               {"stiffness share", kInterval},
               {"half width [%]", kInterval},
               "energy [J]"};
-    const auto cell = [](const CycleMean& m, int decimals) {
+    const auto cell = [](const MeanOf& m, int decimals) {
         return with_interval(m.value, m.interval, decimals);
     };
     for (const StudyLevel& level : walls.levels)
-        for (const int mode : modes_and_all(walls))
+        for (int mode = 0; mode <= kAllModes; ++mode)
             for (const CyclePoint& p : cycle_points(walls, level, mode))
-                t.rows.push_back({given(level.stress / 1e6), cycle_group(mode),
-                                  count(static_cast<double>(p.cycle)), plain_number(p.drift, 3),
-                                  count(static_cast<double>(p.walls)), cell(p.damping, 2),
+                t.rows.push_back({stress_cell(level.stress), mode_name(mode), count(p.cycle),
+                                  plain_number(p.drift, 3), count(p.walls), cell(p.damping, 2),
                                   cell(p.stiffness, 3), cell(p.residual, 3),
                                   plain_number(p.energy, 1)});
     return t;
@@ -138,12 +104,7 @@ Table cycle_table(const StudyWalls& walls)
 std::vector<NamedPicture> cycle_pictures(const StudyWalls& walls)
 {
     std::vector<NamedPicture> pictures;
-    for (const int mode : modes_and_all(walls)) {
-        const bool any = std::ranges::any_of(walls.levels, [&](const StudyLevel& l) {
-            return !cycle_points(walls, l, mode).empty();
-        });
-        if (any) pictures.push_back(damping_picture(walls, mode));
-    }
+    for (int mode = 0; mode <= kAllModes; ++mode) add_damping(walls, mode, pictures);
     return pictures;
 }
 

@@ -1,30 +1,24 @@
 #pragma once
 /// Cycles of a study whose push turns back: damping and stiffness against drift, by stress and mode.
 
+#include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_output.hpp"
 #include "app/output/table.hpp"
 #include "app/study/study_walls.hpp"
-#include "fragility/interval.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace app {
 
-/// Mean over walls, with its interval; no bounds for one wall.
-struct CycleMean {
-    double value = 0.0;
-    fragility::Interval interval;
-};
-
-/// One cycle of the protocol, of the walls of a group that closed it.
+/// One cycle of the protocol: means over the walls of a group that closed it.
 struct CyclePoint {
     std::size_t cycle = 1; ///< from 1
     std::size_t walls = 0; ///< > 0
     double drift = 0.0;    ///< mean amplitude over the height [%]
-    CycleMean damping;     ///< equivalent viscous [%]
-    CycleMean stiffness;   ///< secant, as a share of that of the first cycle [-]
-    CycleMean residual;    ///< half width of the loop at zero force, over the height [%]
+    MeanOf damping;        ///< equivalent viscous [%]
+    MeanOf stiffness;      ///< secant, as a share of that of the first cycle [-]
+    MeanOf residual;       ///< half width of the loop at zero force, over the height [%]
     double energy = 0.0;   ///< mean [J]
 };
 

@@ -27,12 +27,6 @@ Cell group_cell(const DriftGroup& group)
     return group.stress ? Cell(given(*group.stress)) : Cell(group.name);
 }
 
-std::string state_name(const DriftState& state)
-{
-    return state.set.empty() || state.set == state.name ? state.name
-                                                        : state.set + " " + state.name;
-}
-
 std::string counts_text(const DriftData& data)
 {
     std::size_t n = 0, failed = 0, missing = 0;
@@ -47,6 +41,12 @@ std::string counts_text(const DriftData& data)
     return text;
 }
 
+DriftOptions drift_options(const Study& study)
+{
+    const FragilityInput& f = study.fragility;
+    return {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap), study.uq.seed};
+}
+
 DriftData drift_data(const StudyWalls& walls)
 {
     DriftData data;
@@ -56,16 +56,13 @@ DriftData drift_data(const StudyWalls& walls)
     data.group_head = "stress [MPa]";
     const std::vector<int> modes = modes_of(walls);
     for (const int mode : modes) data.modes.emplace_back(mode_name(mode));
-    const FragilityInput& f = walls.study.fragility;
-    data.options = {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap),
-                    walls.study.uq.seed};
-    for (const StateName& s : walls.states) data.states.push_back({s.set, s.name, s.rule});
+    data.options = drift_options(walls.study);
+    data.states = walls.states;
     for (const StudyLevel& level : walls.levels) {
-        const double mpa = level.stress / 1e6;
-        DriftGroup group{number(mpa, 12) + " MPa",  mpa,           {},
-                         level.failed_walls.size(), level.missing, {}};
+        DriftGroup group{stress_text(level.stress), level.stress / 1e6, {},
+                         level.failed_walls.size(), level.missing,      {}};
         for (const StudyWall& w : level.walls) {
-            const auto mode = std::find(modes.begin(), modes.end(), mode_of(w));
+            const auto mode = std::ranges::find(modes, mode_of(w));
             DriftWall wall{static_cast<int>(mode - modes.begin()), {}};
             for (const auto& limit : w.reading.limits)
                 wall.limits.push_back(fragility::observation(limit, 100.0 / walls.height));

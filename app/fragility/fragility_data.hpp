@@ -3,6 +3,7 @@
 /// computed from, whoever ran the walls.
 
 #include "app/output/table.hpp"
+#include "app/reading/wall_reading.hpp"
 #include "fragility/censored_fit.hpp"
 #include "fragility/goodness_of_fit.hpp"
 #include "fragility/law.hpp"
@@ -16,13 +17,8 @@
 
 namespace app {
 
+struct Study;
 struct StudyWalls;
-
-struct DriftState {
-    std::string set;  ///< "ntc"; empty: of a table
-    std::string name; ///< "SLV", or the column
-    std::string rule; ///< how it is read
-};
 
 struct DriftWall {
     int mode = -1; ///< index in DriftData::modes; -1: no modes
@@ -52,6 +48,7 @@ struct DriftOptions {
     std::size_t bootstrap = 1000; ///< samples behind p-values; 0: none
     std::uint64_t seed = 1;       ///< of these
 };
+[[nodiscard]] DriftOptions drift_options(const Study& study);
 
 struct DriftData {
     std::string source;     ///< of captions: "paper.h5, 250 walls"
@@ -59,7 +56,7 @@ struct DriftData {
     std::string unit = "%"; ///< of the drifts; empty: not said
     double percent = 1.0;   ///< drift in % per unit; 0: unknown
     std::string group_head; ///< of the first column: "stress [MPa]"
-    std::vector<DriftState> states;
+    std::vector<StateName> states;
     std::vector<std::string> modes; ///< "rocking", "mixed"
     std::vector<DriftGroup> groups;
     DriftOptions options;
@@ -74,9 +71,6 @@ struct DriftData {
 
 /// A group in a table's first column: its stress, or its name.
 [[nodiscard]] Cell group_cell(const DriftGroup& group);
-
-/// "ntc SLV"; of a table its column.
-[[nodiscard]] std::string state_name(const DriftState& state);
 
 /// "n walls gave a result, 2 failed, 10 not run; ..." of all groups, for captions.
 [[nodiscard]] std::string counts_text(const DriftData& data);

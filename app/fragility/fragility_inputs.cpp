@@ -3,7 +3,6 @@
 #include "app/fragility/table_texts.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
-#include "app/text/number_text.hpp"
 #include "uq/sensitivity/correlation_measures.hpp"
 #include "uq/sensitivity/regression.hpp"
 
@@ -32,8 +31,8 @@ Sample sample_of(const StudyWalls& walls, const StudyLevel& level, Response resp
     const auto d = static_cast<Eigen::Index>(walls.inputs.size());
     Sample s{Eigen::MatrixXd(n, d), Eigen::VectorXd(n)};
     for (Eigen::Index i = 0; i < n; ++i) {
-        const StudyWall& w = *used[static_cast<std::size_t>(i)];
-        for (Eigen::Index j = 0; j < d; ++j) s.x(i, j) = w.inputs[static_cast<std::size_t>(j)];
+        const StudyWall& w = *used[i];
+        for (Eigen::Index j = 0; j < d; ++j) s.x(i, j) = w.inputs[j];
         s.y(i) = force ? w.reading.peak->force * 1e-3 : w.reading.ultimate.displacement * 1e3;
     }
     return s;
@@ -50,8 +49,7 @@ std::optional<uq::Regression> regression(const Sample& s, double confidence)
 
 Number estimate_cell(const std::optional<uq::Estimate>& e)
 {
-    if (!e) return {};
-    return with_interval(e->value, e->interval.lower, e->interval.upper, 2);
+    return e ? with_interval(e->value, e->interval, 2) : Number{};
 }
 
 const char* note_on(const Influence& i, const Influences& all)
@@ -66,11 +64,11 @@ void add_rows(const StudyWalls& walls, const StudyLevel& level, Response respons
 {
     const Influences found = influences(walls, level, response);
     for (const Influence& i : found.inputs)
-        t.rows.push_back({given(level.stress / 1e6), words(response), i.key,
-                          count(static_cast<double>(found.walls)), estimate_cell(i.pearson),
-                          estimate_cell(i.spearman), estimate_cell(i.partial),
-                          estimate_cell(i.standardised), plain_number(found.r2, 2),
-                          note_on(i, found)});
+        add_row(t,
+                {stress_cell(level.stress), words(response), i.key, count(found.walls),
+                 estimate_cell(i.pearson), estimate_cell(i.spearman), estimate_cell(i.partial),
+                 estimate_cell(i.standardised), plain_number(found.r2, 2)},
+                note_on(i, found));
 }
 
 } // namespace
@@ -124,26 +122,25 @@ Table input_table(const StudyWalls& walls)
 std::vector<NamedPicture> input_pictures(const StudyWalls& walls)
 {
     std::vector<NamedPicture> pictures;
-    std::size_t input = 0;
-    while (input < walls.inputs.size() && walls.inputs[input].key != "joint.friction_angle")
-        ++input;
-    if (input == walls.inputs.size()) return pictures;
+    const std::optional<std::size_t> input = input_of(walls, "joint.friction_angle");
+    if (!input) return pictures;
     for (const StudyLevel& level : walls.levels) {
         if (level.walls.empty()) continue;
-        const std::string stress = number(level.stress / 1e6, 12) + " MPa";
+        const std::string stress = stress_text(level.stress);
         Chart c;
         c.title = "Peak force and joint friction angle, " + stress;
         c.x_label = "joint friction angle [deg]";
         c.y_label = "peak force [kN]";
-        Series modes[3] = {{"rocking", {}, {}, "#0072B2", LineStyle::none, 1.0, true},
-                           {"sliding", {}, {}, "#009E73", LineStyle::none, 1.0, true},
-                           {"mixed", {}, {}, "#D55E00", LineStyle::none, 1.0, true}};
-        for (const StudyWall& w : level.walls) {
-            modes[mode_of(w)].x.push_back(w.inputs[input]);
-            modes[mode_of(w)].y.push_back(peak_force(w.reading) * 1e-3);
+        for (const int mode : {kRocking, kSliding, kMixed}) {
+            constexpr std::size_t kColours[] = {0, 2, 1};
+            const std::string colour = palette(kColours[mode]);
+            Series dots{mode_name(mode), {}, {}, colour, LineStyle::none, 1.0, true};
+            for (const StudyWall* w : walls_of(level, mode)) {
+                dots.x.push_back(w->inputs[*input]);
+                dots.y.push_back(peak_force(w->reading) * 1e-3);
+            }
+            if (!dots.x.empty()) c.series.push_back(dots);
         }
-        for (const Series& s : modes)
-            if (!s.x.empty()) c.series.push_back(s);
         pictures.push_back({"peak_force_friction_" + file_name(stress),
                             "peak force of each wall over its joint friction angle, " + stress,
                             line_chart(c)});

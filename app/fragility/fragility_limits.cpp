@@ -16,7 +16,7 @@ namespace {
 
 using fragility::Observation;
 
-/// Why there are no numbers; the law's own reason where there are walls.
+/// Why there are no numbers: where there are walls, for the law's own reason.
 std::string without_fit(const fragility::PerformanceLimits& limits, const DriftGroup& group)
 {
     if (limits.n > 0.0) {
@@ -28,24 +28,30 @@ std::string without_fit(const fragility::PerformanceLimits& limits, const DriftG
                                : "The limit state is not defined on any curve.";
 }
 
-/// States that are read by one rule have one row: the first says the names of all.
-bool says_what_was_said(const DriftData& data, std::size_t state)
+/// Whether two limit states are read by one rule. Such states have one row.
+bool alike(const StateName& a, const StateName& b)
 {
-    for (std::size_t before = 0; before < state; ++before)
-        if (!data.states[state].rule.empty() &&
-            data.states[before].rule == data.states[state].rule)
-            return true;
-    return false;
+    return !a.rule.empty() && a.rule == b.rule;
 }
 
+/// The names of all limit states of the row; nothing where an earlier row has this one.
 std::string names_of(const DriftData& data, std::size_t state)
 {
-    std::string names = state_name(data.states[state]);
-    for (std::size_t later = state + 1; later < data.states.size(); ++later)
-        if (!data.states[state].rule.empty() &&
-            data.states[later].rule == data.states[state].rule)
-            names += ", " + state_name(data.states[later]);
+    std::string names;
+    for (std::size_t s = 0; s < data.states.size(); ++s) {
+        if (s != state && !alike(data.states[s], data.states[state])) continue;
+        if (s < state) return {};
+        names += (names.empty() ? "" : ", ") + state_name(data.states[s]);
+    }
     return names;
+}
+
+/// Adds the row of each group and limit state.
+template <class Add> void add_rows(const DriftData& data, Add add, Table& t)
+{
+    for (std::size_t g = 0; g < data.groups.size(); ++g)
+        for (std::size_t s = 0; s < data.states.size(); ++s)
+            if (!names_of(data, s).empty()) add(data, g, s, t);
 }
 
 /// Shares observed in place of a law.
@@ -65,7 +71,7 @@ void add_observed(const DriftData& data, const std::vector<Observation>& observa
     }
 }
 
-Row limits_row(const DriftData& data, std::size_t g, std::size_t state)
+void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& t)
 {
     const DriftGroup& group = data.groups[g];
     const auto observations = limits_of(group, state);
@@ -80,57 +86,40 @@ Row limits_row(const DriftData& data, std::size_t g, std::size_t state)
                any ? plain_number(100.0 * limits.censored_share, 0) : Number{},
                any ? plain_number(end, decimals_for(end)) : Number{},
                limits.fitted ? Cell(describes(law) ? "law" : "observed") : Cell()};
-    if (limits.fitted && !describes(law)) {
-        add_observed(data, observations, row);
-        row.insert(row.end(), {{}, {}, {}, rejected_text(law)});
-        return row;
-    }
     if (!limits.fitted) {
         const int d = decimals_for(limits.bound.median_above);
-        row.insert(row.end(), {{},
-                               {},
-                               median_bound(limits.bound, d),
-                               {},
-                               {},
-                               {},
-                               {},
-                               {},
-                               without_fit(limits, group)});
-        return row;
+        return add_row(t, joined(row, {{}, {}, median_bound(limits.bound, d)}),
+                       without_fit(limits, group));
+    }
+    if (!describes(law)) {
+        add_observed(data, observations, row);
+        return add_row(t, row, rejected_text(law));
     }
     const int d = decimals_for(limits.drifts[2].drift);
     for (const fragility::DriftLimit& at : limits.drifts)
         row.emplace_back(with_interval(at.drift, at.interval, d, end));
-    row.emplace_back(with_interval(limits.dispersion, limits.dispersion_interval, 2));
-    row.emplace_back(plain_number(limits.median_error, 3));
-    row.emplace_back(plain_number(limits.predictive_dispersion, 2));
-    row.emplace_back();
-    return row;
+    add_row(t, joined(row, {with_interval(limits.dispersion, limits.dispersion_interval, 2),
+                            plain_number(limits.median_error, 3),
+                            plain_number(limits.predictive_dispersion, 2)}));
 }
 
-Row fit_row(const DriftData& data, std::size_t g, std::size_t state)
+void add_tests(const DriftData& data, std::size_t g, std::size_t state, Table& t)
 {
     const DriftGroup& group = data.groups[g];
-    Row row = {group_cell(group), names_of(data, state),
-               count(static_cast<double>(limits_of(group, state).size()))};
+    Row row = {group_cell(group), names_of(data, state), count(limits_of(group, state).size())};
     const JudgedFit f = judged_fit(data, g, state);
-    std::string note;
-    if (f.fit.outcome != fragility::FitOutcome::converged) {
-        note = "No fit: " + f.fit.reason + ".";
-    } else if (f.tests.available) {
-        const auto& d = f.tests.distance;
-        for (const double x :
-             {d.kolmogorov_smirnov, f.tests.p_kolmogorov_smirnov, d.cramer_von_mises,
-              f.tests.p_cramer_von_mises, d.anderson_darling, f.tests.p_anderson_darling})
-            row.emplace_back(plain_number(x, 3));
-        row.emplace_back(count(static_cast<double>(f.tests.replicates)));
-        row.emplace_back(rejected(f) ? rejected_text(f) : std::string());
-        return row;
-    } else if (data.options.bootstrap > 0) {
-        note = "No test: " + f.tests.reason + ".";
-    }
-    row.insert(row.end(), {{}, {}, {}, {}, {}, {}, {}, note});
-    return row;
+    if (f.fit.outcome != fragility::FitOutcome::converged)
+        return add_row(t, row, "No fit: " + f.fit.reason + ".");
+    if (!f.tests.available)
+        return add_row(t, row,
+                       data.options.bootstrap > 0 ? "No test: " + f.tests.reason + "." : "");
+    const auto& d = f.tests.distance;
+    for (const double x :
+         {d.kolmogorov_smirnov, f.tests.p_kolmogorov_smirnov, d.cramer_von_mises,
+          f.tests.p_cramer_von_mises, d.anderson_darling, f.tests.p_anderson_darling})
+        row.emplace_back(plain_number(x, 3));
+    row.emplace_back(count(f.tests.replicates));
+    add_row(t, row, rejected(f) ? rejected_text(f) : "");
 }
 
 /// Levels and the stresses half-way between them.
@@ -139,7 +128,7 @@ std::vector<double> asked_stresses(const DriftData& data)
     std::vector<double> stresses;
     for (const DriftGroup& g : data.groups)
         if (g.stress) stresses.push_back(*g.stress);
-    std::sort(stresses.begin(), stresses.end());
+    std::ranges::sort(stresses);
     std::vector<double> asked;
     for (std::size_t i = 0; i < stresses.size(); ++i) {
         if (i > 0) asked.push_back(0.5 * (stresses[i - 1] + stresses[i]));
@@ -166,58 +155,40 @@ double known_near(const DriftData& data, std::size_t state, double stress)
 std::string rejected_stresses(const DriftData& data, std::size_t state)
 {
     std::string text;
-    for (std::size_t g = 0; g < data.groups.size(); ++g) {
-        const auto limits = limits_of(data.groups[g], state);
-        const bool lognormal = data.options.law == fragility::Law::lognormal;
-        if (rejected(lognormal ? judged_fit(data, g, state)
-                               : judged(data.options, fragility::Law::lognormal, limits, g)))
+    for (std::size_t g = 0; g < data.groups.size(); ++g)
+        if (rejected(judged_lognormal(data, g, state)))
             text += (text.empty() ? "" : " and ") + data.groups[g].name;
-    }
     return text;
 }
 
 void add_model(const DriftData& data, std::size_t state, Table& t)
 {
-    if (const std::string who = rejected_stresses(data, state); !who.empty()) {
-        t.rows.push_back(
-            {state_name(data.states[state]),
-             {},
-             {},
-             {},
-             {},
-             {},
-             {},
-             {},
-             "No model: the goodness-of-fit tests reject the lognormal law at " + who + "."});
-        return;
-    }
+    const std::string name = state_name(data.states[state]);
+    if (const std::string who = rejected_stresses(data, state); !who.empty())
+        return add_row(t, {name},
+                       "No model: the goodness-of-fit tests reject the lognormal law at " +
+                           who + ".");
     std::vector<fragility::StressedObservation> observations;
     for (const DriftGroup& g : data.groups)
         for (const Observation& o : limits_of(g, state)) observations.push_back({*g.stress, o});
     const fragility::StressModel model = fragility::fit_stress_model(observations);
-    const std::string name = state_name(data.states[state]);
-    if (model.outcome != fragility::FitOutcome::converged) {
-        t.rows.push_back({name, {}, {}, {}, {}, {}, {}, {}, "No model: " + model.reason + "."});
-        return;
-    }
+    if (model.outcome != fragility::FitOutcome::converged)
+        return add_row(t, {name}, "No model: " + model.reason + ".");
     for (const double stress : asked_stresses(data)) {
         const auto p = fragility::predict(model, stress, data.options.confidence);
         const auto at = fragility::at_stress(model, stress);
         const int d = decimals_for(p.median);
         const double end = known_near(data, state, stress);
-        t.rows.push_back({name,
-                          given(stress),
-                          count(static_cast<double>(model.median_terms.size() - 1)),
-                          count(static_cast<double>(model.dispersion_terms.size() - 1)),
-                          with_interval(p.median, p.confidence, d, end),
-                          Number{.lower = p.prediction.lower,
-                                 .upper = p.prediction.upper,
-                                 .decimals = d,
-                                 .known_to = end},
-                          plain_number(end, decimals_for(end)),
-                          with_error(at.law.dispersion,
-                                     at.law.dispersion * std::sqrt(at.covariance(1, 1)), 2),
-                          {}});
+        add_row(t, {name, given(stress), count(model.median_terms.size() - 1),
+                    count(model.dispersion_terms.size() - 1),
+                    with_interval(p.median, p.confidence, d, end),
+                    Number{.lower = p.prediction.lower,
+                           .upper = p.prediction.upper,
+                           .decimals = d,
+                           .known_to = end},
+                    plain_number(end, decimals_for(end)),
+                    with_error(at.law.dispersion,
+                               at.law.dispersion * std::sqrt(at.covariance(1, 1)), 2)});
     }
 }
 
@@ -240,9 +211,7 @@ Table performance_table(const DriftData& data)
                                  {"std error of ln median", kProgramsOnly},
                                  {"total dispersion", kProgramsOnly},
                                  {"note", kNote}});
-    for (std::size_t g = 0; g < data.groups.size(); ++g)
-        for (std::size_t s = 0; s < data.states.size(); ++s)
-            if (!says_what_was_said(data, s)) t.rows.push_back(limits_row(data, g, s));
+    add_rows(data, add_limits, t);
     return t;
 }
 
@@ -261,9 +230,7 @@ Table fit_table(const DriftData& data)
               "p of A2",
               {"samples", kProgramsOnly},
               {"note", kNote}};
-    for (std::size_t g = 0; g < data.groups.size(); ++g)
-        for (std::size_t s = 0; s < data.states.size(); ++s)
-            if (!says_what_was_said(data, s)) t.rows.push_back(fit_row(data, g, s));
+    add_rows(data, add_tests, t);
     return t;
 }
 

@@ -14,56 +14,21 @@
 namespace app {
 namespace {
 
-std::vector<const StudyWall*> walls_of(const StudyLevel& level, int mode)
-{
-    std::vector<const StudyWall*> found;
-    for (const StudyWall& w : level.walls)
-        if (mode_of(w) == mode) found.push_back(&w);
-    return found;
-}
-
-/// Mean of the sound values with its standard error, which one value has not.
-Number mean_cell(const std::vector<double>& values, int decimals)
-{
-    const auto sound = uq::sound_values(values).values;
-    if (sound.empty()) return {};
-    if (sound.size() == 1) return plain_number(sound.front(), decimals);
-    const uq::Estimate e = uq::estimate_mean(sound);
-    return with_error(e.value, e.std_error, decimals);
-}
-
-Number cov_cell(const std::vector<double>& values)
-{
-    const auto sound = uq::sound_values(values).values;
-    if (sound.size() < 2) return {};
-    const uq::Moments m = uq::moments(sound);
-    return m.mean > 0.0 ? plain_number(m.sd / m.mean, 2) : Number{};
-}
-
-/// Mean of where runs ended, a bound: it has no standard error.
-Number ended_cell(const std::vector<double>& ends)
-{
-    if (ends.empty()) return {};
-    const double sum = std::accumulate(ends.begin(), ends.end(), 0.0);
-    return {
-        .value = sum / static_cast<double>(ends.size()), .decimals = 2, .sense = Sense::above};
-}
-
 /// Displacements of a mode, apart by whether they are the wall's or the end of its run [mm].
 struct Displacements {
     std::vector<double> observed, censored;
     std::vector<fragility::Observation> all;
 };
 
-Displacements displacements(const std::vector<const StudyWall*>& walls)
+Displacements displacements(const WallList& walls)
 {
     Displacements d;
     for (const StudyWall* w : walls) {
         const auto limit = fragility::observation(w->reading.ultimate, 1e3);
         if (!limit) continue;
         d.all.push_back(*limit);
-        const bool observed = w->reading.ultimate.reading == fragility::Reading::observed;
-        (observed ? d.observed : d.censored).push_back(w->reading.ultimate.displacement * 1e3);
+        (is_observed(w->reading.ultimate) ? d.observed : d.censored)
+            .push_back(w->reading.ultimate.displacement * 1e3);
     }
     return d;
 }
@@ -75,10 +40,8 @@ Number median_cell(const StudyWalls& walls, const StudyLevel& level, const Displ
     const FragilityInput& f = walls.study.fragility;
     const auto limits = fragility::performance_limits(f.law, d.all, f.confidence);
     if (!limits.fitted) return median_bound(limits.bound, 1);
-    const DriftOptions options{f.law, f.confidence, static_cast<std::size_t>(f.bootstrap),
-                               walls.study.uq.seed};
     const auto group = static_cast<std::size_t>(&level - walls.levels.data());
-    if (rejected(judged(options, f.law, d.all, group))) {
+    if (rejected(judged(drift_options(walls.study), f.law, d.all, group))) {
         const std::array half = {0.5};
         const auto median = fragility::observed_quantiles(d.all, half, f.confidence).front();
         if (!median.value) return median_bound(limits.bound, 1);
@@ -87,47 +50,56 @@ Number median_cell(const StudyWalls& walls, const StudyLevel& level, const Displ
     return with_interval(limits.drifts[2].drift, limits.drifts[2].interval, 1, known_to(d.all));
 }
 
-Row mean_row(const StudyWalls& walls, const StudyLevel& level, int mode, std::size_t columns)
+void add_means(const StudyWalls& walls, const StudyLevel& level, int mode, Table& t)
 {
-    const auto group = walls_of(level, mode);
-    const auto n = static_cast<double>(group.size());
-    Row row = {given(level.stress / 1e6), mode_name(mode), count(n)};
-    if (group.empty()) {
-        row.resize(columns);
-        row.back() =
-            level.walls.empty() ? "No wall gave a result." : "The mode does not occur.";
-        return row;
-    }
-    const auto share =
-        fragility::share(n, static_cast<double>(level.walls.size()),
-                         static_cast<double>(level.failed_walls.size()),
-                         fragility::BinomialInterval::wilson, walls.study.fragility.confidence);
-    row.emplace_back(with_interval(100.0 * share.value, 100.0 * share.bounds.lower,
-                                   100.0 * share.bounds.upper, 0));
-    for (std::size_t i = 0; i < walls.inputs.size(); ++i) {
+    const WallList group = walls_of(level, mode);
+    Row row = {stress_cell(level.stress), mode_name(mode), count(group.size())};
+    if (group.empty())
+        return add_row(t, row,
+                       level.walls.empty() ? "No wall gave a result."
+                                           : "The mode does not occur.");
+    const auto share = fragility::share(
+        static_cast<double>(group.size()), static_cast<double>(level.walls.size()),
+        static_cast<double>(level.failed_walls.size()), fragility::BinomialInterval::wilson,
+        walls.study.fragility.confidence);
+    row.emplace_back(percent(share.value, share.bounds, 0));
+    const auto values_of = [&](auto value) {
         std::vector<double> values;
-        for (const StudyWall* w : group) values.push_back(w->inputs[i]);
-        row.emplace_back(mean_cell(values, walls.inputs[i].unit == "deg" ? 2 : 3));
-    }
-    std::vector<double> force;
-    for (const StudyWall* w : group) force.push_back(peak_force(w->reading) * 1e-3);
-    std::vector<double> at_peak;
-    for (const StudyWall* w : group) at_peak.push_back(peak_displacement(w->reading) * 1e3);
+        for (const StudyWall* w : group) values.push_back(value(*w));
+        return values;
+    };
+    for (std::size_t i = 0; i < walls.inputs.size(); ++i)
+        row.emplace_back(mean_cell(values_of([i](const StudyWall& w) { return w.inputs[i]; }),
+                                   walls.inputs[i].unit == "deg" ? 2 : 3));
+    const auto force =
+        values_of([](const StudyWall& w) { return peak_force(w.reading) * 1e-3; });
+    const auto at_peak =
+        values_of([](const StudyWall& w) { return peak_displacement(w.reading) * 1e3; });
     const Displacements d = displacements(group);
-    row.insert(row.end(), {mean_cell(force, 2),
-                           cov_cell(force),
-                           mean_cell(at_peak, 2),
-                           mean_cell(d.observed, 2),
-                           cov_cell(d.observed),
-                           count(static_cast<double>(d.observed.size())),
-                           ended_cell(d.censored),
-                           count(static_cast<double>(d.censored.size())),
-                           median_cell(walls, level, d),
-                           {}});
-    return row;
+    // The mean of where runs ended is a bound: it has no standard error.
+    const Number ended = {
+        .value = plain_mean(d.censored), .decimals = 2, .sense = Sense::above};
+    add_row(t, joined(row,
+                      {mean_cell(force, 2), cov_cell(force), mean_cell(at_peak, 2),
+                       mean_cell(d.observed, 2), cov_cell(d.observed), count(d.observed.size()),
+                       ended, count(d.censored.size()), median_cell(walls, level, d)}));
 }
 
 } // namespace
+
+MeanOf mean_of(const std::vector<double>& values, double confidence)
+{
+    if (values.empty()) return {};
+    if (values.size() == 1) return {.value = values.front()};
+    const uq::Estimate e = uq::estimate_mean(values, confidence);
+    return {e.value, {e.interval.lower, e.interval.upper, confidence}};
+}
+
+double plain_mean(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) /
+           static_cast<double>(values.size());
+}
 
 Table mean_table(const StudyWalls& walls)
 {
@@ -147,8 +119,7 @@ Table mean_table(const StudyWalls& walls)
                                  {"median displacement [mm]", kInterval | kExtrapolated},
                                  {"note", kNote}});
     for (const int mode : modes_of(walls))
-        for (const StudyLevel& level : walls.levels)
-            t.rows.push_back(mean_row(walls, level, mode, t.head.size()));
+        for (const StudyLevel& level : walls.levels) add_means(walls, level, mode, t);
     return t;
 }
 

@@ -15,11 +15,20 @@ namespace app {
 /// of the mode: Tables 6 (rocking), 7 (mixed) and 8 (both) of the paper, one below the other.
 [[nodiscard]] Table mean_table(const StudyWalls& walls);
 
-constexpr int kAllModes = 3; ///< after the modes
+/// Mean over walls with its interval, which has no bounds for one wall.
+struct MeanOf {
+    double value = kUnknown;
+    fragility::Interval interval{kUnknown, kUnknown, 0.0};
+};
+/// @param values of the walls; without any the mean is not known
+[[nodiscard]] MeanOf mean_of(const std::vector<double>& values, double confidence);
 
-/// Of the lines of a stress in pictures of several.
-/// @param level index in StudyWalls::levels
-[[nodiscard]] const char* stress_colour(std::size_t level);
+/// The sum of the values divided by their number.
+[[nodiscard]] double plain_mean(const std::vector<double>& values);
+
+/// A mean ends where fewer of its walls are still pushed [-]: those left are not a fair sample, since walls
+/// whose force has dropped are the first to go.
+constexpr double kMeanNeedsShare = 0.9;
 
 /// Forces of the walls of a group at one step [kN].
 struct MeanPoint {
@@ -29,8 +38,8 @@ struct MeanPoint {
     fragility::Interval interval; ///< of the mean; no bounds for one wall
 };
 
-/// At 0, 1, ... kCurveSteps steps, as far as kMeanNeedsShare of the curves of the group go: the rest are no
-/// fair sample.
+/// At 0, 1, ... kCurveSteps steps, as far as kMeanNeedsShare of the curves of the group go: the rest are not
+/// a fair sample.
 [[nodiscard]] std::vector<MeanPoint> mean_points(const StudyWalls& walls,
                                                  const StudyLevel& level, int mode);
 

@@ -1,10 +1,8 @@
 #include "app/fragility/fragility_modes.hpp"
 
-#include "app/fragility/fragility_means.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
-#include "app/text/number_text.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "fragility/binomial.hpp"
 #include "fragility/equal_modes.hpp"
@@ -18,13 +16,9 @@
 namespace app {
 namespace {
 
-Number stress_cell(const StudyLevel& level) { return given(level.stress / 1e6); }
-
 double walls_with(const StudyLevel& level, int mode)
 {
-    return static_cast<double>(
-        std::count_if(level.walls.begin(), level.walls.end(),
-                      [&](const StudyWall& w) { return mode_of(w) == mode; }));
+    return static_cast<double>(walls_of(level, mode).size());
 }
 
 Number range_cell(const fragility::Interval& i)
@@ -32,69 +26,42 @@ Number range_cell(const fragility::Interval& i)
     return range(100.0 * i.lower, 100.0 * i.upper, 1);
 }
 
-/// How many walls of a level slid and did not crack.
-double slid(const StudyLevel& level)
-{
-    return static_cast<double>(
-        std::count_if(level.walls.begin(), level.walls.end(),
-                      [](const StudyWall& w) { return w.reading.slid; }));
-}
-
-bool slides_count_as_rocking(const StudyWalls& walls)
-{
-    return walls.study.fragility.mode.modes == dem::ModeRule::two;
-}
-
-/// Walls of a mode of which something holds.
+/// How many walls of a mode satisfy a condition.
 template <class Holds> Number count_of(const StudyLevel& level, int mode, Holds holds)
 {
-    return count(
-        static_cast<double>(std::ranges::count_if(level.walls, [&](const StudyWall& w) {
-            return mode_of(w) == mode && holds(w.mechanism);
-        })));
+    return count(std::ranges::count_if(walls_of(level, mode),
+                                       [&](const StudyWall* w) { return holds(*w); }));
 }
 
-Row mode_row(const StudyWalls& walls, const StudyLevel& level, int mode)
+void add_mode(const StudyWalls& walls, const StudyLevel& level, int mode, Table& t)
 {
     const double confidence = walls.study.fragility.confidence;
     const auto n = static_cast<double>(level.walls.size());
     const auto failed = static_cast<double>(level.failed_walls.size());
     const double k = walls_with(level, mode);
-    Row row = {
-        stress_cell(level),
+    const bool has_slid =
+        mode == kRocking && walls.study.fragility.mode.modes == dem::ModeRule::two;
+    const Row start = {
+        stress_cell(level.stress),
         mode_name(mode),
         count(k),
-        mode == kRocking && slides_count_as_rocking(walls) ? count(slid(level)) : Number{},
-        count_of(level, mode, [](const dem::Mechanism& m) { return m.spalled_units > 0; }),
-        count_of(level, mode, [](const dem::Mechanism& m) { return m.crushed_area > 0.0; }),
+        has_slid ? count_of(level, kAllModes, [](const auto& w) { return w.reading.slid; })
+                 : Number{},
+        count_of(level, mode, [](const auto& w) { return w.mechanism.spalled_units > 0; }),
+        count_of(level, mode, [](const auto& w) { return w.mechanism.crushed_area > 0.0; }),
         count(n),
         count(failed)};
-    if (n == 0.0) {
-        row.insert(row.end(), {{},
-                               {},
-                               {},
-                               failed > 0.0 ? range(0.0, 100.0, 1) : Number{},
-                               "No wall gave a result."});
-        return row;
-    }
+    if (n == 0.0)
+        return add_row(
+            t, joined(start, {{}, {}, {}, failed > 0.0 ? range(0.0, 100.0, 1) : Number{}}),
+            "No wall gave a result.");
     using enum fragility::BinomialInterval;
     const auto s = fragility::share(k, n, failed, wilson, confidence);
-    row.emplace_back(
-        with_interval(100.0 * s.value, 100.0 * s.interval.lower, 100.0 * s.interval.upper, 1));
-    for (const auto kind : {clopper_pearson, jeffreys})
-        row.emplace_back(range_cell(fragility::binomial_interval(kind, k, n, confidence)));
-    row.emplace_back(range_cell(s.bounds));
-    row.emplace_back();
-    return row;
-}
-
-const char* const kFriction = "joint.friction_angle";
-
-std::optional<std::size_t> friction_of(const StudyWalls& walls)
-{
-    for (std::size_t i = 0; i < walls.inputs.size(); ++i)
-        if (walls.inputs[i].key == kFriction) return i;
-    return {};
+    const auto by = [&](fragility::BinomialInterval kind) {
+        return range_cell(fragility::binomial_interval(kind, k, n, confidence));
+    };
+    add_row(t, joined(start, {percent(s.value, s.interval, 1), by(clopper_pearson),
+                              by(jeffreys), range_cell(s.bounds)}));
 }
 
 /// Walls that rock and walls of another mode.
@@ -106,7 +73,7 @@ fragility::ModeData mode_data(const StudyLevel& level, std::size_t input, int ot
     const auto n = static_cast<Eigen::Index>(walls.size());
     fragility::ModeData data{Eigen::MatrixXd(n, 1), Eigen::MatrixXd::Zero(n, 2)};
     for (Eigen::Index i = 0; i < n; ++i) {
-        const StudyWall& w = *walls[static_cast<std::size_t>(i)];
+        const StudyWall& w = *walls[i];
         data.covariates(i, 0) = w.inputs[input];
         data.counts(i, mode_of(w) == kRocking ? 0 : 1) = 1.0;
     }
@@ -122,33 +89,30 @@ fragility::Interval physical(fragility::Interval i)
     return i;
 }
 
-Row equal_row(const StudyWalls& walls, const StudyLevel& level,
-              const std::optional<std::size_t>& input, int other)
+void add_equal(const StudyWalls& walls, const StudyLevel& level,
+               const std::optional<std::size_t>& input, int other, Table& t)
 {
     const double rocking = walls_with(level, kRocking), n = rocking + walls_with(level, other);
-    Row row = {stress_cell(level), mode_name(other), count(n), count(rocking)};
-    const auto only_note = [&](const std::string& text, Cell slope = {}) {
-        row.insert(row.end(), {{}, std::move(slope), {}, text});
-        return row;
-    };
-    if (!input) return only_note("joint.friction_angle does not vary in this study.");
-    if (level.walls.empty()) return only_note("No wall gave a result.");
+    const Row start = {stress_cell(level.stress), mode_name(other), count(n), count(rocking)};
+    if (!input) return add_row(t, start, "joint.friction_angle does not vary in this study.");
+    if (level.walls.empty()) return add_row(t, start, "No wall gave a result.");
     if (rocking == 0 || rocking == n)
-        return only_note(std::string("No wall is ") +
-                         mode_name(rocking == n ? other : kRocking) +
-                         ": the data have no such angle.");
+        return add_row(t, start,
+                       std::string("The mode ") + mode_name(rocking == n ? other : kRocking) +
+                           " does not occur: the data have no such angle.");
     const auto data = mode_data(level, *input, other);
     const auto model = fragility::fit_modes_safely(data);
     if (model.outcome != fragility::ModelOutcome::converged)
-        return only_note("No model: " + model.reason + ".");
+        return add_row(t, start, "No model: " + model.reason + ".");
     const auto equal = fragility::equal_modes(model, data, 0, 1, 0, Eigen::VectorXd::Zero(1),
                                               walls.study.fragility.confidence);
-    if (!equal.found) return only_note("No such angle: " + equal.reason + ".");
+    if (!equal.found) return add_row(t, start, "No such angle: " + equal.reason + ".");
     const Number slope = with_error(model.coefficients(0, 1), model.std_errors(0, 1), 3);
     const bool firth = model.penalty == fragility::ModePenalty::firth;
     const fragility::Interval i = physical(firth ? equal.delta : equal.profile);
     if (std::isinf(i.lower) && std::isinf(i.upper))
-        return only_note("Not identifiable: the slope is not significant.", slope);
+        return add_row(t, joined(start, {{}, slope}),
+                       "Not identifiable: the slope is not significant.");
     const auto angles = data.covariates.col(0);
     std::string note =
         firth ? "Firth's penalty, interval by the delta method: " + model.reason + "." : "";
@@ -156,9 +120,10 @@ Row equal_row(const StudyWalls& walls, const StudyLevel& level,
         note += std::string(note.empty() ? "" : " ") +
                 "The angle lies outside the angles of the walls.";
     const fragility::Interval fieller = physical(equal.fieller);
-    row.insert(row.end(), {with_interval(equal.at, i, 1), slope,
-                           range(fieller.lower, fieller.upper, 1), note});
-    return row;
+    add_row(t,
+            joined(start, {with_interval(equal.at, i, 1), slope,
+                           range(fieller.lower, fieller.upper, 1)}),
+            note);
 }
 
 struct ThresholdGrid {
@@ -213,7 +178,7 @@ Table mode_table(const StudyWalls& walls)
               {"share with failed walls [%]", kRange},
               {"note", kNote}};
     for (const StudyLevel& level : walls.levels)
-        for (const int mode : modes_of(walls)) t.rows.push_back(mode_row(walls, level, mode));
+        for (const int mode : modes_of(walls)) add_mode(walls, level, mode, t);
     return t;
 }
 
@@ -229,10 +194,10 @@ Table equal_modes_table(const StudyWalls& walls)
               {"slope [1/deg]", kError},
               {"angle after Fieller [deg]", kRange | kProgramsOnly},
               {"note", kNote}};
-    const auto input = friction_of(walls);
+    const auto input = input_of(walls, "joint.friction_angle");
     for (const StudyLevel& level : walls.levels)
         for (const int other : modes_of(walls))
-            if (other != kRocking) t.rows.push_back(equal_row(walls, level, input, other));
+            if (other != kRocking) add_equal(walls, level, input, other, t);
     return t;
 }
 
@@ -246,8 +211,8 @@ Table threshold_table(const StudyWalls& walls)
     std::erase(shown, kRocking);
     for (const StudyLevel& level : walls.levels) {
         for (const int mode : shown)
-            t.head.emplace_back(mode_name(mode) + (" at " + number(level.stress / 1e6, 12)) +
-                                " MPa [%]");
+            t.head.emplace_back(mode_name(mode) + (" at " + stress_text(level.stress)) +
+                                " [%]");
         for (const auto& f : figures_of(level)) all.push_back(f);
     }
     t.head.emplace_back("walls that change their mode [%]");

@@ -1,7 +1,7 @@
 #include "app/fragility/fragility_output.hpp"
 
 #include "app/output/markup.hpp"
-#include "app/output/result_folder.hpp"
+#include "app/output/table_files.hpp"
 #include "app/output/unique_names.hpp"
 #include "app/text/json_text.hpp"
 #include "app/version.hpp"
@@ -86,11 +86,7 @@ std::size_t write_output(const fs::path& folder, const FragilityOutput& output)
     std::vector<OutputFile> files = {{"README.md", readme(output)},
                                      {"fragility.json", fragility_json(output)}};
     if (!output.pelicun.empty()) files.push_back({"pelicun_fragility.csv", output.pelicun});
-    for (const NamedTable& t : output.tables) {
-        files.push_back({path_of(t) + ".csv", as_csv(t.table)});
-        files.push_back({path_of(t) + ".md", as_markdown(t.table)});
-        files.push_back({path_of(t) + ".tex", as_latex(t.table)});
-    }
+    for (const NamedTable& t : output.tables) add_table(files, path_of(t), t.table);
     for (const NamedPicture& p : output.pictures)
         files.push_back({"pictures/" + p.name + ".svg", p.svg});
     return write_results(folder, files);

@@ -32,7 +32,7 @@ struct FragilityOutput {
 /// All tables with their captions and rows as in the CSV, cells that are empty as null; one object.
 [[nodiscard]] std::string fragility_json(const FragilityOutput& output);
 
-/// Gives tables, and pictures, names of which no two are alike.
+/// Gives tables, and pictures, unique names.
 void make_names_unique(FragilityOutput& output);
 
 /// README.md, which begins with the answers; fragility.json, pelicun_fragility.csv; <name>.csv, .md, .tex of

@@ -26,10 +26,7 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
                                      std::string& rejection)
 {
     if (!(data.percent > 0.0)) return {};
-    const auto limits = limits_of(data.groups[g], state);
-    const JudgedFit f = data.options.law == fragility::Law::lognormal
-                            ? judged_fit(data, g, state)
-                            : judged(data.options, fragility::Law::lognormal, limits, g);
+    const JudgedFit f = judged_lognormal(data, g, state);
     if (rejected(f))
         rejection += "; " + state_name(data.states[state]) +
                      ": the tests reject the lognormal law (p = " +
@@ -37,21 +34,21 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
     if (!describes(f)) return {};
     const double radians = data.percent / 100.0;
     return Parameters{std::exp(f.fit.law.location) * radians, f.fit.law.dispersion,
-                      known_to(limits) * radians};
+                      known_to(limits_of(data.groups[g], state)) * radians};
 }
 
 std::vector<std::string> sets_of(const DriftData& data)
 {
     std::vector<std::string> sets;
-    for (const DriftState& s : data.states)
-        if (std::find(sets.begin(), sets.end(), s.set) == sets.end()) sets.push_back(s.set);
+    for (const StateName& s : data.states)
+        if (std::ranges::find(sets, s.set) == sets.end()) sets.push_back(s.set);
     return sets;
 }
 
 std::string id_part(const std::string& text)
 {
     std::string safe = file_name(text);
-    std::replace(safe.begin(), safe.end(), '-', '_'); // pelicun splits at hyphens
+    std::ranges::replace(safe, '-', '_'); // pelicun splits at hyphens
     return safe;
 }
 
@@ -84,10 +81,8 @@ std::string line(const DriftData& data, std::size_t group, const std::string& id
     std::vector<std::optional<Parameters>> found;
     std::string rejection;
     for (const std::size_t s : states) found.push_back(parameters(data, group, s, rejection));
-    const bool whole = std::all_of(found.begin(), found.end(), [](auto& p) { return p; });
-    if (whole)
-        std::stable_sort(found.begin(), found.end(),
-                         [](const auto& a, const auto& b) { return a->median < b->median; });
+    const bool whole = std::ranges::all_of(found, [](const auto& p) { return p.has_value(); });
+    if (whole) std::ranges::stable_sort(found, {}, [](const auto& p) { return p->median; });
     std::string text = id + (whole ? ",0" : ",1") + ",Peak Interstory Drift Ratio,rad,0,1";
     for (std::size_t i = 0; i < kMostStates; ++i) {
         if (i >= states.size()) {
@@ -120,9 +115,8 @@ std::string pelicun_csv(const DriftData& data)
                                  id_part(data.groups[g].name);
                 if (states.size() > kMostStates || part > 0)
                     id += ".part" + std::to_string(++part);
-                text += line(data, g, ids.add(id),
-                             {states.begin(), states.begin() + static_cast<std::ptrdiff_t>(n)});
-                states.erase(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(n));
+                text += line(data, g, ids.add(id), {states.begin(), states.begin() + n});
+                states.erase(states.begin(), states.begin() + n);
             }
         }
     return text;

@@ -8,7 +8,6 @@
 #include "fragility/kaplan_meier.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace app {
 namespace {
@@ -16,14 +15,9 @@ namespace {
 using fragility::Observation;
 
 constexpr std::size_t kChartDrifts = 120;
-constexpr std::array<const char*, 12> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                  "#E69F00", "#56B4E9", "#000000", "#7F3C8D",
-                                                  "#8C564B", "#7F7F7F", "#9ACD32", "#F2666C"};
-
-std::string colour(std::size_t i) { return kColours[i % kColours.size()]; }
 
 /// "Limit state SLD (ntc)": fits on a chart beside the name of a group.
-std::string short_title(const DriftState& s)
+std::string short_title(const StateName& s)
 {
     return "Limit state " + s.name + (s.set.empty() ? "" : " (" + s.set + ")");
 }
@@ -54,8 +48,8 @@ std::vector<Series> parted(const Series& line, double end)
     std::vector<Series> parts{line, line};
     parts[1].name.clear();
     parts[1].line = LineStyle::dashed;
-    const auto seen = std::upper_bound(line.x.begin(), line.x.end(), end) - line.x.begin();
-    for (auto* const v : {&parts[0].x, &parts[0].y}) v->resize(static_cast<std::size_t>(seen));
+    const auto seen = std::ranges::upper_bound(line.x, end) - line.x.begin();
+    for (auto* const v : {&parts[0].x, &parts[0].y}) v->resize(seen);
     const auto overlap = std::max<std::ptrdiff_t>(seen - 1, 0);
     for (auto* const v : {&parts[1].x, &parts[1].y}) v->erase(v->begin(), v->begin() + overlap);
     if (parts[1].x.size() < 2) parts.pop_back();
@@ -93,12 +87,12 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
         Series line = fitted(data, judged_fit(data, g, state), drifts);
         const bool found = !line.x.empty();
         line.name = data.groups[g].name;
-        line.colour = colour(g);
+        line.colour = palette(g);
         if (found)
             for (const Series& part : parted(line, known_to(limits))) c.series.push_back(part);
         if (!limits.empty())
             c.series.push_back(
-                steps(limits, found ? "" : line.name + " (observed)", colour(g)));
+                steps(limits, found ? "" : line.name + " (observed)", palette(g)));
     }
     const std::string file = "curve_" + state_file(data.states[state]);
     return {file,
@@ -112,25 +106,21 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
 void add_mixture(const DriftData& data, const std::vector<fragility::ModeGroup>& modes,
                  const std::vector<double>& drifts, Chart& c)
 {
-    Series least, most, lower, upper;
+    Band least(palette(0), 1.2);
+    Series most{.name = "upper bound where a mode has no fit",
+                .colour = palette(0),
+                .line = LineStyle::dashed};
     for (const auto& p :
          fragility::mixture_curve(modes, drifts, data.options.confidence).points) {
-        for (Series* const s : {&least, &most, &lower, &upper}) s->x.push_back(p.drift);
-        least.y.push_back(p.least);
+        least.add(p.drift, p.least, p.band.lower, p.band.upper);
+        most.x.push_back(p.drift);
         most.y.push_back(p.most);
-        lower.y.push_back(p.band.lower);
-        upper.y.push_back(p.band.upper);
     }
-    least.name = data.modes.empty() ? "fitted law" : "all modes, weighted";
-    least.width = 2.4;
-    most.name = "upper bound where a mode has no fit";
-    most.line = LineStyle::dashed;
-    lower.name = upper.name = percent_text(data.options.confidence) + " band";
-    lower.line = upper.line = LineStyle::dotted;
-    lower.width = upper.width = 1.2;
-    for (Series* const s : {&least, &most, &lower, &upper}) s->colour = colour(0);
-    c.series.insert(c.series.end(), {least, lower, upper});
-    if (most.y != least.y) c.series.push_back(most);
+    least.line.name = data.modes.empty() ? "fitted law" : "all modes, weighted";
+    least.line.width = 2.4;
+    least.low.name = least.high.name = percent_text(data.options.confidence) + " band";
+    add_band(c, least);
+    if (most.y != least.line.y) c.series.push_back(most);
 }
 
 NamedPicture one_group(const DriftData& data, std::size_t state, std::size_t g,
@@ -146,7 +136,7 @@ NamedPicture one_group(const DriftData& data, std::size_t state, std::size_t g,
         Series line = fitted(data, judged_fit(data, g, state, static_cast<int>(m)), drifts);
         if (line.x.empty()) continue;
         line.name = data.modes[m] + " walls alone";
-        line.colour = colour(m + 1);
+        line.colour = palette(m + 1);
         for (const Series& part : parted(line, known_to(limits))) c.series.push_back(part);
     }
     Series shares = steps(all, "observed shares (Kaplan-Meier)", "#000000");

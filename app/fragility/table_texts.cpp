@@ -27,7 +27,7 @@ std::string filled(std::string_view text, const Words& words)
     return result;
 }
 
-/// Line breaks of the file are no line breaks of the text.
+/// The text in one line: the line breaks of the file do not belong to it.
 std::string one_line(std::string_view text)
 {
     std::string line(text.substr(0, text.find_last_not_of('\n') + 1));
@@ -56,7 +56,7 @@ Table titled_table(std::string_view name, const Words& words)
 Words words_of(const DriftData& data)
 {
     std::string states;
-    for (const DriftState& s : data.states)
+    for (const StateName& s : data.states)
         states += (states.empty() ? "" : "; ") + state_name(s) + ": " + s.rule;
     return {{"counts", counts_text(data)},
             {"drift", data.drift},

@@ -70,6 +70,11 @@ Study read_study(const StudyFile& file)
     return study;
 }
 
+Study read_study(const std::string& path, std::span<const std::string> overrides)
+{
+    return read_study(with_overrides(read_study_file(path), overrides));
+}
+
 namespace {
 
 /// A study stands alone: what was read from a drawing, or found out, stands in it.

@@ -201,6 +201,8 @@ struct Study {
 /// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at
 /// odds with another
 [[nodiscard]] Study read_study(const StudyFile& file);
+/// The same of a file of this name, with values of --set in place of its own.
+[[nodiscard]] Study read_study(const std::string& path, std::span<const std::string> overrides);
 
 /// Whether a file has a section [model]: a study of another program.
 [[nodiscard]] bool is_program_study(const StudyFile& file);

@@ -3,7 +3,6 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/study_key_table.hpp"
 #include "app/reading/wall_response.hpp"
-#include "app/reading/wall_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,9 +47,10 @@ constexpr std::array kKernels = {named("exponential", FieldKernel::exponential),
                                  named("all", FieldKernel::all)};
 constexpr std::array kCrossings = {named("first", fragility::Crossing::first),
                                    named("last", fragility::Crossing::last)};
-constexpr std::array kBackbones = {
-    named(kSides[0], fragility::Side::mean), named(kSides[1], fragility::Side::worse),
-    named(kSides[2], fragility::Side::right), named(kSides[3], fragility::Side::left)};
+constexpr std::array kBackbones = {named(fragility::kSideNames[0], fragility::Side::mean),
+                                   named(fragility::kSideNames[1], fragility::Side::worse),
+                                   named(fragility::kSideNames[2], fragility::Side::right),
+                                   named(fragility::kSideNames[3], fragility::Side::left)};
 constexpr std::array kModeRules = {named("two", dem::ModeRule::two),
                                    named("three", dem::ModeRule::three)};
 constexpr std::array kDriftLaws = {

@@ -4,11 +4,12 @@
 #include "app/output/table.hpp"
 
 #include <cmath>
+#include <string>
 
 namespace app {
 
 /// A count, without decimals.
-[[nodiscard]] inline Number count(double n) { return {.value = n, .decimals = 0}; }
+[[nodiscard]] Number count(auto n) { return {.value = static_cast<double>(n), .decimals = 0}; }
 
 /// A number as the user gave it: 0.4, where a change of units left 0.39999999999999997.
 [[nodiscard]] Number given(double x);
@@ -37,6 +38,22 @@ namespace app {
             .known_to = known_to};
 }
 
+/// @param interval has `lower` and `upper`
+template <class Interval>
+[[nodiscard]] Number with_interval(double value, const Interval& interval, int decimals,
+                                   double known_to = kNoEnd)
+{
+    return with_interval(value, interval.lower, interval.upper, decimals, known_to);
+}
+
+/// A share and its interval in percent.
+template <class Interval>
+[[nodiscard]] Number percent(double share, const Interval& interval, int decimals)
+{
+    return with_interval(100.0 * share, 100.0 * interval.lower, 100.0 * interval.upper,
+                         decimals);
+}
+
 /// "0.0 to 45.9"
 [[nodiscard]] inline Number range(double lower, double upper, int decimals)
 {
@@ -45,5 +62,14 @@ namespace app {
 
 /// Decimals that show three digits of a value of this size, in 0 .. 6.
 [[nodiscard]] int decimals_for(double size);
+
+/// A vertical stress [Pa] as a cell in MPa.
+[[nodiscard]] inline Number stress_cell(double stress) { return given(stress / 1e6); }
+
+/// The cells of `start`, followed by those of `more`.
+[[nodiscard]] Row joined(Row start, Row more);
+
+/// Adds a row to a table whose last column is a note: cells that are missing before it are empty.
+void add_row(Table& table, Row cells, std::string note = {});
 
 } // namespace app

@@ -1,7 +1,6 @@
 #include "app/output/chart_frame.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,9 +8,6 @@ namespace app {
 
 namespace {
 
-// Okabe and Ito: told apart with any colour vision
-constexpr std::array<const char*, 7> kPalette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                 "#E69F00", "#56B4E9", "#000000"};
 constexpr double kMargin = 18.0, kTickSize = 12.0, kSample = 26.0; // [px]
 
 struct Range {
@@ -62,7 +58,7 @@ std::vector<std::string> pick_colours(const std::vector<Series>& series)
         for (std::size_t k = 0; k < i && colour.empty(); ++k)
             if (!series[i].name.empty() && series[k].name == series[i].name)
                 colour = colours[k];
-        if (colour.empty()) colour = kPalette[next++ % kPalette.size()];
+        if (colour.empty()) colour = palette(next++);
         colours.push_back(colour);
     }
     return colours;

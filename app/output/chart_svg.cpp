@@ -3,6 +3,7 @@
 #include "app/output/chart_frame.hpp"
 #include "app/output/svg_elements.hpp"
 
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -135,6 +136,34 @@ std::string draw_marks(const Chart& chart, const ChartFrame& f)
 }
 
 } // namespace
+
+const char* palette(std::size_t i)
+{
+    // Okabe and Ito, and five more
+    constexpr std::array kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                     "#E69F00", "#56B4E9", "#000000", "#7F3C8D",
+                                     "#8C564B", "#7F7F7F", "#9ACD32", "#F2666C"};
+    return kColours[i % kColours.size()];
+}
+
+Band::Band(const std::string& colour, double width)
+    : line{.colour = colour}, low{.colour = colour, .line = LineStyle::dotted, .width = width},
+      high(low)
+{
+}
+
+void Band::add(double x, double y, double lower, double upper)
+{
+    for (Series* const s : {&line, &low, &high}) s->x.push_back(x);
+    line.y.push_back(y);
+    low.y.push_back(lower);
+    high.y.push_back(upper);
+}
+
+void add_band(Chart& chart, const Band& band)
+{
+    chart.series.insert(chart.series.end(), {band.line, band.low, band.high});
+}
 
 std::string line_chart(const Chart& chart)
 {

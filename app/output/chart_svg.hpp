@@ -1,6 +1,7 @@
 #pragma once
 /// A line chart as SVG: capacity curves, comparisons with tests, convergence.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,10 +14,22 @@ enum class LineStyle { none, solid, dashed, dotted };
 struct Series {
     std::string name = {};              ///< in the legend, once; empty: not in the legend
     std::vector<double> x = {}, y = {}; ///< of equal length
-    std::string colour = {}; ///< CSS; empty: from a colour-blind-safe palette, by name
+    std::string colour = {};            ///< CSS; empty: from the palette, by name
     LineStyle line = LineStyle::solid;
     double width = 1.8;  ///< [px]
     bool points = false; ///< a dot at each value
+};
+
+/// Colour i of the palette: the first seven can be told apart with any colour vision. After twelve it begins anew.
+[[nodiscard]] const char* palette(std::size_t i);
+
+/// A line and the dotted ends of its band.
+struct Band {
+    Series line, low, high;
+
+    /// @param width of the ends [px]
+    explicit Band(const std::string& colour, double width = 1.0);
+    void add(double x, double y, double lower, double upper);
 };
 
 struct ReferenceLine {
@@ -46,6 +59,8 @@ struct Chart {
     bool log_x = false, log_y = false;
     double width = 720.0, height = 460.0; ///< [px], at least 300 x 240
 };
+
+void add_band(Chart& chart, const Band& band);
 
 /// Everything finite is inside the frame; a linear axis starts at 0 where the data come near
 /// it. Throws std::invalid_argument if a series has unequal lengths or the chart is too small.

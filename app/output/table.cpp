@@ -2,9 +2,12 @@
 
 #include "app/output/cells.hpp"
 #include "app/text/number_text.hpp"
+#include "fragility/observation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace app {
 
@@ -15,7 +18,7 @@ constexpr std::string_view kDagger = "\u2020";
 const std::string* text_of(const Cell& cell) { return std::get_if<std::string>(&cell); }
 const Number* number_of(const Cell& cell) { return std::get_if<Number>(&cell); }
 
-bool extrapolated(const Number& n, double x) { return x > n.known_to * (1.0 + kEndsTogether); }
+bool extrapolated(const Number& n, double x) { return !fragility::is_known(x, n.known_to); }
 
 std::string digits(const Number& n, double x)
 {
@@ -109,6 +112,19 @@ void add_plain(const Head& c, const Cell& cell, std::vector<PlainTable::Value>& 
 } // namespace
 
 Number given(double x) { return {.value = rounded(x, 12)}; }
+
+Row joined(Row start, Row more)
+{
+    std::ranges::move(more, std::back_inserter(start));
+    return start;
+}
+
+void add_row(Table& table, Row cells, std::string note)
+{
+    cells.resize(table.head.size());
+    if (!note.empty()) cells.back() = std::move(note);
+    table.rows.push_back(std::move(cells));
+}
 
 int decimals_for(double size)
 {

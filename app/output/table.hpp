@@ -12,8 +12,6 @@ namespace app {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
-constexpr double kEndsTogether =
-    2e-3; ///< runs of one push end up to an interval of their curve apart [-]
 constexpr int kShortest = -1; ///< decimals: as few digits as the value needs, at most 12
 
 /// What a value says about the quantity.

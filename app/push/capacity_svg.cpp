@@ -73,7 +73,7 @@ std::string capacity_svg(const Study& study, const PushedWall& w)
     for (const int direction : {1, -1}) {
         add_backbone(w, direction, chart);
         const auto side = direction > 0 ? fragility::Side::right : fragility::Side::left;
-        add_marks(study.fragility, sides[static_cast<std::size_t>(side)], direction, chart);
+        add_marks(study.fragility, sides[static_cast<int>(side)], direction, chart);
     }
     return line_chart(chart);
 }

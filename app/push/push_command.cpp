@@ -10,6 +10,7 @@
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
+#include "app/output/table_files.hpp"
 #include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/capacity_text.hpp"
@@ -17,8 +18,8 @@
 #include "app/push/limit_table.hpp"
 #include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
-#include "app/reading/wall_words.hpp"
 #include "app/study/drawn_wall.hpp"
+#include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_walls.hpp"
@@ -91,14 +92,14 @@ std::string configuration(const Study& used, const Command& command)
 {
     if (used.random.empty())
         return (command.sample ? "# Wall " + std::to_string(*command.sample) +
-                                     " of this study: wall.seed has its layout.\n"
+                                     " of this study: wall.seed gives its layout.\n"
                                : std::string()) +
                effective_configuration(used);
     const std::string which =
         command.mean_wall ? "The wall in which each value is the mean of its distribution"
         : command.sample  ? "Wall " + std::to_string(*command.sample) + " of this study"
                           : "One wall of this study";
-    return "# " + which + ": uq.drawn has its values, and push takes them from there.\n" +
+    return "# " + which + ": uq.drawn gives its values, which push takes.\n" +
            effective_configuration(used);
 }
 
@@ -133,19 +134,13 @@ std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
 Row level_row(const PushedWall& w)
 {
     const WallReading& r = w.reading;
-    const auto ultimate = [&](double scale) {
-        if (!is_defined(r.ultimate)) return Number{};
-        return Number{.value = r.ultimate.displacement * scale,
-                      .decimals = 2,
-                      .sense = is_censored(r.ultimate) ? Sense::above : Sense::equal};
-    };
-    return {given(w.vertical_stress / 1e6),
+    return {stress_cell(w.vertical_stress),
             plain_number(peak_force(r) * 1e-3, 2),
             plain_number(peak_displacement(r) * 1e3, 2),
             r.stiffness ? plain_number(*r.stiffness * 1e-6, 1) : Number{},
-            ultimate(1e3),
-            ultimate(100.0 / w.loads.height),
-            std::string(dem::failed(w.result.outcome) ? "failed" : words(r.mode)),
+            limit_cell(r.ultimate, 1e3, 2),
+            limit_cell(r.ultimate, 100.0 / w.loads.height, 2),
+            std::string(dem::failed(w.result.outcome) ? "failed" : name(r.mode)),
             count(w.mechanism.cracked_units),
             plain_number(100.0 * energy_residual(w), 4)};
 }
@@ -155,7 +150,9 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
     Table t;
     t.title = "Capacity per vertical stress";
     t.caption = "Ultimate: the " + ultimate_text(study.fragility) +
-                "; > where it had not when the push ended." + backbone_text(study);
+                "; '>' marks walls whose force had not come down so far when the push "
+                "ended." +
+                backbone_text(study);
     t.head = {"stress [MPa]",
               "peak [kN]",
               "at [mm]",
@@ -173,15 +170,8 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
 fs::path folder_of(double stress)
 {
     std::string name = stress_text(stress);
-    std::replace(name.begin(), name.end(), ' ', '_');
+    std::ranges::replace(name, ' ', '_');
     return name;
-}
-
-void add_table(const std::string& name, const Table& table, std::vector<OutputFile>& files)
-{
-    files.push_back({name + ".csv", as_csv(table)});
-    files.push_back({name + ".md", as_markdown(table)});
-    files.push_back({name + ".tex", as_latex(table)});
 }
 
 /// Where the files of a wall are, below command.out.
@@ -194,8 +184,7 @@ std::vector<fs::path> wall_folders(const Study& study, const std::vector<WantedW
 {
     std::vector<fs::path> folders;
     for (const WantedWall& w : wanted)
-        folders.push_back(wall_folder(
-            wanted.size(), study.load.vertical_stress[static_cast<std::size_t>(w.level)]));
+        folders.push_back(wall_folder(wanted.size(), study.load.vertical_stress[w.level]));
     return folders;
 }
 
@@ -214,10 +203,10 @@ void write_all(const Command& command, const Study& study,
                 moved.push_back({folder / f.name, {}, f.from});
     }
     if (walls.size() > 1) {
-        add_table("levels", level_table(study, walls), files);
+        add_table(files, "levels", level_table(study, walls));
         files.push_back({"levels.svg", levels_svg(study, walls)});
     }
-    add_table("limit_states", limit_table(study, walls), files);
+    add_table(files, "limit_states", limit_table(study, walls));
     if (!wanted.front().draw.values.empty())
         files.push_back({"drawn.csv", as_csv(drawn_table(study, wanted.front().draw))});
     files.insert(files.end(), moved.begin(), moved.end());
@@ -228,9 +217,10 @@ void write_all(const Command& command, const Study& study,
 void check_folder(const Command& command, const Study& study,
                   const std::vector<WantedWall>& wanted)
 {
-    std::vector<fs::path> names = {"limit_states.csv", "limit_states.md", "limit_states.tex",
-                                   "levels.csv",       "levels.md",       "levels.tex",
-                                   "levels.svg",       "drawn.csv"};
+    std::vector<fs::path> names = {"levels.svg", "drawn.csv"};
+    for (const char* const ending : kTableEndings)
+        for (const char* const stem : {"limit_states", "levels"})
+            names.push_back(std::string(stem) + ending);
     const std::vector<fs::path> folders = wall_folders(study, wanted);
     for (const fs::path& folder : folders)
         for (const char* const name :
@@ -274,8 +264,8 @@ int push_command(const Command& command)
                                      ".\n",
                                  terminal_width());
     std::cout << "written to " << command.out << '\n';
-    return std::any_of(walls.begin(), walls.end(),
-                       [](const PushedWall& w) { return dem::failed(w.result.outcome); });
+    return std::ranges::any_of(
+        walls, [](const PushedWall& w) { return dem::failed(w.result.outcome); });
 }
 
 } // namespace app

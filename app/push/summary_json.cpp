@@ -2,7 +2,6 @@
 
 #include "app/input/limit_state_text.hpp"
 #include "app/push/hand_checks.hpp"
-#include "app/reading/wall_words.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
@@ -41,7 +40,7 @@ Json limit_states(const WallReading& reading, const ReadingRules& rules)
                         {"drift_percent",
                          is_defined(limit) ? or_null(100.0 * limit.displacement / rules.height)
                                            : Json(nullptr)},
-                        {"reading", words(limit.reading)},
+                        {"reading", name(limit.reading)},
                         {"reason", limit.reason}});
     }
     return list;
@@ -53,7 +52,7 @@ Json backbones(const WallReading& reading, const ReadingRules& rules)
     Json all = Json::object();
     for (std::size_t i = 0; i < reading.backbones.size(); ++i) {
         const WallReading& r = reading.backbones[i];
-        all[std::string(kSides[i])] = {
+        all[std::string(fragility::kSideNames[i])] = {
             {"peak_force_kN", or_null(peak_force(r) * kToKn)},
             {"displacement_at_peak_mm", or_null(peak_displacement(r) * kToMm)},
             {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
@@ -114,7 +113,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     rules.height = w.loads.height;
     Json j;
     j["vertical_stress_MPa"] = as_given(w.vertical_stress * kToMpa);
-    j["outcome"] = words(w.result.outcome);
+    j["outcome"] = name(w.result.outcome);
     j["peak_force_kN"] = or_null(peak_force(r) * kToKn);
     if (w.loads.pattern == dem::LoadPattern::body) {
         j["peak_load_factor"] = or_null(peak_force(r) / w.result.weight);
@@ -132,7 +131,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["collapse_rule"] =
         "force after the peak first comes down to zero, or the wall comes down; if neither "
         "happens, censored at the last displacement";
-    j["mode"] = whole ? Json(words(r.mode)) : Json(nullptr);
+    j["mode"] = whole ? Json(name(r.mode)) : Json(nullptr);
     j["stiffness_kN_per_mm"] = or_null(r.stiffness, 1e-6);
     j["stiffness_rule"] = "secant at 30 % of the peak";
     j["no_reading"] = r.no_reading;
@@ -140,7 +139,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["settlement_mm"] = whole ? or_null(w.result.settlement * kToMm) : Json(nullptr);
     j["limit_states"] = limit_states(r, rules);
     if (!r.backbones.empty()) {
-        j["read_on"] = kSides[static_cast<std::size_t>(rules.backbone)];
+        j["read_on"] = fragility::kSideNames[static_cast<int>(rules.backbone)];
         j["backbones"] = backbones(r, rules);
     }
     j["mechanism"] = mechanism(w, f);

@@ -117,7 +117,7 @@ WallReading read_to_and_fro(const fragility::Curve& curve, const dem::Mechanism&
     const WallReading mean = read_side(mean_of(b));
     const std::vector<WallReading> all = {mean, both ? worse_of(right, left) : mean, right,
                                           left};
-    WallReading w = all[static_cast<std::size_t>(rules.backbone)];
+    WallReading w = all[static_cast<int>(rules.backbone)];
     w.backbones = all;
     return w;
 }
@@ -141,6 +141,12 @@ std::vector<StateName> state_names(const ReadingRules& rules)
         names.push_back({"user", states[i].name, rule});
     }
     return names;
+}
+
+std::string state_name(const StateName& state)
+{
+    const bool alone = state.set.empty() || state.set == state.name;
+    return alone ? state.name : state.set + " " + state.name;
 }
 
 WallReading not_read(const ReadingRules& rules, std::string why)
@@ -189,18 +195,5 @@ bool slid_whole(const dem::Mechanism& m, bool dropped, const dem::ModeThresholds
 
 double peak_force(const WallReading& w) { return w.peak ? w.peak->force : kNone; }
 double peak_displacement(const WallReading& w) { return w.peak ? w.peak->displacement : kNone; }
-
-bool is_observed(const fragility::LimitDisplacement& d)
-{
-    return d.reading == Reading::observed;
-}
-bool is_censored(const fragility::LimitDisplacement& d)
-{
-    return d.reading == Reading::censored;
-}
-bool is_defined(const fragility::LimitDisplacement& d)
-{
-    return d.reading != Reading::not_defined;
-}
 
 } // namespace app

@@ -22,7 +22,7 @@ struct UserState {
     std::string cap;                 ///< as written: "1.0 %"
 };
 
-/// How walls are read. Nothing of it moves a wall.
+/// How walls are read. It has no influence on how a wall moves.
 struct ReadingRules {
     std::vector<std::string_view> sets; ///< of fragility::limit_state_sets(), each once
     std::vector<UserState> user;        ///< of the set user
@@ -35,11 +35,12 @@ struct ReadingRules {
 
 /// A limit state to read, before any wall is read.
 struct StateName {
-    std::string set;  ///< "paper", "ntc", "ec8", "user"
-    std::string name; ///< "SLV"
+    std::string set;  ///< "paper", "ntc", "ec8", "user"; empty: of a table of drifts
+    std::string name; ///< "SLV"; of a table its column
     std::string rule; ///< how it is read: "3/4 of SLC"
 };
 [[nodiscard]] std::vector<StateName> state_names(const ReadingRules& rules);
+[[nodiscard]] std::string state_name(const StateName& state); ///< "ntc SLV"
 
 /// Displacements and forces count in the direction of the push: those of a push to the left are positive.
 struct WallReading {
@@ -76,8 +77,5 @@ struct WallReading {
 
 [[nodiscard]] double peak_force(const WallReading& wall);        ///< [N]; NaN: none
 [[nodiscard]] double peak_displacement(const WallReading& wall); ///< [m]; NaN: none
-[[nodiscard]] bool is_observed(const fragility::LimitDisplacement& limit);
-[[nodiscard]] bool is_censored(const fragility::LimitDisplacement& limit);
-[[nodiscard]] bool is_defined(const fragility::LimitDisplacement& limit);
 
 } // namespace app

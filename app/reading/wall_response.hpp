@@ -22,9 +22,8 @@ struct WallResponse {
 
 constexpr double known_ultimate(const WallReading& w)
 {
-    return w.ultimate.reading == fragility::Reading::not_defined
-               ? std::numeric_limits<double>::quiet_NaN()
-               : w.ultimate.displacement;
+    return is_defined(w.ultimate) ? w.ultimate.displacement
+                                  : std::numeric_limits<double>::quiet_NaN();
 }
 
 // clang-format off

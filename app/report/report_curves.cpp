@@ -2,8 +2,8 @@
 
 #include "app/fragility/fragility_means.hpp"
 #include "app/report/report_bytes.hpp"
-#include "app/study/resampled_curve.hpp"
 #include "app/text/json_text.hpp"
+#include "fragility/resampled_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ Json curves_json(const StudyWalls& study, const WallList& listed)
         if (step > 0.0 && !w->failed) {
             const auto read =
                 capacity_curve({w->curve.displacement, w->curve.force}, study.rules);
-            f = resampled({read.displacement, read.force}, step, points);
+            f = fragility::resampled({read.displacement, read.force}, step, points);
         }
         counts.push_back(f.size());
         f.resize(points, f.empty() ? 0.0 : f.back());

@@ -9,7 +9,6 @@
 #include "app/fragility/fragility_walls.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
-#include "app/reading/wall_words.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text/json_text.hpp"
@@ -48,13 +47,13 @@ Json wall_json(const StudyWall& w)
     const WallReading& r = w.reading;
     return {{"level", w.key.level},
             {"sample", w.key.sample},
-            {"mode", w.failed ? "failed" : words(r.mode)},
+            {"mode", w.failed ? "failed" : name(r.mode)},
             {"reason", w.reason},
             {"peak", shown(peak_force(r) * 1e-3, 6)},
             {"peak_at", shown(peak_displacement(r) * 1e3, 5)},
             {"ultimate",
              is_defined(r.ultimate) ? shown(r.ultimate.displacement * 1e3, 5) : Json(nullptr)},
-            {"reading", is_defined(r.ultimate) ? words(r.ultimate.reading) : "none"},
+            {"reading", is_defined(r.ultimate) ? name(r.ultimate.reading) : "none"},
             {"cracked", w.mechanism.cracked_units},
             {"inputs", inputs}};
 }

@@ -181,18 +181,13 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
 void add_failures(const StudyWalls& study, std::vector<std::string>& text)
 {
     constexpr std::size_t kNamed = 12;
-    std::map<std::string, std::vector<WallKey>> why;
     std::size_t missing = 0;
-    for (const StudyLevel& level : study.levels) {
-        missing += level.missing;
-        for (const StudyWall& w : level.failed_walls) why[w.reason].push_back(w.key);
-    }
+    for (const StudyLevel& level : study.levels) missing += level.missing;
+    const auto why = failures(study);
     if (why.empty()) text.push_back("No wall failed.");
     for (const auto& [reason, walls] : why) {
-        std::string line = count_of(walls.size(), "wall") + " failed: " + reason + " (";
-        for (std::size_t i = 0; i < std::min(kNamed, walls.size()); ++i)
-            line += (i > 0 ? ", " : "") + stress_text(study.levels[walls[i].level].stress) +
-                    " sample " + std::to_string(walls[i].sample);
+        std::string line = count_of(walls.size(), "wall") + " failed: " + reason + " (" +
+                           named(study, walls, kNamed);
         line += walls.size() > kNamed ? ", and more in the table of walls)" : ")";
         text.push_back(line + ". They enter no mean; the bounds of shares allow any mode for "
                               "them.");

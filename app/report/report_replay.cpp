@@ -1,5 +1,6 @@
 #include "app/report/report_replay.hpp"
 
+#include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/push_layouts.hpp"
 #include "app/study/wall_frames.hpp"
@@ -12,19 +13,10 @@ namespace app {
 namespace {
 
 WallDraw stored_draw(const Study& study, const dem::Layout& layout, const StudyWall& wall)
-{
-    WallDraw draw;
-    std::size_t next = 0;
-    for (const RandomInput& input : study.random) {
-        const auto n =
-            static_cast<std::size_t>(values_per_wall(input, study.uq.spatial, layout));
-        if (next + n > wall.drawn.size())
-            throw std::runtime_error("the stored values do not fit the stored configuration");
-        const auto begin = wall.drawn.begin() + static_cast<std::ptrdiff_t>(next);
-        draw.values.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(n));
-        next += n;
-    }
-    return draw;
+try {
+    return draw_of(sites_of(study.random, study.uq.spatial, layout), wall.drawn);
+} catch (const BadValue&) {
+    throw std::runtime_error("the stored values do not fit the stored configuration");
 }
 
 /// The same curve to the bit, and the same mode.

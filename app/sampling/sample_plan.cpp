@@ -94,10 +94,10 @@ SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
 
 WallDraw draw(const SamplePlan& plan, int level, int sample)
 {
-    const auto l = static_cast<std::size_t>(level);
     const Eigen::VectorXd normal =
-        plan.design[l].row(sample).transpose().unaryExpr(&uq::normal_quantile);
-    uq::Stream random(plan.seeds[l], static_cast<std::uint64_t>(sample), uq::Purpose::field);
+        plan.design[level].row(sample).transpose().unaryExpr(&uq::normal_quantile);
+    uq::Stream random(plan.seeds[level], static_cast<std::uint64_t>(sample),
+                      uq::Purpose::field);
     return {uq::draw(plan.values, normal, random)};
 }
 
@@ -111,13 +111,9 @@ std::vector<double> flattened(const WallDraw& draw)
 
 WallDraw unflattened(const SamplePlan& plan, const Eigen::VectorXd& row)
 {
-    WallDraw draw;
-    const double* from = row.data();
-    for (const uq::SpatialInput& input : plan.values.inputs) {
-        draw.values.emplace_back(from, from + input.sites);
-        from += input.sites;
-    }
-    return draw;
+    std::vector<int> sites;
+    for (const uq::SpatialInput& input : plan.values.inputs) sites.push_back(input.sites);
+    return draw_of(sites, std::span(row.data(), row.size()));
 }
 
 } // namespace app

@@ -23,21 +23,19 @@ Eigen::Index input_named(const Study& study, const std::string& key)
         if (study.random[i].key == key) return static_cast<Eigen::Index>(i);
         names.push_back(study.random[i].key);
     }
-    refuse(study, in_quotes(key) + " is no random input of this study; " +
+    refuse(study, in_quotes(key) + " is not a random input of this study; " +
                       (names.empty() ? "there is none" : suggestion(key, names)));
 }
 
 void check_pair(const Study& study, Eigen::Index a, Eigen::Index b)
 {
     if (a == b) refuse(study, "an input is paired with itself; name two");
-    const Varies va = study.random[static_cast<std::size_t>(a)].varies,
-                 vb = study.random[static_cast<std::size_t>(b)].varies;
+    const Varies va = study.random[a].varies, vb = study.random[b].varies;
     if (study.uq.spatial == Spatial::stratified)
         refuse(study,
                "has no meaning with spatial = stratified; write independent or correlated");
     if (study.uq.spatial != Spatial::none && va != vb)
-        refuse(study, "joins " + study.random[static_cast<std::size_t>(a)].key + " and " +
-                          study.random[static_cast<std::size_t>(b)].key +
+        refuse(study, "joins " + study.random[a].key + " and " + study.random[b].key +
                           ", which do not vary over the same joints; write spatial = none");
 }
 

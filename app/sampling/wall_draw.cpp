@@ -40,20 +40,36 @@ int values_per_wall(const RandomInput& input, Spatial spatial, const dem::Layout
     return 1;
 }
 
-WallDraw checked_draw(std::span<const RandomInput> inputs, std::span<const int> sites,
-                      std::span<const double> values)
+std::vector<int> sites_of(std::span<const RandomInput> inputs, Spatial spatial,
+                          const dem::Layout& layout)
 {
-    const int wanted = std::accumulate(sites.begin(), sites.end(), 0);
-    if (values.size() != static_cast<std::size_t>(wanted))
+    std::vector<int> sites;
+    for (const RandomInput& input : inputs)
+        sites.push_back(values_per_wall(input, spatial, layout));
+    return sites;
+}
+
+WallDraw draw_of(std::span<const int> sites, std::span<const double> values)
+{
+    const auto wanted = std::accumulate(sites.begin(), sites.end(), std::size_t{0});
+    if (values.size() != wanted)
         throw BadValue(std::to_string(values.size()) + " values; the wall takes " +
                        std::to_string(wanted));
     WallDraw draw;
-    const double* next = values.data();
+    for (const int n : sites) {
+        draw.values.emplace_back(values.begin(), values.begin() + n);
+        values = values.subspan(n);
+    }
+    return draw;
+}
+
+WallDraw checked_draw(std::span<const RandomInput> inputs, std::span<const int> sites,
+                      std::span<const double> values)
+{
+    WallDraw draw = draw_of(sites, values);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const Key& key = *find_key(inputs[i].key);
-        draw.values.emplace_back(next, next + sites[i]);
-        next += sites[i];
-        for (const double x : draw.values.back())
+        for (const double x : draw.values[i])
             if (!in_range(x, key))
                 throw BadValue(inputs[i].key + " = " +
                                (std::isfinite(x) ? number(x, 17) : std::to_string(x)) + " " +
@@ -71,8 +87,8 @@ dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout,
     for (std::size_t i = 0; i < draw.values.size(); ++i)
         if (is_single(draw.values[i])) study.random[i].place(p) = draw.values[i].front();
     for (const ParameterRule& rule : study.rules) rule.apply(p, h);
-    dem::WallMaterials wall = materials(
-        p, h, level, study.load.vertical_stress.at(static_cast<std::size_t>(level)), layout);
+    dem::WallMaterials wall =
+        materials(p, h, level, study.load.vertical_stress.at(level), layout);
     if (any_spatial(study, draw, Varies::by_joint))
         for (std::size_t k = 0; k < wall.joints.size(); ++k) {
             set_values(study, draw, Varies::by_joint, k, p);

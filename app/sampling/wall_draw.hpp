@@ -24,9 +24,17 @@ struct WantedWall {
 [[nodiscard]] int values_per_wall(const RandomInput& input, Spatial spatial,
                                   const dem::Layout& layout);
 
-/// The draw with these values, one after the other; each must lie in the range of its key.
-/// @param sites values of each input in a wall, as values_per_wall
+/// How many values each input has in a wall, by values_per_wall.
+[[nodiscard]] std::vector<int> sites_of(std::span<const RandomInput> inputs, Spatial spatial,
+                                        const dem::Layout& layout);
+
+/// The draw with these values, one after the other.
+/// @param sites as sites_of
 /// @param values in SI
+/// @throws BadValue (app/input/units.hpp) if there are more or fewer
+[[nodiscard]] WallDraw draw_of(std::span<const int> sites, std::span<const double> values);
+
+/// The same draw, each of whose values must lie in the range of its key.
 /// @throws BadValue (app/input/units.hpp) naming the key
 [[nodiscard]] WallDraw checked_draw(std::span<const RandomInput> inputs,
                                     std::span<const int> sites, std::span<const double> values);

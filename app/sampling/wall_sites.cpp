@@ -7,12 +7,12 @@ namespace {
 
 std::vector<uq::Site> sites(const dem::Layout& layout, bool cracks, int count)
 {
-    std::vector<uq::Site> all(static_cast<std::size_t>(count));
+    std::vector<uq::Site> all(count);
     std::vector<double> length(all.size(), 0.0);
     for (const dem::Face& f : layout.faces) {
         if (f.id == 0 || (f.kind == dem::FaceKind::unit_crack) != cracks) continue;
-        const dem::Block& below = layout.blocks[static_cast<std::size_t>(f.a)];
-        const auto at = static_cast<std::size_t>(f.id - 1);
+        const dem::Block& below = layout.blocks[f.a];
+        const int at = f.id - 1;
         const double more = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
         const double share = more / (length[at] + more); // 1 where a joint is one face
         uq::Site& site = all[at];

@@ -45,8 +45,7 @@ void say(const HttpOptions& options, int port, const std::vector<ServedModel>& m
 
 int serve_command(const Command& command)
 {
-    const Study given =
-        read_study(with_overrides(read_study_file(command.study), command.overrides));
+    const Study given = read_study(command.study, command.overrides);
     const ServedStudy served = served_study(given, command.inputs);
     say_effects(given, command);
     const dem::Model model = model_of(served.study);

@@ -189,8 +189,7 @@ std::vector<ServedModel> served_models(const ServedStudy& served, const std::str
     const Study& study = served.study;
     const auto shared =
         std::make_shared<Shared>(Shared{layout_of(study), study.random, {}, {}, push});
-    for (const RandomInput& input : study.random)
-        shared->sites.push_back(values_per_wall(input, study.uq.spatial, shared->layout));
+    shared->sites = sites_of(study.random, study.uq.spatial, shared->layout);
     const std::vector<ServedColumn> outputs = output_columns(responses, *shared);
     std::vector<ServedModel> models;
     for (std::size_t l = 0; l < study.load.vertical_stress.size(); ++l) {

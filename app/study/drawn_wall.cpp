@@ -6,23 +6,13 @@
 #include "dem/scene/layout.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace app {
 namespace {
 
 constexpr std::string_view kMean = "mean";
-
-int parse_level(const Study& study, std::string_view text)
-{
-    const double stress = parse_quantity(text, "MPa");
-    const std::vector<double>& all = study.load.vertical_stress;
-    const auto found = std::find(all.begin(), all.end(), stress);
-    if (found == all.end())
-        throw BadValue(in_quotes(text) + " is none of load.vertical_stress, " +
-                       format_quantities(all, "MPa"));
-    return static_cast<int>(found - all.begin());
-}
 
 /// The values of "joint.friction_angle = 25.82 deg".
 const std::vector<double>& read_part(const Study& study, std::string_view part,
@@ -36,7 +26,7 @@ const std::vector<double>& read_part(const Study& study, std::string_view part,
         return values[i] =
                    parse_quantities(trimmed(part.substr(equals + 1)), study.random[i].unit);
     }
-    throw BadValue(in_quotes(name) + " is no distribution of this study");
+    throw BadValue(in_quotes(name) + " is not a distribution of this study");
 }
 
 WallDraw parse_draw(const Study& study, const std::vector<std::string_view>& parts)
@@ -46,11 +36,10 @@ WallDraw parse_draw(const Study& study, const std::vector<std::string_view>& par
     for (std::size_t i = 1; i < parts.size(); ++i)
         if (!parts[i].empty()) static_cast<void>(read_part(study, parts[i], values));
     const dem::Layout layout = layout_of(study);
-    std::vector<int> sites;
+    const std::vector<int> sites = sites_of(study.random, study.uq.spatial, layout);
     std::vector<double> all;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        sites.push_back(values_per_wall(study.random[i], study.uq.spatial, layout));
-        if (values[i].size() != static_cast<std::size_t>(sites[i]))
+        if (std::cmp_not_equal(values[i].size(), sites[i]))
             throw BadValue(study.random[i].key + " has " + std::to_string(values[i].size()) +
                            " values; the wall takes " + std::to_string(sites[i]));
         all.insert(all.end(), values[i].begin(), values[i].end());
@@ -60,9 +49,20 @@ WallDraw parse_draw(const Study& study, const std::vector<std::string_view>& par
 
 } // namespace
 
+int level_at(const Study& study, std::string_view text)
+{
+    const double stress = parse_quantity(text, "MPa");
+    const std::vector<double>& all = study.load.vertical_stress;
+    const auto found = std::ranges::find(all, stress);
+    if (found == all.end())
+        throw BadValue(in_quotes(text) + " is not one of load.vertical_stress, " +
+                       format_quantities(all, "MPa"));
+    return static_cast<int>(found - all.begin());
+}
+
 std::string drawn_text(const Study& study, const WantedWall& wall)
 {
-    const double stress = study.load.vertical_stress[static_cast<std::size_t>(wall.level)];
+    const double stress = study.load.vertical_stress[wall.level];
     std::string text = format_quantities({&stress, 1}, "MPa");
     if (wall.draw.values.empty()) return text + "; " + std::string(kMean);
     for (std::size_t i = 0; i < study.random.size(); ++i)
@@ -75,7 +75,7 @@ WantedWall drawn_wall(const Study& study)
 {
     return read_at(study.source, "uq.drawn", [&]() -> WantedWall {
         const auto parts = split(study.uq.drawn, ";");
-        return {parse_level(study, parts.front()), parse_draw(study, parts)};
+        return {level_at(study, parts.front()), parse_draw(study, parts)};
     });
 }
 

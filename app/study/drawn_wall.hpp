@@ -7,6 +7,10 @@
 
 namespace app {
 
+/// Index of the level of this stress: "0.4 MPa".
+/// @throws BadValue (app/input/units.hpp)
+[[nodiscard]] int level_at(const Study& study, std::string_view text);
+
 /// "0.4 MPa; joint.friction_angle = 25.82 deg; ...": the stress and every value drawn, one for the wall or one for each
 /// joint or crack. A wall without values is that of the means: "0.4 MPa; mean".
 [[nodiscard]] std::string drawn_text(const Study& study, const WantedWall& wall);

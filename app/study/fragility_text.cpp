@@ -1,39 +1,9 @@
 #include "app/study/fragility_text.hpp"
 
 #include "app/text/number_text.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "uq/estimates/estimate.hpp"
 
 namespace app {
-
-double known_to(std::span<const fragility::Observation> limits)
-{
-    double end = 0.0;
-    for (const fragility::Observation& o : limits) end = std::max(end, o.lower);
-    return end;
-}
-
-double common_end(std::span<const fragility::Observation> limits)
-{
-    const double largest = known_to(limits);
-    double end = largest;
-    for (const fragility::Observation& o : limits)
-        if (o.lower < o.upper && o.lower >= largest * (1.0 - kEndsTogether))
-            end = std::min(end, o.lower);
-    return end;
-}
-
-std::string extrapolated_text(const std::string& whose)
-{
-    return "\u2020: extrapolated, beyond the largest drift at which " + whose +
-           " reached the limit state or still stood where its curve ended";
-}
-
-Number with_interval(double value, const fragility::Interval& i, int decimals, double known_to)
-{
-    return with_interval(value, i.lower, i.upper, decimals, known_to);
-}
 
 Number median_bound(const fragility::MedianBound& bound, int decimals)
 {
@@ -41,6 +11,31 @@ Number median_bound(const fragility::MedianBound& bound, int decimals)
     return {.lower = bound.median_above,
             .decimals = decimals,
             .sense = bound.strictly ? Sense::above : Sense::at_least};
+}
+
+Number limit_cell(const fragility::LimitDisplacement& limit, double scale, int decimals)
+{
+    if (!is_defined(limit)) return {};
+    return {.value = limit.displacement * scale,
+            .decimals = decimals,
+            .sense = is_censored(limit) ? Sense::above : Sense::equal};
+}
+
+Number mean_cell(std::span<const double> values, int decimals, double scale)
+{
+    const auto sound = uq::sound_values(values).values;
+    if (sound.empty()) return {};
+    if (sound.size() == 1) return plain_number(sound.front() * scale, decimals);
+    const uq::Estimate e = uq::estimate_mean(sound);
+    return with_error(e.value * scale, e.std_error * scale, decimals);
+}
+
+Number cov_cell(std::span<const double> values)
+{
+    const auto sound = uq::sound_values(values).values;
+    if (sound.size() < 2) return {};
+    const uq::Moments m = uq::moments(sound);
+    return m.mean > 0.0 ? plain_number(m.sd / m.mean, 2) : Number{};
 }
 
 std::string percent_text(double share) { return number(100.0 * share, 6) + " %"; }

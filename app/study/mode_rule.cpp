@@ -29,10 +29,10 @@ std::string backbone_text(const Study& study)
     if (push_way(study).direction != 0) return "";
     constexpr std::array<const char*, 4> kReadOn = {
         "the mean of the backbones of both directions",
-        "the backbones of both directions, of which the one counts that reaches it first",
+        "the backbone of the direction that reaches the limit first",
         "the backbone to the right", "the backbone to the left"};
-    return std::string(" The push goes to and fro: read on ") +
-           kReadOn.at(static_cast<std::size_t>(study.fragility.backbone)) + ".";
+    return std::string(" The push goes to and fro; values are read on ") +
+           kReadOn.at(static_cast<int>(study.fragility.backbone)) + ".";
 }
 
 std::string mode_rule_text(const FragilityInput& f)
@@ -42,14 +42,16 @@ std::string mode_rule_text(const FragilityInput& f)
         const std::string share = number(t.rotation_share, 6);
         return "Mixed: " + units_text(t.cracked_units) + ", and either the " +
                ultimate_text(f) + " or less than " + share +
-               " of the displacement is rotation; else rocking, or sliding below that share";
+               " of the displacement is rotation; otherwise rocking, or sliding below that "
+               "share";
     }
     const std::string dropped = "Mixed: the " + ultimate_text(f) + ", or ";
     const std::string overturns =
         "less than " + number(t.rotation_share, 6) + " of the displacement is rotation";
-    if (t.cracked_units == 0) return dropped + overturns + "; else rocking";
+    if (t.cracked_units == 0) return dropped + overturns + "; otherwise rocking";
     return dropped + units_text(t.cracked_units) + " and " + overturns +
-           "; else rocking, with it walls that slid along a course and did not crack";
+           "; otherwise rocking, which includes walls that slid along a course without "
+           "cracking";
 }
 
 } // namespace app

@@ -1,13 +1,25 @@
 #include "app/study/pushed_wall.hpp"
 
 #include "app/input/limit_state_text.hpp"
-#include "app/reading/wall_words.hpp"
 
 #include <limits>
 
 namespace app {
 
 namespace {
+
+/// Of an outcome that is a failure: what went wrong.
+std::string why_failed(dem::Outcome outcome)
+{
+    switch (outcome) {
+    case dem::Outcome::not_finite:
+        return "the numbers of this run are not finite";
+    case dem::Outcome::energy_astray:
+        return "the energy ledger does not close at any step tried";
+    default:
+        return "solver.most_steps was not enough";
+    }
+}
 
 /// What broke is read at the end, how the wall has moved where the force came down or, of a push that turns back, where
 /// it was farthest out.
@@ -27,11 +39,11 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
 {
     const ReadingRules rules = reading_rules(study);
     PushedWall w;
-    w.vertical_stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
+    w.vertical_stress = study.load.vertical_stress[level];
     w.loads = loads(study, level);
     w.result = std::move(result);
     if (dem::failed(w.result.outcome)) {
-        w.reading = not_read(rules, std::string(why_failed(w.result.outcome)));
+        w.reading = not_read(rules, why_failed(w.result.outcome));
         return w;
     }
     const bool single = study.output.single_precision_curves;
@@ -49,10 +61,11 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
 PushedWall no_wall(const Study& study, int level, const std::string& why)
 {
     PushedWall w;
-    w.vertical_stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
+    w.vertical_stress = study.load.vertical_stress[level];
     w.loads = loads(study, level);
     w.result.outcome = dem::Outcome::no_wall;
-    w.reading = not_read(reading_rules(study), "the values drawn make no wall: " + why);
+    w.reading =
+        not_read(reading_rules(study), "no wall can be made of the values drawn: " + why);
     return w;
 }
 

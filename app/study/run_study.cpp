@@ -4,6 +4,7 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/replaced_file.hpp"
+#include "app/output/table_files.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/provenance.hpp"
@@ -40,7 +41,7 @@ bool run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan
     return true;
 }
 
-/// A shard that was begun when walls were shared out in another way would go on with walls that another has.
+/// A shard that was begun when walls were divided otherwise would continue with walls that another shard has.
 void refuse_other_deal(const Study& study, const StudyRun& run)
 {
     std::error_code ignored;
@@ -50,9 +51,10 @@ void refuse_other_deal(const Study& study, const StudyRun& run)
         foreign_walls(reader.head(), reader.statuses(), deal_of(study));
     if (!foreign.empty())
         throw StoreError("'" + run.file.string() + "' has " + wall_name(foreign.front()) +
-                         ", which is not of this shard: another version of the program shared "
-                         "the walls out. Go on with all shards by that version, or name "
-                         "another file; shards that are finished can be merged.");
+                         ", which is not of this shard: the file was begun by a version of the "
+                         "program that divides the walls otherwise. Continue all shards with "
+                         "that version, or name another file; shards that are finished can be "
+                         "merged.");
 }
 
 /// Brings the file to the last of `sizes`.
@@ -78,13 +80,6 @@ void work_on(const Study& study, const StudyRun& run, const std::vector<std::uin
 std::string summary_stem(const std::filesystem::path& file)
 {
     return (file.parent_path() / (file.stem().string() + "_summary")).string();
-}
-
-void write_tables(const std::filesystem::path& file, const Table& table)
-{
-    write_file(summary_stem(file) + ".csv", as_csv(table));
-    write_file(summary_stem(file) + ".md", as_markdown(table));
-    write_file(summary_stem(file) + ".tex", as_latex(table));
 }
 
 } // namespace
@@ -118,7 +113,9 @@ void check_summary(const std::filesystem::path& file)
 StudySummary study_summary(const std::filesystem::path& file, bool write)
 {
     StudySummary summary = summarise(read_study_walls(file, {}, Keep::readings));
-    if (write) write_tables(file, summary.table);
+    if (!write) return summary;
+    for (const OutputFile& f : table_files(summary_stem(file), summary.table))
+        write_file(f.name, f.content);
     return summary;
 }
 

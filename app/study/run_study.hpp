@@ -36,7 +36,7 @@ struct StudyRunEnd {
 [[nodiscard]] StudyRunEnd run_study(const Study& study, const StudyRun& run);
 
 /// Asks before a run what study_summary would replace.
-/// @throws ConfigError if a file of its name is no summary of ours
+/// @throws ConfigError if a file of its name is there and was not written by an earlier run
 void check_summary(const std::filesystem::path& file);
 
 /// One row per stress level, also into FILE_summary.csv, .md and .tex beside FILE.h5.

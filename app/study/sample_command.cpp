@@ -23,8 +23,7 @@ std::vector<std::string_view> units_of(const SamplePlan& plan)
 {
     std::vector<std::string_view> units;
     for (std::size_t i = 0; i < plan.inputs.size(); ++i)
-        units.insert(units.end(), static_cast<std::size_t>(plan.values.inputs[i].sites),
-                     plan.inputs[i].unit);
+        units.insert(units.end(), plan.values.inputs[i].sites, plan.inputs[i].unit);
     return units;
 }
 
@@ -43,7 +42,7 @@ Table head_of(const Study& study, const SamplePlan& plan)
 
 Row row(const Study& study, const SamplePlan& plan, int level, int sample)
 {
-    const double stress = study.load.vertical_stress[static_cast<std::size_t>(level)];
+    const double stress = study.load.vertical_stress[level];
     Row cells = {count(level), Number{from_si(stress, "MPa")}, count(sample)};
     if (has_layouts(study))
         cells.push_back(count(layout_seed(study, static_cast<std::uint32_t>(sample))));

@@ -1,7 +1,6 @@
 #include "app/study/study_columns.hpp"
 
 #include "app/input/units.hpp"
-#include "app/reading/wall_words.hpp"
 #include "app/text/number_text.hpp"
 
 #include <array>
@@ -93,8 +92,7 @@ std::vector<Column> input_columns(const SamplePlan& plan)
         if (sites == 1) columns.push_back({key, unit, "of the whole wall"});
         const bool joint = plan.inputs[i].varies == Varies::by_joint;
         for (int id = 1; sites > 1 && id <= sites; ++id) {
-            const uq::Site& site =
-                (joint ? plan.joints : plan.cracks).at(static_cast<std::size_t>(id - 1));
+            const uq::Site& site = (joint ? plan.joints : plan.cracks).at(id - 1);
             columns.push_back({key + "." + std::to_string(id), unit,
                                std::string(joint ? "of this joint ID" : "of this crack ID") +
                                    ", middle at x = " + number(site.x, 6) +
@@ -109,8 +107,9 @@ std::vector<Column> count_columns()
 {
     std::vector<Column> columns = columns_of(kCounts);
     std::string& outcomes = columns.front().meaning; // "0 reached target, 1 decided, ..."
-    for (std::size_t i = 0; i < kOutcomes.size(); ++i)
-        outcomes += (i > 0 ? ", " : "") + std::to_string(i) + " " + std::string(kOutcomes[i]);
+    for (std::size_t i = 0; i < dem::kOutcomeNames.size(); ++i)
+        outcomes +=
+            (i > 0 ? ", " : "") + std::to_string(i) + " " + std::string(dem::kOutcomeNames[i]);
     return columns;
 }
 std::vector<Column> cost_columns()

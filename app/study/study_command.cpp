@@ -65,7 +65,7 @@ void say_levels(const Study& study, Shard shard)
     if (here.size() == head.levels.size()) return;
     std::cerr << wrapped(
         "note: this shard has walls under " + std::to_string(here.size()) + " of " +
-            std::to_string(head.levels.size()) + " stresses, for there are fewer samples (" +
+            std::to_string(head.levels.size()) + " stresses because there are fewer samples (" +
             std::to_string(samples_of(study)) + ") than shards (" +
             std::to_string(shard.count) + "); alone it says nothing about the others\n",
         terminal_width());
@@ -111,15 +111,14 @@ void check_stop(const Study& study, const Command& command)
     const bool shards = command.shard.count > 1 || !command.script.empty();
     if (study.uq.stop != kNoStop && shards)
         throw error_at(study.source, "uq.stop",
-                       "a shard cannot tell when the study is enough; give uq.samples");
+                       "a shard cannot tell when the study has enough walls; give uq.samples");
 }
 
 } // namespace
 
 int study_command(const Command& command, const FrameTaker& frames)
 {
-    const Study study =
-        read_study(with_overrides(read_study_file(command.study), command.overrides));
+    const Study study = read_study(command.study, command.overrides);
     check_stop(study, command);
     say_effects(study, command);
     if (!command.script.empty()) return write_slurm_script(study, command);

@@ -21,8 +21,7 @@ constexpr std::array<std::string_view, 6> kFree = {"uq.samples",
 std::string value_of(const Key& key, const Study& study)
 {
     if (key.name == "wall.outlines" && is_drawn(study)) return outlines_mark(study);
-    const bool random = std::any_of(study.random.begin(), study.random.end(),
-                                    [&](const RandomInput& r) { return r.key == key.name; });
+    const bool random = std::ranges::count(study.random, key.name, &RandomInput::key) > 0;
     return random ? find_entry(study.source, key.name)->value : value_text(key, study);
 }
 
@@ -33,7 +32,7 @@ std::string identity_text(const Study& study)
     std::string text = "drystone = " + std::string(kVersion) + "\n";
     for (const Key& key : study_keys()) {
         if (!is_used(key, study)) continue;
-        if (std::find(kFree.begin(), kFree.end(), key.name) != kFree.end()) continue;
+        if (std::ranges::count(kFree, key.name) > 0) continue;
         const std::string_view section = section_of(key.name);
         if (section == "reliability" || section == "fragility") continue;
         if (is_drawn(study) && says_how_a_file_is_read(key))

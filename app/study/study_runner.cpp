@@ -44,8 +44,8 @@ namespace {
 bool is_of(Shard shard, WallKey key, std::size_t levels, Deal deal)
 {
     const auto count = static_cast<std::size_t>(shard.count);
-    // Levels begin at shards far apart: where samples are no multiple of the shards, those that
-    // are left over are spread.
+    // Levels begin at shards far apart: where the samples are not a multiple of the shards, those
+    // that are left over are spread.
     const std::size_t begin = deal == Deal::samples ? 0 : key.level * count / levels;
     return (key.sample + begin) % count == static_cast<std::size_t>(shard.index);
 }
@@ -103,7 +103,6 @@ RunProgress run_walls(const Study& study, const SamplePlan& plan,
     };
     list.done = [&](std::size_t i, const WallDraw& drawn, PushedWall&& wall) {
         const bool failed = dem::failed(wall.result.outcome);
-        so_far.solver_seconds += wall.result.cost.seconds;
         so_far.failed += failed ? 1 : 0;
         ++so_far.done;
         rows.add(row_of(walls[i], drawn, wall));

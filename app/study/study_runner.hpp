@@ -26,20 +26,19 @@ enum class Deal {
 [[nodiscard]] std::vector<WallKey> walls_of(const StoreHead& head, Shard shard,
                                             Deal deal = Deal::walls);
 
-/// Walls that a file has, though a shard of this number has them not: another version of the program
-/// shared them out. None of a whole study.
+/// Walls that a file has although they do not belong to a shard of this number: another version of the program
+/// divided them. A whole study has none.
 [[nodiscard]] std::vector<WallKey> foreign_walls(const StoreHead& head,
                                                  const std::vector<WallStatus>& there,
                                                  Deal deal = Deal::walls);
 
-/// Those that the store has not, and failed ones too if asked for.
+/// Those that the store does not have, and failed ones too if asked for.
 [[nodiscard]] std::vector<WallKey> pending_walls(const Store& store, Shard shard,
                                                  bool rerun_failed, Deal deal = Deal::walls);
 
 struct RunProgress {
     std::size_t done = 0, failed = 0, all = 0; ///< walls of this run
-    std::size_t before = 0;      ///< walls of this part of the study that the file had already
-    double solver_seconds = 0.0; ///< of one core
+    std::size_t before = 0; ///< walls of this part of the study that the file had already
 };
 
 /// @param before walls that need not be pushed: for RunProgress

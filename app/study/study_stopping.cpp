@@ -32,8 +32,7 @@ double value_of(const WallReading& wall, const Study& study)
 {
     if (study.uq.stop == kStopAtMixedShare)
         return wall.mode == dem::FailureMode::mixed ? 0.0 : 1.0;
-    return kWallResponses.at(static_cast<std::size_t>(study.uq.stop))
-        .read(wall, study.load.height);
+    return kWallResponses.at(study.uq.stop).read(wall, study.load.height);
 }
 
 } // namespace
@@ -48,9 +47,9 @@ StoppingState stopping_state(const StudyWalls& walls)
             values.push_back(value_of(w.reading, walls.study));
         const uq::StoppingDecision d = uq::judge(rule, values);
         state.next = std::max(state.next, static_cast<std::uint32_t>(d.next_n));
-        state.remark += number(level.stress / 1e6, 12) +
-                        " MPa: " + std::to_string(values.size()) + " walls, half width " +
-                        number(d.half_width, 3) + " of " + number(rule.half_width, 3) + ", " +
+        state.remark += stress_text(level.stress) + ": " + std::to_string(values.size()) +
+                        " walls, half width " + number(d.half_width, 3) +
+                        " (wanted: " + number(rule.half_width, 3) + "), " +
                         std::string(words(d.reason)) + "\n";
     }
     return state;

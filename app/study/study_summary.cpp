@@ -12,20 +12,6 @@
 namespace app {
 namespace {
 
-Number mean_cell(const std::vector<double>& values, double scale)
-{
-    if (values.empty()) return {};
-    if (values.size() == 1) return plain_number(values.front() * scale, 1);
-    const uq::Estimate e = uq::estimate_mean(values);
-    return with_error(e.value * scale, e.std_error * scale, 1);
-}
-
-Number cov_cell(const std::vector<double>& values)
-{
-    if (values.size() < 2) return {};
-    return plain_number(uq::estimate_sd(values).value / uq::estimate_mean(values).value, 2);
-}
-
 Row cells(const StudyLevel& level, const std::vector<int>& modes, double confidence)
 {
     const std::size_t n = level.walls.size();
@@ -34,27 +20,22 @@ Row cells(const StudyLevel& level, const std::vector<int>& modes, double confide
     std::vector<double> peaks, ultimate;
     for (const StudyWall& w : level.walls) {
         const WallReading& r = w.reading;
-        ++of_mode[static_cast<std::size_t>(mode_of(w))];
+        ++of_mode[mode_of(w)];
         if (r.peak) peaks.push_back(r.peak->force);
         if (is_observed(r.ultimate)) ultimate.push_back(r.ultimate.displacement);
         censored += is_censored(r.ultimate) ? 1 : 0;
     }
     const auto share = [&](int mode) -> Number {
         if (n == 0) return {};
-        const uq::Estimate p = uq::estimate_probability(
-            of_mode[static_cast<std::size_t>(mode)], n, level.failed_walls.size(), confidence);
-        return with_interval(100.0 * p.value, 100.0 * p.interval.lower,
-                             100.0 * p.interval.upper, 0);
+        const uq::Estimate p =
+            uq::estimate_probability(of_mode[mode], n, level.failed_walls.size(), confidence);
+        return percent(p.value, p.interval, 0);
     };
-    Row row = {given(level.stress / 1e6), count(static_cast<double>(n)),
-               count(static_cast<double>(level.failed_walls.size())), mean_cell(peaks, 1e-3),
-               cov_cell(peaks)};
+    Row row = {stress_cell(level.stress), count(n), count(level.failed_walls.size()),
+               mean_cell(peaks, 1, 1e-3), cov_cell(peaks)};
     for (const int mode : modes)
         if (mode != kMixed) row.emplace_back(share(mode));
-    row.insert(row.end(),
-               {mean_cell(ultimate, 1e3), count(static_cast<double>(ultimate.size())),
-                count(static_cast<double>(censored))});
-    return row;
+    return joined(row, {mean_cell(ultimate, 1, 1e3), count(ultimate.size()), count(censored)});
 }
 
 } // namespace
@@ -64,14 +45,16 @@ StudySummary summarise(const StudyWalls& walls)
     const FragilityInput& f = walls.study.fragility;
     StudySummary s;
     s.table.title = kSummaryTitle;
-    s.table.caption =
-        "Walls per vertical stress. Errors are standard errors of independent samples; a Latin "
-        "hypercube has less. The " +
-        percent_text(f.confidence) +
-        " interval counts the failed walls once as of that mode and once as not. Ultimate: "
-        "where the " +
-        ultimate_text(f) + ", as the mean of the walls on which that was observed." +
-        backbone_text(walls.study);
+    s.table.caption = "Walls per vertical stress. Errors are standard errors of independent "
+                      "samples; those of a "
+                      "Latin hypercube are smaller. The " +
+                      percent_text(f.confidence) +
+                      " interval of a share holds whether the failed walls were of that mode "
+                      "or not. Ultimate: "
+                      "where the " +
+                      ultimate_text(f) +
+                      ", as the mean of the walls on which that was observed." +
+                      backbone_text(walls.study);
     s.table.head = {"stress [MPa]", "walls", "failed", {"peak [kN]", kError}, "COV"};
     const std::vector<int> modes = modes_of(walls);
     for (const int mode : modes)

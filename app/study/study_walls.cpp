@@ -1,15 +1,13 @@
 #include "app/study/study_walls.hpp"
 
 #include "app/input/limit_state_text.hpp"
-#include "app/reading/wall_words.hpp"
 #include "app/store/store_reader.hpp"
-#include "app/study/resampled_curve.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
+#include "fragility/resampled_curve.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <string_view>
 
@@ -22,12 +20,13 @@ struct Columns {
     std::optional<std::size_t> spalled, crushed_area;
 };
 
-std::optional<std::size_t> find_column(const std::vector<Column>& columns,
-                                       std::string_view name)
+/// Place of the first whose `member` is this name.
+template <class Range, class Member>
+std::optional<std::size_t> place_of(const Range& range, std::string_view name, Member member)
 {
-    const auto at = std::ranges::find(columns, name, &Column::name);
-    if (at == columns.end()) return {};
-    return static_cast<std::size_t>(at - columns.begin());
+    const auto at = std::ranges::find(range, name, member);
+    if (at == range.end()) return {};
+    return at - range.begin();
 }
 
 Columns columns_of(const StoreHead& head)
@@ -36,8 +35,8 @@ Columns columns_of(const StoreHead& head)
             column_of(head.responses, "sliding_share"),
             column_of(head.counts, "cracked_units"),
             column_of(head.counts, "outcome"),
-            find_column(head.counts, "spalled_units"),
-            find_column(head.responses, "crushed_area")};
+            place_of(head.counts, "spalled_units", &Column::name),
+            place_of(head.responses, "crushed_area", &Column::name)};
 }
 
 StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
@@ -64,10 +63,9 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, K
         read({row.curve.displacement, row.curve.force, came_down}, w.mechanism, all.rules);
     if (keep == Keep::readings) return w;
     if (w.reading.no_reading.empty()) {
-        fragility::Backbone b =
+        const fragility::Backbone b =
             capacity_curve({row.curve.displacement, row.curve.force}, all.rules);
-        w.forces = resampled({std::move(b.displacement), std::move(b.force)}, all.step,
-                             kCurveSteps + 1);
+        w.forces = fragility::resampled({b.displacement, b.force}, all.step, kCurveSteps + 1);
     }
     if (!all.pushed_one_way)
         w.cycles = fragility::cycles({row.curve.displacement, row.curve.force});
@@ -79,8 +77,9 @@ void check_overrides(std::span<const std::string> overrides)
 {
     for (const std::string& o : overrides)
         if (!o.starts_with("fragility."))
-            throw ConfigError("--set", 0, o.substr(0, o.find('=')),
-                              "the walls are there already; only fragility.* can be set here");
+            throw ConfigError(
+                "--set", 0, o.substr(0, o.find('=')),
+                "the walls have been pushed already; only fragility.* can be set here");
 }
 
 void add_wall(StudyLevel& level, StudyWall&& wall)
@@ -122,17 +121,6 @@ StudyWalls study_of(const std::filesystem::path& file, const StoreHead& head,
     return walls;
 }
 
-/// "(0.75 MPa sample 17, ...)"
-std::string named(const StudyWalls& walls, const std::vector<WallKey>& keys)
-{
-    constexpr std::size_t kNamed = 5;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(kNamed, keys.size()); ++i)
-        text += (i > 0 ? ", " : "(") + stress_text(walls.levels[keys[i].level].stress) +
-                " sample " + std::to_string(keys[i].sample);
-    return text + (keys.size() > kNamed ? ", ...)" : ")");
-}
-
 } // namespace
 
 StudyWalls read_study_walls(const std::filesystem::path& file,
@@ -150,32 +138,58 @@ StudyWalls read_study_walls(const std::filesystem::path& file,
     return walls;
 }
 
+WallList walls_of(const StudyLevel& level, int mode)
+{
+    WallList walls;
+    for (const StudyWall& w : level.walls)
+        if (mode == kAllModes || mode_of(w) == mode) walls.push_back(&w);
+    return walls;
+}
+
 WallList all_walls(const StudyWalls& study)
 {
     WallList all;
     for (const StudyLevel& level : study.levels)
         for (const auto* const walls : {&level.walls, &level.failed_walls})
             for (const StudyWall& w : *walls) all.push_back(&w);
-    std::sort(all.begin(), all.end(),
-              [](const StudyWall* a, const StudyWall* b) { return a->key < b->key; });
+    std::ranges::sort(all, {}, &StudyWall::key);
     return all;
+}
+
+std::map<std::string, std::vector<WallKey>> failures(const StudyWalls& study)
+{
+    std::map<std::string, std::vector<WallKey>> why;
+    for (const StudyLevel& level : study.levels)
+        for (const StudyWall& w : level.failed_walls) why[w.reason].push_back(w.key);
+    return why;
+}
+
+std::string named(const StudyWalls& study, const std::vector<WallKey>& walls, std::size_t most)
+{
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, walls.size()); ++i)
+        text += (i > 0 ? ", " : "") + stress_text(study.levels[walls[i].level].stress) +
+                " sample " + std::to_string(walls[i].sample);
+    return text;
 }
 
 std::string trouble_text(const StudyWalls& walls)
 {
-    std::map<std::string, std::vector<WallKey>> why;
-    std::size_t missing = 0;
-    for (const StudyLevel& level : walls.levels) {
-        missing += level.missing;
-        for (const StudyWall& w : level.failed_walls) why[w.reason].push_back(w.key);
-    }
+    constexpr std::size_t kNamed = 5;
     std::string text;
-    for (const auto& [reason, keys] : why)
-        text += std::to_string(keys.size()) + " failed: " + reason + " " + named(walls, keys) +
-                "\n";
+    for (const auto& [reason, keys] : failures(walls))
+        text += std::to_string(keys.size()) + " failed: " + reason + " (" +
+                named(walls, keys, kNamed) + (keys.size() > kNamed ? ", ...)\n" : ")\n");
+    std::size_t missing = 0;
+    for (const StudyLevel& level : walls.levels) missing += level.missing;
     if (missing > 0)
         text += std::to_string(missing) + " walls of the study are not in this file\n";
     return text;
+}
+
+std::optional<std::size_t> input_of(const StudyWalls& study, std::string_view key)
+{
+    return place_of(study.inputs, key, &StoredInput::key);
 }
 
 std::vector<int> modes_of(const StudyWalls& study)
@@ -184,7 +198,10 @@ std::vector<int> modes_of(const StudyWalls& study)
     return {kRocking, kSliding, kMixed};
 }
 
-const char* mode_name(int mode) { return words(static_cast<dem::FailureMode>(mode)).data(); }
+const char* mode_name(int mode)
+{
+    return mode == kAllModes ? "all" : name(static_cast<dem::FailureMode>(mode)).data();
+}
 
 std::string stress_text(double stress)
 {

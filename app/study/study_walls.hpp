@@ -10,15 +10,19 @@
 #include "fragility/cyclic_curve.hpp"
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
 
 constexpr int kRocking = 0, kSliding = 1,
               kMixed = 2;                      ///< modes, in the order of dem::FailureMode
-[[nodiscard]] const char* mode_name(int mode); ///< "rocking", "sliding", "mixed"
+constexpr int kAllModes = 3;                   ///< walls of any mode
+[[nodiscard]] const char* mode_name(int mode); ///< "rocking", "sliding", "mixed", "all"
 constexpr std::size_t kCurveSteps = 120;       ///< of the grid of displacements for mean curves
 
 struct StudyWall {
@@ -47,7 +51,7 @@ struct StudyLevel {
     double stress = 0.0;          ///< [Pa]
     std::vector<StudyWall> walls; ///< that gave a result
     std::vector<StudyWall> failed_walls;
-    std::size_t missing = 0; ///< walls of the study that the file has not
+    std::size_t missing = 0; ///< walls of the study that are not in the file
 };
 
 struct StudyWalls {
@@ -65,6 +69,10 @@ struct StudyWalls {
     bool shared =
         false; ///< one design for all levels: walls of two levels depend on each other
 };
+
+/// Place of a random input; nothing where this key does not vary.
+[[nodiscard]] std::optional<std::size_t> input_of(const StudyWalls& study,
+                                                  std::string_view key);
 
 /// The modes that the study tells apart (fragility.modes).
 [[nodiscard]] std::vector<int> modes_of(const StudyWalls& study);
@@ -85,8 +93,18 @@ enum class Keep {
 /// Walls of a study that lives longer.
 using WallList = std::vector<const StudyWall*>;
 
+/// Walls that gave a result, of one mode or of kAllModes.
+[[nodiscard]] WallList walls_of(const StudyLevel& level, int mode);
+
 /// All walls, failed ones too, by level and sample.
 [[nodiscard]] WallList all_walls(const StudyWalls& study);
+
+/// Failed walls by reason.
+[[nodiscard]] std::map<std::string, std::vector<WallKey>> failures(const StudyWalls& study);
+
+/// "0.75 MPa sample 17, 0.75 MPa sample 20": the first `most` of these walls.
+[[nodiscard]] std::string named(const StudyWalls& study, const std::vector<WallKey>& walls,
+                                std::size_t most);
 
 /// Lines for people: walls that failed, by reason, with the first of them; walls still to run.
 [[nodiscard]] std::string trouble_text(const StudyWalls& walls);

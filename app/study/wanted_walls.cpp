@@ -18,25 +18,21 @@ int level_of(const Study& study, const std::string& text)
 {
     const std::vector<double>& all = study.load.vertical_stress;
     if (text.empty() && all.size() == 1) return 0;
-    const std::string levels = format_quantities(all, "MPa");
     if (text.empty())
-        throw ConfigError("drystone", 0, "--level", "missing; write one of " + levels);
+        throw ConfigError("drystone", 0, "--level",
+                          "missing; write one of " + format_quantities(all, "MPa"));
     try {
         const bool bare = text.find_first_not_of("0123456789.") == std::string::npos;
-        const double stress = parse_quantity(bare ? text + " MPa" : text, "MPa");
-        const auto found = std::find(all.begin(), all.end(), stress);
-        if (found != all.end()) return static_cast<int>(found - all.begin());
+        return level_at(study, bare ? text + " MPa" : text);
     } catch (const BadValue& bad) {
         throw ConfigError("drystone", 0, "--level", bad.what());
     }
-    throw ConfigError("drystone", 0, "--level", in_quotes(text) + " is none of " + levels);
 }
 
 StudySource study_source(const Command& command)
 {
     if (!command.study.ends_with(".h5")) {
-        const Study study =
-            read_study(with_overrides(read_study_file(command.study), command.overrides));
+        const Study study = read_study(command.study, command.overrides);
         return {study, {samples_of(study)}};
     }
     const StoreHead head = read_head(command.study);

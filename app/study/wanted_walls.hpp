@@ -24,8 +24,8 @@ struct StudySource {
 /// @throws ConfigError about --level
 [[nodiscard]] int level_of(const Study& study, const std::string& text);
 
-/// uq.drawn: the wall that it names. --sample and --level: that wall of a study with distributions. Without, or with --sample mean: the numbers of a
-/// study, of distributions their means, under all its levels or that of --level.
+/// With uq.drawn, the wall that it names. With --sample N and --level, that wall of a study with distributions. Otherwise the
+/// wall of the study's numbers under all its levels or that of --level; with --sample mean, each distribution stands for its mean.
 /// @throws ConfigError
 [[nodiscard]] std::vector<WantedWall> wanted_walls(const StudySource& source,
                                                    const Command& command);

@@ -124,7 +124,7 @@ std::string_view bare_name(std::string_view head)
     return open == 0 ? head : trimmed(head.substr(0, open));
 }
 
-std::size_t find_column(const std::string& path, const Csv& csv, std::string_view name)
+std::size_t find_column(const Csv& csv, std::string_view name)
 {
     std::vector<std::string_view> names(csv.head.begin(), csv.head.end());
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -134,15 +134,13 @@ std::size_t find_column(const std::string& path, const Csv& csv, std::string_vie
         if (bare_name(names[i]) == name) found.push_back(i);
     if (found.size() == 1) return found.front();
     if (found.size() > 1)
-        throw ConfigError(path, 0, name, "several columns have this name; add the unit");
-    throw ConfigError(path, 0, name, "no such column; " + suggestion(name, names));
+        throw ConfigError(csv.path, 0, name, "several columns have this name; add the unit");
+    throw ConfigError(csv.path, 0, name, "no such column; " + suggestion(name, names));
 }
 
-double number_at(const std::string& path, const Csv& csv, const CsvRow& row, std::size_t column)
+double number_at(const Csv& csv, const CsvRow& row, std::size_t column)
 {
-    const auto refuse = [&](const std::string& why) {
-        refuse_cell(path, row, csv.head[column], why);
-    };
+    const auto refuse = [&](const std::string& why) { refuse_cell(csv, row, column, why); };
     std::string text(trimmed(row.cells[column]));
     if (text.empty()) refuse("empty cell; write a number, or take the row out");
     if (csv.separator != ',') std::ranges::replace(text, ',', '.');
@@ -160,6 +158,7 @@ Csv parse_csv(const std::string& path, std::string_view text)
 {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     Csv csv;
+    csv.path = path;
     int first_line = 1;
     if (text.starts_with("sep=") && text.size() > 4) { // Excel names its separator so
         csv.separator = text[4];
@@ -182,17 +181,16 @@ Csv parse_csv(const std::string& path, std::string_view text)
     return csv;
 }
 
-void check_rows(const std::string& path, const Csv& csv)
+void check_rows(const Csv& csv)
 {
     if (csv.rows.empty())
-        throw ConfigError(path, 0, "",
+        throw ConfigError(csv.path, 0, "",
                           "there is no row below the head; write one for each wall");
 }
 
-void refuse_cell(const std::string& path, const CsvRow& row, std::string_view column,
-                 const std::string& why)
+void refuse_cell(const Csv& csv, const CsvRow& row, std::size_t column, const std::string& why)
 {
-    throw ConfigError(path, row.line, column, why);
+    throw ConfigError(csv.path, row.line, csv.head[column], why);
 }
 
 } // namespace app

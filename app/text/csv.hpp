@@ -14,6 +14,7 @@ struct CsvRow {
 };
 
 struct Csv {
+    std::string path;              ///< names it in messages
     std::vector<std::string> head; ///< without blanks at both ends
     std::vector<CsvRow> rows;
     char separator = ',';
@@ -22,29 +23,26 @@ struct Csv {
 /// Cells may be in double quotes, with "" for a quote and line breaks inside. Lines end in LF or
 /// CRLF; rows of empty cells and a byte order mark are passed over. The separator is the one that a first
 /// line "sep=;" names, or the most frequent of comma, semicolon and tab in the head.
-/// @param path only names it
 /// @throws ConfigError naming the line: no head, columns without or with equal names, too few or too
 /// many cells, a quote that is not closed, or text behind it
 [[nodiscard]] Csv parse_csv(const std::string& path, std::string_view text);
 
 /// The column of this name: "drift", or with its unit "drift [%]".
 /// @throws ConfigError if there is none, or several of it
-[[nodiscard]] std::size_t find_column(const std::string& path, const Csv& csv,
-                                      std::string_view name);
+[[nodiscard]] std::size_t find_column(const Csv& csv, std::string_view name);
 
 /// The number in a cell, >= 0. With semicolons or tabs as separators 1,5 is read as 1.5.
 /// @throws ConfigError naming row and column
-[[nodiscard]] double number_at(const std::string& path, const Csv& csv, const CsvRow& row,
-                               std::size_t column);
+[[nodiscard]] double number_at(const Csv& csv, const CsvRow& row, std::size_t column);
 
 /// The name of a column without its unit in brackets, [%] or (%).
 [[nodiscard]] std::string_view bare_name(std::string_view head);
 
 /// @throws ConfigError without a row below the head
-void check_rows(const std::string& path, const Csv& csv);
+void check_rows(const Csv& csv);
 
 /// @throws ConfigError naming row and column
-[[noreturn]] void refuse_cell(const std::string& path, const CsvRow& row,
-                              std::string_view column, const std::string& why);
+[[noreturn]] void refuse_cell(const Csv& csv, const CsvRow& row, std::size_t column,
+                              const std::string& why);
 
 } // namespace app

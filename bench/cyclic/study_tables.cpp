@@ -51,23 +51,15 @@ app::Row ratio_cells(const app::StudyLevel& one, const app::StudyLevel& cyclic,
         const auto other = others.find(w.key.sample);
         if (other == others.end()) continue;
         const auto &a = w.reading.limits[state], &b = other->second->reading.limits[state];
-        if (app::is_observed(a) && app::is_observed(b) && a.displacement > 0.0 &&
-            b.displacement > 0.0)
+        if (is_observed(a) && is_observed(b) && a.displacement > 0.0 && b.displacement > 0.0)
             logs.push_back(std::log(b.displacement / a.displacement));
     }
-    const app::Number n = app::count(static_cast<double>(logs.size()));
+    const app::Number n = app::count(logs.size());
     if (logs.size() < 2) return {app::Number{}, n};
     const uq::Estimate e = uq::estimate_mean(logs);
     return {app::with_interval(std::exp(e.value), std::exp(e.interval.lower),
                                std::exp(e.interval.upper), 2),
             n};
-}
-
-std::size_t walls_of_mode(const app::StudyLevel& level, int mode)
-{
-    std::size_t n = 0;
-    for (const app::StudyWall& w : level.walls) n += app::mode_of(w) == mode ? 1 : 0;
-    return n;
 }
 
 app::Number peak_cell(const app::StudyLevel& level)
@@ -77,7 +69,7 @@ app::Number peak_cell(const app::StudyLevel& level)
         if (w.reading.peak) peaks.push_back(w.reading.peak->force * 1e-3);
     if (peaks.size() < 2) return {};
     const uq::Estimate e = uq::estimate_mean(peaks);
-    return app::with_interval(e.value, e.interval.lower, e.interval.upper, 1);
+    return app::with_interval(e.value, e.interval, 1);
 }
 
 } // namespace
@@ -135,12 +127,12 @@ app::Table share_table(const TwoStudies& both)
             const std::size_t n = level.walls.size();
             app::Row row = {app::given(level.stress / 1e6),
                             std::string(study == &both.one_way ? "one way" : "cycles"),
-                            app::count(static_cast<double>(n))};
+                            app::count(n)};
             for (const int mode : modes)
-                row.emplace_back(share_cell(walls_of_mode(level, mode), n));
+                row.emplace_back(share_cell(app::walls_of(level, mode).size(), n));
             std::size_t fell = 0;
             for (const app::StudyWall& w : level.walls) fell += w.reading.dropped ? 1 : 0;
-            row.emplace_back(app::count(static_cast<double>(fell)));
+            row.emplace_back(app::count(fell));
             row.emplace_back(peak_cell(level));
             t.rows.push_back(std::move(row));
         }

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string_view>
 
 namespace bench {
 namespace {
@@ -17,14 +16,6 @@ ModeStatistics statistics(const Values& v)
 {
     return {sample(v.friction), sample(v.strength), sample(v.peak), sample(v.displacement),
             sample(v.dropped)};
-}
-
-/// Column of an input; the count of inputs where it is not random.
-std::size_t input_of(const app::StudyWalls& walls, std::string_view key)
-{
-    std::size_t i = 0;
-    while (i < walls.inputs.size() && walls.inputs[i].key != key) ++i;
-    return i;
 }
 
 } // namespace
@@ -48,8 +39,8 @@ LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level
     dem::ModeThresholds mode = thresholds;
     mode.modes = dem::ModeRule::two; // the paper's
     const app::StudyLevel& l = walls.levels.at(level);
-    const std::size_t friction = input_of(walls, "joint.friction_angle"),
-                      strength = input_of(walls, "unit.tensile_strength");
+    const auto friction = app::input_of(walls, "joint.friction_angle"),
+               strength = app::input_of(walls, "unit.tensile_strength");
     LevelStatistics s;
     s.stress_MPa = l.stress * 1e-6;
     s.walls = l.walls.size();
@@ -61,8 +52,8 @@ LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level
         const bool rocks =
             dem::failure_mode(m, w.reading.dropped, mode) == dem::FailureMode::rocking;
         Values& v = modes[rocks ? 0 : 1];
-        if (friction < w.inputs.size()) v.friction.push_back(w.inputs[friction]);
-        if (strength < w.inputs.size()) v.strength.push_back(w.inputs[strength]);
+        if (friction) v.friction.push_back(w.inputs[*friction]);
+        if (strength) v.strength.push_back(w.inputs[*strength]);
         v.peak.push_back(app::peak_force(w.reading) * 1e-3);
         v.displacement.push_back(w.reading.ultimate.displacement * 1e3);
         if (w.reading.dropped) v.dropped.push_back(w.reading.ultimate.displacement * 1e3);

@@ -4,6 +4,9 @@
 
 #include "dem/scene/snapshot.hpp"
 
+#include <array>
+#include <string_view>
+
 namespace dem {
 
 struct Mechanism {
@@ -32,6 +35,13 @@ enum class FailureMode {
     sliding, ///< it moves along its joints, and its units stay whole
     mixed    ///< diagonal shear: units crack and bed joints slide
 };
+
+/// Names in the order of FailureMode.
+inline constexpr std::array<std::string_view, 3> kModeNames = {"rocking", "sliding", "mixed"};
+[[nodiscard]] constexpr std::string_view name(FailureMode mode)
+{
+    return kModeNames[static_cast<int>(mode)];
+}
 
 /// How many modes are told apart.
 enum class ModeRule {

@@ -8,10 +8,12 @@
 #include "dem/solver/energy.hpp"
 #include "dem/solver/solver_options.hpp"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace dem {
@@ -28,6 +30,15 @@ enum class Outcome {
     out_of_steps,  ///< SolverOptions::most_steps were not enough
     no_wall        ///< its materials make no wall, so that nothing was pushed
 };
+
+/// Names in the order of Outcome.
+inline constexpr std::array<std::string_view, 7> kOutcomeNames = {
+    "reached target", "decided",      "lost equilibrium", "not finite",
+    "energy astray",  "out of steps", "no wall"};
+[[nodiscard]] constexpr std::string_view name(Outcome outcome)
+{
+    return kOutcomeNames[static_cast<int>(outcome)];
+}
 
 /// Whether a run says nothing about the wall, or not enough. Such runs are kept and counted, but never
 /// averaged.

@@ -98,7 +98,7 @@ py::tuple read_drifts(const std::string& path, const std::vector<std::string>& o
     const app::DriftData data =
         app::drift_data(app::read_study_walls(path, overrides, app::Keep::readings));
     std::vector<std::string> states;
-    for (const app::DriftState& s : data.states) states.push_back(app::state_name(s));
+    for (const app::StateName& s : data.states) states.push_back(app::state_name(s));
     py::list levels;
     for (const app::DriftGroup& group : data.groups) {
         py::list of_level;

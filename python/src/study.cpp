@@ -160,9 +160,7 @@ std::vector<WallOfStudy> push_values(const StudyPointer& study, int level,
 {
     check_level(*study, level);
     const app::Study& s = study->source.study;
-    std::vector<int> sites;
-    for (const app::RandomInput& input : s.random)
-        sites.push_back(app::values_per_wall(input, s.uq.spatial, study->layout));
+    const std::vector<int> sites = app::sites_of(s.random, s.uq.spatial, study->layout);
     std::vector<app::WantedWall> wanted;
     const auto width = static_cast<std::size_t>(values.shape(1));
     for (py::ssize_t row = 0; row < values.shape(0); ++row)

@@ -19,7 +19,7 @@ const std::string kBaker = "Sa [g],collapsed,analyses\n0.2,0,40\n0.3,0,40\n0.4,0
 
 DamageCounts counts(const std::string& text, const CountColumns& columns)
 {
-    return damage_counts("counts.csv", app::parse_csv("counts.csv", text), columns);
+    return damage_counts(app::parse_csv("counts.csv", text), columns);
 }
 
 std::string complaint(const std::string& text, const CountColumns& columns)

@@ -12,7 +12,7 @@ namespace {
 
 app::DriftData read(const std::string& text, const app::DriftColumns& columns)
 {
-    return app::drift_data("walls.csv", parse_csv("walls.csv", text), columns);
+    return app::drift_data(parse_csv("walls.csv", text), columns);
 }
 
 } // namespace

@@ -106,7 +106,7 @@ TEST_CASE(
     CHECK(rows == 16); // steps 0, 4, ..., 60
     CHECK(cell(t, 10, "n") == "20");
     CHECK(cell(t, 11, "n") == "18");
-    CHECK(t.caption.find("3 of 20 at 0.5 MPa (load.stop_below ends a run once the force has "
+    CHECK(t.caption.find("3 of 20 at 0.50 MPa (load.stop_below ends a run once the force has "
                          "fallen to 50 % of the peak)") != std::string::npos);
     CHECK(t.caption.find("above the mean of all") != std::string::npos);
 }

@@ -39,7 +39,8 @@ TEST_CASE("fragility modes: a mode that does not occur has the share 0 with an u
     CHECK(cell(t, 1, "Clopper-Pearson [%]") == "0.0 to 30.8"); // 1 - 0.025^(1/10)
     const app::Table equal = app::equal_modes_table(walls);
     CHECK(cell(equal, 0, "angle [deg]").empty());
-    CHECK(cell(equal, 0, "note") == "No wall is mixed: the data have no such angle.");
+    CHECK(cell(equal, 0, "note") ==
+          "The mode mixed does not occur: the data have no such angle.");
     CHECK(cell(equal, 0, "slope [1/deg]").empty());
 }
 
@@ -158,7 +159,7 @@ TEST_CASE("fragility modes: thresholds move walls that cracked, not walls whose 
     for (std::size_t r = 0; r < t.rows.size(); ++r) {
         const bool mixed = std::stod(cell(t, r, "rotation share")) > 0.45 &&
                            std::stoi(cell(t, r, "cracked units")) <= 2;
-        CHECK(cell(t, r, "mixed at 0.5 MPa [%]") == (mixed ? "100" : "10"));
+        CHECK(cell(t, r, "mixed at 0.50 MPa [%]") == (mixed ? "100" : "10"));
         CHECK(cell(t, r, "walls that change their mode [%]") == (mixed ? "0.0" : "95.0"));
     }
 }
@@ -184,9 +185,10 @@ TEST_CASE("fragility modes: three modes have their shares, their angles and thei
     const app::Table equal = app::equal_modes_table(walls);
     CHECK(cell(equal, 0, "other mode") == "sliding");
     CHECK(cell(equal, 0, "n") == "20");
-    CHECK(cell(equal, 1, "note") == "No wall is mixed: the data have no such angle.");
+    CHECK(cell(equal, 1, "note") ==
+          "The mode mixed does not occur: the data have no such angle.");
     const app::Table t = app::threshold_table(walls);
-    CHECK(cell(t, 0, "sliding at 0.5 MPa [%]") == "25");
-    CHECK(cell(t, 0, "mixed at 0.5 MPa [%]") == "0");
+    CHECK(cell(t, 0, "sliding at 0.50 MPa [%]") == "25");
+    CHECK(cell(t, 0, "mixed at 0.50 MPa [%]") == "0");
     CHECK(scenes::sound(t));
 }

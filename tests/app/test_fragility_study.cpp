@@ -168,8 +168,8 @@ TEST_CASE(
     CHECK_THROWS_WITH(run({"fragility", csv, "--out", out}),
                       Catch::Contains("--drift: missing"));
     CHECK_THROWS_WITH(run({"fragility", "x.h5", "--drift", "d", "--out", out}),
-                      Catch::Contains("a study has none"));
+                      Catch::Contains("a study has no columns"));
     CHECK_THROWS_WITH(run({"fragility", csv, "--drift", "drift", "--set",
                            "fragility.crossing=last", "--out", out}),
-                      Catch::Contains("of a table only"));
+                      Catch::Contains("for a table, only"));
 }

@@ -133,7 +133,7 @@ TEST_CASE("reliability: faults of a study of another program are named", "[app][
     CHECK(said("[reliability]\ndemand = 0\nmethod = multi_fidelity\n").find("needs a wall") !=
           std::string::npos);
     CHECK(said("[reliability]\ndemand = 0\n[uq]\npearson = r t 0.5\n")
-              .find("\"t\" is no random input") != std::string::npos);
+              .find("\"t\" is not a random input") != std::string::npos);
 }
 
 TEST_CASE("reliability: Sobol' indices of another program are those of the closed form",

@@ -1,6 +1,6 @@
 #include "app/report/report_parts.hpp"
-#include "app/study/resampled_curve.hpp"
 #include "app/wall_scenes.hpp"
+#include "fragility/resampled_curve.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -20,22 +20,12 @@ app::StudyWall straight_wall(double stiffness, double last)
         w.curve.displacement.push_back(d);
         w.curve.force.push_back(stiffness * d);
     }
-    w.forces = app::resampled(w.curve, kStep, app::kCurveSteps + 1);
+    w.forces = fragility::resampled({w.curve.displacement, w.curve.force}, kStep,
+                                    app::kCurveSteps + 1);
     return w;
 }
 
 } // namespace
-
-TEST_CASE(
-    "report curves: straight between points, from the origin to the first, none beyond the "
-    "last",
-    "[app][report_curves]")
-{
-    const app::WallCurve curve{{1.0, 2.0, 2.0, 4.0}, {10.0, 20.0, 12.0, 16.0}};
-    CHECK(app::resampled(curve, 0.5, 20) ==
-          std::vector<double>{0, 5, 10, 15, 20, 13, 14, 15, 16});
-    CHECK(app::resampled({}, 0.5, 20).empty());
-}
 
 TEST_CASE(
     "report curves: the mean of straight curves is the straight line of their mean, within "

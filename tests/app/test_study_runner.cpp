@@ -123,7 +123,7 @@ TEST_CASE("study runner: a draw that makes no wall is a failed wall, and the oth
         CHECK(row.curve.force.empty() == no_wall);
         if (!no_wall) continue;
         ++failed;
-        CHECK(row.reason.starts_with("the values drawn make no wall: "));
+        CHECK(row.reason.starts_with("no wall can be made of the values drawn: "));
     }
     CHECK(failed > 0);
 }

@@ -276,6 +276,14 @@ TEST_CASE("table: sentences stand below the table for people, each once, and in 
     CHECK(app::as_text(table("", {"a", {"note", app::kNote}}, {{"1", {}}})) == "a\n1\n");
 }
 
+TEST_CASE("table: a row gets its note in the last column, behind empty cells", "[app][table]")
+{
+    app::Table t = table("", {"a", "b", "c", {"note", app::kNote}}, {});
+    app::add_row(t, app::joined({"1"}, {"2"}), "Why.");
+    app::add_row(t, {"3", "4", "5"});
+    CHECK(app::as_csv(t) == "a,b,c,note\n1,2,,Why.\n3,4,5,\n");
+}
+
 TEST_CASE("table: no line is wider than the terminal; the keys stand in every block",
           "[app][table]")
 {

@@ -1,5 +1,4 @@
 #include "app/reading/wall_reading.hpp"
-#include "app/reading/wall_words.hpp"
 
 #include "app/fragility_keys.hpp"
 #include "app/input/limit_state_text.hpp"
@@ -81,7 +80,7 @@ TEST_CASE("wall reading: peak, ultimate displacement and mode follow the rules o
     CHECK(w.mode == dem::FailureMode::mixed);
     const app::WallReading never =
         app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules({"fragility.ultimate_share=0.5"}));
-    CHECK(app::is_censored(never.ultimate));
+    CHECK(is_censored(never.ultimate));
     CHECK(never.mode == dem::FailureMode::rocking);
     const app::WallReading cracked =
         app::read({kAt, kForce}, {0.9, 0.1, 1, 4},
@@ -107,10 +106,10 @@ TEST_CASE(
     const app::ReadingRules all = rules({"fragility.limit_states=paper, collapse"});
     REQUIRE(state_names(all).back().set == "collapse");
     const app::WallReading stands = app::read({kAt, kForce}, {}, all);
-    CHECK(app::is_censored(stands.collapse));
-    CHECK(app::is_censored(stands.limits.back()));
+    CHECK(is_censored(stands.collapse));
+    CHECK(is_censored(stands.limits.back()));
     const app::WallReading fell = app::read({kAt, kForce, true}, {}, all);
-    CHECK(app::is_observed(fell.limits.back()));
+    CHECK(is_observed(fell.limits.back()));
     CHECK(fell.limits.back().displacement == kAt.back());
     CHECK(fell.collapse.displacement == kAt.back());
     CHECK(fell.ultimate.displacement == stands.ultimate.displacement); // it had dropped before
@@ -153,12 +152,12 @@ TEST_CASE("wall reading: a push that turns back is read on its backbones, by dir
     CHECK(right.dropped);
     CHECK(right.ultimate.displacement == Approx(0.002 + 0.002 * 5.0 / 7.0));
     CHECK(left.peak->force == 40e3);
-    CHECK(app::is_censored(left.ultimate));
+    CHECK(is_censored(left.ultimate));
     CHECK(left.ultimate.displacement == 0.004);
     CHECK(worse.peak->force == 40e3);
     CHECK(worse.ultimate.displacement == right.ultimate.displacement);
     CHECK(worse.dropped);
-    REQUIRE(mean.backbones.size() == app::kSides.size());
+    REQUIRE(mean.backbones.size() == fragility::kSideNames.size());
     check_equal(mean.backbones[static_cast<std::size_t>(fragility::Side::right)], right);
     REQUIRE(mean.limits.size() == state_names(rules()).size());
     CHECK(app::capacity_curve({at, force}, rules({"load.amplitudes=2, 4 mm"})).force.back() ==
@@ -180,7 +179,7 @@ TEST_CASE("wall reading: a push that turns back on one side is read on that side
         app::read({at, force}, {0.9, 0.1, 0, 0},
                   rules({"load.targets=20, 10, 20 mm", "fragility.backbone=left"}));
     CHECK(left.no_reading.find("never goes to this side") != std::string::npos);
-    CHECK_FALSE(app::is_defined(left.limits.front()));
+    CHECK_FALSE(is_defined(left.limits.front()));
 }
 
 TEST_CASE("wall reading: a wall that came down under its vertical load is not read",
@@ -211,7 +210,7 @@ TEST_CASE(
     const auto file = folder.path / "study.h5";
     scenes::run_study(file, "samples = 1\n[load]\namplitudes = 1, 2 mm");
     check_stored(file, {});
-    for (const std::string_view side : app::kSides)
+    for (const std::string_view side : fragility::kSideNames)
         check_stored(file, {"fragility.backbone=" + std::string(side)});
 }
 

@@ -7,8 +7,11 @@ drystone_tests(fragility_fits
         fragility/test_fragility_curve.cpp
         fragility/test_goodness_of_fit.cpp
         fragility/test_kaplan_meier.cpp
+        fragility/test_law_parameters.cpp
         fragility/test_median_bound.cpp
+        fragility/test_observation.cpp
         fragility/test_observed_quantile.cpp
+        fragility/test_resampled_curve.cpp
         fragility/test_mode_lack_of_fit.cpp
         fragility/test_mode_model.cpp
         fragility/test_maximise.cpp

@@ -127,3 +127,41 @@ TEST_CASE("ordinal fit: data without curves are named", "[fragility][ordinal_fit
         CHECK_FALSE(f.reason.empty());
     }
 }
+
+TEST_CASE("ordinal fit: intervals of median and dispersion lie evenly about them on the "
+          "logarithmic axis",
+          "[fragility][ordinal_fit]")
+{
+    constexpr double kZ = 1.6448536269514722; // 90 %
+    const OrdinalFit f = fit_ordinal(kStates);
+    for (const LogEstimate& e : {median(f, 1, 0.9), median(f, 2, 0.9), dispersion(f, 0.9)}) {
+        CHECK(e.log_error == near(e.std_error / e.value, 1e-14));
+        CHECK(std::log(e.interval.upper / e.value) == near(kZ * e.log_error, 1e-12));
+        CHECK(std::log(e.value / e.interval.lower) == near(kZ * e.log_error, 1e-12));
+    }
+    CHECK(median(f, 2).value == f.medians[1]);
+    CHECK(dispersion(f).std_error == std::sqrt(f.covariance(2, 2)));
+}
+
+TEST_CASE("ordinal fit: the band at the median ends where that of the median does",
+          "[fragility][ordinal_fit]")
+{
+    const OrdinalFit f = fit_ordinal(kStates);
+    const LogEstimate m = median(f, 1);
+    const Interval b = band(probability(f, 1, m.value));
+    CHECK(b.lower == near(probability(f, 1, m.value * m.value / m.interval.upper).probability));
+    CHECK(b.upper == near(probability(f, 1, m.interval.upper).probability));
+}
+
+TEST_CASE("ordinal fit: the p-value is that of the deviance, and there is none without freedom",
+          "[fragility][ordinal_fit]")
+{
+    OrdinalFit f = fit_ordinal(kBaker);
+    CHECK(p_value(f) ==
+          near(0.8311089125341314, 1e-9)); // exp(-x) (1 + x + x^2 / 2), x = deviance / 2
+    f.deviance = 2.0;
+    f.freedom = 2.0;
+    CHECK(p_value(f) == near(std::exp(-1.0), 1e-12));
+    f.freedom = 0.0;
+    CHECK(std::isnan(p_value(f)));
+}

@@ -95,7 +95,7 @@ class SamplesAreThoseOfStudies(InFolder):
                 ({"x": "normal(mean 1)"}, 4, {}, r"^uq\.sample: x: "),
                 ({"x": "normal(mean 1, cov 0.1)"}, 0, {}, r"^uq\.sample: samples: "),
                 ({"x": "normal(mean 1, cov 0.1)"}, 4, {"design": "grid"}, r"^uq\.sample: design: "),
-                ({"x": "normal(mean 1, cov 0.1)"}, 4, {"pearson": {("x", "y"): 0.3}}, r"^uq\.sample.*y.* is no random input"),
+                ({"x": "normal(mean 1, cov 0.1)"}, 4, {"pearson": {("x", "y"): 0.3}}, r"^uq\.sample.*y.* is not a random input"),
                 ({}, 4, {}, r"^uq\.sample: variables: none")):
             with self.assertRaisesRegex(drystone.ConfigError, message):
                 drystone.uq.sample(variables, n, **more)

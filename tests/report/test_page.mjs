@@ -288,7 +288,7 @@ claims['a page of many walls stays under 5 MB and takes less than two seconds of
 claims['a page of many walls has walls of each stress and says what it leaves out'] = () =>
     withPage({}, async (page) => {
         assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /[0-9]+ of 4400 walls can be looked at, taken in turns/);
-        assert.match(await page.evaluate(`document.getElementById('walls').textContent`), /4000 of 4400 walls, those of the lowest sample numbers/);
+        assert.match(await page.evaluate(`document.getElementById('walls').textContent`), /4000 of 4400 walls: those with the lowest sample numbers/);
         const films = await page.evaluate(`[...document.querySelectorAll('#wall-choice optgroup')].map((g) => g.children.length)`);
         assert.equal(films.length, 2);
         assert.ok(films.every((n) => n >= 300), `${films}`);
@@ -303,7 +303,7 @@ const others = {
     layouts: { overview: /4 random layouts, those of wall\.seed = 1 and so on/ },
     spatial: { overview: /one value per joint/ },
     shard: { overview: /are not in the file: the study is not finished, or the file is a shard/, provenance: /1 of 3/ },
-    some_failed: { overview: /walls failed: solver\.most_steps were not enough/ },
+    some_failed: { overview: /walls failed: solver\.most_steps was not enough/ },
     all_failed: { overview: /no wall gave a result/, curves: /No wall under this stress gave a curve/, modes: /No wall gave a result/ },
     cyclic: { overview: /to and fro, at most 3 mm/, curves: /Hysteresis: 0\.50 MPa/, cycles: /damping/ },
 };

@@ -1,10 +1,10 @@
-#include "app/study/resampled_curve.hpp"
+#include "fragility/resampled_curve.hpp"
 
 #include <algorithm>
 
-namespace app {
+namespace fragility {
 
-std::vector<double> resampled(const WallCurve& curve, double step, std::size_t points)
+std::vector<double> resampled(const Curve& curve, double step, std::size_t points)
 {
     constexpr double kRounding = 1e-9; // of the last displacement
     const auto& d = curve.displacement;
@@ -22,4 +22,4 @@ std::vector<double> resampled(const WallCurve& curve, double step, std::size_t p
     return forces;
 }
 
-} // namespace app
+} // namespace fragility
