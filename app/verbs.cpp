@@ -2,16 +2,14 @@
 
 #include "app/commands.hpp"
 #include "app/fragility/fragility_command.hpp"
-#include "app/input/command_line.hpp"
 #include "app/report/report_command.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/study_command.hpp"
-#include "app/version.hpp"
+#include "app/wall_verbs.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iostream>
 
 namespace app {
 namespace {
@@ -46,34 +44,11 @@ int run_study(const Command& command)
 
 int run_report(const Command& command) { return report_command(command); }
 
-int run_help(const Command& command)
-{
-    std::cout << help_text(verbs(), command.words.empty() ? "" : command.words.front());
-    return 0;
-}
-
-int run_version(const Command&)
-{
-    std::cout << "drystone " << kVersion << '\n';
-    return 0;
-}
-
 constexpr std::size_t kMany = 1'000'000;
 
 constexpr std::array kVerbs = {
-    Verb{.name = "push",
-         .words = "STUDY.ini",
-         .meaning = "push one wall: capacity curve, summary, pictures",
-         .example = "drystone push configs/wall.ini",
-         .sections = kWallSections,
-         .run = push_command},
-    Verb{.name = "scene",
-         .words = "STUDY.ini",
-         .meaning = "draw the wall before anything is computed: units, joints, supports; .svg, "
-                    ".dxf, .json",
-         .example = "drystone scene configs/wall.ini",
-         .sections = "wall lintel stone joint unit beam base load solver",
-         .run = scene_command},
+    kPushVerb,
+    kSceneVerb,
     Verb{.name = "study",
          .words = "STUDY.ini",
          .meaning = "push samples x stress levels into one file; an interrupted study resumes",
@@ -134,20 +109,8 @@ constexpr std::array kVerbs = {
          .least = 2,
          .most = kMany,
          .run = merge_command},
-    Verb{.name = "help",
-         .words = "[VERB]",
-         .meaning = "this text, or the options and keys of a verb",
-         .example = "drystone help push",
-         .out = OutKind::none,
-         .least = 0,
-         .run = run_help},
-    Verb{.name = "version",
-         .meaning = "name and version",
-         .example = "drystone version",
-         .out = OutKind::none,
-         .least = 0,
-         .most = 0,
-         .run = run_version},
+    kHelpVerb,
+    kVersionVerb,
 };
 
 } // namespace

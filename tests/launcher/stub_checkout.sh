@@ -67,6 +67,7 @@ case ${1-} in
 show) printf '<%s>\n' "${@:2}" ;;
 where) pwd ;;
 pid) echo "$$" ;;
+push) printf '%s\n' "${0##*/}" ;;
 exit) exit "$2" ;;
 read) cat ;;
 esac
@@ -81,6 +82,9 @@ add_custom_command(OUTPUT ${program} DEPENDS ${PROJECT_SOURCE_DIR}/app/program.s
     COMMAND sh -c "echo building >>\"$BOX/calls\"; sleep 0.1; test ! -e \"$BOX/broken\""
     COMMAND cp ${PROJECT_SOURCE_DIR}/app/program.sh ${program})
 add_custom_target(drystone ALL DEPENDS ${program})
+add_custom_command(OUTPUT ${program}-wall DEPENDS ${PROJECT_SOURCE_DIR}/app/program.sh VERBATIM
+    COMMAND sh -c "echo wall >>\"$BOX/calls\"" COMMAND cp ${PROJECT_SOURCE_DIR}/app/program.sh ${program}-wall)
+add_custom_target(drystone-wall DEPENDS ${program}-wall)
 set(tested ${PROJECT_BINARY_DIR}/tested)
 add_custom_command(OUTPUT ${tested} COMMAND touch ${tested} VERBATIM)
 add_custom_target(test_program ALL DEPENDS ${tested})

@@ -66,6 +66,19 @@ claim_a_changed_source_is_built_before_the_run() {
     expect_equal "the number of builds" "$(grep -c building "$box/calls")" 2
 }
 
+claim_a_first_push_builds_what_pushes_one_wall() {
+    drystone push wall.ini
+    expect_equal "the first program" "$(cat "$box/out")" drystone-wall
+    expect_text "$box/err" "building the part of Drystone that pushes a wall"
+    expect_no_text "$box/calls" building
+    drystone show all
+    expect_equal "stdout of another verb" "$(cat "$box/out")" "<all>"
+    expect_text "$box/err" "building Drystone (first time, about "
+    drystone push wall.ini
+    expect_equal "the program from there on" "$(cat "$box/out")" drystone
+    expect_equal "stderr then" "$(cat "$box/err")" ""
+}
+
 claim_a_failed_build_shows_its_output_and_runs_nothing() {
     drystone show old
     touch "$checkout/app/program.sh" "$box/broken"

@@ -1,0 +1,23 @@
+#include "app/wall_verbs.hpp"
+
+#include "app/input/command_line.hpp"
+#include "app/verbs.hpp"
+#include "app/version.hpp"
+
+#include <iostream>
+
+namespace app {
+
+int help_command(const Command& command)
+{
+    std::cout << help_text(verbs(), command.words.empty() ? "" : command.words.front());
+    return 0;
+}
+
+int version_command(const Command&)
+{
+    std::cout << "drystone " << kVersion << '\n';
+    return 0;
+}
+
+} // namespace app

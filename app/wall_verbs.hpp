@@ -1,0 +1,48 @@
+#pragma once
+/// The verbs of one wall, and those that every program has. Rows of the table in app/verbs.cpp, and all rows of the
+/// program that the launcher builds first (app/first_verbs.cpp).
+
+#include "app/commands.hpp"
+#include "app/input/verb.hpp"
+
+namespace app {
+
+/// Writes the help of the program, or of the verb that is the first word.
+int help_command(const Command& command);
+
+/// Writes name and version.
+int version_command(const Command& command);
+
+inline constexpr Verb kPushVerb{.name = "push",
+                                .words = "STUDY.ini",
+                                .meaning = "push one wall: capacity curve, summary, pictures",
+                                .example = "drystone push configs/wall.ini",
+                                .sections = kWallSections,
+                                .run = push_command};
+
+inline constexpr Verb kSceneVerb{
+    .name = "scene",
+    .words = "STUDY.ini",
+    .meaning = "draw the wall before anything is computed: units, joints, supports; .svg, "
+               ".dxf, .json",
+    .example = "drystone scene configs/wall.ini",
+    .sections = "wall lintel stone joint unit beam base load solver",
+    .run = scene_command};
+
+inline constexpr Verb kHelpVerb{.name = "help",
+                                .words = "[VERB]",
+                                .meaning = "this text, or the options and keys of a verb",
+                                .example = "drystone help push",
+                                .out = OutKind::none,
+                                .least = 0,
+                                .run = help_command};
+
+inline constexpr Verb kVersionVerb{.name = "version",
+                                   .meaning = "name and version",
+                                   .example = "drystone version",
+                                   .out = OutKind::none,
+                                   .least = 0,
+                                   .most = 0,
+                                   .run = version_command};
+
+} // namespace app
