@@ -14,8 +14,11 @@ struct FacePair {
     int a = 0, b = 0;          ///< frames of the two blocks
     double nx = 0.0, nz = 0.0; ///< undeformed unit normal from a to b; the tangent is (nz, -nx)
     Side side_a, side_b;
-    double length = 0.0;  ///< of the undeformed overlap [m]
-    double deepest = 0.0; ///< penetration beyond which blocks have passed each other [m]
+    double length = 0.0; ///< of the undeformed overlap [m]
+    double deepest =
+        0.0; ///< closure beyond which blocks that press on each other have passed through [m]
+    double shallow =
+        0.0; ///< the same for sides that come to overlap from beside [m], at most deepest
 };
 
 constexpr double kRoundedCorner = 2e-3; // [face lengths] of a block onto which another slides

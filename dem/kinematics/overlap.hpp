@@ -99,13 +99,17 @@ template <class Real> struct EndDepths {
 };
 
 /// Area of the overlap over that of the undeformed face [-]; zero where blocks have passed through
-/// each other, which only those do that fall.
+/// each other. Sides that face each other may be pressed together deeply where the joint is soft. Sides that come to
+/// overlap from beside must lie nearly outside each other: a block that fell beside another, and swings back below its
+/// side, would be thrown out of it.
+/// @param before the share one step earlier
 template <class Real>
-[[nodiscard]] Real share_of(const FacePair& p, const Overlap<Real>& o,
+[[nodiscard]] Real share_of(const FacePair& p, const Overlap<Real>& o, Real before,
                             const EndDepths<Real>& crushed = {})
 {
+    const Real most = select(before > Real(0.0), Real(p.deepest), Real(p.shallow));
     const Real deepest = min(o.gap + crushed.from, o.gap + o.widening + crushed.to);
-    return select(deepest < Real(-p.deepest), Real(0.0), o.along_sides * Real(1.0 / p.length));
+    return select(deepest < -most, Real(0.0), o.along_sides * Real(1.0 / p.length));
 }
 
 /// Tangential displacement of b past a in the last step, where they touch [m].

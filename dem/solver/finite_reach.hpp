@@ -56,9 +56,10 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
     const FacePair& pair = t.finite.further[row];
     BlockFrame<Real>&a = s.finite.frames[pair.a], &b = s.finite.frames[pair.b];
     const Overlap<Real> o = overlap_of(pair, a, b, s.finite.further[row].centre);
-    const Real share =
-                   select(active, share_of(pair, o, crushed_ends(t.finite, run, s)), Real(0.0)),
-               slip = slip_of(o, a, b), before = s.finite.further[row].share;
+    const Real before = s.finite.further[row].share;
+    const Real share = select(active, share_of(pair, o, before, crushed_ends(t.finite, run, s)),
+                              Real(0.0)),
+               slip = slip_of(o, a, b);
     const Real grown = share - before;
     StressSum<Real> sum;
     Real friction(0.0), stored(0.0);

@@ -83,7 +83,8 @@ template <class Real> struct PairStep {
                              s.finite.frames[t.pairs[pair].b], s.finite.pairs[pair].centre)),
           slip(slip_of(overlap, s.finite.frames[t.pairs[pair].a],
                        s.finite.frames[t.pairs[pair].b])),
-          share(share_of(t.pairs[pair], overlap, crushed_ends(t, run, s)))
+          share(share_of(t.pairs[pair], overlap, s.finite.pairs[pair].share,
+                         crushed_ends(t, run, s)))
     {
         auto& last = s.finite.pairs[pair];
         gap = overlap.gap - last.gap;

@@ -12,8 +12,12 @@ namespace dem {
 
 namespace {
 
-/// Of a face, or of half a unit where that is longer: pieces of units are pressed together as deep as their unit.
-constexpr double kMostPenetration = 0.05;
+/// Share of the thickness of the thinner block across a joint to which it may be pressed together. Elastic joints of
+/// walls that stand are closed by some hundredths of it at most: only what falls comes so far.
+constexpr double kDeepest = 0.5;
+/// Share of a face, or of half a unit where that is longer, by which sides that come to overlap from beside may lie
+/// within each other.
+constexpr double kShallow = 0.05;
 
 constexpr double kFar = 1e3;      // [m], half the length of the ground
 constexpr double kOnLine = 1e-6;  // [m]
@@ -98,6 +102,17 @@ Point undeformed(const Model& m, const Contact& c, const Face& f)
     return {m.layout.blocks[f.b].x0 + local.x, m.layout.blocks[f.b].z0 + local.z};
 }
 
+/// How far a block reaches from a face, along its normal to one side (+1 or -1) [m]. The ground and the loading beam stand
+/// for more than is drawn of them.
+double thickness_behind(const Model& m, int block, const Contact& c, const Face& f, double way)
+{
+    if (block == kGround || block == m.layout.beam) return kFar;
+    double most = 0.0;
+    for (const Point p : corners_of(m.layout.blocks[block]))
+        most = std::max(most, way * (c.nx * (p.x - f.from.x) + c.nz * (p.z - f.from.z)));
+    return most;
+}
+
 void add_pair(const Model& m, const std::vector<Contact>& contacts, int first, int count,
               FiniteTables& t)
 {
@@ -111,7 +126,9 @@ void add_pair(const Model& m, const std::vector<Contact>& contacts, int first, i
     p.side_a = side_of(m, t, f.a, c, f);
     p.side_b = side_of(m, t, f.b, c, f);
     p.length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
-    p.deepest = kMostPenetration * std::max(p.length, m.layout.half_unit);
+    p.shallow = kShallow * std::max(p.length, m.layout.half_unit);
+    p.deepest = std::max(p.shallow, kDeepest * std::min(thickness_behind(m, f.a, c, f, -1.0),
+                                                        thickness_behind(m, f.b, c, f, 1.0)));
     t.pairs.push_back(p);
     const double tx = c.nz, tz = -c.nx;
     const double start = std::min(tx * f.from.x + tz * f.from.z, tx * f.to.x + tz * f.to.z);

@@ -116,6 +116,20 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "finite block: joints that the load closes by more than a twentieth of the face carry it",
+    "[dem][finite]")
+{
+    const double kn = 1e7, weight_of_beam = 0.1 * kWeight; // [Pa/m] [N]
+    const dem::PushResult r = pushed(block(kn), rigid(20), 0.012);
+    CHECK(r.outcome == dem::Outcome::reached_target);
+    const double base = (kLoad + kWeight) / (kn * 0.2),
+                 beam = (kLoad + weight_of_beam) / (kn * 0.2);
+    REQUIRE(std::min(base, beam) > 0.05);
+    CHECK(r.settlement == Approx(base + beam).epsilon(1e-6));
+    CHECK(force_at(r, 0.01) > 0.0);
+}
+
 TEST_CASE("finite block: what the drive puts into weight and load is their rise",
           "[dem][finite]")
 {

@@ -147,7 +147,7 @@ TEST_CASE("finite wall: a wall that is turned rigidly by any angle feels nothing
         const auto o = dem::overlap_of(p, frames[p.a], frames[p.b], 0.5);
         CHECK(std::abs(o.gap) < 1e-10);
         CHECK(std::abs(o.widening) < 1e-10);
-        CHECK(std::abs(dem::share_of(p, o) - 1.0) < 1e-10);
+        CHECK(std::abs(dem::share_of(p, o, 1.0) - 1.0) < 1e-10);
         CHECK(std::abs(dem::slip_of(o, frames[p.a], frames[p.b])) < 1e-10);
     }
 }

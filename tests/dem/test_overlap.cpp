@@ -18,7 +18,8 @@ dem::FacePair bed_joint()
     p.side_a = {-0.05, 0.05, 0.05};
     p.side_b = {-0.05, 0.05, -0.05};
     p.length = 0.1;
-    p.deepest = 0.005;
+    p.deepest = 0.05;
+    p.shallow = 0.005;
     return p;
 }
 
@@ -112,11 +113,27 @@ TEST_CASE("overlap: a block that turns about a common corner neither slips nor o
     const auto o = dem::overlap_of(bed_joint(), a, b, 1.0);
     CHECK(o.gap + o.widening == Approx(0.0).margin(1e-12));
     CHECK(o.gap > 0.09 * s);
-    CHECK(dem::share_of(bed_joint(), o) == Approx(1.0).epsilon(1e-12));
+    CHECK(dem::share_of(bed_joint(), o, 1.0) == Approx(1.0).epsilon(1e-12));
     b.spin = 1e-4;
     b.vx = b.spin * (b.z - 0.1);
     b.vz = -b.spin * (b.x - 0.05);
     CHECK(dem::slip_of(o, a, b) == Approx(0.0).margin(1e-15));
+}
+
+TEST_CASE("overlap: sides that press on each other may close deeply, those that come from "
+          "beside may not",
+          "[dem][overlap]")
+{
+    const auto share = [](double closed, double before) {
+        const auto o = dem::overlap_of(bed_joint(), frame(0.0, 0.05, 0.0),
+                                       frame(0.02, 0.15 - closed, 0.0), 0.5);
+        return dem::share_of(bed_joint(), o, before);
+    };
+    const double touching = GENERATE(1e-6, 0.8, 1.0); // share of one step earlier
+    CHECK(share(0.049, touching) == Approx(0.8));
+    CHECK(share(0.051, touching) == 0.0);
+    CHECK(share(0.004, 0.0) == Approx(0.8));
+    CHECK(share(0.006, 0.0) == 0.0);
 }
 
 TEST_CASE("overlap: a block that slides over head joints rests on the same area all the way, "
@@ -138,10 +155,11 @@ TEST_CASE("overlap: a block that slides over head joints rests on the same area 
         for (int i = 0; i <= 180; ++i) {
             const double slide = (r.far ? 1.0 : -1.0) * 1e-3 * i;
             const Frame b = at(home.b, slide);
-            double share = dem::share_of(home, dem::overlap_of(home, at(home.a, 0.0), b, 0.5));
+            double share =
+                dem::share_of(home, dem::overlap_of(home, at(home.a, 0.0), b, 0.5), 1.0);
             for (int row = r.first; row < r.first + r.count; ++row) {
                 const dem::FacePair& p = f.further[row];
-                share += dem::share_of(p, dem::overlap_of(p, at(p.a, 0.0), b, 0.5));
+                share += dem::share_of(p, dem::overlap_of(p, at(p.a, 0.0), b, 0.5), 0.0);
             }
             if (share < 1.0 - 3.0 * dem::kRoundedCorner || share > 1.0 + 1e-9 ||
                 std::abs(share - last) > 0.0101)
