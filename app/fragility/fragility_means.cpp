@@ -3,6 +3,7 @@
 #include "app/fragility/drift_fits.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/mean_cells.hpp"
 #include "fragility/binomial.hpp"
 #include "fragility/observed_quantile.hpp"
 #include "fragility/performance_limits.hpp"

@@ -1,7 +1,6 @@
 #include "app/study/fragility_text.hpp"
 
 #include "app/text/number_text.hpp"
-#include "uq/estimates/estimate.hpp"
 
 namespace app {
 
@@ -19,23 +18,6 @@ Number limit_cell(const fragility::LimitDisplacement& limit, double scale, int d
     return {.value = limit.displacement * scale,
             .decimals = decimals,
             .sense = is_censored(limit) ? Sense::above : Sense::equal};
-}
-
-Number mean_cell(std::span<const double> values, int decimals, double scale)
-{
-    const auto sound = uq::sound_values(values).values;
-    if (sound.empty()) return {};
-    if (sound.size() == 1) return plain_number(sound.front() * scale, decimals);
-    const uq::Estimate e = uq::estimate_mean(sound);
-    return with_error(e.value * scale, e.std_error * scale, decimals);
-}
-
-Number cov_cell(std::span<const double> values)
-{
-    const auto sound = uq::sound_values(values).values;
-    if (sound.size() < 2) return {};
-    const uq::Moments m = uq::moments(sound);
-    return m.mean > 0.0 ? plain_number(m.sd / m.mean, 2) : Number{};
 }
 
 std::string percent_text(double share) { return number(100.0 * share, 6) + " %"; }

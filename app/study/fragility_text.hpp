@@ -5,7 +5,6 @@
 #include "fragility/curve_reading.hpp"
 #include "fragility/median_bound.hpp"
 
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,13 +17,6 @@ namespace app {
 /// is not defined.
 [[nodiscard]] Number limit_cell(const fragility::LimitDisplacement& limit, double scale,
                                 int decimals);
-
-/// Mean of the sound values times `scale`, with its standard error; a single value has none.
-[[nodiscard]] Number mean_cell(std::span<const double> values, int decimals,
-                               double scale = 1.0);
-
-/// Coefficient of variation of the sound values; nothing for a single one.
-[[nodiscard]] Number cov_cell(std::span<const double> values);
 
 /// "95 %"
 [[nodiscard]] std::string percent_text(double share);

@@ -2,6 +2,7 @@
 
 #include "app/output/cells.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/mean_cells.hpp"
 #include "app/study/mode_rule.hpp"
 #include "uq/estimates/estimate.hpp"
 
