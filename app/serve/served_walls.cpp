@@ -32,6 +32,8 @@ constexpr OtherResponse kOthers[] = {
      [](const PushedWall& w) { return static_cast<double>(w.mechanism.cracked_units); }},
     {"rotation_share", "-", "rotation of the beam x height / displacement",
      [](const PushedWall& w) { return w.mechanism.rotation_share; }},
+    {"turning_share", "-", "rotation of the blocks x height / displacement",
+     [](const PushedWall& w) { return w.mechanism.turning_share; }},
     {"sliding_share", "-", "slip of the closed bed joints / displacement",
      [](const PushedWall& w) { return w.mechanism.sliding_share; }},
     {"energy_residual", "-", "largest share of the work that the ledger misses",

@@ -18,6 +18,7 @@ dem::Mechanism mechanism_of(const dem::PushResult& r, double height)
     const dem::Mechanism out = dem::mechanism(*r.at_farthest, height);
     m.rotation_share = out.rotation_share;
     m.sliding_share = out.sliding_share;
+    m.turning_share = out.turning_share;
     return m;
 }
 

@@ -19,7 +19,7 @@ namespace {
 /// Columns of the facts that a reading needs, looked up once. Files of 0.1.0 have not all.
 struct Columns {
     std::size_t rotation, sliding, cracked, outcome;
-    std::optional<std::size_t> spalled, crushed_area;
+    std::optional<std::size_t> spalled, crushed_area, turning;
 };
 
 std::optional<std::size_t> find_column(const std::vector<Column>& columns,
@@ -37,7 +37,8 @@ Columns columns_of(const StoreHead& head)
             column_of(head.counts, "cracked_units"),
             column_of(head.counts, "outcome"),
             find_column(head.counts, "spalled_units"),
-            find_column(head.responses, "crushed_area")};
+            find_column(head.responses, "crushed_area"),
+            find_column(head.responses, "turning_share")};
 }
 
 StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
@@ -55,6 +56,7 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, K
     }
     w.mechanism.rotation_share = row.responses[c.rotation];
     w.mechanism.sliding_share = row.responses[c.sliding];
+    if (c.turning) w.mechanism.turning_share = row.responses[*c.turning];
     w.mechanism.cracked_units = static_cast<int>(row.counts[c.cracked]);
     if (c.spalled) w.mechanism.spalled_units = static_cast<int>(row.counts[*c.spalled]);
     if (c.crushed_area) w.mechanism.crushed_area = row.responses[*c.crushed_area];
