@@ -145,7 +145,9 @@ Row level_row(const PushedWall& w)
             r.stiffness ? plain_number(*r.stiffness * 1e-6, 1) : Number{},
             ultimate(1e3),
             ultimate(100.0 / w.loads.height),
-            std::string(dem::failed(w.result.outcome) ? "failed" : words(r.mode)),
+            std::string(dem::failed(w.result.outcome) ? "failed"
+                        : r.no_reading.empty()        ? words(r.mode)
+                                                      : ""),
             count(w.mechanism.cracked_units),
             plain_number(100.0 * energy_residual(w), 4)};
 }

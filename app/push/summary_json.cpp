@@ -83,6 +83,7 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
 {
     const dem::ModeThresholds& t = f.mode;
     return {{"rotation_share", number_or_null(w.mechanism.rotation_share)},
+            {"turning_share", number_or_null(w.mechanism.turning_share)},
             {"sliding_share", number_or_null(w.mechanism.sliding_share)},
             {"cracked_units", w.mechanism.cracked_units},
             {"spalled_units", w.mechanism.spalled_units},
@@ -104,12 +105,14 @@ Json checks(const HandChecks& h)
     const auto maybe = [](const std::optional<double>& x, double scale) {
         return x ? number_or_null(*x * scale) : Json(nullptr);
     };
-    return {{"vertical_load_kN", number_or_null(h.vertical_load * kToKn)},
-            {"wall_weight_kN", number_or_null(h.wall_weight * kToKn)},
-            {"rigid_rocking_limit_kN", maybe(h.rocking_limit, kToKn)},
-            {"sliding_limit_kN", maybe(h.sliding_limit, kToKn)},
-            {"toe_stress_MPa", maybe(h.toe_stress, kToMpa)},
-            {"remarks", h.remarks}};
+    return {
+        {"vertical_load_kN", number_or_null(h.vertical_load * kToKn)},
+        {"wall_weight_kN", number_or_null(h.wall_weight * kToKn)},
+        {"wall_weight_rule", "of what can turn: without the stones that are held on the floor"},
+        {"rigid_rocking_limit_kN", maybe(h.rocking_limit, kToKn)},
+        {"sliding_limit_kN", maybe(h.sliding_limit, kToKn)},
+        {"toe_stress_MPa", maybe(h.toe_stress, kToMpa)},
+        {"remarks", h.remarks}};
 }
 
 } // namespace
@@ -141,7 +144,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["collapse_rule"] =
         "force after the peak first comes down to zero, or the wall comes down; if neither "
         "happens, censored at the last displacement";
-    j["mode"] = whole ? Json(words(r.mode)) : Json(nullptr);
+    j["mode"] = whole && r.no_reading.empty() ? Json(words(r.mode)) : Json(nullptr);
     j["stiffness_kN_per_mm"] =
         r.stiffness ? number_or_null(*r.stiffness * 1e-6) : Json(nullptr);
     j["stiffness_rule"] = "secant at 30 % of the peak";
