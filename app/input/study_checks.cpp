@@ -1,5 +1,6 @@
 #include "app/input/study_checks.hpp"
 #include "app/input/random_layouts.hpp"
+#include "app/input/slivers.hpp"
 #include "app/input/wall_geometry.hpp"
 
 #include "app/input/units.hpp"
@@ -131,6 +132,13 @@ void check_pieces(const Study& study)
     const std::string_view culprit =
         find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
     const auto refuse_piece = [&](const std::string& what, double length) {
+        if (openings_make_slivers(study, kSmallest))
+            refuse(study, "wall.openings",
+                   what + " beside an opening or its lintel would be " +
+                       number(std::round(length * 1e6) / 1e3, 17) +
+                       " mm long; move or widen the opening, or change lintel.bearing, so that "
+                       "none "
+                       "is below 1 mm");
         refuse(study, culprit,
                what + " would be " + number(std::round(length * 1e6) / 1e3, 17) +
                    " mm long; choose wall.length, unit_length and bond so that none is below 1 "

@@ -9,6 +9,7 @@
 #include "app/output/table.hpp"
 #include "app/scene/bond_indices.hpp"
 #include "app/scene/quality_terms.hpp"
+#include "app/scene/reading_again.hpp"
 #include "app/scene/scene_picture.hpp"
 #include "app/scene/scene_units.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -157,7 +158,8 @@ int scene_command(const Command& command)
               << wrapped(quality_text(indices, quality_terms(indices, units)) + "\n",
                          terminal_width())
               << layouts_text(study) << "scene.svg, scene.json and scene.dxf written to "
-              << command.out << '\n';
+              << command.out << '\n'
+              << reading_again_text(study, layout.n_cracks > 0);
     return 0;
 }
 
