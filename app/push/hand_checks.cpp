@@ -102,8 +102,7 @@ void add_slid_off(const Study& study, const PushedWall& w, std::vector<std::stri
 /// The push of such a wall begins while it still moves.
 void add_unsettled(const PushedWall& w, std::vector<std::string>& remarks)
 {
-    if (w.result.settled || dem::failed(w.result.outcome) || !w.reading.no_reading.empty())
-        return;
+    if (w.result.settled || dem::failed(w.result.outcome) || came_down_at_once(w)) return;
     remarks.emplace_back(
         "the wall had not come to rest under its vertical load when the push began: it may be "
         "coming down, or write a larger solver.preload_steps");

@@ -146,8 +146,8 @@ Row level_row(const PushedWall& w)
             ultimate(1e3),
             ultimate(100.0 / w.loads.height),
             std::string(dem::failed(w.result.outcome) ? "failed"
-                        : r.no_reading.empty()        ? words(r.mode)
-                                                      : ""),
+                        : came_down_at_once(w)        ? ""
+                                                      : words(r.mode)),
             count(w.mechanism.cracked_units),
             plain_number(100.0 * energy_residual(w), 4)};
 }

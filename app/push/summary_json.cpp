@@ -144,7 +144,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["collapse_rule"] =
         "force after the peak first comes down to zero, or the wall comes down; if neither "
         "happens, censored at the last displacement";
-    j["mode"] = whole && r.no_reading.empty() ? Json(words(r.mode)) : Json(nullptr);
+    j["mode"] = whole && !came_down_at_once(w) ? Json(words(r.mode)) : Json(nullptr);
     j["stiffness_kN_per_mm"] =
         r.stiffness ? number_or_null(*r.stiffness * 1e-6) : Json(nullptr);
     j["stiffness_rule"] = "secant at 30 % of the peak";

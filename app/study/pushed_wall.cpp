@@ -64,4 +64,9 @@ double energy_residual(const PushedWall& w)
                : w.result.residual;
 }
 
+bool came_down_at_once(const PushedWall& w)
+{
+    return w.result.outcome == dem::Outcome::lost_equilibrium && w.displacement.size() < 2;
+}
+
 } // namespace app

@@ -46,7 +46,7 @@ TEST_CASE(
 TEST_CASE("write drawing: a DXF says its unit", "[app][write_drawing]")
 {
     const app::Drawing wall = scenes::drawing_of(
-        "w.json", scenes::json_text(scenes::running_bond(2, 2)), {.unit = 1.0});
+        "w.json", scenes::json_text(scenes::running_bond(2, 2)), {.unit = 1e-3});
     for (const auto& [unit, code] : {std::pair{1e-3, "4"},
                                      {1e-2, "5"},
                                      {1.0, "6"},
