@@ -375,7 +375,8 @@ TEST_CASE(
 {
     PushedWall w = good_wall();
     const auto remarked = [&] {
-        for (const Json& remark : summary(w).at("hand_checks").at("remarks"))
+        const Json j = summary(w);
+        for (const Json& remark : j.at("hand_checks").at("remarks"))
             if (remark.get<std::string>().find("had not come to rest") != std::string::npos)
                 return true;
         return false;

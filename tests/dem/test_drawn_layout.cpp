@@ -315,7 +315,7 @@ TEST_CASE("drawn layout: a wall that cannot carry its weight comes down before i
           "[dem][drawn_layout]")
 {
     // The thinnest semicircle that stands is 0.107 of its mean radius thick (Milankovitch).
-    const dem::PushResult thin = pushed(arch(0.08, 24), 0.7, 1e-3, 1e5),
+    const dem::PushResult thin = pushed(arch(0.10, 24), 0.7, 1e-3, 1e5),
                           thick = pushed(arch(0.14, 24), 0.7, 1e-3, 1e5);
     CHECK(thin.outcome == dem::Outcome::lost_equilibrium);
     CHECK_FALSE(thin.settled);
