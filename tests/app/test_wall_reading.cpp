@@ -190,7 +190,8 @@ TEST_CASE("wall reading: a wall that came down under its vertical load is not re
     const app::WallReading w = app::read({one, one}, {}, rules());
     CHECK(w.no_reading == "the wall came down under vertical load");
     REQUIRE_FALSE(w.limits.empty());
-    for (const fragility::LimitDisplacement& limit : w.limits) CHECK(limit.reason == w.no_reading);
+    for (const fragility::LimitDisplacement& limit : w.limits)
+        CHECK(limit.reason == w.no_reading);
 }
 
 TEST_CASE("wall reading: a fresh wall and a stored one give the same numbers for every key",
