@@ -4,11 +4,26 @@
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
 namespace app {
 namespace {
 
 /// All digits of a length in units.
 std::string in_units(double metres, double unit) { return number(metres / unit, 17); }
+
+/// $INSUNITS of the DXF reference of Autodesk; 0: none of its units.
+int inserted_unit_code(double unit)
+{
+    constexpr std::array<std::pair<int, double>, 5> kCodes{
+        {{1, 0.0254}, {2, 0.3048}, {4, 1e-3}, {5, 1e-2}, {6, 1.0}}};
+    for (const auto& [code, length] : kCodes)
+        if (std::abs(unit / length - 1.0) < 1e-9) return code;
+    return 0;
+}
 
 } // namespace
 
@@ -31,8 +46,9 @@ std::string write_drawing_json(std::span<const DrawnBlock> blocks, double unit)
 
 std::string write_drawing_dxf(std::span<const DrawnBlock> blocks, double unit)
 {
-    std::string text =
-        "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
+    std::string text = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n" +
+                       std::to_string(inserted_unit_code(unit)) +
+                       "\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
     for (const DrawnBlock& block : blocks) {
         const std::string layer = block.layer.empty() ? "0" : readable_name(block.layer);
         text += "0\nPOLYLINE\n8\n" + layer + "\n66\n1\n10\n0.0\n20\n0.0\n30\n0.0\n70\n1\n";

@@ -146,14 +146,16 @@ std::vector<std::vector<double>> figures_of(const StudyLevel& level)
     for (const StudyWall& w : level.walls)
         figures.push_back({w.mechanism.rotation_share,
                            static_cast<double>(w.mechanism.cracked_units),
-                           w.reading.dropped ? 1.0 : 0.0});
+                           w.reading.dropped ? 1.0 : 0.0, w.mechanism.turning_share});
     return figures;
 }
 
 int mode_by_figures(std::span<const double> figures, std::span<const double> thresholds,
                     dem::ModeRule modes)
 {
-    const dem::Mechanism m{figures[0], 0.0, static_cast<int>(figures[1]), 0};
+    const dem::Mechanism m{.rotation_share = figures[0],
+                           .cracked_units = static_cast<int>(figures[1]),
+                           .turning_share = figures[3]};
     return static_cast<int>(dem::failure_mode(
         m, figures[2] > 0.5, {thresholds[0], static_cast<int>(thresholds[1]), modes}));
 }

@@ -47,7 +47,9 @@ struct GeometryInput {
     std::vector<std::string> layers;  ///< whose stone is not the wall's
     std::vector<dem::Elastic> stones; ///< of these layers
     std::vector<dem::DrawnUnit> units; ///< what was read, or the stones of rubble
-    std::vector<std::string> notes;    ///< what was closed, simplified or ignored on the way
+    std::vector<std::string>
+        drawn_layers;               ///< all of a drawing; the layers of units count from 1
+    std::vector<std::string> notes; ///< what was closed, simplified or ignored on the way
 };
 
 /// Where units may crack, as text (unit_cracks.hpp).

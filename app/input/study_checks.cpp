@@ -1,5 +1,6 @@
 #include "app/input/study_checks.hpp"
 #include "app/input/random_layouts.hpp"
+#include "app/input/slivers.hpp"
 #include "app/input/wall_geometry.hpp"
 
 #include "app/input/units.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -115,6 +117,17 @@ void check_bond(const Study& study)
                    number(std::floor(most * 1e3) / 1e3, 3));
 }
 
+/// Openings were laid out before the default of lintel.bearing was known.
+dem::Layout layout_in_courses(const Study& study)
+{
+    try {
+        return layout_of(study);
+    } catch (const std::invalid_argument& bad) {
+        if (study.wall.openings.empty()) throw;
+        refuse(study, "wall.openings", bad.what());
+    }
+}
+
 /// No block and no piece of joint may be a sliver: its stiffness would be an accident of the
 /// sizes.
 void check_pieces(const Study& study)
@@ -132,13 +145,20 @@ void check_pieces(const Study& study)
     const std::string_view culprit =
         find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
     const auto refuse_piece = [&](const std::string& what, double length) {
+        if (openings_make_slivers(study, kSmallest))
+            refuse(study, "wall.openings",
+                   what + " beside an opening or its lintel would be " +
+                       number(std::round(length * 1e6) / 1e3, 17) +
+                       " mm long; move or widen the opening, or change lintel.bearing, so that "
+                       "none "
+                       "is below 1 mm");
         refuse(study, culprit,
                what + " would be " + number(std::round(length * 1e6) / 1e3, 17) +
                    " mm long; choose wall.length, unit_length and bond so that none is below 1 "
                    "mm");
     };
     if (!in_courses(study)) return; // as drawn
-    const dem::Layout layout = layout_of(study);
+    const dem::Layout layout = layout_in_courses(study);
     for (const dem::Block& b : layout.blocks) {
         const double extent = std::min(b.x1 - b.x0, b.z1 - b.z0);
         if (layout.divided && extent < kSmallest)

@@ -45,6 +45,9 @@ std::pair<std::string, std::string_view> named_part(std::string_view text)
     return {std::string(trimmed(text.substr(0, colon))), trimmed(text.substr(colon + 1))};
 }
 
+/// Lintels, which never crack, in drawings and where `scene` exports a wall in courses.
+constexpr std::string_view kLintels = "lintel";
+
 /// 0 where the layer is of the wall's own stone.
 int material_of(const std::vector<std::string>& layers, std::string_view layer)
 {
@@ -52,13 +55,23 @@ int material_of(const std::vector<std::string>& layers, std::string_view layer)
     return at == layers.end() ? 0 : 1 + static_cast<int>(at - layers.begin());
 }
 
-std::vector<dem::DrawnUnit> parse_outlines(const GeometryInput& g)
+/// From 1; 0 of a unit without a layer.
+int layer_number(std::vector<std::string>& layers, const std::string& layer)
+{
+    if (layer.empty()) return 0;
+    const auto at = std::ranges::find(layers, layer) - layers.begin();
+    if (at == std::ssize(layers)) layers.push_back(layer);
+    return 1 + static_cast<int>(at);
+}
+
+std::vector<dem::DrawnUnit> parse_outlines(GeometryInput& g)
 {
     std::vector<dem::DrawnUnit> units;
     for (const std::string_view part : split(g.outlines, ";")) {
         const auto [layer, corners] = named_part(part);
         dem::DrawnUnit unit;
         unit.material = material_of(g.layers, layer);
+        unit.layer = layer_number(g.drawn_layers, layer);
         for (const std::string_view corner : split(corners, ","))
             unit.outline.push_back(parse_corner(corner));
         if (unit.outline.size() < 3 || !(dem::polygon_area(unit.outline) > 0.0))
@@ -118,7 +131,8 @@ void read_file(Study& study)
         path, {g.length_unit, g.snap, g.picture_width, g.picture_height, g.simplify});
     g.notes = drawing.notes;
     for (const DrawnBlock& b : drawing.blocks)
-        g.units.push_back({b.outline, material_of(g.layers, b.layer)});
+        g.units.push_back(
+            {b.outline, material_of(g.layers, b.layer), layer_number(g.drawn_layers, b.layer)});
     for (const std::string& layer : g.layers)
         if (std::ranges::none_of(drawing.blocks,
                                  [&](const DrawnBlock& b) { return b.layer == layer; }))
@@ -149,6 +163,7 @@ dem::DrawnWall drawn_wall(const Study& study)
     dem::DrawnWall wall;
     wall.units = study.geometry.units;
     wall.stones = study.geometry.stones;
+    wall.lintels = material_of(study.geometry.layers, kLintels);
     wall.thickness = study.wall.thickness;
     wall.base = study.wall.base;
     const bool given = find_entry(study.source, "wall.unit_length") != nullptr;

@@ -127,12 +127,20 @@ std::string draw_scale_bar(const Page& page, const WallView& view)
                                                               "font-size=\"12\"");
 }
 
+/// With so many decimals, or with two digits where these would leave none.
+std::string never_rounded_away(double x, int decimals)
+{
+    const bool none_left = x != 0.0 && std::abs(x) < 0.5 * std::pow(10.0, -decimals);
+    return none_left ? number(x, 2) : fixed(x, decimals);
+}
+
 std::string draw_heading(const Panel& panel, const Page& page, double load_height)
 {
     const dem::Snapshot& wall = panel.wall;
-    const std::string numbers = fixed(wall.displacement * 1e3, 1) + " mm,  drift " +
-                                fixed(wall.displacement / load_height * 100.0, 2) + " %,  " +
-                                fixed(wall.force * 1e-3, 1) + " kN";
+    const std::string numbers = never_rounded_away(wall.displacement * 1e3, 1) +
+                                " mm,  drift " +
+                                never_rounded_away(wall.displacement / load_height * 100.0, 2) +
+                                " %,  " + never_rounded_away(wall.force * 1e-3, 1) + " kN";
     const double after_name = panel.left + text_width(panel.name, 15.0) + 18.0;
     return svg_text({panel.left, page.top - 30.0}, panel.name,
                     "font-size=\"15\" font-weight=\"bold\"") +

@@ -48,6 +48,15 @@ void add_slid_off(const Study& study, const PushedWall& w, std::vector<std::stri
             "solver.kinematics = finite");
 }
 
+/// The push of such a wall begins while it still moves.
+void add_unsettled(const PushedWall& w, std::vector<std::string>& remarks)
+{
+    if (w.result.settled || dem::failed(w.result.outcome) || came_down_at_once(w)) return;
+    remarks.emplace_back(
+        "the wall had not come to rest under its vertical load when the push began: it may be "
+        "coming down, or write a larger solver.preload_steps");
+}
+
 /// A wall of stiff joints may have its peak, and lose it, between two recorded points.
 void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
 {
@@ -121,6 +130,7 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     add_missing_limit(study, w, h.remarks);
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);
+    add_unsettled(w, h.remarks);
     return h;
 }
 

@@ -140,7 +140,9 @@ Row level_row(const PushedWall& w)
             r.stiffness ? plain_number(*r.stiffness * 1e-6, 1) : Number{},
             limit_cell(r.ultimate, 1e3, 2),
             limit_cell(r.ultimate, 100.0 / w.loads.height, 2),
-            std::string(dem::failed(w.result.outcome) ? "failed" : name(r.mode)),
+            std::string(dem::failed(w.result.outcome) ? "failed"
+                        : came_down_at_once(w)        ? ""
+                                                      : name(r.mode)),
             count(w.mechanism.cracked_units),
             plain_number(100.0 * energy_residual(w), 4)};
 }

@@ -76,6 +76,7 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
 {
     const dem::ModeThresholds& t = f.mode;
     return {{"rotation_share", or_null(w.mechanism.rotation_share)},
+            {"turning_share", or_null(w.mechanism.turning_share)},
             {"sliding_share", or_null(w.mechanism.sliding_share)},
             {"cracked_units", w.mechanism.cracked_units},
             {"spalled_units", w.mechanism.spalled_units},
@@ -94,12 +95,14 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
 
 Json checks(const HandChecks& h)
 {
-    return {{"vertical_load_kN", or_null(h.vertical_load * kToKn)},
-            {"wall_weight_kN", or_null(h.wall_weight * kToKn)},
-            {"rigid_rocking_limit_kN", or_null(h.rocking_limit, kToKn)},
-            {"sliding_limit_kN", or_null(h.sliding_limit, kToKn)},
-            {"toe_stress_MPa", or_null(h.toe_stress, kToMpa)},
-            {"remarks", h.remarks}};
+    return {
+        {"vertical_load_kN", or_null(h.vertical_load * kToKn)},
+        {"wall_weight_kN", or_null(h.wall_weight * kToKn)},
+        {"wall_weight_rule", "of what can turn: without the stones that are held on the floor"},
+        {"rigid_rocking_limit_kN", or_null(h.rocking_limit, kToKn)},
+        {"sliding_limit_kN", or_null(h.sliding_limit, kToKn)},
+        {"toe_stress_MPa", or_null(h.toe_stress, kToMpa)},
+        {"remarks", h.remarks}};
 }
 
 } // namespace
@@ -131,7 +134,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["collapse_rule"] =
         "force after the peak first comes down to zero, or the wall comes down; if neither "
         "happens, censored at the last displacement";
-    j["mode"] = whole ? Json(name(r.mode)) : Json(nullptr);
+    j["mode"] = whole && !came_down_at_once(w) ? Json(name(r.mode)) : Json(nullptr);
     j["stiffness_kN_per_mm"] = or_null(r.stiffness, 1e-6);
     j["stiffness_rule"] = "secant at 30 % of the peak";
     j["no_reading"] = r.no_reading;

@@ -158,12 +158,24 @@ WallReading not_read(const ReadingRules& rules, std::string why)
     return w;
 }
 
+namespace {
+
+WallReading came_down_at_once(const ReadingRules& rules)
+{
+    constexpr std::string_view kWhy = "the wall came down under vertical load";
+    WallReading w = not_read(rules, std::string(kWhy));
+    for (fragility::LimitDisplacement& limit : w.limits) limit.reason = kWhy;
+    return w;
+}
+
+} // namespace
+
 WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                  const ReadingRules& rules)
 {
     WallReading w;
     if (curve.displacement.size() < 2)
-        w = not_read(rules, "the wall came down under vertical load");
+        w = came_down_at_once(rules);
     else if (rules.direction == 0)
         w = read_to_and_fro(curve, mechanism, rules);
     else
@@ -189,8 +201,7 @@ fragility::Backbone capacity_curve(const fragility::Curve& curve, const ReadingR
 
 bool slid_whole(const dem::Mechanism& m, bool dropped, const dem::ModeThresholds& t)
 {
-    return dem::failure_mode(m, dropped, t) == dem::FailureMode::rocking &&
-           m.rotation_share < t.rotation_share;
+    return dem::failure_mode(m, dropped, t) == dem::FailureMode::rocking && !dem::rocks(m, t);
 }
 
 double peak_force(const WallReading& w) { return w.peak ? w.peak->force : kNone; }

@@ -7,6 +7,7 @@
 #include "app/output/markup.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table.hpp"
+#include "app/scene/reading_again.hpp"
 #include "app/scene/scene_picture.hpp"
 #include "app/scene/scene_units.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -139,7 +140,8 @@ int scene_command(const Command& command)
               << wrapped(quality_text(indices, dem::quality_terms(indices, whole)) + "\n",
                          terminal_width())
               << layouts_text(study) << "scene.svg, scene.json and scene.dxf written to "
-              << command.out << '\n';
+              << command.out << '\n'
+              << reading_again_text(study, layout.n_cracks > 0);
     return 0;
 }
 

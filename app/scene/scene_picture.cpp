@@ -193,6 +193,13 @@ std::array<int, kStyles.size()> count_faces(const dem::Layout& layout)
     return n;
 }
 
+std::string stone_text(const std::string& layer, const std::vector<std::string>& layers)
+{
+    const bool unnamed = std::ranges::find(layers, "") != layers.end();
+    const bool own = layer.empty() || (layer == "wall" && !unnamed);
+    return own ? "the wall's stone" : "layer " + layer;
+}
+
 std::vector<LegendItem> legend_items(const dem::Layout& layout,
                                      std::span<const DrawnBlock> units)
 {
@@ -211,7 +218,7 @@ std::vector<LegendItem> legend_items(const dem::Layout& layout,
             {svg_rectangle({2, -7}, 30, 14,
                            svg_attribute("fill", tint_of(layers, layer)) + std::string(kEdge)),
              std::to_string(std::ranges::count(units, layer, &DrawnBlock::layer)) +
-                 " units of " + (layer == "wall" ? "the wall's stone" : "layer " + layer)});
+                 " units of " + stone_text(layer, layers)});
     return items;
 }
 

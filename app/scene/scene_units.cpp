@@ -3,17 +3,28 @@
 #include "app/input/wall_geometry.hpp"
 #include "dem/scene/touching.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
 namespace app {
 namespace {
 
-std::string layer_of(const Study& study, int material)
+/// Of blocks without a layer. "wall", unless the drawing means another stone by that.
+std::string own_layer(const Study& study)
 {
-    const auto at = static_cast<std::size_t>(material - 1);
-    return material > 0 && at < study.geometry.layers.size() ? study.geometry.layers[at]
-                                                             : "wall";
+    const bool taken =
+        std::ranges::find(study.geometry.layers, "wall") != study.geometry.layers.end();
+    return taken ? "" : "wall";
+}
+
+std::string layer_of(const Study& study, const dem::Block& block)
+{
+    const GeometryInput& g = study.geometry;
+    const auto layer = static_cast<std::size_t>(block.layer - 1),
+               material = static_cast<std::size_t>(block.material - 1);
+    if (block.layer > 0) return g.drawn_layers.at(layer);
+    return block.material > 0 ? g.layers.at(material) : own_layer(study);
 }
 
 } // namespace
@@ -31,7 +42,7 @@ std::vector<DrawnBlock> scene_units(const Study& study, const dem::Layout& whole
     std::vector<DrawnBlock> units;
     for (int b = 0; b < whole.beam; ++b) {
         const dem::Block& block = whole.blocks[b];
-        units.push_back({dem::corners_of(block), layer_of(study, block.material), ""});
+        units.push_back({dem::corners_of(block), layer_of(study, block), ""});
     }
     return units;
 }

@@ -42,12 +42,13 @@ std::string mode_rule_text(const FragilityInput& f)
         const std::string share = number(t.rotation_share, 6);
         return "Mixed: " + units_text(t.cracked_units) + ", and either the " +
                ultimate_text(f) + " or less than " + share +
-               " of the displacement is rotation; otherwise rocking, or sliding below that "
-               "share";
+               " of the displacement is rotation of the beam; otherwise rocking, or sliding "
+               "where "
+               "less than that is rotation of the blocks too";
     }
     const std::string dropped = "Mixed: the " + ultimate_text(f) + ", or ";
-    const std::string overturns =
-        "less than " + number(t.rotation_share, 6) + " of the displacement is rotation";
+    const std::string overturns = "less than " + number(t.rotation_share, 6) +
+                                  " of the displacement is rotation of the beam";
     if (t.cracked_units == 0) return dropped + overturns + "; otherwise rocking";
     return dropped + units_text(t.cracked_units) + " and " + overturns +
            "; otherwise rocking, which includes walls that slid along a course without "

@@ -30,6 +30,7 @@ dem::Mechanism mechanism_of(const dem::PushResult& r, double height)
     const dem::Mechanism out = dem::mechanism(*r.at_farthest, height);
     m.rotation_share = out.rotation_share;
     m.sliding_share = out.sliding_share;
+    m.turning_share = out.turning_share;
     return m;
 }
 
@@ -74,6 +75,11 @@ double energy_residual(const PushedWall& w)
     return w.result.outcome == dem::Outcome::not_finite
                ? std::numeric_limits<double>::quiet_NaN()
                : w.result.residual;
+}
+
+bool came_down_at_once(const PushedWall& w)
+{
+    return w.result.outcome == dem::Outcome::lost_equilibrium && w.displacement.size() < 2;
 }
 
 } // namespace app

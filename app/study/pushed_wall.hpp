@@ -33,4 +33,7 @@ struct PushedWall {
 /// of the run broke.
 [[nodiscard]] double energy_residual(const PushedWall& wall);
 
+/// Whether a wall came down under its vertical load: it was not pushed, and has no mode.
+[[nodiscard]] bool came_down_at_once(const PushedWall& wall);
+
 } // namespace app

@@ -44,6 +44,8 @@ constexpr std::array kResponses = {
         [](const PushedWall& w) { return w.mechanism.rotation_share; }},
     Response{"sliding_share", "-", "slip of the closed bed joints, summed over the courses / displacement",
         [](const PushedWall& w) { return w.mechanism.sliding_share; }},
+    Response{"turning_share", "-", "rotation of the blocks x height / displacement: 1 too for piers that rock and for a wall in double bending",
+        [](const PushedWall& w) { return w.mechanism.turning_share; }},
     Response{"work", "J", "of all loads, at the end", [](const PushedWall& w) { return w.result.energy.work; }},
     Response{"elastic_energy", "J", "of blocks and contacts, at the end", [](const PushedWall& w) { return w.result.energy.elastic; }},
     Response{"friction_energy", "J", "lost in slip", [](const PushedWall& w) { return w.result.energy.friction; }},

@@ -17,7 +17,7 @@ namespace {
 /// Columns of the facts that a reading needs, looked up once. Files of 0.1.0 have not all.
 struct Columns {
     std::size_t rotation, sliding, cracked, outcome;
-    std::optional<std::size_t> spalled, crushed_area;
+    std::optional<std::size_t> spalled, crushed_area, turning;
 };
 
 /// Place of the first whose `member` is this name.
@@ -36,7 +36,8 @@ Columns columns_of(const StoreHead& head)
             column_of(head.counts, "cracked_units"),
             column_of(head.counts, "outcome"),
             place_of(head.counts, "spalled_units", &Column::name),
-            place_of(head.responses, "crushed_area", &Column::name)};
+            place_of(head.responses, "crushed_area", &Column::name),
+            place_of(head.responses, "turning_share", &Column::name)};
 }
 
 StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
@@ -54,6 +55,7 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, K
     }
     w.mechanism.rotation_share = row.responses[c.rotation];
     w.mechanism.sliding_share = row.responses[c.sliding];
+    if (c.turning) w.mechanism.turning_share = row.responses[*c.turning];
     w.mechanism.cracked_units = static_cast<int>(row.counts[c.cracked]);
     if (c.spalled) w.mechanism.spalled_units = static_cast<int>(row.counts[*c.spalled]);
     if (c.crushed_area) w.mechanism.crushed_area = row.responses[*c.crushed_area];

@@ -49,7 +49,7 @@ Pieces divide(const Layout& scene, const UnitCracks& cracks, double unit_length)
         const Block& whole = scene.blocks[i];
         const CrackPattern& pattern = pattern_at(cracks, centre_of(whole));
         std::vector<Outline> outlines;
-        const bool lintel = scene.coursed && whole.material != 0;
+        const bool lintel = whole.material != 0 && whole.material == scene.lintels;
         if (i != scene.beam && !lintel && blocks_of_unit[whole.unit] == 1)
             outlines = pieces_of(corners_of(whole), pattern, unit_length,
                                  cracks.seed + static_cast<unsigned>(whole.unit));
@@ -63,6 +63,7 @@ Pieces divide(const Layout& scene, const UnitCracks& cracks, double unit_length)
             piece.course = whole.course;
             piece.unit = whole.unit;
             piece.material = whole.material;
+            piece.layer = whole.layer;
             piece.motion = support_of(whole, piece);
             piece.between_cracks = shares_stiffness(pattern);
             all.blocks.push_back(std::move(piece));

@@ -43,6 +43,7 @@ void add_blocks(const DrawnWall& wall, Layout& layout)
     for (const DrawnUnit& u : wall.units) {
         Unit unit{polygon_centre(u.outline), block_of(u.outline)};
         unit.block.material = u.material;
+        unit.block.layer = u.layer;
         unit.block.course =
             1 + static_cast<int>(std::floor(unit.centre.z / layout.course_height));
         units.push_back(std::move(unit));
@@ -133,6 +134,7 @@ Layout drawn_layout(const DrawnWall& wall, double beam_height)
     layout.coursed = false;
     layout.thickness = wall.thickness;
     layout.stones = wall.stones;
+    layout.lintels = wall.lintels;
     layout.course_height = mean_extent(wall, [](const Block& b) { return b.z1 - b.z0; });
     const double unit = wall.unit_length > 0.0
                             ? wall.unit_length

@@ -10,6 +10,8 @@ namespace dem {
 struct DrawnUnit {
     std::vector<Point> outline; ///< simple, counter-clockwise, no repeated corner [m]
     int material = 0;           ///< as Block::material
+    int layer =
+        0; ///< of the drawing, as whoever reads it counts them; nothing in the model follows from it
 };
 
 struct DrawnWall {
@@ -20,6 +22,7 @@ struct DrawnWall {
     double unit_length = 0.0;
     UnitCracks cracks{.pattern = {CrackPattern::Kind::none}};
     std::vector<Elastic> stones; ///< as Layout::stones
+    int lintels = 0;             ///< as Layout::lintels
 };
 
 /// A beam lies on the sides at the highest level, from the first to the last of them.

@@ -2,7 +2,9 @@
 
 #include "dem/scene/bond.hpp"
 #include "dem/scene/cracked_layout.hpp"
+#include "dem/scene/lintels.hpp"
 #include "dem/scene/polygon.hpp"
+#include "dem/scene/standing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,14 +103,9 @@ std::vector<CoursePiece> pieces_of(const WallGeometry& wall, int course)
 {
     const double z0 = top_of_course(wall, course - 1), z1 = top_of_course(wall, course);
     std::vector<CoursePiece> pieces = bonded_course(wall, course);
-    for (const Opening& o : wall.openings) {
-        const double right = o.x + o.width;
-        if (equal_lengths(o.z + o.height, z0) && wall.lintel_bearing > 0.0) {
-            const double from = std::max(0.0, o.x - wall.lintel_bearing),
-                         to = std::min(wall.length, right + wall.lintel_bearing);
-            pieces = without(pieces, from, to);
-            pieces.push_back({from, to, false, 1});
-        }
+    for (const Lintel& l : lintels_of(wall, course)) {
+        pieces = without(pieces, l.x0, l.x1);
+        pieces.push_back({l.x0, l.x1, false, 1});
     }
     for (const Opening& o : wall.openings)
         if (o.z < z0 + kSmallestPiece && o.z + o.height > z1 - kSmallestPiece)
@@ -169,14 +166,20 @@ void add_bed_faces(int a0, int a1, int b0, int b1, FaceKind kind, Layout& layout
     }
 }
 
-/// Whether an outline is the upright rectangle of its extent.
+/// Whether an outline is the upright rectangle of its extent. Its sides may have the corners of neighbours on them.
 bool is_rectangle(const std::vector<Point>& outline, const Block& b)
 {
     const auto near = [](double p, double q) { return std::abs(p - q) < kTouching; };
-    if (!near(polygon_area(outline), (b.x1 - b.x0) * (b.z1 - b.z0))) return false;
-    return std::ranges::all_of(outline, [&](Point p) {
-        return (near(p.x, b.x0) || near(p.x, b.x1)) && (near(p.z, b.z0) || near(p.z, b.z1));
-    });
+    const auto at_x = [&](Point p) { return near(p.x, b.x0) || near(p.x, b.x1); };
+    const auto at_z = [&](Point p) { return near(p.z, b.z0) || near(p.z, b.z1); };
+    const auto has_corner = [&](double x, double z) {
+        return std::ranges::any_of(outline,
+                                   [&](Point p) { return near(p.x, x) && near(p.z, z); });
+    };
+    return near(polygon_area(outline), (b.x1 - b.x0) * (b.z1 - b.z0)) &&
+           std::ranges::all_of(outline, [&](Point p) { return at_x(p) || at_z(p); }) &&
+           has_corner(b.x0, b.z0) && has_corner(b.x1, b.z0) && has_corner(b.x1, b.z1) &&
+           has_corner(b.x0, b.z1);
 }
 
 void add_base_faces(int last, Layout& layout)
@@ -249,6 +252,7 @@ Layout lay_out(const WallGeometry& wall, double beam_height)
     layout.course_height = wall.course_height;
     layout.half_unit = 0.5 * wall.unit_length;
     if (!wall.openings.empty()) layout.stones = {wall.lintel};
+    layout.lintels = 1;
     std::vector<int> first{0}; // first block of each course, and one past the last
     int unit = 0;
     for (int course = 1; course <= wall.courses; ++course) {
@@ -271,6 +275,7 @@ Layout lay_out(const WallGeometry& wall, double beam_height)
                       last ? layout.beam + 1 : first[c + 2],
                       last ? FaceKind::beam_joint : FaceKind::bed_joint, layout);
     }
+    if (!wall.openings.empty()) check_standing(layout);
     return with_cracks(std::move(layout), wall.cracks, wall.unit_length);
 }
 

@@ -30,6 +30,7 @@ struct Block {
     int unit = 0;   ///< number of the unit from 1; 0 is the loading beam
     std::vector<Point> outline; ///< counter-clockwise [m]; empty: a rectangle
     int material = 0;           ///< 0: the stone of the wall; k: Layout::stones[k - 1]
+    int layer = 0;              ///< DrawnUnit::layer
     Motion motion = Motion::free;
     bool between_cracks =
         false; ///< its unit shares its stiffness with cracks (Layout::crack_rigidity)
@@ -68,7 +69,8 @@ struct Layout {
     bool crushing = false;       ///< joints and cracks may crush, as their materials say
     bool wear = false;           ///< dry joints may wear, as their materials say
     std::vector<Elastic> stones; ///< of blocks that are not of the wall's stone
-    bool divided = false;        ///< joints may fall into several faces, along pieces of units
+    int lintels = 0;      ///< Block::material of units that have no potential cracks; 0: none
+    bool divided = false; ///< joints may fall into several faces, along pieces of units
     /// By crack ID: k_n over Young's modulus of the stone [1/m]; 0: as the paper, by the joints' k_n. Or empty: all 0.
     std::vector<double> crack_stiffness;
     /// r of units that share their stiffness with cracks: the cracks have r E / spacing, and the pieces r / (r - 1)

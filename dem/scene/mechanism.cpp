@@ -1,6 +1,7 @@
 #include "dem/scene/mechanism.hpp"
 
 #include "dem/scene/polygon.hpp"
+#include "dem/scene/rotation_share.hpp"
 #include "dem/scene/snapshot_reading.hpp"
 
 #include <algorithm>
@@ -16,16 +17,6 @@ namespace {
 bool is_bed(FaceKind k)
 {
     return k == FaceKind::bed_joint || k == FaceKind::base_joint || k == FaceKind::beam_joint;
-}
-
-/// Rotation of the loading beam, from the vertical displacements of its ends [-].
-double beam_rotation(const Snapshot& wall)
-{
-    const BlockState& beam = wall.blocks.back();
-    const auto [left, right] = std::minmax_element(beam.outline.begin(), beam.outline.end(),
-                                                   [](Point a, Point b) { return a.x < b.x; });
-    const auto l = left - beam.outline.begin(), r = right - beam.outline.begin();
-    return (beam.displacement[l].z - beam.displacement[r].z) / (right->x - left->x);
 }
 
 /// Mean slip of the contacts that are closed, summed over the bed joints [m].
@@ -104,7 +95,8 @@ Mechanism mechanism(const Snapshot& wall, double height)
 {
     Mechanism m;
     if (wall.displacement != 0.0) {
-        m.rotation_share = beam_rotation(wall) * height / wall.displacement;
+        m.turning_share = turning_share(wall, height);
+        m.rotation_share = beam_rotation_share(wall, height).value_or(m.turning_share);
         m.sliding_share = sliding(wall) / wall.displacement;
     }
     for (const FaceState& f : wall.faces) {
@@ -118,13 +110,18 @@ Mechanism mechanism(const Snapshot& wall, double height)
     return m;
 }
 
+bool rocks(const Mechanism& m, const ModeThresholds& t)
+{
+    return std::max(m.rotation_share, m.turning_share) >= t.rotation_share;
+}
+
 FailureMode failure_mode(const Mechanism& m, bool load_dropped, const ModeThresholds& t)
 {
     const bool cracked = m.cracked_units >= t.cracked_units;
     const bool overturns = m.rotation_share >= t.rotation_share;
     if (t.modes == ModeRule::three) {
         if (cracked && (load_dropped || !overturns)) return FailureMode::mixed;
-        return overturns ? FailureMode::rocking : FailureMode::sliding;
+        return rocks(m, t) ? FailureMode::rocking : FailureMode::sliding;
     }
     return load_dropped || (cracked && !overturns) ? FailureMode::mixed : FailureMode::rocking;
 }

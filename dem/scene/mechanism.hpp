@@ -10,7 +10,8 @@
 namespace dem {
 
 struct Mechanism {
-    /// Rotation of the beam x height / displacement [-]; 1 for a wall that only rocks.
+    /// Rotation of the beam x height / displacement [-]; 1 for a wall that turns about its toe as one body. Without a beam
+    /// turning_share.
     double rotation_share = 0.0;
     /// Slip of the closed bed joints, summed over the courses, / displacement [-].
     double sliding_share = 0.0;
@@ -22,6 +23,9 @@ struct Mechanism {
     int crushed_contacts = 0; ///< contacts of joints and cracks that have begun to crush
     /// Of contacts that have lost all their compressive strength [m2].
     double crushed_area = 0.0;
+    /// Rotation of the blocks x height / displacement [-] (rotation_share.hpp); 1 too for piers that rock below a
+    /// spandrel and for a wall in double bending.
+    double turning_share = 0.0;
 };
 
 /// Of the area of a unit that is cracked through [-]. Smaller parts that break off are spalls.
@@ -59,10 +63,13 @@ struct ModeThresholds {
     ModeRule modes = ModeRule::three;
 };
 
+/// Whether at least the given share of the displacement is rotation, of the beam or of the blocks: such a wall does not slide.
+[[nodiscard]] bool rocks(const Mechanism& m, const ModeThresholds& t = {});
+
 /// Of three modes: mixed if units cracked through and either the load dropped or less than the given
-/// share of the displacement is rotation; else rocking, or sliding below that share.
+/// share of the displacement is rotation of the beam; else rocking, or sliding if rocks() says no.
 /// Of two: mixed if the load dropped (80 % rule), or if units cracked through and less than the
-/// given share of the displacement is rotation. Otherwise it is rocking (paper, section 4.2: "the mixed-mode involves the
+/// given share of the displacement is rotation of the beam. Otherwise it is rocking (paper, section 4.2: "the mixed-mode involves the
 /// cracking in the units and sliding in the bed-joints", the drop "is not present in the rocking
 /// mechanism", rocking leaves "localized damage at the corners").
 [[nodiscard]] FailureMode failure_mode(const Mechanism& m, bool load_dropped,

@@ -218,7 +218,14 @@ template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
 {
     add_ramp_work(state, lane);
     drive_.settle([&] { return unbalanced_ratio(state, lane); });
-    if (!drive_.settling()) begin_push(state, lane);
+    if (drive_.settling()) return;
+    begin_push(state, lane);
+    came_down_ = !result_.settled && falls(energy(state, lane));
+}
+
+bool WallRun::falls(const Energy& e)
+{
+    return e.kinetic > std::max(e.elastic, kFalling * e.passed());
 }
 
 /// After a step of the push. Takes a point of the curve if one is due.
@@ -249,8 +256,7 @@ template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int l
     if (!std::isfinite(residual)) return Outcome::not_finite;
     result_.residual = std::max(result_.residual, residual); // the largest at any point counts
     if (result_.residual > options_.energy_tolerance) return Outcome::energy_astray;
-    if (may_fall() && e.kinetic > std::max(e.elastic, kFalling * e.passed()))
-        return Outcome::lost_equilibrium;
+    if (came_down_ || (may_fall() && falls(e))) return Outcome::lost_equilibrium;
     if (farthest_apart(state, lane) > task_->model.layout.height)
         return Outcome::lost_equilibrium;
     if (result_.cost.steps >= options_.most_steps) return Outcome::out_of_steps;
@@ -260,7 +266,7 @@ template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int l
 template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
 {
     drive_.settling() ? settle(state, lane) : go_on(state, lane);
-    const bool over = drive_.finished() || decided_;
+    const bool over = drive_.finished() || decided_ || came_down_;
     ++result_.cost.steps;
     const long long every = may_fall() && drive_.waits() ? kWatchEvery : kLookEvery;
     if (++steps_ % every != 0 && !over) return true;
@@ -296,7 +302,7 @@ void WallRun::reduce_step()
     recorder_ = Recorder(task_->plan.record_every);
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
     steps_ = 0;
-    decided_ = false;
+    decided_ = came_down_ = false;
 }
 
 template <class Real> PushResult WallRun::finish(const WallState<Real>& state, int lane)

@@ -57,6 +57,8 @@ class WallRun {
     {
         return options_.kinematics == Kinematics::finite && !drive_.settling();
     }
+    /// Whether more of the energy that the wall has taken up moves it than it stores.
+    [[nodiscard]] static bool falls(const Energy& e);
     [[nodiscard]] WallState<double> with_stable_step();
     void reduce_step();
 
@@ -77,6 +79,7 @@ class WallRun {
     double drive_work_ = 0.0;       ///< since the start of the push [J]
     double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]
     double next_snapshot_ = 0.0;    ///< travelled displacement at which it is due [m]
+    bool came_down_ = false;        ///< under its vertical load, before the push
     /// Steps since the last restart, so that checks fall on the same steps as in a run that used the
     /// smaller step from the beginning.
     long long steps_ = 0;

@@ -99,6 +99,8 @@ TEST_CASE("scene command: the paper's wall, exported and read again, is the same
         CHECK(layout.n_joints == 135);
         CHECK(layout.n_cracks == 45);
         CHECK(layout.blocks.size() == 101);
+        CHECK(std::ranges::all_of(layout.blocks,
+                                  [](const dem::Block& b) { return b.outline.empty(); }));
         CHECK(peak(file, folder.path / "drawn", {}) == Approx(as_keys).epsilon(1e-3));
     }
 }
@@ -115,6 +117,52 @@ TEST_CASE("scene command: the export is in the unit of the study", "[app][scene]
         for (const auto& corner : block["outline"])
             farthest = std::max(farthest, corner[0].get<double>());
     CHECK(farthest == Approx(1000.0)); // [mm]
+}
+
+TEST_CASE("scene command: layers keep their names, and a layer called wall its own stone",
+          "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string named = GENERATE(R"("layer": "other", )", "");
+    std::ofstream(folder.path / "two.json")
+        << R"({"blocks": [{"layer": "wall", "outline": [[0, 0], [1000, 0], [1000, 500], [0, 500]]},
+                          {)"
+        << named << R"("outline": [[0, 500], [1000, 500], [1000, 1000], [0, 1000]]}]})";
+    const std::vector<std::string> stone = {"wall.layer_stones=wall: 5 GPa, 0.2, 1800 kg/m3"};
+    const app::Study study = study_of(drawn_study(folder.path, "two.json"), stone);
+    const std::string text =
+        scene(drawn_study(folder.path, "two.json"), folder.path / "out", stone);
+    CHECK(text.find("layer_stones = wall: 5 GPa, 0.2, 1800 kg/m3\n") != std::string::npos);
+    CHECK(text.find("length_unit = mm\n") != std::string::npos);
+    for (const char* drawing : {"out/scene.dxf", "out/scene.json"}) {
+        fs::copy_file(folder.path / drawing, folder.path / fs::path(drawing).filename());
+        const app::Study again =
+            study_of(drawn_study(folder.path, fs::path(drawing).filename().string()), stone);
+        const dem::Layout a = app::layout_of(study), b = app::layout_of(again);
+        REQUIRE(a.blocks.size() == b.blocks.size());
+        for (std::size_t k = 0; k < a.blocks.size(); ++k)
+            CHECK(a.blocks[k].material == b.blocks[k].material);
+        const std::vector<app::DrawnBlock> units =
+            app::scene_units(again, app::whole_units(again));
+        CHECK(units[0].layer == "wall");
+        if (!named.empty()) CHECK(units[1].layer == "other");
+    }
+}
+
+TEST_CASE("scene command: lintels, exported and read again, stay whole", "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::vector<std::string> window = {"wall.openings=0.4 m, 0.2 m, 0.2 m, 0.2 m",
+                                             "wall.toe=free"};
+    const std::string text = scene(kWall, folder.path, window);
+    const std::string stones = "layer_stones = lintel: 15.5 GPa, 0.2, 2300 kg/m3";
+    CHECK(text.find(stones + '\n') != std::string::npos);
+    CHECK(text.find("unit_length = 0.2 m\n") != std::string::npos);
+    const app::Study study = study_of(kWall, window),
+                     again = study_of(drawn_study(folder.path, "scene.dxf"),
+                                      {"wall.layer_stones=lintel: 15.5 GPa, 0.2, 2300 kg/m3"});
+    CHECK(app::layout_of(again).n_cracks == app::layout_of(study).n_cracks);
+    CHECK(app::layout_of(again).faces.size() == app::layout_of(study).faces.size());
 }
 
 TEST_CASE("scene units: a unit that a crack parts is whole again, with its own corners",

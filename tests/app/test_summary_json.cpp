@@ -44,6 +44,7 @@ PushedWall good_wall()
     w.loads.height = 1.1;
     w.result.energy = balanced();
     w.result.curve = {{0.0, 0.0, 0.0, 0.0, balanced()}, {0.03, 40e3, 40e3, 0.0, balanced()}};
+    w.result.settled = true;
     w.result.settlement = 0.7e-3;
     w.result.snap_back_contacts = 3;
     w.result.cost = {1000, 500000, 0.25};
@@ -365,6 +366,29 @@ TEST_CASE("summary: a wall that is not read has a mode", "[app][summary_json]")
                                 "collapse_displacement_mm", "stiffness_kN_per_mm"});
     CHECK(j.at("ultimate_censored") == false);
     CHECK(j.at("mode") == "mixed");
+}
+
+TEST_CASE(
+    "summary: a wall that came down before it was pushed has no mode, one that did not come "
+    "to rest has a remark",
+    "[app][summary_json]")
+{
+    PushedWall w = good_wall();
+    const auto remarked = [&] {
+        const Json j = summary(w);
+        for (const Json& remark : j.at("hand_checks").at("remarks"))
+            if (remark.get<std::string>().find("had not come to rest") != std::string::npos)
+                return true;
+        return false;
+    };
+    CHECK_FALSE(remarked());
+    w.result.settled = false;
+    CHECK(remarked());
+    CHECK(summary(w).at("mode") == "mixed");
+    w.result.outcome = dem::Outcome::lost_equilibrium;
+    w.displacement = w.force = {0.0};
+    CHECK_FALSE(remarked());
+    CHECK(summary(w).at("mode").is_null());
 }
 
 TEST_CASE("summary: what others read by name comes in a fixed order", "[app][summary_json]")

@@ -186,7 +186,11 @@ TEST_CASE("wall reading: a wall that came down under its vertical load is not re
           "[app][wall_reading]")
 {
     const std::vector<double> one = {0.0};
-    CHECK(app::read({one, one}, {}, rules()).no_reading.find("came down") != std::string::npos);
+    const app::WallReading w = app::read({one, one}, {}, rules());
+    CHECK(w.no_reading == "the wall came down under vertical load");
+    REQUIRE_FALSE(w.limits.empty());
+    for (const fragility::LimitDisplacement& limit : w.limits)
+        CHECK(limit.reason == w.no_reading);
 }
 
 TEST_CASE("wall reading: a fresh wall and a stored one give the same numbers for every key",

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 TEST_CASE(
@@ -40,4 +41,19 @@ TEST_CASE(
             CHECK((again.blocks[0].layer.empty() || again.blocks[0].layer == "0"));
         }
     }
+}
+
+TEST_CASE("write drawing: a DXF says its unit", "[app][write_drawing]")
+{
+    const app::Drawing wall = scenes::drawing_of(
+        "w.json", scenes::json_text(scenes::running_bond(2, 2)), {.unit = 1e-3});
+    for (const auto& [unit, code] : {std::pair{1e-3, "4"},
+                                     {1e-2, "5"},
+                                     {1.0, "6"},
+                                     {0.0254, "1"},
+                                     {0.3048, "2"},
+                                     {0.5, "0"}})
+        CHECK(app::write_drawing_dxf(wall.blocks, unit)
+                  .find(std::string("$INSUNITS\n70\n") + code + "\n0\nENDSEC") !=
+              std::string::npos);
 }

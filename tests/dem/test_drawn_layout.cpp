@@ -297,3 +297,29 @@ TEST_CASE("drawn layout: bad scenes are refused with the reason", "[dem][drawn_l
     CHECK_THROWS_WITH(model_of(dem::drawn_layout(w, 0.0), alone),
                       Catch::Contains("touches no other"));
 }
+
+TEST_CASE("drawn layout: a rectangle stays one with the corners of neighbours on its sides",
+          "[dem][drawn_layout]")
+{
+    CHECK(dem::block_of(
+              {{0, 0}, {0.1, 0}, {0.2, 0}, {0.2, 0.1}, {0.15, 0.1}, {0, 0.1}, {0, 0.04}})
+              .outline.empty());
+    // Corners cut off by 1 mm, which is less area than the tolerance
+    const dem::Block cut =
+        dem::block_of({{0, 0}, {0.2, 0}, {0.2, 0.099}, {0.199, 0.1}, {0, 0.1}});
+    CHECK(cut.outline.size() == 5);
+    CHECK_FALSE(dem::block_of({{0, 0}, {0.2, 0}, {0.1, 0.1}, {0, 0.1}}).outline.empty());
+}
+
+TEST_CASE("drawn layout: a wall that cannot carry its weight comes down before it is pushed",
+          "[dem][drawn_layout]")
+{
+    // The thinnest semicircle that stands is 0.107 of its mean radius thick (Milankovitch).
+    const dem::PushResult thin = pushed(arch(0.10, 24), 0.7, 1e-3, 1e5),
+                          thick = pushed(arch(0.14, 24), 0.7, 1e-3, 1e5);
+    CHECK(thin.outcome == dem::Outcome::lost_equilibrium);
+    CHECK_FALSE(thin.settled);
+    CHECK(thin.curve.size() == 1); // nothing of it is a capacity
+    CHECK(thick.settled);
+    CHECK(thick.outcome == dem::Outcome::reached_target);
+}

@@ -136,9 +136,66 @@ TEST_CASE("mechanism: a course that slides carries the whole displacement on one
     const Mechanism m = dem::mechanism(s, kTop);
     CHECK(m.sliding_share == Approx(1.0).epsilon(1e-12));
     CHECK(m.rotation_share == 0.0);
+    CHECK(std::abs(m.turning_share) < 1e-12);
     CHECK(mode_of(s) == FailureMode::sliding);
     CHECK(dem::failure_mode(m, false, {0.5, 1, ModeRule::two}) == FailureMode::rocking);
     CHECK(dem::failure_mode(m, false, {0.5, 0}) == FailureMode::mixed);
+}
+
+TEST_CASE("mechanism: a wall that turns below a beam that does not, in double bending, rocks",
+          "[dem][mechanism]")
+{
+    const double d = GENERATE(1e-3, -0.02), theta = d / (3 * kCourse);
+    const Snapshot s = stack(
+        [=](int course, Point p) {
+            return course == 4 ? Point{d, 0} : Point{theta * p.z, theta * (kLength - p.x)};
+        },
+        d);
+    const Mechanism m = dem::mechanism(s, kTop);
+    CHECK(std::abs(m.rotation_share) < 1e-12); // the beam's
+    CHECK(m.turning_share == Approx(1.0).epsilon(1e-12));
+    CHECK(mode_of(s) == FailureMode::rocking);
+    CHECK(dem::failure_mode(m, false, {0.5, 0}) ==
+          FailureMode::mixed); // cracked, and it does not overturn
+}
+
+TEST_CASE("mechanism: piers that turn between a base and a spandrel that do not rock",
+          "[dem][mechanism]")
+{
+    const double d = GENERATE(1e-3, -0.02), theta = d / kCourse;
+    const Snapshot s = stack(
+        [=](int course, Point p) {
+            if (course == 1) return Point{};
+            return course == 2 ? Point{theta * (p.z - kCourse), theta * (kLength - p.x)}
+                               : Point{d, 0};
+        },
+        d);
+    CHECK(dem::mechanism(s, kTop).turning_share == Approx(1.0).epsilon(1e-12));
+    CHECK(mode_of(s) == FailureMode::rocking);
+}
+
+TEST_CASE("mechanism: stones that stay behind say nothing of those that turn",
+          "[dem][mechanism]")
+{
+    const Mechanism stair = dem::mechanism(scenes::stair_step_rocking(0.02), 1.1);
+    CHECK(stair.turning_share ==
+          Approx(10.0 / 11.0)); // the lowest of eleven levels stays whole
+    CHECK(dem::mechanism(scenes::stair_step_rocking(-0.02), 1.1).turning_share ==
+          Approx(stair.turning_share).epsilon(1e-12));
+}
+
+TEST_CASE("mechanism: without a beam the blocks tell the rotation, not the last of them",
+          "[dem][mechanism]")
+{
+    Snapshot s = rocking(1, 0.01);
+    s.blocks.pop_back();
+    s.faces.pop_back();
+    for (Point& p : s.blocks.back().displacement)
+        p = {0.01, 0.0}; // the top course slides along
+    const Mechanism m = dem::mechanism(s, kTop);
+    CHECK(m.rotation_share == m.turning_share);
+    CHECK(m.rotation_share ==
+          Approx(0.5).epsilon(1e-12)); // two courses of 0.2 m turn by d/0.8 m
 }
 
 TEST_CASE("mechanism: slips of the courses add up", "[dem][mechanism]")

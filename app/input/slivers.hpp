@@ -1,0 +1,12 @@
+#pragma once
+/// Where blocks and pieces of joint that are too short come from.
+
+#include "app/input/study.hpp"
+
+namespace app {
+
+/// Whether a wall in courses that has slivers would have none without its openings and their lintels.
+/// @param smallest length of a block or a piece of joint that is none [m]
+[[nodiscard]] bool openings_make_slivers(const Study& study, double smallest);
+
+} // namespace app

@@ -1,0 +1,57 @@
+#include "app/scene/reading_again.hpp"
+
+#include "app/input/wall_geometry.hpp"
+#include "app/text/number_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace app {
+namespace {
+
+/// As wall.length_unit calls it.
+std::string_view unit_name(double metres)
+{
+    constexpr std::array<std::pair<std::string_view, double>, 5> kUnits{
+        {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}}};
+    const auto distance = [&](const auto& unit) { return std::abs(unit.second - metres); };
+    return std::ranges::min_element(kUnits, {}, distance)->first;
+}
+
+std::string stone_text(const dem::Elastic& stone)
+{
+    return number(stone.young_modulus * 1e-9, 12) + " GPa, " + number(stone.poisson_ratio, 12) +
+           ", " + number(stone.density, 12) + " kg/m3";
+}
+
+std::string layer_stones_text(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    std::string text;
+    for (std::size_t k = 0; k < g.layers.size(); ++k) {
+        const dem::Elastic& stone = in_courses(study) ? study.wall.lintel : g.stones[k];
+        text += (k == 0 ? "" : "; ") + g.layers[k] + ": " + stone_text(stone);
+    }
+    return text;
+}
+
+} // namespace
+
+std::string reading_again_text(const Study& study, bool cracked)
+{
+    const std::string unit(unit_name(study.geometry.length_unit));
+    std::string text =
+        "Their lengths are in " + unit +
+        ". A study that reads one of them needs in [wall]:\nlength_unit = " + unit + '\n';
+    if (cracked) text += "unit_length = " + number(study.wall.unit_length, 12) + " m\n";
+    const bool lintels = !in_courses(study) || study.wall.lintel_bearing > 0.0;
+    if (lintels && !study.geometry.layers.empty())
+        text += "layer_stones = " + layer_stones_text(study) + '\n';
+    return text;
+}
+
+} // namespace app

@@ -1,0 +1,14 @@
+#pragma once
+/// What a study needs besides the drawing that `scene` writes, to read the same wall from it.
+
+#include "app/input/study.hpp"
+
+#include <string>
+
+namespace app {
+
+/// The unit of the files, and the keys of [wall] to write beside wall.geometry, one a line.
+/// @param cracked whether units have potential cracks
+[[nodiscard]] std::string reading_again_text(const Study& study, bool cracked);
+
+} // namespace app
