@@ -99,17 +99,19 @@ template <class Real> struct EndDepths {
 };
 
 /// Area of the overlap over that of the undeformed face [-]; zero where blocks have passed through
-/// each other. Sides that face each other may be pressed together deeply where the joint is soft. Sides that come to
-/// overlap from beside must lie nearly outside each other: a block that fell beside another, and swings back below its
-/// side, would be thrown out of it.
+/// each other. Sides that face each other along all of their face may be pressed together deeply where the joint is soft,
+/// others in proportion to their overlap. Sides that come to overlap from beside must lie nearly outside each other: a
+/// block that fell beside another, and swings back below its side, would be thrown out of it.
 /// @param before the share one step earlier
 template <class Real>
 [[nodiscard]] Real share_of(const FacePair& p, const Overlap<Real>& o, Real before,
                             const EndDepths<Real>& crushed = {})
 {
-    const Real most = select(before > Real(0.0), Real(p.deepest), Real(p.shallow));
+    const Real share = o.along_sides * Real(1.0 / p.length);
+    const Real most = select(before > Real(0.0), max(Real(p.shallow), Real(p.deepest) * share),
+                             Real(p.shallow));
     const Real deepest = min(o.gap + crushed.from, o.gap + o.widening + crushed.to);
-    return select(deepest < -most, Real(0.0), o.along_sides * Real(1.0 / p.length));
+    return select(deepest < -most, Real(0.0), share);
 }
 
 /// Tangential displacement of b past a in the last step, where they touch [m].

@@ -151,7 +151,7 @@ TEST_CASE("wall run: a wall has come down only if its ledger closes", "[dem][wal
 }
 
 /// Pushed until no force is left, under a load that moves with the beam.
-dem::PushResult followed_to_its_end(double stress_mpa, double haste)
+dem::PushResult followed_to_its_end(double stress_mpa, double haste, int sample = 0)
 {
     const scenes::Scene s = low_wall(stress_mpa);
     const dem::Model m = scenes::model_of(s, coarse());
@@ -165,13 +165,13 @@ dem::PushResult followed_to_its_end(double stress_mpa, double haste)
     o.kinematics = dem::Kinematics::finite;
     o.steps_per_mm = 50;
     o.haste_after_drop = haste;
-    return dem::push(m, scenes::table5_sample(s, m, 0), plan, o);
+    return dem::push(m, scenes::table5_sample(s, m, sample), plan, o);
 }
 
 TEST_CASE("wall run: a wall that falls has come down before its blocks strike each other",
           "[dem][wall_run]")
 {
-    const dem::PushResult r = followed_to_its_end(1.25, 1.0);
+    const dem::PushResult r = followed_to_its_end(1.25, 2.0, 5);
     REQUIRE(r.outcome == dem::Outcome::lost_equilibrium);
     CHECK(r.step_reductions == 0);
     CHECK(r.energy.kinetic > r.energy.elastic);
