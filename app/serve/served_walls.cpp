@@ -16,7 +16,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <stdexcept>
 
 namespace app {
@@ -99,11 +98,10 @@ std::vector<ServedColumn> output_columns(const std::vector<std::string>& names, 
     for (const std::string& name : names) {
         const auto found = known.find(name);
         if (found == known.end()) {
-            const auto all = std::views::keys(known);
-            throw ConfigError(
-                "drystone", 0, "--response",
-                in_quotes(name) + " is not a response; " +
-                    suggestion(name, std::vector<std::string_view>(all.begin(), all.end())));
+            std::vector<std::string_view> all; // clang++ 14 has no std::views
+            for (const auto& output : known) all.push_back(output.first);
+            throw ConfigError("drystone", 0, "--response",
+                              in_quotes(name) + " is not a response; " + suggestion(name, all));
         }
         columns.push_back(found->second.column);
         shared.outputs.push_back(found->second.read);
