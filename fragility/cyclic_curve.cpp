@@ -24,16 +24,25 @@ double between(double x0, double y0, double x1, double y1, double x)
     return x1 == x0 ? y1 : y0 + (y1 - y0) * (x - x0) / (x1 - x0);
 }
 
-/// Where the force comes to zero after the point `from`, up to the point `last`.
+/// Where the force comes to zero after the point `from`, up to the point `last`, or on the way on to the next turn: what
+/// comes back the way it went has no force at zero displacement, to rounding, and may get there just beyond it. Where
+/// the way ends before, a force below kNoForce of that at `from` is none.
 std::optional<double> zero_force(const Path& p, std::size_t from, std::size_t last)
 {
+    constexpr double kNoForce = 0.005; // a free choice
     const double sign = p.force[from] > 0.0 ? 1.0 : -1.0;
     if (p.force[from] == 0.0) return p.displacement[from];
-    for (std::size_t i = from + 1; i <= last; ++i)
+    const auto goes_on = [&](std::size_t i) {
+        const double way = p.displacement[last] - p.displacement[from];
+        return i < p.force.size() && (p.displacement[i] - p.displacement[i - 1]) * way >= 0.0;
+    };
+    std::size_t i = from + 1;
+    for (; i <= last || goes_on(i); ++i)
         if (sign * p.force[i] <= 0.0)
             return between(p.force[i - 1], p.displacement[i - 1], p.force[i], p.displacement[i],
                            0.0);
-    return std::nullopt;
+    const bool none = i > from + 1 && sign * p.force[i - 1] < kNoForce * sign * p.force[from];
+    return none ? std::optional(p.displacement[i - 1]) : std::nullopt;
 }
 
 Cycle cycle_between(const Path& p, std::size_t begin, std::size_t end, bool closed)
@@ -103,7 +112,7 @@ void bridge(Backbone& b, std::size_t from)
     }
 }
 
-/// Recorded points are means over a short way: the last of a path that ends at zero lies this share of its width off.
+/// A path that is not the solver's may end this share of its width off zero. The solver's ends there exactly.
 constexpr double kHome = 0.005;
 
 /// A part of the path on one side of zero displacement, with the points between which it leaves and comes back.

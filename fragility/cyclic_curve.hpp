@@ -31,7 +31,8 @@ struct Cycle {
     double force_plus = 0.0, force_minus = 0.0; ///< largest and smallest force, >= 0 and <= 0
     double force_at_plus = 0.0, force_at_minus = 0.0; ///< at the extremes of displacement
     double energy = 0.0; ///< work done in the cycle: the area of its loop [force x length]
-    /// Where the force comes back to zero after the extreme; nothing where the path does not unload.
+    /// Where the force comes back to zero after the extreme, if need be on the way into the next cycle; nothing where the
+    /// path does not unload.
     std::optional<double> residual_plus, residual_minus;
 };
 

@@ -52,6 +52,8 @@ class Drive {
     [[nodiscard]] bool turned() const { return turned_; }
     /// Whether the last step of a push that turns back arrived at zero displacement, which it never steps across.
     [[nodiscard]] bool passed_zero() const { return passed_zero_; }
+    /// Whether a push that turns back is at its end, which is a point like its turns.
+    [[nodiscard]] bool came_to_its_end() const { return turns_back() && finished(); }
     /// Of the way to the next turn, to the end or to zero displacement [m].
     [[nodiscard]] double left_to_mark() const;
     [[nodiscard]] double done() const; ///< share of the whole path travelled [-]

@@ -147,8 +147,8 @@ void WallRun::keep(Snapshot&& snapshot)
     spend(before - thread_seconds());
 }
 
-/// Means over intervals do not reach the turn. The last two of this way tell the point there; the forces of the moment
-/// itself ring with the drive that stops.
+/// Means over intervals do not reach the turn, nor the end of a push that turns back. The last two of this way tell the
+/// point there; the forces of the moment itself ring with the drive that stops.
 template <class Real> void WallRun::take_turn(const WallState<Real>& state, int lane)
 {
     const CurvePoint last = result_.curve.back(),
@@ -242,7 +242,7 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     const bool wanted = drive_.finished() || drive_.turned() || drive_.passed_zero() ||
                         (recorder_.due() && room_for_another);
     if (wanted && recorder_.any()) take_point(state, lane);
-    if (!drive_.turned()) return;
+    if (!drive_.turned() && !drive_.came_to_its_end()) return;
     take_turn(state, lane);
     recorder_.begin_way();
 }

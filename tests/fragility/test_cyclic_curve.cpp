@@ -80,6 +80,19 @@ TEST_CASE("cyclic curve: what goes back the way it came has no energy and no res
     CHECK(c[0].force_minus == -5.0);
 }
 
+TEST_CASE("cyclic curve: the force may come back to zero on the way into the next cycle",
+          "[fragility][cyclic]")
+{
+    const auto c = cycles(OwnedPath{{0, 2, -2, -0.5, 0.5, 2, -2, 0}, //
+                                    {0, 4, -4, -1.5, 0.5, 4, -4, -0.01}});
+    REQUIRE(c.size() == 2);
+    CHECK(c[0].residual_minus.value() == near(0.25));
+    CHECK(c[1].residual_minus.value() == 0.0); // no way on, and no force to speak of
+    CHECK_FALSE(cycles(OwnedPath{{0, 2, -2, 0}, {0, 4, -4, -0.03}})[0].residual_minus);
+    // One side: the way ends at zero, where it turns.
+    CHECK_FALSE(cycles(OwnedPath{{0, 2, 0, 3}, {0, 4, 1, -1}})[0].residual_plus);
+}
+
 TEST_CASE(
     "cyclic curve: damping and stiffness are those of the extremes, not of the peak forces",
     "[fragility][cyclic]")

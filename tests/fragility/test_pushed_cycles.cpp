@@ -130,6 +130,27 @@ TEST_CASE("pushed cycles: a rocking block that cannot slip dissipates nothing, c
     CHECK(c.force_minus == Approx(-c.force_plus).epsilon(1e-3));
 }
 
+TEST_CASE("pushed cycles: the last cycle ends at zero and unloads as all others do, however "
+          "small it is",
+          "[fragility][cyclic]")
+{
+    scenes::Scene s = scenes::monolith(1.0, 1.0, 0.5e6, 1e10);
+    s.stone.young_modulus = s.beam.material.young_modulus = 1e15;
+    const dem::Model m = scenes::model_of(s, rigid(5));
+    const double d = GENERATE(0.2e-3, 1e-3);
+    const Pushed p = pushed(m, scenes::uniform(s, m), {d, -d, d, -d, 0.0});
+    REQUIRE(p.cycles.size() == 2);
+    CHECK(p.displacement.back() == 0.0);
+    for (const fragility::Cycle& c : p.cycles) {
+        CHECK(c.closed);
+        REQUIRE(c.residual_plus);
+        REQUIRE(c.residual_minus);
+        CHECK(std::abs(*c.residual_minus) < 0.01 * d);
+    }
+    // A push one way ends with the mean over its last interval, as ever.
+    CHECK(pushed(m, scenes::uniform(s, m), {d}).displacement.back() < d);
+}
+
 TEST_CASE("pushed cycles: a rocking block that may slip loses energy where contact points "
           "unload, and none to the solver",
           "[fragility][cyclic]")
