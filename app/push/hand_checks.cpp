@@ -14,12 +14,14 @@ namespace {
 
 constexpr double kBeyond = 1.01; ///< of a limit, from which a result is remarked upon [-]
 
-std::string beyond(const char* what, double peak, double limit)
+void add_beyond(const char* what, double peak, double limit, std::vector<std::string>& remarks)
 {
-    return "the peak force is " + fixed(100.0 * (peak / limit - 1.0), 1) +
-           " % above the limit of " + what +
-           ": the push was too fast (raise solver.steps_per_mm), or the limit does not hold "
-           "for this wall";
+    if (!(peak > kBeyond * limit)) return;
+    const std::string by =
+        limit > 0.0 ? fixed(100.0 * (peak / limit - 1.0), 1) + " % above" : "above";
+    remarks.push_back("the peak force is " + by + " the limit of " + what +
+                      ": the push was too fast (raise solver.steps_per_mm), or the limit does "
+                      "not hold for this wall");
 }
 
 /// Why the push found no drift limit, where the choice of kinematics is the reason.
@@ -87,30 +89,35 @@ HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layou
 
 HandChecks limits_of(const Study& study, const PushedWall& w)
 {
+    const Parameters& p = study.parameters;
     dem::Loads loads = w.loads;
     loads.vertical_stress = w.vertical_stress;
     const dem::RigidWall rigid =
-        dem::rigid_wall(study.wall, study.beam, study.parameters.stone, loads,
-                        std::tan(study.parameters.joint.friction_angle), w.result.weight);
+        dem::rigid_wall(study.wall, study.beam, p.stone, loads,
+                        {std::tan(p.joint.friction_angle), std::tan(p.base_friction_angle),
+                         std::tan(p.beam_friction_angle)},
+                        w.result.weight);
     HandChecks h;
     h.vertical_load = rigid.vertical_load;
     h.wall_weight = rigid.weight;
     h.rocking_limit = rigid.rocking_limit;
-    const bool drawn = std::ranges::any_of(
-        study.random, [](const RandomInput& r) { return r.key == "joint.friction_angle"; });
-    if (!drawn) h.sliding_limit = rigid.sliding_limit;
+    const bool drawn = std::ranges::any_of(study.random, [](const RandomInput& r) {
+        return r.key == "joint.friction_angle" || r.key == "base.friction_angle" ||
+               r.key == "beam.friction_angle";
+    });
+    if (!drawn && std::isfinite(rigid.sliding_limit)) h.sliding_limit = rigid.sliding_limit;
     if (rigid.turning == 0)
         h.remarks.emplace_back(
             study.beam.present
                 ? "a single course on a fixed base: no joint can open or slide below "
-                  "the beam, so that the wall cannot fail"
+                  "the beam; only cracks and crushing can end the wall"
                 : "a single course on a fixed base: nothing can move");
     const double peak = peak_force(w.reading);
     const bool free_beam = study.beam.rotation == dem::BeamRotation::free;
-    if (free_beam && rigid.turning > 0 && peak > kBeyond * *h.rocking_limit)
-        h.remarks.push_back(beyond("rigid rocking", peak, *h.rocking_limit));
-    if (h.sliding_limit && rigid.turning > 0 && peak > kBeyond * *h.sliding_limit)
-        h.remarks.push_back(beyond("sliding", peak, *h.sliding_limit));
+    if (free_beam && rigid.turning > 0)
+        add_beyond("rigid rocking", peak, *h.rocking_limit, h.remarks);
+    if (h.sliding_limit && rigid.turning > 0)
+        add_beyond("sliding", peak, *h.sliding_limit, h.remarks);
     if (!free_beam)
         h.remarks.emplace_back(
             "the beam does not turn: the rocking limit is that of a beam that turns; "

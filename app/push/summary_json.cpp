@@ -82,7 +82,7 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
             {"spalled_units", w.mechanism.spalled_units},
             {"cracked_contacts", w.mechanism.cracked_contacts},
             {"crushed_contacts", w.mechanism.crushed_contacts},
-            {"crushed_through_mm2", or_null(w.mechanism.crushed_area * 1e6)},
+            {"crushed_through_mm2", as_given(w.mechanism.crushed_area * 1e6)},
             {"brittle_crushing_contacts", w.result.brittle_crushing_contacts},
             {"snap_back_contacts", w.result.snap_back_contacts},
             {"slid_whole", w.reading.slid},
@@ -138,7 +138,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["stiffness_kN_per_mm"] = or_null(r.stiffness, 1e-6);
     j["stiffness_rule"] = "secant at 30 % of the peak";
     j["no_reading"] = r.no_reading;
-    j["load_height_m"] = w.loads.height;
+    j["load_height_m"] = as_given(w.loads.height);
     j["settlement_mm"] = whole ? or_null(w.result.settlement * kToMm) : Json(nullptr);
     j["limit_states"] = limit_states(r, rules);
     if (!r.backbones.empty()) {

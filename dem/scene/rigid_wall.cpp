@@ -2,6 +2,9 @@
 
 #include "dem/scene/bond.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace dem {
 
 Weights weights_of(const Layout& layout, const Elastic& stone, const Elastic& beam,
@@ -25,7 +28,7 @@ Weights weights_of(const Layout& layout, const Elastic& stone, const Elastic& be
 }
 
 RigidWall rigid_wall(const WallGeometry& g, const Beam& b, const Elastic& stone,
-                     const Loads& loads, double tan_phi, double weight)
+                     const Loads& loads, const WallFriction& tan_phi, double weight)
 {
     const bool fixed_base = g.base == Base::fixed;
     const double floor = fixed_base ? top_of_course(g, 1) : 0.0; // of what may move [m]
@@ -44,10 +47,17 @@ RigidWall rigid_wall(const WallGeometry& g, const Beam& b, const Elastic& stone,
     if (loads.pattern == LoadPattern::body && moving > 0.0) {
         const double turned = 0.5 * w.weight * height + beam * (height + 0.5 * b.height);
         w.rocking_limit = restoring / turned * weight;
-        w.sliding_limit = tan_phi * (w.vertical_load + w.weight) / moving * weight;
+        w.sliding_limit = (fixed_base ? tan_phi.joints : tan_phi.base) *
+                          (w.vertical_load + w.weight) / moving * weight;
     } else {
         w.rocking_limit = restoring / (loads.height - floor);
-        w.sliding_limit = tan_phi * (w.vertical_load + (w.turning > 0 ? top_course : 0.0));
+        w.sliding_limit = std::numeric_limits<double>::infinity();
+        if (g.courses > 1) w.sliding_limit = tan_phi.joints * (w.vertical_load + top_course);
+        if (!fixed_base && g.toe == Toe::free)
+            w.sliding_limit =
+                std::min(w.sliding_limit, tan_phi.base * (w.vertical_load + w.weight));
+        if (b.interface == BeamInterface::joint)
+            w.sliding_limit = std::min(w.sliding_limit, tan_phi.beam * w.vertical_load);
     }
     return w;
 }

@@ -25,15 +25,21 @@ struct RigidWall {
     /// Body forces: f times the weight of all blocks, with f = (N + W) L / 2 over the moment of the weight above that
     /// joint turned sideways.
     double rocking_limit = 0.0;
-    /// tan(phi) (N + weight of the top course), the least of the bed joints [N]. Body forces: f times the weight of all
-    /// blocks, with f = tan(phi) (N + W) over the weight above the lowest joint, which is the least.
+    /// The least of tan(phi) (N + weight of the top course) of the bed joints, tan(phi_base) (N + W) of a base joint whose
+    /// toe is free, and tan(phi_beam) N under a beam on a joint [N]. Body forces: f times the weight of all blocks, with
+    /// f = tan(phi) (N + W) over the weight above the lowest joint.
     double sliding_limit = 0.0;
 };
+
+/// Friction coefficients of the joints, all >= 0 [-]. Those of base and beam count where the wall has such a joint.
+struct WallFriction {
+    double joints = 0.0, base = 0.0, beam = 0.0;
+};
+
 /// @param wall in courses; without openings, and without mortar in its joints
-/// @param tan_phi friction coefficient of all joints [-]
 /// @param weight of all blocks, as PushResult::weight has it [N]; only with body forces
 [[nodiscard]] RigidWall rigid_wall(const WallGeometry& wall, const Beam& beam,
-                                   const Elastic& stone, const Loads& loads, double tan_phi,
-                                   double weight = 0.0);
+                                   const Elastic& stone, const Loads& loads,
+                                   const WallFriction& friction, double weight = 0.0);
 
 } // namespace dem

@@ -27,16 +27,36 @@ TEST_CASE("rigid wall: turning about the toe and sliding on the weakest bed join
           "[dem][rigid_wall]")
 {
     Wall w;
-    const dem::RigidWall fixed = dem::rigid_wall(w.geometry, w.beam, w.stone, w.loads, 0.1);
+    const dem::RigidWall fixed =
+        dem::rigid_wall(w.geometry, w.beam, w.stone, w.loads, {0.1, 0.1, 0.1});
     CHECK(fixed.turning == 9);
     CHECK(fixed.vertical_load == Approx(100.5e3));
     CHECK(fixed.weight == Approx(3.6e3));
     CHECK(fixed.rocking_limit == Approx(104.1e3 * 0.5 / 1.0));
     CHECK(fixed.sliding_limit == Approx(0.1 * 100.9e3));
     w.geometry.base = dem::Base::joint;
-    const dem::RigidWall free = dem::rigid_wall(w.geometry, w.beam, w.stone, w.loads, 0.1);
+    const dem::RigidWall free =
+        dem::rigid_wall(w.geometry, w.beam, w.stone, w.loads, {0.1, 0.1, 0.1});
     CHECK(free.turning == 10);
     CHECK(free.rocking_limit == Approx(104.5e3 * 0.5 / 1.1));
+}
+
+TEST_CASE(
+    "rigid wall: it slides where friction gives way first, on its base or under its beam too",
+    "[dem][rigid_wall]")
+{
+    Wall w;
+    const dem::WallFriction friction{0.6, 0.2, 0.1};
+    const auto limit = [&] {
+        return dem::rigid_wall(w.geometry, w.beam, w.stone, w.loads, friction).sliding_limit;
+    };
+    CHECK(limit() == Approx(0.6 * 100.9e3)); // neither base nor beam has a joint
+    w.geometry.base = dem::Base::joint;
+    CHECK(limit() == Approx(0.6 * 100.9e3)); // the toe is held
+    w.geometry.toe = dem::Toe::free;
+    CHECK(limit() == Approx(0.2 * 104.5e3));
+    w.beam.interface = dem::BeamInterface::joint;
+    CHECK(limit() == Approx(0.1 * 100.5e3));
 }
 
 TEST_CASE("rigid wall: body forces turn and push what lies above the lowest joint",
@@ -45,7 +65,8 @@ TEST_CASE("rigid wall: body forces turn and push what lies above the lowest join
     Wall w;
     w.loads.vertical_stress = 0.0;
     w.loads.pattern = dem::LoadPattern::body;
-    const dem::RigidWall r = dem::rigid_wall(w.geometry, w.beam, w.stone, w.loads, 0.1, 4.5e3);
+    const dem::RigidWall r =
+        dem::rigid_wall(w.geometry, w.beam, w.stone, w.loads, {0.1, 0.1, 0.1}, 4.5e3);
     CHECK(r.rocking_limit == Approx(4.5e3 * 2.05 / (3.6 * 0.45 + 0.5 * 0.95)));
     CHECK(r.sliding_limit == Approx(0.1 * 4.5e3));
 }
