@@ -18,41 +18,43 @@ struct Sums {
     double one = 0.0, s = 0.0, ss = 0.0, e = 0.0, ee = 0.0, se = 0.0;
 };
 
+/// In d = s - origin: far out in the tail its steps are smaller than the rounding of s.
 class LogGammaDensity {
   public:
-    LogGammaDensity(double a, double top_at) : a_(a), origin_(top_at), top_(phi(top_at)) {}
-
-    [[nodiscard]] double phi(double s) const { return a_ * s - std::exp(s); }
+    LogGammaDensity(double a, double origin) : a_(a), origin_(origin), exp_(std::exp(origin)) {}
 
     /// From the highest point outwards to `end`, as far as it matters.
     void integrate(double end, Sums& sums) const
     {
-        const double sign = end > origin_ ? 1.0 : -1.0;
-        double s = origin_;
-        while (s != end && phi(s) > top_ - kDrop) {
+        const double last = end - origin_;
+        const double sign = last > 0.0 ? 1.0 : -1.0;
+        double d = 0.0;
+        while (d != last && fall(d) > -kDrop) {
+            const double s = origin_ + d;
             const double e = std::exp(sign > 0.0 ? s + 0.5 : s);
             double width = 4.0 / (std::abs(a_ - std::exp(s)) + 2.0 * std::sqrt(e));
             if (sign > 0.0) width = std::min(width, 0.5);
-            const double next = std::abs(end - s) <= width ? end : s + sign * width;
-            panel(std::min(s, next), std::max(s, next), sums);
-            s = next;
+            const double next = std::abs(last - d) <= width ? last : d + sign * width;
+            panel(std::min(d, next), std::max(d, next), sums);
+            d = next;
         }
     }
     [[nodiscard]] double origin() const { return origin_; }
-    [[nodiscard]] double top() const { return top_; }
+    [[nodiscard]] double top() const { return a_ * origin_ - exp_; }
 
   private:
-    void point(double s, double weight, Sums& sums) const
+    /// phi - top, phi = a s - e^s.
+    [[nodiscard]] double fall(double d) const { return a_ * d - exp_ * std::expm1(d); }
+    void point(double d, double weight, Sums& sums) const
     {
-        const double p = weight * std::exp(phi(s) - top_);
-        const double ds = s - origin_;
-        const double de = std::exp(origin_) * std::expm1(ds);
+        const double p = weight * std::exp(fall(d));
+        const double de = exp_ * std::expm1(d);
         sums.one += p;
-        sums.s += p * ds;
-        sums.ss += p * ds * ds;
+        sums.s += p * d;
+        sums.ss += p * d * d;
         sums.e += p * de;
         sums.ee += p * de * de;
-        sums.se += p * ds * de;
+        sums.se += p * d * de;
     }
     void panel(double lo, double hi, Sums& sums) const
     {
@@ -64,7 +66,7 @@ class LogGammaDensity {
             point(middle - x, half * kGauss16.weight[i], sums);
         }
     }
-    double a_, origin_, top_;
+    double a_, origin_, exp_;
 };
 
 /// Derivatives for the shape a and the shift of s.

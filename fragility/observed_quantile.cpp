@@ -17,6 +17,12 @@ struct Piece {
     double least, most; ///< bounds of the share [-]
 };
 
+/// A share is a product of quotients, rounded: 12 of 24 walls may come out a few units of the last place below
+/// one half. Shares of different counts of walls differ by far more.
+constexpr double kRounding = 1e-12;
+
+bool reaches(double share, double p) { return share >= p * (1.0 - kRounding); }
+
 /// Product of independent beta variables by its first two moments.
 struct BetaProduct {
     double first = 1.0, second = 1.0;
@@ -93,9 +99,9 @@ std::vector<ObservedQuantile> observed_quantiles(std::span<const Observation> da
     for (const double p : shares) {
         if (!(p > 0.0 && p < 1.0))
             throw std::invalid_argument("observed quantiles: shares must be in (0, 1)");
-        const double value = first([&](const Piece& x) { return x.share >= p; });
-        const double lower = first([&](const Piece& x) { return x.most >= p; });
-        const double upper = first([&](const Piece& x) { return x.least >= p; });
+        const double value = first([&](const Piece& x) { return reaches(x.share, p); });
+        const double lower = first([&](const Piece& x) { return reaches(x.most, p); });
+        const double upper = first([&](const Piece& x) { return reaches(x.least, p); });
         found.push_back({std::isfinite(value) ? std::optional(value) : std::nullopt,
                          {std::max(lower, 0.0), upper, confidence}});
     }

@@ -1,5 +1,7 @@
 #include "fragility/censored_fit.hpp"
 
+#include "fragility/fit_intervals.hpp"
+#include "fragility/gamma_likelihood.hpp"
 #include "tests/fragility/fit_data.hpp"
 
 #include <catch2/catch.hpp>
@@ -237,6 +239,33 @@ TEST_CASE("censored fit: what cannot be fitted is named and gives no number",
         CHECK(f.location_error == 0.0);
         CHECK(f.log_likelihood == 0.0);
     }
+}
+
+TEST_CASE("censored fit: the tail of a gamma law far beyond its mean is that of its asymptote",
+          "[fragility][censored_fit]")
+{
+    // Gamma(a, x) = x^(a - 1) e^-x (1 + (a - 1) / x + ...): steps in s = ln x are far below its rounding
+    for (const double a : {0.01, 1.0, 50.0})
+        for (const double s : {30.0, 36.0, 60.0, 100.0}) {
+            const LogGammaMoments m =
+                log_gamma_moments(a, s, std::numeric_limits<double>::infinity());
+            CHECK(m.log_integral == near((a - 1.0) * s - std::exp(s)));
+            CHECK(m.mean == near(s));
+            CHECK(m.mean_exp == near(std::exp(s)));
+        }
+}
+
+TEST_CASE("censored fit: two walls of 49 and the others stopped have an answer under every law",
+          "[fragility][censored_fit]")
+{
+    std::vector<Observation> data(47, right_censored(2.73));
+    data.push_back(observed(1.5));
+    data.push_back(observed(2.5));
+    const Fit f = fit(GENERATE(from_range(kLaws)), data);
+    REQUIRE(f.outcome == FitOutcome::converged);
+    CHECK(quantile(f.law, 0.5) > 2.73);
+    CHECK(profile_interval(f, data, quantile_of(0.95)).lower > 2.73);
+    CHECK(cdf(f.law, 2.73) == Approx(2.0 / 49.0).epsilon(0.1));
 }
 
 TEST_CASE("censored fit: heavy censoring and far starts converge", "[fragility][censored_fit]")

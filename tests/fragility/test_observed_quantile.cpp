@@ -50,6 +50,24 @@ TEST_CASE("observed quantiles: they are values that occurred, and bounds that th
     CHECK(std::isinf(q[2].interval.upper));
 }
 
+TEST_CASE("observed quantiles: a share that walls reach exactly is that of the wall that "
+          "completes it",
+          "[fragility][observed_quantile]")
+{
+    constexpr std::array percent = {5, 16, 50, 84, 95};
+    const std::array shares = {0.05, 0.16, 0.50, 0.84, 0.95};
+    for (int n = 8; n <= 100; ++n) {
+        std::vector<Observation> data;
+        for (int i = 1; i <= n; ++i) data.push_back(observed(i));
+        const auto found = observed_quantiles(data, shares);
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            const int rank = (n * percent[i] + 99) / 100;
+            INFO(n << " walls, " << percent[i] << " %");
+            CHECK(*found[i].value == rank);
+        }
+    }
+}
+
 TEST_CASE("observed quantiles: of walls in two heaps, some stopped between them, intervals "
           "hold the truth in "
           "95 of 100 samples or more",
