@@ -1,6 +1,7 @@
 # Needs scenes/paper_wall.cpp.
 set(TEST_DEM_UNIT_SOURCES
     dem/eigenvalues.cpp
+    dem/test_bending_stack.cpp
     dem/test_block_element.cpp
     dem/test_block_modes.cpp
     dem/test_bond.cpp
