@@ -95,6 +95,29 @@ MatrixXd strains(const BlockSpec& spec, const std::vector<Point>& points)
                     linear_field(points, centre, {}, {0, 1}, {1, 0})});
 }
 
+/// The displacements of pure bending in plane stress, sigma_z = E x and sigma_x = E z about the centre of the extent.
+MatrixXd bendings(const BlockSpec& spec, const std::vector<Point>& points)
+{
+    const double nu = spec.material.poisson_ratio;
+    MatrixXd u(2 * static_cast<Index>(points.size()), 2);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const double x = points[p].x - 0.5 * spec.width, z = points[p].z - 0.5 * spec.height;
+        const auto row = 2 * static_cast<Index>(p);
+        u.row(row) << -0.5 * (z * z + nu * x * x), x * z;
+        u.row(row + 1) << x * z, -0.5 * (x * x + nu * z * z);
+    }
+    return u;
+}
+
+/// What the elastic modes of a floating block begin with.
+MatrixXd first_strains(const BlockSpec& spec, const std::vector<Point>& points)
+{
+    if (!spec.begins_with_bending) return strains(spec, points);
+    MatrixXd both(2 * static_cast<Index>(points.size()), 5);
+    both << strains(spec, points), bendings(spec, points);
+    return both;
+}
+
 /// Modes of a block that no support touches. Rigid motions and deformations are kept apart, so that
 /// rigid motions have no elastic force at all.
 BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const MatrixXd& c)
@@ -105,7 +128,8 @@ BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const Mat
     MatrixXd rigid(all, 0);
     extend_basis(c, rigid_motions(spec, con.points), 3, rigid);
     MatrixXd basis = rigid;
-    if (wanted > 3 && wanted < all) extend_basis(c, strains(spec, con.points), wanted, basis);
+    if (wanted > 3 && wanted < all)
+        extend_basis(c, first_strains(spec, con.points), wanted, basis);
     if (basis.cols() < wanted) extend_basis(c, eigen_pairs(k, c).vectors, wanted, basis);
     const BlockModes elastic = ritz(k, c, basis.rightCols(basis.cols() - rigid.cols()));
     MatrixXd moving = rigid;
@@ -203,7 +227,7 @@ LinearFields linear_fields(const BlockSpec& spec, const std::vector<Point>& poin
     const bool supported = spec.motion != Motion::free && spec.motion != Motion::driven;
     if (supported) return {MatrixXd(), MatrixXd(), supported_fields(spec, points)};
     LinearFields f{rigid_motions(spec, points), rigid_motions(spec, points),
-                   strains(spec, points)};
+                   first_strains(spec, points)};
     if (spec.motion == Motion::driven) f.moving = driven_motions(spec, points);
     return f;
 }

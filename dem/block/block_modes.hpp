@@ -26,14 +26,15 @@ sparse_metric(const BlockSpec& spec, const std::vector<Point>& points, Eigen::In
 struct LinearFields {
     Eigen::MatrixXd rigid;  ///< of a block that no support touches
     Eigen::MatrixXd moving; ///< those of them that it can make
-    Eigen::MatrixXd linear; ///< constant strains, or what a support allows
+    Eigen::MatrixXd linear; ///< constant strains and pure bending, or what a support allows
 };
 [[nodiscard]] LinearFields linear_fields(const BlockSpec& spec,
                                          const std::vector<Point>& points);
 
 /// If spec.modes = m > 0, a free block keeps m modes: the three rigid motions first, then (from m = 6 on)
-/// the constant strains, so that a uniform stress is exact, then the modes with the smallest lambda,
-/// which are soft against the contacts. A clamped block keeps m - 3 modes: the linear fields that its
+/// the constant strains, so that a uniform stress is exact, then those of pure bending where spec.begins_with_bending, so
+/// that a linear stress is exact in a rectangle, then the modes with the smallest lambda, which are soft against the
+/// contacts. A clamped block keeps m - 3 modes: the linear fields that its
 /// support allows, then the softest. The driven beam has no horizontal rigid motion, and no rotation
 /// where that is fixed.
 [[nodiscard]] BlockModes block_modes(const BlockSpec& spec, const Condensed& c);

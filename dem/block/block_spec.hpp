@@ -30,6 +30,8 @@ struct BlockSpec {
     int zones_per_interval = 1;
     double zone_size = 0.0; ///< along sides without contacts [m]
     int modes = 0;          ///< number of modes kept; 0 keeps all
+    bool begins_with_bending =
+        false; ///< pure bending follows the constant strains (block_modes)
 
     /// Of the triangles inside an outline, whose strains vary [m].
     [[nodiscard]] double size_inside() const { return 2.0 * zone_size; }

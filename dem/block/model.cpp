@@ -49,6 +49,16 @@ std::vector<std::vector<int>> faces_by_block(const Layout& layout)
     return faces;
 }
 
+/// Blocks longer or higher than this many half units begin their modes with pure bending [-]: whole units and stones do,
+/// the halves of a cracked unit do not where they are no higher than long. Why, and what it does to walls: docs/model.md,
+/// section 2.
+constexpr double kBendsFrom = 1.25;
+
+bool begins_with_bending(const Block& b, const Layout& layout)
+{
+    return std::max(b.x1 - b.x0, b.z1 - b.z0) > kBendsFrom * layout.half_unit;
+}
+
 /// @param faces of the block, indices in Layout::faces
 BlockSpec spec_of(int block, const std::vector<int>& faces, const Model& m,
                   const Discretisation& d)
@@ -69,6 +79,7 @@ BlockSpec spec_of(int block, const std::vector<int>& faces, const Model& m,
     s.zones_per_interval = d.zones_per_interval;
     s.zone_size = m.layout.half_unit / ((d.contact_points - 1) * d.zones_per_interval);
     s.modes = is_beam ? d.beam_modes : d.block_modes;
+    s.begins_with_bending = !is_beam && begins_with_bending(b, m.layout);
     for (const int face : faces) {
         const Face& f = m.layout.faces[face];
         const auto [kn, ks] = reference_of(m, f);
