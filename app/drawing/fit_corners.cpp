@@ -18,6 +18,9 @@ struct Fitting {
     std::vector<OnSide> on_sides;
     std::size_t joined = 0, straight = 0;
     double farthest = 0.0; ///< that a corner was moved to another [m]
+    double top = 0.0;      ///< the highest level [m]
+    std::size_t levelled = 0;
+    double lifted = 0.0; ///< the farthest that a corner was moved to the floor or the top [m]
 };
 
 dem::Point at(const OutlineNetwork& network, int n)
@@ -136,10 +139,37 @@ void refuse_thin(const OutlineNetwork& network)
     }
 }
 
-void put_on_floor(OutlineNetwork& network)
+/// The last of the sorted heights that one of the first's level has: they follow each other within snap.
+double end_of_level(const std::vector<double>& heights, double snap)
 {
-    for (dem::Point& p : network.nodes)
-        if (p.z <= network.snap) p.z = 0.0;
+    double end = heights.front();
+    for (const double z : heights) {
+        const double step = std::abs(z - end), all = std::abs(z - heights.front());
+        if (step > snap || all > 2.0 * snap) break;
+        end = z;
+    }
+    return end;
+}
+
+/// The floor and the top may scatter from block to block.
+void put_on_floor_and_top(OutlineNetwork& network, Fitting& fitting)
+{
+    const std::vector<int> used = used_nodes(network);
+    std::vector<double> heights;
+    for (const int n : used) heights.push_back(at(network, n).z);
+    std::ranges::sort(heights);
+    const double low = end_of_level(heights, network.snap);
+    std::ranges::reverse(heights);
+    const double high = end_of_level(heights, network.snap);
+    fitting.top = heights.front();
+    for (const int n : used) {
+        double& z = network.nodes[static_cast<std::size_t>(n)].z;
+        const double level = z <= low ? 0.0 : z >= high ? fitting.top : z;
+        const double moved = std::abs(level - z);
+        if (moved > kLeastSnap) ++fitting.levelled;
+        fitting.lifted = std::max(fitting.lifted, moved);
+        z = level;
+    }
 }
 
 bool put_on_sides(OutlineNetwork& network, Fitting& fitting)
@@ -186,8 +216,9 @@ void straighten_sides(OutlineNetwork& network, const Fitting& fitting)
             const dem::Point a = at(network, o.a), b = at(network, o.b), p = at(network, o.n);
             double share = 0.0;
             if (distance_to_segment(p, a, b, share) <= kLeastSnap) continue;
+            const bool level = p.z == 0.0 || p.z == fitting.top;
             const dem::Point on{a.x + share * (b.x - a.x),
-                                p.z == 0.0 ? 0.0 : a.z + share * (b.z - a.z)};
+                                level ? p.z : a.z + share * (b.z - a.z)};
             const dem::Point was = fitting.drawn[static_cast<std::size_t>(o.n)];
             if (std::hypot(on.x - was.x, on.z - was.z) > 2.0 * network.snap) continue;
             moved |= std::hypot(on.x - p.x, on.z - p.z) > 0.1 * kLeastSnap;
@@ -211,6 +242,11 @@ void note_fitting(OutlineNetwork& network, const Fitting& fitting)
                                 " joined to others, at most " + millimetres(fitting.farthest) +
                                 " away.");
     }
+    if (fitting.levelled > 0) {
+        network.notes.push_back(counted(fitting.levelled, "corner was", "corners were") +
+                                " put on the level of the lowest or the highest one, at most " +
+                                millimetres(fitting.lifted) + " away.");
+    }
     if (farthest > kLeastSnap) {
         network.notes.push_back(
             counted(on_sides.size(), "corner lies", "corners lie") +
@@ -232,7 +268,8 @@ void fit_corners(OutlineNetwork& network)
     try {
         Fitting fitting;
         join_corners(network, fitting);
-        put_on_floor(network);
+        put_on_floor_and_top(network, fitting);
+        join_corners(network, fitting); // corners above each other are one there
         refuse_thin(network);
         fitting.straight = straighten(network);
         fitting.drawn = network.nodes;

@@ -42,8 +42,8 @@ struct NetworkSides {
 [[nodiscard]] std::string block_name(const OutlineNetwork& network, const Ring& ring);
 
 /// Joins corners that coincide within snap, puts corners within snap of another block's side onto it (the side gets that
-/// corner too), and those within snap of the floor onto the floor; leaves out corners on straight lines that no other
-/// block has.
+/// corner too), and those that follow the lowest or the highest corner within snap onto its level; leaves out corners on
+/// straight lines that no other block has.
 /// @throws ConfigError where an outline is smaller than snap, or comes within snap of itself
 void fit_corners(OutlineNetwork& network);
 

@@ -2,6 +2,7 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/input/built_wall.hpp"
+#include "app/input/drawn_ends.hpp"
 #include "app/input/unit_cracks.hpp"
 #include "app/input/units.hpp"
 #include "app/text/check_sum.hpp"
@@ -15,6 +16,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 namespace app {
 namespace {
@@ -195,6 +197,8 @@ void read_geometry(Study& study)
             read_file(study);
         }
         read_unit_cracks(study);
+        require_level_top(study);
+        std::ranges::copy(notes_of_ends(study), std::back_inserter(g.notes));
         const dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam_height(study));
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;
