@@ -117,9 +117,9 @@ void check_floating(const OutlineNetwork& network)
            "the block at " +
                coordinates(network.frame, node_at(network, first->corners.front())) +
                " stands neither on the floor nor on blocks that do (" +
-               counted(floating, "such block", "such blocks") +
-               "); close the gaps, or make wall.snap (" + millimetres(network.snap) +
-               ") larger than they are");
+               counted(floating, "such block", "such blocks") + "); close the gaps" +
+               snap_advice(network, ", or make wall.snap (" + millimetres(network.snap) +
+                                        ") larger than they are"));
 }
 
 } // namespace

@@ -26,8 +26,8 @@ const Ring& ring_at(const OutlineNetwork& network, int r)
     const Ring& ring = ring_at(network, second);
     refuse(network.frame, ring.line,
            "this block overlaps " + block_name(network, ring_at(network, first)) + " at " +
-               coordinates(network.frame, where) + " by more than wall.snap (" +
-               millimetres(network.snap) + "); draw them side by side");
+               coordinates(network.frame, where) + " by more than " + snap_text(network) +
+               "; draw them side by side");
 }
 
 void check_crossings(const OutlineNetwork& network)
@@ -65,8 +65,8 @@ void orient(OutlineNetwork& network)
             refuse(network.frame, ring.line,
                    "the block at " +
                        coordinates(network.frame, position(network, ring.corners.front())) +
-                       " has no area, or is thinner than wall.snap (" +
-                       millimetres(network.snap) + "); delete it");
+                       " has no area, or is thinner than " + snap_text(network) +
+                       "; delete it");
         }
         if (area < 0.0) std::reverse(ring.corners.begin() + 1, ring.corners.end());
     }

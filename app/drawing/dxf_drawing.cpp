@@ -35,12 +35,32 @@ NamedUnit inserted_unit(int code)
         return {"in", 0.0254};
     case 2:
         return {"ft", 0.3048};
+    case 3:
+        return {"mi", 1609.344};
     case 4:
         return {"mm", 1e-3};
     case 5:
         return {"cm", 1e-2};
     case 6:
         return {"m", 1.0};
+    case 7:
+        return {"km", 1e3};
+    case 8:
+        return {"microinch", 25.4e-9};
+    case 9:
+        return {"mil", 25.4e-6};
+    case 10:
+        return {"yd", 0.9144};
+    case 13:
+        return {"µm", 1e-6};
+    case 14:
+        return {"dm", 0.1};
+    case 15:
+        return {"dam", 10.0};
+    case 16:
+        return {"hm", 100.0};
+    case 21:
+        return {"US survey ft", 1200.0 / 3937.0};
     default:
         return {"", 0.0};
     }
@@ -56,8 +76,22 @@ void read_header(DxfContent& content, DxfGroups& groups)
         if (group.code == 9) wanted = group.value == "$INSUNITS";
         if (group.code != 70 || !wanted) continue;
         const NamedUnit unit = inserted_unit(dxf_integer(content.drawing.frame, group));
-        content.drawing.own_unit = unit.length;
-        content.drawing.own_unit_name = unit.name;
+        state_unit(content.drawing, unit.length, unit.name);
+    }
+}
+
+/// Reads to the end of the section TABLES, for the layers that are off or frozen.
+void read_tables(DxfContent& content, DxfGroups& groups)
+{
+    DxfGroup head;
+    while (groups.next(head)) {
+        if (head.code != 0) continue;
+        if (head.value == "ENDSEC") return;
+        if (head.value == "LAYER") add_layer(content, read_entity(groups, head));
+        if (head.value == "EOF" || head.value == "SECTION") {
+            groups.step_back();
+            return;
+        }
     }
 }
 
@@ -95,7 +129,9 @@ void note_what_was_ignored(DxfContent& content)
 RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double snap)
 {
     refuse_other_formats(frame, bytes);
-    DxfContent content{{frame, {}, {}, {}, 0.0, ""}, snap, {}, 0};
+    DxfContent content;
+    content.drawing.frame = frame;
+    content.snap = snap;
     DxfGroups groups(content.drawing.frame, bytes);
     DxfGroup group;
     bool whole = false, has_entities = false, begins_section = false;
@@ -107,6 +143,7 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
         } else if (group.code == 2 && begins_section) {
             begins_section = false;
             if (group.value == "HEADER") read_header(content, groups);
+            if (group.value == "TABLES") read_tables(content, groups);
             if (group.value == "ENTITIES") {
                 read_entities(content, groups);
                 has_entities = true;
@@ -120,6 +157,7 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
         refuse(frame, groups.line(),
                "has no section ENTITIES; draw the outlines of the blocks in the model space");
     note_what_was_ignored(content);
+    note_hidden(content.drawing, content.hidden);
     return std::move(content.drawing);
 }
 

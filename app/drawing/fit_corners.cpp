@@ -42,9 +42,9 @@ void refuse_repeated(const OutlineNetwork& network, const Ring& ring)
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice == sorted.end()) return;
     refuse(network.frame, ring.line,
-           "the outline of this block comes within wall.snap (" + millimetres(network.snap) +
-               ") of itself at " + coordinates(network.frame, at(network, *twice)) +
-               "; draw it apart, or make wall.snap smaller");
+           "the outline of this block comes within " + snap_text(network) + " of itself at " +
+               coordinates(network.frame, at(network, *twice)) + "; draw it apart" +
+               snap_advice(network, ", or make wall.snap smaller"));
 }
 
 /// Each corner once; a block that shrinks to less than a triangle is refused.
@@ -61,8 +61,8 @@ void renumber(OutlineNetwork& network, const std::vector<int>& node)
         if (corners.size() < 3) {
             refuse(network.frame, ring.line,
                    "the block at " + coordinates(network.frame, at(network, old)) +
-                       " has no area, or is smaller than wall.snap (" +
-                       millimetres(network.snap) + "); delete it");
+                       " has no area, or is smaller than " + snap_text(network) +
+                       "; delete it");
         }
         ring.corners = std::move(corners);
         refuse_repeated(network, ring);
@@ -88,10 +88,10 @@ void join_corners(OutlineNetwork& network, Fitting& fitting)
     const Welded welded = weld(points, network.snap);
     if (welded.farthest > 2.0 * network.snap) {
         refuse(network.frame, 0,
-               "corners follow each other at less than wall.snap (" +
-                   millimetres(network.snap) + ") near " +
-                   coordinates(network.frame, points[welded.farthest_point]) +
-                   "; make wall.snap smaller, or the drawing coarser");
+               "corners follow each other at less than " + snap_text(network) + " near " +
+                   coordinates(network.frame, points[welded.farthest_point]) + "; " +
+                   snap_advice(network, "make wall.snap smaller, or ") +
+                   "make the drawing coarser");
     }
     fitting.joined += welded.moved;
     fitting.farthest = std::max(fitting.farthest, welded.farthest);
@@ -133,9 +133,8 @@ void refuse_thin(const OutlineNetwork& network)
         if (!thin) continue;
         refuse(network.frame, ring.line,
                "the block from " + coordinates(network.frame, a) + " to " +
-                   coordinates(network.frame, b) +
-                   " has no area, or is thinner than wall.snap (" + millimetres(network.snap) +
-                   "); delete it");
+                   coordinates(network.frame, b) + " has no area, or is thinner than " +
+                   snap_text(network) + "; delete it");
     }
 }
 

@@ -36,8 +36,9 @@ void note_gaps(OutlineNetwork& network)
     if (n == 0) return;
     network.notes.push_back(
         counted(n, "corner lies", "corners lie") + " near a side of another block, up to " +
-        millimetres(widest) + " away, and do not touch it, such as that at " +
-        coordinates(network.frame, first) + "; a larger wall.snap would close these gaps.");
+        millimetres(widest) + " away, and " + (n == 1 ? "does" : "do") +
+        " not touch it, such as that at " + coordinates(network.frame, first) +
+        "; a larger wall.snap would close these gaps.");
 }
 
 } // namespace app

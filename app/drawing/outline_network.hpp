@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -37,6 +38,12 @@ struct NetworkSides {
 
 /// The rings that have each node, in order.
 [[nodiscard]] std::vector<std::vector<int>> rings_of_nodes(const OutlineNetwork& network);
+
+/// "wall.snap (0.5 mm)"; where the user has no such key "0.002 mm".
+[[nodiscard]] std::string snap_text(const OutlineNetwork& network);
+
+/// The advice, which is about wall.snap, if the user has that key.
+[[nodiscard]] std::string snap_advice(const OutlineNetwork& network, std::string_view advice);
 
 /// "the block of line 12", or of its first corner where the file has no lines.
 [[nodiscard]] std::string block_name(const OutlineNetwork& network, const Ring& ring);

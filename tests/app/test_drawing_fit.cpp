@@ -156,6 +156,11 @@ TEST_CASE("drawing fit: gaps a little wider than snap are told", "[app][drawing_
         "w.json", json_text({rectangle(0, 0, 100, 100), rectangle(101, 0, 200, 100)}),
         kMillimetres);
     CHECK(scenes::notes(wall, "up to 1 mm away, and do not touch it"));
+    const app::Drawing one = drawing_of(
+        "w.json", json_text({rectangle(0, 0, 100, 100), {100, 0, 200, 0, 200, 120, 101, 50}}),
+        kMillimetres);
+    CHECK(scenes::notes(one, "1 corner lies near a side of another block, up to 1 mm away, and "
+                             "does not touch it"));
     CHECK(scenes::common_sides(wall) == 0);
 }
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -66,6 +67,28 @@ bool has_note(const app::Study& study, const std::string& text)
     return false;
 }
 
+/// What is said of a study of one block with these lines more in [wall].
+std::string refusal_of(const std::string& wall, const std::string& file = "w.json")
+{
+    const scenes::TemporaryFolder folder;
+    std::ofstream(folder.path / "w.json")
+        << R"({"blocks": [{"layer": "wall", "outline": [[0, 0], [400, 0], [400, 300], [0, 300]]},
+{"layer": "sill", "outline": [[0, 300], [400, 300], [400, 400], [0, 400]]}]})";
+    std::ofstream(folder.path / "w.png", std::ios::binary)
+        << scenes::png_bytes(scenes::pixels(40, 40, 0x600000));
+    std::string study = kWall;
+    study.replace(study.find("geometry = w.json\nlength_unit = mm\n"), 35,
+                  (file.empty() ? "" : "geometry = " + file + "\n") + wall);
+    std::ofstream(folder.path / "study.ini") << study << kBeam;
+    try {
+        static_cast<void>(
+            app::read_study(app::read_study_file((folder.path / "study.ini").string())));
+    } catch (const std::exception& e) {
+        return e.what();
+    }
+    return "read";
+}
+
 constexpr std::array<double, 5> kFlatFoot{}, kFlatTop{600, 600, 600, 600, 600};
 
 } // namespace
@@ -118,4 +141,31 @@ TEST_CASE("drawn ends: straight joints of an uneven wall are ways from the floor
     const app::Study study = wall_of(covered);
     const dem::Layout whole = app::whole_units(study);
     CHECK(std::isnan(app::bond_indices(whole, app::scene_units(study, whole)).trace));
+}
+
+TEST_CASE("layer stones: names, values and layers that cannot be meant are refused",
+          "[app][drawn_ends]")
+{
+    const std::string sill = "layer_stones = sill: 30 GPa, 0.2, 2500 kg/m3";
+    CHECK(refusal_of(sill + "\n") == "read");
+    CHECK_THAT(refusal_of(sill + "; sill: 20 GPa, 0.2, 2500 kg/m3\n"),
+               Catch::Contains("the layer \"sill\" has two stones"));
+    CHECK_THAT(refusal_of("layer_stones = sill: 30 GPa, 0.2, 1000000000 kg/m3\n"),
+               Catch::Contains("the density in [0, 20000] kg/m3"));
+    CHECK_THAT(refusal_of("layer_stones = lintel: 30 GPa, 0.2, 2500 kg/m3\n"),
+               Catch::Contains("has no layer \"lintel\"; it has: sill, wall"));
+    CHECK_THAT(refusal_of("picture_width = 1 m\npicture_height = 1 m\n" + sill + "\n", "w.png"),
+               Catch::Contains("a picture has none: draw the wall"));
+}
+
+TEST_CASE("outlines of a study are refused without advice about a key that plays no part",
+          "[app][drawn_ends]")
+{
+    const std::string why = refusal_of(
+        "outlines = 0 0, 0.4 0, 0.4 0.3, 0 0.3; 0.3 0, 0.7 0, 0.7 0.3, 0.3 0.3\n", "");
+    CHECK_THAT(why, Catch::Contains("this block overlaps the block at (0, 0)"));
+    CHECK_THAT(why, !Catch::Contains("wall.snap"));
+    CHECK_THAT(
+        refusal_of("outlines = 0 0, 0.4 0, 0.4 0.3, 0 0.3; 0 0.5, 1 0.5, 1 1, 0 1\n", ""),
+        Catch::EndsWith("close the gaps"));
 }
