@@ -41,6 +41,20 @@ struct ChainNetwork {
 /// @param least [m]
 std::size_t close_short_chains(ChainNetwork& network, int stones, double least);
 
+/// The points of a line that are kept: those further than `tolerance` from the line through those kept.
+/// @param work distances computed so far
+/// @throws TooCrowded
+[[nodiscard]] std::vector<dem::Point> simplified(const std::vector<dem::Point>& points,
+                                                 double tolerance, std::size_t& work);
+
+/// Puts junctions onto the straight line of two of their borders, where these are one line within `tolerance`. Where mortar
+/// branches its middle bends towards the branch: what lies within the zone of a junction tells nothing of the line.
+/// Junctions on the frame stay. Returns how many moved.
+/// @param zones of each junction: its distance from the nearest stone as painted [m]
+/// @param tolerance [m]
+std::size_t straighten_junctions(ChainNetwork& network, const std::vector<double>& zones,
+                                 double tolerance);
+
 /// The part of each chain that is kept: the points further than `tolerance` from the line through those kept (Douglas and
 /// Peucker 1973, Cartographica 10, 112-122). Where borders would cross or touch, their tolerance is halved until they do not;
 /// with 0 no point but those on straight lines goes.

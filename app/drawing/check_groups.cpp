@@ -67,9 +67,9 @@ void check_floating(const OutlineNetwork& network)
     refuse(network.frame, first->line,
            "the block at " + coordinates(network.frame, network.nodes[first->corners.front()]) +
                " stands neither on the floor nor on blocks that do (" +
-               counted(floating, "such block", "such blocks") +
-               "); close the gaps, or make wall.snap (" + millimetres(network.snap) +
-               ") larger than they are");
+               counted(floating, "such block", "such blocks") + "); close the gaps" +
+               snap_advice(network, ", or make wall.snap (" + millimetres(network.snap) +
+                                        ") larger than they are"));
 }
 
 } // namespace

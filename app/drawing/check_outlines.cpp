@@ -17,8 +17,8 @@ namespace {
     const Ring& ring = network.rings[second];
     refuse(network.frame, ring.line,
            "this block overlaps " + block_name(network, network.rings[first]) + " at " +
-               coordinates(network.frame, where) + " by more than wall.snap (" +
-               millimetres(network.snap) + "); draw them side by side");
+               coordinates(network.frame, where) + " by more than " + snap_text(network) +
+               "; draw them side by side");
 }
 
 void check_crossings(const OutlineNetwork& network)
@@ -47,8 +47,8 @@ void orient(OutlineNetwork& network)
         if (2.0 * std::abs(area) <= network.snap * length) {
             refuse(network.frame, ring.line,
                    "the block at " + coordinates(network.frame, outline.front()) +
-                       " has no area, or is thinner than wall.snap (" +
-                       millimetres(network.snap) + "); delete it");
+                       " has no area, or is thinner than " + snap_text(network) +
+                       "; delete it");
         }
         if (area < 0.0) std::reverse(ring.corners.begin() + 1, ring.corners.end());
     }

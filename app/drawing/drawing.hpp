@@ -28,6 +28,8 @@ struct Drawing {
 
 struct DrawingOptions {
     double unit = 1.0; ///< length of one unit of the drawing [m], > 0; of DXF, JSON, SVG
+    /// Whether that is what the user says; otherwise the unit that the file states goes before it.
+    bool unit_given = true;
     double snap =
         5e-4; ///< gaps and overlaps up to this are closed [m], in [0, 0.1]; of DXF, JSON, SVG
     double width = 0.0;     ///< of a picture [m], > 0; of PNG

@@ -4,6 +4,7 @@
 #include "app/drawing/dxf_groups.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,27 @@ void refuse_other_formats(const DrawingFrame& frame, std::string_view bytes)
     }
 }
 
+/// Those besides kLengthUnits that a DXF may state.
+constexpr std::array<LengthUnit, 10> kRareUnits = {{{"mi", 1609.344, 3},
+                                                    {"km", 1e3, 7},
+                                                    {"microinch", 25.4e-9, 8},
+                                                    {"mil", 25.4e-6, 9},
+                                                    {"yd", 0.9144, 10},
+                                                    {"µm", 1e-6, 13},
+                                                    {"dm", 0.1, 14},
+                                                    {"dam", 10.0, 15},
+                                                    {"hm", 100.0, 16},
+                                                    {"US survey ft", 1200.0 / 3937.0, 21}}};
+
+/// Of the header variable $INSUNITS; without a name or length where the code states none.
+LengthUnit inserted_unit(int code)
+{
+    const auto usual = std::ranges::find(kLengthUnits, code, &LengthUnit::dxf_code);
+    if (usual != kLengthUnits.end()) return *usual;
+    const auto rare = std::ranges::find(kRareUnits, code, &LengthUnit::dxf_code);
+    return rare != kRareUnits.end() ? *rare : LengthUnit{};
+}
+
 /// Reads to the end of the section HEADER.
 void read_header(DxfContent& content, DxfGroups& groups)
 {
@@ -32,11 +54,23 @@ void read_header(DxfContent& content, DxfGroups& groups)
         if (group.code == 0) break;
         if (group.code == 9) wanted = group.value == "$INSUNITS";
         if (group.code != 70 || !wanted) continue;
-        const int code = dxf_integer(content.drawing.frame, group);
-        const auto unit = std::ranges::find(kLengthUnits, code, &LengthUnit::dxf_code);
-        const LengthUnit stated = unit != kLengthUnits.end() ? *unit : LengthUnit{};
-        content.drawing.own_unit = stated.metres;
-        content.drawing.own_unit_name = stated.name;
+        const LengthUnit unit = inserted_unit(dxf_integer(content.drawing.frame, group));
+        state_unit(content.drawing, unit.metres, unit.name);
+    }
+}
+
+/// Reads to the end of the section TABLES, for the layers that are off or frozen.
+void read_tables(DxfContent& content, DxfGroups& groups)
+{
+    DxfGroup head;
+    while (groups.next(head)) {
+        if (head.code != 0) continue;
+        if (head.value == "ENDSEC") return;
+        if (head.value == "LAYER") add_layer(content, read_entity(groups, head));
+        if (head.value == "EOF" || head.value == "SECTION") {
+            groups.step_back();
+            return;
+        }
     }
 }
 
@@ -61,7 +95,9 @@ void read_entities(DxfContent& content, DxfGroups& groups)
 RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double snap)
 {
     refuse_other_formats(frame, bytes);
-    DxfContent content{{frame, {}, {}, {}, 0.0, ""}, snap, {}, 0};
+    DxfContent content;
+    content.drawing.frame = frame;
+    content.snap = snap;
     DxfGroups groups(content.drawing.frame, bytes);
     DxfGroup group;
     bool whole = false, has_entities = false, begins_section = false;
@@ -73,6 +109,7 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
         } else if (group.code == 2 && begins_section) {
             begins_section = false;
             if (group.value == "HEADER") read_header(content, groups);
+            if (group.value == "TABLES") read_tables(content, groups);
             if (group.value == "ENTITIES") {
                 read_entities(content, groups);
                 has_entities = true;
@@ -90,6 +127,7 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
         content.drawing.notes.push_back(
             counted(content.in_paper_space, "entity", "entities") + " of the paper space " +
             (content.in_paper_space == 1 ? "was" : "were") + " ignored.");
+    note_hidden(content.drawing, content.hidden);
     return std::move(content.drawing);
 }
 

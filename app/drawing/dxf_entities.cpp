@@ -168,6 +168,31 @@ void add_straight(DxfContent& content, const DxfEntity& entity)
                                a.layer, entity.line});
 }
 
+/// Names of layers are the same in upper and lower case.
+std::string upper_case(std::string_view name)
+{
+    std::string upper(name);
+    std::ranges::transform(upper, upper.begin(), [](char c) {
+        return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    });
+    return upper;
+}
+
+/// True for an entity that is invisible (group 60), or on a layer that is off or frozen; and for what follows a polyline that
+/// was passed over.
+bool count_hidden(DxfContent& content, const DxfEntity& entity)
+{
+    if (entity.type == "VERTEX" || entity.type == "SEQEND") return true;
+    const DxfGroup *invisible = find_group(entity, 60), *layer = find_group(entity, 8);
+    if (layer && content.hidden_layers.contains(upper_case(layer->value))) {
+        ++content.hidden.on_layers[readable_name(layer->value)];
+        return true;
+    }
+    if (!invisible || dxf_integer(content.drawing.frame, *invisible) != 1) return false;
+    ++content.hidden.alone;
+    return true;
+}
+
 } // namespace
 
 DxfEntity read_entity(DxfGroups& groups, const DxfGroup& head)
@@ -184,6 +209,16 @@ DxfEntity read_entity(DxfGroups& groups, const DxfGroup& head)
     return entity;
 }
 
+void add_layer(DxfContent& content, const DxfEntity& layer)
+{
+    const DrawingFrame& frame = content.drawing.frame;
+    const DxfGroup *name = find_group(layer, 2), *flags = find_group(layer, 70),
+                   *colour = find_group(layer, 62);
+    const bool frozen = flags && (dxf_integer(frame, *flags) & 1) != 0;
+    const bool off = colour && dxf_integer(frame, *colour) < 0;
+    if (name && (frozen || off)) content.hidden_layers.insert(upper_case(name->value));
+}
+
 void add_entity(DxfContent& content, const DxfEntity& entity, DxfGroups& groups)
 {
     const DrawingFrame& frame = content.drawing.frame;
@@ -193,6 +228,7 @@ void add_entity(DxfContent& content, const DxfEntity& entity, DxfGroups& groups)
         ++content.in_paper_space;
         return;
     }
+    if (count_hidden(content, entity)) return;
     const auto refused =
         std::ranges::find_if(kRefused, [&](const Remedy& r) { return r.type == entity.type; });
     if (refused != kRefused.end()) {
@@ -203,8 +239,6 @@ void add_entity(DxfContent& content, const DxfEntity& entity, DxfGroups& groups)
     if (entity.type == "LWPOLYLINE") return add_light_polyline(content, entity);
     if (entity.type == "POLYLINE") return add_heavy_polyline(content, entity, groups);
     if (entity.type == "LINE") return add_straight(content, entity);
-    if (entity.type == "VERTEX" || entity.type == "SEQEND")
-        return; // of a polyline in paper space
     ++content.ignored[readable_name(entity.type.substr(0, 40))];
 }
 

@@ -18,6 +18,9 @@ struct Fitting {
     std::vector<OnSide> on_sides;
     std::size_t joined = 0, straight = 0;
     double farthest = 0.0; ///< that a corner was moved to another [m]
+    double top = 0.0;      ///< the highest level [m]
+    std::size_t levelled = 0;
+    double lifted = 0.0; ///< the farthest that a corner was moved to the floor or the top [m]
 };
 
 [[noreturn]] void refuse_crowd(const OutlineNetwork& network, const TooCrowded& crowd)
@@ -34,9 +37,9 @@ void refuse_repeated(const OutlineNetwork& network, const Ring& ring)
     const auto twice = std::ranges::adjacent_find(sorted);
     if (twice == sorted.end()) return;
     refuse(network.frame, ring.line,
-           "the outline of this block comes within wall.snap (" + millimetres(network.snap) +
-               ") of itself at " + coordinates(network.frame, network.nodes[*twice]) +
-               "; draw it apart, or make wall.snap smaller");
+           "the outline of this block comes within " + snap_text(network) + " of itself at " +
+               coordinates(network.frame, network.nodes[*twice]) + "; draw it apart" +
+               snap_advice(network, ", or make wall.snap smaller"));
 }
 
 /// Each corner once; a block that shrinks to less than a triangle is refused.
@@ -53,8 +56,8 @@ void renumber(OutlineNetwork& network, const std::vector<int>& node)
         if (corners.size() < 3) {
             refuse(network.frame, ring.line,
                    "the block at " + coordinates(network.frame, network.nodes[old]) +
-                       " has no area, or is smaller than wall.snap (" +
-                       millimetres(network.snap) + "); delete it");
+                       " has no area, or is smaller than " + snap_text(network) +
+                       "; delete it");
         }
         ring.corners = std::move(corners);
         refuse_repeated(network, ring);
@@ -80,10 +83,10 @@ void join_corners(OutlineNetwork& network, Fitting& fitting)
     const Welded welded = weld(points, network.snap);
     if (welded.farthest > 2.0 * network.snap) {
         refuse(network.frame, 0,
-               "corners follow each other at less than wall.snap (" +
-                   millimetres(network.snap) + ") near " +
-                   coordinates(network.frame, points[welded.farthest_point]) +
-                   "; make wall.snap smaller, or the drawing coarser");
+               "corners follow each other at less than " + snap_text(network) + " near " +
+                   coordinates(network.frame, points[welded.farthest_point]) + "; " +
+                   snap_advice(network, "make wall.snap smaller, or ") +
+                   "make the drawing coarser");
     }
     fitting.joined += welded.moved;
     fitting.farthest = std::max(fitting.farthest, welded.farthest);
@@ -123,16 +126,42 @@ void refuse_thin(const OutlineNetwork& network)
         if (!thin) continue;
         refuse(network.frame, ring.line,
                "the block from " + coordinates(network.frame, a) + " to " +
-                   coordinates(network.frame, b) +
-                   " has no area, or is thinner than wall.snap (" + millimetres(network.snap) +
-                   "); delete it");
+                   coordinates(network.frame, b) + " has no area, or is thinner than " +
+                   snap_text(network) + "; delete it");
     }
 }
 
-void put_on_floor(OutlineNetwork& network)
+/// The last of the sorted heights that one of the first's level has: they follow each other within snap.
+double end_of_level(const std::vector<double>& heights, double snap)
 {
-    for (dem::Point& p : network.nodes)
-        if (p.z <= network.snap) p.z = 0.0;
+    double end = heights.front();
+    for (const double z : heights) {
+        const double step = std::abs(z - end), all = std::abs(z - heights.front());
+        if (step > snap || all > 2.0 * snap) break;
+        end = z;
+    }
+    return end;
+}
+
+/// The floor and the top may scatter from block to block.
+void put_on_floor_and_top(OutlineNetwork& network, Fitting& fitting)
+{
+    const std::vector<int> used = used_nodes(network);
+    std::vector<double> heights;
+    for (const int n : used) heights.push_back(network.nodes[n].z);
+    std::ranges::sort(heights);
+    const double low = end_of_level(heights, network.snap);
+    std::ranges::reverse(heights);
+    const double high = end_of_level(heights, network.snap);
+    fitting.top = heights.front();
+    for (const int n : used) {
+        double& z = network.nodes[n].z;
+        const double level = z <= low ? 0.0 : z >= high ? fitting.top : z;
+        const double moved = std::abs(level - z);
+        if (moved > kLeastSnap) ++fitting.levelled;
+        fitting.lifted = std::max(fitting.lifted, moved);
+        z = level;
+    }
 }
 
 bool put_on_sides(OutlineNetwork& network, Fitting& fitting)
@@ -179,8 +208,9 @@ void straighten_sides(OutlineNetwork& network, const Fitting& fitting)
                              p = network.nodes[o.n];
             double share = 0.0;
             if (distance_to_segment(p, a, b, share) <= kLeastSnap) continue;
+            const bool level = p.z == 0.0 || p.z == fitting.top;
             const dem::Point on{a.x + share * (b.x - a.x),
-                                p.z == 0.0 ? 0.0 : a.z + share * (b.z - a.z)};
+                                level ? p.z : a.z + share * (b.z - a.z)};
             const dem::Point was = fitting.drawn[o.n];
             if (std::hypot(on.x - was.x, on.z - was.z) > 2.0 * network.snap) continue;
             moved |= std::hypot(on.x - p.x, on.z - p.z) > 0.1 * kLeastSnap;
@@ -202,6 +232,11 @@ void note_fitting(OutlineNetwork& network, const Fitting& fitting)
         network.notes.push_back(counted(fitting.joined, "corner was", "corners were") +
                                 " joined to others, at most " + millimetres(fitting.farthest) +
                                 " away.");
+    }
+    if (fitting.levelled > 0) {
+        network.notes.push_back(counted(fitting.levelled, "corner was", "corners were") +
+                                " put on the level of the lowest or the highest one, at most " +
+                                millimetres(fitting.lifted) + " away.");
     }
     if (farthest > kLeastSnap) {
         network.notes.push_back(
@@ -225,7 +260,8 @@ void fit_corners(OutlineNetwork& network)
     try {
         Fitting fitting;
         join_corners(network, fitting);
-        put_on_floor(network);
+        put_on_floor_and_top(network, fitting);
+        join_corners(network, fitting); // corners above each other are one there
         refuse_thin(network);
         fitting.straight = straighten(network);
         fitting.drawn = network.nodes;

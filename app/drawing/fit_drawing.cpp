@@ -46,17 +46,27 @@ void check_size(const RawDrawing& raw, const dem::Region& e)
                " m, from " + raw_coordinates(raw.frame, {e.x0, e.z0}) + " to " +
                raw_coordinates(raw.frame, {e.x1, e.z1}) + "; walls have 0.05 to 100 m: " +
                (fits.empty() ? "draw it in its true size"
-                             : "wall.length_unit = " + fits + " would fit"));
+                             : "wall.length_unit = " + fits + " would fit") +
+               (raw.own_unit_name.empty()
+                    ? ""
+                    : "; the file says that its unit is " + raw.own_unit_name));
 }
 
-void note_unit(RawDrawing& raw)
+void note_unit(RawDrawing& raw, const dem::Region& e)
 {
-    if (raw.own_unit <= 0.0 || std::abs(raw.own_unit / raw.frame.unit - 1.0) < 1e-3) return;
-    raw.notes.push_back("The file says that its unit is " +
-                        (raw.own_unit_name.empty() ? number(raw.own_unit * 1e3, 6) + " mm"
-                                                   : raw.own_unit_name) +
-                        "; it was read with a unit of " + number(raw.frame.unit * 1e3, 6) +
-                        " mm (wall.length_unit).");
+    if (raw.own_unit <= 0.0) return;
+    const double unit = raw.frame.unit;
+    const std::string says =
+        "The file says that its unit is " +
+        (raw.own_unit_name.empty() ? number(raw.own_unit * 1e3, 6) + " mm" : raw.own_unit_name);
+    if (!raw.frame.unit_given) {
+        raw.notes.push_back(
+            says + ", and was read so: it is " + number((e.x1 - e.x0) * unit, 4) + " x " +
+            number((e.z1 - e.z0) * unit, 4) + " m. wall.length_unit would read it otherwise.");
+    } else if (std::abs(raw.own_unit / unit - 1.0) >= 1e-3) {
+        raw.notes.push_back(says + "; it was read with a unit of " + number(unit * 1e3, 6) +
+                            " mm (wall.length_unit).");
+    }
 }
 
 OutlineNetwork network_of(RawDrawing raw, double snap)
@@ -104,7 +114,7 @@ Drawing fit_drawing(RawDrawing raw, double snap)
     }
     const dem::Region extent = extent_of(raw);
     check_size(raw, extent);
-    note_unit(raw);
+    note_unit(raw, extent);
     raw.frame.origin = {extent.x0, extent.z0};
     OutlineNetwork network = network_of(std::move(raw), snap);
     fit_corners(network);

@@ -1,6 +1,7 @@
 #include "app/drawing/picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -119,6 +120,43 @@ std::vector<std::size_t> connected(const Labels& labels, const std::vector<int>&
             piece.push_back(p);
         });
     return piece;
+}
+
+Painted painted_stones(const Labels& labels)
+{
+    Painted painted{labels.columns, labels.rows, std::vector<char>(labels.label.size())};
+    for (std::size_t p = 0; p < labels.label.size(); ++p)
+        painted.stone[p] = labels.label[p] != kMortar ? 1 : 0;
+    return painted;
+}
+
+double distance_to_stone(const Painted& painted, PixelSize pixel, dem::Point at)
+{
+    const double column = at.x / pixel.width, row = painted.rows - at.z / pixel.height;
+    const int x = static_cast<int>(std::lround(column)), y = static_cast<int>(std::lround(row));
+    const int most = std::max(painted.columns, painted.rows);
+    const double side = std::min(pixel.width, pixel.height);
+    double least = std::numeric_limits<double>::infinity();
+    const auto look = [&](int c, int r) {
+        if (c < 0 || r < 0 || c >= painted.columns || r >= painted.rows) return;
+        const std::size_t p = static_cast<std::size_t>(r) * painted.columns + c;
+        if (!painted.stone[p]) return;
+        const double dx = std::max({c - column, column - c - 1.0, 0.0}) * pixel.width,
+                     dz = std::max({r - row, row - r - 1.0, 0.0}) * pixel.height;
+        least = std::min(least, std::hypot(dx, dz));
+    };
+    // squares around the corner of the pixels, each larger by a pixel
+    for (int k = 1; k <= most && (k - 2) * side < least; ++k) {
+        for (int c = x - k; c < x + k; ++c) {
+            look(c, y - k);
+            look(c, y + k - 1);
+        }
+        for (int r = y - k + 1; r < y + k - 1; ++r) {
+            look(x - k, r);
+            look(x + k - 1, r);
+        }
+    }
+    return least;
 }
 
 Labels grow_stones(Labels labels, PixelSize size)

@@ -1,6 +1,7 @@
 #include "app/drawing/drawing_formats.hpp"
 
 #include "app/drawing/drawing_file.hpp"
+#include "app/drawing/json_keys.hpp"
 #include "app/drawing/space_mesh.hpp"
 
 #include <nlohmann/json.hpp>
@@ -42,13 +43,24 @@ struct CountingIterator {
     bool operator!=(const CountingIterator& other) const { return at != other.at; }
 };
 
+/// An array or object that is being read.
+struct Begun {
+    int line = 0;
+    std::size_t taken = 0; ///< outlines and meshes before it
+    bool list = false;     ///< an array
+};
+
 struct JsonContent {
     RawDrawing drawing;
     double snap = 0.0;
-    int line = 1;           ///< being read
-    std::vector<int> begun; ///< line at which the array or object of each level began
-    std::string key;        ///< the last of the outermost object
+    int line = 1;             ///< being read
+    std::vector<Begun> begun; ///< the array or object of each level
+    std::string key;          ///< the last of the outermost object
     std::vector<SpaceMesh> meshes;
+    bool has_blocks = false; ///< the outermost object lists "blocks"
+    UnknownKeys unknown_keys;
+
+    [[nodiscard]] std::size_t taken() const { return drawing.outlines.size() + meshes.size(); }
 };
 
 /// The outline [[x, y], ...] as JSON.
@@ -56,10 +68,11 @@ RawOutline outline_of(const DrawingFrame& frame, const json& corners, int line)
 {
     RawOutline outline{{}, "", line};
     for (const json& corner : corners) {
-        if (!corner.is_array() || corner.size() < 2 || !corner[0].is_number() ||
+        if (!corner.is_array() || corner.size() != 2 || !corner[0].is_number() ||
             !corner[1].is_number()) {
             refuse(frame, line,
-                   "a corner is not [x, y]; write the outline as [[x, y], [x, y], ...]");
+                   "a corner is not [x, y], two numbers; write the outline as [[x, y], [x, y], "
+                   "...], y upwards");
         }
         outline.corners.push_back(
             checked_point(frame, line, corner[0].get<double>(), corner[1].get<double>()));
@@ -162,6 +175,9 @@ bool add_object(JsonContent& content, const json& object, int line)
         }
         RawOutline outline = outline_of(drawing.frame, object["outline"], line);
         outline.layer = layer_of(object);
+        if (object.contains("layer") && !object["layer"].is_string())
+            refuse(drawing.frame, line, "\"layer\" is not text; write its name in quotes");
+        content.unknown_keys.count(object, {"outline", "layer"});
         add_outline(drawing, std::move(outline), true, content.snap);
     } else if (is_mesh(object)) {
         content.meshes.push_back(mesh_of(drawing.frame, object, line));
@@ -183,6 +199,15 @@ bool add_object(JsonContent& content, const json& object, int line)
     return true;
 }
 
+/// What a list of blocks holds must be a block, or have one within.
+void refuse_no_block(const JsonContent& content, const json& object, Begun begun)
+{
+    if (content.taken() > begun.taken) return;
+    refuse(content.drawing.frame, begun.line,
+           "an object of \"blocks\" has no \"outline\" (it has: " + keys_of(object) +
+               "); write {\"outline\": [[x, y], [x, y], ...], \"layer\": \"name\"}");
+}
+
 /// Called by the parser whenever something begins or ends. Objects are taken when they end, and then forgotten.
 bool take(JsonContent& content, int depth, json::parse_event_t event, json& parsed)
 {
@@ -198,16 +223,28 @@ bool take(JsonContent& content, int depth, json::parse_event_t event, json& pars
                    "lists are nested more than 64 deep; no drawing needs that");
         }
         content.begun.resize(level);
-        content.begun.push_back(content.line);
+        content.begun.push_back(
+            {content.line, content.taken(), event == json::parse_event_t::array_start});
         break;
     case json::parse_event_t::object_end:
-        return !add_object(content, parsed, content.begun[level]);
+        if (add_object(content, parsed, content.begun[level].line)) return false;
+        if (depth == 2 && content.key == "blocks" && content.begun[1].list)
+            refuse_no_block(content, parsed, content.begun[level]);
+        if (depth == 0 && content.has_blocks) content.unknown_keys.count(parsed, {"blocks"});
+        break;
     case json::parse_event_t::array_end:
+        content.has_blocks |= depth == 1 && content.key == "blocks";
         if (depth == 2 && content.key == "blocks") {
             add_outline(content.drawing,
-                        outline_of(content.drawing.frame, parsed, content.begun[level]), true,
-                        content.snap);
+                        outline_of(content.drawing.frame, parsed, content.begun[level].line),
+                        true, content.snap);
         }
+        break;
+    case json::parse_event_t::value:
+        if (depth == 2 && content.key == "blocks" && content.begun[1].list)
+            refuse(content.drawing.frame, content.line,
+                   "\"blocks\" has something that is neither a list of corners nor an object; "
+                   "delete it");
         break;
     default:
         break;
@@ -241,6 +278,7 @@ RawDrawing read_json_drawing(const DrawingFrame& frame, std::string_view bytes, 
                "is not JSON (" + readable_name(why.substr(0, 200)) +
                    "); export the drawing again");
     }
+    content.unknown_keys.note(content.drawing);
     add_meshes(content.drawing, content.meshes, snap);
     if (content.drawing.outlines.empty()) {
         refuse(frame, 0,

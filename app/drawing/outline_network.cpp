@@ -41,9 +41,22 @@ std::vector<dem::Point> outline_of(const OutlineNetwork& network, const Ring& ri
     return outline;
 }
 
+std::string snap_text(const OutlineNetwork& network)
+{
+    const std::string length = millimetres(network.snap);
+    return network.frame.snap_given ? "wall.snap (" + length + ")" : length;
+}
+
+std::string snap_advice(const OutlineNetwork& network, std::string_view advice)
+{
+    return network.frame.snap_given ? std::string(advice) : "";
+}
+
 std::string block_name(const OutlineNetwork& network, const Ring& ring)
 {
-    if (ring.line > 0) return "the block of line " + std::to_string(ring.line);
+    // of a study all blocks stand on one line
+    if (ring.line > 0 && network.frame.snap_given)
+        return "the block of line " + std::to_string(ring.line);
     return "the block at " + coordinates(network.frame, network.nodes[ring.corners.front()]);
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -42,12 +43,18 @@ struct NetworkSides {
 [[nodiscard]] std::vector<dem::Point> outline_of(const OutlineNetwork& network,
                                                  const Ring& ring);
 
+/// "wall.snap (0.5 mm)"; where the user has no such key "0.002 mm".
+[[nodiscard]] std::string snap_text(const OutlineNetwork& network);
+
+/// The advice, which is about wall.snap, if the user has that key.
+[[nodiscard]] std::string snap_advice(const OutlineNetwork& network, std::string_view advice);
+
 /// "the block of line 12", or of its first corner where the file has no lines.
 [[nodiscard]] std::string block_name(const OutlineNetwork& network, const Ring& ring);
 
 /// Joins corners that coincide within snap, puts corners within snap of another block's side onto it (the side gets that
-/// corner too), and those within snap of the floor onto the floor; leaves out corners on straight lines that no other
-/// block has.
+/// corner too), and those that follow the lowest or the highest corner within snap onto its level; leaves out corners on
+/// straight lines that no other block has.
 /// @throws ConfigError where an outline is smaller than snap, or comes within snap of itself
 void fit_corners(OutlineNetwork& network);
 

@@ -70,6 +70,17 @@ struct PixelSize {
 [[nodiscard]] Labels find_stones(const DrawingFrame& frame, const Picture& picture,
                                  PixelSize pixel, double dirt, std::vector<std::string>& notes);
 
+/// Where stones are painted.
+struct Painted {
+    int columns = 0, rows = 0;
+    std::vector<char> stone; ///< of each pixel, row by row
+};
+[[nodiscard]] Painted painted_stones(const Labels& labels);
+
+/// The distance of a point from the nearest pixel of a stone [m].
+/// @param at from the lower left corner of the picture [m]
+[[nodiscard]] double distance_to_stone(const Painted& painted, PixelSize pixel, dem::Point at);
+
 /// Stones grow over the mortar: each pixel goes to the stone nearest to its centre. Each stone is one piece afterwards, its
 /// pixels connected through their sides.
 /// @param labels with one stone at least

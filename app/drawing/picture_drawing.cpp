@@ -53,18 +53,36 @@ struct Borders {
     ChainNetwork network;
     SimplifiedChains simplified;
     std::size_t closed = 0;
+    std::size_t straightened = 0;
 };
 
-Borders borders_of(const DrawingFrame& frame, const Labels& labels,
-                   const DrawingOptions& options)
+/// How far from each junction the middle of the mortar may bend because the mortar branches.
+std::vector<double> zones_of(const ChainNetwork& network, const Painted& painted,
+                             PixelSize pixel)
+{
+    std::vector<double> zones;
+    for (const Junction& junction : network.junctions)
+        zones.push_back(distance_to_stone(painted, pixel, junction.at) +
+                        std::max(pixel.width, pixel.height));
+    return zones;
+}
+
+Borders borders_of(const DrawingFrame& frame, const Labels& labels, const Painted& painted,
+                   PixelSize pixel, const DrawingOptions& options)
 {
     Borders borders;
     const ChainNetwork traced = trace_borders(frame, labels, options.width, options.height);
-    for (const double shortest :
-         {kShortest, 0.0}) { // without closing, and with a tolerance of 0, nothing can cross
+    // where nothing is closed or moved, and with a tolerance of 0, nothing can cross
+    for (const auto& [shortest, straight] :
+         {std::pair{kShortest, true}, {kShortest, false}, {0.0, false}}) {
         borders.network = traced;
         borders.closed =
             close_short_chains(borders.network, labels.stones, shortest * options.simplify);
+        borders.straightened =
+            straight ? straighten_junctions(borders.network,
+                                            zones_of(borders.network, painted, pixel),
+                                            options.simplify)
+                     : 0;
         borders.simplified = simplify_chains(borders.network, options.simplify);
         if (!borders.simplified.crossing) return borders;
     }
@@ -87,6 +105,12 @@ void note_borders(Drawing& drawing, const Borders& borders, double simplify)
             counted(borders.closed, "border", "borders") + " shorter than " +
             millimetres(kShortest * simplify) +
             (borders.closed == 1 ? " was closed to a point." : " were closed to points."));
+    }
+    if (borders.straightened > 0) {
+        drawing.notes.push_back(
+            counted(borders.straightened, "corner", "corners") +
+            " of three stones or more were put onto the straight line of two "
+            "borders.");
     }
     if (borders.simplified.finer > 0) {
         drawing.notes.push_back(
@@ -125,10 +149,11 @@ Drawing read_picture(const DrawingFrame& frame, std::string_view bytes,
         labels = find_stones(frame, picture, pixel, dirt * dirt, drawing.notes);
     }
     const std::vector<std::string> places = places_of(labels);
+    const Painted painted = painted_stones(labels);
     labels = grow_stones(std::move(labels), pixel);
     note_pixels(drawing, pixel, options.simplify);
     try {
-        const Borders borders = borders_of(frame, labels, options);
+        const Borders borders = borders_of(frame, labels, painted, pixel, options);
         note_borders(drawing, borders, options.simplify);
         std::vector<std::vector<dem::Point>> outlines =
             outlines_of(frame, borders.network, borders.simplified, labels.stones);

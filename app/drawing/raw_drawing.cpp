@@ -8,6 +8,13 @@
 
 namespace app {
 
+void state_unit(RawDrawing& drawing, double unit, std::string_view name)
+{
+    drawing.own_unit = unit;
+    drawing.own_unit_name = name;
+    if (!drawing.frame.unit_given && unit > 0.0) drawing.frame.unit = unit;
+}
+
 void refuse(const DrawingFrame& frame, int line, std::string_view why)
 {
     throw ConfigError(frame.file, line, "", why);

@@ -43,9 +43,11 @@ struct RawLine {
 /// Names the file and writes its coordinates.
 struct DrawingFrame {
     std::string file;
-    double unit = 1.0;   ///< length of one unit of the drawing [m]
-    bool z_down = false; ///< the second coordinate of the file points downwards
-    dem::Point origin;   ///< what became (0, 0), in the drawing's unit, z upwards
+    double unit = 1.0;      ///< length of one unit of the drawing [m]
+    bool z_down = false;    ///< the second coordinate of the file points downwards
+    dem::Point origin;      ///< what became (0, 0), in the drawing's unit, z upwards
+    bool unit_given = true; ///< the user gives the unit, whatever the file states
+    bool snap_given = true; ///< there is a wall.snap that the user can change
 };
 
 struct RawDrawing {
@@ -57,6 +59,11 @@ struct RawDrawing {
         0.0; ///< length of one unit [m] that the file itself states; 0 if it states none
     std::string own_unit_name; ///< such as "mm"; empty if the file states none
 };
+
+/// Keeps the unit that the file states, and takes it where the user gives none.
+/// @param unit [m]
+/// @param name such as "mm"; may be empty
+void state_unit(RawDrawing& drawing, double unit, std::string_view name);
 
 /// @throws ConfigError always: "file:line: why"
 [[noreturn]] void refuse(const DrawingFrame& frame, int line, std::string_view why);

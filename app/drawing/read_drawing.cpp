@@ -37,6 +37,7 @@ void check_blocks(const std::string& file, int line, std::span<const DrawnBlock>
 {
     RawDrawing raw;
     raw.frame.file = file;
+    raw.frame.snap_given = false;
     for (const DrawnBlock& b : blocks) raw.outlines.push_back({b.outline, b.layer, line});
     static_cast<void>(fit_drawing(std::move(raw), 2.0 * dem::kTouching));
 }
@@ -44,7 +45,8 @@ void check_blocks(const std::string& file, int line, std::span<const DrawnBlock>
 Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& options)
 {
     const std::string extension = extension_of(path);
-    const DrawingFrame frame{path.string(), options.unit, extension == ".svg", {}};
+    const DrawingFrame frame{
+        path.string(), options.unit, extension == ".svg", {}, options.unit_given};
     check_options(frame.file, options);
     const double snap = options.snap;
     if (extension == ".dxf")

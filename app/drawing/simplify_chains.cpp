@@ -6,17 +6,15 @@
 #include <utility>
 
 namespace app {
-namespace {
 
-/// The points of a chain that are kept, by a stack of intervals instead of recursion.
-/// @param work distances computed so far, of all chains
 std::vector<dem::Point> simplified(const std::vector<dem::Point>& points, double tolerance,
                                    std::size_t& work)
 {
     constexpr std::size_t kMostWork = 300'000'000; // a few seconds
     std::vector<char> keep(points.size());
     keep.front() = keep.back() = 1;
-    std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+    std::vector<std::pair<std::size_t, std::size_t>> open{
+        {0, points.size() - 1}}; // in place of recursion
     while (!open.empty()) {
         const auto [first, last] = open.back();
         open.pop_back();
@@ -41,6 +39,8 @@ std::vector<dem::Point> simplified(const std::vector<dem::Point>& points, double
         if (keep[i]) kept.push_back(points[i]);
     return kept;
 }
+
+namespace {
 
 /// All chains as sides between nodes; junctions are the first nodes.
 struct ChainSides {

@@ -1,7 +1,10 @@
 #include "app/drawing/drawing_formats.hpp"
 
 #include "app/drawing/drawing_file.hpp"
+#include "app/drawing/hidden_layers.hpp"
+#include "app/drawing/svg_element.hpp"
 #include "app/drawing/svg_geometry.hpp"
+#include "app/drawing/svg_style.hpp"
 #include "app/text/number_text.hpp"
 
 #include <expat.h>
@@ -22,12 +25,6 @@ namespace {
 
 constexpr std::size_t kDeepestGroup = 256; // groups within groups
 
-/// What an element hands down to those within it.
-struct SvgGroup {
-    SvgTransform transform;
-    std::string label, id; ///< of the innermost group that has one
-};
-
 struct SvgContent {
     RawDrawing drawing;
     double snap = 0.0;
@@ -35,26 +32,11 @@ struct SvgContent {
     std::vector<SvgGroup> groups;
     std::size_t skipped = 0; ///< depth within an element that is passed over
     std::map<std::string, std::size_t> ignored;
+    HiddenShapes hidden;
+    SvgStyleSheet sheet;
+    std::string sheet_text;
+    bool in_sheet = false;
     std::exception_ptr error; ///< kept while the parser, which is C, returns
-};
-
-struct SvgElement {
-    std::string_view name;
-    const XML_Char** attributes = nullptr;
-    SvgPlace place;
-
-    /// A null pointer if it has no such attribute.
-    [[nodiscard]] const char* find(std::string_view wanted) const
-    {
-        for (const XML_Char** a = attributes; *a != nullptr; a += 2)
-            if (wanted == *a) return a[1];
-        return nullptr;
-    }
-    [[nodiscard]] double length(std::string_view wanted) const
-    {
-        const char* text = find(wanted);
-        return text ? svg_length(place, wanted, text) : 0.0;
-    }
 };
 
 dem::Point placed(const SvgContent& content, const SvgElement& element,
@@ -67,7 +49,7 @@ dem::Point placed(const SvgContent& content, const SvgElement& element,
 void add_polygon(SvgContent& content, const SvgElement& element, const SvgGroup& group,
                  const std::vector<SvgPoint>& points, bool closed)
 {
-    RawOutline outline{{}, group.label.empty() ? group.id : group.label, element.place.line};
+    RawOutline outline{{}, group.layer(), element.place.line};
     for (const SvgPoint& p : points)
         outline.corners.push_back(placed(content, element, group.transform, p));
     add_outline(content.drawing, std::move(outline), closed, content.snap);
@@ -93,8 +75,7 @@ void add_svg_line(SvgContent& content, const SvgElement& element, const SvgGroup
                       {element.length(x), element.length(y)});
     };
     add_line(content.drawing,
-             {end("x1", "y1"), end("x2", "y2"), group.label.empty() ? group.id : group.label,
-              element.place.line});
+             {end("x1", "y1"), end("x2", "y2"), group.layer(), element.place.line});
 }
 
 /// True if the element draws; what lies within it is then passed over.
@@ -146,7 +127,7 @@ void refuse_shape(const SvgContent& content, const SvgElement& element, const Sv
     }
 }
 
-/// Unit of the drawing from width="1000mm" and viewBox="0 0 1000 800".
+/// Unit of the drawing from width="1000mm" and viewBox="0 0 1000 800". px are units of the drawing, not lengths.
 void read_root(SvgContent& content, const SvgElement& element)
 {
     const char *width = element.find("width"), *box = element.find("viewBox");
@@ -156,8 +137,17 @@ void read_root(SvgContent& content, const SvgElement& element)
     std::size_t end = digits; // "1em" is not 1e
     while (end > 0 && (text[end - 1] == 'e' || text[end - 1] == 'E')) --end;
     const std::string_view unit = text.substr(end);
-    constexpr std::array<std::pair<std::string_view, double>, 3> kLengths = {
-        {{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}}};
+    constexpr std::array<std::pair<std::string_view, double>, 7> kLengths = {
+        {{"mm", 1e-3},
+         {"cm", 1e-2},
+         {"m", 1.0},
+         {"in", 0.0254},
+         {"pt", 0.0254 / 72.0},
+         {"pc", 0.0254 / 6.0},
+         {"Q", 0.25e-3}}};
+    if (unit == "px")
+        content.drawing.notes.emplace_back(
+            "The file gives its width in px, which are not lengths.");
     double length = 0.0;
     const auto known =
         std::ranges::find_if(kLengths, [&](const auto& u) { return u.first == unit; });
@@ -166,16 +156,22 @@ void read_root(SvgContent& content, const SvgElement& element)
         corners.size() != 2)
         return;
     if (corners[1].x > 0.0 && length > 0.0)
-        content.drawing.own_unit = length * known->second / corners[1].x;
+        state_unit(content.drawing, length * known->second / corners[1].x, "");
 }
 
-SvgGroup group_of(const SvgContent& content, const SvgElement& element)
+/// True for a shape that is not shown, or whose group is not.
+bool count_hidden(SvgContent& content, const SvgElement& element, const SvgGroup& group)
 {
-    SvgGroup group = content.groups.empty() ? SvgGroup{} : content.groups.back();
-    if (const char* transform = element.find("transform")) {
-        group.transform = group.transform * svg_transform(element.place, transform);
-    }
-    return group;
+    constexpr std::array<std::string_view, 8> kShapes = {"path", "polygon", "polyline", "rect",
+                                                         "line", "circle",  "ellipse",  "use"};
+    if (group.shown()) return false;
+    if (std::ranges::find(kShapes, element.name) == kShapes.end()) return true;
+    const SvgGroup& around = content.groups.back();
+    if (around.shown())
+        ++content.hidden.alone;
+    else
+        ++content.hidden.on_layers[around.layer()];
+    return true;
 }
 
 void begin_group(SvgContent& content, const SvgElement& element, SvgGroup group)
@@ -197,11 +193,12 @@ void begin_element(SvgContent& content, std::string_view name, const XML_Char** 
     constexpr std::array<std::string_view, 14> kSilent = {
         "defs",   "title",  "desc", "metadata", "style",  "script",         "clipPath",
         "marker", "symbol", "mask", "pattern",  "filter", "linearGradient", "radialGradient"};
+    if (name.starts_with("svg:")) name.remove_prefix(4);
+    content.in_sheet = name == "style";
     if (content.skipped > 0) {
         ++content.skipped;
         return;
     }
-    if (name.starts_with("svg:")) name.remove_prefix(4);
     const SvgElement element{
         name,
         attributes,
@@ -214,12 +211,14 @@ void begin_element(SvgContent& content, std::string_view name, const XML_Char** 
         return begin_group(content, element, {});
     }
     if (name == "g" || name == "a" || name == "switch")
-        return begin_group(content, element, group_of(content, element));
+        return begin_group(content, element,
+                           group_within(content.groups.back(), content.sheet, element));
     content.skipped = 1;
     if (name.find(':') != std::string_view::npos)
         return; // of the drawing program, such as sodipodi:namedview
     if (std::ranges::find(kSilent, name) != kSilent.end()) return;
-    const SvgGroup group = group_of(content, element);
+    const SvgGroup group = group_within(content.groups.back(), content.sheet, element);
+    if (count_hidden(content, element, group)) return;
     if (add_shape(content, element, group)) return;
     refuse_shape(content, element, group);
     ++content.ignored[readable_name(name.substr(0, 40))];
@@ -240,10 +239,20 @@ void XMLCALL on_begin(void* data, const XML_Char* name, const XML_Char** attribu
 void XMLCALL on_end(void* data, const XML_Char*)
 {
     SvgContent& content = *static_cast<SvgContent*>(data);
+    if (content.in_sheet) {
+        content.in_sheet = false;
+        content.sheet.add(std::exchange(content.sheet_text, {}));
+    }
     if (content.skipped > 0)
         --content.skipped;
     else if (!content.groups.empty())
         content.groups.pop_back();
+}
+
+void XMLCALL on_text(void* data, const XML_Char* text, int length)
+{
+    SvgContent& content = *static_cast<SvgContent*>(data);
+    if (content.in_sheet) content.sheet_text.append(text, static_cast<std::size_t>(length));
 }
 
 } // namespace
@@ -259,6 +268,7 @@ RawDrawing read_svg(const DrawingFrame& frame, std::string_view bytes, double sn
     content.parser = parser.get();
     XML_SetUserData(parser.get(), &content);
     XML_SetElementHandler(parser.get(), on_begin, on_end);
+    XML_SetCharacterDataHandler(parser.get(), on_text);
     const XML_Status status =
         XML_Parse(parser.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE);
     if (content.error) std::rethrow_exception(content.error);
@@ -268,6 +278,7 @@ RawDrawing read_svg(const DrawingFrame& frame, std::string_view bytes, double sn
                    "); export the drawing again");
     }
     note_ignored(content.drawing, content.ignored);
+    note_hidden(content.drawing, content.hidden);
     return std::move(content.drawing);
 }
 

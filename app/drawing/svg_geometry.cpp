@@ -162,6 +162,8 @@ SvgTransform svg_transform(const SvgPlace& place, std::string_view text)
         std::vector<double> numbers;
         SvgReader inner{place, reader.rest.substr(open + 1, close - open - 1)};
         while (numbers.size() < 7 && inner.at_number()) numbers.push_back(inner.number());
+        inner.skip_separator();
+        if (!inner.rest.empty()) inner.number(); // refuses what is none
         whole = whole * transform_of(place, name, numbers);
         reader.rest.remove_prefix(close + 1);
     }

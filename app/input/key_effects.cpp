@@ -75,8 +75,9 @@ void say_effects(const Study& study, const Command& command)
                   << " mm; ultimate displacement of the mean wall pushed one way: "
                   << study.load.scaled << '\n';
     std::cerr << cost_note(study);
+    const char* key = study.geometry.file.empty() ? "wall.outlines" : "wall.geometry";
     for (const std::string& note : study.geometry.notes)
-        std::cerr << "note: wall.geometry: " << note << '\n';
+        std::cerr << "note: " << key << ": " << note << '\n';
 }
 
 } // namespace app

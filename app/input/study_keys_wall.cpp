@@ -124,7 +124,7 @@ constexpr std::array kWallKeys = {
         .field = kAt<&Study::geometry, &GeometryInput::outlines>},
     Key{.name = "wall.length_unit", .kind = Kind::word, .names = kUnitNames, .used = kOfFile,
         .effect = kOfDrawing,
-        .meaning = "length of one unit of the drawing",
+        .meaning = "length of one unit of the drawing; not written: what the drawing itself states, or else mm",
         .field = kAt<&Study::geometry, &GeometryInput::length_unit>},
     Key{.name = "wall.snap", .unit = "mm", .range = {'[', 0, 100, ']'}, .used = kOfFile,
         .effect = kOfDrawing,

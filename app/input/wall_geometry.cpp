@@ -2,6 +2,8 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/input/built_wall.hpp"
+#include "app/input/drawn_ends.hpp"
+#include "app/input/layer_stones.hpp"
 #include "app/input/unit_cracks.hpp"
 #include "app/input/units.hpp"
 #include "app/text/check_sum.hpp"
@@ -15,6 +17,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 namespace app {
 namespace {
@@ -35,14 +38,6 @@ dem::Point parse_corner(std::string_view text)
         throw BadValue(in_quotes(text) + " is not a corner; write x and z in metres: 0.2 0.1");
     return {parse_coordinate(text.substr(0, blank)),
             parse_coordinate(trimmed(text.substr(blank)))};
-}
-
-/// "NAME: rest", or the whole text where there is no name.
-std::pair<std::string, std::string_view> named_part(std::string_view text)
-{
-    const std::size_t colon = text.find(':');
-    if (colon == std::string_view::npos) return {"", text};
-    return {std::string(trimmed(text.substr(0, colon))), trimmed(text.substr(colon + 1))};
 }
 
 /// Lintels, which never crack, in drawings and where `scene` exports a wall in courses.
@@ -82,32 +77,6 @@ std::vector<dem::DrawnUnit> parse_outlines(GeometryInput& g)
     return units;
 }
 
-/// "NAME: E, Poisson's ratio, density; ..."
-void parse_layer_stones(Study& study)
-{
-    GeometryInput& g = study.geometry;
-    if (g.layer_stones.empty()) return;
-    for (const std::string_view part : split(g.layer_stones, ";")) {
-        const auto [name, values] = named_part(part);
-        const std::vector<std::string_view> v = split(values, ",");
-        if (name.empty() || v.size() != 3)
-            throw BadValue(
-                in_quotes(part) +
-                " is not a stone of a layer; write for example \"lintel: 30 GPa, 0.2, "
-                "2500 kg/m3\"");
-        const dem::Elastic stone{parse_quantity(v[0], "GPa"), parse_quantity(v[1], ""),
-                                 parse_quantity(v[2], "kg/m3")};
-        if (!(stone.young_modulus > 0.0 && stone.poisson_ratio >= 0.0 &&
-              stone.poisson_ratio < 0.5 && stone.density >= 0.0))
-            throw BadValue(
-                in_quotes(part) +
-                ": Young's modulus must be positive, Poisson's ratio in [0, 0.5), the "
-                "density not negative");
-        g.layers.push_back(name);
-        g.stones.push_back(stone);
-    }
-}
-
 std::filesystem::path path_of(const Study& study)
 {
     const std::filesystem::path path = study.geometry.file;
@@ -127,8 +96,9 @@ void read_file(Study& study)
                 throw error_at(
                     study.source, key,
                     "missing; a picture does not say its size: write for example 1.20 m");
-    const Drawing drawing = read_drawing(
-        path, {g.length_unit, g.snap, g.picture_width, g.picture_height, g.simplify});
+    const bool unit_given = find_entry(study.source, "wall.length_unit") != nullptr;
+    const Drawing drawing = read_drawing(path, {g.length_unit, unit_given, g.snap,
+                                                g.picture_width, g.picture_height, g.simplify});
     g.notes = drawing.notes;
     for (const DrawnBlock& b : drawing.blocks)
         g.units.push_back(
@@ -137,7 +107,9 @@ void read_file(Study& study)
         if (std::ranges::none_of(drawing.blocks,
                                  [&](const DrawnBlock& b) { return b.layer == layer; }))
             throw error_at(study.source, "wall.layer_stones",
-                           "the drawing has no layer " + in_quotes(layer));
+                           "the drawing has no layer " + in_quotes(layer) +
+                               (is_picture(path) ? "; a picture has none: draw the wall"
+                                                 : layers_text(drawing)));
 }
 
 /// Outlines of the study itself are checked as those of a drawing are.
@@ -207,6 +179,8 @@ void read_geometry(Study& study)
             read_file(study);
         }
         read_unit_cracks(study);
+        require_level_top(study);
+        std::ranges::copy(notes_of_ends(study), std::back_inserter(g.notes));
         const dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam_height(study));
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;

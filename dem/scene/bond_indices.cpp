@@ -1,5 +1,7 @@
 #include "dem/scene/bond_indices.hpp"
 
+#include "dem/scene/touching.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -47,7 +49,7 @@ struct Way {
 };
 
 /// Dijkstra's shortest way through joints.
-/// @param begins, arrives conditions on a point
+/// @param begins, arrives what a way that begins or ends at a point has to go besides [m]; kNoEnd where it cannot
 template <class Begins, class Arrives>
 double least_trace(const Layout& layout, Begins begins, Arrives arrives)
 {
@@ -64,18 +66,51 @@ double least_trace(const Layout& layout, Begins begins, Arrives arrives)
     using Place = std::pair<double, std::size_t>;
     std::priority_queue<Place, std::vector<Place>, std::greater<>> open;
     std::vector<double> length(ways.size(), kNoEnd);
-    for (std::size_t k = 0; k < ways.size(); ++k)
-        if (begins(ends.points[k])) open.emplace(length[k] = 0.0, k);
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+        length[k] = begins(ends.points[k]);
+        if (length[k] < kNoEnd) open.emplace(length[k], k);
+    }
+    double least = kNoEnd;
     while (!open.empty()) {
         const auto [so_far, k] = open.top();
         open.pop();
+        if (so_far >= least) break;
         if (so_far > length[k]) continue;
-        if (arrives(ends.points[k])) return so_far;
+        least = std::min(least, so_far + arrives(ends.points[k]));
         for (const Way& w : ways[k])
             if (so_far + w.length < length[w.to])
                 open.emplace(length[w.to] = so_far + w.length, w.to);
     }
-    return kUnknown;
+    return least < kNoEnd ? least : kUnknown;
+}
+
+/// Whether a unit lies above the point, or below it.
+bool covered(const Layout& layout, Point p, bool above)
+{
+    for (int b = 0; b < layout.beam; ++b) {
+        const std::vector<Point> o = corners_of(layout.blocks[b]);
+        for (std::size_t i = 0; i < o.size(); ++i) {
+            const Point a = o[i], b = o[(i + 1) % o.size()];
+            if ((a.x > p.x) == (b.x > p.x)) continue;
+            const double z = a.z + (p.x - a.x) / (b.x - a.x) * (b.z - a.z);
+            if (above ? z > p.z + Ends::kCell : z < p.z - Ends::kCell) return true;
+        }
+    }
+    return false;
+}
+
+/// What a joint that ends at p lacks to a level where walls end, their floor or their top [m]. Where that is uneven, joints
+/// end a little before it: less than half a unit from it, with nothing between on one side. The ends of the wall are no such side.
+/// @param first, last ends of the wall [m]
+double way_to_end(const Layout& layout, Point p, double level, double half_unit, double first,
+                  double last)
+{
+    const double lack = std::abs(level - p.z);
+    if (lack < Ends::kCell) return 0.0;
+    if (lack > half_unit) return kNoEnd;
+    for (const double x : {p.x - Ends::kCell, p.x + Ends::kCell})
+        if (x > first && x < last && !covered(layout, {x, p.z}, level > p.z)) return lack;
+    return kNoEnd;
 }
 
 bool of_rectangles(const Layout& layout)
@@ -118,10 +153,6 @@ BondIndices bond_indices(const Layout& layout)
     if (layout.beam < 1 || layout.n_cracks > 0)
         throw std::invalid_argument("bond indices: the layout must have units without cracks");
     BondIndices indices;
-    indices.trace = least_trace(
-        layout, [](Point p) { return p.z < Ends::kCell; },
-        [&](Point p) { return p.z > layout.height - Ends::kCell; });
-    indices.trace_ratio = indices.trace / layout.height;
     double first = kNoEnd, last = -kNoEnd;
     for (int b = 0; b < layout.beam; ++b) {
         const Block& unit = layout.blocks[b];
@@ -130,9 +161,17 @@ BondIndices bond_indices(const Layout& layout)
         indices.mean_length += (unit.x1 - unit.x0) / layout.beam;
         indices.mean_height += (unit.z1 - unit.z0) / layout.beam;
     }
+    const auto to = [&](Point p, double level) {
+        return way_to_end(layout, p, level, 0.5 * indices.mean_height, first, last);
+    };
+    indices.trace = least_trace(
+        layout, [&](Point p) { return to(p, 0.0); },
+        [&](Point p) { return to(p, layout.height); });
+    indices.trace_ratio = indices.trace / layout.height;
+    const auto there = [](bool at_end) { return at_end ? 0.0 : kNoEnd; };
     const double level_trace = least_trace(
-        layout, [&](Point p) { return p.x < first + Ends::kCell; },
-        [&](Point p) { return p.x > last - Ends::kCell; });
+        layout, [&](Point p) { return there(p.x < first + Ends::kCell); },
+        [&](Point p) { return there(p.x > last - Ends::kCell); });
     indices.level_trace_ratio = level_trace / (last - first);
     indices.least_overlap = indices.mean_overlap = kUnknown;
     const std::vector<double> found =

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -155,5 +156,46 @@ TEST_CASE("drawing fit: gaps a little wider than snap are told", "[app][drawing_
         "w.json", json_text({rectangle(0, 0, 100, 100), rectangle(101, 0, 200, 100)}),
         kMillimetres);
     CHECK(scenes::notes(wall, "up to 1 mm away, and do not touch it"));
+    const app::Drawing one = drawing_of(
+        "w.json", json_text({rectangle(0, 0, 100, 100), {100, 0, 200, 0, 200, 120, 101, 50}}),
+        kMillimetres);
+    CHECK(scenes::notes(one, "1 corner lies near a side of another block, up to 1 mm away, and "
+                             "does not touch it"));
     CHECK(scenes::common_sides(wall) == 0);
+}
+
+TEST_CASE("drawing fit: feet and tops that scatter by less than snap are level, others stay",
+          "[app][drawing_fit]")
+{
+    const auto stones = [](const std::vector<double>& feet, const std::vector<double>& tops) {
+        std::vector<Outline> blocks; // side by side
+        for (std::size_t i = 0; i < 5; ++i) {
+            const double left = 400.0 * static_cast<double>(i);
+            blocks.push_back(rectangle(left, feet[i], left + 400.0, tops[i]));
+        }
+        return drawing_of("w.json", json_text(blocks), kMillimetres);
+    };
+    const auto level = [](const app::Drawing& wall, bool top) {
+        int n = 0;
+        double highest = 0.0;
+        for (const app::DrawnBlock& block : wall.blocks)
+            for (const dem::Point& p : block.outline) highest = std::max(highest, p.z);
+        for (const app::DrawnBlock& block : wall.blocks)
+            for (std::size_t i = 0; i < block.outline.size(); ++i) {
+                const dem::Point a = block.outline[i],
+                                 b = block.outline[(i + 1) % block.outline.size()];
+                const double z = top ? highest : 0.0;
+                n += a.z == z && b.z == z ? 1 : 0;
+            }
+        return n;
+    };
+    const app::Drawing even =
+        stones({0.3, -0.3, 0.1, -0.1, 0.2}, {600, 599.7, 600.3, 599.8, 600});
+    CHECK(level(even, false) == 5);
+    CHECK(level(even, true) == 5);
+    CHECK(scenes::common_sides(even) == 4);
+    CHECK(scenes::notes(even, "put on the level of the lowest or the highest one, at most"));
+    const app::Drawing uneven = stones({0, 0, 0, 0, 0}, {600, 602, 600, 602, 600});
+    CHECK(level(uneven, false) == 5);
+    CHECK(level(uneven, true) == 2);
 }

@@ -5,12 +5,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 using scenes::area;
 using scenes::drawing_of;
 using scenes::dxf_line;
 using scenes::dxf_text;
 using scenes::lwpolyline;
+using scenes::rectangle;
 
 TEST_CASE(
     "dxf drawing: polylines closed by flag, by a repeated corner or within snap, with layers",
@@ -92,4 +94,54 @@ TEST_CASE("dxf drawing: a portal drawn by others reads unedited", "[app][dxf_dra
     CHECK(area(drawing) == Approx(3.4068).epsilon(1e-4));
     CHECK(drawing.notes.empty());
     CHECK(scenes::common_sides(drawing) == 87);
+}
+
+TEST_CASE("dxf drawing: layers that are off or frozen and invisible entities are not built",
+          "[app][dxf_drawing]")
+{
+    const std::string shown = lwpolyline(rectangle(0, 0, 2, 1), true, "wall"),
+                      other = lwpolyline(rectangle(0, 1, 2, 2), true, "Infill");
+    const auto file = [&](int flags, int colour, const std::string& more) {
+        return drawing_of(
+            "w.dxf",
+            "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n1\n0\nLAYER\n2\nINFILL\n70\n" +
+                std::to_string(flags) + "\n62\n" + std::to_string(colour) +
+                "\n0\nENDTAB\n0\nENDSEC\n" + dxf_text(shown + more),
+            {.unit = 1.0});
+    };
+    CHECK(file(0, 7, other).blocks.size() == 2);
+    CHECK(file(4, 7, other).blocks.size() == 2); // locked
+    const std::string arc = "0\nARC\n8\nInfill\n10\n1\n20\n1\n40\n1\n50\n0\n51\n90\n";
+    const std::string old =
+        "0\nPOLYLINE\n8\nInfill\n66\n1\n70\n1\n0\nVERTEX\n8\nInfill\n10\n0\n"
+        "20\n1\n0\nSEQEND\n";
+    for (const auto& [flags, colour] : {std::pair{0, -7}, {1, 7}}) {
+        const app::Drawing wall = file(flags, colour, other + arc + old);
+        CHECK(wall.blocks.size() == 1);
+        CHECK(scenes::notes(wall, "1 hidden layer (Infill) with 3 shapes was ignored"));
+    }
+    const app::Drawing invisible = file(0, 7, other + "60\n1\n");
+    CHECK(invisible.blocks.size() == 1);
+    CHECK(scenes::notes(invisible, "1 hidden shape was ignored"));
+}
+
+TEST_CASE(
+    "dxf drawing: the unit of the file is taken where none is given, and the given one wins",
+    "[app][dxf_drawing]")
+{
+    const auto wall = [](int code, bool given) {
+        return drawing_of("w.dxf",
+                          "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + std::to_string(code) +
+                              "\n0\nENDSEC\n" + dxf_text(lwpolyline(rectangle(0, 0, 200, 100))),
+                          {.unit = 1e-3, .unit_given = given});
+    };
+    CHECK(scenes::area(wall(0, false)) == Approx(0.02));
+    CHECK(scenes::area(wall(5, false)) == Approx(2.0));
+    CHECK(scenes::area(wall(14, false)) == Approx(200.0));
+    CHECK(scenes::notes(wall(5, false),
+                        "The file says that its unit is cm, and was read so: it "
+                        "is 2 x 1 m"));
+    CHECK(wall(0, false).notes.empty());
+    CHECK(scenes::area(wall(14, true)) == Approx(0.02));
+    CHECK(scenes::notes(wall(14, true), "unit is dm; it was read with a unit of 1 mm"));
 }

@@ -95,3 +95,31 @@ TEST_CASE("json drawing: meshes of COMPAS, flat or boxes, in lists and within as
         "data": {"points": [[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1]]}}])");
     CHECK(area(polygon) == 1.0);
 }
+
+TEST_CASE("json drawing: nothing in \"blocks\" is passed over in silence",
+          "[app][json_drawing]")
+{
+    const std::string good = R"({"outline": [[0, 0], [2, 0], [2, 1], [0, 1]], "layer": "a"})";
+    const auto why = [&](const std::string& more) {
+        return scenes::refusal("w.json", "{\"blocks\": [" + good + ",\n" + more + "]}",
+                               {.unit = 1.0});
+    };
+    CHECK_THAT(
+        why(R"({"outlin": [[0, 1], [2, 1], [2, 2], [0, 2]], "layer": "b"})"),
+        Catch::StartsWith(
+            "w.json:2: an object of \"blocks\" has no \"outline\" (it has: layer, outlin)"));
+    CHECK_THAT(why("null"), Catch::Contains("neither a list of corners nor an object"));
+    CHECK_THAT(why("[[0, 0, 1], [2, 0, 1], [2, 0, 2], [0, 0, 2]]"),
+               Catch::StartsWith("w.json:2: a corner is not [x, y], two numbers"));
+    CHECK_THAT(why(R"({"outline": [[0, 1], [2, 1], [2, 2], [0, 2]], "layer": 3})"),
+               Catch::Contains("\"layer\" is not text"));
+    const app::Drawing wall = drawing_of(
+        "w.json",
+        R"({"unit": "m", "blocks": [{"outline": [[0, 0], [2, 0], [2, 1], [0, 1]], "holes": []},
+            {"Layer": "b", "outline": [[0, 1], [2, 1], [2, 2], [0, 2]], "holes": []}]})",
+        {.unit = 1.0});
+    CHECK(wall.blocks.size() == 2);
+    CHECK(
+        scenes::notes(wall, "Keys that are not read were ignored: 1 Layer, 2 holes, 1 unit."));
+    CHECK(drawing_of("w.json", "{\"blocks\": [" + good + "]}", {.unit = 1.0}).notes.empty());
+}

@@ -335,3 +335,72 @@ TEST_CASE("picture drawing: a rubble wall drawn by others becomes a wall",
     check_fills(wall, 1.0, 1.2);
     CHECK(crossings(wall) == 0);
 }
+
+TEST_CASE("picture drawing: bed joints are level where head joints meet them, however wide the "
+          "mortar is",
+          "[app][picture_drawing]")
+{
+    constexpr int kLength = 100, kHeight = 50; // of a stone [pixels]
+    // the last course has its head joints 15 pixels beside those below, within the width of the mortar
+    for (const int mortar : {2, 4, 8, 20}) {
+        INFO(mortar);
+        Pixels picture = pixels(300, 200);
+        for (int course = 0; course < 4; ++course)
+            for (int from = course % 2 == 0 ? 0
+                            : course == 1   ? -50
+                                            : -65;
+                 from < 300; from += kLength)
+                picture.fill(
+                    std::max(0, from == 0 ? 0 : from + mortar / 2),
+                    course * kHeight + (course == 0 ? 0 : mortar / 2),
+                    std::min(300, from + kLength == 300 ? 300 : from + kLength - mortar / 2),
+                    (course + 1) * kHeight - (course == 3 ? 0 : mortar / 2), kWhite);
+        const app::Drawing wall = drawing_of("w.png", png_bytes(picture),
+                                             {.width = 3.0, .height = 2.0, .simplify = 0.005});
+        CHECK(wall.blocks.size() == 14);
+        check_fills(wall, 3.0, 2.0);
+        for (const app::DrawnBlock& block : wall.blocks)
+            for (const dem::Point& p : block.outline) {
+                const double level = 0.5 * std::round(p.z / 0.5);
+                CHECK(std::abs(p.z - level) < 1e-4); // the middle of mortar was 25 mm off
+            }
+    }
+}
+
+TEST_CASE(
+    "picture drawing: straight borders of a wall that leans stay straight where others end",
+    "[app][picture_drawing]")
+{
+    // two stones above one, divided by mortar of 16 mm under 7 degrees
+    const double slope = std::tan(0.122);
+    Pixels picture = pixels(300, 200);
+    for (int row = 0; row < 200; ++row)
+        for (int column = 0; column < 300; ++column) {
+            const double over = 120.0 + slope * (column - 150.0) - row; // above the bed
+            if (over < -8.0 || (over > 8.0 && std::abs(column - 150 + slope * over) > 8.0))
+                picture.at(column, row) = kWhite;
+        }
+    const app::Drawing wall = drawing_of("w.png", png_bytes(picture),
+                                         {.width = 3.0, .height = 2.0, .simplify = 0.01});
+    REQUIRE(wall.blocks.size() == 3);
+    check_fills(wall, 3.0, 2.0);
+    for (const dem::Point& p : wall.blocks[2].outline) {
+        if (p.z == 0.0) continue;
+        const double bed = 0.8 - slope * (p.x - 1.5);
+        CHECK(std::abs(p.z - bed) <
+              0.008); // a pixel is 10 mm; the middle of mortar was 20 mm off
+    }
+}
+
+TEST_CASE("picture drawing: rubble in wide mortar fills the picture, and nothing crosses",
+          "[app][picture_drawing]")
+{
+    const double mortar = GENERATE(4.0, 10.0, 13.0);
+    const double simplify = GENERATE(0.002, 0.01, 0.03);
+    INFO(mortar << ' ' << simplify);
+    const Pixels picture = rubble(240, 200, 30, mortar, [](int) { return kWhite; });
+    const app::Drawing wall = drawing_of("w.png", png_bytes(picture),
+                                         {.width = 1.2, .height = 1.0, .simplify = simplify});
+    check_fills(wall, 1.2, 1.0);
+    CHECK(crossings(wall) == 0);
+}

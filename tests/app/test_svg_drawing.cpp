@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <string>
 
 using scenes::area;
@@ -88,8 +89,86 @@ TEST_CASE("svg drawing: what has no straight outline is refused with line and co
     CHECK(why("<path d=\"M0 0 X\"/>").starts_with("w.svg:3: a path has the command \"X\""));
     CHECK(why("<g>").starts_with("w.svg:4: is not XML (mismatched tag)"));
     CHECK(why("").starts_with("w.svg: holds no closed outline"));
-    CHECK(refusal("w.svg", "<html/>").starts_with("w.svg:1: is not SVG: it begins with <html>"));
+    CHECK(
+        refusal("w.svg", "<html/>").starts_with("w.svg:1: is not SVG: it begins with <html>"));
     std::string deep;
     for (int i = 0; i < 100'000; ++i) deep += "<g>";
     CHECK(why(deep).find("more than 256 deep") != std::string::npos);
+}
+
+TEST_CASE("svg drawing: what is not shown is not built, whichever way it is hidden",
+          "[app][svg_drawing]")
+{
+    const std::string shown = R"(<rect width="2" height="1"/>)",
+                      other = R"(<rect y="1" width="2" height="1")";
+    const auto svg = [&](const std::string& more) {
+        return drawing_of("w.svg",
+                          "<svg xmlns='s' viewBox='0 0 2 2'>" + shown + more + "</svg>",
+                          {.unit = 1.0});
+    };
+    CHECK(svg(other + "/>").blocks.size() == 2);
+    for (const char* hidden : {R"(display="none")", R"(style="fill:#aaa; display : none")",
+                               R"(visibility="hidden")", R"(style="visibility:collapse")"}) {
+        INFO(hidden);
+        const app::Drawing alone = svg(other + " " + hidden + "/>");
+        CHECK(alone.blocks.size() == 1);
+        CHECK(scenes::notes(alone, "1 hidden shape was ignored"));
+        const app::Drawing group = svg("<g id='infill' " + std::string(hidden) + "><g>" +
+                                       other + "/><circle r='1'/></g><text/></g>");
+        CHECK(group.blocks.size() == 1);
+        CHECK(scenes::notes(group, "1 hidden layer (infill) with 2 shapes was ignored"));
+    }
+    const std::string sheet = "<style>/* .a */ .b, .st1 { display: none; } rect{x:1}</style>";
+    CHECK(svg("<defs>" + sheet + "</defs>" + other + " class='a st1'/>").blocks.size() == 1);
+    CHECK(svg(sheet + other + " class='a'/>").blocks.size() == 2);
+    CHECK(svg(sheet + other + " class='b' style='display:inline'/>").blocks.size() == 2);
+    // what lies within may be visible again, but not displayed again
+    CHECK(
+        svg("<g visibility='hidden'>" + other + " visibility='visible'/></g>").blocks.size() ==
+        2);
+    CHECK(svg("<g display='none'>" + other + " display='inline'/></g>").blocks.size() == 1);
+}
+
+TEST_CASE("svg drawing: the transform of a style moves as that of an attribute does",
+          "[app][svg_drawing]")
+{
+    const auto svg = [&](const std::string& attributes) {
+        return "<svg xmlns='s' viewBox='0 0 2 2'><rect width='1' height='1'/><rect width='1' "
+               "height='1' " +
+               attributes + "/></svg>";
+    };
+    for (const char* moved :
+         {"transform='translate(1, 0)'", "style='transform: translate(1px,0)'",
+          "transform='translate(9, 9)' style='transform:translate(1px, 0px) rotate(0deg)'"}) {
+        INFO(moved);
+        CHECK(scenes::common_sides(drawing_of("w.svg", svg(moved), {.unit = 1.0})) == 1);
+    }
+    for (const char* refused :
+         {"style='transform: translate(50%, 0)'", "style='transform: rotate(0.1turn)'",
+          "style='transform: rotate(90deg); transform-origin: 50% 50%'"})
+        CHECK_THAT(scenes::refusal("w.svg", svg(refused), {.unit = 1.0}),
+                   Catch::Contains("apply the transforms in the drawing program"));
+}
+
+TEST_CASE("svg drawing: a file that states a length is read in it where no unit is given",
+          "[app][svg_drawing]")
+{
+    const auto wall = [](const std::string& width, bool given) {
+        return drawing_of(
+            "w.svg",
+            "<svg xmlns='s' width='" + width +
+                "' viewBox='0 0 2000 1000'><rect width='2000' height='1000'/></svg>",
+            {.unit = 1e-3, .unit_given = given});
+    };
+    const auto length = [](const app::Drawing& d) {
+        return std::sqrt(2.0 * area(d)); // twice as long as high
+    };
+    CHECK(length(wall("200cm", false)) == Approx(2.0));
+    CHECK(length(wall("2in", false)) == Approx(0.0508));
+    CHECK(length(wall("720pt", false)) == Approx(0.254));
+    CHECK(scenes::notes(wall("400cm", false), "was read so: it is 4 x 2 m"));
+    CHECK(length(wall("400cm", true)) == Approx(2.0));
+    CHECK(scenes::notes(wall("400cm", true), "unit is 2 mm; it was read with a unit of 1 mm"));
+    CHECK(length(wall("2000px", false)) == Approx(2.0));
+    CHECK(scenes::notes(wall("2000px", false), "px, which are not lengths"));
 }

@@ -1,0 +1,31 @@
+#pragma once
+/// Keys of JSON objects that say nothing to this program.
+
+#include "app/drawing/raw_drawing.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace app {
+
+/// Of objects that follow docs/drawings.md; files of COMPAS have many other keys.
+class UnknownKeys {
+  public:
+    void count(const nlohmann::json& object, std::initializer_list<std::string_view> known);
+
+    /// "Keys that are not read were ignored: 2 holes, 1 unit."
+    void note(RawDrawing& drawing) const;
+
+  private:
+    std::map<std::string, std::size_t> found_;
+};
+
+/// "outlin, layer": the keys of an object, for messages.
+[[nodiscard]] std::string keys_of(const nlohmann::json& object);
+
+} // namespace app

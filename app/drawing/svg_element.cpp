@@ -1,0 +1,53 @@
+#include "app/drawing/svg_element.hpp"
+
+#include "app/drawing/drawing_file.hpp"
+
+namespace app {
+namespace {
+
+/// What the element itself says: its attributes, replaced by style sheets and those by its style.
+SvgStyle style_of(const SvgStyleSheet& sheet, const SvgElement& element)
+{
+    SvgStyle style;
+    for (const char* name : {"display", "visibility", "transform"})
+        if (const char* value = element.find(name)) style[name] = value;
+    if (const char* classes = element.find("class")) sheet.apply(style, classes);
+    if (const char* text = element.find("style")) add_declarations(style, text);
+    return style;
+}
+
+SvgTransform transform_of(const SvgElement& element, const SvgStyle& style)
+{
+    const auto at = style.find("transform");
+    if (at == style.end() || at->second == "none") return {};
+    const std::string plain = plain_transform(at->second);
+    const auto origin = style.find("transform-origin");
+    const bool elsewhere = origin != style.end() &&
+                           origin->second.find_first_of("123456789%") != std::string::npos;
+    if (plain.empty() || elsewhere) {
+        refuse(*element.place.frame, element.place.line,
+               "the transform \"" + readable_name(at->second.substr(0, 40)) +
+                   "\" of a style has units or an origin that are not read; apply the "
+                   "transforms in the drawing program");
+    }
+    return svg_transform(element.place, plain);
+}
+
+} // namespace
+
+SvgGroup group_within(SvgGroup group, const SvgStyleSheet& sheet, const SvgElement& element)
+{
+    const SvgStyle style = style_of(sheet, element);
+    group.transform = group.transform * transform_of(element, style);
+    const auto value = [&](const char* name) -> std::string_view {
+        const auto at = style.find(name);
+        return at == style.end() ? "" : std::string_view(at->second);
+    };
+    if (value("display") == "none") group.displayed = false;
+    const std::string_view visibility = value("visibility");
+    if (visibility == "hidden" || visibility == "collapse") group.visible = false;
+    if (visibility == "visible") group.visible = true;
+    return group;
+}
+
+} // namespace app

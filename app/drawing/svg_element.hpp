@@ -1,0 +1,47 @@
+#pragma once
+/// An element of an SVG drawing, and what it hands down to those within it.
+
+#include "app/drawing/svg_geometry.hpp"
+#include "app/drawing/svg_style.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace app {
+
+/// What an element hands down to those within it.
+struct SvgGroup {
+    SvgTransform transform;
+    std::string label, id; ///< of the innermost group that has one
+    bool displayed = true; ///< display, which hides all that lies within
+    bool visible = true;   ///< visibility, which what lies within may set anew
+
+    [[nodiscard]] bool shown() const { return displayed && visible; }
+    [[nodiscard]] const std::string& layer() const { return label.empty() ? id : label; }
+};
+
+struct SvgElement {
+    std::string_view name;
+    const char** attributes = nullptr;
+    SvgPlace place;
+
+    /// A null pointer if it has no such attribute.
+    [[nodiscard]] const char* find(std::string_view wanted) const
+    {
+        for (const char** a = attributes; *a != nullptr; a += 2)
+            if (wanted == *a) return a[1];
+        return nullptr;
+    }
+    [[nodiscard]] double length(std::string_view wanted) const
+    {
+        const char* text = find(wanted);
+        return text ? svg_length(place, wanted, text) : 0.0;
+    }
+};
+
+/// What `around` hands down, with the transform of the element and whether it is shown.
+/// @throws ConfigError
+[[nodiscard]] SvgGroup group_within(SvgGroup around, const SvgStyleSheet& sheet,
+                                    const SvgElement& element);
+
+} // namespace app
