@@ -1,11 +1,8 @@
 # Needs scenes/paper_wall.cpp.
 set(TEST_DEM_UNIT_SOURCES
     dem/eigenvalues.cpp
-<<<<<<< HEAD
     dem/test_block_displacement.cpp
-=======
     dem/test_bending_stack.cpp
->>>>>>> fix-F5
     dem/test_block_element.cpp
     dem/test_block_modes.cpp
     dem/test_bond.cpp
