@@ -22,7 +22,7 @@ struct Discretisation {
 enum class Fidelity {
     rigid,    ///< rigid blocks
     simple,   ///< rigid motion and constant strain
-    standard, ///< six modes more; the default
+    standard, ///< six modes more, in long blocks those of bending among them; the default
     zones,    ///< all modes, that is the zones in full
     fine      ///< more contact points as well: the reference for ensembles
 };
