@@ -19,9 +19,9 @@ struct Piece {
 
 /// A share is a product of quotients, rounded: 12 of 24 walls may come out a few units of the last place below
 /// one half. Shares of different counts of walls differ by far more.
-constexpr double kRounding = 1e-12;
+constexpr double kShareRounding = 1e-12;
 
-bool reaches(double share, double p) { return share >= p * (1.0 - kRounding); }
+bool reaches(double share, double p) { return share >= p * (1.0 - kShareRounding); }
 
 /// Product of independent beta variables by its first two moments.
 struct BetaProduct {

@@ -14,8 +14,8 @@ namespace app {
 namespace {
 
 // The ends of the keys of the wall's own stone.
-constexpr double kStiffest = 1e9 * kModulus.high; // [Pa]
-constexpr double kHeaviest = kDensity.high;       // [kg/m3]
+constexpr double kStiffestStone = 1e9 * kModulus.high; // [Pa]
+constexpr double kHeaviest = kDensity.high;            // [kg/m3]
 
 } // namespace
 
@@ -42,7 +42,7 @@ void parse_layer_stones(Study& study)
                                  parse_quantity(v[2], "kg/m3")};
         if (!(stone.young_modulus > 0.0 && stone.poisson_ratio >= 0.0 &&
               stone.poisson_ratio < 0.5 && stone.density >= 0.0 &&
-              stone.young_modulus <= kStiffest && stone.density <= kHeaviest))
+              stone.young_modulus <= kStiffestStone && stone.density <= kHeaviest))
             throw BadValue(in_quotes(part) + ": Young's modulus must be in (0, " +
                            number(kModulus.high, 6) +
                            "] GPa, Poisson's ratio in [0, 0.5), the density in [0, " +

@@ -130,7 +130,7 @@ TEST_CASE("overlap: sides that press on each other may close deeply, those that 
         return dem::share_of(bed_joint(), o, before);
     };
     const double touching = GENERATE(1e-6, 0.8, 1.0); // share of one step earlier
-    CHECK(share(0.039, touching) == Approx(0.8)); // four fifths of `deepest`
+    CHECK(share(0.039, touching) == Approx(0.8));     // four fifths of `deepest`
     CHECK(share(0.041, touching) == 0.0);
     CHECK(share(0.004, 0.0) == Approx(0.8));
     CHECK(share(0.006, 0.0) == 0.0);
