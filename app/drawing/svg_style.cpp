@@ -6,13 +6,13 @@
 namespace app {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r\n\f";
+constexpr std::string_view kStyleBlank = " \t\r\n\f";
 
 std::string_view without_blanks(std::string_view text)
 {
-    const std::size_t first = text.find_first_not_of(kBlank);
+    const std::size_t first = text.find_first_not_of(kStyleBlank);
     if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+    return text.substr(first, text.find_last_not_of(kStyleBlank) - first + 1);
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%'; }
