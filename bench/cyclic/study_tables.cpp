@@ -23,7 +23,8 @@ app::Number median_cell(const app::DriftGroup& group, std::size_t state)
         fragility::performance_limits(fragility::Law::lognormal, observations, 0.95);
     if (!limits.fitted) return app::median_bound(limits.bound, 2);
     const fragility::DriftLimit& median = limits.drifts[2];
-    return app::with_interval(median.drift, median.interval, 2, fragility::known_to(observations));
+    return app::with_interval(median.drift, median.interval, 2,
+                              fragility::known_to(observations));
 }
 
 double seen(const app::DriftGroup& group, std::size_t state)
