@@ -43,8 +43,7 @@ std::string mode_rule_text(const FragilityInput& f)
         return "Mixed: " + units_text(t.cracked_units) + ", and either the " +
                ultimate_text(f) + " or less than " + share +
                " of the displacement is rotation of the beam; otherwise rocking, or sliding "
-               "where "
-               "less than that is rotation of the blocks too";
+               "where less than that is rotation of the blocks too";
     }
     const std::string dropped = "Mixed: the " + ultimate_text(f) + ", or ";
     const std::string overturns = "less than " + number(t.rotation_share, 6) +

@@ -12,8 +12,8 @@ namespace dem {
 
 namespace {
 
-/// Share of the thickness of the thinner block across a joint to which it may be pressed together. Elastic joints of
-/// walls that stand are closed by some hundredths of it at most: only what falls comes so far.
+/// Share of the thickness of the thinner block across a joint to which it may be pressed together. A free choice;
+/// docs/model.md, *Joints that close far*, has its effect.
 constexpr double kDeepest = 0.5;
 /// Share of a face, or of half a unit where that is longer, by which sides that come to overlap from beside may lie
 /// within each other.
