@@ -51,6 +51,16 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
+/// A line as a message shows it: outlines of a drawing, or what a stranger wrote, can be megabytes.
+std::string shortened(const std::string& line)
+{
+    constexpr std::size_t most = 300;
+    if (line.size() <= most) return line;
+    std::size_t n = most;
+    while (n > 0 && (static_cast<unsigned char>(line[n]) & 0xC0u) == 0x80u) --n; // UTF-8
+    return line.substr(0, n) + " ...";
+}
+
 [[noreturn]] void refuse(const std::string& file, const std::string& why)
 {
     throw StoreError(file + ": " + why +
@@ -181,7 +191,7 @@ std::string text_difference(const std::string& before, const std::string& after,
         differing.push_back("  the same lines in another order or with other line ends");
     std::string text;
     for (std::size_t k = 0; k < std::min(most, differing.size()); ++k)
-        text += differing[k] + "\n";
+        text += shortened(differing[k]) + "\n";
     if (differing.size() > most)
         text += "and " + std::to_string(differing.size() - most) + " more lines\n";
     return text;

@@ -64,7 +64,7 @@ void check_head(const StoreHead& head);
 void check_row(const StoreHead& head, const WallRow& row);
 
 /// Lines in which two texts differ, `- ` only in `before`, `+ ` only in `after`, in order, at most
-/// `most` lines and then how many more. Empty if equal.
+/// `most` lines and then how many more; long lines are cut. Empty if equal.
 [[nodiscard]] std::string text_difference(const std::string& before, const std::string& after,
                                           std::size_t most = 40);
 

@@ -49,7 +49,7 @@ std::vector<double> numbers(std::uint64_t key, std::size_t n)
 std::vector<double> finite_numbers(std::uint64_t key, std::size_t n)
 {
     std::vector<double> values = numbers(key, n);
-    for (double& v : values) v = std::isfinite(v) ? v : 1e30;
+    for (double& v : values) v = std::isfinite(v) ? v : 1e29;
     return values;
 }
 

@@ -120,10 +120,10 @@ TEST_CASE("merge: a shard that is missing is named with its file", "[app][merge]
     const scenes::MemoryFolder folder;
     std::vector<fs::path> files = shards(folder.path, 12);
     const fs::path out = folder.path / "all.h5";
-    fs::path own = folder.path / "wall_01_of_12.h5";
-    fs::rename(files[0], own);
-    files[0] = own;
-    files.erase(files.begin() + 2);
+    const fs::path own = folder.path / "wall_02_of_12.h5"; // compacted: it is one file
+    fs::rename(files[1], own);
+    files.erase(files.begin() + 1, files.begin() + 3);
+    files.insert(files.begin(), own);
     CHECK_THAT(refusal(out, files),
                Contains("  shard 3 of 12 is missing: " +
                         (folder.path / "wall_03_of_12.h5").string() + "\n") &&
@@ -150,6 +150,8 @@ TEST_CASE("merge: what makes two studies differ is shown once", "[app][merge]")
         refusal(folder.path / "all.h5", {first, shard(folder.path, 1, 2, head)});
     CHECK_THAT(words, Contains("- uq.seed = 1\n+ uq.seed = 2\n"));
     CHECK(words.find("seed = 2") == words.rfind("seed = 2"));
+    CHECK(app::text_difference("a\n", std::string(1'000'000, 'b')) ==
+          "- a\n+ " + std::string(298, 'b') + " ...\n");
 }
 
 TEST_CASE("merge: a wall in two shards is refused", "[app][merge]")
