@@ -2,21 +2,34 @@
 
 #include "app/store/store_error.hpp"
 #include "app/study/study_identity.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string_view>
 
 namespace app {
 namespace {
 
-/// Lines about the program, not about the study: their keys have no section.
-std::string program_lines(const std::string& identity)
+/// The configuration has the scale that was found, the identity that it was looked for.
+constexpr std::string_view kFoundOut = "load.protocol_scale";
+
+/// An identity by what its lines are about.
+struct IdentityLines {
+    std::string program; ///< keys without a section
+    std::string study;   ///< all others but kFoundOut
+};
+
+IdentityLines lines_of(const std::string& identity)
 {
+    IdentityLines lines;
     std::istringstream in(identity);
-    std::string lines;
-    for (std::string line; std::getline(in, line);)
-        if (line.substr(0, line.find('=')).find('.') == std::string::npos) lines += line + "\n";
+    for (std::string line; std::getline(in, line);) {
+        const std::string_view key = trimmed(std::string_view(line).substr(0, line.find('=')));
+        if (key == kFoundOut) continue;
+        (key.find('.') == std::string::npos ? lines.program : lines.study) += line + "\n";
+    }
     return lines;
 }
 
@@ -40,9 +53,10 @@ void check_configuration(const std::filesystem::path& file, const StoreHead& hea
 {
     if (!same_walls(head, study))
         damaged(file, kNotOfWalls + std::string(", which have another seed or other stresses"));
-    const std::string identity = identity_text(study);
-    if (program_lines(identity) != program_lines(head.identity)) return;
-    const std::string why = text_difference(head.identity, identity);
+    const IdentityLines stored = lines_of(head.identity), own = lines_of(identity_text(study));
+    if (stored.program != own.program) return;
+    std::string why = text_difference(stored.study, own.study);
+    if (!why.empty()) why.pop_back(); // the end of the last line
     if (!why.empty())
         damaged(file, kNotOfWalls +
                           std::string(" (-: of its walls, +: of the configuration):\n") + why);
