@@ -27,7 +27,7 @@ namespace app {
 [[nodiscard]] int curves_command(const Command& command);
 
 /// `drystone merge`: shards of one study into one file.
-/// @return 0: all walls are there and none failed; 1: some failed, or are missing with --partial
+/// @return 0: no wall failed, and all are there or --partial was asked for; 1: some failed
 [[nodiscard]] int merge_command(const Command& command);
 
 /// `drystone reliability`: the probability of an event, with its doubt and what it depends on.

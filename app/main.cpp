@@ -1,6 +1,7 @@
 /// drystone VERB STUDY.ini [options].  Exit codes: 0 done, 1 failed, 2 your input.
 
 #include "app/input/command_line.hpp"
+#include "app/store/store_error.hpp"
 #include "app/text/config_error.hpp"
 #include "app/verbs.hpp"
 
@@ -21,6 +22,9 @@ int main(int argc, char** argv)
         return code;
     } catch (const app::ConfigError& e) {
         std::cerr << e.what() << '\n';
+        return 2;
+    } catch (const app::BadStoredStudy& e) {
+        std::cerr << "drystone: " << e.what() << '\n';
         return 2;
     } catch (const std::exception& e) {
         std::cerr << "drystone: " << e.what() << '\n';

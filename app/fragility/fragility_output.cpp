@@ -83,12 +83,12 @@ void make_names_unique(FragilityOutput& output)
 
 std::size_t write_output(const fs::path& folder, const FragilityOutput& output)
 {
-    std::vector<OutputFile> files = {{"README.md", readme(output)},
-                                     {"fragility.json", fragility_json(output)}};
+    std::vector<OutputFile> files = {{"fragility.json", fragility_json(output)}};
     if (!output.pelicun.empty()) files.push_back({"pelicun_fragility.csv", output.pelicun});
     for (const NamedTable& t : output.tables) add_table(files, path_of(t), t.table);
     for (const NamedPicture& p : output.pictures)
         files.push_back({"pictures/" + p.name + ".svg", p.svg});
+    files.push_back({"README.md", readme(output)}); // the last: what it lists is there
     return write_results(folder, files);
 }
 

@@ -50,9 +50,12 @@ std::string replaced(std::string_view text, std::span<const Replacement> table)
 
 std::string csv_cell(const std::string& text)
 {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    const bool runs = text.size() > 1 &&
+                      std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+    const std::string shown = (runs ? "'" : "") + text;
+    if (shown.find_first_of(",\"\n\r") == std::string::npos) return shown;
     constexpr Replacement kQuote[] = {{"\"", "\"\""}};
-    return '"' + replaced(text, kQuote) + '"';
+    return '"' + replaced(shown, kQuote) + '"';
 }
 
 std::string markdown_text(std::string_view text) { return replaced(text, kMarkdown); }

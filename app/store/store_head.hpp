@@ -10,6 +10,12 @@
 
 namespace app {
 
+constexpr std::size_t kMostTextBytes = 4096; ///< of a unit, a meaning, a text of a session
+constexpr std::size_t kMostStudyBytes = 64u << 20; ///< of configuration and identity, each
+constexpr std::uint64_t kMostWalls = 100'000'000;  ///< wanted at all levels
+constexpr std::size_t kMostPoints = 4'000'000;     ///< of one curve; a study file allows 1e6
+constexpr double kMostSize = 1e30; ///< of an input or a point of a curve: products stay finite
+
 constexpr std::uint32_t kStoreLayout = 2; ///< counts up when the layout of FILE.h5 changes
 
 /// Name, unit and meaning of one number of every wall. Names are unique in their list, not empty,
@@ -53,16 +59,25 @@ struct StoreHead {
 
 /// Throws std::invalid_argument naming the field and what is allowed.
 void check_head(const StoreHead& head);
-/// Throws std::invalid_argument naming the wall and what does not fit the head.
+/// Throws std::invalid_argument naming the wall and what does not fit the head. Inputs, and the curve of a wall that is
+/// ok, hold finite numbers of at most kMostSize.
 void check_row(const StoreHead& head, const WallRow& row);
 
 /// Lines in which two texts differ, `- ` only in `before`, `+ ` only in `after`, in order, at most
-/// `most` lines and then how many more. Empty if equal.
+/// `most` lines and then how many more; long lines are cut. Empty if equal.
 [[nodiscard]] std::string text_difference(const std::string& before, const std::string& after,
                                           std::size_t most = 40);
 
+[[nodiscard]] std::uint64_t walls_wanted(const StoreHead& head);
+/// Largest number of samples of a level, 0 without levels.
+[[nodiscard]] std::uint32_t most_samples(const std::vector<StoreLevel>& levels);
+
 /// What makes two heads heads of one study, line by line: identity, seed, shard and columns.
 [[nodiscard]] std::string study_text(const StoreHead& head);
+
+/// Lines in which two studies differ, as text_difference: those of their inputs; of two with equal inputs those of
+/// study_text. A seed or a key that stands in both is then shown once.
+[[nodiscard]] std::string study_difference(const StoreHead& before, const StoreHead& after);
 
 /// The head with which a stored study goes on, if it may. `wanted` may have more samples, further
 /// levels after the stored ones, another configuration text and other sessions; the largest number of

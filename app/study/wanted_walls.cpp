@@ -6,6 +6,7 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/drawn_wall.hpp"
+#include "app/study/stored_study.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/words.hpp"
 #include "dem/scene/layout.hpp"
@@ -36,9 +37,7 @@ StudySource study_source(const Command& command)
         return {study, {samples_of(study)}};
     }
     const StoreHead head = read_head(command.study);
-    return {read_study(with_overrides(parse_study_text(command.study, head.configuration),
-                                      command.overrides)),
-            head.design_sizes};
+    return {stored_study(command.study, head, command.overrides), head.design_sizes};
 }
 
 std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& command)

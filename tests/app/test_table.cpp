@@ -324,6 +324,21 @@ TEST_CASE("markup: names that would be obeyed are written as they read", "[app][
     CHECK(app::csv_cell("a\rb") == "\"a\rb\"");
 }
 
+TEST_CASE("markup: a name that a spreadsheet would run as a formula is marked as a text in CSV",
+          "[app][table]")
+{
+    CHECK(app::csv_cell("=cmd|' /C calc'!A0") == "'=cmd|' /C calc'!A0");
+    CHECK(app::csv_cell("=HYPERLINK(\"x\")") == "\"'=HYPERLINK(\"\"x\"\")\"");
+    for (const char first : std::string("+-@\t")) {
+        const std::string name = first + std::string("A1");
+        CHECK(app::csv_cell(name) == "'" + name);
+    }
+    CHECK(app::csv_cell("-") == "-");
+    CHECK(app::csv_cell("a=b") == "a=b");
+    CHECK(app::as_csv(table("", {"=a"}, {{std::string("@b")}, {app::Number{-1.5}}})) ==
+          "'=a\n'@b\n-1.5\n");
+}
+
 TEST_CASE("markup: text is broken at blanks and keeps its own lines", "[app][markup]")
 {
     CHECK(app::wrapped("one two three", 7) == "one two\nthree");
