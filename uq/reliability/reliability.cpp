@@ -65,7 +65,9 @@ void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
     m.std_error = r.estimate.std_error;
     m.lower = r.estimate.interval.lower;
     m.upper = r.estimate.interval.upper;
-    m.outcome = r.reason.empty() ? "the cheap model reduced the error" : r.reason;
+    m.outcome = r.reason.empty()
+                    ? "the cheap model reduced the error"
+                    : "plain Monte Carlo, since the cheap model does not help: " + r.reason;
     a.methods.push_back(m);
     MethodAnswer alone;
     alone.method = "its expensive samples alone";
