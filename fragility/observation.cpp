@@ -11,7 +11,6 @@ namespace fragility {
 Observation observed(double value) { return {value, value}; }
 Observation right_censored(double lower) { return {lower, kInfinity}; }
 Observation left_censored(double upper) { return {-kInfinity, upper}; }
-Observation interval_censored(double lower, double upper) { return {lower, upper}; }
 
 std::optional<Observation> observation(const LimitDisplacement& reading, double scale)
 {

@@ -19,7 +19,6 @@ struct Observation {
 [[nodiscard]] Observation observed(double value);
 [[nodiscard]] Observation right_censored(double lower); ///< above `lower`
 [[nodiscard]] Observation left_censored(double upper);  ///< below `upper`
-[[nodiscard]] Observation interval_censored(double lower, double upper);
 
 /// A reading times `scale` (1 / height makes it a drift); nothing if it is not defined.
 /// @throws std::invalid_argument if the scale is not positive

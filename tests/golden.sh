@@ -45,7 +45,7 @@ simple=(--set solver.fidelity=simple)
 case_study_paper() { study paper --set uq.samples=8 "${simple[@]}"; }
 case_study_quick() { study quick && run curves study.h5 --quiet; }
 case_push_collapse() { push collapse --sample mean --level '0.5 MPa'; }
-case_reliability() { run reliability ../configs/reliability.ini --out . --quiet --threads 2 --set reliability.budget=40 "${simple[@]}" --set reliability.cheap=rigid --set load.max_displacement=8mm; }
+case_reliability() { run reliability ../configs/reliability.ini --out . --quiet --threads 2 --set reliability.method=multi_fidelity --set reliability.budget=40 "${simple[@]}" --set reliability.cheap=rigid --set load.max_displacement=8mm; }
 case_study_correlated() { study correlated --set uq.samples=8 "${simple[@]}"; }
 case_study_spatial() { # the verbs one by one; the page pushes walls again
     run study ../configs/paper_spatial.ini --out study.h5 --quiet --threads 2 --set uq.samples=8 "${simple[@]}"

@@ -66,7 +66,7 @@ Study cheaper(const Study& study)
     return cheap;
 }
 
-/// Of a wall, relative: modes move through the contact points in every step.
+/// Relative cost of a wall: modes move through the contact points in every step.
 double cost_of(const Study& study)
 {
     const dem::Model m = model_of(study);
@@ -91,8 +91,7 @@ uq::ReliabilityProblem wall_problem(const Study& study, const Command& command)
     p.event.threshold = demand.value;
     const double stress = study.load.vertical_stress[level];
     p.words = demand.words + " under " + stress_text(stress);
-    for (const Column& c : input_columns(plan))
-        p.inputs.push_back(c.name + " [" + c.unit + "]");
+    for (const Column& c : input_columns(plan)) p.inputs.push_back(c.name);
     const auto& columns = plan.values.columns; // of the design, of each input
     p.normal.resize(static_cast<std::size_t>(plan.values.n_columns));
     for (std::size_t i = 0; i < columns.size(); ++i)

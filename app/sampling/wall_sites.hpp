@@ -1,5 +1,5 @@
 #pragma once
-/// Where the joints and cracks of a wall are, for random fields over their IDs.
+/// Places of the joints and cracks of a wall, for random fields over their IDs.
 
 #include "dem/scene/layout.hpp"
 #include "uq/fields/field_site.hpp"

@@ -32,7 +32,7 @@ class KeptEvaluations {
     /// Evaluations that were there at the start.
     [[nodiscard]] std::size_t found() const { return found_; }
 
-    /// The model, asked only for what is not known, a few samples at a time, each few kept as they come.
+    /// Wraps the model: evaluates only unknown samples, in small batches, and stores each batch.
     /// @param response the column that is kept; the only one of the answers
     /// The model that is returned must not outlive this.
     [[nodiscard]] BlackBox around(BlackBox model, Eigen::Index response);
