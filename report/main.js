@@ -24,9 +24,7 @@ function about(data) {
 async function curvesAndWall(data) {
     const left = element('div', { class: 'curves' });
     const right = element('div', { class: 'view', id: 'wall' });
-    section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right),
-        note(`Bands are ${percent(data)} confidence intervals of the mean of five walls or more; mean curves stop where fewer than 90 % of the walls are still being pushed.${data.loops ? ' The push is cyclic: curves are backbones, the wall shown has its loops below.' : ''}`),
-        data.films.note ? note(data.films.note) : null);
+    section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right));
     let view = null;
     const curves = await readCurves(data.curves);
     const loops = data.loops ? await readLoops(data.loops) : null;
@@ -40,6 +38,8 @@ async function curvesAndWall(data) {
             if (w !== null) view.open(w);
         },
     });
+    left.append(data.films.note ? note(data.films.note) : '',
+        note(`Bands are ${percent(data)} confidence intervals of the mean of five walls or more; mean curves stop where fewer than 90 % of the walls are still being pushed.${data.loops ? ' The push is cyclic: curves are backbones, the wall shown has its loops below.' : ''}`));
     if (!data.films.films.length) return;
     view = new WallView(data, right, capacity);
     await view.open(data.films.films[0].wall);

@@ -136,7 +136,7 @@ std::string gaps_of(const Film& film)
             return opens(wall->faces.at(i)) && width_of(gap_of(film, *wall, i)) > kSeen;
         });
         if (!seen) continue;
-        drawn += moving_shape(film, "",
+        drawn += moving_shape(film, "polygon", "",
                               [&](const dem::Snapshot& wall) { return gap_of(film, wall, i); });
     }
     return svg_group(svg_attribute("fill", kGapColour), drawn);

@@ -139,9 +139,9 @@ Json answers_json(const StudyWalls& study, const DriftData& data)
     }
     std::string note = "Limit states: the drift that half of the walls have reached, [" +
                        number(100.0 * confidence, 4) +
-                       " % interval]. > 2.7: fewer than half have reached it; (7 of 10): so "
-                       "many walls share this "
-                       "value, as the limit of a code; …: no upper bound.";
+                       " % interval]. \"> 2.7\": fewer than half have reached it. \"(7 of "
+                       "10)\": 7 of 10 walls have "
+                       "this value in common, the limit of a code. …: no upper bound.";
     if (levels.size() < study.levels.size())
         note += " " + std::to_string(levels.size()) + " of " +
                 std::to_string(study.levels.size()) +

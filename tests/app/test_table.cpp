@@ -331,3 +331,15 @@ TEST_CASE("markup: text is broken at blanks and keeps its own lines", "[app][mar
     CHECK(app::wrapped("one\ntwo\n", 80) == "one\ntwo\n");
     CHECK(app::wrapped("a-word-too-long b", 5) == "a-word-too-long\nb");
 }
+
+TEST_CASE("table: a change of units leaves no digits that nobody wrote", "[app][table]")
+{
+    const app::Table t =
+        table("", {"at [mm]", {"peak [kN]", app::kError}},
+              {{app::plain_number(5.500000000000001, 2), app::with_error(20.3, 0.004, 1)}});
+    CHECK(lines(app::as_csv(t)).at(1) == "5.5,20.3,0.004");
+    CHECK(app::cell_text(t.rows[0][1]) == "20.3 +- 0.004"); // not "+- 0.0"
+    // inputs are given to the bit
+    CHECK(lines(app::as_csv(table("", {"x"}, {{app::Number{0.1 + 0.2}}}))).at(1) ==
+          "0.30000000000000004");
+}
