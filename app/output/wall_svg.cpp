@@ -254,10 +254,12 @@ Page lay_out(const Panel& peak, const Panel& end, int panels, const WallPictureT
     return page;
 }
 
-/// A wall whose force still rises where the push ends.
-bool same_instant(const dem::Snapshot& a, const dem::Snapshot& b)
+/// Whether the push ends at its largest force, or so near to it that both pictures would be one.
+bool same_picture(const dem::Snapshot& peak, const dem::Snapshot& end)
 {
-    return a.displacement == b.displacement && a.force == b.force;
+    constexpr double kNear = 0.01;
+    const auto near = [](double a, double b) { return std::abs(a - b) <= kNear * std::abs(b); };
+    return near(peak.displacement, end.displacement) && near(peak.force, end.force);
 }
 
 } // namespace
@@ -269,7 +271,7 @@ std::string wall_picture(const dem::Snapshot& at_peak, const dem::Snapshot& at_e
         throw std::invalid_argument("wall picture: load height and threshold must be positive");
     const std::array<double, 2> scales = drawing_scales(at_peak, at_end);
     std::vector<Panel> panels;
-    if (same_instant(at_peak, at_end)) {
+    if (same_picture(at_peak, at_end)) {
         panels.push_back({at_end, text.both_name, {scales[1], 1.0, {}, 1.0}});
     } else {
         panels.push_back({at_peak, text.peak_name, {scales[0], 1.0, {}, 1.0}});

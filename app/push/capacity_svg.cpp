@@ -37,12 +37,18 @@ void add_limits(const Study& study, const WallReading& r, double way, Chart& cha
     }
 }
 
-void add_marks(const Study& study, const WallReading& r, double way, Chart& chart)
+/// @param last displacement of the curve, in its own direction [m]
+void add_marks(const Study& study, const WallReading& r, double way, double last, Chart& chart)
 {
-    if (r.peak)
-        chart.marks.push_back({way * r.peak->displacement * 1e3, way * r.peak->force * 1e-3,
-                               (r.peak->at_end ? "largest force, still rising: " : "peak ") +
-                                   fixed(r.peak->force * 1e-3, 1) + " kN"});
+    if (r.peak) {
+        constexpr double kNear =
+            0.99; // of the way: the force has hardly begun to fall, if at all
+        const std::string force = fixed(r.peak->force * 1e-3, 1) + " kN";
+        const bool ends = r.peak->at_end || r.peak->displacement >= kNear * last;
+        chart.marks.push_back(
+            {way * r.peak->displacement * 1e3, way * r.peak->force * 1e-3,
+             ends ? "largest force " + force + ", where the push ends" : "peak " + force});
+    }
     add_limits(study, r, way, chart);
 }
 
@@ -130,7 +136,10 @@ std::string capacity_svg(const Study& study, const PushedWall& w)
         if (rules.backbone == fragility::Side::left) way = -1.0;
     }
     add_start(w, chart);
-    add_marks(study, w.reading, way, chart);
+    double last = 0.0;
+    if (w.reading.peak)
+        last = capacity_curve({w.displacement, w.force}, rules).displacement.back();
+    add_marks(study, w.reading, way, last, chart);
     return line_chart(chart);
 }
 

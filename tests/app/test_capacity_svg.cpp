@@ -63,12 +63,14 @@ TEST_CASE("capacity picture: limit states are drawn where the table has them",
     CHECK_THAT(found, VectorContains(std::string("ntc SLV 1.8 mm")));
 }
 
-TEST_CASE("capacity picture: a force that still rises is no peak", "[app][capacity_svg]")
+TEST_CASE("capacity picture: a force that has not fallen is no peak", "[app][capacity_svg]")
 {
     const app::Study s = study("max_displacement = 4 mm");
     const auto found = texts(s, wall(s, {0, 2, 4}, {0, 8, 10}));
-    CHECK_THAT(found, VectorContains(std::string("largest force, still rising: 10.0 kN")));
+    CHECK_THAT(found,
+               VectorContains(std::string("largest force 10.0 kN, where the push ends")));
     CHECK_FALSE(any(found, "peak 10"));
+    CHECK_FALSE(any(texts(s, wall(s, {0, 2, 3.98, 4}, {0, 8, 10, 9.99})), "peak 10"));
 }
 
 TEST_CASE("capacity picture: the force before the push is explained", "[app][capacity_svg]")
