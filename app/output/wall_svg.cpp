@@ -257,7 +257,7 @@ Page lay_out(const Panel& peak, const Panel& end, int panels, const WallPictureT
 /// Whether the push ends at its largest force, or so near to it that both pictures would be one.
 bool same_picture(const dem::Snapshot& peak, const dem::Snapshot& end)
 {
-    constexpr double kNear = 0.01;
+    constexpr double kNear = 0.02;
     const auto near = [](double a, double b) { return std::abs(a - b) <= kNear * std::abs(b); };
     return near(peak.displacement, end.displacement) && near(peak.force, end.force);
 }

@@ -21,6 +21,6 @@ namespace app {
 [[nodiscard]] std::string never_rounded_away(double value, int decimals);
 
 /// Significant digits of a number that has gone through a change of units: 0.6 m are 600 mm, not 600.0000000000001.
-inline constexpr int kAfterUnits = 14;
+inline constexpr int kAfterUnits = 15;
 
 } // namespace app

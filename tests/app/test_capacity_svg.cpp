@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -88,9 +89,10 @@ TEST_CASE("capacity picture: a cyclic push has one peak, that of its table",
                               kn = {0, 10, 0, -6, 0, 9, 0, -5, 0};
     const app::Study s = study("targets = 2, -2, 3, -3, 0 mm");
     const auto found = texts(s, wall(s, mm, kn));
-    CHECK(std::ranges::count_if(found, [](const std::string& t) {
-              return t.starts_with("peak ") || t.starts_with("largest force");
-          }) == 1);
+    std::set<std::string> peaks; // each text is drawn twice: its white rim first
+    for (const std::string& t : found)
+        if (t.starts_with("peak ") || t.starts_with("largest force")) peaks.insert(t);
+    CHECK(peaks.size() == 1);
     CHECK_THAT(found, VectorContains(std::string("peak 8.0 kN"))); // the mean of 10 and 6
     for (const char* const name : {"path of the push", "backbones of both directions",
                                    "their mean: the peak and the limits of the table"})

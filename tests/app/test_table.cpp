@@ -235,12 +235,13 @@ TEST_CASE("table: a lower bound is rounded down, and says whether it may be reac
               .value = 79.979, .decimals = 2, .sense = app::Sense::above}) == "> 79.97");
 }
 
-TEST_CASE("table: programs get all digits, one number per column, and the same head whatever "
-          "the rows hold",
-          "[app][table]")
+TEST_CASE(
+    "table: programs get fifteen digits, one number per column, and the same head whatever "
+    "the rows hold",
+    "[app][table]")
 {
     CHECK(app::as_csv(doubted(app::with_interval(1.0 / 3.0, 0.1, inf, 2), app::kInterval)) ==
-          "median [%],median lower [%],median upper [%]\n0.3333333333333333,0.1,\n");
+          "median [%],median lower [%],median upper [%]\n0.333333333333333,0.1,\n");
     CHECK(app::as_csv(doubted({}, app::kInterval)) ==
           "median [%],median lower [%],median upper [%]\n,,\n");
     CHECK(app::as_csv(doubted(app::with_error(16.24, 0.31, 1), app::kError)) ==
