@@ -59,23 +59,6 @@ void add_unsettled(const PushedWall& w, std::vector<std::string>& remarks)
         "coming down, or write a larger solver.preload_steps");
 }
 
-/// Stone that nothing lets crush carries any stress. Griffith (1924): the compressive strength of a brittle material is
-/// eight times its tensile strength; of stones it is 8 to 15 times.
-void add_toe_stress(const Study& study, const HandChecks& h, std::vector<std::string>& remarks)
-{
-    constexpr double kGriffith = 8.0;
-    const dem::CrackParameters& unit = study.parameters.unit;
-    const bool crushes =
-        study.parameters.joint.crushing.strength > 0.0 || unit.crushing.strength > 0.0;
-    const double strength = kGriffith * unit.tensile_strength;
-    if (crushes || !h.toe_stress || !(strength > 0.0) || !(*h.toe_stress > strength)) return;
-    remarks.push_back(
-        "the toe carries " + fixed(*h.toe_stress * 1e-6, 0) +
-        " MPa at the end of the push, more than " + number(kGriffith, 2) +
-        " times the tensile strength of the units (" + fixed(strength * 1e-6, 0) +
-        " MPa), and nothing in this study crushes; write joint.compressive_strength");
-}
-
 /// A wall of stiff joints may have its peak, and lose it, between two recorded points.
 void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
 {
@@ -155,7 +138,6 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);
     add_unsettled(w, h.remarks);
-    add_toe_stress(study, h, h.remarks);
     return h;
 }
 
