@@ -30,6 +30,7 @@ struct Command {
     std::string script;                ///< a job array is written to this file, nothing is run
     bool rerun_failed = false;         ///< failed walls are run again
     bool report = false;               ///< tables and page follow the study
+    bool film = false;                 ///< a moving picture of each wall that is pushed
     bool partial = false;              ///< shards are merged although walls are missing
     std::vector<std::string> drift;    ///< columns of a table
     std::vector<std::string> censored; ///< of a table: for all drifts, or one for each

@@ -69,6 +69,8 @@ std::vector<Option> table()
              c.mean_wall = v == "mean";
              if (!c.mean_wall) c.sample = whole_number(v, 0, 1e9);
          }},
+        {"film", "", "write a moving picture of the push, film.svg, for a page or a talk", "push", false,
+         [](Command& c, Text) { c.film = true; }},
         {"level", "STRESS", "vertical stress, such as \"0.75 MPa\", where the study has several", "push reliability", false,
          [](Command& c, Text v) { c.level = v; }},
         {"shard", "I/N", "part I of N, I from 1; each part is written to a file of its own", "study", false,

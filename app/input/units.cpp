@@ -226,17 +226,18 @@ double to_si(double value, std::string_view unit) { return si_value(value, unit_
 std::string format_quantities(std::span<const double> si, std::string_view unit)
 {
     const Unit& wanted = unit_named(unit);
-    const auto text_in = [&](const Unit& u) {
+    constexpr int kEvery = 17;
+    const auto text_in = [&](const Unit& u, int digits) {
         std::string text;
-        for (const double value : si) {
-            text += (text.empty() ? "" : ", ") + number(value * u.over / u.times, 17);
-        }
+        for (const double value : si)
+            text += (text.empty() ? "" : ", ") + number(value * u.over / u.times, digits);
         return text + (u.name.empty() ? "" : " ") + std::string(u.name);
     };
-    const std::string text = text_in(wanted);
-    const std::vector<double> back = parse_quantities(text, unit);
-    if (std::ranges::equal(si, back)) return text;
-    return text_in(unit_named(alternatives(wanted).front()));
+    for (const int digits : {15, kEvery}) { // 30 deg rather than 29.999999999999996 deg
+        const std::string text = text_in(wanted, digits);
+        if (std::ranges::equal(si, parse_quantities(text, unit))) return text;
+    }
+    return text_in(unit_named(alternatives(wanted).front()), kEvery);
 }
 
 } // namespace app

@@ -1,6 +1,6 @@
 #pragma once
 /// A table whose numbers stay numbers until a writer turns them into text. People get rounded values
-/// with their doubt in one cell; programs get all digits, one number per column.
+/// with their doubt in one cell; programs get kAfterUnits digits, of inputs all, one number per column.
 
 #include <cstddef>
 #include <limits>
@@ -80,7 +80,7 @@ struct PlainTable {
 /// Aligned columns. A table wider than `width` is parted into blocks of columns, each with the keys.
 /// @param width of the terminal in characters; 0: no limit
 [[nodiscard]] std::string as_text(const Table& table, std::size_t width = 0);
-[[nodiscard]] std::string as_csv(const Table& table); ///< RFC 4180, numbers with all digits
+[[nodiscard]] std::string as_csv(const Table& table); ///< RFC 4180, numbers as programs get them
 [[nodiscard]] std::string as_markdown(const Table& table);
 /// A table environment with booktabs rules, in \footnotesize; a table wider than an A4 page (16 cm of text) is parted into
 /// blocks of columns, each with the keys. Long tables are a longtable. Packages booktabs, graphicx, longtable.

@@ -4,6 +4,7 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/study.hpp"
 #include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/output/backbones_csv.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/cycles_csv.hpp"
@@ -16,6 +17,7 @@
 #include "app/push/capacity_text.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/push/limit_table.hpp"
+#include "app/push/push_film.hpp"
 #include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/study/drawn_wall.hpp"
@@ -122,6 +124,9 @@ std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
     }
     files.push_back({"capacity.svg", capacity_svg(used, w)});
     WallPictureText text;
+    text.title = "Wall under " + stress_text(w.vertical_stress);
+    text.tints = stone_tints(layout_of(used));
+    if (push_way(used).direction == 0) text.peak_name = "At the largest force";
     if (used.beam.present) text.vertical_load = stress_text(w.vertical_stress);
     text.load_height = w.loads.height;
     const dem::PushResult& r = w.result;
@@ -192,7 +197,7 @@ std::vector<fs::path> wall_folders(const Study& study, const std::vector<WantedW
 
 void write_all(const Command& command, const Study& study,
                const std::vector<WantedWall>& wanted, const std::vector<PushedWall>& walls,
-               PushedSeries& series)
+               PushedSeries& series, const std::optional<PushFilm>& film)
 {
     std::vector<OutputFile> files, moved;
     for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -200,6 +205,8 @@ void write_all(const Command& command, const Study& study,
         const Study used = study.random.empty() ? study : with_drawn(study, wanted[i]);
         for (OutputFile& f : wall_files(used, walls[i], command))
             files.push_back({folder / f.name, std::move(f.content)});
+        if (film && !dem::failed(walls[i].result.outcome))
+            files.push_back({folder / "film.svg", film->film(used, i, walls[i])});
         if (study.output.paraview && !dem::failed(walls[i].result.outcome))
             for (const OutputFile& f : series.seal(i, walls[i].result))
                 moved.push_back({folder / f.name, {}, f.from});
@@ -227,7 +234,7 @@ void check_folder(const Command& command, const Study& study,
     for (const fs::path& folder : folders)
         for (const char* const name :
              {"study.ini", "summary.json", "capacity.csv", "cycles.csv", "backbones.csv",
-              "capacity.svg", "wall.svg"})
+              "capacity.svg", "wall.svg", "film.svg"})
             names.push_back(folder / name);
     if (study.output.paraview) {
         const std::vector<fs::path> there = series_there(command.out, folders);
@@ -255,9 +262,11 @@ int push_command(const Command& command)
     PushedSeries series(command.out, wall_folders(study, wanted));
     dem::PushPlan plan = push_plan(study);
     plan.sink = series.sink();
+    std::optional<PushFilm> film;
+    if (command.film) film.emplace(study, wanted.size(), plan);
     const std::vector<PushedWall> walls =
         push_all(study, std::move(plan), wanted, command.threads, command.quiet);
-    write_all(command, study, wanted, walls, series);
+    write_all(command, study, wanted, walls, series, film);
     std::cout << as_text(level_table(study, walls), terminal_width()) << '\n'
               << as_text(limit_table(study, walls), terminal_width());
     for (const PushedWall& w : walls)

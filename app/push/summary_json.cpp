@@ -14,13 +14,6 @@ namespace {
 
 constexpr double kToMm = 1e3, kToKn = 1e-3, kToMpa = 1e-6;
 
-/// A value of the study file, with its digits: a change of unit leaves no 0.39999999999999997.
-Json as_given(double x)
-{
-    constexpr int kDigits = 15;
-    return or_null(rounded(x, kDigits));
-}
-
 Json displacement_mm(const fragility::LimitDisplacement& d)
 {
     return is_defined(d) ? or_null(d.displacement * kToMm) : Json(nullptr);
@@ -82,7 +75,7 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
             {"spalled_units", w.mechanism.spalled_units},
             {"cracked_contacts", w.mechanism.cracked_contacts},
             {"crushed_contacts", w.mechanism.crushed_contacts},
-            {"crushed_through_mm2", as_given(w.mechanism.crushed_area * 1e6)},
+            {"crushed_through_mm2", or_null(w.mechanism.crushed_area * 1e6)},
             {"brittle_crushing_contacts", w.result.brittle_crushing_contacts},
             {"snap_back_contacts", w.result.snap_back_contacts},
             {"slid_whole", w.reading.slid},
@@ -115,7 +108,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     ReadingRules rules = reading_rules(study);
     rules.height = w.loads.height;
     Json j;
-    j["vertical_stress_MPa"] = as_given(w.vertical_stress * kToMpa);
+    j["vertical_stress_MPa"] = or_null(w.vertical_stress * kToMpa);
     j["outcome"] = name(w.result.outcome);
     j["peak_force_kN"] = or_null(peak_force(r) * kToKn);
     if (w.loads.pattern == dem::LoadPattern::body) {
@@ -138,7 +131,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["stiffness_kN_per_mm"] = or_null(r.stiffness, 1e-6);
     j["stiffness_rule"] = "secant at 30 % of the peak";
     j["no_reading"] = r.no_reading;
-    j["load_height_m"] = as_given(w.loads.height);
+    j["load_height_m"] = or_null(w.loads.height);
     j["settlement_mm"] = whole ? or_null(w.result.settlement * kToMm) : Json(nullptr);
     j["limit_states"] = limit_states(r, rules);
     if (!r.backbones.empty()) {

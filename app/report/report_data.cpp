@@ -127,10 +127,14 @@ Json geometry_of(const Study& study, std::uint32_t seed)
     return wall_geometry(layout_of(has_layouts(study) ? in_layout(study, seed) : study));
 }
 
-Json overview_json(const StudyWalls& study)
+Json overview_json(const StudyWalls& study, const DriftData& data)
 {
     const Overview o = overview(study);
-    return {{"run", o.run}, {"found", o.found}, {"sure", o.sure}};
+    return {{"lead", o.lead},
+            {"answers", answers_json(study, data)},
+            {"run", o.run},
+            {"found", o.found},
+            {"sure", o.sure}};
 }
 
 } // namespace
@@ -140,7 +144,7 @@ Json report_data(const StudyWalls& study, const WallList& listed, const FitProgr
     DriftData data = drift_data(study);
     judge(data, seen);
     return {{"name", study.name},
-            {"overview", overview_json(study)},
+            {"overview", overview_json(study, data)},
             {"levels", levels_json(study)},
             {"inputs", inputs_json(study)},
             {"height", study.height},

@@ -44,7 +44,7 @@ std::string listed_keys(const StudyWalls& study)
 
 std::string way_text(const PushWay& way)
 {
-    return (way.direction == 0 ? " to and fro, at most " : " up to ") +
+    return (way.direction == 0 ? " in cycles of at most " : " up to ") +
            number(1e3 * way.farthest, 4) + " mm";
 }
 
@@ -88,8 +88,7 @@ std::vector<std::string> what_was_run(const StudyWalls& study)
                        " and so on, which the samples take in turn.");
     if (!study.inputs.empty())
         text.push_back("Drawn at random: " + listed_keys(study) +
-                       ". Everything else is the "
-                       "same in all walls of a stress.");
+                       ". All other values are the same for every wall under one stress.");
     else if (!has_layouts(study.study))
         text.push_back("Nothing was drawn at random.");
     return text;
@@ -117,8 +116,8 @@ std::string lost_text(const FragilityInput& f)
     return "lost " + percent_text(1.0 - f.ultimate_share) + " of their peak force";
 }
 
-/// Lowest and highest stress side by side; nothing where one of them has few walls.
-std::vector<std::string> in_short(const StudyWalls& study)
+/// Lowest and highest stress side by side; empty where one of them has few walls.
+std::string in_short(const StudyWalls& study)
 {
     const auto [low, high] =
         std::ranges::minmax_element(study.levels, [](const StudyLevel& a, const StudyLevel& b) {
@@ -128,12 +127,12 @@ std::vector<std::string> in_short(const StudyWalls& study)
     if (low == high || low->walls.size() < kFewest || high->walls.size() < kFewest) return {};
     const LevelMeans a = means_of(low->walls), b = means_of(high->walls);
     if (!std::isfinite(a.peak) || !std::isfinite(b.peak)) return {};
-    return {"In short: from " + stress_text(low->stress) + " to " + stress_text(high->stress) +
-            ", the mean peak force goes from " + fixed(a.peak, 1) + " to " + fixed(b.peak, 1) +
-            " kN, the share of walls that rocked from " + percent(a.rocking) + " to " +
-            percent(b.rocking) + " %, and the share that " + lost_text(study.study.fragility) +
-            " before the push ended from " + percent(a.came_down) + " to " +
-            percent(b.came_down) + " %."};
+    return "From " + stress_text(low->stress) + " to " + stress_text(high->stress) +
+           ", the mean peak force goes from " + fixed(a.peak, 1) + " to " + fixed(b.peak, 1) +
+           " kN, the share of walls that rocked from " + percent(a.rocking) + " to " +
+           percent(b.rocking) + " %, and the share that " + lost_text(study.study.fragility) +
+           " before the push ended from " + percent(a.came_down) + " to " +
+           percent(b.came_down) + " %.";
 }
 
 std::string level_text(const FragilityInput& f, const StudyLevel& level)
@@ -214,9 +213,9 @@ std::vector<std::string> how_sure(const StudyWalls& study)
             " of their peak when their push ended. Their "
             "ultimate displacement is only known to be larger (censored): the fits count it as "
             "larger, and the means leave it out.");
-    text.push_back("In brackets: " + percent_text(study.study.fragility.confidence) +
-                   " intervals, as of independent samples. They cover the chance of "
-                   "the draw, not the error of the model.");
+    text.push_back("Brackets are " + percent_text(study.study.fragility.confidence) +
+                   " confidence intervals. They reflect the number of walls, not errors of "
+                   "the model.");
     return text;
 }
 
@@ -226,9 +225,10 @@ Overview overview(const StudyWalls& study)
 {
     Overview o;
     o.run = what_was_run(study);
-    o.found = in_short(study);
     const FragilityInput& f = study.study.fragility;
     for (const StudyLevel& level : study.levels) o.found.push_back(level_text(f, level));
+    o.lead = in_short(study);
+    if (o.lead.empty() && !o.found.empty()) o.lead = o.found.front();
     o.found.push_back("How a wall failed: " + mode_rule_text(f) + ".");
     if (!study.pushed_one_way) o.found.push_back(backbone_text(study.study).substr(1));
     o.sure = how_sure(study);

@@ -15,9 +15,15 @@
 namespace app {
 
 struct Overview {
+    std::string lead;                          ///< the answer in a sentence or two
     std::vector<std::string> run, found, sure; ///< plain text
 };
 [[nodiscard]] Overview overview(const StudyWalls& study);
+
+/// The answer as a table, of six stresses at most: mean peak force, shares of the modes, and the median drift of each limit
+/// state by the observed shares (Kaplan-Meier): {"head": [...], "rows": [[...]], "note"}, all texts.
+[[nodiscard]] nlohmann::ordered_json answers_json(const StudyWalls& study,
+                                                  const DriftData& data);
 
 /// "normal(mean 35 deg, cov 0.15)": "normal, mean 35 deg, coefficient of variation 0.15"
 [[nodiscard]] std::string distribution_words(const std::string& text);

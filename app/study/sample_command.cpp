@@ -75,7 +75,8 @@ int sample_command(const Command& command)
     const std::filesystem::path file = command.out;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, as_csv(table));
-    std::cout << table.rows.size() << " samples written to " << command.out << '\n';
+    std::cout << table.rows.size() << (table.rows.size() == 1 ? " sample" : " samples")
+              << " written to " << command.out << '\n';
     return 0;
 }
 

@@ -71,7 +71,8 @@ std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& c
     if (*command.sample >= samples)
         throw ConfigError("drystone", 0, "--sample",
                           std::to_string(*command.sample) + " is out of range; the study has " +
-                              std::to_string(samples) + " samples, from 0");
+                              std::to_string(samples) +
+                              (samples == 1 ? " sample" : " samples") + ", from 0");
     const int level = level_of(study, command.level);
     const dem::Layout layout = layout_of(study);
     const SamplePlan plan = sample_plan(study, layout, source.sizes);

@@ -2,6 +2,7 @@
 set(TEST_APP_PUSH_SOURCES
     app/bad_input/studies.cpp
     app/drawing_scenes.cpp
+    app/test_capacity_svg.cpp
     app/test_drawn_ends.cpp
     app/test_scene.cpp
     app/test_pushed_series.cpp

@@ -128,6 +128,13 @@ TEST_CASE("units: a formatted quantity reads back to the same bits", "[app][unit
     CHECK(app::format_quantities(std::vector<double>{0.15e6, 0.5e6}, "MPa") == "0.15, 0.5 MPa");
 }
 
+TEST_CASE("units: a formatted angle has the digits that were written, where they give its bits",
+          "[app][units]")
+{
+    for (const std::string text : {"30 deg", "31.8 deg", "35 deg"})
+        CHECK(app::format_quantities(app::parse_quantities(text, "deg"), "deg") == text);
+}
+
 TEST_CASE("units: the locale of the user changes nothing", "[app][units]")
 {
     struct Comma : std::numpunct<char> {

@@ -29,7 +29,7 @@ const std::vector<BadCommand> kCommands = {
     {"unknown option", {"push", "study.ini", "--thread", "2"},
         "drystone: --thread: unknown option; did you mean \"--threads\"?"},
     {"unknown option like no other", {"push", "study.ini", "--colour=red"},
-        "drystone: --colour: unknown option; use --out, --set, --threads, --quiet, --sample, --level, --help or --version"},
+        "drystone: --colour: unknown option; use --out, --set, --threads, --quiet, --sample, --film, --level, --help or --version"},
     {"--out without value", {"push", "study.ini", "--out"},
         "drystone: --out: missing value; write one after it"},
     {"--out before another option", {"push", "study.ini", "--out", "--quiet"},
