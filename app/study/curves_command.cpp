@@ -53,6 +53,8 @@ int curves_command(const Command& command)
         throw std::runtime_error(file.string() + ": cannot be written; is the disk full?");
     }
     fs::rename(part, file);
+    if (const std::string other = other_revision_text(reader.head()); !other.empty())
+        std::cout << other << '\n';
     std::cout << walls << " curves written to " << file.string() << '\n';
     return 0;
 }

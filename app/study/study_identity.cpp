@@ -1,8 +1,10 @@
 #include "app/study/study_identity.hpp"
 
+#include "app/input/distribution_text.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/wall_geometry.hpp"
-#include "app/version.hpp"
+#include "app/store/store_head.hpp"
+#include "dem/solver/solver_revision.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,14 +24,15 @@ std::string value_of(const Key& key, const Study& study)
 {
     if (key.name == "wall.outlines" && is_drawn(study)) return outlines_mark(study);
     const bool random = std::ranges::count(study.random, key.name, &RandomInput::key) > 0;
-    return random ? find_entry(study.source, key.name)->value : value_text(key, study);
+    return random ? canonical_distribution(find_entry(study.source, key.name)->value, key.unit)
+                  : value_text(key, study);
 }
 
 } // namespace
 
 std::string identity_text(const Study& study)
 {
-    std::string text = "drystone = " + std::string(kVersion) + "\n";
+    std::string text = std::string(kRevisionKey) + std::to_string(dem::kSolverRevision) + "\n";
     for (const Key& key : study_keys()) {
         if (!is_used(key, study)) continue;
         if (std::ranges::count(kFree, key.name) > 0) continue;

@@ -3,6 +3,7 @@
 #include "app/input/limit_state_text.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/study_columns.hpp"
+#include "app/study/study_file_head.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
 #include "fragility/resampled_curve.hpp"
@@ -186,6 +187,8 @@ std::string trouble_text(const StudyWalls& walls)
     for (const StudyLevel& level : walls.levels) missing += level.missing;
     if (missing > 0)
         text += std::to_string(missing) + " walls of the study are not in this file\n";
+    if (const std::string other = other_revision_text(walls.head); !other.empty())
+        text += other + "\n";
     return text;
 }
 
