@@ -59,6 +59,24 @@ TEST_CASE("study identity: how the numbers of a distribution are written makes n
     CHECK_THAT(before, Contains("joint.friction_angle = normal(mean 31.8 deg, cov 0.2)\n"));
 }
 
+TEST_CASE("study identity: numbers inside texts may be written otherwise too",
+          "[app][study_identity]")
+{
+    const auto text = [](const std::string& uq, const std::string& strength) {
+        std::string all = study_scenes::kSmall;
+        const std::string law = "lognormal(mean 3.7 MPa, cov 0.30)";
+        all.replace(all.find(law), law.size(), strength);
+        return identity_text(study_scenes::study(uq, all));
+    };
+    const std::string friction = "pearson = joint.friction_angle joint.stiffness_factor ";
+    CHECK(text(friction + "0.30", "empirical(3.1, 4.0 MPa)") ==
+          text(friction + " 0.3", "empirical(4000, 3100 kPa)"));
+    CHECK(text(friction + "0.3", "3.7 MPa") != text(friction + "-0.3", "3.7 MPa"));
+    const std::string cracks = "samples = 2\n[unit]\ncracks = grid";
+    CHECK(text(cracks + "(2, 3)", "3.7 MPa") == text(cracks + "( 2,3 )", "3.7 MPa"));
+    CHECK(text(cracks + "(2, 3)", "3.7 MPa") != text(cracks + "(3, 2)", "3.7 MPa"));
+}
+
 TEST_CASE("study identity: it states the revision of the solver, and no version",
           "[app][study_identity]")
 {
