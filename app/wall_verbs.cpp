@@ -1,8 +1,10 @@
 #include "app/wall_verbs.hpp"
 
 #include "app/input/command_line.hpp"
+#include "app/program_version.hpp"
 #include "app/verbs.hpp"
 #include "app/version.hpp"
+#include "dem/solver/solver_revision.hpp"
 
 #include <iostream>
 
@@ -17,6 +19,8 @@ int help_command(const Command& command)
 int version_command(const Command&)
 {
     std::cout << "drystone " << kVersion << '\n';
+    if (!commit().empty()) std::cout << "commit " << commit() << '\n';
+    std::cout << "solver revision " << dem::kSolverRevision << '\n';
     return 0;
 }
 

@@ -10,7 +10,7 @@ namespace app {
 /// Writes the help of the program, or of the verb that is the first word.
 int help_command(const Command& command);
 
-/// Writes name and version.
+/// Writes name, version, commit and revision of the solver.
 int version_command(const Command& command);
 
 inline constexpr Verb kPushVerb{.name = "push",
@@ -37,12 +37,13 @@ inline constexpr Verb kHelpVerb{.name = "help",
                                 .least = 0,
                                 .run = help_command};
 
-inline constexpr Verb kVersionVerb{.name = "version",
-                                   .meaning = "name and version",
-                                   .example = "drystone version",
-                                   .out = OutKind::none,
-                                   .least = 0,
-                                   .most = 0,
-                                   .run = version_command};
+inline constexpr Verb kVersionVerb{
+    .name = "version",
+    .meaning = "version and commit of the program, revision of its solver",
+    .example = "drystone version",
+    .out = OutKind::none,
+    .least = 0,
+    .most = 0,
+    .run = version_command};
 
 } // namespace app

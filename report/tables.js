@@ -76,6 +76,6 @@ export function provenance(data, host) {
         ...item('Seed', p.seed),
         ...item('Samples', `${p.design_sizes.join(', then ')} per stress`),
         ...(p.shards > 1 ? item('Shard', `${p.shard} of ${p.shards}`) : []),
-        ...p.sessions.flatMap((s, i) => item(`Session ${i + 1}`, `${s.started}, Drystone ${s.version} on ${s.machine}; ${s.build}; ${s.settings}`)));
+        ...p.sessions.flatMap((s, i) => item(`Session ${i + 1}`, `${s.started}, Drystone ${s.version}${s.solver_revision ? `, solver revision ${s.solver_revision},` : ''} on ${s.machine}; ${s.build}; ${s.settings}`)));
     host.append(list, element('details', {}, element('summary', {}, 'Complete study file'), copyButtons([['text', p.configuration]], 'the study file'), element('pre', { tabindex: 0 }, p.configuration)));
 }

@@ -3,8 +3,8 @@
 #include "app/output/markup.hpp"
 #include "app/output/table_files.hpp"
 #include "app/output/unique_names.hpp"
+#include "app/program_version.hpp"
 #include "app/text/json_text.hpp"
-#include "app/version.hpp"
 
 #include <sstream>
 
@@ -68,7 +68,7 @@ std::string fragility_json(const FragilityOutput& output)
     Json tables = Json::object();
     for (const NamedTable& t : output.tables) tables[t.name] = table_json(t);
     const Json all = {{"source", output.source},
-                      {"version", std::string(kVersion)},
+                      {"version", program_version()},
                       {"remarks", output.remarks},
                       {"tables", tables}};
     return text_of(all, 1) + "\n";

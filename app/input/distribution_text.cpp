@@ -125,6 +125,29 @@ uq::Marginal empirical(std::string_view text, std::string_view unit)
     return {data};
 }
 
+/// The call that a text makes, its parameters as they stand there.
+Call call_of(std::string_view text)
+{
+    Call call = split_call(text);
+    for (const std::string_view item : split(inside(text), ","))
+        call.parameters.push_back(split_parameter(text, item));
+    return call;
+}
+
+/// All parameters that a distribution can have, in the order in which they are written.
+std::vector<uq::ShapeParameter> parameters_of(std::string_view distribution)
+{
+    std::vector<uq::ShapeParameter> all;
+    const auto add = [&](const uq::ShapeParameter& p) {
+        if (std::ranges::find(all, p.name, &uq::ShapeParameter::name) == all.end())
+            all.push_back(p);
+    };
+    for (const MarginalForm& f : uq::marginal_forms())
+        if (f.name == distribution) std::ranges::for_each(f.parameters, add);
+    for (const char* const end : {"from", "to"}) add({end});
+    return all;
+}
+
 uq::Marginal marginal_of(std::string_view text, std::string_view unit)
 {
     Call call = split_call(text);
@@ -133,8 +156,7 @@ uq::Marginal marginal_of(std::string_view text, std::string_view unit)
         throw BadValue("unknown distribution " + in_quotes(call.name) + "; " +
                        suggestion(call.name, names));
     if (call.name == "empirical") return empirical(text, unit);
-    for (const std::string_view item : split(inside(text), ","))
-        call.parameters.push_back(split_parameter(text, item));
+    call = call_of(text);
     uq::Marginal m;
     m.lower = take(call, "from", unit).value_or(m.lower);
     m.upper = take(call, "to", unit).value_or(m.upper);
@@ -161,6 +183,26 @@ uq::Marginal parse_distribution(std::string_view text, std::string_view unit)
     } catch (const std::invalid_argument& bad) {
         throw BadValue(in_quotes(text) + ": " + bad.what());
     }
+}
+
+std::string canonical_distribution(std::string_view text, std::string_view unit)
+{
+    const std::string name(split_call(text).name);
+    if (name == "empirical")
+        return name + "(" +
+               format_quantities(std::get<uq::Empirical>(empirical(text, unit).shape).sorted,
+                                 unit) +
+               ")";
+    Call call = call_of(text);
+    std::string inside;
+    for (const uq::ShapeParameter& p : parameters_of(name)) {
+        const std::string_view of = p.bare ? "" : unit;
+        const std::optional<double> value = take(call, p.name, of);
+        if (value)
+            inside += (inside.empty() ? "" : ", ") + std::string(p.name) + " " +
+                      format_quantities({&*value, 1}, of);
+    }
+    return name + "(" + inside + ")";
 }
 
 std::string distribution_help()

@@ -110,7 +110,7 @@ std::vector<Option> table()
         {"response", "NAME", "what a server gives, such as ultimate_drift (default: peak_force); may be repeated", "serve", true,
          [](Command& c, Text v) { c.responses.push_back(some_text(v)); }},
         {"help", "", "this text; after a verb, the help of that verb", "", true, nullptr},
-        {"version", "", "name and version of the program", "", true, nullptr},
+        {"version", "", "version and commit of the program, revision of its solver", "", true, nullptr},
     };
 }
 // clang-format on

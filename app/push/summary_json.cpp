@@ -1,12 +1,14 @@
 #include "app/push/summary_json.hpp"
 
 #include "app/input/limit_state_text.hpp"
+#include "app/program_version.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
 #include "dem/solver/energy_parts.hpp"
+#include "dem/solver/solver_revision.hpp"
 
 namespace app {
 
@@ -151,6 +153,8 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["contact_updates_per_second"] =
         or_null(static_cast<double>(w.result.cost.contact_updates) / w.result.cost.seconds);
     j["version"] = kVersion;
+    j["commit"] = commit().empty() ? Json(nullptr) : Json(commit());
+    j["solver_revision"] = dem::kSolverRevision;
     j["study"] = effective_configuration(study);
     return text_of(j, 2) + "\n";
 }

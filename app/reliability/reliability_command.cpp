@@ -1,20 +1,18 @@
 #include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/study_keys.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
+#include "app/reliability/evaluation_identity.hpp"
 #include "app/reliability/event.hpp"
+#include "app/store/store_head.hpp"
 #include "app/study/interrupt.hpp"
-#include "app/study/study_identity.hpp"
-#include "app/study/wanted_walls.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
-#include "app/version.hpp"
 #include "uq/marginals/normal_quantile.hpp"
 #include "uq/reliability/kept_evaluations.hpp"
 #include "uq/reliability/reliability.hpp"
@@ -180,16 +178,10 @@ Question question_of(const Command& command)
     const StudyFile file = with_overrides(read_study_file(command.study), command.overrides);
     const bool program = is_program_study(file);
     const Study study = program ? read_program_study(file) : read_study(file);
-    uq::ReliabilityProblem problem =
+    const uq::ReliabilityProblem problem =
         program ? program_event(study, command.threads) : wall_problem(study, command);
     Question q{problem, shown_inputs(study, problem.inputs), shown_response(study, problem),
-               std::string(kVersion) + '\n'};
-    for (const Entry& e : file.entries) {
-        const std::string_view section = section_of(e.key);
-        if (program ? section != "reliability" : section == "fragility")
-            q.model += e.key + " = " + e.value + '\n';
-    }
-    if (!program) q.model += identity_text(study) + "level = " + command.level + '\n';
+               program ? program_evaluations(study) : wall_evaluations(study, command)};
     q.model += "response = " + std::to_string(q.problem.event.response) + '\n';
     say_effects(study, command);
     return q;
@@ -233,11 +225,17 @@ uq::KeptEvaluations kept_in(const Command& command, const std::string& model)
     const fs::path file = fs::path(command.out) / "unfinished.jsonl";
     try {
         return uq::KeptEvaluations(file, model);
-    } catch (const std::invalid_argument&) {
-        throw ConfigError("drystone", 0, "--out",
-                          "'" + file.string() +
-                              "' holds the evaluations of an interrupted run of another study; "
-                              "remove it, or name another folder");
+    } catch (const uq::KeptEvaluations::OtherModel& other) {
+        const std::string before = solver_revision(other.model), now = solver_revision(model);
+        throw ConfigError(
+            "drystone", 0, "--out",
+            "'" + file.string() + "' holds the evaluations of an interrupted run of " +
+                (before == now
+                     ? "another study; remove it, or name another folder"
+                     : revision_words(before) + ". This program has " + revision_words(now) +
+                           ", which gives other numbers for the same walls; finish "
+                           "the run with the version that began it, or name another "
+                           "folder"));
     }
 }
 

@@ -97,12 +97,14 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
 {
     const StudyWalls& study = draft.study;
     const auto walls = walls_to_show(draft.listed, most_walls(study, command.walls));
-    if (walls.empty()) return {{}, chosen_text(0, 0)};
+    const std::string other = other_revision_text(study.head);
+    const std::string remark = other.empty() ? "" : " " + other;
+    if (walls.empty()) return {{}, chosen_text(0, 0) + remark};
     Shown shown{films_of(study, walls, command, shelf), {}};
     if (!command.walls) keep_in_page(draft, shown.replay);
     std::size_t sound = 0;
     for (const StudyLevel& level : study.levels) sound += level.walls.size();
-    shown.note = chosen_text(shown.replay.walls.size(), sound);
+    shown.note = chosen_text(shown.replay.walls.size(), sound) + remark;
     if (shown.replay.different > 0)
         shown.note += " " + std::to_string(shown.replay.different) +
                       " of them differ from what is stored: the file was written by another "

@@ -9,11 +9,11 @@
 #include "app/fragility/fragility_walls.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "app/program_version.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
-#include "app/version.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <map>
@@ -71,11 +71,12 @@ Json provenance_json(const StudyWalls& study)
     Json sessions = Json::array();
     for (const StoreSession& s : head.sessions)
         sessions.push_back({{"version", s.program_version},
+                            {"solver_revision", s.solver_revision},
                             {"machine", s.machine},
                             {"build", s.build},
                             {"settings", s.settings},
                             {"started", s.started}});
-    return {{"version", std::string(kVersion)},
+    return {{"version", program_version()},
             {"seed", std::to_string(head.seed)},
             {"shard", head.shard + 1},
             {"shards", head.shards},

@@ -82,6 +82,13 @@ std::string shard_difference(const StoreHead& first, const StoreHead& other)
 void check_equal(const fs::path& first_path, const StoreHead& first, const fs::path& path,
                  const StoreHead& other)
 {
+    const std::string one = solver_revision(first.identity),
+                      two = solver_revision(other.identity);
+    if (one != two)
+        throw StoreError("'" + path.string() + "' is of " + revision_words(two) + ", '" +
+                         first_path.string() + "' of " + revision_words(one) +
+                         ": each gives other numbers for the same walls. Nothing was written. "
+                         "Merge shards that one revision has run.");
     const std::string why = shard_difference(first, other);
     if (!why.empty() || !(whole(first) == whole(other)))
         throw StoreError("'" + path.string() + "' is not of the study of '" +

@@ -67,6 +67,20 @@ std::string shortened(const std::string& line)
                      "\nUse another output file, or the inputs of this one.");
 }
 
+void check_revision(const std::string& file, const StoreHead& stored, const StoreHead& wanted)
+{
+    const std::string before = solver_revision(stored.identity),
+                      now = solver_revision(wanted.identity);
+    if (before == now) return;
+    const std::string version =
+        stored.sessions.empty() ? ""
+                                : " (version " + stored.sessions.front().program_version + ")";
+    throw StoreError(file + ": was begun by " + revision_words(before) + version +
+                     ". This program has " + revision_words(now) +
+                     ", which gives other numbers for the same walls.\nFinish the file with "
+                     "the version that began it, or begin a new one with another --out.");
+}
+
 void check_levels(const std::string& file, const StoreHead& stored, const StoreHead& wanted)
 {
     for (std::size_t k = 0; k < stored.levels.size(); ++k) {
@@ -197,6 +211,19 @@ std::string text_difference(const std::string& before, const std::string& after,
     return text;
 }
 
+std::string solver_revision(const std::string& identity)
+{
+    for (const std::string& line : lines_of(identity))
+        if (line.starts_with(kRevisionKey)) return line.substr(kRevisionKey.size());
+    return "";
+}
+
+std::string revision_words(const std::string& revision)
+{
+    return (revision.empty() ? "an earlier revision" : "revision " + revision) +
+           " of the solver";
+}
+
 std::string study_text(const StoreHead& head)
 {
     std::string text = head.identity + "\nseed = " + std::to_string(head.seed) +
@@ -222,6 +249,7 @@ std::string study_difference(const StoreHead& before, const StoreHead& after)
 StoreHead continued_head(const std::string& file, const StoreHead& stored,
                          const StoreHead& wanted)
 {
+    check_revision(file, stored, wanted);
     const std::string why = study_difference(stored, wanted);
     if (!why.empty())
         refuse(file, "has other inputs (-: in the file, +: in this study):\n" + why);

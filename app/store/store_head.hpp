@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -36,12 +37,16 @@ struct StoreLevel {
 /// One process that added walls. Text only; differs between runs of the same study.
 struct StoreSession {
     std::string program_version;
-    std::string machine;  ///< host and processor
-    std::string build;    ///< compiler and preset
-    std::string settings; ///< threads and what else moves no result
-    std::string started;  ///< ISO 8601
+    std::string machine;         ///< host and processor
+    std::string build;           ///< compiler and preset
+    std::string settings;        ///< threads and what else moves no result
+    std::string started;         ///< ISO 8601
+    std::string solver_revision; ///< empty in files of before 0.2.0
     friend bool operator==(const StoreSession&, const StoreSession&) = default;
 };
+
+/// Begins the line of an identity that says which revision of the solver pushed the walls.
+constexpr std::string_view kRevisionKey = "solver_revision = ";
 
 struct StoreHead {
     std::string configuration; ///< complete effective study file
@@ -71,6 +76,10 @@ void check_row(const StoreHead& head, const WallRow& row);
 [[nodiscard]] std::uint64_t walls_wanted(const StoreHead& head);
 /// Largest number of samples of a level, 0 without levels.
 [[nodiscard]] std::uint32_t most_samples(const std::vector<StoreLevel>& levels);
+/// Revision of the solver as an identity states it: "2"; empty in files of before 0.2.0.
+[[nodiscard]] std::string solver_revision(const std::string& identity);
+/// "revision 2 of the solver"; of an empty one "an earlier revision of the solver".
+[[nodiscard]] std::string revision_words(const std::string& revision);
 
 /// What makes two heads heads of one study, line by line: identity, seed, shard and columns.
 [[nodiscard]] std::string study_text(const StoreHead& head);
@@ -83,7 +92,7 @@ void check_row(const StoreHead& head, const WallRow& row);
 /// levels after the stored ones, another configuration text and other sessions; the largest number of
 /// samples is added to `design_sizes` if it exceeds the last, and sessions are added after the
 /// stored ones. Precision stays as stored.
-/// Throws StoreError(`file`: what differs, what to do) if identity, seed, columns, shard or stored
+/// Throws StoreError(`file`: what differs, what to do) if revision, identity, seed, columns, shard or stored
 /// levels differ, or if fewer samples are wanted than before.
 [[nodiscard]] StoreHead continued_head(const std::string& file, const StoreHead& stored,
                                        const StoreHead& wanted);

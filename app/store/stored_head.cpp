@@ -42,6 +42,7 @@ constexpr std::pair<const char*, std::string StoreSession::*> kSession[] = {
     {"/sessions/build", &StoreSession::build},
     {"/sessions/settings", &StoreSession::settings},
     {"/sessions/started", &StoreSession::started}};
+constexpr const char* kSessionRevision = "/sessions/solver_revision"; // not before 0.2.0
 
 constexpr std::pair<const char*, std::string Column::*> kInput[] = {
     {"/walls/input_name", &Column::name},
@@ -61,6 +62,19 @@ std::vector<T> structs(const hdf5::File& file, const Fields& fields)
                                    " does not have as many rows as the datasets beside it");
         for (std::size_t i = 0; i < list.size(); ++i) list[i].*member = values[i];
     }
+    return list;
+}
+
+std::vector<StoreSession> sessions(const hdf5::File& file)
+{
+    auto list = structs<StoreSession>(file, kSession);
+    if (file.checked(H5Lexists(file.id.get(), kSessionRevision, H5P_DEFAULT),
+                     "find the revision of the solver in") == 0)
+        return list;
+    const std::vector<std::string> revisions = hdf5::texts_of(file, kSessionRevision);
+    if (revisions.size() != list.size())
+        hdf5::damaged(file.path, "there is not a revision of the solver for each session");
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].solver_revision = revisions[i];
     return list;
 }
 
@@ -126,6 +140,8 @@ void put_head(const hdf5::File& file, const StoreHead& head)
     put_numbers(file, "/design_sizes", head.design_sizes);
     for (const auto& [name, member] : kSession)
         hdf5::put_texts(file, name, texts(head.sessions, member));
+    hdf5::put_texts(file, kSessionRevision,
+                    texts(head.sessions, &StoreSession::solver_revision));
     for (const auto& [name, member] : kInput)
         hdf5::put_texts(file, name, texts(head.inputs, member));
 }
@@ -174,7 +190,7 @@ StoreHead stored_head(const hdf5::File& file)
     };
     head.shard = small("shard");
     head.shards = small("shards");
-    head.sessions = structs<StoreSession>(file, kSession);
+    head.sessions = sessions(file);
     head.inputs = structs<Column>(file, kInput);
     head.responses = columns(file, "/responses");
     head.counts = columns(file, "/counts");

@@ -53,6 +53,8 @@ int curves_command(const Command& command)
         walls += row.curve.force.empty() ? 0 : 1;
     });
     out.finish();
+    if (const std::string other = other_revision_text(reader.head()); !other.empty())
+        std::cout << other << '\n';
     std::cout << walls << " curves written to " << file.string() << '\n';
     return 0;
 }

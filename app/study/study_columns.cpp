@@ -28,14 +28,23 @@ struct Count {
     std::int64_t (*read)(const PushedWall&);
 };
 
+/// The curve of a wall as read for the file: of a push that turns back always the mean backbone, so that facts do not
+/// follow fragility.backbone.
+const WallReading& fact_reading(const PushedWall& w)
+{
+    const auto& backbones = w.reading.backbones;
+    return backbones.empty() ? w.reading
+                             : backbones.at(static_cast<std::size_t>(fragility::Side::mean));
+}
+
 // clang-format off
 constexpr std::array kResponses = {
-    Response{"peak_force", "N", "largest horizontal load",
-        [](const PushedWall& w) { return peak_force(w.reading); }},
+    Response{"peak_force", "N", "largest horizontal load; of a push that turns back, this and the next two are of the mean backbone",
+        [](const PushedWall& w) { return peak_force(fact_reading(w)); }},
     Response{"peak_displacement", "m", "of the load line at the first largest load",
-        [](const PushedWall& w) { return peak_displacement(w.reading); }},
+        [](const PushedWall& w) { return peak_displacement(fact_reading(w)); }},
     Response{"secant_stiffness", "N/m", "at 30 % of the peak",
-        [](const PushedWall& w) { return w.reading.stiffness.value_or(kNotDefined); }},
+        [](const PushedWall& w) { return fact_reading(w).stiffness.value_or(kNotDefined); }},
     Response{"last_displacement", "m", "where the curve ends",
         [](const PushedWall& w) { return w.displacement.empty() ? kNotDefined : w.displacement.back(); }},
     Response{"settlement", "m", "of the beam under vertical load alone, positive down",

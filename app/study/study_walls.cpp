@@ -4,6 +4,7 @@
 #include "app/store/store_reader.hpp"
 #include "app/study/stored_study.hpp"
 #include "app/study/study_columns.hpp"
+#include "app/study/study_file_head.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
 #include "fragility/resampled_curve.hpp"
@@ -214,6 +215,8 @@ std::string trouble_text(const StudyWalls& walls)
     for (const StudyLevel& level : walls.levels) missing += level.missing;
     if (missing > 0)
         text += std::to_string(missing) + " walls of the study are not in this file\n";
+    if (const std::string other = other_revision_text(walls.head); !other.empty())
+        text += other + "\n";
     return text;
 }
 

@@ -18,5 +18,6 @@ ConfigError = _core.ConfigError
 StoreError = _core.StoreError
 NoFit = _core.NoFit
 __version__ = _core.__version__
+__solver_revision__ = _core.__solver_revision__
 
 __all__ = ["ConfigError", "Drifts", "NoFit", "Push", "Results", "StoreError", "Study", "Wall", "fragility", "open", "push", "uq"]

@@ -6,6 +6,7 @@ import numpy
 from numpy.typing import ArrayLike
 
 __version__: str
+__solver_revision__: int
 
 class ConfigError(ValueError): ...
 class StoreError(OSError): ...

@@ -41,6 +41,8 @@ class Results:
         """Walls of the study that the file has not."""
         self.configuration: str = file["configuration"]
         """The study file in full."""
+        self.solver_revision: str = file["solver_revision"]
+        """Revision of the solver that pushed the walls; empty in files of before 0.2.0. `drystone.__solver_revision__` is this program's."""
         self.inputs: dict[str, numpy.ndarray]
         """Random values of the walls in SI, by name."""
         self.responses: dict[str, numpy.ndarray]

@@ -69,6 +69,7 @@ py::dict read_walls(const std::string& path)
     file["vertical_stress"] = array_of(std::move(stress));
     file["missing"] = missing;
     file["configuration"] = head.configuration;
+    file["solver_revision"] = app::solver_revision(head.identity);
     file["inputs"] = columns_with(head.inputs, std::move(inputs));
     file["responses"] = columns_with(head.responses, std::move(responses));
     file["counts"] = columns_with(head.counts, std::move(counts));

@@ -71,7 +71,7 @@ app::StoreHead store_head(std::uint32_t samples)
     head.counts = {{"steps", "-", "of the solver"}, {"cracked_units", "-", ""}};
     head.cost = {{"seconds", "s", "CPU time"}};
     head.sessions = {
-        {"0.1.0", "a machine", "g++ 12, release", "2 threads", "2026-01-01T00:00"}};
+        {"0.1.0", "a machine", "g++ 12, release", "2 threads", "2026-01-01T00:00", "2"}};
     return head;
 }
 

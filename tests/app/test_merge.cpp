@@ -163,6 +163,20 @@ TEST_CASE("merge: a wall in two shards is refused", "[app][merge]")
                Contains("wall (level 0, sample 1) is in") && Contains("Name each shard once"));
 }
 
+TEST_CASE("merge: shards of two revisions of the solver are refused", "[app][merge]")
+{
+    const scenes::MemoryFolder folder;
+    app::StoreHead head = store_head(kSamples);
+    head.identity = "solver_revision = 2\n" + head.identity;
+    const fs::path first = shard(folder.path, 0, 2, head);
+    head.identity.replace(head.identity.find('2'), 1, "3");
+    const std::vector<fs::path> files{first, shard(folder.path, 1, 2, head)};
+    CHECK_THAT(refusal(folder.path / "all.h5", files),
+               Contains("is of revision 3 of the solver, ") &&
+                   Contains("of revision 2 of the solver: each gives other numbers") &&
+                   Contains("Nothing was written"));
+}
+
 TEST_CASE("merge: shards of different studies are refused and the difference is shown",
           "[app][merge]")
 {

@@ -10,16 +10,26 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace uq {
 
 class KeptEvaluations {
   public:
+    struct OtherModel : std::invalid_argument {
+        OtherModel(const std::string& what, std::string kept)
+            : std::invalid_argument(what), model(std::move(kept))
+        {
+        }
+        std::string model; ///< of the file
+    };
+
     /// Reads what an interrupted run has left. A last line that a kill has cut off is dropped.
     /// @param model what the answers depend on, in words
-    /// @throws std::invalid_argument if the file is that of another model; std::runtime_error if it is damaged or
+    /// @throws OtherModel if the file is that of another model; std::runtime_error if it is damaged or
     /// cannot be written
     KeptEvaluations(std::filesystem::path file, const std::string& model);
 
