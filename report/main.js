@@ -42,7 +42,7 @@ function statistics(data) {
     modes(data, section('modes', 'Failure modes'));
     add('modes', 'modes', 'means_by_mode', 'equal_modes', 'mode_thresholds');
     section('assumed', 'Assumptions', note('What the walls of this study were taken to be, beside what the page found out about them.'));
-    add('assumed', 'materials', 'wall_and_loads');
+    add('assumed', 'choices', 'materials', 'wall_and_loads');
     const inputs = section('inputs', 'Inputs', note('Values drawn for all walls, and the distribution they were drawn from, cut at what is physically possible.'));
     if (data.histograms.length) histograms(data, inputs);
     else inputs.append(element('p', {}, 'Nothing was random.'));

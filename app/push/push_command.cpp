@@ -21,6 +21,7 @@
 #include "app/study/drawn_wall.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -29,6 +30,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <iostream>
 #include <mutex>
 #include <optional>
@@ -42,12 +44,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Readings of the walls pushed the other way.
+std::vector<WallReading> push_other_way(const Study& study, const dem::Model& model,
+                                        const std::vector<WantedWall>& wanted, int threads)
+{
+    const Study other = turned_round(study);
+    dem::PushPlan plan = push_plan(other);
+    plan.snapshot_every = 0.0;
+    std::vector<WallReading> readings(wanted.size());
+    PushList list;
+    list.size = wanted.size();
+    list.wall = [&](std::size_t i) { return wanted[i]; };
+    list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
+        readings[i] = std::move(wall.reading);
+    };
+    push_walls(other, model, plan, list, threads);
+    return readings;
+}
+
 /// Pushes all walls. One line shows how far they are together: those that are done, and the one
-/// that spoke last.
+/// that spoke last. Walls that are not symmetric are pushed the other way at the same time.
 /// @param plan where to push the walls
 std::vector<PushedWall> push_all(const Study& study, dem::PushPlan plan,
                                  const std::vector<WantedWall>& wanted, int threads, bool quiet)
 {
+    const dem::Model model = model_of(study);
+    const bool both =
+        has_other_way(study, model.layout) && other_way_is_cheap(study, model.layout);
+    const int half = std::max(1, threads / 2);
+    std::future<std::vector<WallReading>> other;
+    if (both)
+        other = std::async(threads > 1 ? std::launch::async : std::launch::deferred,
+                           [&] { return push_other_way(study, model, wanted, half); });
     std::vector<PushedWall> walls(wanted.size());
     Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
     std::mutex mutex;
@@ -65,7 +93,12 @@ std::vector<PushedWall> push_all(const Study& study, dem::PushPlan plan,
         walls[i] = std::move(wall);
         finished += 1.0;
     };
-    push_walls(study, model_of(study), plan, list, threads);
+    push_walls(study, model, plan, list, both ? std::max(1, threads - half) : threads);
+    if (both) {
+        std::vector<WallReading> readings = other.get();
+        for (std::size_t i = 0; i < walls.size(); ++i)
+            walls[i].other_way = std::move(readings[i]);
+    }
     line.finish("");
     return walls;
 }
@@ -233,7 +266,8 @@ void check_folder(const Command& command, const Study& study,
         const std::vector<fs::path> there = series_there(command.out, folders);
         names.insert(names.end(), there.begin(), there.end());
     }
-    check_results(command.out, names, command.quiet, kPushList);
+    if (const std::string note = check_results(command.out, names, kPushList); !command.quiet)
+        std::cerr << note;
 }
 
 /// With the layout of the wall that is pushed.
@@ -249,7 +283,7 @@ int push_command(const Command& command)
 {
     const StudySource source = study_source(command);
     const std::vector<WantedWall> wanted = wanted_walls(source, command);
-    say_effects(source.study, command);
+    std::cerr << study_notes(source.study, command);
     const Study study = pushed_study(source.study, command.sample);
     check_folder(command, study, wanted);
     PushedSeries series(command.out, wall_folders(study, wanted));
@@ -266,6 +300,10 @@ int push_command(const Command& command)
                                      ".\n",
                                  terminal_width());
     std::cout << "written to " << command.out << '\n';
+    for (const PushedWall& w : walls)
+        if (dem::failed(w.result.outcome))
+            std::cerr << "drystone: " << stress_text(w.vertical_stress)
+                      << ": the wall failed: " << w.reading.no_reading << '\n';
     return std::ranges::any_of(
         walls, [](const PushedWall& w) { return dem::failed(w.result.outcome); });
 }

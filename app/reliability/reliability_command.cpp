@@ -157,7 +157,9 @@ void check_folder(const Command& command)
     std::vector<fs::path> names = {kEvaluations, "reliability.json"};
     for (const std::string name : {"reliability", "sensitivity", "design_points"})
         for (const char* const ending : {".csv", ".md", ".tex"}) names.push_back(name + ending);
-    check_results(command.out, names, command.quiet, kReliabilityList);
+    if (const std::string note = check_results(command.out, names, kReliabilityList);
+        !command.quiet)
+        std::cerr << note;
 }
 
 struct Question {
@@ -179,7 +181,7 @@ Question question_of(const Command& command)
     }
     if (!program) q.model += identity_text(study) + "level = " + command.level + '\n';
     q.model += "response = " + std::to_string(q.problem.event.response) + '\n';
-    say_effects(study, command);
+    std::cerr << study_notes(study, command);
     return q;
 }
 

@@ -120,7 +120,7 @@ int study_command(const Command& command, const FrameTaker& frames)
 {
     const Study study = read_study(command.study, command.overrides);
     check_stop(study, command);
-    say_effects(study, command);
+    std::cerr << study_notes(study, command);
     if (!command.script.empty()) return write_slurm_script(study, command);
     StudyRun run;
     run.file = shard_file(command.out, command.shard);
