@@ -140,7 +140,8 @@ bool takes(const Verb& verb, const Option& option)
 
 po::options_description described(const Verb* verb)
 {
-    po::options_description all("Options", 96);
+    constexpr unsigned kUnbroken = 1000; // lines are broken as wide as the terminal is
+    po::options_description all("Options", kUnbroken);
     for (const Option& o : options()) {
         if (verb != nullptr && !takes(*verb, o)) continue;
         const std::string name = o.name + (o.name == "help"      ? ",h"

@@ -92,7 +92,8 @@ std::string other_way_remark(const StudyWalls& walls)
     const int direction = push_way(study).direction;
     return std::string("The wall is not symmetric, and all walls were pushed to the ") +
            way_name(direction) + "; to the " + way_name(-direction) +
-           " they may carry less: drystone push " + walls.name + " --sample mean" +
+           " they may carry less: drystone push " + (walls.shard ? "FILE.h5" : walls.name) +
+           " --sample mean" +
            (study.load.vertical_stress.size() > 1 ? " --level STRESS" : "") +
            " gives the peaks of both.";
 }

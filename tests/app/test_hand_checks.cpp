@@ -83,7 +83,7 @@ TEST_CASE("hand checks: a beam that slides on the wall is remarked as the rig's 
                    Catch::Contains("rig"));
     w.result.at_end.faces = {face(dem::FaceKind::beam_joint, 0.009, -1e6)};
     CHECK_THAT(remarks(w, on_joint), !Catch::Contains("rig"));
-    w.result.at_end.faces = {face(dem::FaceKind::bed_joint, 0.015, -1e6)};
+    w.result.at_end.faces = {face(dem::FaceKind::head_joint, 0.015, -1e6)};
     CHECK_THAT(remarks(w, on_joint), !Catch::Contains("rig"));
 }
 
