@@ -30,7 +30,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <future>
 #include <iostream>
 #include <mutex>
 #include <optional>
@@ -44,24 +43,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Readings of the walls pushed the other way.
-std::vector<WallReading> push_other_way(const Study& study, const dem::Model& model,
-                                        const std::vector<WantedWall>& wanted, int threads)
-{
-    const Study other = turned_round(study);
-    dem::PushPlan plan = push_plan(other);
-    plan.snapshot_every = 0.0;
-    std::vector<WallReading> readings(wanted.size());
-    PushList list;
-    list.size = wanted.size();
-    list.wall = [&](std::size_t i) { return wanted[i]; };
-    list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
-        readings[i] = std::move(wall.reading);
-    };
-    push_walls(other, model, plan, list, threads);
-    return readings;
-}
-
 /// Pushes all walls. One line shows how far they are together: those that are done, and the one
 /// that spoke last. Walls that are not symmetric are pushed the other way at the same time.
 /// @param plan where to push the walls
@@ -69,13 +50,7 @@ std::vector<PushedWall> push_all(const Study& study, dem::PushPlan plan,
                                  const std::vector<WantedWall>& wanted, int threads, bool quiet)
 {
     const dem::Model model = model_of(study);
-    const bool both =
-        has_other_way(study, model.layout) && other_way_is_cheap(study, model.layout);
-    const int half = std::max(1, threads / 2);
-    std::future<std::vector<WallReading>> other;
-    if (both)
-        other = std::async(threads > 1 ? std::launch::async : std::launch::deferred,
-                           [&] { return push_other_way(study, model, wanted, half); });
+    OtherWay other(study, model, wanted, threads);
     std::vector<PushedWall> walls(wanted.size());
     Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
     std::mutex mutex;
@@ -93,12 +68,8 @@ std::vector<PushedWall> push_all(const Study& study, dem::PushPlan plan,
         walls[i] = std::move(wall);
         finished += 1.0;
     };
-    push_walls(study, model, plan, list, both ? std::max(1, threads - half) : threads);
-    if (both) {
-        std::vector<WallReading> readings = other.get();
-        for (std::size_t i = 0; i < walls.size(); ++i)
-            walls[i].other_way = std::move(readings[i]);
-    }
+    push_walls(study, model, plan, list, other.threads_left());
+    other.add_to(walls);
     line.finish("");
     return walls;
 }

@@ -19,8 +19,8 @@ int merge_command(const Command& command)
     merge(out, shards, command.partial);
     const StudySummary summary = summarise(read_study_walls(out, {}, Keep::readings));
     std::cout << as_text(summary.table, terminal_width())
-              << wrapped(summary.remarks, terminal_width()) << "written to "
-              << out.string() << '\n';
+              << wrapped(summary.remarks, terminal_width()) << "written to " << out.string()
+              << '\n';
     return summary.failed == 0 && summary.missing == 0 ? 0 : 1;
 }
 

@@ -3,11 +3,15 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "app/study/interrupt.hpp"
+#include "app/study/push_walls.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/contact_count.hpp"
 #include "dem/scene/symmetry.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 namespace {
@@ -40,20 +44,44 @@ std::string compared(const WallReading& other, const WallReading& first)
            (change < 0.0 ? "less" : "more") + ")";
 }
 
+/// Whether a push takes no longer than half a minute of one core.
+bool is_cheap(const Study& study, const dem::Layout& layout)
+{
+    constexpr double kMost = 1e9;                  // contact updates
+    if (!study.cracks.where.empty()) return false; // cracks were placed for this way
+    const double steps = 1e3 * push_way(study).length * study.solver.steps_per_mm;
+    const std::size_t contacts = dem::contact_count(layout, study.discretisation);
+    return steps * static_cast<double>(contacts) < kMost;
+}
+
+/// Readings of the walls pushed the other way.
+std::vector<WallReading> push_other_way(const Study& study, const dem::Model& model,
+                                        const std::vector<WantedWall>& wanted, int threads,
+                                        const std::function<void()>& look)
+{
+    const Study other = turned_round(study);
+    dem::PushPlan plan = push_plan(other);
+    plan.snapshot_every = 0.0;
+    plan.progress = [&](double, double, double) {
+        if (interrupted()) throw Interrupted();
+        if (look) look();
+    };
+    std::vector<WallReading> readings(wanted.size());
+    PushList list;
+    list.size = wanted.size();
+    list.wall = [&](std::size_t i) { return wanted[i]; };
+    list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
+        readings[i] = std::move(wall.reading);
+    };
+    push_walls(other, model, plan, list, threads);
+    return readings;
+}
+
 } // namespace
 
 bool has_other_way(const Study& study, const dem::Layout& layout)
 {
     return push_way(study).direction != 0 && !dem::is_symmetric(layout);
-}
-
-bool other_way_is_cheap(const Study& study, const dem::Layout& layout)
-{
-    constexpr double kMost = 2e10; // contact updates: some two minutes of one core
-    if (!study.cracks.where.empty()) return false; // cracks were placed for this way
-    const double steps = 1e3 * push_way(study).length * study.solver.steps_per_mm;
-    const std::size_t contacts = dem::contact_count(layout, study.discretisation);
-    return steps * static_cast<double>(contacts) < kMost;
 }
 
 Study turned_round(Study study)
@@ -62,6 +90,27 @@ Study turned_round(Study study)
     if (load.targets.empty()) load.targets = {load.max_displacement};
     for (double& target : load.targets) target = -target;
     return study;
+}
+
+OtherWay::OtherWay(const Study& study, const dem::Model& model,
+                   const std::vector<WantedWall>& wanted, int threads,
+                   std::function<void()> look)
+    : threads_left_(threads)
+{
+    if (!has_other_way(study, model.layout) || !is_cheap(study, model.layout)) return;
+    const int half = std::max(1, threads / 2);
+    threads_left_ = std::max(1, threads - half);
+    readings_ = std::async(threads > 1 ? std::launch::async : std::launch::deferred,
+                           [&study, &model, &wanted, half, look = std::move(look)] {
+                               return push_other_way(study, model, wanted, half, look);
+                           });
+}
+
+void OtherWay::add_to(std::vector<PushedWall>& walls)
+{
+    if (!readings_.valid()) return;
+    std::vector<WallReading> readings = readings_.get();
+    for (std::size_t i = 0; i < walls.size(); ++i) walls[i].other_way = std::move(readings[i]);
 }
 
 std::string other_way_remark(const Study& study, const dem::Layout& layout,
@@ -93,8 +142,7 @@ std::string other_way_remark(const StudyWalls& walls)
     return std::string("The wall is not symmetric, and all walls were pushed to the ") +
            way_name(direction) + "; to the " + way_name(-direction) +
            " they may carry less: drystone push " + (walls.shard ? "FILE.h5" : walls.name) +
-           " --sample mean" +
-           (study.load.vertical_stress.size() > 1 ? " --level STRESS" : "") +
+           " --sample mean" + (study.load.vertical_stress.size() > 1 ? " --level STRESS" : "") +
            " gives the peaks of both.";
 }
 

@@ -134,8 +134,8 @@ int study_command(const Command& command, const FrameTaker& frames)
     const StudyRunEnd end = run_with_line(study, run, command.quiet);
     const StudySummary summary = study_summary(run.file, command.shard.count == 1);
     std::cout << as_text(summary.table, terminal_width())
-              << wrapped(summary.remarks, terminal_width()) << end.remark
-              << resumed_text(end) << "written to " << run.file.string() << '\n';
+              << wrapped(summary.remarks, terminal_width()) << end.remark << resumed_text(end)
+              << "written to " << run.file.string() << '\n';
     if (!end.whole)
         std::cerr << "drystone: interrupted; the same command goes on where it stopped\n";
     return end.whole && summary.failed == 0 ? 0 : 1;

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -131,13 +132,29 @@ TEST_CASE("command line: the help of a verb lists its options and no others",
         }
 }
 
-TEST_CASE("command line: the verbs that an option names are verbs", "[app][command_line]")
+TEST_CASE(
+    "command line: the verbs that an option or a key names are verbs, the sections of a verb "
+    "sections",
+    "[app][command_line]")
 {
-    for (const app::Option& option : app::options()) {
-        std::istringstream verbs(option.verbs);
+    const auto check_verbs = [](const std::string& list) {
+        std::istringstream verbs(list);
         for (std::string name; verbs >> name;) {
-            INFO("--" << option.name);
+            INFO(name);
             CHECK(app::find_verb(app::verbs(), name) != nullptr);
+        }
+    };
+    for (const app::Option& option : app::options()) check_verbs(option.verbs);
+    for (const app::Key& key : app::study_keys()) check_verbs(std::string(key.verbs));
+    for (const app::Verb& verb : app::verbs()) {
+        std::istringstream sections{std::string(verb.sections)};
+        for (std::string name; sections >> name;) {
+            INFO(verb.name << " reads " << name);
+            const auto in_it = [&](const app::Key& key) {
+                return app::section_of(key.name) == name;
+            };
+            CHECK((std::ranges::any_of(app::study_keys(), in_it) ||
+                   std::ranges::any_of(app::program_keys(), in_it)));
         }
     }
 }
