@@ -14,7 +14,7 @@ namespace app {
 bool reads(const Verb& verb, const Key& key)
 {
     return is_listed(section_of(key.name), verb.sections) &&
-           (key.verbs.empty() || is_listed(verb.name, key.verbs));
+           (key.verbs.empty() || key.verbs.has(verb.name));
 }
 
 std::string effect_notes(const Study& study, const Verb& verb)

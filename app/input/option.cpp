@@ -135,7 +135,7 @@ const Option* find_option(std::string_view name)
 
 bool takes(const Verb& verb, const Option& option)
 {
-    return option.verbs.empty() || is_listed(verb.name, option.verbs);
+    return option.verbs.empty() || option.verbs.has(verb.name);
 }
 
 po::options_description described(const Verb* verb)
