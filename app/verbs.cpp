@@ -27,6 +27,7 @@ int study_then_report(const Command& study)
     tables.out = (file.parent_path() / file.stem()).string();
     Command page = tables;
     page.out += ".html";
+    page.title = study.title;
     check_fragility(tables);
     check_report(page);
     FilmShelf films;

@@ -1,6 +1,7 @@
 #include "app/wall_verbs.hpp"
 
 #include "app/input/command_line.hpp"
+#include "app/output/markup.hpp"
 #include "app/program_version.hpp"
 #include "app/verbs.hpp"
 #include "app/version.hpp"
@@ -12,7 +13,8 @@ namespace app {
 
 int help_command(const Command& command)
 {
-    std::cout << help_text(verbs(), command.words.empty() ? "" : command.words.front());
+    std::cout << hung(help_text(verbs(), command.words.empty() ? "" : command.words.front()),
+                      terminal_width());
     return 0;
 }
 

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// Writes the help of the program, or of the verb that is the first word.
+/// Writes the help of the program, or of the verb, key or word that is its first word, as wide as the terminal.
 int help_command(const Command& command);
 
 /// Writes name, version, commit and revision of the solver.
@@ -30,8 +30,9 @@ inline constexpr Verb kSceneVerb{
     .run = scene_command};
 
 inline constexpr Verb kHelpVerb{.name = "help",
-                                .words = "[VERB]",
-                                .meaning = "this text, or the options and keys of a verb",
+                                .words = "[VERB|KEY|WORD]",
+                                .meaning = "this text, the options and keys of a verb, or what "
+                                           "a key or a word is about",
                                 .example = "drystone help push",
                                 .out = OutKind::none,
                                 .least = 0,

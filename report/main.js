@@ -59,8 +59,8 @@ function statistics(data) {
     add('modes', 'modes', 'means_by_mode');
     document.getElementById('modes').append(folded('For statisticians: where the modes change',
         note('Firth\'s penalty keeps a logistic regression finite where a stress parts the modes completely.'), table(data.tables.equal_modes), table(data.tables.mode_thresholds)));
-    section('assumed', 'Assumptions', note('What the walls of this study were taken to be.'),
-        folded('Materials', table(data.tables.materials)), folded('Wall and loads', table(data.tables.wall_and_loads)));
+    section('assumed', 'Assumptions', note('What the walls of this study were taken to be, beside what the page found out about them.'),
+        table(data.tables.choices), folded('Materials', table(data.tables.materials)), folded('Wall and loads', table(data.tables.wall_and_loads)));
     const inputs = section('inputs', 'Inputs', note('Values drawn for all walls, and the distribution they were drawn from, cut at what is physically possible.'));
     if (data.histograms.length) histograms(data, inputs);
     else inputs.append(element('p', {}, 'Nothing was random.'));

@@ -18,7 +18,9 @@
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
 #include "app/store/wall_file.hpp"
+#include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/other_way.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/text_file.hpp"
 #include "app/text/words.hpp"
@@ -42,6 +44,9 @@ void add_pictures(FragilityOutput& output, std::vector<NamedPicture> pictures)
 std::string remarks_of(const StudyWalls& walls)
 {
     std::string text = trouble_text(walls);
+    if (const std::string none = no_limit_remark(walls); !none.empty()) text += none + "\n";
+    if (const std::string other = other_way_remark(walls); !other.empty()) text += other + "\n";
+    text += limit_choices_text(walls.study) + "\n";
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
     if (!walls.pushed_one_way) text += backbone_text(walls.study).substr(1) + "\n";
@@ -93,7 +98,16 @@ DriftOptions options_of(const std::vector<std::string>& overrides)
 /// A missing or damaged FILE.h5 is a study too: its reader says what is wrong with it.
 bool is_study(const std::string& path) { return path.ends_with(".h5") || begins_as_hdf5(path); }
 
-void check_columns(const Command& command, bool study)
+/// "; its columns are \"wall\", \"drift [%]\""
+std::string columns_text(const Csv& csv)
+{
+    std::string text;
+    for (const std::string& head : csv.head)
+        text += (text.empty() ? "" : ", ") + in_quotes(head);
+    return "; its columns are " + text;
+}
+
+void check_columns(const Command& command, const Csv* table)
 {
     const bool drifts =
         !command.drift.empty() || !command.censored.empty() || !command.group.empty();
@@ -102,9 +116,9 @@ void check_columns(const Command& command, bool study)
     const auto refuse = [](const char* option, const std::string& why) {
         throw ConfigError("drystone", 0, option, why);
     };
-    if (study && (drifts || counts))
+    if (table == nullptr && (drifts || counts))
         refuse("--drift, --intensity, ...", "a study has no columns; leave these options out");
-    if (study) return;
+    if (table == nullptr) return;
     if (drifts && counts)
         refuse(
             "--intensity, --failed, --of, --state",
@@ -112,9 +126,11 @@ void check_columns(const Command& command, bool study)
             "and --group");
     if (!drifts && !counts)
         refuse("--drift", "missing; name the column of drifts in " + in_quotes(command.study) +
-                              ", or --intensity, --failed and --of of a table of counts");
+                              ", or --intensity, --failed and --of of a table of counts" +
+                              columns_text(*table));
     if (drifts && command.drift.empty())
-        refuse("--drift", "missing; name the column of drifts in " + in_quotes(command.study));
+        refuse("--drift", "missing; name the column of drifts in " + in_quotes(command.study) +
+                              columns_text(*table));
     if (!counts) return;
     if (command.intensity.empty())
         refuse("--intensity", "missing; name the column of intensities");
@@ -126,13 +142,25 @@ void check_columns(const Command& command, bool study)
         refuse("--of", "missing; name the column of the total numbers of walls");
 }
 
+void refuse_study_file(const std::string& path)
+{
+    if (!path.ends_with(".ini")) return;
+    const std::string results = "runs/" + fs::path(path).stem().string() + ".h5";
+    throw ConfigError(path, 0, "",
+                      "is a study file and has no results yet; write \"drystone study " + path +
+                          "\", then \"drystone fragility " + results + "\"");
+}
+
 FragilityOutput output_of(const Command& command, const FitProgress& seen)
 {
-    const bool study = is_study(command.study);
-    check_columns(command, study);
-    if (study) return study_output(read_study_walls(command.study, command.overrides), seen);
+    if (is_study(command.study)) {
+        check_columns(command, nullptr);
+        return study_output(read_study_walls(command.study, command.overrides), seen);
+    }
+    refuse_study_file(command.study);
     const DriftOptions options = options_of(command.overrides);
     const Csv csv = read_csv(command.study);
+    check_columns(command, &csv);
     if (!command.intensity.empty())
         return damage_output(
             damage_counts(csv, {command.intensity, command.failed, command.state, command.of}),
@@ -187,7 +215,8 @@ void check_fragility(const Command& command)
     std::vector<fs::path> names = {"README.md", "fragility.json"};
     for (const char* const ending : kTableEndings)
         names.push_back(std::string("performance_limits") + ending);
-    check_results(command.out, names, command.quiet);
+    if (const std::string note = check_results(command.out, names); !command.quiet)
+        std::cerr << note;
 }
 
 int fragility_command(const Command& command)

@@ -1,6 +1,7 @@
 #include "app/fragility/fragility_data.hpp"
 
 #include "app/output/cells.hpp"
+#include "app/study/limit_choices.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
 
@@ -53,6 +54,7 @@ DriftData drift_data(const StudyWalls& walls)
     data.source = walls.name;
     data.drift =
         "Drift: displacement of the load line / its height, " + number(walls.height, 6) + " m";
+    data.no_limit = no_limit_remark(walls);
     data.group_head = "stress [MPa]";
     const std::vector<int> modes = modes_of(walls);
     for (const int mode : modes) data.modes.emplace_back(mode_name(mode));

@@ -51,8 +51,9 @@ struct DriftOptions {
 [[nodiscard]] DriftOptions drift_options(const Study& study);
 
 struct DriftData {
-    std::string source;     ///< of captions: "paper.h5, 250 walls"
-    std::string drift;      ///< what the drift is
+    std::string source;   ///< of captions: "paper.h5, 250 walls"
+    std::string drift;    ///< what the drift is
+    std::string no_limit; ///< why walls have no drift limit: a sentence; empty where they have
     std::string unit = "%"; ///< of the drifts; empty: not said
     double percent = 1.0;   ///< drift in % per unit; 0: unknown
     std::string group_head; ///< of the first column: "stress [MPa]"

@@ -197,6 +197,7 @@ void add_model(const DriftData& data, std::size_t state, Table& t)
 Table performance_table(const DriftData& data)
 {
     Table t = titled_table("performance_limits", words_of(data));
+    if (!data.no_limit.empty()) t.caption += " " + data.no_limit;
     t.keys = 2;
     t.head = {data.group_head,
               "limit state",

@@ -78,13 +78,29 @@ std::string_view inside(std::string_view text)
     return trimmed(text.substr(open + 1, text.size() - open - 2));
 }
 
+/// A coefficient of variation: "0.20" or "20 %".
+double coefficient_of_variation(std::string_view text)
+{
+    constexpr double kMost = 2.0; // beyond it a percentage was meant
+    const bool percent = text.ends_with('%');
+    const std::string_view digits = percent ? trimmed(text.substr(0, text.size() - 1)) : text;
+    const double value = parse_quantity(digits, "") / (percent ? 100.0 : 1.0);
+    if (value < kMost) return value;
+    const std::string given(digits);
+    throw BadValue("cov " + given +
+                   (percent ? " % is out of range; write less than 200 %"
+                            : " is a scatter of " + given + " times the mean; write \"cov " +
+                                  given + " %\" if that was meant, and less than 2 otherwise"));
+}
+
 /// Takes a parameter out of the call.
 std::optional<double> take(Call& call, std::string_view name, std::string_view unit)
 {
     const auto is_it = [&](const Parameter& p) { return p.name == name; };
     const auto found = std::ranges::find_if(call.parameters, is_it);
     if (found == call.parameters.end()) return {};
-    const double value = parse_quantity(found->value, unit);
+    const double value = name == "cov" ? coefficient_of_variation(found->value)
+                                       : parse_quantity(found->value, unit);
     call.parameters.erase(found);
     if (std::ranges::find_if(call.parameters, is_it) != call.parameters.end())
         throw BadValue(in_quotes(name) + " is given twice in " + in_quotes(call.text) +
@@ -212,7 +228,7 @@ std::string distribution_help()
     return text +
            "  empirical(values)\n"
            "each with \", from ..., to ...\" to cut it off. Quantities carry their unit; "
-           "cov, sigma_log and shape have none.\n";
+           "cov, sigma_log and shape have none; cov may be in percent: cov 20 %.\n";
 }
 
 } // namespace app

@@ -6,7 +6,6 @@
 #include "dem/block/build_cost.hpp"
 
 #include <algorithm>
-#include <iostream>
 #include <utility>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace app {
 bool reads(const Verb& verb, const Key& key)
 {
     return is_listed(section_of(key.name), verb.sections) &&
-           (key.verbs.empty() || is_listed(verb.name, key.verbs));
+           (key.verbs.empty() || key.verbs.has(verb.name));
 }
 
 std::string effect_notes(const Study& study, const Verb& verb)
@@ -64,20 +63,22 @@ std::string cost_note(const Study& study)
     return "note: making the blocks takes " + text + " before the push begins; " + less + "\n";
 }
 
-void say_effects(const Study& study, const Command& command)
+std::string study_notes(const Study& study, const Command& command)
 {
-    if (command.verb == nullptr) return;
+    if (command.verb == nullptr) return "";
     if (!reads(*command.verb, *find_key("uq.drawn"))) refuse_drawn(study);
-    std::cerr << effect_notes(study, *command.verb);
+    std::string notes = effect_notes(study, *command.verb);
     if (!study.load.scaled.empty())
-        std::cerr << "note: load.protocol_scale: the protocol goes to "
-                  << fixed(study.load.max_displacement * 1e3, 2)
-                  << " mm; ultimate displacement of the mean wall pushed one way: "
-                  << study.load.scaled << '\n';
-    std::cerr << cost_note(study);
-    const char* key = study.geometry.file.empty() ? "wall.outlines" : "wall.geometry";
+        notes +=
+            "note: load.protocol_scale: the protocol goes to " +
+            fixed(study.load.max_displacement * 1e3, 2) +
+            " mm; ultimate displacement of the mean wall pushed one way: " + study.load.scaled +
+            '\n';
+    notes += cost_note(study);
+    const std::string key = study.geometry.file.empty() ? "wall.outlines" : "wall.geometry";
     for (const std::string& note : study.geometry.notes)
-        std::cerr << "note: " << key << ": " << note << '\n';
+        notes += "note: " + key + ": " + note + '\n';
+    return notes;
 }
 
 } // namespace app

@@ -24,8 +24,9 @@ namespace app {
 /// @throws ConfigError where the study names one wall (uq.drawn)
 void refuse_drawn(const Study& study);
 
-/// The same, on stderr, and what was closed, simplified or ignored of a drawing. Nothing for a command without a verb, as other programs make them.
+/// All notes on a study before it is run, for people: these, and what was closed, simplified or ignored of a drawing. Nothing for
+/// a command without a verb, as other programs make them.
 /// @throws ConfigError where the study names one wall (uq.drawn) and the verb is not push
-void say_effects(const Study& study, const Command& command);
+[[nodiscard]] std::string study_notes(const Study& study, const Command& command);
 
 } // namespace app

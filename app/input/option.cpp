@@ -99,7 +99,7 @@ std::vector<Option> table()
          [](Command& c, Text) { c.partial = true; }},
         {"walls", "N", "number of walls that can be looked at (default: all; a choice if the study is large)", "report", false,
          [](Command& c, Text v) { c.walls = whole_number(v, 0, 1e6); }},
-        {"title", "TEXT", "title of the page (default: name of the study)", "report", false,
+        {"title", "TEXT", "title of the page (default: name of the study)", "report study", false,
          [](Command& c, Text v) { c.title = some_text(v); }},
         {"port", "N", "port of a server, 0 for any free one (default: 4242)", "serve", false,
          [](Command& c, Text v) { c.port = whole_number(v, 0, 65535); }},
@@ -137,15 +137,18 @@ const Option* find_option(std::string_view name)
 
 bool takes(const Verb& verb, const Option& option)
 {
-    return option.verbs.empty() || is_listed(verb.name, option.verbs);
+    return option.verbs.empty() || option.verbs.has(verb.name);
 }
 
 po::options_description described(const Verb* verb)
 {
-    po::options_description all("Options", 96);
+    constexpr unsigned kUnbroken = 1000; // lines are broken as wide as the terminal is
+    po::options_description all("Options", kUnbroken);
     for (const Option& o : options()) {
         if (verb != nullptr && !takes(*verb, o)) continue;
-        const std::string name = o.name == "help" ? "help,h" : o.name;
+        const std::string name = o.name + (o.name == "help"      ? ",h"
+                                           : o.name == "version" ? ",V"
+                                                                 : "");
         if (o.value_name.empty())
             all.add_options()(name.c_str(), o.meaning.c_str());
         else

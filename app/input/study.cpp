@@ -14,12 +14,29 @@
 #include "fragility/cyclic_curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
 
 namespace app {
 namespace {
+
+/// Two keys that give one thing. The one that --set gives takes the place of the other in the file.
+constexpr std::array<std::array<std::string_view, 2>, 2> kOneOfTwo = {
+    {{"joint.wall_modulus", "joint.normal_stiffness"}, {"load.targets", "load.amplitudes"}}};
+
+StudyFile without_replaced(StudyFile file)
+{
+    for (const auto& [a, b] : kOneOfTwo) {
+        const Entry *const first = find_entry(file, a), *const second = find_entry(file, b);
+        if (first == nullptr || second == nullptr) continue;
+        if ((first->line == 0) == (second->line == 0)) continue; // a check refuses both
+        const std::string_view replaced = first->line == 0 ? b : a;
+        std::erase_if(file.entries, [&](const Entry& e) { return e.key == replaced; });
+    }
+    return file;
+}
 
 /// A friction that no joint has is a misunderstanding; data of units that cannot crack are not.
 void refuse_unused(const Key& key, const Study& study)
@@ -57,7 +74,7 @@ Study read_study(const StudyFile& file)
                           "only the verb reliability takes a study of another program");
     refuse_unknown(file, study_keys());
     Study study;
-    study.source = file;
+    study.source = without_replaced(file);
     for (const Key& key : study_keys()) read_key(key, study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
     read_geometry(study);

@@ -243,6 +243,19 @@ void check_pattern(const Study& study)
                        " has no beam to act on; write 0 MPa, or beam.present = yes");
 }
 
+/// Dry joints carry nothing that does not press on them.
+void check_pressed(const Study& study)
+{
+    const auto& levels = study.load.vertical_stress;
+    if (study.load.gravity > 0.0 || has_mortar(study) ||
+        *std::ranges::min_element(levels) > 0.0)
+        return;
+    refuse(study,
+           find_entry(study.source, "load.gravity") ? "load.gravity" : "load.vertical_stress",
+           "without weight and under 0 MPa nothing presses on dry joints, and the wall carries "
+           "nothing; write 9.81 m/s2, or a load.vertical_stress above 0 MPa");
+}
+
 /// How the vertical load follows matters to a wall that moves.
 void check_top_load(const Study& study)
 {
@@ -319,6 +332,7 @@ void check_relations(const Study& study)
     check_zones(study);
     check_pattern(study);
     check_load(study);
+    check_pressed(study);
     check_top_load(study);
     check_output(study);
     check_layouts(study);

@@ -130,6 +130,10 @@ double in_si(const Parts& parts, const Unit& expected)
             throw BadValue(in_quotes(std::string(parts.number_text) + std::string(parts.unit)) +
                            " is a fraction; write it as a decimal number, such as 0.3333");
         }
+        if (expected.name.empty() && parts.unit == "%") {
+            throw BadValue("a percentage where a number belongs; write " +
+                           in_quotes(number(parts.number / 100.0, 12)));
+        }
         if (expected.name.empty()) {
             throw BadValue(is + " where none belongs; write " + in_quotes(parts.number_text));
         }
@@ -143,6 +147,21 @@ double in_si(const Parts& parts, const Unit& expected)
     return value;
 }
 
+/// What a comma before no blank may have meant: the point of a decimal number, or a list.
+std::string without_doubt(std::string_view text, std::size_t comma)
+{
+    std::string point(text), list;
+    point[comma] = '.';
+    for (const std::string_view item : split(text, ","))
+        list += (list.empty() ? "" : ", ") + std::string(item);
+    const bool several = text.find(',', comma + 1) != std::string_view::npos;
+    const bool sign =
+        comma + 1 < text.size() && (text[comma + 1] == '-' || text[comma + 1] == '+');
+    if (several || sign) return "a blank after each comma of a list, " + in_quotes(list);
+    return "a decimal point, " + in_quotes(point) + ", or a list with blanks, " +
+           in_quotes(list);
+}
+
 /// A comma ends an item of a list only before a blank, so that "0,15" is never read as 0
 /// and 15.
 std::vector<std::string_view> unit_words(std::string_view text)
@@ -152,11 +171,8 @@ std::vector<std::string_view> unit_words(std::string_view text)
         comma = text.find(',', begin);
         if (comma != std::string_view::npos && comma + 1 < text.size() &&
             text[comma + 1] != ' ' && text[comma + 1] != '\t') {
-            std::string point(text), list(text);
-            point[comma] = '.';
-            list.insert(comma + 1, " ");
-            throw BadValue("comma inside " + in_quotes(text) + "; write a decimal point, " +
-                           in_quotes(point) + ", or a list with blanks, " + in_quotes(list));
+            throw BadValue("comma inside " + in_quotes(text) + "; write " +
+                           without_doubt(text, comma));
         }
         found.push_back(trimmed(text.substr(begin, comma - begin)));
         if (found.back().empty()) {

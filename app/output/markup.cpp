@@ -1,6 +1,7 @@
 #include "app/output/markup.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -88,6 +89,36 @@ std::string wrapped(const std::string& text, std::size_t width)
             used = 0;
         }
         at = end + 1;
+    }
+    return lines;
+}
+
+namespace {
+
+/// Column at which the words of a line that is too long go on: that of its last column, or a little to the right of
+/// its beginning.
+std::size_t hang_of(std::string_view line, std::size_t width)
+{
+    const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+    const std::size_t gap = line.substr(0, width).rfind("  ");
+    const bool columns = gap != std::string_view::npos && gap > begin && 2 * gap < width;
+    return columns ? gap + 2 : begin + 2;
+}
+
+} // namespace
+
+std::string hung(const std::string& text, std::size_t width)
+{
+    std::string lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line); lines += line + '\n') {
+        const std::size_t hang = hang_of(line, width);
+        while (shown_width(line) > width) {
+            const std::size_t blank = line.rfind(' ', width);
+            if (blank == std::string::npos || blank <= hang) break; // one word is longer
+            lines += line.substr(0, blank) + '\n';
+            line.replace(0, blank + 1, std::string(hang, ' '));
+        }
     }
     return lines;
 }

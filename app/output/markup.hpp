@@ -30,6 +30,10 @@ struct Replacement {
 /// Lines of at most `width` characters, broken at blanks; a longer word stands alone. 0: one line.
 [[nodiscard]] std::string wrapped(const std::string& text, std::size_t width);
 
+/// The text with lines of at most `width` columns. A line that is longer is broken at blanks and goes on below its last
+/// column, or indented by two.
+[[nodiscard]] std::string hung(const std::string& text, std::size_t width);
+
 /// Characters of UTF-8, of one column each.
 [[nodiscard]] std::size_t shown_width(std::string_view text);
 

@@ -23,6 +23,7 @@
 #include "app/study/drawn_wall.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -45,11 +46,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Pushes all walls. One line shows how far they are together: those that are done, and the one
-/// that spoke last.
+/// that spoke last. Walls that are not symmetric are pushed the other way at the same time.
 /// @param plan where to push the walls
 std::vector<PushedWall> push_all(const Study& study, dem::PushPlan plan,
                                  const std::vector<WantedWall>& wanted, int threads, bool quiet)
 {
+    const dem::Model model = model_of(study);
+    OtherWay other(study, model, wanted, threads);
     std::vector<PushedWall> walls(wanted.size());
     Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
     std::mutex mutex;
@@ -67,7 +70,8 @@ std::vector<PushedWall> push_all(const Study& study, dem::PushPlan plan,
         walls[i] = std::move(wall);
         finished += 1.0;
     };
-    push_walls(study, model_of(study), plan, list, threads);
+    push_walls(study, model, plan, list, other.threads_left());
+    other.add_to(walls);
     line.finish("");
     return walls;
 }
@@ -240,7 +244,8 @@ void check_folder(const Command& command, const Study& study,
         const std::vector<fs::path> there = series_there(command.out, folders);
         names.insert(names.end(), there.begin(), there.end());
     }
-    check_results(command.out, names, command.quiet, kPushList);
+    if (const std::string note = check_results(command.out, names, kPushList); !command.quiet)
+        std::cerr << note;
 }
 
 /// With the layout of the wall that is pushed.
@@ -256,7 +261,7 @@ int push_command(const Command& command)
 {
     const StudySource source = study_source(command);
     const std::vector<WantedWall> wanted = wanted_walls(source, command);
-    say_effects(source.study, command);
+    std::cerr << study_notes(source.study, command);
     const Study study = pushed_study(source.study, command.sample);
     check_folder(command, study, wanted);
     PushedSeries series(command.out, wall_folders(study, wanted));
@@ -275,6 +280,10 @@ int push_command(const Command& command)
                                      ".\n",
                                  terminal_width());
     std::cout << "written to " << command.out << '\n';
+    for (const PushedWall& w : walls)
+        if (dem::failed(w.result.outcome))
+            std::cerr << "drystone: " << stress_text(w.vertical_stress)
+                      << ": the wall failed: " << w.reading.no_reading << '\n';
     return std::ranges::any_of(
         walls, [](const PushedWall& w) { return dem::failed(w.result.outcome); });
 }

@@ -140,6 +140,14 @@ std::string summary_json(const Study& study, const PushedWall& w)
         j["read_on"] = fragility::kSideNames[static_cast<int>(rules.backbone)];
         j["backbones"] = backbones(r, rules);
     }
+    if (w.other_way)
+        j["other_way"] = {
+            {"peak_force_kN", or_null(peak_force(*w.other_way) * kToKn)},
+            {"displacement_at_peak_mm", or_null(peak_displacement(*w.other_way) * kToMm)},
+            {"ultimate_displacement_mm", displacement_mm(w.other_way->ultimate)},
+            {"ultimate_censored", is_censored(w.other_way->ultimate)},
+            {"stiffness_kN_per_mm", or_null(w.other_way->stiffness, 1e-6)},
+            {"no_reading", w.other_way->no_reading}};
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, w));
     j["energy_residual"] = or_null(energy_residual(w));

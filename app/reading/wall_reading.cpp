@@ -160,22 +160,26 @@ WallReading not_read(const ReadingRules& rules, std::string why)
 
 namespace {
 
-WallReading came_down_at_once(const ReadingRules& rules)
+/// A wall that has settled stands; it was lost while it was pushed, which may be the solver's fault.
+WallReading lost_at_once(const ReadingRules& rules, bool settled)
 {
-    constexpr std::string_view kWhy = "the wall came down under vertical load";
-    WallReading w = not_read(rules, std::string(kWhy));
-    for (fragility::LimitDisplacement& limit : w.limits) limit.reason = kWhy;
+    constexpr std::string_view kFell = "the wall came down under vertical load";
+    constexpr std::string_view kLost =
+        "the wall stood under its vertical load and was lost as soon as it was pushed";
+    const std::string_view why = settled ? kLost : kFell;
+    WallReading w = not_read(rules, std::string(why));
+    for (fragility::LimitDisplacement& limit : w.limits) limit.reason = why;
     return w;
 }
 
 } // namespace
 
 WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
-                 const ReadingRules& rules)
+                 const ReadingRules& rules, bool settled)
 {
     WallReading w;
     if (curve.displacement.size() < 2)
-        w = came_down_at_once(rules);
+        w = lost_at_once(rules, settled);
     else if (rules.direction == 0)
         w = read_to_and_fro(curve, mechanism, rules);
     else

@@ -60,8 +60,9 @@ struct WallReading {
 };
 
 /// @param curve as the solver wrote it, [m] and [N], of a wall that did not fail
+/// @param settled whether the wall was at rest under its vertical load before it was pushed
 [[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
-                               const ReadingRules& rules);
+                               const ReadingRules& rules, bool settled = false);
 
 /// The curve that limit states are read on, in its own direction: of a push that turns back a backbone, of
 /// fragility::Side::worse the mean of both.

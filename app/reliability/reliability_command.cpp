@@ -170,7 +170,9 @@ void check_folder(const Command& command)
     std::vector<fs::path> names = {kEvaluations, "reliability.json"};
     for (const std::string name : {"reliability", "sensitivity", "design_points"})
         for (const char* const ending : kTableEndings) names.push_back(name + ending);
-    check_results(command.out, names, command.quiet, kReliabilityList);
+    if (const std::string note = check_results(command.out, names, kReliabilityList);
+        !command.quiet)
+        std::cerr << note;
 }
 
 Question question_of(const Command& command)
@@ -183,7 +185,7 @@ Question question_of(const Command& command)
     Question q{problem, shown_inputs(study, problem.inputs), shown_response(study, problem),
                program ? program_evaluations(study) : wall_evaluations(study, command)};
     q.model += "response = " + std::to_string(q.problem.event.response) + '\n';
-    say_effects(study, command);
+    std::cerr << study_notes(study, command);
     return q;
 }
 

@@ -9,6 +9,7 @@
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 #include "dem/block/model.hpp"
 #include "dem/scene/layout.hpp"
 
@@ -28,12 +29,14 @@ const WallResponse& response_of(const Study& study)
 /// The demand in the unit of its response.
 Demand demand_of(const Study& study)
 {
-    const std::string& text = study.reliability.demand;
+    std::string text = study.reliability.demand;
     if (text.empty())
         throw error_at(study.source, "reliability.demand",
                        "missing; write e.g. \"demand = 40 kN\" under [reliability]");
     const WallResponse& r = response_of(study);
     const bool percent = r.unit == "%";
+    if (percent && text.ends_with('%'))
+        text = std::string(trimmed(text.substr(0, text.size() - 1)));
     const double value = read_at(study.source, "reliability.demand",
                                  [&] { return parse_quantity(text, percent ? "" : r.unit); });
     return {percent ? value / r.scale : value,

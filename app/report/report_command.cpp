@@ -116,7 +116,8 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
 
 void check_report(const Command& command)
 {
-    check_replaced(command.out, kPageMark, command.quiet);
+    if (const std::string note = check_replaced(command.out, kPageMark); !command.quiet)
+        std::cerr << note;
 }
 
 int report_command(const Command& command, const FilmShelf& shelf)

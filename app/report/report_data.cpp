@@ -113,6 +113,7 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
         {"equal_modes", equal_modes_table(study)},
         {"mode_thresholds", threshold_table(study)},
         {"inputs", input_table(study)},
+        {"choices", choice_table(study)},
         {"materials", material_table(study)},
         {"wall_and_loads", wall_and_load_table(study)},
         {"walls", wall_table(study, listed)}};

@@ -3,7 +3,9 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/other_way.hpp"
 #include "app/text/number_text.hpp"
 #include "fragility/binomial.hpp"
 #include "uq/estimates/estimate.hpp"
@@ -213,6 +215,8 @@ std::vector<std::string> how_sure(const StudyWalls& study)
             " of their peak when their push ended. Their "
             "ultimate displacement is only known to be larger (censored): the fits count it as "
             "larger, and the means leave it out.");
+    for (const std::string& remark : {no_limit_remark(study), other_way_remark(study)})
+        if (!remark.empty()) text.push_back(remark);
     text.push_back("Brackets are " + percent_text(study.study.fragility.confidence) +
                    " confidence intervals. They reflect the number of walls, not errors of "
                    "the model.");

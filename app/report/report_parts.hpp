@@ -32,6 +32,9 @@ struct Overview {
 /// whether the study file gives it.
 [[nodiscard]] Table material_table(const StudyWalls& study);
 
+/// The choices that move a drift limit, and how each of them does in this study.
+[[nodiscard]] Table choice_table(const StudyWalls& study);
+
 /// The same of geometry, supports and loads.
 [[nodiscard]] Table wall_and_load_table(const StudyWalls& study);
 

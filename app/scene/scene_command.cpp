@@ -120,11 +120,14 @@ int scene_command(const Command& command)
     const StudySource source = study_source(command);
     const Study& study = source.study;
     const fs::path out = command.out;
-    check_results(out, {"scene.json", "scene.dxf", "scene.svg"}, command.quiet, kSceneList);
+    if (const std::string note =
+            check_results(out, {"scene.json", "scene.dxf", "scene.svg"}, kSceneList);
+        !command.quiet)
+        std::cerr << note;
     const dem::Layout layout = layout_of(study);
     const dem::Layout whole = whole_units(study);
     const std::vector<DrawnBlock> units = scene_units(study, whole);
-    say_effects(study, command);
+    std::cerr << study_notes(study, command);
     const std::string counts = count_text(study, layout, units);
     const std::string sizes = size_text(study, layout);
     const dem::BondIndices indices = dem::bond_indices(whole);

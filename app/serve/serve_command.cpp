@@ -47,7 +47,7 @@ int serve_command(const Command& command)
 {
     const Study given = read_study(command.study, command.overrides);
     const ServedStudy served = served_study(given, command.inputs);
-    say_effects(given, command);
+    std::cerr << study_notes(given, command);
     const dem::Model model = model_of(served.study);
     catch_interrupts();
     WallQueue queue(served.study, model, command.threads);

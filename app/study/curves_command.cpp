@@ -41,7 +41,8 @@ std::string wall_lines(const StoreHead& head, const WallRow& row)
 int curves_command(const Command& command)
 {
     check_is_study(command.study);
-    check_replaced(command.out, kColumns, command.quiet);
+    if (const std::string note = check_replaced(command.out, kColumns); !command.quiet)
+        std::cerr << note;
     StoreReader reader(command.study);
     const fs::path file = command.out;
     if (file.has_parent_path()) make_folder(file.parent_path());

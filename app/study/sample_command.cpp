@@ -63,8 +63,11 @@ int sample_command(const Command& command)
         throw error_at(study.source, "joint.friction_angle",
                        "nothing to draw: no value of this study is a distribution; write e.g. "
                        "\"friction_angle = normal(mean 31.8 deg, cov 0.20)\"");
-    say_effects(study, command);
-    check_replaced(command.out, "level,vertical_stress [MPa],sample", command.quiet);
+    std::cerr << study_notes(study, command);
+    if (const std::string note =
+            check_replaced(command.out, "level,vertical_stress [MPa],sample");
+        !command.quiet)
+        std::cerr << note;
     const dem::Layout layout = layout_of(study);
     const SamplePlan plan = sample_plan(study, layout, source.sizes);
     Table table = head_of(study, plan);

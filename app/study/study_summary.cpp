@@ -2,8 +2,10 @@
 
 #include "app/output/cells.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/limit_choices.hpp"
 #include "app/study/mean_cells.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/other_way.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <array>
@@ -69,6 +71,12 @@ StudySummary summarise(const StudyWalls& walls)
         s.missing += level.missing;
     }
     s.remarks = trouble_text(walls);
+    if (const std::string none = no_limit_remark(walls); !none.empty()) {
+        s.table.caption += " " + none;
+        s.remarks += none + "\n";
+    }
+    if (const std::string other = other_way_remark(walls); !other.empty())
+        s.remarks += other + "\n";
     return s;
 }
 

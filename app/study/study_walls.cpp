@@ -20,7 +20,7 @@ namespace {
 /// Columns of the facts that a reading needs, looked up once. Files of 0.1.0 have not all.
 struct Columns {
     std::size_t rotation, sliding, cracked, outcome;
-    std::optional<std::size_t> spalled, crushed_area, turning;
+    std::optional<std::size_t> spalled, crushed_area, turning, settled;
 };
 
 /// Place of the first whose `member` is this name.
@@ -47,7 +47,8 @@ Columns columns_of(const std::filesystem::path& file, const StoreHead& head)
             needed(head.counts, "outcome"),
             place_of(head.counts, "spalled_units", &Column::name),
             place_of(head.responses, "crushed_area", &Column::name),
-            place_of(head.responses, "turning_share", &Column::name)};
+            place_of(head.responses, "turning_share", &Column::name),
+            place_of(head.counts, "settled", &Column::name)};
 }
 
 StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
@@ -71,8 +72,9 @@ StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row,
     if (c.crushed_area) w.mechanism.crushed_area = row.responses[*c.crushed_area];
     const bool came_down =
         row.counts[c.outcome] == static_cast<std::int64_t>(dem::Outcome::lost_equilibrium);
-    w.reading =
-        read({row.curve.displacement, row.curve.force, came_down}, w.mechanism, all.rules);
+    const bool settled = c.settled && row.counts[*c.settled] != 0;
+    w.reading = read({row.curve.displacement, row.curve.force, came_down}, w.mechanism,
+                     all.rules, settled);
     if (keep == Keep::readings) return w;
     if (w.reading.no_reading.empty()) {
         const fragility::Backbone b =

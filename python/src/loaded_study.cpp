@@ -3,11 +3,13 @@
 #include "app/input/option.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_file_head.hpp"
 #include "python/src/beside_python.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace bindings {
@@ -106,8 +108,14 @@ push_beside_python(LoadedStudy& study, const std::vector<app::WantedWall>& wante
         list.done = [&](std::size_t i, const app::WallDraw&, app::PushedWall&& wall) {
             walls[i] = std::move(wall);
         };
+        const int all = threads > 0 ? threads : app::default_threads();
+        std::optional<app::OtherWay> other; // of one wall, as `drystone push` does
+        if (wanted.size() == 1)
+            other.emplace(study.source.study, model, wanted, all,
+                          [&] { python.end_if_asked(); });
         app::push_walls(study.source.study, model, plan, list,
-                        threads > 0 ? threads : app::default_threads());
+                        other ? other->threads_left() : all);
+        if (other) other->add_to(walls);
     });
     return walls;
 }

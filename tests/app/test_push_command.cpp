@@ -275,6 +275,43 @@ TEST_CASE("push command: limit states are in tables, with what governs", "[app][
     CHECK(found == 1);
 }
 
+TEST_CASE("push command: a wall that is not symmetric is pushed the other way too, and says "
+          "both peaks",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    std::vector<std::string> keys = kCoarse;
+    keys.back() = "output.paraview=no";
+    const int threads = GENERATE(1, 2);
+    const Written both = push("facade.ini", folder.path / "both", keys, threads);
+    CHECK(both.terminal.find("the wall is not symmetric: pushed to the right") !=
+          std::string::npos);
+    const nlohmann::json right = summary(folder.path / "both");
+    keys.emplace_back("load.targets=-4 mm");
+    static_cast<void>(push("facade.ini", folder.path / "left", keys, threads));
+    const nlohmann::json left = summary(folder.path / "left");
+    CHECK(right["other_way"]["peak_force_kN"] == left["peak_force_kN"]); // to the bit
+    CHECK(left["other_way"]["peak_force_kN"] == right["peak_force_kN"]);
+    CHECK(right["peak_force_kN"] > left["peak_force_kN"]);
+
+    CHECK(push("wall.ini", folder.path / "wall", kCoarse).terminal.find("symmetric") ==
+          std::string::npos);
+    CHECK_FALSE(summary(folder.path / "wall").contains("other_way"));
+}
+
+TEST_CASE("push command: a wall that failed has its reason on stderr, however quiet",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    std::ostringstream said;
+    std::streambuf* const screen = std::cerr.rdbuf(said.rdbuf());
+    const int code = push("wall.ini", folder.path / "out", {"solver.most_steps=10"}).code;
+    std::cerr.rdbuf(screen);
+    CHECK(code == 1);
+    CHECK(said.str() ==
+          "drystone: 0.50 MPa: the wall failed: solver.most_steps was not enough\n");
+}
+
 TEST_CASE("push command: one thread and two give the same bits", "[app][push_command]")
 {
     const scenes::TemporaryFolder folder;

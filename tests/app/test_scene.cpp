@@ -191,6 +191,6 @@ TEST_CASE("scene command: what was closed or simplified of a drawing is said", "
     c.verb = &verb;
     const app::Study study =
         study_of(std::string(DRYSTONE_SOURCE_DIR) + "/configs/picture.ini");
-    const std::string text = said(std::cerr, [&] { app::say_effects(study, c); });
+    const std::string text = app::study_notes(study, c);
     CHECK(text.find("note: wall.geometry: 49 stones") != std::string::npos);
 }

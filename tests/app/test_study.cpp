@@ -119,6 +119,19 @@ TEST_CASE("study: defaults follow from the values they depend on", "[app][study]
     CHECK(read_good({"wall.courses=5"}).load.height == Approx(0.6).epsilon(1e-15));
 }
 
+TEST_CASE("study: one of two keys for one thing takes the place of the other in the file",
+          "[app][study]")
+{
+    const app::Study study = read_good({"joint.normal_stiffness=6 GPa/m"});
+    CHECK(study.parameters.joint.wall_modulus.empty());
+    CHECK(study.parameters.joint.normal_stiffness == std::vector{6e9});
+    CHECK(app::effective_configuration(study).find("wall_modulus") == std::string::npos);
+    CHECK_THROWS_WITH(
+        read_good({"joint.normal_stiffness=6 GPa/m", "joint.wall_modulus=768 MPa"}),
+        Catch::Contains("keep one of them"));
+    CHECK(read_good({"load.amplitudes=1, 2 mm"}).load.amplitudes.size() == 2);
+}
+
 TEST_CASE("study: heights of courses give their number, their mean and the height of the load",
           "[app][study]")
 {

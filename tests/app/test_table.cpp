@@ -346,6 +346,10 @@ TEST_CASE("markup: text is broken at blanks and keeps its own lines", "[app][mar
     CHECK(app::wrapped("one two three", 0) == "one two three");
     CHECK(app::wrapped("one\ntwo\n", 80) == "one\ntwo\n");
     CHECK(app::wrapped("a-word-too-long b", 5) == "a-word-too-long\nb");
+    CHECK(app::hung("  a  one two three four\nb\n", 15) ==
+          "  a  one two\n     three four\nb\n");
+    CHECK(app::hung("one two three four", 9) == "one two\n  three\n  four\n");
+    CHECK(app::hung("a-word-too-long b\n", 5) == "a-word-too-long b\n");
 }
 
 TEST_CASE("table: a change of units leaves no digits that nobody wrote", "[app][table]")

@@ -85,6 +85,18 @@ TEST_CASE("units: the unit of a list stands once at its end, or on each value", 
           "empty place in the list \"1, 2,\"; write a number between two commas");
 }
 
+TEST_CASE("units: a list without blanks is offered as a list, a share in percent as a number",
+          "[app][units]")
+{
+    CHECK(complaint("1,-1,2,-2 mm", "mm") == "comma inside \"1,-1,2,-2 mm\"; write a blank "
+                                             "after each comma of a list, \"1, -1, 2, -2 mm\"");
+    CHECK(complaint("1,-1 mm", "mm") ==
+          "comma inside \"1,-1 mm\"; write a blank after each comma of a list, \"1, -1 mm\"");
+    CHECK(complaint("0,20 m", "m") == "comma inside \"0,20 m\"; write a decimal point, \"0.20 "
+                                      "m\", or a list with blanks, \"0, 20 m\"");
+    CHECK(complaint("80 %", "") == "a percentage where a number belongs; write \"0.8\"");
+}
+
 TEST_CASE("units: what is no decimal number with its unit is refused", "[app][units]")
 {
     const std::string text =
