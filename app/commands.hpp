@@ -8,7 +8,7 @@
 namespace app {
 
 /// `drystone scene`: the wall that a study describes, before anything is computed. Writes scene.svg, scene.json and
-/// scene.dxf, and says what the wall is. The last two hold whole units in the unit of wall.length_unit, and are read
+/// scene.dxf, and says what the wall is; joints.csv says where each joint and crack is. The drawings hold whole units in the unit of wall.length_unit, and are read
 /// again with wall.geometry.
 [[nodiscard]] int scene_command(const Command& command);
 

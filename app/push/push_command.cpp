@@ -11,15 +11,16 @@
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
-#include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/push/limit_table.hpp"
+#include "app/push/pushed_picture.hpp"
 #include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/study/drawn_wall.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_walls.hpp"
@@ -28,10 +29,13 @@
 #include "dem/block/model.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,32 +46,70 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What was pushed.
+struct Pushed {
+    std::vector<PushedWall> walls;
+    bool whole =
+        false; ///< else the program was told to end: curves end early, or have no point
+};
+
+/// Once the program is told to end, walls that are begun end at their next curve point. While none has a curve, the run
+/// ends by Interrupted.
+class EarlyEnd {
+  public:
+    /// @param plan is not used after this
+    explicit EarlyEnd(dem::PushPlan& plan)
+    {
+        plan.decided =
+            [this, asked = std::move(plan.decided)](std::span<const dem::CurvePoint> curve) {
+                if (curve.size() > 1) any_curve_ = true;
+                if (asked && asked(curve)) return true;
+                if (!any_curve_ || !interrupted()) return false;
+                return cut_ = true;
+            };
+        plan.progress = [this, told = std::move(plan.progress)](
+                            double done, double displacement, double force) {
+            if (!any_curve_) end_if_interrupted();
+            told(done, displacement, force);
+        };
+    }
+    /// Whether a wall ended early.
+    [[nodiscard]] bool cut() const { return cut_; }
+
+  private:
+    std::atomic<bool> any_curve_ = false, cut_ = false;
+};
+
 /// Pushes all walls. One line shows how far they are together: those that are done, and the one
 /// that spoke last.
 /// @param plan where to push the walls
-std::vector<PushedWall> push_all(const Study& study, dem::PushPlan plan,
-                                 const std::vector<WantedWall>& wanted, int threads, bool quiet)
+Pushed push_all(const Study& study, dem::PushPlan plan, const std::vector<WantedWall>& wanted,
+                int threads, bool quiet)
 {
     std::vector<PushedWall> walls(wanted.size());
     Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
     std::mutex mutex;
-    double finished = 0.0;
+    std::size_t finished = 0;
     plan.progress = [&](double done, double displacement, double force) {
         const std::lock_guard lock(mutex);
-        line.update(std::min(1.0, (finished + done) / static_cast<double>(wanted.size())),
+        line.update(std::min(1.0, (static_cast<double>(finished) + done) /
+                                      static_cast<double>(wanted.size())),
                     fixed(force * 1e-3, 1) + " kN at " + fixed(displacement * 1e3, 1) + " mm");
     };
+    const EarlyEnd end(plan);
     PushList list;
     list.size = wanted.size();
+    list.keeps_begun = true;
     list.wall = [&](std::size_t i) { return wanted[i]; };
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         const std::lock_guard lock(mutex);
         walls[i] = std::move(wall);
-        finished += 1.0;
+        ++finished;
     };
     push_walls(study, model_of(study), plan, list, threads);
-    line.finish("");
-    return walls;
+    const bool whole = finished == wanted.size() && !end.cut();
+    if (whole) line.finish("");
+    return {std::move(walls), whole};
 }
 
 /// The values that were drawn for one wall, in the units of their keys.
@@ -104,6 +146,7 @@ std::string configuration(const Study& used, const Command& command)
 }
 
 constexpr std::string_view kPushList = "drystone_push_files.txt";
+constexpr const char* kInterruptedCurve = "capacity_interrupted.csv";
 
 /// The files of one wall, but for the series.
 std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
@@ -121,13 +164,7 @@ std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
         files.push_back({"backbones.csv", backbones_csv(path)});
     }
     files.push_back({"capacity.svg", capacity_svg(used, w)});
-    WallPictureText text;
-    if (used.beam.present) text.vertical_load = stress_text(w.vertical_stress);
-    text.load_height = w.loads.height;
-    const dem::PushResult& r = w.result;
-    // A wall that comes down under its vertical load has no peak.
-    const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
-    files.push_back({"wall.svg", wall_picture(peak, r.at_end, text)});
+    files.push_back({"wall.svg", pushed_picture(used, w)});
     return files;
 }
 
@@ -215,6 +252,25 @@ void write_all(const Command& command, const Study& study,
     write_results(command.out, files, kPushList);
 }
 
+/// Writes the curves so far, and nothing else: results of an earlier push stay as they are.
+/// @throws Interrupted
+[[noreturn]] void keep_curves(const Command& command, const std::vector<PushedWall>& walls)
+{
+    std::vector<OutputFile> files;
+    std::string where;
+    for (const PushedWall& w : walls) {
+        if (w.displacement.size() < 2 || dem::failed(w.result.outcome)) continue;
+        const fs::path name = wall_folder(walls.size(), w.vertical_stress) / kInterruptedCurve;
+        files.push_back({name, capacity_text(w)});
+        where += (where.empty() ? "" : ", ") + (fs::path(command.out) / name).string() +
+                 " (up to " + fixed(w.displacement.back() * 1e3, 1) + " mm)";
+    }
+    if (files.empty()) throw Interrupted();
+    add_results(command.out, files, kPushList);
+    throw Interrupted{std::string("nothing was written but the ") +
+                      (files.size() == 1 ? "curve" : "curves") + " so far, " + where};
+}
+
 /// Before any wall is pushed: what cannot be written afterwards.
 void check_folder(const Command& command, const Study& study,
                   const std::vector<WantedWall>& wanted)
@@ -227,7 +283,7 @@ void check_folder(const Command& command, const Study& study,
     for (const fs::path& folder : folders)
         for (const char* const name :
              {"study.ini", "summary.json", "capacity.csv", "cycles.csv", "backbones.csv",
-              "capacity.svg", "wall.svg"})
+              "capacity.svg", "wall.svg", kInterruptedCurve})
             names.push_back(folder / name);
     if (study.output.paraview) {
         const std::vector<fs::path> there = series_there(command.out, folders);
@@ -252,11 +308,13 @@ int push_command(const Command& command)
     say_effects(source.study, command);
     const Study study = pushed_study(source.study, command.sample);
     check_folder(command, study, wanted);
+    catch_interrupts();
     PushedSeries series(command.out, wall_folders(study, wanted));
     dem::PushPlan plan = push_plan(study);
     plan.sink = series.sink();
-    const std::vector<PushedWall> walls =
+    const auto [walls, whole] =
         push_all(study, std::move(plan), wanted, command.threads, command.quiet);
+    if (!whole) keep_curves(command, walls);
     write_all(command, study, wanted, walls, series);
     std::cout << as_text(level_table(study, walls), terminal_width()) << '\n'
               << as_text(limit_table(study, walls), terminal_width());

@@ -35,6 +35,7 @@ PYBIND11_MODULE(_core, m)
     m.attr("__version__") = app::kVersion;
     m.def("lanes", &dem::solver_lanes, "Walls in one register of this build.");
     bindings::bind_errors(m);
+    bindings::bind_wall(m);
     bindings::bind_study(m);
     bindings::bind_results(m);
     bindings::bind_fragility(m);
