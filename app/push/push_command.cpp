@@ -8,13 +8,13 @@
 #include "app/output/cells.hpp"
 #include "app/output/cycles_csv.hpp"
 #include "app/output/markup.hpp"
-#include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/push/limit_table.hpp"
+#include "app/push/push_until_told.hpp"
 #include "app/push/pushed_picture.hpp"
 #include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
@@ -22,20 +22,14 @@
 #include "app/study/fragility_text.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/mode_rule.hpp"
-#include "app/study/push_walls.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
-#include "dem/block/model.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <iostream>
-#include <memory>
-#include <mutex>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,72 +39,6 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What was pushed.
-struct Pushed {
-    std::vector<PushedWall> walls;
-    bool whole =
-        false; ///< else the program was told to end: curves end early, or have no point
-};
-
-/// Once the program is told to end, walls that are begun end at their next curve point. While none has a curve, the run
-/// ends by Interrupted.
-class EarlyEnd {
-  public:
-    /// @param plan is not used after this
-    explicit EarlyEnd(dem::PushPlan& plan)
-    {
-        plan.decided =
-            [this, asked = std::move(plan.decided)](std::span<const dem::CurvePoint> curve) {
-                if (curve.size() > 1) any_curve_ = true;
-                if (asked && asked(curve)) return true;
-                if (!any_curve_ || !interrupted()) return false;
-                return cut_ = true;
-            };
-        plan.progress = [this, told = std::move(plan.progress)](
-                            double done, double displacement, double force) {
-            if (!any_curve_) end_if_interrupted();
-            told(done, displacement, force);
-        };
-    }
-    /// Whether a wall ended early.
-    [[nodiscard]] bool cut() const { return cut_; }
-
-  private:
-    std::atomic<bool> any_curve_ = false, cut_ = false;
-};
-
-/// Pushes all walls. One line shows how far they are together: those that are done, and the one
-/// that spoke last.
-/// @param plan where to push the walls
-Pushed push_all(const Study& study, dem::PushPlan plan, const std::vector<WantedWall>& wanted,
-                int threads, bool quiet)
-{
-    std::vector<PushedWall> walls(wanted.size());
-    Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
-    std::mutex mutex;
-    std::size_t finished = 0;
-    plan.progress = [&](double done, double displacement, double force) {
-        const std::lock_guard lock(mutex);
-        line.update(std::min(1.0, (static_cast<double>(finished) + done) /
-                                      static_cast<double>(wanted.size())),
-                    fixed(force * 1e-3, 1) + " kN at " + fixed(displacement * 1e3, 1) + " mm");
-    };
-    const EarlyEnd end(plan);
-    PushList list;
-    list.size = wanted.size();
-    list.keeps_begun = true;
-    list.wall = [&](std::size_t i) { return wanted[i]; };
-    list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
-        const std::lock_guard lock(mutex);
-        walls[i] = std::move(wall);
-        ++finished;
-    };
-    push_walls(study, model_of(study), plan, list, threads);
-    const bool whole = finished == wanted.size() && !end.cut();
-    if (whole) line.finish("");
-    return {std::move(walls), whole};
-}
 
 /// The values that were drawn for one wall, in the units of their keys.
 Table drawn_table(const Study& study, const WallDraw& draw)
@@ -313,7 +241,7 @@ int push_command(const Command& command)
     dem::PushPlan plan = push_plan(study);
     plan.sink = series.sink();
     const auto [walls, whole] =
-        push_all(study, std::move(plan), wanted, command.threads, command.quiet);
+        push_until_told(study, std::move(plan), wanted, command.threads, command.quiet);
     if (!whole) keep_curves(command, walls);
     write_all(command, study, wanted, walls, series);
     std::cout << as_text(level_table(study, walls), terminal_width()) << '\n'
