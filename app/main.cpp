@@ -1,7 +1,8 @@
-/// drystone VERB STUDY.ini [options].  Exit codes: 0 done, 1 failed, 2 your input.
+/// drystone VERB STUDY.ini [options].  Exit codes: 0 done, 1 failed, 2 your input, 130 told to end.
 
 #include "app/input/command_line.hpp"
 #include "app/store/store_error.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/text/config_error.hpp"
 #include "app/verbs.hpp"
 
@@ -21,6 +22,9 @@ int main(int argc, char** argv)
         const int code = command.verb->run(command);
         if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
         return code;
+    } catch (const app::Interrupted& i) {
+        std::cerr << "drystone: interrupted; " << i.kept << '\n';
+        return app::kInterruptedCode;
     } catch (const app::ConfigError& e) {
         std::cerr << e.what() << '\n';
         return 2;

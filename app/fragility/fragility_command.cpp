@@ -19,6 +19,7 @@
 #include "app/output/table_files.hpp"
 #include "app/store/wall_file.hpp"
 #include "app/study/limit_choices.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/other_way.hpp"
 #include "app/text/config_error.hpp"
@@ -222,8 +223,10 @@ void check_fragility(const Command& command)
 int fragility_command(const Command& command)
 {
     check_fragility(command);
+    catch_interrupts();
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
     const FragilityOutput output = output_of(command, [&](double done, const std::string& fit) {
+        end_if_interrupted();
         progress.update(done, "testing the fit of " + fit);
     });
     progress.finish("tested all fits");

@@ -105,6 +105,8 @@ std::vector<Option> table()
          [](Command& c, Text v) { c.port = whole_number(v, 0, 65535); }},
         {"address", "IP", "address at which a server listens (default: 127.0.0.1, this machine alone)", "serve", false,
          [](Command& c, Text v) { c.address = some_text(v); }},
+        {"host", "NAME", "further name under which clients reach a server, or of a machine whose pages may ask it; may be repeated", "serve", true,
+         [](Command& c, Text v) { c.hosts.push_back(some_text(v)); }},
         {"input", "section.key", "key that a server takes as an input (default: all random variables); may be repeated", "serve", true,
          [](Command& c, Text v) { c.inputs.push_back(some_text(v)); }},
         {"response", "NAME", "what a server gives, such as ultimate_drift (default: peak_force); may be repeated", "serve", true,

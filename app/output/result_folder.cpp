@@ -122,4 +122,20 @@ std::size_t write_results(const fs::path& folder, const std::vector<OutputFile>&
     return removed;
 }
 
+void add_results(const fs::path& folder, const std::vector<OutputFile>& files,
+                 std::string_view list)
+{
+    List all = read_list(folder, list);
+    std::vector<fs::path> names;
+    for (const OutputFile& f : files) names.push_back(f.name);
+    check_foreign(folder, names, all);
+    make_folder(folder);
+    for (const OutputFile& f : files) all[f.name.string()] = check_sum(f.content);
+    write_file(folder / list, list_text(all)); // first, as in write_results
+    for (const OutputFile& f : files) {
+        make_folder((folder / f.name).parent_path());
+        write_file(folder / f.name, f.content);
+    }
+}
+
 } // namespace app

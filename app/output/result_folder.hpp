@@ -37,4 +37,10 @@ std::size_t write_results(const std::filesystem::path& folder,
                           const std::vector<OutputFile>& files,
                           std::string_view list = kFileList);
 
+/// Writes files beside those of an earlier run, which stay and remain on the list; the next write_results removes both.
+/// @param files none of them is moved here
+/// @throws as write_results
+void add_results(const std::filesystem::path& folder, const std::vector<OutputFile>& files,
+                 std::string_view list = kFileList);
+
 } // namespace app

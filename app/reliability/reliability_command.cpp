@@ -257,7 +257,7 @@ uq::ReliabilityAnswer answered(const Command& command, const Question& question)
         seen.insert(seen.end(), batch.begin(), batch.end());
         progress.update(static_cast<double>(seen.size()) / problem.budget,
                         std::to_string(seen.size()) + " evaluations");
-        if (interrupted()) throw Interrupted();
+        end_if_interrupted();
     };
     try {
         const uq::ReliabilityAnswer a = uq::reliability(problem, on_batch);
@@ -290,9 +290,8 @@ int reliability_command(const Command& command)
             a.methods, [](const uq::MethodAnswer& m) { return m.probability || m.upper; });
         return any && a.failed.size() < a.evaluations ? 0 : 1;
     } catch (const Interrupted&) {
-        std::cerr << "drystone: interrupted; the evaluations made so far are in " << command.out
-                  << "/evaluations.csv, and the same command continues with them\n";
-        return 1;
+        throw Interrupted{"the evaluations made so far are in " + command.out +
+                          "/evaluations.csv, and the same command continues with them"};
     }
 }
 

@@ -8,6 +8,7 @@
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_page.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
@@ -55,6 +56,7 @@ Json tested_data(const StudyWalls& study, const WallList& listed, bool quiet)
 {
     Progress progress(std::cerr, stderr_progress(quiet), steady_seconds);
     Json data = report_data(study, listed, [&](double done, const std::string& fit) {
+        end_if_interrupted();
         progress.update(done, "testing the fit of " + fit);
     });
     progress.finish("tested all fits");
@@ -125,6 +127,7 @@ int report_command(const Command& command, const FilmShelf& shelf)
     const std::filesystem::path file = command.words.front(), out = command.out;
     check_is_study(file);
     check_report(command);
+    catch_interrupts();
     const StudyWalls study = read_study_walls(file, command.overrides, Keep::everything);
     const std::string title =
         command.title.empty() ? "Drystone study " + file.stem().string() : command.title;

@@ -92,6 +92,12 @@ template <class Table> std::vector<Column> columns_of(const Table& table)
 
 } // namespace
 
+std::string site_meaning(bool joint, const uq::Site& site)
+{
+    return std::string(joint ? "of this joint ID" : "of this crack ID") +
+           ", middle at x = " + number(site.x, 6) + " m, z = " + number(site.z, 6) + " m";
+}
+
 std::vector<Column> input_columns(const SamplePlan& plan)
 {
     std::vector<Column> columns;
@@ -104,10 +110,8 @@ std::vector<Column> input_columns(const SamplePlan& plan)
         const bool joint = plan.inputs[i].varies == Varies::by_joint;
         for (int id = 1; sites > 1 && id <= sites; ++id) {
             const uq::Site& site = (joint ? plan.joints : plan.cracks).at(id - 1);
-            columns.push_back({key + "." + std::to_string(id), unit,
-                               std::string(joint ? "of this joint ID" : "of this crack ID") +
-                                   ", middle at x = " + number(site.x, 6) +
-                                   " m, z = " + number(site.z, 6) + " m"});
+            columns.push_back(
+                {key + "." + std::to_string(id), unit, site_meaning(joint, site)});
         }
     }
     return columns;

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy
 
 from drystone._load import core as _core
+from drystone._values import Value, overrides as _overrides
 
 if TYPE_CHECKING:
     import pandas
@@ -39,6 +40,7 @@ class Results:
         """Of each level [Pa]."""
         self.missing: int = file["missing"]
         """Walls of the study that the file has not."""
+        self._stamp: str = file["stamp"]
         self.configuration: str = file["configuration"]
         """The study file in full."""
         self.solver_revision: str = file["solver_revision"]
@@ -63,14 +65,28 @@ class Results:
     @cached_property
     def curves(self) -> list[tuple[numpy.ndarray, numpy.ndarray]]:
         """Displacement [m] and force [N] of each wall."""
-        return _core.read_curves(self.path)
+        return _core.read_curves(self.path, self._stamp)
+
+    def readings(self, set: Mapping[str, Value] | None = None) -> dict[str, numpy.ndarray]:
+        """How each wall is read: "mode" ("rocking", "sliding", "mixed"; "" of a wall that gave no result), "ultimate_displacement"
+        [m], and the drift [%] of each limit state, "ntc SLV". "ntc SLV censored": True where the drift is a lower bound.
+
+        :param set: fragility.key: value, in place of the study's
+        """
+        modes, ultimate, states = _core.read_readings(self.path, self._stamp, _overrides(set))
+        columns = {"mode": numpy.array(modes, str)}
+        for name, (values, censored) in [("ultimate_displacement", ultimate), *states]:
+            columns[name] = values
+            columns[f"{name} censored"] = numpy.array(censored, bool)
+        return columns
 
     def frame(self) -> pandas.DataFrame:
-        """Inputs, responses and counts as a table of pandas, by level and sample, in SI."""
+        """Inputs, responses, counts and readings as a table of pandas, by level and sample, in SI; drifts of limit states in percent."""
         import pandas
         index = pandas.MultiIndex.from_arrays([self.level, self.sample], names=["level", "sample"])
         stress = {"vertical_stress": self.vertical_stress[self.level]}
-        return pandas.DataFrame({**stress, **self.inputs, **self.responses, **self.counts, "failed": self.failed}, index)
+        return pandas.DataFrame({**stress, **self.inputs, **self.responses, **self.counts, **self.readings(), "failed": self.failed},
+                                index)
 
     def curve_frame(self) -> pandas.DataFrame:
         """All curves as a table of pandas: displacement [m], force [N], by level and sample."""
@@ -84,15 +100,15 @@ class Results:
     @property
     def limit_states(self) -> list[str]:
         """Names that `drifts` takes: "ntc SLV"."""
-        return _core.read_drifts(self.path, [])[0]
+        return _core.read_drifts(self.path, self._stamp, [])[0]
 
-    def drifts(self, limit_state: str, level: int = 0, set: Mapping[str, str] | None = None) -> Drifts:
+    def drifts(self, limit_state: str, level: int = 0, set: Mapping[str, Value] | None = None) -> Drifts:
         """Drifts at which the walls under a vertical stress reached a limit state.
 
         :param limit_state: one of `limit_states`
         :param set: fragility.key: value, in place of the study's
         """
-        states, levels = _core.read_drifts(self.path, [f"{key}={value}" for key, value in (set or {}).items()])
+        states, levels = _core.read_drifts(self.path, self._stamp, _overrides(set))
         if limit_state not in states:
             raise ValueError(f"{limit_state!r} is none of {', '.join(states)}")
         values, censored = levels[level][states.index(limit_state)]

@@ -6,6 +6,7 @@
 #include "fragility/performance_limits.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/refuse_new.hpp"
 
 #include <pybind11/stl.h>
 
@@ -84,13 +85,29 @@ py::tuple interval(const LawOfData& f, const py::object& what, double confidence
     return py::make_tuple(i.lower, i.upper);
 }
 
+/// A fit is made again from its data, with the same bits.
+py::tuple pickled(const LawOfData& f)
+{
+    std::vector<double> values;
+    std::vector<bool> censored;
+    for (const Observation& o : f.data) {
+        values.push_back(o.lower);
+        censored.push_back(o.upper > o.lower);
+    }
+    const py::object again = py::module_::import("drystone.fragility").attr("fit");
+    return py::make_tuple(again,
+                          py::make_tuple(values, censored, std::string(name(f.fit.law.law))));
+}
+
 void bind_fit(py::module_& m)
 {
     const auto number = [](auto read) {
         return [read](const LawOfData& f) { return read(f.fit); };
     };
     using Fit = fragility::Fit;
-    py::class_<LawOfData>(m, "Fit", "A law fitted to limit drifts, in their unit.")
+    py::class_<LawOfData> type(m, "Fit", "A law fitted to limit drifts, in their unit.");
+    make_here_alone(type);
+    type.def("__reduce__", &pickled)
         .def_property_readonly(
             "law", [](const LawOfData& f) { return std::string(name(f.fit.law.law)); },
             "lognormal, normal, weibull or gamma.")

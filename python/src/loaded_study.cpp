@@ -92,15 +92,17 @@ std::shared_ptr<LoadedStudy> study_of(const std::shared_ptr<LoadedStudy>& study,
     return own;
 }
 
-std::vector<app::PushedWall>
-push_beside_python(LoadedStudy& study, const std::vector<app::WantedWall>& wanted, int threads)
+std::vector<app::PushedWall> push_beside_python(LoadedStudy& study,
+                                                const std::vector<app::WantedWall>& wanted,
+                                                int threads, Snapshots snapshots)
 {
     const dem::Model& model = model_of(study);
     std::vector<app::PushedWall> walls(wanted.size());
     beside_python([&](Caller& python) {
         dem::PushPlan plan = app::push_plan(study.source.study);
-        plan.snapshot_every = 0.0;
-        plan.snapshot_at_peak = false;
+        plan.snapshot_every =
+            snapshots == Snapshots::all ? study.source.study.output.snapshot_every : 0.0;
+        plan.snapshot_at_peak = snapshots != Snapshots::none;
         plan.progress = [&](double, double, double) { python.end_if_asked(); };
         app::PushList list;
         list.size = wanted.size();

@@ -37,6 +37,7 @@ PYBIND11_MODULE(_core, m)
     m.attr("__solver_revision__") = dem::kSolverRevision;
     m.def("lanes", &dem::solver_lanes, "Walls in one register of this build.");
     bindings::bind_errors(m);
+    bindings::bind_wall(m);
     bindings::bind_study(m);
     bindings::bind_results(m);
     bindings::bind_fragility(m);

@@ -105,6 +105,20 @@ TEST_CASE("scene command: the paper's wall, exported and read again, is the same
     }
 }
 
+TEST_CASE("scene command: joints.csv says where each value per joint belongs", "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    scene(kWall, folder.path);
+    std::istringstream table(read_text(folder.path / "joints.csv"));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(table, line);) lines.push_back(line);
+    REQUIRE(lines.size() == 1 + 135 + 45);
+    CHECK(lines[0] == "kind,id,course,unit,x [m],z [m],length [m]");
+    CHECK(lines[1] == "head joint,1,1,1,0.2,0.05,0.1");
+    CHECK(lines[5] == "bed joint,5,1,1,0.05,0.1,0.1");
+    CHECK(lines[136].starts_with("crack,1,1,1,0.1,0.05,"));
+}
+
 TEST_CASE("scene command: the export is in the unit of the study", "[app][scene]")
 {
     const scenes::TemporaryFolder folder;
