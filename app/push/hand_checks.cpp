@@ -1,6 +1,7 @@
 #include "app/push/hand_checks.hpp"
 
 #include "app/input/wall_geometry.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/rigid_wall.hpp"
 #include "dem/scene/snapshot_reading.hpp"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace app {
 namespace {
@@ -135,6 +137,8 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     if (!dem::failed(w.result.outcome))
         h.toe_stress = dem::toe_stress(w.result.at_end, study.wall.base);
     add_missing_limit(study, w, h.remarks);
+    if (std::string piers = pier_remark(study); !piers.empty())
+        h.remarks.push_back(std::move(piers));
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);
     add_unsettled(w, h.remarks);

@@ -4,8 +4,9 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/mode_share.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/binomial.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <algorithm>
@@ -21,6 +22,12 @@ std::string count_of(std::size_t n, const std::string& one)
 }
 
 std::string percent(double share) { return fixed(100.0 * share, 0); }
+
+std::string upper_first(std::string text)
+{
+    text[0] = text[0] == 't' ? 'T' : text[0];
+    return text;
+}
 
 /// "joint.friction_angle" as words.
 std::string words_of(std::string key)
@@ -141,13 +148,12 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
     const auto& walls = level.walls;
     if (walls.empty()) return stress_text(level.stress) + ": no wall gave a result.";
     std::vector<double> peaks;
-    double rocking = 0.0, sliding = 0.0;
+    double sliding = 0.0;
     std::size_t came_down = 0, known = 0, slid = 0;
     for (const StudyWall& w : walls) {
         const WallReading& r = w.reading;
         known += is_defined(r.ultimate) ? 1 : 0;
         if (r.peak) peaks.push_back(r.peak->force * 1e-3);
-        rocking += r.mode == dem::FailureMode::rocking ? 1.0 : 0.0;
         sliding += r.mode == dem::FailureMode::sliding ? 1.0 : 0.0;
         slid += r.slid ? 1 : 0;
         came_down += is_observed(r.ultimate) ? 1 : 0;
@@ -162,12 +168,9 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
     } else if (!peaks.empty()) {
         text += "peak force " + fixed(peaks.front(), 1) + " kN; ";
     }
-    const fragility::Share s =
-        fragility::share(rocking, static_cast<double>(walls.size()),
-                         static_cast<double>(level.failed_walls.size()),
-                         fragility::BinomialInterval::wilson, f.confidence);
-    return text + percent(s.value) + " % rocked [" + percent(s.bounds.lower) + ", " +
-           percent(s.bounds.upper) + "]" +
+    const fragility::Share s = mode_share(level, kRocking, f.confidence);
+    return text + percent(s.value) + " % rocked [" + percent(s.interval.lower) + ", " +
+           percent(s.interval.upper) + "]" +
            (sliding > 0.0
                 ? ", " + percent(sliding / static_cast<double>(walls.size())) + " % slid"
                 : "") +
@@ -214,6 +217,8 @@ std::vector<std::string> how_sure(const StudyWalls& study)
             " of their peak when their push ended. Their "
             "ultimate displacement is only known to be larger (censored): the fits count it as "
             "larger, and the means leave it out.");
+    if (const std::string piers = pier_remark(study.study); !piers.empty())
+        text.push_back(upper_first(piers) + ".");
     text.push_back("In brackets: " + percent_text(study.study.fragility.confidence) +
                    " intervals, as of independent samples. They cover the chance of "
                    "the draw, not the error of the model.");
