@@ -44,6 +44,7 @@ void add_pictures(FragilityOutput& output, std::vector<NamedPicture> pictures)
 /// Where fragility.ultimate_share was set anew: how walls of a finite push moved was stored at that of the study.
 std::string stored_share_text(const StudyWalls& walls)
 {
+    if (walls.head.configuration.empty()) return {}; // no file was read
     const Study stored = read_study(parse_study_text(walls.name, walls.head.configuration));
     const double drop = push_plan(stored).drop;
     if (drop == push_plan(walls.study).drop) return {};
@@ -157,18 +158,16 @@ std::string answers_text(const FragilityOutput& output, const Command& command,
         const Table shown = command.verbose ? t.table : short_table(t);
         text += t.table.title + "\n";
         if (!shown.rows.empty()) text += as_text(shown, width);
-        if (command.verbose) {
-            text += "\n";
-            continue;
-        }
-        const bool all = shown.rows.size() == t.table.rows.size();
-        text += wrapped((all ? "all columns"
-                             : std::to_string(shown.rows.size()) + " of " +
-                                   std::to_string(t.table.rows.size()) +
-                                   " rows; all rows and columns") +
-                            std::string(": --verbose, or ") +
-                            (fs::path(command.out) / t.name).string() + ".md\n",
-                        width);
+        const std::size_t rows = t.table.rows.size();
+        const bool all_rows = shown.rows.size() == rows;
+        const std::string what = all_rows
+                                     ? "all columns"
+                                     : std::to_string(shown.rows.size()) + " of " +
+                                           std::to_string(rows) + " rows; all rows and columns";
+        if (!all_rows || shown.head.size() < t.table.head.size())
+            text += wrapped(what + ": --verbose, or " +
+                                (fs::path(command.out) / t.name).string() + ".md\n",
+                            width);
         text += "\n";
     }
     return text;

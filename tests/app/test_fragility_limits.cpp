@@ -444,7 +444,7 @@ TEST_CASE(
           "1.00 % (limit of the code, 12 of 20 walls); 8 of 20 fell before: "
           "the drifts are those observed (Kaplan-Meier), no law.");
     CHECK(cell(t, 0, "drifts from") == "observed");
-    CHECK(cell(t, 0, "16 % drift [%]").starts_with("0.60 [")); // fourth of twenty
+    CHECK(cell(t, 0, "16 % drift [%]").starts_with("0.600 [")); // fourth of twenty
     CHECK(cell(t, 0, kMedian) == "1.00");
     CHECK_FALSE(app::curve_pictures(data).empty());
     CHECK(cell(app::step_table(data, 0), 0, "share").starts_with("0.0500 ["));

@@ -179,7 +179,10 @@ TEST_CASE("limit states: a drift limit is told from a displacement of the wall's
     CHECK_FALSE(is_capped(state(c, kNtc, "SLD", early).limit));
     CHECK_FALSE(is_capped(state(c, kNtc, "SLC", late).limit));
     CHECK_FALSE(is_capped(state(c, kPaper, "ultimate", early).limit));
-    UserLimitState user{.name = "near", .ultimate = 1.0, .at_most = 1.3};
+    UserLimitState user;
+    user.name = "near";
+    user.ultimate = 1.0;
+    user.at_most = 1.3;
     CHECK(is_capped(read_limit_states(c, {&user, 1}).front().limit));
     user.at_most = 1.5;
     CHECK_FALSE(is_capped(read_limit_states(c, {&user, 1}).front().limit));
