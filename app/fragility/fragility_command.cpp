@@ -62,8 +62,8 @@ std::string remarks_of(const StudyWalls& walls)
     std::string text = trouble_text(walls);
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
-    if (const std::string piers = pier_remark(walls.study); !piers.empty())
-        text += "remark: " + piers + ".\n";
+    if (const std::string piers = pier_sentence(walls.study); !piers.empty())
+        text += piers + "\n";
     text += stored_share_text(walls);
     if (!walls.pushed_one_way) text += backbone_text(walls.study).substr(1) + "\n";
     const auto layouts = static_cast<std::uint32_t>(walls.study.geometry.layouts);
@@ -160,8 +160,9 @@ std::string answers_text(const FragilityOutput& output, const Command& command,
         if (!shown.rows.empty()) text += as_text(shown, width);
         const std::size_t rows = t.table.rows.size();
         const bool all_rows = shown.rows.size() == rows;
-        const std::string what = all_rows
-                                     ? "all columns"
+        const std::string what = all_rows ? "all columns"
+                                 : shown.rows.empty()
+                                     ? std::to_string(rows) + " rows"
                                      : std::to_string(shown.rows.size()) + " of " +
                                            std::to_string(rows) + " rows; all rows and columns";
         if (!all_rows || shown.head.size() < t.table.head.size())

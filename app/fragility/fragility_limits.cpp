@@ -19,6 +19,8 @@ using fragility::Observation;
 /// Why there are no numbers: where there are walls, for the law's own reason.
 std::string without_fit(const fragility::PerformanceLimits& limits, const DriftGroup& group)
 {
+    if (limits.n > 0.0 && limits.censored_share == 1.0)
+        return "Not identifiable: no wall reached it.";
     if (limits.n > 0.0) {
         constexpr std::string_view opening = "not identifiable: ";
         const bool opened = limits.reason.starts_with(opening);

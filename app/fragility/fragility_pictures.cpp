@@ -89,9 +89,15 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
                         const std::vector<double>& drifts)
 {
     Chart c = empty_chart(data, short_title(data.states[state]));
+    std::string left_out;
     for (std::size_t g = 0; g < data.groups.size(); ++g) {
         const auto limits = limits_of(data.groups[g], state);
-        if (only_limits(limits)) continue; // one value is no curve
+        if (only_limits(limits)) { // one value is no curve
+            left_out += (left_out.empty() ? "; left out, since it reached drift limits alone: "
+                                          : ", ") +
+                        data.groups[g].name;
+            continue;
+        }
         Series line = fitted(data, judged_fit(data, g, state), drifts);
         const bool found = !line.x.empty();
         line.name = data.groups[g].name;
@@ -107,7 +113,8 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
             "fragility curves of " + state_name(data.states[state]) + " (" +
                 data.states[state].rule +
                 "), all walls of a group; dashed where extrapolated, dotted: observed shares "
-                "(Kaplan-Meier)",
+                "(Kaplan-Meier)" +
+                left_out,
             line_chart(c)};
 }
 

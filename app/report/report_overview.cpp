@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace app {
 namespace {
@@ -22,12 +23,6 @@ std::string count_of(std::size_t n, const std::string& one)
 }
 
 std::string percent(double share) { return fixed(100.0 * share, 0); }
-
-std::string upper_first(std::string text)
-{
-    text[0] = text[0] == 't' ? 'T' : text[0];
-    return text;
-}
 
 /// "joint.friction_angle" as words.
 std::string words_of(std::string key)
@@ -217,8 +212,8 @@ std::vector<std::string> how_sure(const StudyWalls& study)
             " of their peak when their push ended. Their "
             "ultimate displacement is only known to be larger (censored): the fits count it as "
             "larger, and the means leave it out.");
-    if (const std::string piers = pier_remark(study.study); !piers.empty())
-        text.push_back(upper_first(piers) + ".");
+    if (std::string piers = pier_sentence(study.study); !piers.empty())
+        text.push_back(std::move(piers));
     text.push_back("In brackets: " + percent_text(study.study.fragility.confidence) +
                    " intervals, as of independent samples. They cover the chance of "
                    "the draw, not the error of the model.");

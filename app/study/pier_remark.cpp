@@ -79,4 +79,10 @@ std::string pier_remark(const Study& study)
            " m, and one mode stand for all of them: check each pier by its own height and mode";
 }
 
+std::string pier_sentence(const Study& study)
+{
+    const std::string remark = pier_remark(study);
+    return remark.empty() ? remark : "T" + remark.substr(1) + ".";
+}
+
 } // namespace app

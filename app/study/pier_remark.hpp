@@ -14,4 +14,7 @@ namespace app {
 /// that is one pier. No full stop.
 [[nodiscard]] std::string pier_remark(const Study& study);
 
+/// The same as a sentence.
+[[nodiscard]] std::string pier_sentence(const Study& study);
+
 } // namespace app

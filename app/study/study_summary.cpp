@@ -69,8 +69,8 @@ StudySummary summarise(const StudyWalls& walls)
         s.missing += level.missing;
     }
     s.remarks = trouble_text(walls);
-    if (const std::string piers = pier_remark(walls.study); !piers.empty())
-        s.remarks += "remark: " + piers + ".\n";
+    if (const std::string piers = pier_sentence(walls.study); !piers.empty())
+        s.remarks += piers + "\n";
     return s;
 }
 

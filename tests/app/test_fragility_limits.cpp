@@ -427,6 +427,12 @@ TEST_CASE("fragility limits: two limits of the code have their counts, and no in
           "[app][fragility_limits]")
 {
     const app::Table t = app::performance_table(limited({{0.5, 10}, {1.0, 40}}));
+    app::DriftData both = limited({{0.5, 10}, {1.0, 40}});
+    both.groups.push_back(scenes::drifts({{1.0, 2.0, 4.0}}).groups[0]);
+    const auto pictures = app::curve_pictures(both);
+    REQUIRE(pictures.size() == 2);
+    CHECK(pictures[0].title.ends_with("left out, since it reached drift limits alone: " +
+                                      both.groups[0].name));
     CHECK(cell(t, 0, "note") == "0.500 % of 10, 1.00 % of 40 walls (limit of the code).");
     CHECK(cell(t, 0, "5 % drift [%]") == "0.500");
     CHECK(cell(t, 0, kMedian) == "1.00");

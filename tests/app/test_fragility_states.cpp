@@ -129,3 +129,23 @@ TEST_CASE(
                   "the drift limits of ntc are those of one pier; this wall has several"));
     CHECK(remark(window, "ntc, ec8").find("ntc and ec8") != std::string::npos);
 }
+
+TEST_CASE("fragility states: a drawn wall has several piers where its stones leave an opening",
+          "[app][fragility_states]")
+{
+    const auto box = [](double x0, double z0, double x1, double z1) {
+        dem::DrawnUnit u;
+        u.outline = {{x0, z0}, {x1, z0}, {x1, z1}, {x0, z1}};
+        return u;
+    };
+    app::Study study;
+    study.geometry.units = {box(0.0, 0.0, 0.2, 0.3), box(0.4, 0.0, 0.6, 0.3),
+                            box(0.0, 0.3, 0.6, 0.4)};
+    CHECK(app::has_piers(study));
+    study.geometry.units[1] = box(0.2, 0.0, 0.6, 0.3);
+    CHECK_FALSE(app::has_piers(study));
+    study.geometry.units[1] = box(0.21, 0.0, 0.6, 0.3); // a joint of mortar
+    CHECK_FALSE(app::has_piers(study));
+    study.geometry.units = {box(0.0, 0.0, 0.6, 0.3), box(0.0, 0.3, 0.3, 0.4)}; // a step
+    CHECK_FALSE(app::has_piers(study));
+}
