@@ -54,7 +54,8 @@ std::string number_cell(const Number& n)
         const std::string text =
             (n.sense == Sense::above ? "> " : ">= ") + rounded_down(n, least);
         const bool wider = value && range && n.lower < least;
-        return wider ? text + " [" + bound(n, n.lower) + ", " + bound(n, n.upper) + "]" : text;
+        return wider ? text + " [" + rounded_down(n, n.lower) + ", " + bound(n, n.upper) + "]"
+                     : text;
     }
     if (!value) return range ? bound(n, n.lower) + " to " + bound(n, n.upper) : std::string();
     if (range)

@@ -24,9 +24,11 @@ Number median_cell(std::span<const fragility::Observation> data, double confiden
     constexpr std::array kHalf = {0.5};
     const auto median = fragility::observed_quantiles(data, kHalf, confidence).front();
     if (median.value) return with_interval(*median.value, median.interval, decimals);
-    const double tested = fragility::known_to(data);
+    const double lower = median.interval.lower;
+    double tested = fragility::known_to(data);
+    if (fragility::is_known(tested, lower)) tested = lower; // runs that ended together
     return {.value = tested,
-            .lower = std::min(median.interval.lower, tested),
+            .lower = std::min(lower, tested),
             .upper = median.interval.upper,
             .decimals = decimals,
             .sense = Sense::at_least};

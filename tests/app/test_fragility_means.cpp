@@ -156,6 +156,10 @@ TEST_CASE(
     // ranks 6 and 15 of 20 hold the median in 95.9 of 100 samples (Conover, Practical Nonparametric Statistics, table A3)
     CHECK(app::cell_text(app::median_cell(walls, 0.95, 1)) == "10.0 [6.0, 15.0]");
     CHECK(app::cell_text(app::median_cell({}, 0.95, 1)).empty());
+    // pushes to one target end a rounding apart
+    walls.clear();
+    for (int i = 0; i < 16; ++i) walls.push_back(fragility::right_censored(35.99 - 1e-3 * i));
+    CHECK(app::cell_text(app::median_cell(walls, 0.95, 1)) == ">= 35.9");
 }
 
 TEST_CASE("fragility means: the study's ultimate displacement is the median of all its walls, "
