@@ -23,6 +23,7 @@ int study_then_report(const Command& study)
     tables.words = {file.string()};
     tables.study = file.string();
     tables.threads = study.threads;
+    tables.verbose = study.verbose;
     tables.quiet = true; // what is replaced is said when it is
     tables.out = (file.parent_path() / file.stem()).string();
     Command page = tables;

@@ -30,9 +30,11 @@ export function fragility(data, host) {
         const x = [0, ...(curves[0]?.drift ?? [])];
         const series = curves.flatMap((c) => fragilitySeries(data, c, x, chosen.level !== 'all'));
         drawn = chart(where, { label: `Probability that ${state.name} is reached, against drift, ${chosen.level === 'all' ? 'all stresses' : data.levels[chosen.level].name}`, x, series, xLabel: 'drift [%]', yLabel: 'share of walls past the limit state', yRange: [0, 1], height: 360, tip: (i) => tipText(series, x, i) });
-        const without = curves.filter((c) => !c.fitted).map((c) => data.levels[c.level].name);
-        const steps = without.length ? ` No law is fitted to ${without.join(', ')}: the steps are the observed shares.` : '';
-        legend.replaceChildren(key(series), element('p', { class: 'note' }, `${state.name}: ${state.rule}.${steps}`));
+        const without = curves.filter((c) => !c.fitted && !c.limit).map((c) => data.levels[c.level].name);
+        const limits = curves.filter((c) => c.limit).map((c) => ` ${data.levels[c.level].name}: ${c.limit}.`);
+        const none = series.length || limits.length ? '' : ' No wall is known to have reached it.';
+        const steps = without.length ? ` No law is fitted to ${without.join(', ')}: the steps are the observed shares.${none}` : '';
+        legend.replaceChildren(key(series), element('p', { class: 'note' }, `${state.name}: ${state.rule}.${steps}${limits.join('')}`));
     };
     const set = (name) => (value) => ((chosen[name] = value), show());
     host.append(

@@ -13,15 +13,18 @@
 #include "app/fragility/measured_drifts.hpp"
 #include "app/input/key_reading.hpp"
 #include "app/input/random_layouts.hpp"
+#include "app/input/study_checks.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
 #include "app/store/wall_file.hpp"
-#include "app/study/limit_choices.hpp"
+#include "app/study/fragility_text.hpp"
 #include "app/study/interrupt.hpp"
+#include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/other_way.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/text_file.hpp"
 #include "app/text/words.hpp"
@@ -41,6 +44,21 @@ void add_pictures(FragilityOutput& output, std::vector<NamedPicture> pictures)
     std::ranges::move(pictures, std::back_inserter(output.pictures));
 }
 
+/// Where fragility.ultimate_share was set anew: how walls of a finite push moved was stored at that of the study.
+std::string stored_share_text(const StudyWalls& walls)
+{
+    if (walls.head.configuration.empty()) return {}; // no file was read
+    const Study stored = read_study(parse_study_text(walls.name, walls.head.configuration));
+    const double drop = push_plan(stored).drop;
+    if (drop == push_plan(walls.study).drop) return {};
+    return "Modes, and the drift limits of codes that follow from them, are those where the "
+           "force "
+           "came down to " +
+           percent_text(drop) +
+           " of the peak, as the study was run. To read them elsewhere, run it with the other "
+           "fragility.ultimate_share.\n";
+}
+
 /// "2 walls failed at 0.75 MPa: the energy ledger ..."
 std::string remarks_of(const StudyWalls& walls)
 {
@@ -50,6 +68,9 @@ std::string remarks_of(const StudyWalls& walls)
     text += limit_choices_text(walls.study) + "\n";
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
+    if (const std::string piers = pier_sentence(walls.study); !piers.empty())
+        text += piers + "\n";
+    text += stored_share_text(walls);
     if (!walls.pushed_one_way) text += backbone_text(walls.study).substr(1) + "\n";
     const auto layouts = static_cast<std::uint32_t>(walls.study.geometry.layouts);
     const bool repeated = walls.levels.size() > 1 || walls.head.design_sizes.back() > layouts;
@@ -93,6 +114,7 @@ DriftOptions options_of(const std::vector<std::string>& overrides)
                               "and fragility.bootstrap=... can be set");
     for (const std::string_view name : kNames)
         if (find_entry(study.source, name)) read_key(*find_key(name), study);
+    check_bootstrap(study);
     return drift_options(study);
 }
 
@@ -152,6 +174,41 @@ void refuse_study_file(const std::string& path)
                           "\", then \"drystone fragility " + results + "\"");
 }
 
+/// The tables that are the answer, as a terminal gets them.
+std::string answers_text(const FragilityOutput& output, const Command& command,
+                         std::size_t width)
+{
+    std::string text;
+    for (const NamedTable& t : output.tables) {
+        if (!t.answer) continue;
+        const Table shown = command.verbose ? t.table : short_table(t);
+        text += t.table.title + "\n";
+        if (!shown.rows.empty()) text += as_text(shown, width);
+        const std::size_t rows = t.table.rows.size();
+        const bool all_rows = shown.rows.size() == rows;
+        const std::string what = all_rows ? "all columns"
+                                 : shown.rows.empty()
+                                     ? std::to_string(rows) + " rows"
+                                     : std::to_string(shown.rows.size()) + " of " +
+                                           std::to_string(rows) + " rows; all rows and columns";
+        if (!all_rows || shown.head.size() < t.table.head.size())
+            text += wrapped(what + ": --verbose, or " +
+                                (fs::path(command.out) / t.name).string() + ".md\n",
+                            width);
+        text += "\n";
+    }
+    return text;
+}
+
+void check_lognormal(const std::vector<std::string>& overrides)
+{
+    for (const Entry& e : with_overrides({}, overrides).entries)
+        if (e.key != "fragility.confidence")
+            throw ConfigError("--set", 0, e.key,
+                              "has no effect on counts, which have lognormal curves and "
+                              "p-values in closed form; leave it out");
+}
+
 FragilityOutput output_of(const Command& command, const FitProgress& seen)
 {
     if (is_study(command.study)) {
@@ -162,10 +219,12 @@ FragilityOutput output_of(const Command& command, const FitProgress& seen)
     const DriftOptions options = options_of(command.overrides);
     const Csv csv = read_csv(command.study);
     check_columns(command, &csv);
-    if (!command.intensity.empty())
+    if (!command.intensity.empty()) {
+        check_lognormal(command.overrides);
         return damage_output(
             damage_counts(csv, {command.intensity, command.failed, command.state, command.of}),
             options.confidence);
+    }
     DriftData data = drift_data(csv, {command.drift, command.censored, command.group});
     data.options = options;
     return drift_output(std::move(data), seen);
@@ -178,7 +237,9 @@ FragilityOutput drift_output(DriftData data, const FitProgress& seen)
     judge(data, seen);
     FragilityOutput output;
     output.source = counts_text(data);
-    output.tables = {{"performance_limits", performance_table(data), true},
+    Table limits = performance_table(data);
+    auto main = severest_rows(data, limits);
+    output.tables = {{"performance_limits", std::move(limits), true, std::move(main)},
                      {"law_parameters", law_table(data)},
                      {"goodness_of_fit", fit_table(data)}};
     if (Table model = stress_table(data); !model.rows.empty())
@@ -232,14 +293,9 @@ int fragility_command(const Command& command)
     progress.finish("tested all fits");
     const std::size_t removed = write_output(command.out, output);
     const std::size_t width = terminal_width();
-    bool marked = false;
-    for (const NamedTable& t : output.tables) {
-        if (!t.answer) continue;
-        const std::string text = as_text(t.table, width);
-        marked = marked || text.find("\u2020") != std::string::npos;
-        std::cout << t.table.title << "\n" << text << "\n";
-    }
-    if (marked)
+    const std::string text = answers_text(output, command, width);
+    std::cout << text;
+    if (text.find("\u2020") != std::string::npos)
         std::cout << wrapped(
             "\u2020: no wall was tested up to this drift; it rests on the law alone.\n", width);
     std::cout << wrapped(output.remarks, width) << "written to " << command.out

@@ -6,6 +6,8 @@
 #include "app/program_version.hpp"
 #include "app/text/json_text.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <sstream>
 
 namespace app {
@@ -72,6 +74,26 @@ std::string fragility_json(const FragilityOutput& output)
                       {"remarks", output.remarks},
                       {"tables", tables}};
     return text_of(all, 1) + "\n";
+}
+
+Table short_table(const NamedTable& named)
+{
+    const Table& all = named.table;
+    std::vector<std::size_t> rows = named.main;
+    if (all.rows.size() <= kShortRows) {
+        rows.resize(all.rows.size());
+        std::iota(rows.begin(), rows.end(), std::size_t{0});
+    }
+    rows.resize(std::min(rows.size(), kShortRows));
+    Table t{
+        .caption = all.caption, .head = {}, .rows = {}, .title = all.title, .keys = all.keys};
+    t.rows.resize(rows.size());
+    for (std::size_t c = 0; c < all.head.size(); ++c) {
+        if (all.head[c].holds & kDetail) continue;
+        t.head.push_back(all.head[c]);
+        for (std::size_t r = 0; r < rows.size(); ++r) t.rows[r].push_back(all.rows[rows[r]][c]);
+    }
+    return t;
 }
 
 void make_names_unique(FragilityOutput& output)

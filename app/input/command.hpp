@@ -23,6 +23,7 @@ struct Command {
     std::vector<std::string> overrides; ///< section.key=value, in order
     int threads = 1;                    ///< >= 1
     bool quiet = false;                 ///< no progress is shown
+    bool verbose = false;               ///< tables are printed in full
     std::optional<int> sample;          ///< one wall of a study, >= 0
     bool mean_wall = false;             ///< the wall in which each random value is its mean
     std::string level; ///< the vertical stress as written; empty: the study has only one

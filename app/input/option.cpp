@@ -64,6 +64,9 @@ std::vector<Option> table()
         {"quiet", "", "no progress on stderr (default: progress)",
          "push study sample reliability fragility report curves merge serve", false,
          [](Command& c, Text) { c.quiet = true; }},
+        {"verbose", "", "print all rows and columns of the tables (default: ten rows, the main columns)",
+         "study fragility", false,
+         [](Command& c, Text) { c.verbose = true; }},
         {"sample", "K", "wall K, from 0, of a study with distributions; or mean: the wall of their means", "push", false,
          [](Command& c, Text v) {
              c.mean_wall = v == "mean";

@@ -225,7 +225,7 @@ dem::PushPlan push_plan(const Study& study)
     const bool finite = study.solver.kinematics == dem::Kinematics::finite;
     const int direction = push_way(study).direction;
     const bool to_and_fro = direction == 0;
-    if (finite && !to_and_fro) plan.drop = fragility::kUltimateShare;
+    if (finite && !to_and_fro) plan.drop = study.fragility.ultimate_share;
     if (study.load.stop_below > 0.0)
         plan.decided = to_and_fro ? stop_both_below(study.load.stop_below)
                                   : dem::stop_below(study.load.stop_below, direction);

@@ -337,6 +337,17 @@ void check_relations(const Study& study)
     check_output(study);
     check_layouts(study);
     check_steps(study);
+    check_bootstrap(study);
+}
+
+void check_bootstrap(const Study& study)
+{
+    constexpr int kFewest = 100; // the smallest p-value is 1 / (samples + 1), and 0.01 rejects
+    const int samples = study.fragility.bootstrap;
+    if (samples > 0 && samples < kFewest)
+        refuse(study, "fragility.bootstrap",
+               std::to_string(samples) + " samples cannot reject a law at p < 0.01; write " +
+                   std::to_string(kFewest) + " or more, or 0 for no tests");
 }
 
 } // namespace app

@@ -14,4 +14,8 @@ void check_stiffness(const Study& study);
 /// @throws ConfigError at the value to change
 void check_relations(const Study& study);
 
+/// Samples behind p-values, also where no study was read.
+/// @throws ConfigError where they are too few for a law to be rejected
+void check_bootstrap(const Study& study);
+
 } // namespace app

@@ -219,7 +219,7 @@ constexpr std::array kRandomKeys = {
         .field = kAt<&Study::fragility, &FragilityInput::confidence>},
     Key{.name = "fragility.bootstrap", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
         .verbs = "study fragility",
-        .meaning = "samples behind the p-values of fits; 0: none",
+        .meaning = "samples behind the p-values of fits, 100 or more; 0: none",
         .field = kAt<&Study::fragility, &FragilityInput::bootstrap>},
     Key{.name = "fragility.modes", .kind = Kind::word, .names = kModeRules,
         .meaning = "three: rocking, sliding, mixed; two (paper): walls that slide whole count as rocking, all that lose load as mixed",

@@ -51,7 +51,11 @@ std::string number_cell(const Number& n)
     if (n.sense != Sense::equal) {
         const double least = value ? n.value : n.lower;
         if (!std::isfinite(least)) return {};
-        return (n.sense == Sense::above ? "> " : ">= ") + rounded_down(n, least);
+        const std::string text =
+            (n.sense == Sense::above ? "> " : ">= ") + rounded_down(n, least);
+        const bool wider = value && range && n.lower < least;
+        return wider ? text + " [" + rounded_down(n, n.lower) + ", " + bound(n, n.upper) + "]"
+                     : text;
     }
     if (!value) return range ? bound(n, n.lower) + " to " + bound(n, n.upper) : std::string();
     if (range)

@@ -45,7 +45,8 @@ enum : unsigned {
     kExtrapolated = 8, ///< "median extrapolated": 1 or 0
     kCensored = 16,    ///< "median censored": 1 where the value is a lower bound, else 0
     kNote = 32, ///< sentences: a number in brackets for people, the sentence below the table
-    kProgramsOnly = 64 ///< not shown to people
+    kProgramsOnly = 64, ///< not shown to people
+    kDetail = 128       ///< left out where a terminal is given the short of a table
 };
 
 struct Head {

@@ -3,6 +3,7 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/other_way.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/rigid_wall.hpp"
 #include "dem/scene/snapshot_reading.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace app {
 namespace {
@@ -181,6 +183,7 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
         h.toe_stress = dem::toe_stress(w.result.at_end, study.wall.base);
     add(no_limit_remark(study, w.reading), h.remarks);
     add(other_way_remark(study, layout, w), h.remarks);
+    add(pier_remark(study), h.remarks);
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);
     add_sliding_beam(study, w, h.remarks);

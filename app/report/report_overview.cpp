@@ -6,13 +6,15 @@
 #include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/other_way.hpp"
+#include "app/study/mode_share.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/binomial.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace app {
 namespace {
@@ -142,13 +144,12 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
     const auto& walls = level.walls;
     if (walls.empty()) return stress_text(level.stress) + ": no wall gave a result.";
     std::vector<double> peaks;
-    double rocking = 0.0, sliding = 0.0;
+    double sliding = 0.0;
     std::size_t came_down = 0, known = 0, slid = 0;
     for (const StudyWall& w : walls) {
         const WallReading& r = w.reading;
         known += is_defined(r.ultimate) ? 1 : 0;
         if (r.peak) peaks.push_back(r.peak->force * 1e-3);
-        rocking += r.mode == dem::FailureMode::rocking ? 1.0 : 0.0;
         sliding += r.mode == dem::FailureMode::sliding ? 1.0 : 0.0;
         slid += r.slid ? 1 : 0;
         came_down += is_observed(r.ultimate) ? 1 : 0;
@@ -163,12 +164,9 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
     } else if (!peaks.empty()) {
         text += "peak force " + fixed(peaks.front(), 1) + " kN; ";
     }
-    const fragility::Share s =
-        fragility::share(rocking, static_cast<double>(walls.size()),
-                         static_cast<double>(level.failed_walls.size()),
-                         fragility::BinomialInterval::wilson, f.confidence);
-    return text + percent(s.value) + " % rocked [" + percent(s.bounds.lower) + ", " +
-           percent(s.bounds.upper) + "]" +
+    const fragility::Share s = mode_share(level, kRocking, f.confidence);
+    return text + percent(s.value) + " % rocked [" + percent(s.interval.lower) + ", " +
+           percent(s.interval.upper) + "]" +
            (sliding > 0.0
                 ? ", " + percent(sliding / static_cast<double>(walls.size())) + " % slid"
                 : "") +
@@ -217,6 +215,8 @@ std::vector<std::string> how_sure(const StudyWalls& study)
             "larger, and the means leave it out.");
     for (const std::string& remark : {no_limit_remark(study), other_way_remark(study)})
         if (!remark.empty()) text.push_back(remark);
+    if (std::string piers = pier_sentence(study.study); !piers.empty())
+        text.push_back(std::move(piers));
     text.push_back("Brackets are " + percent_text(study.study.fragility.confidence) +
                    " confidence intervals. They reflect the number of walls, not errors of "
                    "the model.");

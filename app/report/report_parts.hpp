@@ -84,7 +84,8 @@ constexpr int kLoopPoints = 4; ///< from one frame of a film to the next
 
 /// P(limit state reached | drift) of each limit state and stress, as in the pictures of `drystone fragility`:
 /// [{"name", "rule", "curves": [{"level", "drift": [...], "least", "most", "lower", "upper", "fitted",
-///   "steps": [[drift, probability], ...], "known_to"}]}]
+///   "steps": [[drift, probability], ...], "known_to"}]}]; where walls reached a drift limit that is set and nothing else,
+/// "limit" says it in words and there is no curve.
 [[nodiscard]] nlohmann::ordered_json fragility_json(const DriftData& data);
 
 /// Share of rocking walls of each stress with its interval, and a logistic regression on the stress:

@@ -70,7 +70,10 @@ std::string identity_text(const Study& study)
         if (!is_used(key, study)) continue;
         if (std::ranges::count(kFree, key.name) > 0) continue;
         const std::string_view section = section_of(key.name);
-        if (section == "reliability" || section == "fragility") continue;
+        // How a wall has moved is read, and stored, where the force came down to this share.
+        const bool stored =
+            key.name == "fragility.ultimate_share" && push_plan(study).drop > 0.0;
+        if (section == "reliability" || (section == "fragility" && !stored)) continue;
         if (is_drawn(study) && says_how_a_file_is_read(key))
             continue; // its outlines stand for it
         const std::string value = value_of(key, study);

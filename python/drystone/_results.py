@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
@@ -15,12 +16,22 @@ if TYPE_CHECKING:
     import pandas
 
 
-class Drifts(NamedTuple):
-    """Limit drifts of walls, as drystone.fragility takes them: fit(*drifts)."""
+class _Drifts(NamedTuple):
     values: numpy.ndarray
     """[%] of the height of the load line"""
     censored: numpy.ndarray
     """True: the wall had not reached the limit state at this drift"""
+
+
+class Drifts(_Drifts):
+    """Limit drifts of walls, as drystone.fragility takes them: fit(*drifts)."""
+    capped: numpy.ndarray
+    """True: a drift limit of a code or of the study, not the wall's own; no law describes it"""
+
+    def __new__(cls, values: numpy.ndarray, censored: numpy.ndarray, capped: numpy.ndarray | None = None) -> Drifts:
+        drifts = super().__new__(cls, values, censored)
+        drifts.capped = numpy.zeros(len(values), bool) if capped is None else capped
+        return drifts
 
 
 class Results:
@@ -103,7 +114,7 @@ class Results:
         return _core.read_drifts(self.path, self._stamp, [])[0]
 
     def drifts(self, limit_state: str, level: int = 0, set: Mapping[str, Value] | None = None) -> Drifts:
-        """Drifts at which the walls under a vertical stress reached a limit state.
+        """Drifts at which the walls under a vertical stress reached a limit state. Warns where a drift limit comes first.
 
         :param limit_state: one of `limit_states`
         :param set: fragility.key: value, in place of the study's
@@ -111,8 +122,10 @@ class Results:
         states, levels = _core.read_drifts(self.path, self._stamp, _overrides(set))
         if limit_state not in states:
             raise ValueError(f"{limit_state!r} is none of {', '.join(states)}")
-        values, censored = levels[level][states.index(limit_state)]
-        return Drifts(values, numpy.array(censored, bool))
+        values, censored, capped, limit = levels[level][states.index(limit_state)]
+        if limit:
+            warnings.warn(f"{limit_state}: {limit}: no law describes these drifts (Drifts.capped marks them)", stacklevel=2)
+        return Drifts(values, numpy.array(censored, bool), numpy.array(capped, bool))
 
     def __repr__(self) -> str:
         return f"<Results {self.path}: {len(self)} walls, {int(self.failed.sum())} failed, {self.missing} still to run>"

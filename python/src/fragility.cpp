@@ -3,6 +3,7 @@
 #include "fragility/censored_fit.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/kaplan_meier.hpp"
+#include "fragility/observed_quantile.hpp"
 #include "fragility/performance_limits.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bind.hpp"
@@ -10,6 +11,7 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -176,6 +178,11 @@ py::dict kaplan_meier(const GivenNumbers& values, const GivenFlags& censored, do
     steps["lower"] = column([](const Step& s) { return s.band.lower; });
     steps["upper"] = column([](const Step& s) { return s.band.upper; });
     steps["end"] = km.end;
+    constexpr std::array kHalf = {0.5};
+    const auto data = observations(values, censored);
+    const auto median = fragility::observed_quantiles(data, kHalf, confidence).front();
+    steps["median"] = median.value;
+    steps["median_interval"] = py::make_tuple(median.interval.lower, median.interval.upper);
     return steps;
 }
 

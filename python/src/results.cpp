@@ -118,7 +118,7 @@ py::list read_curves(const std::string& path, const std::string& stamp)
 }
 
 /// Limit drifts as `drystone fragility` takes them: names of the limit states, and of each level and each
-/// state the drifts [%] with those that are lower bounds.
+/// state the drifts [%], those that are lower bounds, those that are drift limits, and what these are in words.
 py::tuple read_drifts(const std::string& path, const std::string& stamp,
                       const std::vector<std::string>& overrides)
 {
@@ -129,16 +129,18 @@ py::tuple read_drifts(const std::string& path, const std::string& stamp,
     std::vector<std::string> states;
     for (const app::StateName& s : data.states) states.push_back(app::state_name(s));
     py::list levels;
-    for (const app::DriftGroup& group : data.groups) {
+    for (std::size_t g = 0; g < data.groups.size(); ++g) {
         py::list of_level;
         for (std::size_t s = 0; s < data.states.size(); ++s) {
             std::vector<double> drift;
-            py::list censored;
-            for (const fragility::Observation& o : app::limits_of(group, s)) {
+            py::list censored, capped;
+            for (const fragility::Observation& o : app::limits_of(data.groups[g], s)) {
                 drift.push_back(o.lower);
                 censored.append(o.upper > o.lower);
+                capped.append(o.capped);
             }
-            of_level.append(py::make_tuple(array_of(std::move(drift)), censored));
+            of_level.append(py::make_tuple(array_of(std::move(drift)), censored, capped,
+                                           app::limit_text(data, g, s)));
         }
         levels.append(of_level);
     }

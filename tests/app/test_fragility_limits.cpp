@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string>
 #include <variant>
+#include <vector>
 
 using scenes::cell;
 using scenes::number_in;

@@ -1,6 +1,9 @@
 #include "app/fragility/fragility_modes.hpp"
 
+#include "app/fragility/fragility_means.hpp"
 #include "app/fragility_scenes.hpp"
+#include "app/study/mode_share.hpp"
+#include "app/study/study_summary.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -22,11 +25,34 @@ TEST_CASE("fragility modes: shares add up, and bounds count failed walls either 
           8);
     // 20 to 30 deg: 6 mixed of 8; the others 32 and 34 deg rock
     CHECK(cell(t, 1, "walls with this mode") == "6");
-    CHECK(cell(t, 1, "share [%]") == "75.0 [40.9, 92.9]"); // Wilson
-    CHECK(cell(t, 1, "Clopper-Pearson [%]") == "34.9 to 96.8");
-    const app::Number with_failed = number_in(t, 1, "share with failed walls [%]");
-    CHECK(with_failed.lower < 40.9);
-    CHECK(with_failed.upper > 92.9);
+    CHECK(cell(t, 1, "share [%]") == "75.0 [31.3, 94.3]"); // Wilson, of 6 of 10 and of 8 of 10
+    CHECK(cell(t, 1, "Clopper-Pearson [%]") == "26.2 to 97.5");
+}
+
+TEST_CASE(
+    "fragility modes: every table and the page give one interval of a share, failed walls "
+    "or not",
+    "[app][fragility_modes]")
+{
+    const std::size_t failed = GENERATE(std::size_t{0}, std::size_t{3});
+    app::StudyWalls walls = scenes::study_walls(8);
+    walls.study.fragility.mode.modes = dem::ModeRule::three;
+    walls.levels[0].failed_walls.resize(failed);
+    const app::Table modes = app::mode_table(walls), means = app::mean_table(walls),
+                     summary = app::summarise(walls).table;
+    for (int mode = 0; mode < app::kAllModes; ++mode) {
+        const auto s = app::mode_share(walls.levels[0], mode, 0.95);
+        CHECK(s.failed == static_cast<double>(failed));
+        const auto check = [&](const app::Number& n) {
+            CHECK(n.value == 100.0 * s.value);
+            CHECK(n.lower == 100.0 * s.interval.lower);
+            CHECK(n.upper == 100.0 * s.interval.upper);
+        };
+        check(number_in(modes, static_cast<std::size_t>(mode), "share [%]"));
+        check(number_in(summary, 0, std::string(app::mode_name(mode)) + " [%]"));
+        if (s.count > 0.0)
+            check(number_in(means, 2 * static_cast<std::size_t>(mode), "share [%]"));
+    }
 }
 
 TEST_CASE("fragility modes: a mode that does not occur has the share 0 with an upper bound",

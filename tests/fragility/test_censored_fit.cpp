@@ -286,3 +286,19 @@ TEST_CASE("censored fit: heavy censoring and far starts converge", "[fragility][
         CHECK(law == Law::gamma);
     }
 }
+
+TEST_CASE("censored fit: no law is fitted to drift limits, whatever the others did",
+          "[fragility][censored_fit]")
+{
+    std::vector<Observation> walls = {observed(1.0), observed(1.2), observed(0.9),
+                                      right_censored(1.1)};
+    for (const Law law : {Law::lognormal, Law::normal, Law::weibull, Law::gamma})
+        CHECK(fit(law, walls).outcome == FitOutcome::converged);
+    walls.push_back({1.3, 1.3, 1.0, true});
+    for (const Law law : {Law::lognormal, Law::normal, Law::weibull, Law::gamma}) {
+        const Fit f = fit(law, walls);
+        CHECK(f.outcome == FitOutcome::capped);
+        CHECK(f.counts.n == 5.0);
+        CHECK(f.reason.find("1 of 5 walls") != std::string::npos);
+    }
+}
