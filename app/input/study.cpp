@@ -48,9 +48,15 @@ void derive(Study& study)
     }
 }
 
+void leave_out_unfit_height(Study& study)
+{
+    study.load.unfit_height = unfit_height(study);
+    if (!study.load.unfit_height.empty()) find_key("load.height")->derived.apply(study);
+}
+
 } // namespace
 
-Study read_study(const StudyFile& file)
+Study read_study(const StudyFile& file, Purpose purpose)
 {
     if (is_program_study(file))
         throw ConfigError(file.path, find_section(file, "model")->line, "[model]",
@@ -60,9 +66,11 @@ Study read_study(const StudyFile& file)
     study.source = file;
     for (const Key& key : study_keys()) read_key(key, study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
+    check_cycles(study);
     read_geometry(study);
     check_stiffness(study);
     derive(study);
+    if (purpose == Purpose::drawing) leave_out_unfit_height(study);
     check_relations(study);
     find_needed_cracks(study);
     scale_protocol(study);
@@ -70,9 +78,10 @@ Study read_study(const StudyFile& file)
     return study;
 }
 
-Study read_study(const std::string& path, std::span<const std::string> overrides)
+Study read_study(const std::string& path, std::span<const std::string> overrides,
+                 Purpose purpose)
 {
-    return read_study(with_overrides(read_study_file(path), overrides));
+    return read_study(with_overrides(read_study_file(path), overrides), purpose);
 }
 
 namespace {

@@ -29,15 +29,16 @@ int level_of(const Study& study, const std::string& text)
     }
 }
 
-StudySource study_source(const Command& command)
+StudySource study_source(const Command& command, Purpose purpose)
 {
     if (!command.study.ends_with(".h5")) {
-        const Study study = read_study(command.study, command.overrides);
+        const Study study = read_study(command.study, command.overrides, purpose);
         return {study, {samples_of(study)}};
     }
     const StoreHead head = read_head(command.study);
     return {read_study(with_overrides(parse_study_text(command.study, head.configuration),
-                                      command.overrides)),
+                                      command.overrides),
+                       purpose),
             head.design_sizes};
 }
 

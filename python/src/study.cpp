@@ -1,6 +1,7 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/option.hpp"
 #include "app/input/verb.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/scene/scene_units.hpp"

@@ -194,3 +194,19 @@ TEST_CASE("scene command: what was closed or simplified of a drawing is said", "
     const std::string text = said(std::cerr, [&] { app::say_effects(study, c); });
     CHECK(text.find("note: wall.geometry: 49 stones") != std::string::npos);
 }
+
+TEST_CASE("scene command: a load that does not fit the wall is told, and the wall is drawn",
+          "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto run = [&] { scene(kWall, folder.path, {"load.height=2.2 m"}); };
+    const std::string notes = said(std::cerr, run);
+    CHECK_THAT(notes,
+               Catch::Contains("note: load.height: must lie within the loading beam, from "
+                               "1 m to 1.1 m; without this key it is the top"));
+    CHECK(fs::exists(folder.path / "scene.svg"));
+    CHECK(said(std::cerr, [&] { scene(kWall, folder.path, {}); }).find("load.height") ==
+          std::string::npos);
+    CHECK_THROWS_WITH(app::push_command(command_of(kWall, folder.path, {"load.height=2.2 m"})),
+                      Catch::Contains("load.height: must lie within the loading beam"));
+}

@@ -34,7 +34,6 @@ TEST_CASE(
     CHECK(area(wall) == Approx(4.0 + 4.0 + 2.0).epsilon(1e-12));
     CHECK(scenes::common_sides(wall) == 3 + 4 + 1);
     CHECK(wall.blocks[0].outline[0].z == 0.0); // y = 2 is the floor
-    CHECK(wall.blocks[2].place == "line 4");
     CHECK(scenes::notes(wall, "1 text"));
 }
 
