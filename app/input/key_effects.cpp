@@ -66,24 +66,24 @@ std::string gigabytes(double bytes) { return fixed(std::max(bytes, 1e8) / 1e9, 1
 
 } // namespace
 
-std::string cost_note(const Study& study)
+std::string cost_note(const Study& study, Purpose purpose)
 {
     constexpr double kSeconds = 10.0, kBytes = 1e9, kMinute = 60.0;
     const dem::BuildCost c = dem::build_cost(layout_of(study), study.discretisation);
     const std::string time = c.seconds < kMinute ? fixed(std::max(c.seconds, 1.0), 0) + " s"
                                                  : fixed(c.seconds / kMinute, 0) + " min";
     const std::string text = "about " + time + " and " + gigabytes(c.bytes);
+    const bool beam = c.beam && study.beam.height > wall_length(study);
     const std::string less =
-        c.beam
-            ? "a beam that is less high, longer units or fewer solver.contact_points cost less"
-            : "fewer solver.contact_points or solver.zones_per_interval, or units that are "
-              "longer for their height, cost less";
+        beam ? "a beam that is less high, longer units or fewer solver.contact_points cost less"
+             : "fewer solver.contact_points or solver.zones_per_interval, or units that are "
+               "longer for their height, cost less";
     const double available = memory();
-    if (c.bytes > available)
-        throw error_at(study.source, c.beam ? "beam.height" : "solver.contact_points",
-                       std::string(c.beam ? "the beam" : "the blocks") + " would take " + text +
+    if (c.bytes > available && purpose == Purpose::push)
+        throw error_at(study.source, beam ? "beam.height" : "solver.contact_points",
+                       std::string(beam ? "the beam" : "the blocks") + " would take " + text +
                            " before the push begins, of " + gigabytes(available) +
-                           " there are; " + less);
+                           " that there are; " + less);
     if (c.seconds < kSeconds && c.bytes < kBytes) return "";
     return "note: making the blocks takes " + text + " before the push begins; " + less + "\n";
 }
@@ -98,7 +98,8 @@ void say_effects(const Study& study, const Command& command)
                   << fixed(study.load.max_displacement * 1e3, 2)
                   << " mm; ultimate displacement of the mean wall pushed one way: "
                   << study.load.scaled << '\n';
-    std::cerr << cost_note(study);
+    const bool pushes = reads(*command.verb, *find_key("output.record_every"));
+    std::cerr << cost_note(study, pushes ? Purpose::push : Purpose::drawing);
     const char* key = study.geometry.file.empty() ? "wall.outlines" : "wall.geometry";
     for (const std::string& note : study.geometry.notes)
         std::cerr << "note: " << key << ": " << note << '\n';

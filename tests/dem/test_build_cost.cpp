@@ -75,5 +75,5 @@ TEST_CASE("build cost: a high beam on a short wall is told, and that it is the b
     CHECK(c.seconds < seconds * 2.0);
     CHECK(c.bytes > 1e6 * megabytes / 1.5);
     CHECK(c.bytes < 1e6 * megabytes * 1.5);
-    CHECK_FALSE(cost(20, 0.1).beam);
+    CHECK_FALSE(cost(5, 10.0).beam);
 }
