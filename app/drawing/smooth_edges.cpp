@@ -9,11 +9,11 @@
 namespace app {
 namespace {
 
-constexpr int kReach = 8;         // from an edge to the colours that it lies between [pixels]
-constexpr double kRounding = 4.0; // of a mixed colour, of 255
-constexpr double kLeastContrast = 16; // between two colours whose mixture can be told, of 255
-constexpr double kOvershoot = 0.1;    // of the contrast, of programs that sharpen
-constexpr double kMixedShare = 0.8;   // of the pixels of an edge
+constexpr int kReach = 8;           // from an edge to the colours that it lies between [pixels]
+constexpr double kRounding = 4.0;   // of a mixed colour, of 255
+constexpr double kToldApart = 16;   // between two colours whose mixture can be told, of 255
+constexpr double kOvershoot = 0.1;  // of the contrast, of programs that sharpen
+constexpr double kMixedShare = 0.8; // of the pixels of an edge
 
 /// Red, green and blue, in [0, 255] as stored or in [0, 1] as light.
 using Rgb = std::array<double, 3>;
@@ -84,7 +84,7 @@ template <class Mix> bool is_mixed(int c, int a, int b, Mix mix)
            apart(stored(mix(light(x), light(y), light(z))), x) <= kRounding;
 }
 
-bool differ(int a, int b) { return apart(stored(a), stored(b)) >= kLeastContrast; }
+bool differ(int a, int b) { return apart(stored(a), stored(b)) >= kToldApart; }
 
 /// Whether c lies between the colours of areas beside it, or beyond one of them by as much as programs that sharpen make it.
 bool is_between_areas(int c, int a, int b)
