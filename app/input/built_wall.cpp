@@ -47,7 +47,7 @@ void check_number(const Study& study)
 /// Fills the wall with stones.
 void read_rubble(Study& study)
 {
-    constexpr double kMostStones = 10000; // whose generation takes a minute
+    constexpr double kMostStones = 10000; // half a second to lay; pushing them takes days
     const dem::WallGeometry& wall = study.wall;
     if (unit_count(study) > kMostStones)
         throw error_at(study.source, "wall.unit_length",

@@ -131,7 +131,10 @@ std::string effective_configuration(const Study& study)
         // How results are read is no part of the walls: a later version reads them its own way.
         const bool reading =
             entry == nullptr && (section == "fragility" || section == "reliability");
-        std::string line((follows || reading ? "# " : "") +
+        // The height of body forces is no choice: it would be refused.
+        const bool told = entry == nullptr && key.name == "load.height" &&
+                          study.load.pattern == dem::LoadPattern::body;
+        std::string line((follows || reading || told ? "# " : "") +
                          std::string(name_in_section(key.name)));
         line.resize(std::max<std::size_t>(line.size(), 24), ' ');
         line += "= " + value;
