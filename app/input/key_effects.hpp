@@ -18,8 +18,9 @@ namespace app {
 [[nodiscard]] std::string effect_notes(const Study& study, const Verb& verb);
 
 /// What making the blocks will cost, where that is much: a line for people; else nothing.
-/// @throws ConfigError where no machine of today has the memory
-[[nodiscard]] std::string cost_note(const Study& study);
+/// @param purpose of a drawing nothing is refused
+/// @throws ConfigError where this machine has not the memory
+[[nodiscard]] std::string cost_note(const Study& study, Purpose purpose);
 
 /// @throws ConfigError where the study names one wall (uq.drawn)
 void refuse_drawn(const Study& study);

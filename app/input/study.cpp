@@ -65,9 +65,15 @@ void derive(Study& study)
     }
 }
 
+void leave_out_unfit_height(Study& study)
+{
+    study.load.unfit_height = unfit_height(study);
+    if (!study.load.unfit_height.empty()) find_key("load.height")->derived.apply(study);
+}
+
 } // namespace
 
-Study read_study(const StudyFile& file)
+Study read_study(const StudyFile& file, Purpose purpose)
 {
     if (is_program_study(file))
         throw ConfigError(file.path, find_section(file, "model")->line, "[model]",
@@ -77,9 +83,11 @@ Study read_study(const StudyFile& file)
     study.source = without_replaced(file);
     for (const Key& key : study_keys()) read_key(key, study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
+    check_cycles(study);
     read_geometry(study);
     check_stiffness(study);
     derive(study);
+    if (purpose == Purpose::drawing) leave_out_unfit_height(study);
     check_relations(study);
     find_needed_cracks(study);
     scale_protocol(study);
@@ -87,9 +95,10 @@ Study read_study(const StudyFile& file)
     return study;
 }
 
-Study read_study(const std::string& path, std::span<const std::string> overrides)
+Study read_study(const std::string& path, std::span<const std::string> overrides,
+                 Purpose purpose)
 {
-    return read_study(with_overrides(read_study_file(path), overrides));
+    return read_study(with_overrides(read_study_file(path), overrides), purpose);
 }
 
 namespace {
@@ -139,7 +148,10 @@ std::string effective_configuration(const Study& study)
         // How results are read is no part of the walls: a later version reads them its own way.
         const bool reading =
             entry == nullptr && (section == "fragility" || section == "reliability");
-        std::string line((follows || reading ? "# " : "") +
+        // The height of body forces is no choice: it would be refused.
+        const bool told = entry == nullptr && key.name == "load.height" &&
+                          study.load.pattern == dem::LoadPattern::body;
+        std::string line((follows || reading || told ? "# " : "") +
                          std::string(name_in_section(key.name)));
         line.resize(std::max<std::size_t>(line.size(), 24), ' ');
         line += "= " + value;

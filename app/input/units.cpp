@@ -2,6 +2,7 @@
 
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <numbers>
 #include <system_error>
+#include <utility>
 
 namespace app {
 namespace {
@@ -41,6 +43,7 @@ constexpr std::array kUnits = {
     Unit{"Pa/mm", "a joint stiffness", 1e3, 1},
     Unit{"N/mm3", "a joint stiffness", 1e9, 1},
     Unit{"kg/m3", "a density", 1, 1},
+    Unit{"kN/m3", "a density", 1e3, dem::Loads{}.gravity}, // the weight that it has
     Unit{"N/m", "an energy per area", 1, 1},
     Unit{"J/m2", "an energy per area", 1, 1},
     Unit{"N/mm", "an energy per area", 1e3, 1},
@@ -121,10 +124,22 @@ Parts number_and_unit(std::string_view text, const Unit& unit)
     return parts;
 }
 
+/// "kg/m3" of "kg/m³" and of "kg/m^3".
+std::string plain(std::string_view unit)
+{
+    std::string name(unit);
+    for (const auto& [sign, digit] :
+         {std::pair{"\u00b2", "2"}, {"\u00b3", "3"}, {"^2", "2"}, {"^3", "3"}})
+        if (const std::size_t at = name.find(sign); at != std::string::npos)
+            name.replace(at, std::string_view(sign).size(), digit);
+    return name;
+}
+
 double in_si(const Parts& parts, const Unit& expected)
 {
     const auto names = alternatives(expected);
-    if (std::ranges::find(names, parts.unit) == names.end()) {
+    const std::string name = plain(parts.unit);
+    if (std::ranges::find(names, name) == names.end()) {
         const std::string is = "unit " + in_quotes(parts.unit);
         if (parts.unit.starts_with('/')) {
             throw BadValue(in_quotes(std::string(parts.number_text) + std::string(parts.unit)) +
@@ -140,7 +155,7 @@ double in_si(const Parts& parts, const Unit& expected)
         throw BadValue(is + " is not " + std::string(expected.quantity) + "; use " +
                        listed(names));
     }
-    const double value = si_value(parts.number, unit_named(parts.unit));
+    const double value = si_value(parts.number, unit_named(name));
     if (!std::isfinite(value)) {
         refuse_number(parts.number_text, "beyond the range of a double", expected);
     }

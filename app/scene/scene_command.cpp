@@ -134,7 +134,7 @@ std::string layouts_text(const Study& study)
 
 int scene_command(const Command& command)
 {
-    const StudySource source = study_source(command);
+    const StudySource source = study_source(command, Purpose::drawing);
     const Study& study = source.study;
     const fs::path out = command.out;
     if (const std::string note =
@@ -145,6 +145,9 @@ int scene_command(const Command& command)
     const dem::Layout whole = whole_units(study);
     const std::vector<DrawnBlock> units = scene_units(study, whole);
     std::cerr << study_notes(study, command);
+    if (!study.load.unfit_height.empty())
+        std::cerr << "note: load.height: " << study.load.unfit_height
+                  << ". The wall is drawn; push and study refuse it.\n";
     const std::string counts = count_text(study, layout, units);
     const std::string sizes = size_text(study, layout);
     const dem::BondIndices indices = dem::bond_indices(whole);

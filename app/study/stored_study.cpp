@@ -65,13 +65,13 @@ void check_configuration(const std::filesystem::path& file, const StoreHead& hea
 } // namespace
 
 Study stored_study(const std::filesystem::path& file, const StoreHead& head,
-                   std::span<const std::string> overrides)
+                   std::span<const std::string> overrides, Purpose purpose)
 {
     const StudyFile source = parse_study_text(file.string(), head.configuration);
-    Study study = read_study(source);
+    Study study = read_study(source, purpose);
     check_configuration(file, head, study);
     if (overrides.empty()) return study;
-    return read_study(with_overrides(source, overrides));
+    return read_study(with_overrides(source, overrides), purpose);
 }
 
 } // namespace app

@@ -18,7 +18,7 @@ struct StudySource {
 /// From a study file, or from the file of its results: the walls of a study that has grown can only be
 /// drawn again with the sizes that the latter keeps.
 /// @throws ConfigError, StoreError
-[[nodiscard]] StudySource study_source(const Command& command);
+[[nodiscard]] StudySource study_source(const Command& command, Purpose purpose = Purpose::push);
 
 /// Index of the level given as text, such as "0.75 MPa"; the only one if the text is empty.
 /// @throws ConfigError about --level

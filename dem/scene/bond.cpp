@@ -119,16 +119,16 @@ double top_of_course(const WallGeometry& wall, int course)
 
 double most_length_cov(const WallGeometry& wall)
 {
-    constexpr double kShortest = 1e-3; // [m]
     double least = wall.unit_length;
     const std::vector<double> one = regular_ends(wall, 1), two = regular_ends(wall, 2);
     for (const std::vector<double>& x : {one, two})
         for (std::size_t i = 0; i + 1 < x.size(); ++i) least = std::min(least, x[i + 1] - x[i]);
     if (wall.courses > 1)
-        for (std::size_t i = 1; i + 1 < one.size(); ++i)
-            for (std::size_t j = 1; j + 1 < two.size(); ++j)
-                least = std::min(least, std::abs(one[i] - two[j]));
-    return std::max(0.0, 0.5 * (least - kShortest)) / (std::sqrt(1.5) * wall.unit_length);
+        for (std::size_t i = 1, j = 1; i + 1 < one.size() && j + 1 < two.size();) {
+            least = std::min(least, std::abs(one[i] - two[j]));
+            ++(one[i] < two[j] ? i : j);
+        }
+    return std::max(0.0, 0.5 * (least - kShortestUnit)) / (std::sqrt(1.5) * wall.unit_length);
 }
 
 } // namespace dem

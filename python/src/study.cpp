@@ -2,6 +2,7 @@
 #include "app/input/option.hpp"
 #include "app/input/units.hpp"
 #include "app/input/verb.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/sampling/wall_sites.hpp"
 #include "app/scene/scene_units.hpp"
 #include "app/study/run_study.hpp"

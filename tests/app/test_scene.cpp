@@ -208,3 +208,37 @@ TEST_CASE("scene command: what was closed or simplified of a drawing is said", "
     const std::string text = app::study_notes(study, c);
     CHECK(text.find("note: wall.geometry: 49 stones") != std::string::npos);
 }
+
+TEST_CASE("scene command: a load that does not fit the wall is told, and the wall is drawn",
+          "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto run = [&] { scene(kWall, folder.path, {"load.height=2.2 m"}); };
+    const std::string notes = said(std::cerr, run);
+    CHECK_THAT(notes,
+               Catch::Contains("note: load.height: must lie within the loading beam, from "
+                               "1 m to 1.1 m; without this key it is the top"));
+    CHECK(fs::exists(folder.path / "scene.svg"));
+    CHECK(said(std::cerr, [&] { scene(kWall, folder.path, {}); }).find("load.height") ==
+          std::string::npos);
+    CHECK_THROWS_WITH(app::push_command(command_of(kWall, folder.path, {"load.height=2.2 m"})),
+                      Catch::Contains("load.height: must lie within the loading beam"));
+}
+
+TEST_CASE(
+    "scene command: what no memory holds is refused by a push, by the key to change, and drawn",
+    "[app][scene]")
+{
+    const app::Study fine =
+        study_of(kWall, {"solver.contact_points=100", "solver.zones_per_interval=1",
+                         "wall.length=50 m"});
+    CHECK_THROWS_WITH(app::cost_note(fine, app::Purpose::push),
+                      Catch::Contains("solver.contact_points: the blocks would take about"));
+    CHECK_THAT(app::cost_note(fine, app::Purpose::drawing), Catch::StartsWith("note: making"));
+    const app::Study high =
+        study_of(kWall, {"wall.length=60 mm", "wall.unit_length=6 mm", "wall.courses=2",
+                         "wall.course_height=6 mm", "beam.height=10 m", "load.height=10 m"});
+    CHECK_THROWS_WITH(app::cost_note(high, app::Purpose::push),
+                      Catch::Contains("beam.height: the beam would take about"));
+    CHECK(app::cost_note(study_of(kWall), app::Purpose::push).empty());
+}

@@ -42,6 +42,7 @@ TEST_CASE("study: the effective configuration reads back to the same study", "[a
         shipped("uncoupled.ini"), read_good({"wall.bond=english", "wall.header_length=9 cm"}),
         read_good({"wall.bond=rubble", "wall.seed=5"}),
         read(without_courses(), {"wall.course_heights=0.2, 0.3, 0.5 m"}),
+        read_good({"load.pattern=body", "wall.openings=0.4 m, 0 m, 0.2 m, 0.6 m"}),
         read_good({"wall.unit_cracks=no", "beam.interface=joint", "wall.base=joint"}),
         read_good({"joint.friction_angle=0.1234567890123 rad", "wall.courses=7"}));
     const std::string text = app::effective_configuration(study);

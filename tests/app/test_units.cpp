@@ -161,3 +161,18 @@ TEST_CASE("units: the locale of the user changes nothing", "[app][units]")
     CHECK(read == 1234.5);
     CHECK(written == "1234.5 m");
 }
+
+TEST_CASE("units: raised digits, and weights per volume, are read", "[app][units]")
+{
+    CHECK(app::parse_quantity("2300 kg/m\u00b3", "kg/m3") == 2300.0);
+    CHECK(app::parse_quantity("2300 kg/m^3", "kg/m3") == 2300.0);
+    CHECK(app::parse_quantity("3.5 N/mm\u00b2", "MPa") == 3.5e6);
+    CHECK(app::parse_quantity("2 N/mm\u00b3", "GPa/m") == 2e9);
+    CHECK(app::parse_quantity("9.81 m/s\u00b2", "m/s2") == 9.81);
+    // the density that weighs as much under the gravity of a study
+    CHECK(app::parse_quantity("23 kN/m3", "kg/m3") * 9.81 == Approx(23e3).epsilon(1e-15));
+    CHECK(app::parse_quantity("23 kN/m\u00b3", "kg/m3") ==
+          app::parse_quantity("23 kN/m3", "kg/m3"));
+    CHECK_THROWS_WITH(app::parse_quantity("23 kN/m\u00b2", "kg/m3"),
+                      Catch::Contains("kN/m\u00b2") && Catch::Contains("use kg/m3 or kN/m3"));
+}
