@@ -15,7 +15,7 @@ namespace app {
 /// @param overrides section.key=value, put in place of the stored values afterwards
 /// @throws BadStoredStudy naming the file and the lines that differ, ConfigError
 [[nodiscard]] Study stored_study(const std::filesystem::path& file, const StoreHead& head,
-                                 std::span<const std::string> overrides,
-                                 Purpose purpose = Purpose::push = {});
+                                 std::span<const std::string> overrides = {},
+                                 Purpose purpose = Purpose::push);
 
 } // namespace app
