@@ -73,7 +73,7 @@ std::vector<StoreSession> sessions(const hdf5::File& file)
         return list;
     const std::vector<std::string> revisions = hdf5::texts_of(file, kSessionRevision);
     if (revisions.size() != list.size())
-        hdf5::damaged(file.path, "there is not a revision of the solver for each session");
+        damaged(file.path, "there is not a revision of the solver for each session");
     for (std::size_t i = 0; i < list.size(); ++i) list[i].solver_revision = revisions[i];
     return list;
 }
