@@ -124,10 +124,13 @@ bool is_study(const std::string& path) { return path.ends_with(".h5") || begins_
 /// "; its columns are \"wall\", \"drift [%]\""
 std::string columns_text(const Csv& csv)
 {
-    std::string text;
-    for (const std::string& head : csv.head)
-        text += (text.empty() ? "" : ", ") + in_quotes(head);
-    return "; its columns are " + text;
+    constexpr std::size_t kShown = 12;
+    std::string text = "; its columns are ";
+    for (std::size_t c = 0; c < std::min(kShown, csv.head.size()); ++c)
+        text += (c > 0 ? ", " : "") + in_quotes(csv.head[c]);
+    if (csv.head.size() > kShown)
+        text += " and " + std::to_string(csv.head.size() - kShown) + " more";
+    return text;
 }
 
 void check_columns(const Command& command, const Csv* table)

@@ -162,10 +162,13 @@ void check_out_file(const Verb& verb, const Command& command)
 /// Verbs know the file of a study by its ending.
 void check_out_ending(const Command& command)
 {
-    const fs::path out = command.out;
-    if (out.has_extension() && out.extension() != ".h5")
-        refuse("--out", in_quotes(command.out) + " is not the name of a study's file; write " +
-                            in_quotes(fs::path(out).replace_extension(".h5").string()));
+    fs::path out = command.out;
+    const std::string ending = out.extension().string();
+    if (ending.empty() || ending == ".h5") return;
+    const bool number = ending.find_first_not_of(".0123456789") == std::string::npos; // a_0.60
+    number ? out += ".h5" : out.replace_extension(".h5");
+    refuse("--out", in_quotes(command.out) + " is not the name of a study's file; write " +
+                        in_quotes(out.string()));
 }
 
 /// A folder of results may hold a file named like the one that is read, and would replace it.

@@ -129,7 +129,7 @@ bool speaks_of(std::string_view text, std::string_view word)
         return std::tolower(static_cast<unsigned char>(a)) ==
                std::tolower(static_cast<unsigned char>(b));
     };
-    return !std::ranges::search(text, word, same).empty();
+    return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
 /// Every verb, key and option whose name or meaning has this word.

@@ -55,7 +55,7 @@ std::vector<Option> table()
         {"out", "PATH", "output directory or file (default: runs/<name of the study>; beside a FILE.h5 that is read)",
          "push scene study sample reliability fragility report curves", false,
          [](Command& c, Text v) { c.out = some_text(v); }},
-        {"set", "section.key=value", "value in place of the one in the study file; may be repeated",
+        {"set", "section.key=value", "value in place of the one in the study file; an empty one takes the key out; may be repeated",
          "push scene study sample reliability fragility serve", true,
          [](Command& c, Text v) { c.overrides.push_back(v); }},
         {"threads", "N", "number of threads (default: " + std::to_string(default_threads()) + ", all of this machine)",

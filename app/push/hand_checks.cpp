@@ -127,6 +127,27 @@ HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layou
     return h;
 }
 
+/// What a peak says beside the limits of a wall that can turn.
+/// @param slides whether anything in it can slide
+void add_beyond_limits(const Study& study, bool slides, double peak, HandChecks& h)
+{
+    const bool turns = study.beam.rotation == dem::BeamRotation::free;
+    if (turns) add_beyond("rigid rocking", peak, *h.rocking_limit, h.remarks);
+    if (h.sliding_limit) add_beyond("sliding", peak, *h.sliding_limit, h.remarks);
+    if (turns) return;
+    if (!slides) {
+        h.remarks.emplace_back(
+            "the beam does not turn and the toe is held: nothing can rock or slide, and only "
+            "cracks and crushing limit the force");
+        return;
+    }
+    h.remarks.emplace_back(
+        "the beam does not turn: the rocking limit is that of a beam that turns; "
+        "up to twice as much can be carried");
+    add_beyond("rocking in double bending, twice that of a beam that turns", peak,
+               2.0 * *h.rocking_limit, h.remarks);
+}
+
 HandChecks limits_of(const Study& study, const PushedWall& w)
 {
     const Parameters& p = study.parameters;
@@ -152,23 +173,8 @@ HandChecks limits_of(const Study& study, const PushedWall& w)
                 ? "a single course on a fixed base: no joint can open or slide below "
                   "the beam; only cracks and crushing can end the wall"
                 : "a single course on a fixed base: nothing can move");
-    if (rigid.turning == 0) return h;
-    const double peak = peak_force(w.reading);
-    const bool free_beam = study.beam.rotation == dem::BeamRotation::free;
-    const bool slides = std::isfinite(rigid.sliding_limit);
-    if (free_beam) add_beyond("rigid rocking", peak, *h.rocking_limit, h.remarks);
-    if (h.sliding_limit) add_beyond("sliding", peak, *h.sliding_limit, h.remarks);
-    if (!free_beam && !slides)
-        h.remarks.emplace_back(
-            "the beam does not turn and the toe is held: nothing can rock or slide, and only "
-            "cracks and crushing limit the force");
-    if (!free_beam && slides) {
-        h.remarks.emplace_back(
-            "the beam does not turn: the rocking limit is that of a beam that turns; "
-            "up to twice as much can be carried");
-        add_beyond("rocking in double bending, twice that of a beam that turns", peak,
-                   2.0 * *h.rocking_limit, h.remarks);
-    }
+    if (rigid.turning > 0)
+        add_beyond_limits(study, std::isfinite(rigid.sliding_limit), peak_force(w.reading), h);
     return h;
 }
 

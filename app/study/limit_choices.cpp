@@ -8,9 +8,15 @@ namespace app {
 namespace {
 
 /// What a wall with small displacements keeps, and the remedy.
-constexpr std::string_view kKeepsItsLoad =
-    "with small displacements a wall that rocks or slides keeps its load; for its limit write "
-    "solver.kinematics = finite and a larger load.max_displacement";
+std::string keeps_its_load_text(const Study& study)
+{
+    return std::string(
+               "with small displacements a wall that rocks or slides keeps its load; for "
+               "its limit write solver.kinematics = finite and ") +
+           (!study.load.amplitudes.empty() ? "larger load.amplitudes"
+            : !study.load.targets.empty()  ? "load.targets that go further"
+                                           : "a larger load.max_displacement");
+}
 
 /// The force of the wall had not come down when its push ended, and never would.
 bool keeps_its_load(const Study& study, const WallReading& wall)
@@ -100,7 +106,7 @@ bool plays_a_part(const Key& key, const Study& study)
 std::string no_limit_remark(const Study& study, const WallReading& wall)
 {
     if (!keeps_its_load(study, wall)) return "";
-    return "the drift limit was not reached: " + std::string(kKeepsItsLoad);
+    return "the drift limit was not reached: " + keeps_its_load_text(study);
 }
 
 std::string no_limit_remark(const StudyWalls& walls)
@@ -113,7 +119,7 @@ std::string no_limit_remark(const StudyWalls& walls)
     }
     if (without == 0) return "";
     return std::to_string(without) + " of " + counted(all, "wall", "walls") +
-           " did not reach the drift limit: " + std::string(kKeepsItsLoad) + ".";
+           " did not reach the drift limit: " + keeps_its_load_text(walls.study) + ".";
 }
 
 std::vector<LimitChoice> limit_choices(const Study& study)

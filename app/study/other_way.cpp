@@ -39,6 +39,7 @@ std::string kilonewtons(const WallReading& wall)
 /// "71.6 kN (39 % less)"
 std::string compared(const WallReading& other, const WallReading& first)
 {
+    if (!(peak_force(first) > 0.0)) return kilonewtons(other);
     const double change = 100.0 * (peak_force(other) / peak_force(first) - 1.0);
     return kilonewtons(other) + " (" + fixed(std::abs(change), 0) + " % " +
            (change < 0.0 ? "less" : "more") + ")";

@@ -28,10 +28,8 @@ class OtherWay {
     OtherWay(const Study& study, const dem::Model& model, const std::vector<WantedWall>& wanted,
              int threads, std::function<void()> look = {});
 
-    [[nodiscard]] int threads_left() const
-    {
-        return threads_left_;
-    } ///< for the push itself, >= 1
+    /// For the push itself, >= 1.
+    [[nodiscard]] int threads_left() const { return threads_left_; }
 
     /// Waits, and gives each wall its reading of the other way.
     /// @throws what `look` or push_walls throw

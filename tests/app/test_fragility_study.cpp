@@ -200,3 +200,14 @@ TEST_CASE(
     CHECK(app::identity_text(with_share(study_scenes::kSmall, "0.7")) ==
           app::identity_text(with_share(study_scenes::kSmall, "0.8")));
 }
+
+TEST_CASE("fragility of a table: without a column of drifts the message names those there are",
+          "[app][fragility_study]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string table = (folder.path / "walls.csv").string();
+    std::ofstream(table) << "wall,drift [%]\nA,1.5\n";
+    CHECK_THROWS_WITH(run({"fragility", table, "--out", (folder.path / "out").string()}),
+                      Catch::Contains("its columns are \"wall\", \"drift [%]\""));
+    CHECK_FALSE(fs::exists(folder.path / "out"));
+}

@@ -4,6 +4,7 @@
 #include "app/fragility_scenes.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/study/limit_choices.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/study_scenes.hpp"
 
@@ -78,4 +79,21 @@ TEST_CASE("limit choices: what plays no part in a study is left out", "[app][lim
     CHECK(has(effect("joint.compressive_strength", ""), "any stress"));
     CHECK(has(effect("joint.compressive_strength", "[joint]\ncompressive_strength = 40 MPa\n"),
               "joints crush"));
+}
+
+TEST_CASE("limit choices: a study of walls that are not symmetric says that they went one way",
+          "[app][limit_choices]")
+{
+    app::StudyWalls walls = scenes::study_walls(3);
+    CHECK(app::other_way_remark(walls).empty());
+    const std::string door = "samples = 8\n[wall]\nopenings = 0.1 m, 0 m, 0.2 m, 0.2 m\n";
+    walls.study = study_scenes::study(door);
+    const std::string remark = app::other_way_remark(walls);
+    CHECK(has(remark, "all walls were pushed to the right; to the left they may carry less"));
+    CHECK(has(remark, "drystone push scene.h5 --sample mean --level STRESS"));
+    CHECK(has(app::summarise(walls).remarks, remark + "\n"));
+    CHECK(std::ranges::count(app::overview(walls).sure, remark) == 1);
+
+    walls.study = study_scenes::study(door + "[load]\ntargets = 2, -2 mm\n");
+    CHECK(app::other_way_remark(walls).empty()); // it goes both ways
 }
