@@ -3,17 +3,14 @@
 #include "app/drawing/drawing_file.hpp"
 #include "app/drawing/json_keys.hpp"
 #include "app/drawing/space_mesh.hpp"
-#include "app/text/words.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -49,9 +46,9 @@ struct CountingIterator {
 /// An array or object that is being read.
 struct Begun {
     int line = 0;
-    std::size_t taken = 0;                   ///< outlines and meshes before it
-    bool list = false;                       ///< an array
-    std::set<std::string, std::less<>> keys; ///< of an object, so far
+    std::size_t taken = 0; ///< outlines and meshes before it
+    bool list = false;     ///< an array
+    DifferentKeys keys;    ///< of an object, so far
 };
 
 struct JsonContent {
@@ -203,16 +200,6 @@ bool add_object(JsonContent& content, const json& object, int line)
     return true;
 }
 
-/// The parser keeps the last of two values with one key, and a list of blocks would be lost.
-void refuse_key_twice(const JsonContent& content, Begun& object, const std::string& key)
-{
-    if (object.keys.insert(key).second) return;
-    refuse(content.drawing.frame, content.line,
-           in_quotes(readable_name(key.substr(0, 40))) +
-               " stands twice in the object that begins on line " +
-               std::to_string(object.line) + "; keep one of them, or join what they hold");
-}
-
 /// What a list of blocks holds must be a block, or have one within.
 void refuse_no_block(const JsonContent& content, const json& object, const Begun& begun)
 {
@@ -228,7 +215,8 @@ bool take(JsonContent& content, int depth, json::parse_event_t event, json& pars
     const auto level = static_cast<std::size_t>(depth);
     switch (event) {
     case json::parse_event_t::key:
-        refuse_key_twice(content, content.begun[level - 1], parsed.get<std::string>());
+        content.begun[level - 1].keys.add(parsed.get<std::string>(), content.drawing.frame,
+                                          content.line, content.begun[level - 1].line);
         if (depth == 1) content.key = parsed.get<std::string>();
         break;
     case json::parse_event_t::object_start:

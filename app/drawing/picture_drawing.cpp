@@ -107,10 +107,10 @@ void note_borders(Drawing& drawing, const Borders& borders, double simplify)
             (borders.closed == 1 ? " was closed to a point." : " were closed to points."));
     }
     if (borders.straightened > 0) {
-        drawing.notes.push_back(
-            counted(borders.straightened, "corner", "corners") +
-            " of three stones or more were put onto the straight line of two "
-            "borders.");
+        drawing.notes.push_back(counted(borders.straightened, "corner", "corners") +
+                                " of three stones or more " +
+                                (borders.straightened == 1 ? "was" : "were") +
+                                " put onto the straight line of two borders.");
     }
     if (borders.simplified.finer > 0) {
         drawing.notes.push_back(

@@ -81,8 +81,8 @@ std::string cost_note(const Study& study, Purpose purpose)
     if (c.bytes > available && purpose == Purpose::push)
         throw error_at(study.source, beam ? "beam.height" : "solver.contact_points",
                        std::string(beam ? "the beam" : "the blocks") + " would take " + text +
-                           " before the push begins, of " + gigabytes(available) +
-                           " that there are; " + less);
+                           " before the push begins, more than the " + gigabytes(available) +
+                           " there are; " + less);
     if (c.seconds < kSeconds && c.bytes < kBytes) return "";
     return "note: making the blocks takes " + text + " before the push begins; " + less + "\n";
 }

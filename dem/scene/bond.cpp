@@ -109,6 +109,25 @@ std::vector<CoursePiece> bonded_course(const WallGeometry& wall, int course)
     return pieces;
 }
 
+void join_slivers(std::vector<CoursePiece>& pieces)
+{
+    const auto meet = [](double a, double b) { return std::abs(a - b) < kSmallestPiece; };
+    for (std::size_t i = 0; i < pieces.size();) {
+        const CoursePiece p = pieces[i];
+        const bool sliver = p.material == 0 && p.x1 - p.x0 < kShortestUnit;
+        const bool left =
+            sliver && i > 0 && pieces[i - 1].material == 0 && meet(pieces[i - 1].x1, p.x0);
+        const bool right = sliver && !left && i + 1 < pieces.size() &&
+                           pieces[i + 1].material == 0 && meet(pieces[i + 1].x0, p.x1);
+        if (left) pieces[i - 1].x1 = p.x1;
+        if (right) pieces[i + 1].x0 = p.x0;
+        if (left || right)
+            pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+            ++i;
+    }
+}
+
 double top_of_course(const WallGeometry& wall, int course)
 {
     if (wall.course_heights.empty()) return course * wall.course_height;

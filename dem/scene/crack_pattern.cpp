@@ -2,6 +2,7 @@
 
 #include "dem/scene/clip.hpp"
 #include "dem/scene/piece_count.hpp"
+#include "dem/scene/site_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,86 +58,6 @@ std::vector<Outline> diagonals(const Outline& outline)
 }
 
 double apart(Point a, Point b) { return std::hypot(a.x - b.x, a.z - b.z); }
-
-/// Sites in square cells, about one in each, so that only what is near is compared.
-class SiteGrid {
-  public:
-    SiteGrid(const Region& e, std::size_t n)
-        : e_(e), side_(std::sqrt((e.x1 - e.x0) * (e.z1 - e.z0) / static_cast<double>(n))),
-          columns_(place(e.x1 - e.x0) + 1), rows_(place(e.z1 - e.z0) + 1),
-          cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_))
-    {
-    }
-
-    [[nodiscard]] double side() const { return side_; }
-
-    void add(Point site, std::size_t index) { cell(column(site), row(site)).push_back(index); }
-
-    /// Distance of the nearest site [m]; infinite without sites.
-    [[nodiscard]] double nearest(Point at, const std::vector<Point>& sites) const
-    {
-        double least = INFINITY;
-        const int c0 = column(at), r0 = row(at), most = std::max(columns_, rows_);
-        const auto look = [&](int c, int r) {
-            if (c < 0 || r < 0 || c >= columns_ || r >= rows_) return;
-            for (const std::size_t i : cell(c, r)) least = std::min(least, apart(at, sites[i]));
-        };
-        for (int k = 0; k <= most && least > (k - 1) * side_; ++k) { // rings of cells
-            for (int c = c0 - k; c <= c0 + k; ++c) {
-                look(c, r0 - k);
-                if (k > 0) look(c, r0 + k);
-            }
-            for (int r = r0 - k + 1; r < r0 + k; ++r) {
-                look(c0 - k, r);
-                look(c0 + k, r);
-            }
-        }
-        return least;
-    }
-
-    /// The sites further than `from` and at most `to` away, the nearest first. @param self is none of them
-    [[nodiscard]] std::vector<std::pair<double, std::size_t>>
-    between(double from, double to, std::size_t self, const std::vector<Point>& sites) const
-    {
-        std::vector<std::pair<double, std::size_t>> found;
-        const Point at = sites[self];
-        const Point low{at.x - to, at.z - to}, high{at.x + to, at.z + to};
-        for (int r = row(low); r <= row(high); ++r)
-            for (int c = column(low); c <= column(high); ++c)
-                for (const std::size_t i : cell(c, r)) {
-                    const double d = apart(sites[i], at);
-                    if (i != self && d > from && d <= to) found.emplace_back(d, i);
-                }
-        std::ranges::sort(found);
-        return found;
-    }
-
-  private:
-    [[nodiscard]] int place(double distance) const
-    {
-        return static_cast<int>(std::clamp(distance / side_, 0.0, 1e6));
-    }
-    [[nodiscard]] int column(Point p) const
-    {
-        return std::min(place(p.x - e_.x0), columns_ - 1);
-    }
-    [[nodiscard]] int row(Point p) const { return std::min(place(p.z - e_.z0), rows_ - 1); }
-    [[nodiscard]] const std::vector<std::size_t>& cell(int c, int r) const
-    {
-        return cells_[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
-                      static_cast<std::size_t>(c)];
-    }
-    [[nodiscard]] std::vector<std::size_t>& cell(int c, int r)
-    {
-        return cells_[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
-                      static_cast<std::size_t>(c)];
-    }
-
-    Region e_;
-    double side_;
-    int columns_, rows_;
-    std::vector<std::vector<std::size_t>> cells_;
-};
 
 /// Sites of random places that keep apart: of some candidates the one farthest from the others.
 std::vector<Point> sites_in(const Outline& outline, std::size_t n, unsigned seed)

@@ -98,26 +98,6 @@ std::vector<CoursePiece> without(const std::vector<CoursePiece>& pieces, double 
 
 bool equal_lengths(double a, double b) { return std::abs(a - b) < kSmallestPiece; }
 
-/// A random head joint may come so close to an opening or a lintel that a sliver is left between them. It joins the unit on
-/// its other side: no mason would lay it. @param pieces from left to right
-void join_slivers(std::vector<CoursePiece>& pieces)
-{
-    for (std::size_t i = 0; i < pieces.size();) {
-        const CoursePiece p = pieces[i];
-        const bool sliver = p.material == 0 && p.x1 - p.x0 < kShortestUnit;
-        const bool left = sliver && i > 0 && pieces[i - 1].material == 0 &&
-                          equal_lengths(pieces[i - 1].x1, p.x0);
-        const bool right = sliver && !left && i + 1 < pieces.size() &&
-                           pieces[i + 1].material == 0 && equal_lengths(pieces[i + 1].x0, p.x1);
-        if (left) pieces[i - 1].x1 = p.x1;
-        if (right) pieces[i + 1].x0 = p.x0;
-        if (left || right)
-            pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
-        else
-            ++i;
-    }
-}
-
 /// The pieces of a course that openings and lintels leave, and these lintels.
 std::vector<CoursePiece> pieces_of(const WallGeometry& wall, int course)
 {
