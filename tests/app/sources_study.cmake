@@ -4,4 +4,6 @@ set(TEST_APP_STUDY_SOURCES
     app/test_sample_plan.cpp
     app/test_stored_study.cpp
     app/test_study_runner.cpp
+    fuzz/crafted_hdf5.cpp
+    fuzz/test_crafted_study.cpp
     fuzz/test_study_fuzz.cpp)
