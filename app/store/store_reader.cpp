@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void not_there(const fs::path& file)
 {
-    throw StoreError(
+    throw BadStoredStudy(
         "cannot open '" + file.string() + "': no such file" +
         (part_numbers(file).empty()
              ? ""

@@ -6,4 +6,6 @@ set(TEST_APP_STUDY_SOURCES
     app/test_study_identity.cpp
     app/test_study_runner.cpp
     app/test_study_stopping.cpp
+    fuzz/crafted_hdf5.cpp
+    fuzz/test_crafted_study.cpp
     fuzz/test_study_fuzz.cpp)
