@@ -1,6 +1,7 @@
 #include "app/fragility/fragility_modes.hpp"
 
 #include "app/fragility/fragility_means.hpp"
+#include "app/fragility/fragility_walls.hpp"
 #include "app/fragility_scenes.hpp"
 #include "app/study/mode_share.hpp"
 #include "app/study/study_summary.hpp"
@@ -157,6 +158,16 @@ TEST_CASE("fragility modes: walls that slid whole count as rocking and are told 
     CHECK(cell(t, 0, "slid without cracking") == "0");
     CHECK(cell(t, 2, "slid without cracking") == "8");
     CHECK(cell(t, 3, "slid without cracking").empty());
+    // each of them says which limit of the code it was given
+    const app::Table each = app::wall_table(walls, app::all_walls(walls));
+    std::size_t slid_walls = 0;
+    for (std::size_t r = 0; r < each.rows.size(); ++r) {
+        if (!cell(each, r, "note").starts_with("Slid whole, which counts as rocking")) continue;
+        ++slid_walls;
+        CHECK(cell(each, r, "mode") == "rocking");
+        CHECK(cell(each, r, "mode of codes") == "sliding");
+    }
+    CHECK(slid_walls == 8);
     CHECK(t.caption.find(
               "a unit cracked through and less than 0.5 of the displacement is rotation") !=
           std::string::npos);
