@@ -33,12 +33,12 @@ StudySource study_source(const Command& command)
 {
     if (!command.study.ends_with(".h5")) {
         const Study study = read_study(command.study, command.overrides);
-        return {study, {samples_of(study)}};
+        return {study, {samples_of(study)}, {}};
     }
     const StoreHead head = read_head(command.study);
     return {read_study(with_overrides(parse_study_text(command.study, head.configuration),
                                       command.overrides)),
-            head.design_sizes};
+            head.design_sizes, other_revision_text(head)};
 }
 
 std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& command)
