@@ -240,6 +240,8 @@ int push_command(const Command& command)
     const StudySource source = study_source(command);
     const std::vector<WantedWall> wanted = wanted_walls(source, command);
     std::cerr << study_notes(source.study, command);
+    if (!source.other_revision.empty())
+        std::cerr << wrapped("note: " + source.other_revision + "\n", terminal_width());
     const Study study = pushed_study(source.study, command.sample);
     check_folder(command, study, wanted);
     catch_interrupts();

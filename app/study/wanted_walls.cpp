@@ -34,10 +34,11 @@ StudySource study_source(const Command& command, Purpose purpose)
 {
     if (!command.study.ends_with(".h5")) {
         const Study study = read_study(command.study, command.overrides, purpose);
-        return {study, {samples_of(study)}};
+        return {study, {samples_of(study)}, {}};
     }
     const StoreHead head = read_head(command.study);
-    return {stored_study(command.study, head, command.overrides, purpose), head.design_sizes};
+    return {stored_study(command.study, head, command.overrides, purpose), head.design_sizes,
+            other_revision_text(head)};
 }
 
 std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& command)

@@ -27,7 +27,13 @@ said=$("$program" version)
 expect "drystone version, first line" "$(sed -n 1p <<<"$said")" "drystone $version"
 expect "drystone version, last line" "$(sed -n '$p' <<<"$said")" "solver revision $revision"
 if [[ -e .git ]] && command -v git >/dev/null; then
-    expect "drystone version, second line" "$(sed -n 2p <<<"$said" | sed 's/-dirty$//')" "commit $(git -c safe.directory='*' describe --always)"
+    commit=$(sed -nE '2s/^commit (.*)/\1/p' <<<"$said")
+    git -c safe.directory='*' cat-file -e "${commit%-dirty}^{commit}" || { echo "drystone version names no commit: $said" && broken=1; }
 fi
+# Sources in a folder of another checkout have no commit of their own.
+work=$(mktemp -d)
+cmake -D SOURCE_DIR="$PWD/app" -D OUTPUT="$work/commit.cpp" -P cmake/write_commit.cmake
+grep -q 'return "";' "$work/commit.cpp" || { echo "a folder of a checkout has a commit" && broken=1; }
+rm -r -- "$work"
 [[ -n $version && -n $revision ]] || { echo "no version or no revision was found" && broken=1; }
 exit "$broken"
