@@ -257,14 +257,17 @@ double to_si(double value, std::string_view unit) { return si_value(value, unit_
 std::string format_quantities(std::span<const double> si, std::string_view unit)
 {
     const Unit& wanted = unit_named(unit);
-    constexpr int kEvery = 17;
+    constexpr int kEvery = 17, kFew = 15;
     const auto text_in = [&](const Unit& u, int digits) {
         std::string text;
-        for (const double value : si)
-            text += (text.empty() ? "" : ", ") + number(value * u.over / u.times, digits);
+        for (const double value : si) {
+            const double shown = value * u.over / u.times;
+            const std::string every = number(shown, kEvery), few = number(shown, digits);
+            text += (text.empty() ? "" : ", ") + (few.size() < every.size() ? few : every);
+        }
         return text + (u.name.empty() ? "" : " ") + std::string(u.name);
     };
-    for (const int digits : {15, kEvery}) { // 30 deg rather than 29.999999999999996 deg
+    for (const int digits : {kFew, kEvery}) { // 30 deg rather than 29.999999999999996 deg
         const std::string text = text_in(wanted, digits);
         if (std::ranges::equal(si, parse_quantities(text, unit))) return text;
     }

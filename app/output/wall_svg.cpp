@@ -231,11 +231,9 @@ Page lay_out(const Panel& peak, const Panel& end, int panels, const WallPictureT
     const double wide = drawn.high.x - drawn.low.x, high = drawn.high.z - drawn.low.z;
     constexpr double kAround = kArrowRoom + kGroundRoom; // [px]
     const auto [least, most] = std::minmax(peak.wall.force, end.wall.force);
-    const auto room = [&](bool loaded) {
-        const double widest = std::max(load_room(least, page), load_room(most, page));
-        return loaded ? widest : kBareRoom;
-    };
-    const double left = room(most >= 0.0), right = room(least < 0.0);
+    const double loaded = std::max(load_room(least, page), load_room(most, page));
+    const double left = most >= 0.0 ? loaded : kBareRoom;
+    const double right = least < 0.0 ? loaded : kBareRoom;
     page.pixels_per_metre =
         std::min((page.panel_width - left - right) / wide, (kMostPanelHeight - kAround) / high);
     page.top = text.title.empty() ? 56.0 : 94.0;

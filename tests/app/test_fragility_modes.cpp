@@ -169,13 +169,13 @@ TEST_CASE("fragility modes: walls that slid whole count as rocking and are told 
     }
     CHECK(slid_walls == 8);
     CHECK(t.caption.find(
-              "a unit cracked through and less than 0.5 of the displacement is rotation") !=
+              "a stone cracked through and less than 0.5 of the movement is rotation") !=
           std::string::npos);
     walls.study.fragility.mode = {0.4, 0, dem::ModeRule::two};
     CHECK(app::mode_table(walls).caption.find("80 % of the peak, or less than 0.4") !=
           std::string::npos);
     walls.study.fragility.mode = {0.4, 3, dem::ModeRule::two};
-    CHECK(app::mode_table(walls).caption.find("3 units cracked through") != std::string::npos);
+    CHECK(app::mode_table(walls).caption.find("3 stones cracked through") != std::string::npos);
 }
 
 TEST_CASE("fragility modes: thresholds move walls that cracked, not walls whose load fell",
