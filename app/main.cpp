@@ -15,6 +15,7 @@ int main(int argc, char** argv)
 {
     // A full disk, a limit of file size or a closed pipe is an error with a message, not a death.
     for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
+    app::end_at_ctrl_c();
     try {
         const app::Command command =
             app::parse_command_line(app::verbs(), {argv + 1, argv + argc});

@@ -5,6 +5,9 @@
 #include <cstdlib>
 #include <ctime>
 #include <initializer_list>
+#include <string_view>
+
+#include <unistd.h>
 
 namespace app {
 namespace {
@@ -30,12 +33,26 @@ void note(int signal)
     if (of_a_person && now - first >= kPatience) std::_Exit(kInterruptedCode);
 }
 
+[[noreturn]] void end(int)
+{
+    constexpr std::string_view kSentence = "drystone: interrupted; no result was finished\n";
+    [[maybe_unused]] const ssize_t written =
+        ::write(STDERR_FILENO, kSentence.data(), kSentence.size());
+    std::_Exit(kInterruptedCode);
+}
+
+void take(int signal, void (*handler)(int))
+{
+    if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 } // namespace
+
+void end_at_ctrl_c() { take(SIGINT, end); }
 
 void catch_interrupts()
 {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1})
-        std::signal(signal, note);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1}) take(signal, note);
 }
 
 bool interrupted() { return noted_at != 0; }

@@ -5,8 +5,12 @@
 
 namespace app {
 
+/// A Ctrl-C ends the program at once, with a sentence and kInterruptedCode: for what takes no time worth keeping.
+void end_at_ctrl_c();
+
 /// Notes SIGINT, SIGTERM, SIGHUP, SIGQUIT and, from batch systems, SIGUSR1, instead of dying of them. A SIGINT or SIGQUIT
-/// that comes a second or more after the first signal ends the program at once: what runs then is not put away.
+/// that comes a second or more after the first signal ends the program at once: what runs then is not put away. Signals that were
+/// ignored when the program was started, as by nohup, stay so.
 void catch_interrupts();
 
 /// Whether one was noted.

@@ -20,7 +20,7 @@ RIGID = ["--set", "solver.fidelity=rigid"]
 def catches_interrupts(process):
     """Whether it has said to the system what it does with Ctrl-C."""
     with open(f"/proc/{process.pid}/status", encoding="ascii") as status:
-        caught = next(line.split()[1] for line in status if line.startswith("SigCgt"))
+        caught = next((line.split()[1] for line in status if line.startswith("SigCgt")), "0")
     return int(caught, 16) >> (signal.SIGINT - 1) & 1 == 1
 
 
@@ -105,6 +105,24 @@ def claim_page(folder):
     assert said == "drystone: interrupted; nothing was written\n", said
     left = [name for name in names(folder) if not name.startswith("quick_summary")]
     assert left == ["quick", "quick.h5"], left
+
+
+def claim_before_any_result(folder):
+    """Verbs that write nothing before their end leave nothing behind."""
+    said = interrupted(["scene", WALL, "--out", folder / "out", "--set", "wall.length=20 m", "--set", "wall.courses=400", "--set",
+                        "load.height=40.1 m"], None)
+    assert said == "drystone: interrupted; no result was finished\n" and not names(folder), (said, names(folder))
+
+
+def claim_nohup(folder):
+    """A signal that was ignored at the start stays so."""
+    process = subprocess.Popen([PROGRAM, "study", QUICK, "--out", folder / "quick.h5", "--quiet", *RIGID, "--set", "uq.samples=4",
+                                "--set", "solver.steps_per_mm=1000", "--set", "load.max_displacement=2 mm"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                               preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+    wait_for(lambda: catches_interrupts(process) and (folder / "quick.h5").exists(), process)
+    process.send_signal(signal.SIGHUP)
+    _, said = process.communicate(timeout=FAR)
+    assert process.returncode == 0, (process.returncode, said)
 
 
 def claim_program(folder):
