@@ -164,9 +164,9 @@ void check_out_file(const Verb& verb, const Command& command)
 /// A study's file may have any name but that of another kind of file.
 void check_out_ending(const Command& command)
 {
-    constexpr std::array<std::string_view, 13> kOthers = {".txt",  ".csv", ".tsv", ".ini",
-                                                          ".json", ".md",  ".tex", ".svg",
-                                                          ".png",  ".dxf", ".pdf", ".xlsx"};
+    constexpr std::array<std::string_view, 13> kOthers = {
+        ".txt",  ".csv", ".tsv", ".ini", ".json", ".md",  ".tex",
+        ".html", ".svg", ".png", ".dxf", ".pdf",  ".xlsx"};
     const fs::path out = command.out;
     if (std::ranges::find(kOthers, out.extension().string()) != kOthers.end())
         refuse("--out", in_quotes(command.out) + " is not the name of a study's file; write " +
@@ -263,20 +263,6 @@ Command parse_command_line(std::span<const Verb> verbs,
     check_study_options(command);
     set_out(verb, command);
     return command;
-}
-
-void check_there(const Command& command)
-{
-    std::error_code ignored;
-    for (std::size_t i = command.verb->out == OutKind::first_word ? 1 : 0;
-         i < command.words.size(); ++i) {
-        const std::string& file = command.words[i];
-        if (file.ends_with(".h5") && !fs::exists(file, ignored) &&
-            !fs::exists(file + ".parts", ignored))
-            throw ConfigError(
-                file, 0, "",
-                "cannot be read (No such file or directory); give the file of a study");
-    }
 }
 
 } // namespace app
