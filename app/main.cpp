@@ -19,7 +19,6 @@ int main(int argc, char** argv)
     try {
         const app::Command command =
             app::parse_command_line(app::verbs(), {argv + 1, argv + argc});
-        app::check_there(command);
         const int code = command.verb->run(command);
         if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
         return code;

@@ -9,7 +9,9 @@
 #include <boost/program_options/parsers.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace app {
@@ -159,16 +161,16 @@ void check_out_file(const Verb& verb, const Command& command)
         say(" is the name of the tables' folder or of the page", verb.extension);
 }
 
-/// Verbs know the file of a study by its ending.
+/// A study's file may have any name but that of another kind of file.
 void check_out_ending(const Command& command)
 {
-    fs::path out = command.out;
-    const std::string ending = out.extension().string();
-    if (ending.empty() || ending == ".h5") return;
-    const bool number = ending.find_first_not_of(".0123456789") == std::string::npos; // a_0.60
-    number ? out += ".h5" : out.replace_extension(".h5");
-    refuse("--out", in_quotes(command.out) + " is not the name of a study's file; write " +
-                        in_quotes(out.string()));
+    constexpr std::array<std::string_view, 13> kOthers = {
+        ".txt",  ".csv", ".tsv", ".ini", ".json", ".md",  ".tex",
+        ".html", ".svg", ".png", ".dxf", ".pdf",  ".xlsx"};
+    const fs::path out = command.out;
+    if (std::ranges::find(kOthers, out.extension().string()) != kOthers.end())
+        refuse("--out", in_quotes(command.out) + " is not the name of a study's file; write " +
+                            in_quotes(fs::path(out).replace_extension(".h5").string()));
 }
 
 /// A folder of results may hold a file named like the one that is read, and would replace it.
@@ -261,20 +263,6 @@ Command parse_command_line(std::span<const Verb> verbs,
     check_study_options(command);
     set_out(verb, command);
     return command;
-}
-
-void check_there(const Command& command)
-{
-    std::error_code ignored;
-    for (std::size_t i = command.verb->out == OutKind::first_word ? 1 : 0;
-         i < command.words.size(); ++i) {
-        const std::string& file = command.words[i];
-        if (file.ends_with(".h5") && !fs::exists(file, ignored) &&
-            !fs::exists(file + ".parts", ignored))
-            throw ConfigError(
-                file, 0, "",
-                "cannot be read (No such file or directory); give the file of a study");
-    }
 }
 
 } // namespace app

@@ -16,10 +16,6 @@ namespace app {
 [[nodiscard]] Command parse_command_line(std::span<const Verb> verbs,
                                          const std::vector<std::string>& arguments);
 
-/// @param command of parse_command_line
-/// @throws ConfigError if a file of a study that its verb reads is not there
-void check_there(const Command& command);
-
 /// The help of one verb (its options, and the keys of a study that it reads), of one key, or all verbs, keys and options that
 /// speak of a word.
 /// @param topic a verb, a key with or without its section, or a word; empty: the program

@@ -103,6 +103,7 @@ TEST_CASE("command line: a title is for the page that follows a study", "[app][c
     CHECK(parse({"study", "house.ini", "--report", "--title", "North wall"}).title ==
           "North wall");
     CHECK(parse({"-V"}).verb->name == "version");
+    CHECK(parse({"study", "house.ini", "--out", "a_0.60"}).out == "a_0.60"); // any name
 }
 
 TEST_CASE("command line: the help of a verb lists the keys that it reads, with true defaults",
