@@ -57,7 +57,7 @@ function fragilitySeries(data, c, x, alone) {
         const p = [0, ...c.steps.map((s) => s[1]), last];
         series.push({ label: `${alone ? '' : `${name}: `}observed share of the walls (Kaplan-Meier)`, colour: alone ? '#222222' : colour, dash: alone ? [] : dashOf(c.level), width: 1.2, data: resample(x, at, p, true) });
     }
-    else if (!c.fitted && c.known_to > 0) series.push({ label: `${name}: no wall has reached it`, colour, dash: dashOf(c.level), width: 1.2, data: resample(x, [0, c.known_to], [0, 0], true) });
+    else if (!c.fitted && !c.limit && c.known_to > 0) series.push({ label: `${name}: no wall has reached it`, colour, dash: dashOf(c.level), width: 1.2, data: resample(x, [0, c.known_to], [0, 0], true) });
     return series;
 }
 

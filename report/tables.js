@@ -26,8 +26,9 @@ function copyButtons(forms, name) {
     return element('div', { class: 'copy' }, element('span', { class: 'label' }, 'Copy as'), ...forms.map(button), said);
 }
 
-/** Something that is read when it is asked for; on paper it is open. */
+/** Something that is read when it is asked for, long tables in it without a fold of their own; on paper it is open. */
 export function folded(title, ...content) {
+    for (const c of content) if (c.tagName === 'DETAILS') c.open = true;
     return element('details', { class: 'folded' }, element('summary', {}, title), ...content);
 }
 

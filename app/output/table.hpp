@@ -81,7 +81,8 @@ struct PlainTable {
 /// Aligned columns. A table wider than `width` is parted into blocks of columns, each with the keys.
 /// @param width of the terminal in characters; 0: no limit
 [[nodiscard]] std::string as_text(const Table& table, std::size_t width = 0);
-[[nodiscard]] std::string as_csv(const Table& table); ///< RFC 4180, numbers as programs get them
+[[nodiscard]] std::string
+as_csv(const Table& table); ///< RFC 4180, numbers as programs get them
 [[nodiscard]] std::string as_markdown(const Table& table);
 /// A table environment with booktabs rules, in \footnotesize; a table wider than an A4 page (16 cm of text) is parted into
 /// blocks of columns, each with the keys. Long tables are a longtable. Packages booktabs, graphicx, longtable.

@@ -16,7 +16,7 @@ struct WallPictureText {
     double mark_above = 5e-4;       ///< openings and slips above this are marked [m], > 0
     std::string peak_name = "At peak";
     std::string end_name = "At the end";
-    std::string both_name = "At the end, with the largest force";
+    std::string both_name = "At the end, at or near the largest force";
     StoneTints tints = {};
 };
 
