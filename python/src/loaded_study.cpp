@@ -37,7 +37,7 @@ app::StudySource with_wall(const std::string& path, const std::vector<std::strin
     all.insert(all.end(), overrides.begin(), overrides.end());
     app::Study study = app::read_study(app::with_overrides(std::move(file), all));
     const std::uint32_t samples = app::samples_of(study);
-    return {std::move(study), {samples}};
+    return {std::move(study), {samples}, {}};
 }
 
 app::StudySource source_of(const std::string& path, const std::vector<std::string>& overrides,
@@ -84,7 +84,8 @@ std::shared_ptr<LoadedStudy> study_of(const std::shared_ptr<LoadedStudy>& study,
     const std::uint32_t seed = app::layout_seed(all, static_cast<std::uint32_t>(sample));
     std::shared_ptr<LoadedStudy>& own = study->layouts[seed];
     if (!own) {
-        app::StudySource source{app::in_layout(all, seed), study->source.sizes};
+        app::StudySource source{app::in_layout(all, seed), study->source.sizes,
+                                study->source.other_revision};
         dem::Layout layout = layout_of(source.study);
         own = std::make_shared<LoadedStudy>(
             LoadedStudy{std::move(source), std::move(layout), {}, {}, {}});
