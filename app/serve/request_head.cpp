@@ -82,7 +82,7 @@ std::optional<HttpReply> refused_by_head(const RequestHead& head, const ServerNa
     if (head.host.size() > 1) return malformed("the request has more than one Host");
     for (const std::string& host : head.host)
         if (const std::string name = without_port(host); !is_own(name, names))
-            return forbidden(shown(name) +
+            return forbidden(shown(name.empty() ? host : name) +
                              " is not a name of this server: if it is meant to be one, start "
                              "it with --host and this name");
     for (const std::string& origin : head.origin)
