@@ -53,8 +53,10 @@ Stored stored(hid_t file, const std::string& name)
     Stored s{{}, Handle(good(H5Dget_type(data.get())), H5Tclose), {}};
     s.sizes.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.get())));
     H5Sget_simple_extent_dims(space.get(), s.sizes.data(), nullptr);
-    s.bytes.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())) *
-                   H5Tget_size(s.type.get()));
+    constexpr std::size_t kMostBytes = 64 << 20; // an earlier change may have declared more
+    const auto points = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
+    const std::size_t bytes = H5Tget_size(s.type.get());
+    if (points <= kMostBytes / bytes) s.bytes.resize(points * bytes);
     if (!s.bytes.empty())
         good(H5Dread(data.get(), s.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, s.bytes.data()));
     return s;
