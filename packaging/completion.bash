@@ -1,8 +1,13 @@
-# bash completion for drystone: verbs and options are those that the program itself lists.
+# bash completion for drystone: verbs, options and keys are those that the program itself lists.
 _drystone() {
     local word=${COMP_WORDS[COMP_CWORD]} verb=${COMP_WORDS[1]} before=${COMP_WORDS[COMP_CWORD - 1]}
     if ((COMP_CWORD == 1)) || [[ $verb == help ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "$(drystone help | awk '/^  drystone / {print $2}')" -- "$word")
+        local keys=
+        [[ $verb != help || -z $word ]] || keys=$(drystone help "$word" 2>/dev/null | awk '/^  [a-z_]+\.[a-z_]+ / {print $1}')
+        mapfile -t COMPREPLY < <(compgen -W "$(drystone help | awk '/^  drystone / {print $2}') $keys" -- "$word")
+    elif [[ $before == --set ]]; then
+        compopt -o nospace
+        mapfile -t COMPREPLY < <(compgen -S = -W "$(drystone help "${word:-.}" 2>/dev/null | awk '/^  [a-z_]+\.[a-z_]+ / {print $1}')" -- "$word")
     elif [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$(drystone help "$verb" |
             awk '/^  (-. \[ )?--/ {print $2 == "[" ? $3 : $1}')" -- "$word")
