@@ -12,7 +12,8 @@
 namespace app {
 namespace {
 
-std::string in_units(double metres, double unit) { return number(metres / unit, kAfterUnits); }
+/// All digits of a length in units.
+std::string in_units(double metres, double unit) { return number(metres / unit, 17); }
 
 /// $INSUNITS of the DXF reference of Autodesk; 0: none of its units.
 int inserted_unit_code(double unit)
