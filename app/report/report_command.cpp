@@ -33,7 +33,7 @@ std::string chosen_text(std::size_t shown, std::size_t sound)
     if (shown == 0) return "No wall was pushed again for this page.";
     if (shown == sound) return "Click any curve to see its wall.";
     return std::to_string(shown) + " of " + std::to_string(sound) +
-           " walls can be looked at, taken in turns from each stress and mode in the order of "
+           " walls can be shown, taken in turns from each stress and mode in the order of "
            "the samples, to keep the page small. Click on the curve of another wall to see "
            "how to draw it; drystone report --walls N shows more.";
 }
