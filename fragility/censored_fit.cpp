@@ -144,7 +144,7 @@ std::optional<Refusal> screen_counts(const Counts& c, double highest_lower, doub
     const double informative = c.observed + c.interval + std::min(c.left, c.n - c.left);
     if (c.n < kFewestWalls || informative < kFewestInformative)
         return Refusal{FitOutcome::too_few,
-                       "too few: " + shown(informative) + " of " + shown(c.n) +
+                       shown(informative) + " of " + shown(c.n) +
                            " walls reached it; a curve needs 3 walls, of which 2 reached it"};
     return std::nullopt;
 }

@@ -49,7 +49,9 @@ TEST_CASE(
     CHECK(has(app::summarise(walls).remarks, remark + "\n"));
     CHECK(has(app::summarise(walls).table.caption, remark));
     CHECK(has(app::performance_table(app::drift_data(walls)).caption, remark));
-    CHECK(std::ranges::count(app::overview(walls).sure, remark) == 1);
+    CHECK(std::ranges::count_if(app::overview(walls).sure, [&](const std::string& s) {
+              return s.starts_with(remark);
+          }) == 1);
 
     walls.study.solver.kinematics =
         dem::Kinematics::finite; // pushed too short a way: no such remark
@@ -93,7 +95,9 @@ TEST_CASE("limit choices: a study of walls that are not symmetric says that they
     CHECK(has(remark, "all walls were pushed to the right; to the left they may carry less"));
     CHECK(has(remark, "drystone push scene.h5 --sample mean --level STRESS"));
     CHECK(has(app::summarise(walls).remarks, remark + "\n"));
-    CHECK(std::ranges::count(app::overview(walls).sure, remark) == 1);
+    CHECK(std::ranges::count_if(app::overview(walls).sure, [&](const std::string& s) {
+              return s.starts_with(remark);
+          }) == 1);
 
     walls.study = study_scenes::study(door + "[load]\ntargets = 2, -2 mm\n");
     CHECK(app::other_way_remark(walls).empty()); // it goes both ways
