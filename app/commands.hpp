@@ -7,16 +7,18 @@
 
 namespace app {
 
-/// `drystone scene`: the wall that a study describes, before anything is computed. Writes scene.svg, scene.json and
-/// scene.dxf, and says what the wall is. The last two hold whole units in the unit of wall.length_unit, and are read
-/// again with wall.geometry.
+/// `drystone scene`: the wall that a study describes, before anything is computed. Writes scene.svg, scene.json, scene.dxf
+/// and joints.csv, which says where each joint and crack is, and says what the wall is. scene.json and scene.dxf hold
+/// whole units in the unit of wall.length_unit, and are read again with wall.geometry.
 [[nodiscard]] int scene_command(const Command& command);
 
 /// `drystone push`: every stress level of a study file, one wall each. Writes, into command.out or a folder per stress
 /// level below it: capacity.csv, capacity.svg, summary.json, wall.svg, study.ini (the effective configuration) and
 /// series/*.pvd for ParaView, which are written while the wall is pushed. Several levels also give levels.csv, .md, .tex,
-/// .svg. Files of an earlier push are removed.
+/// .svg. Files of an earlier push are removed. Told to end, it writes the curves so far as capacity_interrupted.csv and leaves
+/// all other files as they were.
 /// @return 1 if a wall's numbers broke
+/// @throws Interrupted (app/study/interrupt.hpp)
 [[nodiscard]] int push_command(const Command& command);
 
 /// `drystone sample`: the samples of a study as a table, without running a wall.
@@ -27,7 +29,7 @@ namespace app {
 [[nodiscard]] int curves_command(const Command& command);
 
 /// `drystone merge`: shards of one study into one file.
-/// @return 0: all walls are there and none failed; 1: some failed, or are missing with --partial
+/// @return 0: no wall failed, and all are there or --partial was asked for; 1: some failed
 [[nodiscard]] int merge_command(const Command& command);
 
 /// `drystone reliability`: the probability of an event, with its doubt and what it depends on.

@@ -16,6 +16,7 @@ add_custom_target(report_assets DEPENDS ${report_assets}) # else it would wait f
 drystone_app_library(report
     ${report_assets}
     report/film_shelf.cpp
+    report/report_answers.cpp
     report/report_assumed.cpp
     report/report_bytes.cpp
     report/report_choice.cpp

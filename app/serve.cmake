@@ -2,7 +2,9 @@ find_path(HTTPLIB_INCLUDE_DIR httplib.h REQUIRED)
 find_library(HTTPLIB_LIBRARY cpp-httplib) # where it is not compiled, the header is all
 
 drystone_app_library(serve
+    serve/http_connection.cpp
     serve/http_server.cpp
+    serve/request_head.cpp
     serve/serve_command.cpp
     serve/served_walls.cpp
     serve/umbridge.cpp
@@ -10,10 +12,11 @@ drystone_app_library(serve
 target_link_libraries(drystone_app_serve
     PUBLIC drystone_app_reliability drystone_app_study
     PRIVATE nlohmann_json::nlohmann_json Threads::Threads)
-# One file alone has the header of HTTP, compiled as Debian's library is.
-set_source_files_properties(serve/http_server.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+# Two files alone have the header of HTTP, compiled as Debian's library is.
+set(http_sources serve/http_connection.cpp serve/http_server.cpp)
+set_source_files_properties(${http_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 if(HTTPLIB_LIBRARY)
-    set_source_files_properties(serve/http_server.cpp PROPERTIES
+    set_source_files_properties(${http_sources} PROPERTIES
         COMPILE_DEFINITIONS "CPPHTTPLIB_OPENSSL_SUPPORT;CPPHTTPLIB_ZLIB_SUPPORT;CPPHTTPLIB_BROTLI_SUPPORT")
     target_link_libraries(drystone_app_serve PRIVATE ${HTTPLIB_LIBRARY})
 endif()

@@ -23,18 +23,24 @@ int study_then_report(const Command& study)
     tables.words = {file.string()};
     tables.study = file.string();
     tables.threads = study.threads;
+    tables.verbose = study.verbose;
     tables.quiet = true; // what is replaced is said when it is
     tables.out = (file.parent_path() / file.stem()).string();
     Command page = tables;
     page.out += ".html";
+    page.title = study.title;
     check_fragility(tables);
     check_report(page);
     FilmShelf films;
     const int code = study_command( // 1 if walls failed: the tables count them
         study, [&](auto key, auto mode, auto frames) { films.put(key, mode, frames); });
-    if (interrupted()) return code;
     tables.quiet = page.quiet = study.quiet;
-    return std::max({code, fragility_command(tables), report_command(page, films)});
+    try {
+        return std::max({code, fragility_command(tables), report_command(page, films)});
+    } catch (const Interrupted&) {
+        throw Interrupted{"all walls are in " + file.string() +
+                          ", and the same command makes the tables and the page"};
+    }
 }
 
 int run_study(const Command& command)

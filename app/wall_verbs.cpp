@@ -1,8 +1,11 @@
 #include "app/wall_verbs.hpp"
 
 #include "app/input/command_line.hpp"
+#include "app/output/markup.hpp"
+#include "app/program_version.hpp"
 #include "app/verbs.hpp"
 #include "app/version.hpp"
+#include "dem/solver/solver_revision.hpp"
 
 #include <iostream>
 
@@ -10,13 +13,16 @@ namespace app {
 
 int help_command(const Command& command)
 {
-    std::cout << help_text(verbs(), command.words.empty() ? "" : command.words.front());
+    std::cout << hung(help_text(verbs(), command.words.empty() ? "" : command.words.front()),
+                      terminal_width());
     return 0;
 }
 
 int version_command(const Command&)
 {
     std::cout << "drystone " << kVersion << '\n';
+    if (!commit().empty()) std::cout << "commit " << commit() << '\n';
+    std::cout << "solver revision " << dem::kSolverRevision << '\n';
     return 0;
 }
 

@@ -7,10 +7,10 @@
 
 namespace app {
 
-/// Writes the help of the program, or of the verb that is the first word.
+/// Writes the help of the program, or of the verb, key or word that is its first word, as wide as the terminal.
 int help_command(const Command& command);
 
-/// Writes name and version.
+/// Writes name, version, commit and revision of the solver.
 int version_command(const Command& command);
 
 inline constexpr Verb kPushVerb{.name = "push",
@@ -30,19 +30,21 @@ inline constexpr Verb kSceneVerb{
     .run = scene_command};
 
 inline constexpr Verb kHelpVerb{.name = "help",
-                                .words = "[VERB]",
-                                .meaning = "this text, or the options and keys of a verb",
+                                .words = "[VERB|KEY|WORD]",
+                                .meaning = "this text, the options and keys of a verb, or what "
+                                           "a key or a word is about",
                                 .example = "drystone help push",
                                 .out = OutKind::none,
                                 .least = 0,
                                 .run = help_command};
 
-inline constexpr Verb kVersionVerb{.name = "version",
-                                   .meaning = "name and version",
-                                   .example = "drystone version",
-                                   .out = OutKind::none,
-                                   .least = 0,
-                                   .most = 0,
-                                   .run = version_command};
+inline constexpr Verb kVersionVerb{
+    .name = "version",
+    .meaning = "version and commit of the program, revision of its solver",
+    .example = "drystone version",
+    .out = OutKind::none,
+    .least = 0,
+    .most = 0,
+    .run = version_command};
 
 } // namespace app

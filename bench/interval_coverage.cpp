@@ -34,6 +34,16 @@ struct Tally {
 };
 using Tallies = std::array<std::array<Tally, kKinds.size()>, kQuantities.size()>;
 
+/// What the profile likelihood is compared with: 1.96 standard errors on the axis that suits the quantity.
+Interval wald_interval(const Fit& fit, Quantity q)
+{
+    constexpr double kHalf = 1.959963984540054; // of 95 %
+    const Uncertain u = uncertain(fit, q);
+    const double half = kHalf * u.axis_error;
+    if (u.logarithmic) return {u.value * std::exp(-half), u.value * std::exp(half), 0.95};
+    return {u.value - half, u.value + half, 0.95};
+}
+
 void note(Tally& t, const Interval& i, double truth)
 {
     ++t.asked;

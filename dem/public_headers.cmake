@@ -26,4 +26,5 @@ set(DEM_PUBLIC_HEADERS
     solver/ensemble.hpp
     solver/push.hpp
     solver/solver_options.hpp
+    solver/solver_revision.hpp
     solver/stop_rules.hpp)

@@ -7,7 +7,7 @@
 namespace fragility {
 namespace {
 
-/// Of d_u^2: a straight curve has d_u^2 = 2 E / k, and must not fail by rounding.
+/// Rounding of d_u^2: a straight curve has d_u^2 = 2 E / k, and must not fail by rounding.
 constexpr double kRootRounding = 1e-12;
 
 Bilinear failed(BilinearOutcome why)

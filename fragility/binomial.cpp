@@ -70,15 +70,13 @@ Share share(double count, double n, double failed, BinomialInterval kind, double
     if (!(failed >= 0.0 && std::isfinite(failed)))
         throw std::invalid_argument("share: failed walls must be >= 0, are " +
                                     std::to_string(failed));
-    Share s{count, n, failed, 0.0, {0.0, 1.0, confidence}, 0.0, 1.0, {0.0, 1.0, confidence}};
+    Share s{count, n, failed, 0.0, {0.0, 1.0, confidence}};
     if (n == 0.0 && count == 0.0) return s;
-    s.interval = binomial_interval(kind, count, n, confidence);
+    check(count, n, confidence);
     s.value = count / n;
     const double all = n + failed;
-    s.least = count / all;
-    s.most = (count + failed) / all;
-    s.bounds.lower = binomial_interval(kind, count, all, confidence).lower;
-    s.bounds.upper = binomial_interval(kind, count + failed, all, confidence).upper;
+    s.interval.lower = binomial_interval(kind, count, all, confidence).lower;
+    s.interval.upper = binomial_interval(kind, count + failed, all, confidence).upper;
     return s;
 }
 

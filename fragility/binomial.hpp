@@ -25,13 +25,11 @@ struct Share {
     double n = 0.0;      ///< walls with a result
     double failed = 0.0; ///< walls without: each could have been of any mode
     double value = 0.0;  ///< count / n; 0 if n is 0
-    Interval interval{}; ///< of the walls with a result alone
-    double least = 0.0;  ///< count / (n + failed): none of the failed was of this mode
-    double most = 1.0;   ///< (count + failed) / (n + failed): all of them were
-    Interval bounds{};   ///< holds the probability whatever the failed walls would have been
+    Interval interval{}; ///< holds the probability whatever the failed walls would have been
 };
 
-/// Without any result the share is anything: [0, 1].
+/// The interval goes from the lower end of `count` to the upper end of `count + failed` among all walls, failed ones
+/// too. Without any result the share is anything: [0, 1].
 /// @throws std::invalid_argument as binomial_interval, or if failed < 0
 [[nodiscard]] Share share(double count, double n, double failed = 0.0,
                           BinomialInterval kind = BinomialInterval::wilson,

@@ -119,6 +119,16 @@ std::string shown(double x)
     return text;
 }
 
+std::optional<Refusal> screen_caps(std::span<const Observation> data, double n)
+{
+    double capped = 0.0;
+    for (const Cap& cap : caps(data)) capped += cap.walls;
+    if (capped == 0.0) return std::nullopt;
+    return Refusal{FitOutcome::capped, "a drift limit that is set comes first for " +
+                                           shown(capped) + " of " + shown(n) +
+                                           " walls, and no law describes it"};
+}
+
 std::optional<Refusal> screen_counts(const Counts& c, double highest_lower, double lowest_upper)
 {
     if (c.right == c.n)
@@ -189,6 +199,7 @@ std::optional<Refusal> screen(Law law, std::span<const Observation> data)
         if (std::isfinite(o.upper)) size = std::max(size, std::abs(o.upper));
     }
     const Counts c = count(data, positive(law));
+    if (auto refusal = screen_caps(data, c.n)) return refusal;
     if (auto refusal = screen_counts(c, highest_lower, lowest_upper)) return refusal;
     if (!(highest_lower > lowest_upper + 1e-12 * size))
         return Refusal{

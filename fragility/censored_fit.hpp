@@ -21,7 +21,8 @@ enum class FitOutcome {
     invalid_value, ///< NaN, ends in the wrong order, no information, weight not positive
     not_positive,  ///< a value at or below zero under a law of positive values
     too_few,       ///< fewer observations than a law of two parameters needs
-    no_spread,     ///< one and the same value agrees with all observations
+    capped,    ///< limits that are drift limits of a code or of the user: no law describes them
+    no_spread, ///< one and the same value agrees with all observations
     all_censored,  ///< nothing but lower (or nothing but upper) limits
     no_finite_fit, ///< the likelihood grows towards a dispersion without bound
     not_converged

@@ -64,7 +64,7 @@ struct Backbone {
 /// Mean of the forces of both, as far as both reach; steps stay.
 [[nodiscard]] Backbone mean(const Backbone& a, const Backbone& b);
 
-/// What limit displacements of a push to and fro are read on.
+/// The curve on which limit displacements of a push to and fro are read.
 enum class Side {
     mean,  ///< the mean of both backbones
     worse, ///< either backbone: of both displacements the smaller
@@ -76,7 +76,7 @@ enum class Side {
 inline constexpr std::array<std::string_view, 4> kSideNames = {"mean", "worse", "right",
                                                                "left"};
 
-/// Of the displacements of two directions the one that comes first: not observed where it may come after the end of the
+/// The displacement of two directions that comes first: not observed where it may come after the end of the
 /// other's curve, not defined where one is not.
 [[nodiscard]] LimitDisplacement worse(const LimitDisplacement& a, const LimitDisplacement& b);
 

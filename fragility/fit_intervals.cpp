@@ -90,7 +90,7 @@ class Profile {
     }
 
   private:
-    /// Of a function with one minimum: goes downhill from the middle until it is bracketed.
+    /// Least value of a function with one minimum: goes downhill from the middle until it is bracketed.
     template <class F> static double smallest(F f, double middle, double unit)
     {
         double lo = middle - unit;
@@ -162,15 +162,6 @@ Uncertain uncertain(const Fit& fit, Quantity q)
     check(fit, 0.5);
     const Eigen::Vector2d g = gradient(fit.law, q);
     return {value(fit.law, q), std::sqrt(g.dot(fit.covariance * g)), logarithmic(fit.law, q)};
-}
-
-Interval wald_interval(const Fit& fit, Quantity q, double confidence)
-{
-    check(fit, confidence);
-    const Uncertain u = uncertain(fit, q);
-    const double half = StandardNormal::quantile(0.5 + 0.5 * confidence) * u.axis_error;
-    if (u.logarithmic) return {u.value * std::exp(-half), u.value * std::exp(half), confidence};
-    return {u.value - half, u.value + half, confidence};
 }
 
 Interval profile_interval(const Fit& fit, std::span<const Observation> data, Quantity q,

@@ -31,13 +31,11 @@ struct Uncertain {
 /// @throws std::invalid_argument if the fit has not converged
 [[nodiscard]] Uncertain uncertain(const Fit& fit, Quantity q);
 
-/// @throws std::invalid_argument if the fit has not converged or the confidence is not in (0, 1)
-[[nodiscard]] Interval wald_interval(const Fit& fit, Quantity q, double confidence = 0.95);
-/// The profile likelihood covers 93 to 97 % at n = 50 with up to 60 % censored:
-/// docs/bench/interval_coverage.md. It is what tables show.
-/// Ends where 2 (ln L_max - ln L_profile) is the quantile of chi^2 with one degree of freedom.
-/// An end further than 40 standard errors away is 0 or infinite.
+/// The interval of the profile likelihood, which covers 93 to 97 % at n = 50 with up to 60 % censored:
+/// docs/bench/interval_coverage.md. It ends where 2 (ln L_max - ln L_profile) is the quantile of chi^2 with one
+/// degree of freedom. An end further than 40 standard errors away is 0 or infinite.
 /// @param data that of the fit
+/// @throws std::invalid_argument if the fit has not converged or the confidence is not in (0, 1)
 [[nodiscard]] Interval profile_interval(const Fit& fit, std::span<const Observation> data,
                                         Quantity q, double confidence = 0.95);
 

@@ -72,7 +72,7 @@ ModeAt mode_at(const ModeGroup& mode, const Fit& f, double drift, double confide
             least * (1.0 - least) / n};
 }
 
-/// What is known at one drift if no mode has a fit: a bound of all walls together is sharper than those of
+/// The bounds at one drift if no mode has a fit: one of all walls together is sharper than those of
 /// their parts.
 MixturePoint unfitted_point(const ModeGroup& all, double drift, double confidence)
 {

@@ -18,7 +18,7 @@ struct LogGammaMoments {
 /// @param a  > 0; @param lo, hi  lo < hi, may be infinite
 [[nodiscard]] LogGammaMoments log_gamma_moments(double a, double lo, double hi);
 
-/// Of one observation, censored or not, for (ln mean, ln cv); density of ln x.
+/// Log-likelihood of one observation, censored or not, for (ln mean, ln cv); density of ln x.
 /// @param lo, hi  ends of ln x; equal: observed; -infinity, infinity: open
 [[nodiscard]] Likelihood gamma_term(const Working& theta, double lo, double hi);
 

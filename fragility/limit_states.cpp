@@ -90,21 +90,49 @@ class CutCurve {
     std::vector<double> displacement_, force_;
 };
 
-/// The set ntc: the drift limit of the code may come before the fall of the force.
-Parts with_ntc_limit(const Curve& curve, const LimitStateOptions& o, Parts p)
+/// A drift limit of a code.
+struct CodeLimit {
+    double at; ///< [length]; 0: none
+    std::string rule;
+    std::string_view governs; ///< the reason where it comes before the fall of the force
+};
+
+CodeLimit code_limit(std::string_view set, const LimitStateOptions& o)
 {
-    p.ultimate_rule += ", or a drift of " + percent(kNtcRockingDrift) + " if the wall rocks, " +
-                       percent(kNtcShearDrift) +
-                       " if not (Circolare 7/2019, C8.7.1.3.1.1), whichever comes first";
+    const auto rule = [](const std::string& rocks, double shear, const char* source) {
+        return ", or a drift of " + rocks + " if the wall rocks, " + percent(shear) +
+               " if not (" + source + "), whichever comes first";
+    };
+    if (set == "ntc")
+        return {
+            o.ntc_limit,
+            rule(percent(kNtcRockingDrift), kNtcShearDrift, "Circolare 7/2019, C8.7.1.3.1.1"),
+            kNtcLimitGoverns};
+    if (set == "ec8")
+        return {o.ec8_limit,
+                rule(percent(ec8_drift(true, 1.0)) +
+                         " x H0/D = " + percent(ec8_drift(true, o.slenderness)),
+                     ec8_drift(false, 1.0),
+                     "EN 1998-3:2005, Annex C, primary walls; compare with your copy of the "
+                     "code"),
+                kEc8LimitGoverns};
+    return {0.0, {}, {}};
+}
+
+/// The drift limit of the code may come before the fall of the force.
+Parts with_limit(const Curve& curve, const CodeLimit& limit, const LimitStateOptions& o,
+                 Parts p)
+{
+    p.ultimate_rule += limit.rule;
     if (p.ultimate.reading == Reading::not_defined) return p;
     const bool falls_first =
-        p.ultimate.reading == Reading::observed && p.ultimate.displacement <= o.ntc_limit;
+        p.ultimate.reading == Reading::observed && p.ultimate.displacement <= limit.at;
     if (falls_first) {
         p.ultimate.reason = "the force falls before the drift limit of the code";
-    } else if (curve.displacement.back() >= o.ntc_limit) {
-        const CutCurve cut(curve, o.ntc_limit);
+    } else if (curve.displacement.back() >= limit.at) {
+        const CutCurve cut(curve, limit.at);
         p.top = peak(cut);
-        p.ultimate = {o.ntc_limit, Reading::observed, kNtcLimitGoverns};
+        p.ultimate = {limit.at, Reading::observed, limit.governs};
         p.yield = yield_of(cut, p.ultimate, o);
     }
     return p;
@@ -165,13 +193,19 @@ std::vector<LimitState> read_limit_states(const Curve& curve, std::string_view s
                                           const LimitStateOptions& options)
 {
     Parts parts = read_parts(curve, options);
-    if (set == "ntc" && options.ntc_limit > 0.0)
-        parts = with_ntc_limit(curve, options, std::move(parts));
+    const CodeLimit limit = code_limit(set, options);
+    if (limit.at > 0.0) parts = with_limit(curve, limit, options, std::move(parts));
     for (const Set& s : kSets)
         if (s.name == set) return s.read(parts);
     throw std::invalid_argument("limit states: no set " + std::string(set));
 }
 
 std::span<const std::string_view> limit_state_sets() { return kNames; }
+
+bool is_capped(const LimitDisplacement& d)
+{
+    return is_observed(d) && (d.reason == kNtcLimitGoverns || d.reason == kEc8LimitGoverns ||
+                              d.reason == kGivenLimitGoverns);
+}
 
 } // namespace fragility

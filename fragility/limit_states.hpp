@@ -1,6 +1,6 @@
 #pragma once
-/// Limit states of a wall, as sets of displacements read off its capacity curve. The set ntc also takes the
-/// drift limit of the code; behaviour-factor caps are not applied, nor the drift limits of EN 1998-3.
+/// Limit states of a wall, as sets of displacements read off its capacity curve. The sets ntc and ec8 also take the
+/// drift limits of their codes; behaviour-factor caps are not applied.
 
 #include "fragility/bilinear.hpp"
 #include "fragility/curve_reading.hpp"
@@ -17,16 +17,42 @@ namespace fragility {
 /// 7/2019, C8.7.1.3.1.1; 0.004, of modern hollow blocks alone, is left out.
 constexpr double kNtcRockingDrift = 0.010, kNtcShearDrift = 0.005; ///< [-]
 
-/// The reason of an SLC that is this drift.
-constexpr std::string_view kNtcLimitGoverns =
-    "the drift limit of the code comes before the fall of the force";
+/// Drifts of primary walls at SD: of a wall that bends, times H0 / D, and of one in shear. EN 1998-3:2005, Annex C, C.4.2
+/// and C.4.3. H0 is the distance from the section where the flexural capacity is attained to the contraflexure point, D
+/// the in-plane depth of the wall. Those of NC are 4/3 of these.
+constexpr double kEc8FlexureDrift = 0.008, kEc8ShearDrift = 0.004; ///< [-]
+
+/// Drift limit at SLC.
+[[nodiscard]] constexpr double ntc_drift(bool rocks)
+{
+    return rocks ? kNtcRockingDrift : kNtcShearDrift;
+}
+
+/// Drift limit at NC.
+/// @param slenderness H0 / D [-], > 0
+[[nodiscard]] constexpr double ec8_drift(bool rocks, double slenderness)
+{
+    return 4.0 / 3.0 * (rocks ? kEc8FlexureDrift * slenderness : kEc8ShearDrift);
+}
+
+/// Reasons of a displacement that is a drift limit: of a code, or one that the user gave.
+constexpr std::string_view
+    kNtcLimitGoverns = "the drift limit of the code comes before the fall of the force",
+    kEc8LimitGoverns = "the drift limit of EN 1998-3, Annex C, comes before the fall of the "
+                       "force; compare with your copy of the code",
+    kGivenLimitGoverns = "the largest displacement allowed";
+
+/// Whether a displacement is such a limit, or a share of one, and not the wall's own.
+[[nodiscard]] bool is_capped(const LimitDisplacement& d);
 
 /// Free choices of the reading; the defaults are those of the codes.
 struct LimitStateOptions {
     double ultimate_share = kUltimateShare; ///< of the peak [-], in (0, 1)
     Crossing crossing = Crossing::first;    ///< of that share
     double bilinear_share = kBilinearShare; ///< of the peak [-], in (0, 1]
-    double ntc_limit = 0.0; ///< of the displacement at SLC, set ntc [length]; 0: none
+    double ntc_limit = 0.0;   ///< of the displacement at SLC, set ntc [length]; 0: none
+    double ec8_limit = 0.0;   ///< of the displacement at NC, set ec8 [length]; 0: none
+    double slenderness = 0.0; ///< H0 / D behind ec8_limit [-], for the words of its rule
 };
 
 struct LimitState {
@@ -42,7 +68,7 @@ struct LimitState {
 ///   paper  ultimate = displacement where the force falls to 80 % of the peak (the paper, section 4.2)
 ///   ntc    SLC = min(ultimate, ntc_limit), SLV = 3/4 SLC, SLD = min(d_y, d at the peak), SLO = 2/3 SLD, on the
 ///          curve up to SLC (Circolare 7/2019, C8.7.1.3.1, existing masonry)
-///   ec8    NC = ultimate, SD = 3/4 NC, DL = d_y (EN 1998-3:2005, Annex C)
+///   ec8    NC = min(ultimate, ec8_limit), SD = 3/4 NC, DL = d_y, on the curve up to NC (EN 1998-3:2005, Annex C)
 ///   collapse  no force is left after the peak, or the wall came down
 /// with d_y the yield displacement of the equal-energy bilinear up to the ultimate
 /// displacement. The code's second condition for SLD, "all piers of a storey at their peak, not

@@ -1,9 +1,11 @@
 #include "fragility/observation.hpp"
 
 #include "fragility/interval.hpp"
+#include "fragility/limit_states.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 namespace fragility {
@@ -11,7 +13,6 @@ namespace fragility {
 Observation observed(double value) { return {value, value}; }
 Observation right_censored(double lower) { return {lower, kInfinity}; }
 Observation left_censored(double upper) { return {-kInfinity, upper}; }
-Observation interval_censored(double lower, double upper) { return {lower, upper}; }
 
 std::optional<Observation> observation(const LimitDisplacement& reading, double scale)
 {
@@ -19,7 +20,8 @@ std::optional<Observation> observation(const LimitDisplacement& reading, double 
         throw std::invalid_argument("observation: scale must be positive and finite");
     switch (reading.reading) {
     case Reading::observed:
-        return observed(scale * reading.displacement);
+        return Observation{scale * reading.displacement, scale * reading.displacement, 1.0,
+                           is_capped(reading)};
     case Reading::censored:
         return right_censored(scale * reading.displacement);
     case Reading::not_defined:
@@ -57,6 +59,16 @@ Counts count(std::span<const Observation> data, bool positive)
         }
     }
     return c;
+}
+
+std::vector<Cap> caps(std::span<const Observation> data)
+{
+    std::map<double, double> walls;
+    for (const Observation& o : data)
+        if (o.capped) walls[o.lower] += o.weight;
+    std::vector<Cap> found;
+    for (const auto& [value, n] : walls) found.push_back({value, n});
+    return found;
 }
 
 double known_to(std::span<const Observation> data)

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace fragility {
 
@@ -14,14 +15,14 @@ struct Observation {
     double lower;
     double upper;
     double weight = 1.0; ///< how many such walls [-], > 0
+    bool capped = false; ///< a drift limit of a code or of the user, not the wall's own
 };
 
 [[nodiscard]] Observation observed(double value);
 [[nodiscard]] Observation right_censored(double lower); ///< above `lower`
 [[nodiscard]] Observation left_censored(double upper);  ///< below `upper`
-[[nodiscard]] Observation interval_censored(double lower, double upper);
 
-/// A reading times `scale` (1 / height makes it a drift); nothing if it is not defined.
+/// A reading times `scale` (1 / height makes it a drift), capped where it is a drift limit; nothing if it is not defined.
 /// @throws std::invalid_argument if the scale is not positive
 [[nodiscard]] std::optional<Observation> observation(const LimitDisplacement& reading,
                                                      double scale = 1.0);
@@ -39,6 +40,15 @@ struct Counts {
 
 /// Runs of one push end up to one interval of their curve apart: ends that differ by less are one [-].
 constexpr double kEndsTogether = 2e-3;
+
+/// Limits that are a drift limit of a code or of the user.
+struct Cap {
+    double value; ///< [x]
+    double walls; ///< sum of weights
+    friend bool operator==(const Cap&, const Cap&) = default;
+};
+/// Ascending, one for each value; empty where all limits are the walls' own.
+[[nodiscard]] std::vector<Cap> caps(std::span<const Observation> data);
 
 /// The largest value at which any of these walls reached the limit state or still stood: no wall was tested
 /// beyond it. 0 without walls.

@@ -30,7 +30,7 @@ struct BetaProduct {
     {
         return {first * a / (a + b), second * a * (a + 1.0) / ((a + b) * (a + b + 1.0))};
     }
-    /// Of the beta distribution with these moments.
+    /// Quantile of the beta distribution with these moments.
     [[nodiscard]] double quantile(double p) const
     {
         const double variance = second - first * first;

@@ -158,7 +158,7 @@ void complete(OrdinalFit& f, const Maximum& m, double middle)
     f.log_likelihood = m.local.value;
 }
 
-/// Of the observed shares: the largest log-likelihood that any curves could have.
+/// Compares with the observed shares, whose log-likelihood is the largest that any curves could have.
 void compare_with_shares(OrdinalFit& f, std::span<const StateCounts> data)
 {
     double saturated = 0.0;

@@ -15,7 +15,7 @@
 
 namespace fragility {
 
-/// What was found at one intensity.
+/// Counts of walls at one intensity.
 struct StateCounts {
     double intensity;          ///< [any unit], > 0
     std::vector<double> walls; ///< in each state, from none to the severest; >= 0, two or more

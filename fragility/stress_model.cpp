@@ -28,7 +28,7 @@ VectorXd powers(double t, Index terms)
     return v;
 }
 
-/// Of one observation, for its ln median and ln dispersion.
+/// Log-likelihood of one observation and its derivatives by ln median and ln dispersion.
 struct Term {
     double value, m, s, mm, ms, ss;
 };

@@ -47,7 +47,7 @@ struct StressOrder {
 /// The model of least AIC among degrees 0 to 2 of the median and 0 to 2 of the dispersion.
 [[nodiscard]] StressModel fit_stress_model(std::span<const StressedObservation> data);
 
-/// What the model says at one stress.
+/// The law that the model gives at one stress.
 struct AtStress {
     Distribution law;           ///< lognormal
     Eigen::Matrix2d covariance; ///< of (ln median, ln dispersion)

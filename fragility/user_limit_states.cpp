@@ -77,7 +77,7 @@ LimitDisplacement capped(const Curve& curve, const UserLimitState& s, LimitDispl
     if (!alone && limit.reading == Reading::not_defined) return limit;
     if (!alone && limit.reading == Reading::observed && limit.displacement <= cap) return limit;
     const double known = alone ? end : std::max(limit.displacement, end);
-    if (known >= cap) return {cap, Reading::observed, "the largest displacement allowed"};
+    if (known >= cap) return {cap, Reading::observed, kGivenLimitGoverns};
     return {known, Reading::censored, "the curve ends before"};
 }
 
@@ -111,7 +111,9 @@ StateParts read_state_parts(const Curve& curve, const LimitStateOptions& options
     const Peak top = peak(curve);
     StateParts parts{{}, {top.displacement, Reading::observed, {}}, {}};
     if (top.at_end) parts.peak = {top.displacement, Reading::censored, "the curve still rises"};
-    for (const LimitState& s : read_limit_states(curve, "ec8", options)) {
+    LimitStateOptions no_code = options; // the parts are those of the curve
+    no_code.ec8_limit = 0.0;
+    for (const LimitState& s : read_limit_states(curve, "ec8", no_code)) {
         if (s.name == "DL") parts.yield = s.limit;
         if (s.name == "NC") parts.ultimate = s.limit;
     }

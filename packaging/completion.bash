@@ -5,7 +5,7 @@ _drystone() {
         mapfile -t COMPREPLY < <(compgen -W "$(drystone help | awk '/^  drystone / {print $2}')" -- "$word")
     elif [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$(drystone help "$verb" |
-            awk '/^  (-h \[ )?--/ {print $1 == "-h" ? "--help" : $1}')" -- "$word")
+            awk '/^  (-. \[ )?--/ {print $2 == "[" ? $3 : $1}')" -- "$word")
     else
         compopt -o filenames
         mapfile -t COMPREPLY < <(compgen -f -- "$word")

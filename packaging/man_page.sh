@@ -2,7 +2,7 @@
 # man_page.sh PROGRAM FILE.gz   the manual page, from what the program says of itself
 set -euo pipefail
 program=$1
-version=$("$program" version)
+version=$("$program" version | sed -n 1p)
 
 verbatim() { # text as it is: backslashes, hyphens and dots at the start of a line are roff's own
     sed -E -e 's/default: [0-9]+, all of/default: all of/' \

@@ -29,9 +29,9 @@ function pointsOf(u, x, forces) {
 }
 
 export class Capacity {
-    /** chosen(w): a wall was clicked. loops: of a push to and fro, whose walls have a force only along their way; else null. */
-    constructor(data, curves, loops, host, chosen) {
-        Object.assign(this, { data, curves, loops, chosen, level: 0, wall: null, at: null, drawn: null });
+    /** told: wall(w), a wall was clicked; stress(level), a stress was chosen of which no wall is shown. loops: of a push to and fro, whose walls have a force only along their way; else null. */
+    constructor(data, curves, loops, host, told) {
+        Object.assign(this, { data, curves, loops, told, level: 0, wall: null, at: null, drawn: null });
         const options = [...data.levels.map((l, i) => ({ value: i, text: l.name })), { value: 'means', text: 'means' }];
         this.picker = choice('Stress', options, 0, (level) => this.show(level));
         this.plot = element('div', { class: 'plot', tabindex: 0, role: 'group', 'aria-label': 'Capacity curves. Arrow keys go from wall to wall by peak force, Enter chooses one.' });
@@ -51,6 +51,7 @@ export class Capacity {
         if (level === 'means') this.drawMeans();
         else this.drawWalls(level);
         this.refresh();
+        if (this.wall !== null && level !== 'means' && this.data.walls[this.wall].level !== level) this.told.stress(level);
     }
 
     /** Walls of the level by peak force. */
@@ -129,7 +130,7 @@ export class Capacity {
         u.over.addEventListener('mouseleave', () => this.hover(null));
         u.over.addEventListener('click', (e) => {
             const w = this.nearest(u, e);
-            if (w !== null) this.chosen(w);
+            if (w !== null) this.told.wall(w);
         });
     }
 
@@ -168,7 +169,7 @@ export class Capacity {
             this.pointer = { left: u.valToPos(peak.peak_at ?? 0, 'x'), top: u.valToPos(peak.peak ?? 0, 'y') };
             this.hover(next);
             this.spoken.textContent = wallText(this.data, next);
-        } else if ((e.key === 'Enter' || e.key === ' ') && this.hovered !== null) this.chosen(this.hovered);
+        } else if ((e.key === 'Enter' || e.key === ' ') && this.hovered !== null) this.told.wall(this.hovered);
         else return;
         e.preventDefault();
     }

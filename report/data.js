@@ -53,8 +53,7 @@ export async function readLoops(loops) {
         const place = Math.min(loops.counts[w] - 1, Math.round(t * loops.per_frame));
         return { place, x: x[w * n + place] * mm, f: f[w * n + place] * kn };
     };
-    const most = (v) => v.reduce((m, k) => Math.max(m, Math.abs(k)), 1);
-    return { path, at, reach: most(x) * mm, top: most(f) * kn };
+    return { path, at };
 }
 
 /** Motion of one wall: displacement of the load [m], six numbers of each block [m], damage of each crack, crushing of both halves of each face. */

@@ -1,5 +1,5 @@
 // Force against displacement of one wall that is pushed to and fro.
-import { element, colours } from './format.js';
+import { element } from './format.js';
 import { chart, overlay } from './chart.js';
 
 export class Loop {
@@ -9,21 +9,35 @@ export class Loop {
         this.title = element('h3', {}, '');
         this.plot = element('div', { class: 'plot' });
         host.append(this.title, this.plot);
-        const room = 1.05;
+    }
+
+    /** A chart as large as the loops of this wall. */
+    drawChart() {
+        this.drawn?.remove();
+        const { x, f } = this.loops.path(this.wall);
+        const room = 1.08;
+        const reach = (values) => room * values.reduce((most, v) => Math.max(most, Math.abs(v)), 1e-3);
+        const [wide, high] = [reach(x), reach(f)];
         this.drawn = chart(this.plot, {
-            label: 'Hysteresis of the wall shown', series: [{ data: [0, 0], colour: '#999999', width: 1 }], x: [-loops.reach * room, loops.reach * room], height: 320,
-            xLabel: 'displacement [mm]', yLabel: 'horizontal force [kN]',
-            xRange: [-loops.reach * room, loops.reach * room], yRange: [-loops.top * room, loops.top * room],
+            label: 'Hysteresis of the wall shown', series: [{ data: [0, 0], colour: '#999999', width: 1 }], x: [-wide, wide], height: 320,
+            xLabel: 'displacement [mm]', yLabel: 'horizontal force [kN]', xRange: [-wide, wide], yRange: [-high, high],
             draw: () => this.refresh(),
         });
         this.parts = overlay(this.drawn.u);
-        this.parts.hovered.style.stroke = colours.failed;
+        this.parts.hovered.style.stroke = '#b8b8b8';
+        this.parts.hovered.style.strokeWidth = 1;
+        this.parts.chosen.style.strokeDasharray = 'none';
+        this.parts.hovered.parentNode.prepend(this.parts.hovered); // what is to come, below what has been
     }
 
     /** The wall that is shown, at frame t of its film; null: the page has no film of it. */
     mark(wall, t) {
-        if (wall !== this.wall) this.title.textContent = `Hysteresis: ${this.data.levels[this.data.walls[wall].level].name}, sample ${this.data.walls[wall].sample}`;
+        const other = wall !== this.wall;
         Object.assign(this, { wall, at: t });
+        if (other) {
+            this.title.textContent = `Hysteresis: ${this.data.levels[this.data.walls[wall].level].name}, sample ${this.data.walls[wall].sample}`;
+            this.drawChart();
+        }
         this.refresh();
     }
 

@@ -4,28 +4,42 @@ import { inflate, readCurves, readLoops } from './data.js';
 import { Capacity } from './capacity.js';
 import { WallView } from './wall.js';
 import { cycles, fragility, modes, histograms, running, sensitivity } from './statistics.js';
-import { table, provenance } from './tables.js';
+import { folded, scrolled, table, provenance } from './tables.js';
 
 const note = (text) => element('p', { class: 'note' }, text);
 
+/** The answer: a sentence, and the drifts of each stress. */
 function overview(data) {
+    const { lead, answers } = data.overview;
+    const host = section('overview', 'Overview', element('p', { class: 'lead' }, lead));
+    if (answers.rows.length) host.append(scrolled(answers, 'Peak force, mode and drift limits of each stress'), note(answers.note));
+}
+
+/** What stands behind the answer. */
+function about(data) {
     const list = (title, lines) => element('div', {}, element('h3', {}, title), element('ul', {}, ...lines.map((l) => element('li', {}, l))));
-    section('overview', 'Overview', list('What was run', data.overview.run), list('What came out', data.overview.found), list('How sure', data.overview.sure), table(data.tables.results));
+    section('about', 'The study', element('div', { class: 'pair' }, list('What was run', data.overview.run), list('How sure', data.overview.sure)), list('What came out', data.overview.found), table(data.tables.results));
 }
 
 async function curvesAndWall(data) {
     const left = element('div', { class: 'curves' });
     const right = element('div', { class: 'view', id: 'wall' });
-    section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right),
-        note(`Click a curve to see its wall. Bands: ${percent(data)} interval of the mean, of five walls or more; means end where fewer than nine tenths of their walls go on.${data.loops ? ' The push goes to and fro: curves are backbones, the wall shown has its loops below.' : ''}`),
-        note(data.films.note));
+    section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right));
     let view = null;
     const curves = await readCurves(data.curves);
     const loops = data.loops ? await readLoops(data.loops) : null;
-    const capacity = new Capacity(data, curves, loops, left, async (w) => {
-        await view?.open(w);
-        if (view && matchMedia('(max-width: 900px)').matches) right.scrollIntoView();
+    const capacity = new Capacity(data, curves, loops, left, {
+        wall: async (w) => {
+            await view?.open(w);
+            if (view && matchMedia('(max-width: 900px)').matches) right.scrollIntoView();
+        },
+        stress: (level) => {
+            const w = view?.counterpart(level) ?? null;
+            if (w !== null) view.open(w);
+        },
     });
+    left.append(data.films.note ? note(data.films.note) : '',
+        note(`Bands are ${percent(data)} confidence intervals of the mean of five walls or more; mean curves stop where fewer than 90 % of the walls are still being pushed.${data.loops ? ' The push is cyclic: curves are backbones, the wall shown has its loops below.' : ''}`));
     if (!data.films.films.length) return;
     view = new WallView(data, right, capacity);
     await view.open(data.films.films[0].wall);
@@ -38,11 +52,15 @@ function statistics(data) {
         add('cycles', 'cycles');
     }
     fragility(data, section('fragility', 'Fragility', note('Probability that a wall has reached a limit state: shares of the modes times the law fitted to each mode.')));
-    add('fragility', 'performance_limits', 'law_parameters');
+    add('fragility', 'performance_limits');
+    document.getElementById('fragility').append(folded('For statisticians: the laws and their parameters',
+        note('beta: standard deviation of ln(drift), in earthquake engineering the dispersion. AIC: Akaike\'s information criterion, lower is better; it compares laws on the same walls.'), table(data.tables.law_parameters)));
     modes(data, section('modes', 'Failure modes'));
-    add('modes', 'modes', 'means_by_mode', 'equal_modes', 'mode_thresholds');
-    section('assumed', 'Assumptions', note('What the walls of this study were taken to be, beside what the page found out about them.'));
-    add('assumed', 'materials', 'wall_and_loads');
+    add('modes', 'modes', 'means_by_mode');
+    document.getElementById('modes').append(folded('For statisticians: where the modes change',
+        note('Firth\'s penalty keeps a logistic regression finite where a stress parts the modes completely.'), table(data.tables.equal_modes), table(data.tables.mode_thresholds)));
+    section('assumed', 'Assumptions', note('What the walls of this study were taken to be, beside what the page found out about them.'),
+        table(data.tables.choices), folded('Materials', table(data.tables.materials)), folded('Wall and loads', table(data.tables.wall_and_loads)));
     const inputs = section('inputs', 'Inputs', note('Values drawn for all walls, and the distribution they were drawn from, cut at what is physically possible.'));
     if (data.histograms.length) histograms(data, inputs);
     else inputs.append(element('p', {}, 'Nothing was random.'));
@@ -57,6 +75,7 @@ async function start() {
     data.films = JSON.parse(text('films'));
     overview(data);
     await curvesAndWall(data);
+    about(data);
     statistics(data);
     section('walls', 'All walls', table(data.tables.walls));
     provenance(data, section('provenance', 'Provenance'));

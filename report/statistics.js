@@ -1,6 +1,7 @@
 // Fragility, modes, inputs, running means, sensitivity.
 import { element, choice, fixed, figures, percent, words, levelColour, colours } from './format.js';
 import { chart, key, drawIntervals, dashOf } from './chart.js';
+import { folded } from './tables.js';
 
 const plot = () => element('div', { class: 'plot' });
 
@@ -29,9 +30,11 @@ export function fragility(data, host) {
         const x = [0, ...(curves[0]?.drift ?? [])];
         const series = curves.flatMap((c) => fragilitySeries(data, c, x, chosen.level !== 'all'));
         drawn = chart(where, { label: `Probability that ${state.name} is reached, against drift, ${chosen.level === 'all' ? 'all stresses' : data.levels[chosen.level].name}`, x, series, xLabel: 'drift [%]', yLabel: 'share of walls past the limit state', yRange: [0, 1], height: 360, tip: (i) => tipText(series, x, i) });
-        const without = curves.filter((c) => !c.fitted).map((c) => data.levels[c.level].name);
-        const none = series.length ? '' : ' No wall is known to have reached it.';
-        legend.replaceChildren(key(series), element('p', { class: 'note' }, `${state.name}: ${state.rule}.${without.length ? ` No fit: ${without.join(', ')}.${none}` : ''}`));
+        const without = curves.filter((c) => !c.fitted && !c.limit).map((c) => data.levels[c.level].name);
+        const limits = curves.filter((c) => c.limit).map((c) => ` ${data.levels[c.level].name}: ${c.limit}.`);
+        const none = series.length || limits.length ? '' : ' No wall is known to have reached it.';
+        const steps = without.length ? ` No law is fitted to ${without.join(', ')}: the steps are the observed shares.${none}` : '';
+        legend.replaceChildren(key(series), element('p', { class: 'note' }, `${state.name}: ${state.rule}.${steps}${limits.join('')}`));
     };
     const set = (name) => (value) => ((chosen[name] = value), show());
     host.append(
@@ -54,6 +57,7 @@ function fragilitySeries(data, c, x, alone) {
         const p = [0, ...c.steps.map((s) => s[1]), last];
         series.push({ label: `${alone ? '' : `${name}: `}observed share of the walls (Kaplan-Meier)`, colour: alone ? '#222222' : colour, dash: alone ? [] : dashOf(c.level), width: 1.2, data: resample(x, at, p, true) });
     }
+    else if (!c.fitted && !c.limit && c.known_to > 0) series.push({ label: `${name}: no wall has reached it`, colour, dash: dashOf(c.level), width: 1.2, data: resample(x, [0, c.known_to], [0, 0], true) });
     return series;
 }
 
@@ -96,7 +100,7 @@ export function modes(data, host) {
     series.push({ label: `share of rocking walls, ${percent(data)} interval (failed walls counted either way)`, colour: '#222222', points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.value ?? null) });
     if (levels.some((l) => l.sliding > 0)) series.push({ label: 'share of sliding walls', colour: colours.sliding, points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.sliding ?? null) });
     const where = plot();
-    host.append(where, key(series), element('p', { class: 'note' }, data.modes.note));
+    host.append(where, key(series), data.modes.note ? folded(model ? 'How the line was fitted' : 'Why there is no line', element('p', { class: 'note' }, data.modes.note)) : '');
     const [low, high] = [x[0], x.at(-1)];
     const room = (high - low || 1) * 0.06;
     chart(where, {

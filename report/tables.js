@@ -26,17 +26,43 @@ function copyButtons(forms, name) {
     return element('div', { class: 'copy' }, element('span', { class: 'label' }, 'Copy as'), ...forms.map(button), said);
 }
 
-export function table(t) {
+/** Something that is read when it is asked for, long tables in it without a fold of their own; on paper it is open. */
+export function folded(title, ...content) {
+    for (const c of content) if (c.tagName === 'DETAILS') c.open = true;
+    return element('details', { class: 'folded' }, element('summary', {}, title), ...content);
+}
+
+let closed = [];
+addEventListener('beforeprint', () => {
+    closed = [...document.querySelectorAll('details.about, details.folded')].filter((d) => !d.open);
+    for (const d of closed) d.open = true;
+});
+addEventListener('afterprint', () => closed.forEach((d) => (d.open = false)));
+
+/** head and rows of text, which scrolls sideways under its first column where it is wider than the screen. */
+export function scrolled({ head, rows }, title) {
     const kLong = 40; // signs: sentences are broken
-    const long = t.head.map((_, c) => t.rows.some((row) => row[c].length > kLong));
+    const long = head.map((_, c) => rows.some((row) => row[c].length > kLong));
     const cells = (name, row) => row.map((text, c) => element(name, { ...(name === 'th' ? { scope: 'col' } : {}), ...(long[c] ? { class: 'words' } : {}) }, text));
-    const rows = element('tbody', {});
-    const fill = () => rows.childElementCount || rows.append(...t.rows.map((row) => element('tr', {}, ...cells('td', row))));
-    const body = element('table', {}, element('thead', {}, element('tr', {}, ...cells('th', t.head))), rows);
+    const body = element('tbody', {}, ...rows.map((row) => element('tr', {}, ...cells('td', row))));
+    return element('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': title }, element('table', {}, element('thead', {}, element('tr', {}, ...cells('th', head))), body));
+}
+
+/** What the numbers of a table are: below it, and folded where it is long. */
+function captionOf(t) {
+    const kShort = 160; // signs: two lines
+    const text = element('p', { class: 'note' }, t.caption);
+    if (!t.caption || t.caption.length <= kShort) return text;
+    return element('details', { class: 'about' }, element('summary', {}, 'About this table'), text);
+}
+
+export function table(t) {
+    const kFolded = 30; // rows
     const forms = [['text', t.text], ['CSV', t.csv], ['Markdown', t.markdown], ['LaTeX', t.latex]];
-    const content = [element('p', { class: 'note' }, t.caption), copyButtons(forms, `the table ${t.title}`),
-        element('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': t.title }, body)];
-    if (t.rows.length <= 30) {
+    const place = element('div', {});
+    const fill = () => place.childElementCount || place.append(scrolled(t, t.title));
+    const content = [place, captionOf(t), copyButtons(forms, `the table ${t.title}`)];
+    if (t.rows.length <= kFolded) {
         fill();
         return element('div', { id: `table-${t.id}` }, element('h3', {}, t.title), ...content);
     }
@@ -51,6 +77,6 @@ export function provenance(data, host) {
         ...item('Seed', p.seed),
         ...item('Samples', `${p.design_sizes.join(', then ')} per stress`),
         ...(p.shards > 1 ? item('Shard', `${p.shard} of ${p.shards}`) : []),
-        ...p.sessions.flatMap((s, i) => item(`Session ${i + 1}`, `${s.started}, Drystone ${s.version} on ${s.machine}; ${s.build}; ${s.settings}`)));
+        ...p.sessions.flatMap((s, i) => item(`Session ${i + 1}`, `${s.started}, Drystone ${s.version}${s.solver_revision ? `, solver revision ${s.solver_revision},` : ''} on ${s.machine}; ${s.build}; ${s.settings}`)));
     host.append(list, element('details', {}, element('summary', {}, 'Complete study file'), copyButtons([['text', p.configuration]], 'the study file'), element('pre', { tabindex: 0 }, p.configuration)));
 }

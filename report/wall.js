@@ -4,7 +4,8 @@ import { readFilm } from './data.js';
 import { wallName, wallText } from './capacity.js';
 
 const kStones = ['#e9e2d3', '#e2d9c6', '#efe9dd'];
-const kMarks = { opening: '#0072B2', slip: '#E69F00', damage: '#A50F5A', crushing: '#5e2a84' };
+// Those of wall.svg (app/output/wall_marks.hpp).
+const kMarks = { opening: '#6aa5d6', slip: '#e08214', cracks: '#c8102e', crushing: '#5e2a84' };
 const kThreshold = 1e-4; // openings and slips up to this are not marked [m]
 const kSeconds = 6; // of a film
 
@@ -26,6 +27,12 @@ class Drawing {
             else this.ghosts.append(element('rect', { x: b[0] * 1e3, y: -b[3] * 1e3, width: (b[2] - b[0]) * 1e3, height: (b[3] - b[1]) * 1e3 }));
         }
         this.svg.append(element('line', { class: 'ground', x1: box[0], x2: box[0] + box[2], y1: 0, y2: 0 }));
+        // Gaps lie below the stones: what these leave free is the opening, without overlaps.
+        const gaps = group('gaps');
+        this.gaps = geometry.faces.map(([kind]) => {
+            const colour = kMarks[kind === 'crack' ? 'cracks' : 'opening'];
+            return gaps.appendChild(element('polygon', { fill: colour, stroke: colour })); // its border closes hairlines
+        });
         // Below the stones, so that half of this line is left around what stands free.
         const outlines = group('outlines');
         this.outlines = geometry.blocks.map(() => outlines.appendChild(element('polygon')));
@@ -35,7 +42,7 @@ class Drawing {
         const joints = group('joints');
         this.joints = geometry.faces.map(([kind]) => joints.appendChild(element('line', { class: kind === 'crack' ? 'within' : 'between' })));
         const marks = group('marks');
-        this.faces = geometry.faces.map(() => ({ gap: marks.appendChild(element('polygon')), line: marks.appendChild(element('line')) }));
+        this.faces = geometry.faces.map((_, i) => ({ gap: this.gaps[i], line: marks.appendChild(element('line')) }));
         // Squares at the ends of faces where stone crushes; each picture has its own.
         this.crushed = group('crushed');
         this.arrow = this.svg.appendChild(element('path', { class: 'load', 'stroke-width': 7 * this.k }));
@@ -76,7 +83,7 @@ class Drawing {
     largest(film, t) {
         const states = this.geometry.faces.map((f, i) => this.state(film, i, t));
         const most = (k) => Math.max(2 * kThreshold, ...states.map((s) => (k === 'opening' || s.closed ? s[k] : 0)));
-        return { opening: most('opening'), slip: most('slip'), damage: 1 };
+        return { opening: most('opening'), slip: most('slip') };
     }
 
     draw(film, t, scale, shown, largest, force) {
@@ -100,7 +107,7 @@ class Drawing {
     drawCrushing(film, t, px, shown) {
         const squares = [];
         const side = 20 * this.k;
-        if (film.crushes && (shown === 'all' || shown === 'damage'))
+        if (film.crushes && (shown === 'all' || shown === 'cracks'))
             this.geometry.faces.forEach((f, i) => {
                 for (const half of [0, 1]) {
                     const lost = film.crushing(i, half, t);
@@ -125,27 +132,23 @@ class Drawing {
 
     drawFace(face, s, px, shown, largest) {
         const wants = (k) => shown === 'all' || shown === k;
-        const open = wants('opening') && s.opening > kThreshold;
+        const crack = s.kind === 'crack';
+        const open = wants(crack ? 'cracks' : 'opening') && s.opening > kThreshold;
         face.gap.setAttribute('visibility', open ? 'visible' : 'hidden');
         if (open) {
             const [p, q] = s.ends;
             face.gap.setAttribute('points', [px(p.x, p.z, p.ua), px(q.x, q.z, q.ua), px(q.x, q.z, q.ub), px(p.x, p.z, p.ub)].join(' '));
-            face.gap.setAttribute('fill', kMarks.opening);
-            face.gap.setAttribute('fill-opacity', (0.25 + 0.6 * Math.min(1, s.opening / largest.opening)).toFixed(2));
-            face.gap.setAttribute('stroke', kMarks.opening);
         }
-        const crack = s.kind === 'crack';
-        const what = crack && wants('damage') && s.damage > 0.004 ? 'damage' : !crack && wants('slip') && s.slip > kThreshold && s.closed ? 'slip' : null;
+        const what = crack && wants('cracks') && s.damage > 0.004 ? 'cracks' : !crack && wants('slip') && s.slip > kThreshold && s.closed ? 'slip' : null;
         face.line.setAttribute('visibility', what ? 'visible' : 'hidden');
         if (!what) return;
-        const share = Math.min(1, s[what] / largest[what]);
+        const share = what === 'cracks' ? s.damage : Math.min(1, s.slip / largest.slip);
         const ends = s.ends.map((e) => px(e.x, e.z, [(e.ua[0] + e.ub[0]) / 2, (e.ua[1] + e.ub[1]) / 2]).split(','));
         ['x1', 'y1'].forEach((k, j) => face.line.setAttribute(k, ends[0][j]));
         ['x2', 'y2'].forEach((k, j) => face.line.setAttribute(k, ends[1][j]));
         face.line.setAttribute('stroke', kMarks[what]);
-        face.line.setAttribute('stroke-width', (this.k * (4 + 10 * share)).toFixed(1));
-        face.line.setAttribute('stroke-opacity', (what === 'damage' ? 0.35 + 0.65 * share : 0.55 + 0.45 * share).toFixed(2));
-        face.line.setAttribute('stroke-dasharray', what === 'damage' && s.damage < 0.999 ? `${14 * this.k} ${8 * this.k}` : 'none');
+        face.line.setAttribute('stroke-width', (this.k * (what === 'cracks' ? 8 : 4 + 10 * share)).toFixed(1));
+        face.line.setAttribute('stroke-dasharray', what === 'cracks' && s.damage < 0.999 ? `${14 * this.k} ${8 * this.k}` : 'none');
     }
 
     drawLoad(film, t, scale, force) {
@@ -183,7 +186,7 @@ export class WallView {
         this.figure = element('figure', {}, (this.caption = element('figcaption', {})));
         this.show(0);
         this.still = matchMedia('(prefers-reduced-motion: reduce)');
-        host.append(this.controls(), this.figure, this.legend());
+        host.append(this.figure, this.controls(), this.legend());
     }
 
     controls() {
@@ -202,7 +205,7 @@ export class WallView {
         this.zoom = slider('Magnified', { min: 0, max: 1, step: 0.01, id: 'magnification' }, (v) => ((this.scale = 100 ** v), this.draw()));
         this.factor = element('output', { for: 'magnification' });
         this.zoom.row.append(this.factor);
-        const colour = choice('Joints', ['all', 'opening', 'slip', 'damage'].map((v) => ({ value: v, text: v })), 'all', (v) => ((this.shown = v), this.draw()));
+        const colour = choice('Show', ['all', 'opening', 'slip', 'cracks'].map((v) => ({ value: v, text: v })), 'all', (v) => ((this.shown = v), this.draw()));
         return element('div', { class: 'controls' },
             element('label', { class: 'pick', for: 'wall-choice' }, element('span', {}, 'Wall'), this.picker),
             element('div', { class: 'push' }, this.button, this.place.row),
@@ -221,6 +224,13 @@ export class WallView {
         this.drawing?.svg.remove();
         this.drawing = known;
         this.figure.prepend(known.svg);
+    }
+
+    /** The same sample under another stress, or else the first wall of it that can be shown; null: none. */
+    counterpart(level) {
+        const sample = this.data.walls[this.wall]?.sample;
+        const there = this.films.map((f) => f.wall).filter((w) => this.data.walls[w].level === level);
+        return there.find((w) => this.data.walls[w].sample === sample) ?? there[0] ?? null;
     }
 
     async open(wall) {
@@ -263,12 +273,12 @@ export class WallView {
 
     describe() {
         this.drawing.svg.setAttribute('aria-label', `Deformed wall. ${wallText(this.data, this.wall).replaceAll('\n', ', ')}`);
-        const item = (k, text) => element('li', {}, element('svg', { width: 28, height: 12, 'aria-hidden': 'true' }, element('rect', { x: 0, y: k === 'opening' ? 0 : 3, width: 28, height: k === 'opening' ? 12 : 6, fill: kMarks[k], opacity: k === 'opening' ? 0.6 : 1 })), text);
+        const item = (k, text) => element('li', {}, element('svg', { width: 28, height: 12, 'aria-hidden': 'true' }, element('rect', { x: 0, y: k === 'opening' ? 0 : 3, width: 28, height: k === 'opening' ? 12 : 6, fill: kMarks[k] })), text);
         const mm = (v) => fixed(v * 1e3, 1);
         this.keys.replaceChildren(
-            item('opening', `open joint, up to ${mm(this.largest.opening)} mm`),
-            item('slip', `slip of a closed joint, up to ${mm(this.largest.slip)} mm`),
-            item('damage', 'crack in a unit; dashed: not through'),
+            item('opening', `open joint, up to ${mm(this.largest.opening)} mm; drawn to scale`),
+            item('slip', `slip of a closed joint: wider with slip, up to ${mm(this.largest.slip)} mm`),
+            item('cracks', 'crack in a unit; dashed: not through'),
             ...(this.film.crushes ? [item('crushing', 'end of a joint or crack where stone crushes; full: crushed through')] : []));
     }
 

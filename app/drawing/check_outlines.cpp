@@ -40,10 +40,8 @@ void orient(OutlineNetwork& network)
         const std::vector<dem::Point> outline = outline_of(network, ring);
         const double area = dem::polygon_area(outline);
         double length = 0.0;
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const dem::Point a = outline[i], b = outline[(i + 1) % outline.size()];
-            length += std::hypot(b.x - a.x, b.z - a.z);
-        }
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            length += distance(outline[i], outline[(i + 1) % outline.size()]);
         if (2.0 * std::abs(area) <= network.snap * length) {
             refuse(network.frame, ring.line,
                    "the block at " + coordinates(network.frame, outline.front()) +

@@ -1,4 +1,5 @@
 #include "app/drawing/border_chains.hpp"
+#include "app/drawing/sides.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,7 @@ double length_of(const Chain& chain)
 {
     double length = 0.0;
     for (std::size_t i = 0; i + 1 < chain.points.size(); ++i)
-        length += std::hypot(chain.points[i + 1].x - chain.points[i].x,
-                             chain.points[i + 1].z - chain.points[i].z);
+        length += distance(chain.points[i], chain.points[i + 1]);
     return length;
 }
 

@@ -17,7 +17,6 @@ struct DrawnBlock {
     /// another block has a corner there. A common face has the same two corners in both blocks.
     std::vector<dem::Point> outline;
     std::string layer; ///< UTF-8; empty where the format has none
-    std::string place; ///< where it stands in the file, for messages: "line 1234"
 };
 
 struct Drawing {
@@ -32,6 +31,8 @@ struct DrawingOptions {
     bool unit_given = true;
     double snap =
         5e-4; ///< gaps and overlaps up to this are closed [m], in [0, 0.1]; of DXF, JSON, SVG
+    /// Open outlines of four corners or more are closed by a straight side; of DXF, SVG.
+    bool close_outlines = false;
     double width = 0.0;     ///< of a picture [m], > 0; of PNG
     double height = 0.0;    ///< of a picture [m], > 0; of PNG
     double simplify = 5e-3; ///< tolerance of outlines traced from a picture [m], >= 0; of PNG
@@ -39,6 +40,9 @@ struct DrawingOptions {
 
 /// Whether a file is read as a picture of stones.
 [[nodiscard]] bool is_picture(const std::filesystem::path& path);
+
+/// Whether the outlines of a file may be open: polylines of DXF and SVG.
+[[nodiscard]] bool has_polylines(const std::filesystem::path& path);
 
 /// Refuses blocks that cross themselves, overlap, hide in each other or touch nothing, as a drawing is refused.
 /// @param file named in the message

@@ -41,11 +41,13 @@ std::string readable_name(std::string_view bytes)
     return name;
 }
 
-bool read_number(std::string_view text, double& value)
+std::optional<double> read_number(std::string_view text)
 {
     if (text.starts_with('+')) text.remove_prefix(1); // from_chars knows no plus
+    double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 } // namespace app

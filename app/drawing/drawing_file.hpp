@@ -4,6 +4,7 @@
 #include "app/drawing/raw_drawing.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,7 @@ namespace app {
 /// The text as UTF-8 without control characters: bytes that are not UTF-8 are taken as Latin-1. For names of layers.
 [[nodiscard]] std::string readable_name(std::string_view bytes);
 
-/// Reads a whole text as one number, whatever the locale. False if it is none, or not finite.
-[[nodiscard]] bool read_number(std::string_view text, double& value);
+/// A whole text as one number, whatever the locale. Nothing if it is none, or not finite.
+[[nodiscard]] std::optional<double> read_number(std::string_view text);
 
 } // namespace app

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -49,12 +50,11 @@ LengthUnit inserted_unit(int code)
 void read_header(DxfContent& content, DxfGroups& groups)
 {
     bool wanted = false;
-    DxfGroup group;
-    while (groups.next(group)) {
-        if (group.code == 0) break;
-        if (group.code == 9) wanted = group.value == "$INSUNITS";
-        if (group.code != 70 || !wanted) continue;
-        const LengthUnit unit = inserted_unit(dxf_integer(content.drawing.frame, group));
+    while (const std::optional<DxfGroup> group = groups.next()) {
+        if (group->code == 0) break;
+        if (group->code == 9) wanted = group->value == "$INSUNITS";
+        if (group->code != 70 || !wanted) continue;
+        const LengthUnit unit = inserted_unit(dxf_integer(content.drawing.frame, *group));
         state_unit(content.drawing, unit.metres, unit.name);
     }
 }
@@ -62,12 +62,11 @@ void read_header(DxfContent& content, DxfGroups& groups)
 /// Reads to the end of the section TABLES, for the layers that are off or frozen.
 void read_tables(DxfContent& content, DxfGroups& groups)
 {
-    DxfGroup head;
-    while (groups.next(head)) {
-        if (head.code != 0) continue;
-        if (head.value == "ENDSEC") return;
-        if (head.value == "LAYER") add_layer(content, read_entity(groups, head));
-        if (head.value == "EOF" || head.value == "SECTION") {
+    while (const std::optional<DxfGroup> head = groups.next()) {
+        if (head->code != 0) continue;
+        if (head->value == "ENDSEC") return;
+        if (head->value == "LAYER") add_layer(content, read_entity(groups, *head));
+        if (head->value == "EOF" || head->value == "SECTION") {
             groups.step_back();
             return;
         }
@@ -77,15 +76,14 @@ void read_tables(DxfContent& content, DxfGroups& groups)
 /// Reads to the end of the section ENTITIES.
 void read_entities(DxfContent& content, DxfGroups& groups)
 {
-    DxfGroup head;
-    while (groups.next(head)) {
-        if (head.code != 0) continue;
-        if (head.value == "ENDSEC") return;
-        if (head.value == "EOF" || head.value == "SECTION") {
-            refuse(content.drawing.frame, head.line,
+    while (const std::optional<DxfGroup> head = groups.next()) {
+        if (head->code != 0) continue;
+        if (head->value == "ENDSEC") return;
+        if (head->value == "EOF" || head->value == "SECTION") {
+            refuse(content.drawing.frame, head->line,
                    "the section ENTITIES has no end; save the drawing as DXF again");
         }
-        const DxfEntity entity = read_entity(groups, head);
+        const DxfEntity entity = read_entity(groups, *head);
         add_entity(content, entity, groups);
     }
 }
@@ -99,18 +97,17 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
     content.drawing.frame = frame;
     content.snap = snap;
     DxfGroups groups(content.drawing.frame, bytes);
-    DxfGroup group;
     bool whole = false, has_entities = false, begins_section = false;
-    while (groups.next(group)) {
-        if (group.code == 0) {
-            whole = group.value == "EOF";
+    while (const std::optional<DxfGroup> group = groups.next()) {
+        if (group->code == 0) {
+            whole = group->value == "EOF";
             if (whole) break;
-            begins_section = group.value == "SECTION";
-        } else if (group.code == 2 && begins_section) {
+            begins_section = group->value == "SECTION";
+        } else if (group->code == 2 && begins_section) {
             begins_section = false;
-            if (group.value == "HEADER") read_header(content, groups);
-            if (group.value == "TABLES") read_tables(content, groups);
-            if (group.value == "ENTITIES") {
+            if (group->value == "HEADER") read_header(content, groups);
+            if (group->value == "TABLES") read_tables(content, groups);
+            if (group->value == "ENTITIES") {
                 read_entities(content, groups);
                 has_entities = true;
             }

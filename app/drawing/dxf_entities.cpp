@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -141,11 +142,11 @@ void add_heavy_polyline(DxfContent& content, const DxfEntity& entity, DxfGroups&
     }
     RawOutline outline{{}, a.layer, entity.line};
     double height = 0.0;
-    DxfGroup head;
-    while (groups.next(head)) {
-        if (head.code != 0) continue;
-        if (head.value != "VERTEX") break;
-        const DxfEntity vertex = read_entity(groups, head);
+    std::optional<DxfGroup> head;
+    while ((head = groups.next())) {
+        if (head->code != 0) continue;
+        if (head->value != "VERTEX") break;
+        const DxfEntity vertex = read_entity(groups, *head);
         const dem::Point at = point_of(frame, vertex, 10, 20);
         const double z = number_of(frame, vertex, 30, 0.0);
         if (outline.corners.empty()) height = z;
@@ -153,7 +154,7 @@ void add_heavy_polyline(DxfContent& content, const DxfEntity& entity, DxfGroups&
         if (const DxfGroup* bulge = find_group(vertex, 42)) refuse_bulge(frame, *bulge, at);
         outline.corners.push_back({a.extrusion * at.x + 0.0, at.z});
     }
-    if (head.code == 0 && head.value != "SEQEND") groups.step_back();
+    if (head && head->value != "SEQEND") groups.step_back();
     add_outline(drawing, std::move(outline), (a.flags & 1) != 0, content.snap);
 }
 
@@ -198,13 +199,12 @@ bool count_hidden(DxfContent& content, const DxfEntity& entity)
 DxfEntity read_entity(DxfGroups& groups, const DxfGroup& head)
 {
     DxfEntity entity{std::string(head.value), head.line, {}};
-    DxfGroup group;
-    while (groups.next(group)) {
-        if (group.code == 0) {
+    while (const std::optional<DxfGroup> group = groups.next()) {
+        if (group->code == 0) {
             groups.step_back();
             break;
         }
-        entity.groups.push_back(group);
+        entity.groups.push_back(*group);
     }
     return entity;
 }

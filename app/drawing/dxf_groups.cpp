@@ -17,24 +17,22 @@ std::string_view DxfGroups::take_line()
     return trimmed(line);
 }
 
-bool DxfGroups::next(DxfGroup& group)
+std::optional<DxfGroup> DxfGroups::next()
 {
     last_ = at_;
-    if (at_ >= text_.size()) return false;
+    if (at_ >= text_.size()) return {};
     const std::string_view code = take_line();
-    if (code.empty() && at_ >= text_.size()) return false; // an empty line at the end
-    double number = 0.0;
-    if (!read_number(code, number) || number != std::floor(number) || std::abs(number) > 2000) {
+    if (code.empty() && at_ >= text_.size()) return {}; // an empty line at the end
+    const std::optional<double> number = read_number(code);
+    if (!number || *number != std::floor(*number) || std::abs(*number) > 2000) {
         refuse(frame_, line_,
                "\"" + readable_name(code.substr(0, 40)) +
                    "\" is not a group code of DXF; save the drawing as ASCII DXF again");
     }
     if (at_ >= text_.size())
         refuse(frame_, line_, "the file ends within a pair; save the drawing as DXF again");
-    group.code = static_cast<int>(number);
-    group.value = take_line();
-    group.line = line_;
-    return true;
+    const std::string_view value = take_line();
+    return DxfGroup{static_cast<int>(*number), value, line_};
 }
 
 void DxfGroups::step_back()
@@ -45,13 +43,13 @@ void DxfGroups::step_back()
 
 double dxf_number(const DrawingFrame& frame, const DxfGroup& group)
 {
-    double value = 0.0;
-    if (!read_number(group.value, value)) {
+    const std::optional<double> value = read_number(group.value);
+    if (!value) {
         refuse(frame, group.line,
                "\"" + readable_name(group.value.substr(0, 40)) +
                    "\" is not a number; save the drawing as DXF again");
     }
-    return value;
+    return *value;
 }
 
 int dxf_integer(const DrawingFrame& frame, const DxfGroup& group)

@@ -4,6 +4,7 @@
 #include "app/drawing/raw_drawing.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace app {
@@ -21,9 +22,9 @@ class DxfGroups {
     /// @param text must outlive this
     DxfGroups(const DrawingFrame& frame, std::string_view text) : frame_(frame), text_(text) {}
 
-    /// False at the end of the file.
+    /// Nothing at the end of the file.
     /// @throws ConfigError if a code is no number, or has no value
-    bool next(DxfGroup& group);
+    [[nodiscard]] std::optional<DxfGroup> next();
 
     /// The next call of next() gives the last group once more.
     void step_back();

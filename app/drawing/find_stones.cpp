@@ -1,5 +1,6 @@
 #include "app/drawing/picture.hpp"
 
+#include "app/drawing/smooth_edges.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ constexpr double kSpread = 40.0;        // of a pixel from the mean grey of its 
 constexpr double kSpreadShare = 0.90;   // of the pixels must be within
 constexpr int kBlack = 8;               // mortar where each stone has its own colour
 constexpr double kLeastCover = 0.3;     // of the picture must be stones
+constexpr double kFewNarrow = 2.0;      // stones may be as narrow as edges in any picture
+constexpr double kMostNarrow = 0.1;     // of the stones of a picture with smooth edges
 
 struct Colour {
     int red = 0, green = 0, blue = 0;
@@ -94,14 +97,19 @@ std::vector<int> kinds_of(const Picture& picture, std::size_t pixels, const TwoG
 }
 
 struct Pieces {
-    std::size_t dirt = 0;    ///< pieces that were too small
-    std::size_t covered = 0; ///< pixels of stones
+    std::size_t dirt = 0;      ///< pieces that were too small
+    std::size_t edges = 0;     ///< pieces of mixed colours
+    std::size_t covered = 0;   ///< pixels of stones
+    std::size_t narrow = 0;    ///< stones no wider than an edge may be
+    std::size_t narrow_at = 0; ///< the first pixel of the first of them
 };
 
+/// @param coloured a colour may be a mixture of others
 Pieces number_pieces(const DrawingFrame& frame, Labels& labels, const std::vector<int>& kind,
-                     double least_pixels)
+                     double least_pixels, bool coloured)
 {
     std::vector<char> seen(labels.label.size());
+    const std::vector<char> inner = coloured ? inner_pixels(labels, kind) : std::vector<char>();
     Pieces pieces;
     for (std::size_t i = 0; i < labels.label.size(); ++i) {
         if (seen[i] || kind[i] == kMortar) continue;
@@ -110,6 +118,13 @@ Pieces number_pieces(const DrawingFrame& frame, Labels& labels, const std::vecto
             ++pieces.dirt;
             continue;
         }
+        if (coloured && is_smooth_edge(labels, kind, inner, piece)) {
+            ++pieces.edges;
+            continue;
+        }
+        if (coloured && std::ranges::none_of(piece, [&](std::size_t p) { return inner[p]; }) &&
+            pieces.narrow++ == 0)
+            pieces.narrow_at = i;
         if (labels.stones >= static_cast<int>(kMostBlocks)) {
             refuse(frame, 0,
                    "has more than " + std::to_string(kMostBlocks) +
@@ -120,6 +135,13 @@ Pieces number_pieces(const DrawingFrame& frame, Labels& labels, const std::vecto
         ++labels.stones;
     }
     return pieces;
+}
+
+std::string place_of(std::size_t pixel, const Labels& labels)
+{
+    const auto columns = static_cast<std::size_t>(labels.columns);
+    return "pixel (" + std::to_string(pixel % columns) + ", " +
+           std::to_string(pixel / columns) + ")";
 }
 
 } // namespace
@@ -134,9 +156,19 @@ Labels find_stones(const DrawingFrame& frame, const Picture& picture, PixelSize 
     const double pixel_area = pixel.width * pixel.height;
     const TwoGreys greys = two_greys(picture, pixels);
     const double least = std::max(kLeastPixels, dirt / pixel_area);
-    const Pieces pieces = number_pieces(frame, labels, kinds_of(picture, pixels, greys), least);
+    const Pieces pieces =
+        number_pieces(frame, labels, kinds_of(picture, pixels, greys), least, !greys.are);
     const double covered = static_cast<double>(pieces.covered),
                  share = covered / static_cast<double>(pixels);
+    const double most_narrow = std::max(kFewNarrow, kMostNarrow * labels.stones);
+    if (pieces.edges > 0 && static_cast<double>(pieces.narrow) > most_narrow) {
+        refuse(frame, 0,
+               "has smooth edges, and " + std::to_string(pieces.narrow) + " of " +
+                   counted(static_cast<std::size_t>(labels.stones), "stone", "stones") +
+                   " would be at most " + std::to_string(kWidestEdge) +
+                   " pixels wide, such as the one at " + place_of(pieces.narrow_at, labels) +
+                   "; paint them without smooth edges, or white on black");
+    }
     if (share < kLeastCover) {
         refuse(frame, 0,
                "was taken as " +
@@ -156,10 +188,23 @@ Labels find_stones(const DrawingFrame& frame, const Picture& picture, PixelSize 
         number(covered * pixel_area, 5) + " m2 of " +
         number(static_cast<double>(pixels) * pixel_area, 5) + " m2 (" +
         fixed(100.0 * share, 1) + " %); the mortar between them was divided at its middle.");
+    if (pieces.edges > 0) {
+        notes.push_back(
+            counted(pieces.edges, "area", "areas") + " of at most " +
+            std::to_string(kWidestEdge) + " pixels in width, of " +
+            (pieces.edges == 1 ? "a colour" : "colours") + " mixed of those on both sides, " +
+            (pieces.edges == 1 ? "was" : "were") + " taken as smooth edges, not as stones.");
+    }
+    if (pieces.narrow > 0) {
+        notes.push_back(counted(pieces.narrow, "stone is", "stones are") + " at most " +
+                        std::to_string(kWidestEdge) + " pixels wide, such as the one at " +
+                        place_of(pieces.narrow_at, labels) + ".");
+    }
     if (pieces.dirt > 0) {
         notes.push_back(counted(pieces.dirt, "area", "areas") + " smaller than " +
                         number(least * pixel_area * 1e4, 3) + " cm2 " +
-                        (pieces.dirt == 1 ? "was" : "were") + " taken as dirt.");
+                        (pieces.dirt == 1 ? "was" : "were") + " taken as dirt" +
+                        (pieces.edges > 0 ? ", or as parts of such edges." : "."));
     }
     return labels;
 }

@@ -106,9 +106,9 @@ dem::Point farthest_from(const OutlineNetwork& network, const Ring& ring, dem::P
     double most = 0.0;
     for (const int n : ring.corners) {
         const dem::Point q = network.nodes[n];
-        const double distance = std::hypot(q.x - p.x, q.z - p.z);
-        if (distance <= most) continue;
-        most = distance;
+        const double away = distance(q, p);
+        if (away <= most) continue;
+        most = away;
         found = q;
     }
     return found;
@@ -119,9 +119,8 @@ void refuse_thin(const OutlineNetwork& network)
     for (const Ring& ring : network.rings) {
         const dem::Point a = farthest_from(network, ring, network.nodes[ring.corners.front()]);
         const dem::Point b = farthest_from(network, ring, a);
-        double share = 0.0;
         const bool thin = std::ranges::all_of(ring.corners, [&](int n) {
-            return distance_to_segment(network.nodes[n], a, b, share) <= network.snap;
+            return nearest_on_segment(network.nodes[n], a, b).distance <= network.snap;
         });
         if (!thin) continue;
         refuse(network.frame, ring.line,
@@ -206,14 +205,14 @@ void straighten_sides(OutlineNetwork& network, const Fitting& fitting)
         for (const OnSide& o : fitting.on_sides) {
             const dem::Point a = network.nodes[o.a], b = network.nodes[o.b],
                              p = network.nodes[o.n];
-            double share = 0.0;
-            if (distance_to_segment(p, a, b, share) <= kLeastSnap) continue;
+            const auto [share, off] = nearest_on_segment(p, a, b);
+            if (off <= kLeastSnap) continue;
             const bool level = p.z == 0.0 || p.z == fitting.top;
             const dem::Point on{a.x + share * (b.x - a.x),
                                 level ? p.z : a.z + share * (b.z - a.z)};
             const dem::Point was = fitting.drawn[o.n];
-            if (std::hypot(on.x - was.x, on.z - was.z) > 2.0 * network.snap) continue;
-            moved |= std::hypot(on.x - p.x, on.z - p.z) > 0.1 * kLeastSnap;
+            if (distance(on, was) > 2.0 * network.snap) continue;
+            moved |= distance(on, p) > 0.1 * kLeastSnap;
             network.nodes[o.n] = on;
         }
     }
@@ -226,7 +225,7 @@ void note_fitting(OutlineNetwork& network, const Fitting& fitting)
     for (const OnSide& o : fitting.on_sides) {
         const dem::Point was = fitting.drawn[o.n], now = network.nodes[o.n];
         on_sides.insert(o.n);
-        farthest = std::max(farthest, std::hypot(now.x - was.x, now.z - was.z));
+        farthest = std::max(farthest, distance(now, was));
     }
     if (fitting.joined > 0) {
         network.notes.push_back(counted(fitting.joined, "corner was", "corners were") +

@@ -101,6 +101,7 @@ void shift_to_origin(Drawing& drawing)
 
 Drawing fit_drawing(RawDrawing raw, double snap)
 {
+    note_mended(raw);
     add_line_faces(raw, std::max(snap, kLeastSnap));
     if (raw.outlines.empty()) {
         refuse(raw.frame, 0, "holds no closed outline; draw each block as a closed polyline");
@@ -121,11 +122,8 @@ Drawing fit_drawing(RawDrawing raw, double snap)
     check_outlines(network);
     note_gaps(network);
     Drawing drawing;
-    for (const Ring& ring : network.rings) {
-        DrawnBlock block{outline_of(network, ring), ring.layer, ""};
-        if (ring.line > 0) block.place = "line " + std::to_string(ring.line);
-        drawing.blocks.push_back(std::move(block));
-    }
+    for (const Ring& ring : network.rings)
+        drawing.blocks.push_back({outline_of(network, ring), ring.layer});
     shift_to_origin(drawing);
     drawing.notes = std::move(network.notes);
     return drawing;

@@ -48,6 +48,7 @@ struct Begun {
     int line = 0;
     std::size_t taken = 0; ///< outlines and meshes before it
     bool list = false;     ///< an array
+    DifferentKeys keys;    ///< of an object, so far
 };
 
 struct JsonContent {
@@ -200,7 +201,7 @@ bool add_object(JsonContent& content, const json& object, int line)
 }
 
 /// What a list of blocks holds must be a block, or have one within.
-void refuse_no_block(const JsonContent& content, const json& object, Begun begun)
+void refuse_no_block(const JsonContent& content, const json& object, const Begun& begun)
 {
     if (content.taken() > begun.taken) return;
     refuse(content.drawing.frame, begun.line,
@@ -214,6 +215,8 @@ bool take(JsonContent& content, int depth, json::parse_event_t event, json& pars
     const auto level = static_cast<std::size_t>(depth);
     switch (event) {
     case json::parse_event_t::key:
+        content.begun[level - 1].keys.add(parsed.get<std::string>(), content.drawing.frame,
+                                          content.line, content.begun[level - 1].line);
         if (depth == 1) content.key = parsed.get<std::string>();
         break;
     case json::parse_event_t::object_start:
@@ -224,7 +227,7 @@ bool take(JsonContent& content, int depth, json::parse_event_t event, json& pars
         }
         content.begun.resize(level);
         content.begun.push_back(
-            {content.line, content.taken(), event == json::parse_event_t::array_start});
+            {content.line, content.taken(), event == json::parse_event_t::array_start, {}});
         break;
     case json::parse_event_t::object_end:
         if (add_object(content, parsed, content.begun[level].line)) return false;

@@ -1,6 +1,7 @@
 #include "app/drawing/json_keys.hpp"
 
 #include "app/drawing/drawing_file.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 
@@ -25,6 +26,14 @@ void UnknownKeys::note(RawDrawing& drawing) const
         list += (list.empty() ? "" : ", ") + std::to_string(n) + " " + key;
     if (!list.empty())
         drawing.notes.push_back("Keys that are not read were ignored: " + list + ".");
+}
+
+void DifferentKeys::add(const std::string& key, const DrawingFrame& frame, int line, int begin)
+{
+    if (keys_.insert(key).second) return;
+    refuse(frame, line,
+           in_quotes(short_name(key)) + " stands twice in the object that begins on line " +
+               std::to_string(begin) + "; keep one of them, or join what they hold");
 }
 
 std::string keys_of(const nlohmann::json& object)

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,18 @@ class UnknownKeys {
 
   private:
     std::map<std::string, std::size_t> found_;
+};
+
+/// The keys of one object. The parser keeps the last of two values with the same key, and a list of blocks would be lost.
+class DifferentKeys {
+  public:
+    /// @param line on which the key stands
+    /// @param begin line on which the object begins
+    /// @throws ConfigError if the object has it already
+    void add(const std::string& key, const DrawingFrame& frame, int line, int begin);
+
+  private:
+    std::set<std::string> keys_;
 };
 
 /// "outlin, layer": the keys of an object, for messages.

@@ -51,7 +51,9 @@ std::map<Side, int> pieces_of(const RawDrawing& drawing, const std::vector<dem::
         const auto line = [&](int side) { return drawing.lines[owner[side]].line; };
         refuse(drawing.frame, line(crossing->second),
                "this line crosses the one of line " + std::to_string(line(crossing->first)) +
-                   " at " + raw_coordinates(drawing.frame, crossing->at) + "; end both there");
+                   " at " + raw_coordinates(drawing.frame, crossing->at) +
+                   "; end both there, or, where they only overlap a little, make wall.snap (" +
+                   millimetres(snap * drawing.frame.unit) + ") larger than that");
     }
     return pieces;
 }
@@ -117,8 +119,8 @@ std::string main_layer(const RawDrawing& drawing, const LineNetwork& network,
     std::map<std::string, double> lengths;
     for (const std::size_t i : face) {
         const HalfLine& h = network.half_lines[i];
-        const dem::Point a = network.nodes[h.from], b = network.nodes[h.to];
-        lengths[drawing.lines[h.line].layer] += std::hypot(b.x - a.x, b.z - a.z);
+        lengths[drawing.lines[h.line].layer] +=
+            distance(network.nodes[h.from], network.nodes[h.to]);
     }
     const auto longest = std::ranges::max_element(lengths, [](const auto& a, const auto& b) {
         return a.second < b.second * (1.0 - 1e-9);
@@ -126,26 +128,40 @@ std::string main_layer(const RawDrawing& drawing, const LineNetwork& network,
     return longest->first;
 }
 
+/// What the lines enclose: as many areas as were added, or were gaps.
+struct Enclosed {
+    std::size_t blocks = 0, gaps = 0;
+};
+
+/// Where each block has lines of its own, a little apart, the lines enclose slivers too.
+/// @param snap in the drawing's unit
 void add_face(RawDrawing& drawing, const LineNetwork& network,
-              const std::vector<std::size_t>& face)
+              const std::vector<std::size_t>& face, double snap, Enclosed& enclosed)
 {
+    constexpr double kWidestGap = 2.0; // times snap: corners may be off by snap on either side
     RawOutline outline;
-    double twice = 0.0;
+    double twice = 0.0, length = 0.0;
     for (const std::size_t i : face) {
         const HalfLine& h = network.half_lines[i];
         const dem::Point o = network.nodes[network.half_lines[face.front()].from];
         const dem::Point a = network.nodes[h.from], b = network.nodes[h.to];
         twice += (a.x - o.x) * (b.z - o.z) - (a.z - o.z) * (b.x - o.x);
+        length += distance(a, b);
         outline.corners.push_back(a);
         const int line = drawing.lines[h.line].line;
         outline.line = outline.line == 0 ? line : std::min(outline.line, line);
     }
-    if (twice <= 0.0) return; // what is around everything
+    if (twice <= 0.0) return;                  // what is around everything
+    if (twice <= kWidestGap * snap * length) { // of a strip: width times its two long sides
+        ++enclosed.gaps;
+        return;
+    }
+    ++enclosed.blocks;
     outline.layer = main_layer(drawing, network, face);
     add_outline(drawing, std::move(outline), true, 0.0);
 }
 
-void add_faces(RawDrawing& drawing, const LineNetwork& network)
+Enclosed add_faces(RawDrawing& drawing, const LineNetwork& network, double snap)
 {
     const std::vector<std::size_t> next = next_around(network);
     const std::size_t none = network.half_lines.size();
@@ -170,7 +186,10 @@ void add_faces(RawDrawing& drawing, const LineNetwork& network)
                    " to " + raw_coordinates(drawing.frame, network.nodes[h.to]) +
                    " is not a side of a closed outline; delete it");
     }
-    for (const std::vector<std::size_t>& face : faces) add_face(drawing, network, face);
+    Enclosed enclosed;
+    for (const std::vector<std::size_t>& face : faces)
+        add_face(drawing, network, face, snap, enclosed);
+    return enclosed;
 }
 
 } // namespace
@@ -178,20 +197,26 @@ void add_faces(RawDrawing& drawing, const LineNetwork& network)
 void add_line_faces(RawDrawing& drawing, double snap)
 {
     if (drawing.lines.empty()) return;
-    const std::size_t before = drawing.outlines.size();
+    Enclosed enclosed;
     const double tolerance = snap / drawing.frame.unit;
     try {
         const LineNetwork network = connected(drawing, tolerance);
         refuse_loose_ends(drawing, network, tolerance);
-        add_faces(drawing, network);
+        enclosed = add_faces(drawing, network, tolerance);
     } catch (const TooCrowded& crowd) {
         refuse(drawing.frame, 0,
                "has too many lines near " + raw_coordinates(drawing.frame, crowd.at) +
                    "; simplify the drawing there");
     }
     drawing.notes.push_back(counted(drawing.lines.size(), "line encloses ", "lines enclose ") +
-                            counted(drawing.outlines.size() - before, "block", "blocks") +
+                            counted(enclosed.blocks, "block", "blocks") +
                             "; each enclosed area is a block, even an opening.");
+    if (enclosed.gaps > 0)
+        drawing.notes.push_back(
+            counted(enclosed.gaps, "area", "areas") + " between lines, at most " +
+            millimetres(2.0 * snap) + " wide, " +
+            (enclosed.gaps == 1 ? "was taken as a gap" : "were taken as gaps") +
+            " between blocks; a larger wall.snap would join the lines.");
 }
 
 } // namespace app

@@ -25,10 +25,10 @@ void note_gaps(OutlineNetwork& network)
             const std::vector<int>& own = rings[node];
             if (std::ranges::find(own, all.ring[s]) != own.end()) continue;
             if (std::exchange(counted_node[node], 1)) continue;
-            double share = 0.0;
-            widest = std::max(
-                widest, distance_to_segment(network.nodes[node], network.nodes[all.sides[s].a],
-                                            network.nodes[all.sides[s].b], share));
+            const OnSegment on =
+                nearest_on_segment(network.nodes[node], network.nodes[all.sides[s].a],
+                                   network.nodes[all.sides[s].b]);
+            widest = std::max(widest, on.distance);
             if (++n == 1) first = network.nodes[node];
         }
     if (n == 0) return;

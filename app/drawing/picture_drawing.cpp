@@ -107,30 +107,16 @@ void note_borders(Drawing& drawing, const Borders& borders, double simplify)
             (borders.closed == 1 ? " was closed to a point." : " were closed to points."));
     }
     if (borders.straightened > 0) {
-        drawing.notes.push_back(
-            counted(borders.straightened, "corner", "corners") +
-            " of three stones or more were put onto the straight line of two "
-            "borders.");
+        drawing.notes.push_back(counted(borders.straightened, "corner", "corners") +
+                                " of three stones or more " +
+                                (borders.straightened == 1 ? "was" : "were") +
+                                " put onto the straight line of two borders.");
     }
     if (borders.simplified.finer > 0) {
         drawing.notes.push_back(
             counted(borders.simplified.finer, "border was", "borders were") +
             " simplified less, to keep clear of others.");
     }
-}
-
-/// "pixel (3, 0)": the first of each stone.
-std::vector<std::string> places_of(const Labels& labels)
-{
-    std::vector<std::string> places(static_cast<std::size_t>(labels.stones));
-    for (int row = 0; row < labels.rows; ++row)
-        for (int column = 0; column < labels.columns; ++column) {
-            const int stone = labels.at(column, row);
-            if (stone == kMortar || !places[stone].empty()) continue;
-            places[stone] =
-                "pixel (" + std::to_string(column) + ", " + std::to_string(row) + ")";
-        }
-    return places;
 }
 
 } // namespace
@@ -148,7 +134,6 @@ Drawing read_picture(const DrawingFrame& frame, std::string_view bytes,
         const double dirt = kDirt * options.simplify;
         labels = find_stones(frame, picture, pixel, dirt * dirt, drawing.notes);
     }
-    const std::vector<std::string> places = places_of(labels);
     const Painted painted = painted_stones(labels);
     labels = grow_stones(std::move(labels), pixel);
     note_pixels(drawing, pixel, options.simplify);
@@ -157,8 +142,8 @@ Drawing read_picture(const DrawingFrame& frame, std::string_view bytes,
         note_borders(drawing, borders, options.simplify);
         std::vector<std::vector<dem::Point>> outlines =
             outlines_of(frame, borders.network, borders.simplified, labels.stones);
-        for (std::size_t i = 0; i < outlines.size(); ++i)
-            drawing.blocks.push_back({std::move(outlines[i]), "", places[i]});
+        for (std::vector<dem::Point>& outline : outlines)
+            drawing.blocks.push_back({std::move(outline), ""});
     } catch (const TooCrowded& crowd) {
         refuse(frame, 0,
                "has too many borders near " + raw_coordinates(frame, crowd.at) +

@@ -1,10 +1,14 @@
 #include "app/drawing/raw_drawing.hpp"
 
+#include "app/drawing/sides.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace app {
 
@@ -52,9 +56,40 @@ dem::Point checked_point(const DrawingFrame& frame, int line, double x, double z
     return {x + 0.0, z + 0.0}; // no -0.0
 }
 
+namespace {
+
+/// Whether the corners from `from` on lie on the first sides of the outline, one after the other.
+bool runs_over_first_sides(const std::vector<dem::Point>& corners, std::size_t from,
+                           double tolerance)
+{
+    std::size_t side = 0;
+    for (std::size_t i = from; i < corners.size(); ++i)
+        while (nearest_on_segment(corners[i], corners[side], corners[side + 1]).distance >
+               tolerance) {
+            ++side; // only from the end of the one before
+            if (side >= from || distance(corners[i - 1], corners[side]) > tolerance)
+                return false;
+        }
+    return true;
+}
+
+/// The number of corners up to where an outline comes back to its first corner and runs on over its own first sides.
+std::size_t corners_without_rest(const std::vector<dem::Point>& corners, double tolerance)
+{
+    for (std::size_t i = 3; i + 1 < corners.size(); ++i)
+        if (distance(corners[i], corners.front()) <= tolerance &&
+            runs_over_first_sides(corners, i, tolerance))
+            return i;
+    return corners.size();
+}
+
+} // namespace
+
 void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double snap)
 {
+    constexpr std::size_t kLeastCorners = 4; // of an open outline that may be a stone
     const DrawingFrame& frame = drawing.frame;
+    MendedOutlines& mended = drawing.mended;
     std::vector<dem::Point>& corners = outline.corners;
     if (drawing.outlines.size() >= kMostBlocks) {
         refuse(frame, outline.line,
@@ -62,13 +97,31 @@ void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double sn
                    " blocks; draw a part of the wall");
     }
     if (corners.empty()) refuse(frame, outline.line, "an outline has no corners; delete it");
+    const std::size_t ring = corners_without_rest(corners, snap / frame.unit);
+    if (ring < corners.size()) {
+        const bool runs_on = distance(corners.front(), corners.back()) * frame.unit > snap;
+        if (runs_on && mended.run_on++ == 0) mended.first_run_on = outline.line;
+        corners.resize(ring);
+        closed = true;
+    }
     const dem::Point first = corners.front(), last = corners.back();
-    const double gap = std::hypot(last.x - first.x, last.z - first.z) * frame.unit;
+    const double gap = distance(first, last) * frame.unit;
     if (!closed && (gap > snap || corners.size() < 3)) {
-        refuse(frame, outline.line,
-               "this outline is open: it begins at " + raw_coordinates(frame, first) +
-                   " and ends at " + raw_coordinates(frame, last) + ", " + millimetres(gap) +
-                   " apart; close it, or delete it if it is not a block");
+        const bool can_be_closed = corners.size() >= kLeastCorners;
+        if (!can_be_closed || !frame.close_outlines)
+            refuse(frame, outline.line,
+                   "this outline is open: it begins at " + raw_coordinates(frame, first) +
+                       " and ends at " + raw_coordinates(frame, last) + ", " +
+                       millimetres(gap) +
+                       " apart; close it, or delete it if it is not a block" +
+                       (can_be_closed ? "; wall.close_outlines = yes would close it, and all "
+                                        "others, by a straight side"
+                                      : ""));
+        ++mended.closed;
+        if (gap > mended.widest) {
+            mended.widest = gap;
+            mended.widest_line = outline.line;
+        }
     }
     if (corners.size() > 1 && gap <= snap) corners.pop_back();
     drawing.outlines.push_back(std::move(outline));
@@ -82,6 +135,27 @@ void add_line(RawDrawing& drawing, RawLine line)
                    " lines; draw a part of the wall");
     }
     drawing.lines.push_back(std::move(line));
+}
+
+void note_mended(RawDrawing& drawing)
+{
+    const MendedOutlines& m = drawing.mended;
+    if (m.run_on > 0) {
+        const bool one = m.run_on == 1;
+        drawing.notes.push_back(
+            counted(m.run_on, "outline runs on over its", "outlines run on over their") +
+            " own first sides once " + (one ? "it has" : "they have") + " closed (line " +
+            std::to_string(m.first_run_on) + (one ? ")" : " and others)") +
+            "; what runs on was left out.");
+    }
+    if (m.closed > 0) {
+        const bool one = m.closed == 1;
+        drawing.notes.push_back(counted(m.closed, "outline was", "outlines were") +
+                                " open and " + (one ? "was" : "were") +
+                                " closed by a straight side (wall.close_outlines); the " +
+                                (one ? "" : "widest ") + "gap was " + millimetres(m.widest) +
+                                ", of line " + std::to_string(m.widest_line) + ".");
+    }
 }
 
 void note_ignored(RawDrawing& drawing, const std::map<std::string, std::size_t>& ignored)

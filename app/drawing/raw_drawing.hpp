@@ -43,17 +43,28 @@ struct RawLine {
 /// Names the file and writes its coordinates.
 struct DrawingFrame {
     std::string file;
-    double unit = 1.0;      ///< length of one unit of the drawing [m]
-    bool z_down = false;    ///< the second coordinate of the file points downwards
-    dem::Point origin;      ///< what became (0, 0), in the drawing's unit, z upwards
-    bool unit_given = true; ///< the user gives the unit, whatever the file states
-    bool snap_given = true; ///< there is a wall.snap that the user can change
+    double unit = 1.0;           ///< length of one unit of the drawing [m]
+    bool z_down = false;         ///< the second coordinate of the file points downwards
+    dem::Point origin;           ///< what became (0, 0), in the drawing's unit, z upwards
+    bool unit_given = true;      ///< the user gives the unit, whatever the file states
+    bool snap_given = true;      ///< there is a wall.snap that the user can change
+    bool close_outlines = false; ///< open outlines of four corners or more
+};
+
+/// Outlines that do not end where they begin, and were read all the same.
+struct MendedOutlines {
+    std::size_t run_on = 0; ///< over their own first sides
+    int first_run_on = 0;   ///< line of the file
+    std::size_t closed = 0; ///< by a straight side
+    double widest = 0.0;    ///< gap that was closed [m]
+    int widest_line = 0;    ///< of the file
 };
 
 struct RawDrawing {
     DrawingFrame frame;
     std::vector<RawOutline> outlines;
     std::vector<RawLine> lines;
+    MendedOutlines mended;
     std::vector<std::string> notes;
     double own_unit =
         0.0; ///< length of one unit [m] that the file itself states; 0 if it states none
@@ -77,7 +88,8 @@ void state_unit(RawDrawing& drawing, double unit, std::string_view name);
 /// "0.4 mm" of a length in metres.
 [[nodiscard]] std::string millimetres(double length);
 
-/// Adds a chain of corners that is a closed outline: `closed`, or its ends coincide within `snap`.
+/// Adds a chain of corners that is a closed outline: `closed`, or its ends coincide within `snap`, or it runs on over its
+/// own first sides once it is back at its first corner. An open one of four corners or more is closed if the frame says so.
 /// @param snap [m]
 /// @throws ConfigError if it is open, or a coordinate is no finite number
 void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double snap);
@@ -85,6 +97,9 @@ void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double sn
 /// Adds a line.
 /// @throws ConfigError if there are too many
 void add_line(RawDrawing& drawing, RawLine line);
+
+/// Notes which outlines were mended.
+void note_mended(RawDrawing& drawing);
 
 /// Notes how many of each kind were passed over.
 void note_ignored(RawDrawing& drawing, const std::map<std::string, std::size_t>& ignored);

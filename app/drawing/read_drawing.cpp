@@ -5,8 +5,11 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 
+#include <algorithm>
+#include <array>
 #include <locale>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace app {
@@ -29,9 +32,32 @@ void check_options(const std::string& file, const DrawingOptions& options)
     }
 }
 
+/// What to do with a file of another format.
+std::string remedy_for(const std::string& extension)
+{
+    struct Other {
+        std::string_view extension, remedy;
+    };
+    constexpr std::array kOthers = {
+        Other{".jpg", "save it as PNG"},       Other{".jpeg", "save it as PNG"},
+        Other{".gif", "save it as PNG"},       Other{".bmp", "save it as PNG"},
+        Other{".tif", "save it as PNG"},       Other{".tiff", "save it as PNG"},
+        Other{".webp", "save it as PNG"},      Other{".dwg", "save it as ASCII DXF"},
+        Other{".pdf", "save it as DXF or SVG"}};
+    const auto other = std::ranges::find(kOthers, extension, &Other::extension);
+    return other != kOthers.end() ? std::string(other->remedy)
+                                  : "give a .dxf, .json, .svg or .png file";
+}
+
 } // namespace
 
 bool is_picture(const std::filesystem::path& path) { return extension_of(path) == ".png"; }
+
+bool has_polylines(const std::filesystem::path& path)
+{
+    const std::string extension = extension_of(path);
+    return extension == ".dxf" || extension == ".svg";
+}
 
 void check_blocks(const std::string& file, int line, std::span<const DrawnBlock> blocks)
 {
@@ -45,8 +71,8 @@ void check_blocks(const std::string& file, int line, std::span<const DrawnBlock>
 Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& options)
 {
     const std::string extension = extension_of(path);
-    const DrawingFrame frame{
-        path.string(), options.unit, extension == ".svg", {}, options.unit_given};
+    const DrawingFrame frame{path.string(),      options.unit, extension == ".svg",   {},
+                             options.unit_given, true,         options.close_outlines};
     check_options(frame.file, options);
     const double snap = options.snap;
     if (extension == ".dxf")
@@ -56,9 +82,8 @@ Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& op
     if (extension == ".svg")
         return fit_drawing(read_svg(frame, read_drawing_bytes(path), snap), snap);
     if (is_picture(path)) return read_picture(frame, read_drawing_bytes(path), options);
-    throw ConfigError(
-        frame.file, 0, "",
-        "is not a drawing that can be read; give a .dxf, .json, .svg or .png file");
+    throw ConfigError(frame.file, 0, "",
+                      "is not a drawing that can be read; " + remedy_for(extension));
 }
 
 } // namespace app

@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::size_t kMostPairs = 200'000'000; // about a second
 
-double distance(dem::Point a, dem::Point b) { return std::hypot(b.x - a.x, b.z - a.z); }
-
 /// Twice the signed area of the triangle a, b, c.
 double turn(dem::Point a, dem::Point b, dem::Point c)
 {
@@ -93,13 +91,15 @@ Welded weld(std::span<const dem::Point> points, double snap)
     return welded;
 }
 
-double distance_to_segment(dem::Point p, dem::Point a, dem::Point b, double& share)
+double distance(dem::Point a, dem::Point b) { return std::hypot(b.x - a.x, b.z - a.z); }
+
+OnSegment nearest_on_segment(dem::Point p, dem::Point a, dem::Point b)
 {
     const double dx = b.x - a.x, dz = b.z - a.z, length2 = dx * dx + dz * dz;
-    share = length2 > 0.0
-                ? std::clamp(((p.x - a.x) * dx + (p.z - a.z) * dz) / length2, 0.0, 1.0)
-                : 0.0;
-    return std::hypot(p.x - (a.x + share * dx), p.z - (a.z + share * dz));
+    const double share =
+        length2 > 0.0 ? std::clamp(((p.x - a.x) * dx + (p.z - a.z) * dz) / length2, 0.0, 1.0)
+                      : 0.0;
+    return {share, distance(p, {a.x + share * dx, a.z + share * dz})};
 }
 
 std::vector<std::vector<int>> nodes_on_sides(std::span<const dem::Point> nodes,
@@ -123,9 +123,8 @@ std::vector<std::vector<int>> nodes_on_sides(std::span<const dem::Point> nodes,
             if (pairs > kMostPairs) throw TooCrowded(a);
             for (const int n : lists[cell]) {
                 if (n == sides[s].a || n == sides[s].b) continue;
-                double share = 0.0;
-                if (distance_to_segment(nodes[n], a, b, share) <= snap)
-                    on_side.emplace_back(share, n);
+                const OnSegment on = nearest_on_segment(nodes[n], a, b);
+                if (on.distance <= snap) on_side.emplace_back(on.share, n);
             }
         });
         std::ranges::sort(on_side);

@@ -63,9 +63,15 @@ struct Side {
     friend auto operator<=>(const Side&, const Side&) = default;
 };
 
-/// The distance of p from the segment; `share` is where on it, in [0, 1].
-[[nodiscard]] double distance_to_segment(dem::Point p, dem::Point a, dem::Point b,
-                                         double& share);
+/// [m], or in the unit of the points
+[[nodiscard]] double distance(dem::Point a, dem::Point b);
+
+/// The point of a segment that is nearest to another.
+struct OnSegment {
+    double share = 0.0;    ///< where on the segment [-], in [0, 1]
+    double distance = 0.0; ///< from the other point, in the unit of the points
+};
+[[nodiscard]] OnSegment nearest_on_segment(dem::Point p, dem::Point a, dem::Point b);
 
 /// For each side the nodes within `snap` of it that are not its ends, in the order from a to b. Only nodes that a side has
 /// are looked at.

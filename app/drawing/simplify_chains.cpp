@@ -23,8 +23,8 @@ std::vector<dem::Point> simplified(const std::vector<dem::Point>& points, double
         double most = std::max(tolerance, 1e-12);
         std::size_t farthest = first;
         for (std::size_t i = first + 1; i < last; ++i) {
-            double share = 0.0;
-            const double d = distance_to_segment(points[i], points[first], points[last], share);
+            const double d =
+                nearest_on_segment(points[i], points[first], points[last]).distance;
             if (d <= most) continue;
             most = d;
             farthest = i;

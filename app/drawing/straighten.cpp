@@ -22,9 +22,8 @@ bool is_straight(const OutlineNetwork& network, const std::vector<int>& corners,
     const dem::Point a = at(corners[thin.before[i]]), b = at(corners[thin.after[i]]);
     const std::vector<int>&one = thin.left_out[thin.before[i]], &other = thin.left_out[i];
     if (one.size() + other.size() > kMost) return false;
-    double share = 0.0;
     const auto near = [&](int n) {
-        return distance_to_segment(at(n), a, b, share) <= network.snap;
+        return nearest_on_segment(at(n), a, b).distance <= network.snap;
     };
     return near(corners[i]) && std::ranges::all_of(one, near) &&
            std::ranges::all_of(other, near);

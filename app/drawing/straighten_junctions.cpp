@@ -10,8 +10,6 @@
 namespace app {
 namespace {
 
-double apart(dem::Point a, dem::Point b) { return std::hypot(b.x - a.x, b.z - a.z); }
-
 /// A straight line through `at`, of unit direction.
 struct FittedLine {
     dem::Point at, along;
@@ -53,7 +51,7 @@ struct Leaving {
 
     [[nodiscard]] bool tells(double tolerance) const
     {
-        return run.size() >= 3 && apart(run.front(), run.back()) >= 2.0 * tolerance;
+        return run.size() >= 3 && distance(run.front(), run.back()) >= 2.0 * tolerance;
     }
 };
 
@@ -72,8 +70,9 @@ std::vector<dem::Point> run_from(const Chain& chain, int j, const std::vector<do
         std::swap(near, far);
     }
     const dem::Point first = points.front(), last = points.back();
-    std::erase_if(points,
-                  [&](dem::Point p) { return apart(p, first) < near || apart(p, last) < far; });
+    std::erase_if(points, [&](dem::Point p) {
+        return distance(p, first) < near || distance(p, last) < far;
+    });
     if (points.size() < 3) return {};
     std::size_t work = 0;
     const std::vector<dem::Point> kept = simplified(points, tolerance, work);
@@ -150,7 +149,7 @@ void move_end(Chain& chain, bool first, dem::Point to, double radius)
     if (!first) std::reverse(p.begin(), p.end());
     const dem::Point was = p.front();
     const auto stays = std::find_if(p.begin() + 1, p.end() - 1,
-                                    [&](dem::Point q) { return apart(q, was) >= radius; });
+                                    [&](dem::Point q) { return distance(q, was) >= radius; });
     p.erase(p.begin() + 1, stays);
     p.front() = to;
     if (!first) std::reverse(p.begin(), p.end());
@@ -175,7 +174,7 @@ std::size_t straighten_junctions(ChainNetwork& network, const std::vector<double
     for (std::size_t j = 0; j < moves.size(); ++j) {
         if (!moves[j]) continue;
         dem::Point& at = network.junctions[j].at;
-        const double by = apart(at, moves[j]->to);
+        const double by = distance(at, moves[j]->to);
         for (const std::size_t c : chains[j]) {
             const bool straight = c == moves[j]->one || c == moves[j]->other;
             Chain& chain = network.chains[c];

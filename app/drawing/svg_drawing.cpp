@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -148,15 +149,13 @@ void read_root(SvgContent& content, const SvgElement& element)
     if (unit == "px")
         content.drawing.notes.emplace_back(
             "The file gives its width in px, which are not lengths.");
-    double length = 0.0;
+    const std::optional<double> length = read_number(text.substr(0, end));
     const auto known =
         std::ranges::find_if(kLengths, [&](const auto& u) { return u.first == unit; });
     const std::vector<SvgPoint> corners = svg_points(element.place, box);
-    if (known == kLengths.end() || !read_number(text.substr(0, end), length) ||
-        corners.size() != 2)
-        return;
-    if (corners[1].x > 0.0 && length > 0.0)
-        state_unit(content.drawing, length * known->second / corners[1].x, "");
+    if (known == kLengths.end() || !length || corners.size() != 2) return;
+    if (corners[1].x > 0.0 && *length > 0.0)
+        state_unit(content.drawing, *length * known->second / corners[1].x, "");
 }
 
 /// True for a shape that is not shown, or whose group is not.

@@ -12,8 +12,7 @@
 namespace app {
 namespace {
 
-/// All digits of a length in units.
-std::string in_units(double metres, double unit) { return number(metres / unit, 17); }
+std::string in_units(double metres, double unit) { return number(metres / unit, kAfterUnits); }
 
 /// $INSUNITS of the DXF reference of Autodesk; 0: none of its units.
 int inserted_unit_code(double unit)

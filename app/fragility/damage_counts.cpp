@@ -13,13 +13,25 @@ namespace app {
 namespace {
 
 constexpr double kMostDamageStates = 20;
+constexpr double kMostWalls = 1e9; ///< of a row
+
+/// How many walls.
+double walls_at(const Csv& csv, const CsvRow& row, std::size_t column)
+{
+    const double n = number_at(csv, row, column);
+    if (n > kMostWalls)
+        refuse_cell(csv, row, column,
+                    number(n, 12) + " is more than " + number(kMostWalls, 12) +
+                        "; write a number of walls");
+    return n;
+}
 
 /// Walls in each state of a row, from the numbers that reached it or a severer one.
 std::vector<double> from_failed(const Csv& csv, const CsvRow& row, std::size_t of,
                                 const std::vector<std::size_t>& failed)
 {
     std::vector<double> walls;
-    double before = number_at(csv, row, of);
+    double before = walls_at(csv, row, of);
     std::size_t column = of;
     for (const std::size_t c : failed) {
         const double n = number_at(csv, row, c);
@@ -79,7 +91,7 @@ DamageCounts damage_counts(const Csv& csv, const CountColumns& columns)
         const double x = number_at(csv, row, intensity);
         if (!(x > 0.0)) refuse_cell(csv, row, intensity, "is 0; an intensity must be above 0");
         const std::vector<double> walls =
-            by_state ? from_state(csv, row, state, counted ? number_at(csv, row, of) : 1.0)
+            by_state ? from_state(csv, row, state, counted ? walls_at(csv, row, of) : 1.0)
                      : from_failed(csv, row, of, failed);
         std::vector<double>& sum = by_intensity[x];
         sum.resize(std::max(sum.size(), walls.size()), 0.0);

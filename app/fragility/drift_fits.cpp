@@ -13,7 +13,8 @@ bool same(const std::vector<fragility::Observation>& a,
           const std::vector<fragility::Observation>& b)
 {
     return std::ranges::equal(a, b, [](const auto& x, const auto& y) {
-        return x.lower == y.lower && x.upper == y.upper && x.weight == y.weight;
+        return x.lower == y.lower && x.upper == y.upper && x.weight == y.weight &&
+               x.capped == y.capped;
     });
 }
 

@@ -13,12 +13,18 @@
 #include "app/fragility/measured_drifts.hpp"
 #include "app/input/key_reading.hpp"
 #include "app/input/random_layouts.hpp"
+#include "app/input/study_checks.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
 #include "app/store/wall_file.hpp"
+#include "app/study/fragility_text.hpp"
+#include "app/study/interrupt.hpp"
+#include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/other_way.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/text_file.hpp"
 #include "app/text/words.hpp"
@@ -38,12 +44,33 @@ void add_pictures(FragilityOutput& output, std::vector<NamedPicture> pictures)
     std::ranges::move(pictures, std::back_inserter(output.pictures));
 }
 
+/// Where fragility.ultimate_share was set anew: how walls of a finite push moved was stored at that of the study.
+std::string stored_share_text(const StudyWalls& walls)
+{
+    if (walls.head.configuration.empty()) return {}; // no file was read
+    const Study stored = read_study(parse_study_text(walls.name, walls.head.configuration));
+    const double drop = push_plan(stored).drop;
+    if (drop == push_plan(walls.study).drop) return {};
+    return "Modes, and the drift limits of codes that follow from them, are those where the "
+           "force "
+           "came down to " +
+           percent_text(drop) +
+           " of the peak, as the study was run. To read them elsewhere, run it with the other "
+           "fragility.ultimate_share.\n";
+}
+
 /// "2 walls failed at 0.75 MPa: the energy ledger ..."
 std::string remarks_of(const StudyWalls& walls)
 {
     std::string text = trouble_text(walls);
+    if (const std::string none = no_limit_remark(walls); !none.empty()) text += none + "\n";
+    if (const std::string other = other_way_remark(walls); !other.empty()) text += other + "\n";
+    text += limit_choices_text(walls.study) + "\n";
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
+    if (const std::string piers = pier_sentence(walls.study); !piers.empty())
+        text += piers + "\n";
+    text += stored_share_text(walls);
     if (!walls.pushed_one_way) text += backbone_text(walls.study).substr(1) + "\n";
     const auto layouts = static_cast<std::uint32_t>(walls.study.geometry.layouts);
     const bool repeated = walls.levels.size() > 1 || walls.head.design_sizes.back() > layouts;
@@ -87,13 +114,26 @@ DriftOptions options_of(const std::vector<std::string>& overrides)
                               "and fragility.bootstrap=... can be set");
     for (const std::string_view name : kNames)
         if (find_entry(study.source, name)) read_key(*find_key(name), study);
+    check_bootstrap(study);
     return drift_options(study);
 }
 
 /// A missing or damaged FILE.h5 is a study too: its reader says what is wrong with it.
 bool is_study(const std::string& path) { return path.ends_with(".h5") || begins_as_hdf5(path); }
 
-void check_columns(const Command& command, bool study)
+/// "; its columns are \"wall\", \"drift [%]\""
+std::string columns_text(const Csv& csv)
+{
+    constexpr std::size_t kShown = 12;
+    std::string text = "; its columns are ";
+    for (std::size_t c = 0; c < std::min(kShown, csv.head.size()); ++c)
+        text += (c > 0 ? ", " : "") + in_quotes(csv.head[c]);
+    if (csv.head.size() > kShown)
+        text += " and " + std::to_string(csv.head.size() - kShown) + " more";
+    return text;
+}
+
+void check_columns(const Command& command, const Csv* table)
 {
     const bool drifts =
         !command.drift.empty() || !command.censored.empty() || !command.group.empty();
@@ -102,9 +142,9 @@ void check_columns(const Command& command, bool study)
     const auto refuse = [](const char* option, const std::string& why) {
         throw ConfigError("drystone", 0, option, why);
     };
-    if (study && (drifts || counts))
+    if (table == nullptr && (drifts || counts))
         refuse("--drift, --intensity, ...", "a study has no columns; leave these options out");
-    if (study) return;
+    if (table == nullptr) return;
     if (drifts && counts)
         refuse(
             "--intensity, --failed, --of, --state",
@@ -112,9 +152,11 @@ void check_columns(const Command& command, bool study)
             "and --group");
     if (!drifts && !counts)
         refuse("--drift", "missing; name the column of drifts in " + in_quotes(command.study) +
-                              ", or --intensity, --failed and --of of a table of counts");
+                              ", or --intensity, --failed and --of of a table of counts" +
+                              columns_text(*table));
     if (drifts && command.drift.empty())
-        refuse("--drift", "missing; name the column of drifts in " + in_quotes(command.study));
+        refuse("--drift", "missing; name the column of drifts in " + in_quotes(command.study) +
+                              columns_text(*table));
     if (!counts) return;
     if (command.intensity.empty())
         refuse("--intensity", "missing; name the column of intensities");
@@ -126,17 +168,66 @@ void check_columns(const Command& command, bool study)
         refuse("--of", "missing; name the column of the total numbers of walls");
 }
 
+void refuse_study_file(const std::string& path)
+{
+    if (!path.ends_with(".ini")) return;
+    const std::string results = "runs/" + fs::path(path).stem().string() + ".h5";
+    throw ConfigError(path, 0, "",
+                      "is a study file and has no results yet; write \"drystone study " + path +
+                          "\", then \"drystone fragility " + results + "\"");
+}
+
+/// The tables that are the answer, as a terminal gets them.
+std::string answers_text(const FragilityOutput& output, const Command& command,
+                         std::size_t width)
+{
+    std::string text;
+    for (const NamedTable& t : output.tables) {
+        if (!t.answer) continue;
+        const Table shown = command.verbose ? t.table : short_table(t);
+        text += t.table.title + "\n";
+        if (!shown.rows.empty()) text += as_text(shown, width);
+        const std::size_t rows = t.table.rows.size();
+        const bool all_rows = shown.rows.size() == rows;
+        const std::string what = all_rows ? "all columns"
+                                 : shown.rows.empty()
+                                     ? std::to_string(rows) + " rows"
+                                     : std::to_string(shown.rows.size()) + " of " +
+                                           std::to_string(rows) + " rows; all rows and columns";
+        if (!all_rows || shown.head.size() < t.table.head.size())
+            text += wrapped(what + ": --verbose, or " +
+                                (fs::path(command.out) / t.name).string() + ".md\n",
+                            width);
+        text += "\n";
+    }
+    return text;
+}
+
+void check_lognormal(const std::vector<std::string>& overrides)
+{
+    for (const Entry& e : with_overrides({}, overrides).entries)
+        if (e.key != "fragility.confidence")
+            throw ConfigError("--set", 0, e.key,
+                              "has no effect on counts, which have lognormal curves and "
+                              "p-values in closed form; leave it out");
+}
+
 FragilityOutput output_of(const Command& command, const FitProgress& seen)
 {
-    const bool study = is_study(command.study);
-    check_columns(command, study);
-    if (study) return study_output(read_study_walls(command.study, command.overrides), seen);
+    if (is_study(command.study)) {
+        check_columns(command, nullptr);
+        return study_output(read_study_walls(command.study, command.overrides), seen);
+    }
+    refuse_study_file(command.study);
     const DriftOptions options = options_of(command.overrides);
     const Csv csv = read_csv(command.study);
-    if (!command.intensity.empty())
+    check_columns(command, &csv);
+    if (!command.intensity.empty()) {
+        check_lognormal(command.overrides);
         return damage_output(
             damage_counts(csv, {command.intensity, command.failed, command.state, command.of}),
             options.confidence);
+    }
     DriftData data = drift_data(csv, {command.drift, command.censored, command.group});
     data.options = options;
     return drift_output(std::move(data), seen);
@@ -149,7 +240,9 @@ FragilityOutput drift_output(DriftData data, const FitProgress& seen)
     judge(data, seen);
     FragilityOutput output;
     output.source = counts_text(data);
-    output.tables = {{"performance_limits", performance_table(data), true},
+    Table limits = performance_table(data);
+    auto main = severest_rows(data, limits);
+    output.tables = {{"performance_limits", std::move(limits), true, std::move(main)},
                      {"law_parameters", law_table(data)},
                      {"goodness_of_fit", fit_table(data)}};
     if (Table model = stress_table(data); !model.rows.empty())
@@ -187,27 +280,25 @@ void check_fragility(const Command& command)
     std::vector<fs::path> names = {"README.md", "fragility.json"};
     for (const char* const ending : kTableEndings)
         names.push_back(std::string("performance_limits") + ending);
-    check_results(command.out, names, command.quiet);
+    if (const std::string note = check_results(command.out, names); !command.quiet)
+        std::cerr << note;
 }
 
 int fragility_command(const Command& command)
 {
     check_fragility(command);
+    catch_interrupts();
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
     const FragilityOutput output = output_of(command, [&](double done, const std::string& fit) {
+        end_if_interrupted();
         progress.update(done, "testing the fit of " + fit);
     });
     progress.finish("tested all fits");
     const std::size_t removed = write_output(command.out, output);
     const std::size_t width = terminal_width();
-    bool marked = false;
-    for (const NamedTable& t : output.tables) {
-        if (!t.answer) continue;
-        const std::string text = as_text(t.table, width);
-        marked = marked || text.find("\u2020") != std::string::npos;
-        std::cout << t.table.title << "\n" << text << "\n";
-    }
-    if (marked)
+    const std::string text = answers_text(output, command, width);
+    std::cout << text;
+    if (text.find("\u2020") != std::string::npos)
         std::cout << wrapped(
             "\u2020: no wall was tested up to this drift; it rests on the law alone.\n", width);
     std::cout << wrapped(output.remarks, width) << "written to " << command.out

@@ -77,6 +77,13 @@ void add_mixture(const DriftData& data, std::size_t g, std::size_t state,
                                   with_interval(p.least, p.band, 4), plain_number(p.most, 4)}));
 }
 
+/// A sentence, or nothing.
+std::string limit_note(const DriftData& data, std::size_t group, std::size_t state)
+{
+    const std::string limit = limit_text(data, group, state);
+    return limit.empty() ? limit : limit + ".";
+}
+
 std::string state_text(const StateName& s) { return state_name(s) + " (" + s.rule + ")"; }
 
 Table curve_titled(const char* name, const DriftData& data, std::size_t state)
@@ -109,6 +116,10 @@ std::vector<fragility::ModeGroup> mode_groups(const DriftData& data, std::size_t
 std::string no_mixture(const std::vector<fragility::ModeGroup>& modes)
 {
     if (modes.empty()) return "no data";
+    std::vector<fragility::Observation> all;
+    for (const fragility::ModeGroup& m : modes)
+        all.insert(all.end(), m.limits.begin(), m.limits.end());
+    if (only_limits(all)) return "every wall that got there reached a drift limit that is set";
     for (const fragility::ModeGroup& m : modes) {
         const auto refusal = fragility::screen(m.law, m.limits);
         if (refusal && (refusal->outcome == fragility::FitOutcome::not_positive ||
@@ -154,7 +165,8 @@ Table step_table(const DriftData& data, std::size_t state)
     t.head = {data.group_head, drift_head(data, "drift"), "walls at risk",
               "reached",       {"share", kInterval},      drift_head(data, "tested up to"),
               {"note", kNote}};
-    for (const DriftGroup& g : data.groups) {
+    for (std::size_t i = 0; i < data.groups.size(); ++i) {
+        const DriftGroup& g = data.groups[i];
         const auto limits = limits_of(g, state);
         if (limits.empty()) {
             add_row(t, {group_cell(g), {}, count(0), count(0)}, "No wall.");
@@ -165,9 +177,15 @@ Table step_table(const DriftData& data, std::size_t state)
         if (km.steps.empty())
             add_row(t, {group_cell(g), {}, count(limits.size()), count(0), {}, end},
                     "No wall reached it.");
+        const bool plain = only_limits(limits);
         for (const auto& s : km.steps)
-            add_row(t, {group_cell(g), plain_number(s.at, end.decimals + 1), count(s.at_risk),
-                        count(s.failed), with_interval(s.probability, s.band, 4), end});
+            add_row(t,
+                    {group_cell(g), plain_number(s.at, end.decimals + 1), count(s.at_risk),
+                     count(s.failed),
+                     plain ? plain_number(s.probability, 4)
+                           : with_interval(s.probability, s.band, 4),
+                     end},
+                    limit_note(data, i, state));
     }
     return t;
 }

@@ -25,7 +25,8 @@ namespace app {
 [[nodiscard]] std::vector<fragility::ModeGroup>
 mode_groups(const DriftData& data, std::size_t group, std::size_t state);
 
-/// Why there is no mixture of these: values that their law does not have. Empty if there is one.
+/// Why there is no mixture of these: values that their law does not have, or drift limits that are set and nothing of the
+/// walls' own. Empty if there is one.
 [[nodiscard]] std::string no_mixture(const std::vector<fragility::ModeGroup>& modes);
 
 /// Name of the files of a limit state: "ntc_SLV".

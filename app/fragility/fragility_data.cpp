@@ -1,6 +1,8 @@
 #include "app/fragility/fragility_data.hpp"
 
 #include "app/output/cells.hpp"
+#include "app/study/limit_choices.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
 
@@ -15,6 +17,42 @@ std::vector<fragility::Observation> limits_of(const DriftGroup& group, std::size
     for (const DriftWall& w : group.walls)
         if ((mode < 0 || w.mode == mode) && w.limits[state]) limits.push_back(*w.limits[state]);
     return limits;
+}
+
+bool only_limits(const std::vector<fragility::Observation>& limits)
+{
+    bool any = false;
+    for (const fragility::Observation& o : limits) {
+        if (o.lower == o.upper && !o.capped) return false;
+        any = any || o.capped;
+    }
+    return any;
+}
+
+std::string limit_text(const DriftData& data, std::size_t group, std::size_t state)
+{
+    const auto limits = limits_of(data.groups[group], state);
+    const std::vector<fragility::Cap> caps = fragility::caps(limits);
+    if (caps.empty()) return {};
+    const auto drift = [&](double x) {
+        return fixed(x, decimals_for(x)) + (data.unit.empty() ? "" : " " + data.unit);
+    };
+    const std::string n = std::to_string(limits.size());
+    const std::string whose =
+        data.states[state].set == "user" ? "limit given" : "limit of the code";
+    std::string text;
+    if (caps.size() == 1) {
+        text = drift(caps[0].value) + " (" + whose + ", " + number(caps[0].walls, 12) + " of " +
+               n + " walls)";
+    } else {
+        for (const fragility::Cap& c : caps)
+            text += (text.empty() ? "" : ", ") + drift(c.value) + " of " + number(c.walls, 12);
+        text += " walls (" + whose + ")";
+    }
+    const auto fell = std::ranges::count_if(
+        limits, [](const auto& o) { return o.lower == o.upper && !o.capped; });
+    if (fell > 0) text += "; " + std::to_string(fell) + " of " + n + " fell before";
+    return text;
 }
 
 std::string drift_head(const DriftData& data, const std::string& what)
@@ -53,6 +91,9 @@ DriftData drift_data(const StudyWalls& walls)
     data.source = walls.name;
     data.drift =
         "Drift: displacement of the load line / its height, " + number(walls.height, 6) + " m";
+    data.no_limit = no_limit_remark(walls);
+    if (const std::string piers = pier_remark(walls.study); !piers.empty())
+        data.drift += "; " + piers;
     data.group_head = "stress [MPa]";
     const std::vector<int> modes = modes_of(walls);
     for (const int mode : modes) data.modes.emplace_back(mode_name(mode));

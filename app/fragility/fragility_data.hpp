@@ -51,8 +51,9 @@ struct DriftOptions {
 [[nodiscard]] DriftOptions drift_options(const Study& study);
 
 struct DriftData {
-    std::string source;     ///< of captions: "paper.h5, 250 walls"
-    std::string drift;      ///< what the drift is
+    std::string source;   ///< of captions: "paper.h5, 250 walls"
+    std::string drift;    ///< what the drift is
+    std::string no_limit; ///< why walls have no drift limit: a sentence; empty where they have
     std::string unit = "%"; ///< of the drifts; empty: not said
     double percent = 1.0;   ///< drift in % per unit; 0: unknown
     std::string group_head; ///< of the first column: "stress [MPa]"
@@ -65,6 +66,14 @@ struct DriftData {
 /// Observations of one limit state: of all walls of a group, or of one mode.
 [[nodiscard]] std::vector<fragility::Observation> limits_of(const DriftGroup& group,
                                                             std::size_t state, int mode = -1);
+
+/// Where a drift limit of a code or of the user comes first: "1.00 % (limit of the code, 20 of 20 walls)", "0.500 % of
+/// 10, 1.00 % of 40 walls (limit of the code)", with "; 3 of 53 fell before" where walls did. Empty where it never does.
+[[nodiscard]] std::string limit_text(const DriftData& data, std::size_t group,
+                                     std::size_t state);
+
+/// Whether every wall that reached the limit state reached such a limit: a row without any number of the walls' own.
+[[nodiscard]] bool only_limits(const std::vector<fragility::Observation>& limits);
 
 /// "drift [%]", "drift" without unit
 [[nodiscard]] std::string drift_head(const DriftData& data, const std::string& what);

@@ -19,6 +19,8 @@ using fragility::Observation;
 /// Why there are no numbers: where there are walls, for the law's own reason.
 std::string without_fit(const fragility::PerformanceLimits& limits, const DriftGroup& group)
 {
+    if (limits.n > 0.0 && limits.censored_share == 1.0)
+        return "Not identifiable: no wall reached it.";
     if (limits.n > 0.0) {
         constexpr std::string_view opening = "not identifiable: ";
         const bool opened = limits.reason.starts_with(opening);
@@ -46,6 +48,14 @@ std::string names_of(const DriftData& data, std::size_t state)
     return names;
 }
 
+/// The same for any state: the names of the row that has it.
+std::string first_names_of(const DriftData& data, std::size_t state)
+{
+    for (std::size_t s = 0; s < state; ++s)
+        if (alike(data.states[s], data.states[state])) return names_of(data, s);
+    return names_of(data, state);
+}
+
 /// Adds the row of each group and limit state.
 template <class Add> void add_rows(const DriftData& data, Add add, Table& t)
 {
@@ -54,14 +64,17 @@ template <class Add> void add_rows(const DriftData& data, Add add, Table& t)
             if (!names_of(data, s).empty()) add(data, g, s, t);
 }
 
-/// Shares observed in place of a law.
+/// Shares observed in place of a law. A drift limit is a plain number: it has no interval.
 void add_observed(const DriftData& data, const std::vector<Observation>& observations, Row& row)
 {
     const auto quantiles = fragility::observed_quantiles(observations, fragility::kLimitShares,
                                                          data.options.confidence);
+    const std::vector<fragility::Cap> caps = fragility::caps(observations);
     for (const auto& q : quantiles) {
         const int d = decimals_for(q.value.value_or(q.interval.lower));
-        if (q.value)
+        if (q.value && std::ranges::count(caps, *q.value, &fragility::Cap::value) > 0)
+            row.emplace_back(plain_number(*q.value, d));
+        else if (q.value)
             row.emplace_back(with_interval(*q.value, q.interval, d));
         else if (q.interval.lower > 0.0)
             row.emplace_back(
@@ -86,6 +99,14 @@ void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& 
                any ? plain_number(100.0 * limits.censored_share, 0) : Number{},
                any ? plain_number(end, decimals_for(end)) : Number{},
                limits.fitted ? Cell(describes(law) ? "law" : "observed") : Cell()};
+    if (const std::string limit = limit_text(data, g, state); !limit.empty()) {
+        const bool alone = only_limits(observations);
+        row.back() = alone ? "limit" : "observed";
+        add_observed(data, observations, row);
+        return add_row(
+            t, row,
+            limit + (alone ? "." : ": the drifts are those observed (Kaplan-Meier), no law."));
+    }
     if (!limits.fitted) {
         const int d = decimals_for(limits.bound.median_above);
         return add_row(t, joined(row, {{}, {}, median_bound(limits.bound, d)}),
@@ -197,22 +218,38 @@ void add_model(const DriftData& data, std::size_t state, Table& t)
 Table performance_table(const DriftData& data)
 {
     Table t = titled_table("performance_limits", words_of(data));
+    if (!data.no_limit.empty()) t.caption += " " + data.no_limit;
     t.keys = 2;
     t.head = {data.group_head,
               "limit state",
               "n",
               "censored [%]",
-              drift_head(data, "tested up to"),
+              {drift_head(data, "tested up to"), kDetail},
               {"drifts from", kProgramsOnly}};
     for (const char* const share :
-         {"5 % drift", "16 % drift", "median drift", "84 % drift", "95 % drift"})
-        t.head.emplace_back(drift_head(data, share), kInterval | kExtrapolated);
+         {"5 % drift", "16 % drift", "median drift", "84 % drift", "95 % drift"}) {
+        const bool median = std::string_view(share) == "median drift";
+        t.head.emplace_back(drift_head(data, share),
+                            kInterval | kExtrapolated | (median ? 0U : unsigned{kDetail}));
+    }
     t.head.insert(t.head.end(), {{"dispersion", kInterval},
                                  {"std error of ln median", kProgramsOnly},
                                  {"total dispersion", kProgramsOnly},
                                  {"note", kNote}});
     add_rows(data, add_limits, t);
     return t;
+}
+
+std::vector<std::size_t> severest_rows(const DriftData& data, const Table& limits)
+{
+    std::vector<std::string> severest;
+    for (std::size_t s = 0; s < data.states.size(); ++s)
+        if (s + 1 == data.states.size() || data.states[s + 1].set != data.states[s].set)
+            severest.push_back(first_names_of(data, s));
+    std::vector<std::size_t> rows;
+    for (std::size_t r = 0; r < limits.rows.size(); ++r)
+        if (std::ranges::count(severest, cell_text(limits.rows[r][1])) > 0) rows.push_back(r);
+    return rows;
 }
 
 Table fit_table(const DriftData& data)

@@ -5,13 +5,19 @@
 #include "app/fragility/fragility_data.hpp"
 #include "app/output/table.hpp"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace app {
 
 /// 5, 16, 50, 84, 95 % drifts per group and limit state: of the law, or where the tests reject it of the
 /// shares observed; without a fit a bound of the median and a note.
 [[nodiscard]] Table performance_table(const DriftData& data);
+
+/// Rows of that table with the severest limit state of each set.
+[[nodiscard]] std::vector<std::size_t> severest_rows(const DriftData& data,
+                                                     const Table& limits);
 
 /// The own parameters of four laws with standard errors (ln median and dispersion, mean and standard
 /// deviation, shape and scale), and their AIC.

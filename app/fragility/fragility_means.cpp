@@ -1,15 +1,11 @@
 #include "app/fragility/fragility_means.hpp"
 
-#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mean_cells.hpp"
-#include "fragility/binomial.hpp"
-#include "fragility/observed_quantile.hpp"
-#include "fragility/performance_limits.hpp"
+#include "app/study/mode_share.hpp"
 #include "uq/estimates/estimate.hpp"
 
-#include <array>
 #include <numeric>
 
 namespace app {
@@ -34,23 +30,6 @@ Displacements displacements(const WallList& walls)
     return d;
 }
 
-/// Median of observed and censored displacements together.
-Number median_cell(const StudyWalls& walls, const StudyLevel& level, const Displacements& d)
-{
-    if (d.all.empty()) return {};
-    const FragilityInput& f = walls.study.fragility;
-    const auto limits = fragility::performance_limits(f.law, d.all, f.confidence);
-    if (!limits.fitted) return median_bound(limits.bound, 1);
-    const auto group = static_cast<std::size_t>(&level - walls.levels.data());
-    if (rejected(judged(drift_options(walls.study), f.law, d.all, group))) {
-        const std::array half = {0.5};
-        const auto median = fragility::observed_quantiles(d.all, half, f.confidence).front();
-        if (!median.value) return median_bound(limits.bound, 1);
-        return with_interval(*median.value, median.interval, 1);
-    }
-    return with_interval(limits.drifts[2].drift, limits.drifts[2].interval, 1, known_to(d.all));
-}
-
 void add_means(const StudyWalls& walls, const StudyLevel& level, int mode, Table& t)
 {
     const WallList group = walls_of(level, mode);
@@ -59,11 +38,9 @@ void add_means(const StudyWalls& walls, const StudyLevel& level, int mode, Table
         return add_row(t, row,
                        level.walls.empty() ? "No wall gave a result."
                                            : "The mode does not occur.");
-    const auto share = fragility::share(
-        static_cast<double>(group.size()), static_cast<double>(level.walls.size()),
-        static_cast<double>(level.failed_walls.size()), fragility::BinomialInterval::wilson,
-        walls.study.fragility.confidence);
-    row.emplace_back(percent(share.value, share.bounds, 0));
+    const double confidence = walls.study.fragility.confidence;
+    const fragility::Share share = mode_share(level, mode, confidence);
+    row.emplace_back(percent(share.value, share.interval, 0));
     const auto values_of = [&](auto value) {
         std::vector<double> values;
         for (const StudyWall* w : group) values.push_back(value(*w));
@@ -83,7 +60,7 @@ void add_means(const StudyWalls& walls, const StudyLevel& level, int mode, Table
     add_row(t, joined(row,
                       {mean_cell(force, 2), cov_cell(force), mean_cell(at_peak, 2),
                        mean_cell(d.observed, 2), cov_cell(d.observed), count(d.observed.size()),
-                       ended, count(d.censored.size()), median_cell(walls, level, d)}));
+                       ended, count(d.censored.size()), median_cell(d.all, confidence, 1)}));
 }
 
 } // namespace
@@ -112,12 +89,12 @@ Table mean_table(const StudyWalls& walls)
     t.head.insert(t.head.end(), {{"peak force [kN]", kError},
                                  "COV of peak force",
                                  {"displacement at the peak [mm]", kError},
-                                 {"displacement [mm]", kError},
+                                 {"displacement of walls that fell [mm]", kError},
                                  "COV of displacement",
                                  "observed",
                                  "mean end of censored runs [mm]",
                                  "censored",
-                                 {"median displacement [mm]", kInterval | kExtrapolated},
+                                 {"median displacement [mm]", kInterval | kCensored},
                                  {"note", kNote}});
     for (const int mode : modes_of(walls))
         for (const StudyLevel& level : walls.levels) add_means(walls, level, mode, t);

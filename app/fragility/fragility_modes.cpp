@@ -3,8 +3,8 @@
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/mode_share.hpp"
 #include "dem/scene/mechanism.hpp"
-#include "fragility/binomial.hpp"
 #include "fragility/equal_modes.hpp"
 #include "fragility/mode_sensitivity.hpp"
 
@@ -36,32 +36,26 @@ template <class Holds> Number count_of(const StudyLevel& level, int mode, Holds 
 void add_mode(const StudyWalls& walls, const StudyLevel& level, int mode, Table& t)
 {
     const double confidence = walls.study.fragility.confidence;
-    const auto n = static_cast<double>(level.walls.size());
-    const auto failed = static_cast<double>(level.failed_walls.size());
-    const double k = walls_with(level, mode);
     const bool has_slid =
         mode == kRocking && walls.study.fragility.mode.modes == dem::ModeRule::two;
     const Row start = {
         stress_cell(level.stress),
         mode_name(mode),
-        count(k),
+        count(walls_with(level, mode)),
         has_slid ? count_of(level, kAllModes, [](const auto& w) { return w.reading.slid; })
                  : Number{},
         count_of(level, mode, [](const auto& w) { return w.mechanism.spalled_units > 0; }),
         count_of(level, mode, [](const auto& w) { return w.mechanism.crushed_area > 0.0; }),
-        count(n),
-        count(failed)};
-    if (n == 0.0)
-        return add_row(
-            t, joined(start, {{}, {}, {}, failed > 0.0 ? range(0.0, 100.0, 1) : Number{}}),
-            "No wall gave a result.");
+        count(level.walls.size()),
+        count(level.failed_walls.size())};
+    if (level.walls.empty()) return add_row(t, start, "No wall gave a result.");
     using enum fragility::BinomialInterval;
-    const auto s = fragility::share(k, n, failed, wilson, confidence);
+    const fragility::Share s = mode_share(level, mode, confidence);
     const auto by = [&](fragility::BinomialInterval kind) {
-        return range_cell(fragility::binomial_interval(kind, k, n, confidence));
+        return range_cell(mode_share(level, mode, confidence, kind).interval);
     };
-    add_row(t, joined(start, {percent(s.value, s.interval, 1), by(clopper_pearson),
-                              by(jeffreys), range_cell(s.bounds)}));
+    add_row(
+        t, joined(start, {percent(s.value, s.interval, 1), by(clopper_pearson), by(jeffreys)}));
 }
 
 /// Walls that rock and walls of another mode.
@@ -169,15 +163,14 @@ Table mode_table(const StudyWalls& walls)
     t.head = {"stress [MPa]",
               "mode",
               "walls with this mode",
-              "slid without cracking",
-              "with spalled units",
-              "with contacts crushed through",
+              {"slid without cracking", kDetail},
+              {"with spalled units", kDetail},
+              {"with contacts crushed through", kDetail},
               "n",
               "failed",
               {"share [%]", kInterval},
               {"Clopper-Pearson [%]", kRange | kProgramsOnly},
               {"Jeffreys [%]", kRange | kProgramsOnly},
-              {"share with failed walls [%]", kRange},
               {"note", kNote}};
     for (const StudyLevel& level : walls.levels)
         for (const int mode : modes_of(walls)) add_mode(walls, level, mode, t);

@@ -3,9 +3,11 @@
 #include "app/output/markup.hpp"
 #include "app/output/table_files.hpp"
 #include "app/output/unique_names.hpp"
+#include "app/program_version.hpp"
 #include "app/text/json_text.hpp"
-#include "app/version.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <sstream>
 
 namespace app {
@@ -68,10 +70,30 @@ std::string fragility_json(const FragilityOutput& output)
     Json tables = Json::object();
     for (const NamedTable& t : output.tables) tables[t.name] = table_json(t);
     const Json all = {{"source", output.source},
-                      {"version", std::string(kVersion)},
+                      {"version", program_version()},
                       {"remarks", output.remarks},
                       {"tables", tables}};
     return text_of(all, 1) + "\n";
+}
+
+Table short_table(const NamedTable& named)
+{
+    const Table& all = named.table;
+    std::vector<std::size_t> rows = named.main;
+    if (all.rows.size() <= kShortRows) {
+        rows.resize(all.rows.size());
+        std::iota(rows.begin(), rows.end(), std::size_t{0});
+    }
+    rows.resize(std::min(rows.size(), kShortRows));
+    Table t{
+        .caption = all.caption, .head = {}, .rows = {}, .title = all.title, .keys = all.keys};
+    t.rows.resize(rows.size());
+    for (std::size_t c = 0; c < all.head.size(); ++c) {
+        if (all.head[c].holds & kDetail) continue;
+        t.head.push_back(all.head[c]);
+        for (std::size_t r = 0; r < rows.size(); ++r) t.rows[r].push_back(all.rows[rows[r]][c]);
+    }
+    return t;
 }
 
 void make_names_unique(FragilityOutput& output)
@@ -83,12 +105,12 @@ void make_names_unique(FragilityOutput& output)
 
 std::size_t write_output(const fs::path& folder, const FragilityOutput& output)
 {
-    std::vector<OutputFile> files = {{"README.md", readme(output)},
-                                     {"fragility.json", fragility_json(output)}};
+    std::vector<OutputFile> files = {{"fragility.json", fragility_json(output)}};
     if (!output.pelicun.empty()) files.push_back({"pelicun_fragility.csv", output.pelicun});
     for (const NamedTable& t : output.tables) add_table(files, path_of(t), t.table);
     for (const NamedPicture& p : output.pictures)
         files.push_back({"pictures/" + p.name + ".svg", p.svg});
+    files.push_back({"README.md", readme(output)}); // the last: what it lists is there
     return write_results(folder, files);
 }
 

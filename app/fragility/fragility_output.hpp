@@ -13,7 +13,13 @@ struct NamedTable {
     std::string name; ///< of its files, without ending
     Table table;
     bool answer = false; ///< what one came for: on top of the folder, and in its README.md
+    std::vector<std::size_t> main{}; ///< rows that stand for a table too long for a terminal
 };
+
+/// What a terminal gets unless it asks for all: no column of kDetail, and of a table of more than this many rows the main
+/// ones, at most so many.
+constexpr std::size_t kShortRows = 10;
+[[nodiscard]] Table short_table(const NamedTable& named);
 
 struct NamedPicture {
     std::string name;

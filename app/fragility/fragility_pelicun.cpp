@@ -31,6 +31,8 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
         rejection += "; " + state_name(data.states[state]) +
                      ": the tests reject the lognormal law (p = " +
                      number(fragility::least_p(f.tests), 2) + ")";
+    if (const std::string limit = limit_text(data, g, state); !limit.empty())
+        rejection += "; " + state_name(data.states[state]) + ": " + limit;
     if (!describes(f)) return {};
     const double radians = data.percent / 100.0;
     return Parameters{std::exp(f.fit.law.location) * radians, f.fit.law.dispersion,

@@ -78,12 +78,26 @@ Chart empty_chart(const DriftData& data, const std::string& title)
     return c;
 }
 
+/// Whether there is a curve to draw: walls, and not drift limits alone.
+bool has_curve(const DriftGroup& group, std::size_t state)
+{
+    const auto limits = limits_of(group, state);
+    return !limits.empty() && !only_limits(limits);
+}
+
 NamedPicture all_groups(const DriftData& data, std::size_t state,
                         const std::vector<double>& drifts)
 {
     Chart c = empty_chart(data, short_title(data.states[state]));
+    std::string left_out;
     for (std::size_t g = 0; g < data.groups.size(); ++g) {
         const auto limits = limits_of(data.groups[g], state);
+        if (only_limits(limits)) { // one value is no curve
+            left_out += (left_out.empty() ? "; left out, since it reached drift limits alone: "
+                                          : ", ") +
+                        data.groups[g].name;
+            continue;
+        }
         Series line = fitted(data, judged_fit(data, g, state), drifts);
         const bool found = !line.x.empty();
         line.name = data.groups[g].name;
@@ -99,7 +113,8 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
             "fragility curves of " + state_name(data.states[state]) + " (" +
                 data.states[state].rule +
                 "), all walls of a group; dashed where extrapolated, dotted: observed shares "
-                "(Kaplan-Meier)",
+                "(Kaplan-Meier)" +
+                left_out,
             line_chart(c)};
 }
 
@@ -159,12 +174,12 @@ std::vector<NamedPicture> curve_pictures(const DriftData& data)
     std::vector<NamedPicture> pictures;
     for (std::size_t s = 0; s < data.states.size(); ++s) {
         const std::vector<double> drifts = drift_grid(data, s, kChartDrifts);
-        if (drifts.empty()) continue;
+        const auto curves = [s](const DriftGroup& g) { return has_curve(g, s); };
+        if (drifts.empty() || std::ranges::none_of(data.groups, curves)) continue;
         pictures.push_back(all_groups(data, s, drifts));
         constexpr std::size_t kMostGroups = 12; // a picture of each
         for (std::size_t g = 0; g < data.groups.size() && g < kMostGroups; ++g)
-            if (!limits_of(data.groups[g], s).empty())
-                pictures.push_back(one_group(data, s, g, drifts));
+            if (has_curve(data.groups[g], s)) pictures.push_back(one_group(data, s, g, drifts));
     }
     return pictures;
 }

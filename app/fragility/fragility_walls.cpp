@@ -15,12 +15,20 @@ void add_wall(const StudyWalls& study, const StudyWall& w, Table& t)
         plain_number(peak_displacement(r) * 1e3, 2),     limit_cell(r.ultimate, 1e3, 2)};
     for (const fragility::LimitDisplacement& d : r.limits)
         row.emplace_back(limit_cell(d, 1e3, 2));
-    row = joined(row, w.failed ? Row(3)
-                               : Row{count(w.mechanism.cracked_units),
-                                     plain_number(w.mechanism.rotation_share, 2),
-                                     plain_number(w.mechanism.sliding_share, 2)});
+    const dem::ModeThresholds& thresholds = study.study.fragility.mode;
+    row = joined(
+        row, w.failed ? Row(4)
+                      : Row{std::string(name(code_mode(w.mechanism, r.dropped, thresholds))),
+                            count(w.mechanism.cracked_units),
+                            plain_number(w.mechanism.rotation_share, 2),
+                            plain_number(w.mechanism.sliding_share, 2)});
     for (const double x : w.inputs) row.emplace_back(plain_number(x, decimals_for(x) + 2));
-    add_row(t, row, w.failed ? "Failed: " + w.reason + "." : r.no_reading);
+    add_row(t, row,
+            w.failed ? "Failed: " + w.reason + "."
+            : r.slid
+                ? "Slid whole, which counts as rocking; drift limits of codes are those of a "
+                  "wall that does not rock."
+                : r.no_reading);
 }
 
 } // namespace
@@ -40,6 +48,7 @@ Table wall_table(const StudyWalls& study, const WallList& walls)
               "peak [kN]",    "at peak [mm]", {"ultimate [mm]", kCensored}};
     for (const StateName& s : study.states)
         t.head.emplace_back(state_name(s) + " [mm]", kCensored | kProgramsOnly);
+    t.head.emplace_back("mode of codes", kProgramsOnly);
     for (const char* const head : {"cracked units", "rotation share", "sliding share"})
         t.head.emplace_back(head);
     for (const StoredInput& input : study.inputs)

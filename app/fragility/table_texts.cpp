@@ -35,6 +35,22 @@ std::string one_line(std::string_view text)
     return line;
 }
 
+/// The dispersion of each law in its own words.
+std::string dispersion_text(fragility::Law law)
+{
+    switch (law) {
+    case fragility::Law::lognormal:
+        break;
+    case fragility::Law::normal:
+        return "standard deviation of the drift";
+    case fragility::Law::weibull:
+        return "1 / shape of the Weibull law";
+    case fragility::Law::gamma:
+        return "coefficient of variation of the drift";
+    }
+    return "standard deviation of ln drift";
+}
+
 } // namespace
 
 Table titled_table(std::string_view name, const Words& words)
@@ -63,6 +79,7 @@ Words words_of(const DriftData& data)
             {"law", std::string(name(data.options.law))},
             {"confidence", percent_text(data.options.confidence)},
             {"states", states},
+            {"dispersion", dispersion_text(data.options.law)},
             {"bootstrap", std::to_string(data.options.bootstrap)}};
 }
 

@@ -7,12 +7,22 @@
 #include "dem/scene/layout.hpp"
 #include "dem/scene/rubble.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace app {
 namespace {
+
+/// Of units and headers [m].
+double shortest_unit(const Study& study)
+{
+    const dem::WallGeometry& wall = study.wall;
+    if (study.geometry.rubble || wall.bond == dem::Bond::shifted) return wall.unit_length;
+    const bool given = find_entry(study.source, "wall.header_length") != nullptr;
+    return std::min(wall.unit_length, given ? wall.header_length : 0.5 * wall.unit_length);
+}
 
 /// Where each course has a height of its own, their number and mean follow.
 void read_course_heights(Study& study)
@@ -23,12 +33,23 @@ void read_course_heights(Study& study)
     wall.course_height = dem::top_of_course(wall, wall.courses) / wall.courses;
 }
 
+/// Before anything is laid.
+void check_number(const Study& study)
+{
+    constexpr double kMostUnits = 1e5;
+    if (unit_count(study) > kMostUnits)
+        throw error_at(study.source,
+                       shortest_unit(study) < study.wall.unit_length ? "wall.header_length"
+                                                                     : "wall.unit_length",
+                       "makes a wall of more than 100000 units; write larger ones");
+}
+
 /// Fills the wall with stones.
 void read_rubble(Study& study)
 {
-    constexpr double kMostStones = 10000; // whose generation takes a minute
+    constexpr double kMostStones = 10000; // half a second to lay; pushing them takes days
     const dem::WallGeometry& wall = study.wall;
-    if (wall.courses * (wall.length / wall.unit_length) > kMostStones)
+    if (unit_count(study) > kMostStones)
         throw error_at(study.source, "wall.unit_length",
                        "makes a wall of more than 10000 stones; write larger ones, or draw "
                        "the wall");
@@ -54,21 +75,28 @@ void read_openings(Study& study)
                                            parse_quantity(v[2], "m"),
                                            parse_quantity(v[3], "m")});
         }
-        study.geometry.layers = {"lintel"}; // as which `scene` draws and exports them
-        static_cast<void>(dem::lay_out(study.wall, 0.0));
+        study.geometry.layers = {"lintel"};   // as which `scene` draws and exports them
+        dem::WallGeometry whole = study.wall; // whether the openings fit is no matter of cracks
+        whole.cracks = {.pattern = {dem::CrackPattern::Kind::none}};
+        static_cast<void>(dem::lay_out(whole, 0.0));
     });
 }
 
 } // namespace
 
+double unit_count(const Study& study)
+{
+    return study.wall.courses * (study.wall.length / shortest_unit(study));
+}
+
 void read_built_wall(Study& study)
 {
-    if (study.geometry.rubble)
-        read_rubble(study);
-    else
-        read_course_heights(study);
+    if (!study.geometry.rubble) read_course_heights(study);
+    check_number(study);
+    if (study.geometry.rubble) read_rubble(study);
     read_unit_cracks(study);
     read_openings(study);
+    check_pieces_of_units(study);
 }
 
 } // namespace app

@@ -5,6 +5,9 @@
 
 namespace app {
 
+/// Number of units of a wall in courses, without openings, or of mean stones of rubble.
+[[nodiscard]] double unit_count(const Study& study);
+
 /// Reads the heights of courses, the stones of rubble, the patterns of cracks and the openings.
 /// @throws ConfigError
 void read_built_wall(Study& study);

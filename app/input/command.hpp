@@ -23,6 +23,7 @@ struct Command {
     std::vector<std::string> overrides; ///< section.key=value, in order
     int threads = 1;                    ///< >= 1
     bool quiet = false;                 ///< no progress is shown
+    bool verbose = false;               ///< tables are printed in full
     std::optional<int> sample;          ///< one wall of a study, >= 0
     bool mean_wall = false;             ///< the wall in which each random value is its mean
     std::string level; ///< the vertical stress as written; empty: the study has only one
@@ -30,6 +31,7 @@ struct Command {
     std::string script;                ///< a job array is written to this file, nothing is run
     bool rerun_failed = false;         ///< failed walls are run again
     bool report = false;               ///< tables and page follow the study
+    bool film = false;                 ///< a moving picture of each wall that is pushed
     bool partial = false;              ///< shards are merged although walls are missing
     std::vector<std::string> drift;    ///< columns of a table
     std::vector<std::string> censored; ///< of a table: for all drifts, or one for each
@@ -38,6 +40,7 @@ struct Command {
     std::vector<std::string> failed;   ///< columns of a table of counts
     std::string address = "127.0.0.1"; ///< at which a server listens
     int port = 4242;                   ///< of a server; 0: any free one
+    std::vector<std::string> hosts; ///< further names of a server, and of pages that may ask it
     std::vector<std::string> inputs; ///< keys that a server takes; empty: the random variables
     std::vector<std::string> responses; ///< that a server gives; empty: the peak force
     std::optional<int> walls;           ///< number of walls that a page shows, >= 0

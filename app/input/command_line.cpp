@@ -9,7 +9,9 @@
 #include <boost/program_options/parsers.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace app {
@@ -30,6 +32,8 @@ namespace po = boost::program_options;
         if (verb == nullptr || takes(*verb, o)) names.push_back("--" + o.name);
     const std::vector<std::string_view> views(names.begin(), names.end());
     const std::string name = token.substr(0, token.find('='));
+    if (verb == nullptr && nearest_word(name, views).empty())
+        refuse(name, "unknown option; write a verb first, or \"drystone help\"");
     refuse(name, "unknown option; " + suggestion(name, views));
 }
 
@@ -101,6 +105,16 @@ const Verb& asked_verb(std::span<const Verb> verbs, const std::vector<po::option
     return verb;
 }
 
+/// `--set load.height "1 m"`: the blank ends the assignment.
+void check_assignments(const std::vector<po::option>& given, const std::string& next)
+{
+    for (const po::option& g : given)
+        if (g.string_key == "set" && !g.value.empty() &&
+            g.value.front().find('=') == std::string::npos)
+            refuse("--set", in_quotes(g.value.front()) + " is not an assignment; write --set " +
+                                g.value.front() + "=" + in_quotes(next));
+}
+
 void check_words(const Verb& verb, const std::vector<std::string>& words)
 {
     if (words.size() < verb.least)
@@ -147,6 +161,18 @@ void check_out_file(const Verb& verb, const Command& command)
         say(" is the name of the tables' folder or of the page", verb.extension);
 }
 
+/// A study's file may have any name but that of another kind of file.
+void check_out_ending(const Command& command)
+{
+    constexpr std::array<std::string_view, 13> kOthers = {
+        ".txt",  ".csv", ".tsv", ".ini", ".json", ".md",  ".tex",
+        ".html", ".svg", ".png", ".dxf", ".pdf",  ".xlsx"};
+    const fs::path out = command.out;
+    if (std::ranges::find(kOthers, out.extension().string()) != kOthers.end())
+        refuse("--out", in_quotes(command.out) + " is not the name of a study's file; write " +
+                            in_quotes(fs::path(out).replace_extension(".h5").string()));
+}
+
 /// A folder of results may hold a file named like the one that is read, and would replace it.
 void check_out_folder(const Command& command)
 {
@@ -186,6 +212,7 @@ void set_out(const Verb& verb, Command& command)
         command.out += fs::path(default_out(verb, command)).filename().string();
     check_out(verb, command.out);
     if (verb.out == OutKind::file) check_out_file(verb, command);
+    if (verb.extension == ".h5") check_out_ending(command);
     if (verb.out == OutKind::folder) check_out_folder(command);
 }
 
@@ -195,6 +222,8 @@ void check_study_options(const Command& command)
     if (command.report && (command.shard.count > 1 || script))
         refuse("--report",
                "a shard has no report; merge the shards, then run fragility and report");
+    if (!command.title.empty() && command.verb->name == "study" && !command.report)
+        refuse("--title", "is the title of the page; write --report too");
     std::error_code ignored;
     if (script && fs::equivalent(command.script, command.study, ignored))
         refuse("--slurm", in_quotes(command.script) +
@@ -226,6 +255,7 @@ Command parse_command_line(std::span<const Verb> verbs,
                 command.words.empty() ? nullptr : find_verb(verbs, command.words.front()));
     const Verb& verb = asked_verb(verbs, given, command.words);
     command.verb = &verb;
+    if (command.words.size() > verb.most) check_assignments(given, command.words[verb.most]);
     check_words(verb, command.words);
     if (command.words.empty()) return command;
     command.study = command.words.front();

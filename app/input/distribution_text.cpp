@@ -78,13 +78,29 @@ std::string_view inside(std::string_view text)
     return trimmed(text.substr(open + 1, text.size() - open - 2));
 }
 
+/// A coefficient of variation: "0.20" or "20 %".
+double coefficient_of_variation(std::string_view text)
+{
+    constexpr double kMost = 2.0; // beyond it a percentage was meant
+    const bool percent = text.ends_with('%');
+    const std::string_view digits = percent ? trimmed(text.substr(0, text.size() - 1)) : text;
+    const double value = parse_quantity(digits, "") / (percent ? 100.0 : 1.0);
+    if (value < kMost) return value;
+    const std::string given(digits);
+    throw BadValue("cov " + given +
+                   (percent ? " % is out of range; write less than 200 %"
+                            : " is a scatter of " + given + " times the mean; write \"cov " +
+                                  given + " %\" if that was meant, and less than 2 otherwise"));
+}
+
 /// Takes a parameter out of the call.
 std::optional<double> take(Call& call, std::string_view name, std::string_view unit)
 {
     const auto is_it = [&](const Parameter& p) { return p.name == name; };
     const auto found = std::ranges::find_if(call.parameters, is_it);
     if (found == call.parameters.end()) return {};
-    const double value = parse_quantity(found->value, unit);
+    const double value = name == "cov" ? coefficient_of_variation(found->value)
+                                       : parse_quantity(found->value, unit);
     call.parameters.erase(found);
     if (std::ranges::find_if(call.parameters, is_it) != call.parameters.end())
         throw BadValue(in_quotes(name) + " is given twice in " + in_quotes(call.text) +
@@ -125,6 +141,29 @@ uq::Marginal empirical(std::string_view text, std::string_view unit)
     return {data};
 }
 
+/// The call that a text makes, its parameters as they stand there.
+Call call_of(std::string_view text)
+{
+    Call call = split_call(text);
+    for (const std::string_view item : split(inside(text), ","))
+        call.parameters.push_back(split_parameter(text, item));
+    return call;
+}
+
+/// All parameters that a distribution can have, in the order in which they are written.
+std::vector<uq::ShapeParameter> parameters_of(std::string_view distribution)
+{
+    std::vector<uq::ShapeParameter> all;
+    const auto add = [&](const uq::ShapeParameter& p) {
+        if (std::ranges::find(all, p.name, &uq::ShapeParameter::name) == all.end())
+            all.push_back(p);
+    };
+    for (const MarginalForm& f : uq::marginal_forms())
+        if (f.name == distribution) std::ranges::for_each(f.parameters, add);
+    for (const char* const end : {"from", "to"}) add({end});
+    return all;
+}
+
 uq::Marginal marginal_of(std::string_view text, std::string_view unit)
 {
     Call call = split_call(text);
@@ -133,8 +172,7 @@ uq::Marginal marginal_of(std::string_view text, std::string_view unit)
         throw BadValue("unknown distribution " + in_quotes(call.name) + "; " +
                        suggestion(call.name, names));
     if (call.name == "empirical") return empirical(text, unit);
-    for (const std::string_view item : split(inside(text), ","))
-        call.parameters.push_back(split_parameter(text, item));
+    call = call_of(text);
     uq::Marginal m;
     m.lower = take(call, "from", unit).value_or(m.lower);
     m.upper = take(call, "to", unit).value_or(m.upper);
@@ -163,6 +201,26 @@ uq::Marginal parse_distribution(std::string_view text, std::string_view unit)
     }
 }
 
+std::string canonical_distribution(std::string_view text, std::string_view unit)
+{
+    const std::string name(split_call(text).name);
+    if (name == "empirical")
+        return name + "(" +
+               format_quantities(std::get<uq::Empirical>(empirical(text, unit).shape).sorted,
+                                 unit) +
+               ")";
+    Call call = call_of(text);
+    std::string inside;
+    for (const uq::ShapeParameter& p : parameters_of(name)) {
+        const std::string_view of = p.bare ? "" : unit;
+        const std::optional<double> value = take(call, p.name, of);
+        if (value)
+            inside += (inside.empty() ? "" : ", ") + std::string(p.name) + " " +
+                      format_quantities({&*value, 1}, of);
+    }
+    return name + "(" + inside + ")";
+}
+
 std::string distribution_help()
 {
     std::string text = "In place of the number of a material, a distribution:\n";
@@ -170,7 +228,7 @@ std::string distribution_help()
     return text +
            "  empirical(values)\n"
            "each with \", from ..., to ...\" to cut it off. Quantities carry their unit; "
-           "cov, sigma_log and shape have none.\n";
+           "cov, sigma_log and shape have none; cov may be in percent: cov 20 %.\n";
 }
 
 } // namespace app

@@ -5,8 +5,10 @@
 #include "app/text/number_text.hpp"
 #include "dem/block/build_cost.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
-#include <iostream>
 #include <utility>
 #include <vector>
 
@@ -15,7 +17,7 @@ namespace app {
 bool reads(const Verb& verb, const Key& key)
 {
     return is_listed(section_of(key.name), verb.sections) &&
-           (key.verbs.empty() || is_listed(verb.name, key.verbs));
+           (key.verbs.empty() || key.verbs.has(verb.name));
 }
 
 std::string effect_notes(const Study& study, const Verb& verb)
@@ -47,37 +49,61 @@ void refuse_drawn(const Study& study)
                        "names one wall of the study, and only push reads it; remove it");
 }
 
-std::string cost_note(const Study& study)
+namespace {
+
+/// What this process may have [bytes].
+double memory()
 {
-    constexpr double kSeconds = 10.0, kBytes = 1e9, kMostBytes = 64e9, kMinute = 60.0;
+    const double whole = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    rlimit allowed{};
+    if (getrlimit(RLIMIT_AS, &allowed) != 0 || allowed.rlim_cur == RLIM_INFINITY) return whole;
+    return std::min(whole, static_cast<double>(allowed.rlim_cur));
+}
+
+std::string gigabytes(double bytes) { return fixed(std::max(bytes, 1e8) / 1e9, 1) + " GB"; }
+
+} // namespace
+
+std::string cost_note(const Study& study, Purpose purpose)
+{
+    constexpr double kSeconds = 10.0, kBytes = 1e9, kMinute = 60.0;
     const dem::BuildCost c = dem::build_cost(layout_of(study), study.discretisation);
     const std::string time = c.seconds < kMinute ? fixed(std::max(c.seconds, 1.0), 0) + " s"
                                                  : fixed(c.seconds / kMinute, 0) + " min";
-    const std::string text =
-        "about " + time + " and " + fixed(std::max(c.bytes, 1e8) / 1e9, 1) + " GB";
-    const std::string less = "fewer solver.contact_points or solver.zones_per_interval, or "
-                             "units that are longer for their height, cost less";
-    if (c.bytes > kMostBytes)
-        throw error_at(study.source, "solver.contact_points",
-                       "the blocks would take " + text + " before the push begins; " + less);
+    const std::string text = "about " + time + " and " + gigabytes(c.bytes);
+    const bool beam = c.beam && study.beam.height > wall_length(study);
+    const std::string less =
+        beam ? "a beam that is less high, longer units or fewer solver.contact_points cost less"
+             : "fewer solver.contact_points or solver.zones_per_interval, or units that are "
+               "longer for their height, cost less";
+    const double available = memory();
+    if (c.bytes > available && purpose == Purpose::push)
+        throw error_at(study.source, beam ? "beam.height" : "solver.contact_points",
+                       std::string(beam ? "the beam" : "the blocks") + " would take " + text +
+                           " before the push begins, more than the " + gigabytes(available) +
+                           " there are; " + less);
     if (c.seconds < kSeconds && c.bytes < kBytes) return "";
     return "note: making the blocks takes " + text + " before the push begins; " + less + "\n";
 }
 
-void say_effects(const Study& study, const Command& command)
+std::string study_notes(const Study& study, const Command& command)
 {
-    if (command.verb == nullptr) return;
+    if (command.verb == nullptr) return "";
     if (!reads(*command.verb, *find_key("uq.drawn"))) refuse_drawn(study);
-    std::cerr << effect_notes(study, *command.verb);
+    std::string notes = effect_notes(study, *command.verb);
     if (!study.load.scaled.empty())
-        std::cerr << "note: load.protocol_scale: the protocol goes to "
-                  << fixed(study.load.max_displacement * 1e3, 2)
-                  << " mm; ultimate displacement of the mean wall pushed one way: "
-                  << study.load.scaled << '\n';
-    std::cerr << cost_note(study);
-    const char* key = study.geometry.file.empty() ? "wall.outlines" : "wall.geometry";
+        notes +=
+            "note: load.protocol_scale: the protocol goes to " +
+            fixed(study.load.max_displacement * 1e3, 2) +
+            " mm; ultimate displacement of the mean wall pushed one way: " + study.load.scaled +
+            '\n';
+    const bool pushes = reads(*command.verb, *find_key("output.record_every"));
+    notes += cost_note(study, pushes ? Purpose::push : Purpose::drawing);
+    const std::string key = study.geometry.file.empty() ? "wall.outlines" : "wall.geometry";
     for (const std::string& note : study.geometry.notes)
-        std::cerr << "note: " << key << ": " << note << '\n';
+        notes += "note: " + key + ": " + note + '\n';
+    return notes;
 }
 
 } // namespace app

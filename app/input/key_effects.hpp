@@ -18,14 +18,16 @@ namespace app {
 [[nodiscard]] std::string effect_notes(const Study& study, const Verb& verb);
 
 /// What making the blocks will cost, where that is much: a line for people; else nothing.
-/// @throws ConfigError where no machine of today has the memory
-[[nodiscard]] std::string cost_note(const Study& study);
+/// @param purpose of a drawing nothing is refused
+/// @throws ConfigError where this machine has not the memory
+[[nodiscard]] std::string cost_note(const Study& study, Purpose purpose);
 
 /// @throws ConfigError where the study names one wall (uq.drawn)
 void refuse_drawn(const Study& study);
 
-/// The same, on stderr, and what was closed, simplified or ignored of a drawing. Nothing for a command without a verb, as other programs make them.
+/// All notes on a study before it is run, for people: these, and what was closed, simplified or ignored of a drawing. Nothing for
+/// a command without a verb, as other programs make them.
 /// @throws ConfigError where the study names one wall (uq.drawn) and the verb is not push
-void say_effects(const Study& study, const Command& command);
+[[nodiscard]] std::string study_notes(const Study& study, const Command& command);
 
 } // namespace app

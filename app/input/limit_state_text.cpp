@@ -1,6 +1,7 @@
 #include "app/input/limit_state_text.hpp"
 
 #include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/text/words.hpp"
 
 #include <algorithm>
@@ -88,6 +89,14 @@ UserState parse_state(std::string_view text)
     return user;
 }
 
+/// From the foot of the wall, where its flexural capacity is attained, to the contraflexure point [m]: half-way up where the
+/// beam does not turn.
+double shear_span(const Study& study)
+{
+    const bool turns = !study.beam.present || study.beam.rotation == dem::BeamRotation::free;
+    return turns ? study.load.height : 0.5 * study.load.height;
+}
+
 /// Asks for the rule of a state: what contradicts itself is refused.
 void check_state(const UserState& user)
 {
@@ -143,6 +152,7 @@ ReadingRules reading_rules(const Study& study)
     rules.options = {f.ultimate_share, f.crossing, f.bilinear_share};
     rules.mode = f.mode;
     rules.height = study.load.height;
+    rules.slenderness = shear_span(study) / wall_length(study);
     rules.direction = push_way(study).direction;
     rules.backbone = f.backbone;
     read_at(study.source, "fragility.user_states", [&] {

@@ -55,7 +55,7 @@ std::vector<Option> table()
         {"out", "PATH", "output directory or file (default: runs/<name of the study>; beside a FILE.h5 that is read)",
          "push scene study sample reliability fragility report curves", false,
          [](Command& c, Text v) { c.out = some_text(v); }},
-        {"set", "section.key=value", "value in place of the one in the study file; may be repeated",
+        {"set", "section.key=value", "value in place of the one in the study file; an empty one takes the key out; may be repeated",
          "push scene study sample reliability fragility serve", true,
          [](Command& c, Text v) { c.overrides.push_back(v); }},
         {"threads", "N", "number of threads (default: " + std::to_string(default_threads()) + ", all of this machine)",
@@ -64,11 +64,16 @@ std::vector<Option> table()
         {"quiet", "", "no progress on stderr (default: progress)",
          "push study sample reliability fragility report curves merge serve", false,
          [](Command& c, Text) { c.quiet = true; }},
+        {"verbose", "", "print all rows and columns of the tables (default: ten rows, the main columns)",
+         "study fragility", false,
+         [](Command& c, Text) { c.verbose = true; }},
         {"sample", "K", "wall K, from 0, of a study with distributions; or mean: the wall of their means", "push", false,
          [](Command& c, Text v) {
              c.mean_wall = v == "mean";
              if (!c.mean_wall) c.sample = whole_number(v, 0, 1e9);
          }},
+        {"film", "", "write a moving picture of the push, film.svg, for a page or a talk", "push", false,
+         [](Command& c, Text) { c.film = true; }},
         {"level", "STRESS", "vertical stress, such as \"0.75 MPa\", where the study has several", "push reliability", false,
          [](Command& c, Text v) { c.level = v; }},
         {"shard", "I/N", "part I of N, I from 1; each part is written to a file of its own", "study", false,
@@ -97,18 +102,20 @@ std::vector<Option> table()
          [](Command& c, Text) { c.partial = true; }},
         {"walls", "N", "number of walls that can be looked at (default: all; a choice if the study is large)", "report", false,
          [](Command& c, Text v) { c.walls = whole_number(v, 0, 1e6); }},
-        {"title", "TEXT", "title of the page (default: name of the study)", "report", false,
+        {"title", "TEXT", "title of the page (default: name of the study)", "report study", false,
          [](Command& c, Text v) { c.title = some_text(v); }},
         {"port", "N", "port of a server, 0 for any free one (default: 4242)", "serve", false,
          [](Command& c, Text v) { c.port = whole_number(v, 0, 65535); }},
         {"address", "IP", "address at which a server listens (default: 127.0.0.1, this machine alone)", "serve", false,
          [](Command& c, Text v) { c.address = some_text(v); }},
+        {"host", "NAME", "further name under which clients reach a server, or of a machine whose pages may ask it; may be repeated", "serve", true,
+         [](Command& c, Text v) { c.hosts.push_back(some_text(v)); }},
         {"input", "section.key", "key that a server takes as an input (default: all random variables); may be repeated", "serve", true,
          [](Command& c, Text v) { c.inputs.push_back(some_text(v)); }},
         {"response", "NAME", "what a server gives, such as ultimate_drift (default: peak_force); may be repeated", "serve", true,
          [](Command& c, Text v) { c.responses.push_back(some_text(v)); }},
         {"help", "", "this text; after a verb, the help of that verb", "", true, nullptr},
-        {"version", "", "name and version of the program", "", true, nullptr},
+        {"version", "", "version and commit of the program, revision of its solver", "", true, nullptr},
     };
 }
 // clang-format on
@@ -135,15 +142,18 @@ const Option* find_option(std::string_view name)
 
 bool takes(const Verb& verb, const Option& option)
 {
-    return option.verbs.empty() || is_listed(verb.name, option.verbs);
+    return option.verbs.empty() || option.verbs.has(verb.name);
 }
 
 po::options_description described(const Verb* verb)
 {
-    po::options_description all("Options", 96);
+    constexpr unsigned kUnbroken = 1000; // lines are broken as wide as the terminal is
+    po::options_description all("Options", kUnbroken);
     for (const Option& o : options()) {
         if (verb != nullptr && !takes(*verb, o)) continue;
-        const std::string name = o.name == "help" ? "help,h" : o.name;
+        const std::string name = o.name + (o.name == "help"      ? ",h"
+                                           : o.name == "version" ? ",V"
+                                                                 : "");
         if (o.value_name.empty())
             all.add_options()(name.c_str(), o.meaning.c_str());
         else

@@ -2,6 +2,7 @@
 /// The options of the command line: one row for each.
 
 #include "app/input/command.hpp"
+#include "app/input/verb_set.hpp"
 
 #include <boost/program_options/options_description.hpp>
 
@@ -15,7 +16,7 @@ struct Option {
     std::string name;       ///< without its hyphens
     std::string value_name; ///< as shown in the help; empty: the option takes no value
     std::string meaning;    ///< one line
-    std::string verbs;      ///< that take it, between blanks; empty: all
+    VerbSet verbs;          ///< that take it; empty: all
     bool repeats = false;   ///< may be given more than once
     /// @throws BadValue if the value is not one of this option
     void (*apply)(Command& command, const std::string& value) = nullptr;

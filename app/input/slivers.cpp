@@ -29,4 +29,12 @@ bool openings_make_slivers(const Study& study, double smallest)
     return !has_slivers(layout_of(whole), smallest);
 }
 
+bool cracks_make_slivers(const Study& study, double smallest)
+{
+    const dem::Layout whole = whole_units(study);
+    return std::ranges::none_of(whole.blocks, [&](const dem::Block& b) {
+        return std::min(b.x1 - b.x0, b.z1 - b.z0) < smallest;
+    });
+}
+
 } // namespace app

@@ -9,4 +9,8 @@ namespace app {
 /// @param smallest length of a block or a piece of joint that is none [m]
 [[nodiscard]] bool openings_make_slivers(const Study& study, double smallest);
 
+/// Whether a wall that has blocks below this length or height would have none if no unit could crack.
+/// @param smallest [m]
+[[nodiscard]] bool cracks_make_slivers(const Study& study, double smallest);
+
 } // namespace app

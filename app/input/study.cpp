@@ -14,12 +14,29 @@
 #include "fragility/cyclic_curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
 
 namespace app {
 namespace {
+
+/// Two keys that give one thing. The one that --set gives takes the place of the other in the file.
+constexpr std::array<std::array<std::string_view, 2>, 2> kOneOfTwo = {
+    {{"joint.wall_modulus", "joint.normal_stiffness"}, {"load.targets", "load.amplitudes"}}};
+
+StudyFile without_replaced(StudyFile file)
+{
+    for (const auto& [a, b] : kOneOfTwo) {
+        const Entry *const first = find_entry(file, a), *const second = find_entry(file, b);
+        if (first == nullptr || second == nullptr) continue;
+        if ((first->line == 0) == (second->line == 0)) continue; // a check refuses both
+        const std::string_view replaced = first->line == 0 ? b : a;
+        std::erase_if(file.entries, [&](const Entry& e) { return e.key == replaced; });
+    }
+    return file;
+}
 
 /// A friction that no joint has is a misunderstanding; data of units that cannot crack are not.
 void refuse_unused(const Key& key, const Study& study)
@@ -48,21 +65,29 @@ void derive(Study& study)
     }
 }
 
+void leave_out_unfit_height(Study& study)
+{
+    study.load.unfit_height = unfit_height(study);
+    if (!study.load.unfit_height.empty()) find_key("load.height")->derived.apply(study);
+}
+
 } // namespace
 
-Study read_study(const StudyFile& file)
+Study read_study(const StudyFile& file, Purpose purpose)
 {
     if (is_program_study(file))
         throw ConfigError(file.path, find_section(file, "model")->line, "[model]",
                           "only the verb reliability takes a study of another program");
     refuse_unknown(file, study_keys());
     Study study;
-    study.source = file;
+    study.source = without_replaced(file);
     for (const Key& key : study_keys()) read_key(key, study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
+    check_cycles(study);
     read_geometry(study);
     check_stiffness(study);
     derive(study);
+    if (purpose == Purpose::drawing) leave_out_unfit_height(study);
     check_relations(study);
     find_needed_cracks(study);
     scale_protocol(study);
@@ -70,9 +95,10 @@ Study read_study(const StudyFile& file)
     return study;
 }
 
-Study read_study(const std::string& path, std::span<const std::string> overrides)
+Study read_study(const std::string& path, std::span<const std::string> overrides,
+                 Purpose purpose)
 {
-    return read_study(with_overrides(read_study_file(path), overrides));
+    return read_study(with_overrides(read_study_file(path), overrides), purpose);
 }
 
 namespace {
@@ -122,7 +148,10 @@ std::string effective_configuration(const Study& study)
         // How results are read is no part of the walls: a later version reads them its own way.
         const bool reading =
             entry == nullptr && (section == "fragility" || section == "reliability");
-        std::string line((follows || reading ? "# " : "") +
+        // The height of body forces is no choice: it would be refused.
+        const bool told = entry == nullptr && key.name == "load.height" &&
+                          study.load.pattern == dem::LoadPattern::body;
+        std::string line((follows || reading || told ? "# " : "") +
                          std::string(name_in_section(key.name)));
         line.resize(std::max<std::size_t>(line.size(), 24), ' ');
         line += "= " + value;
@@ -208,7 +237,7 @@ dem::PushPlan push_plan(const Study& study)
     const bool finite = study.solver.kinematics == dem::Kinematics::finite;
     const int direction = push_way(study).direction;
     const bool to_and_fro = direction == 0;
-    if (finite && !to_and_fro) plan.drop = fragility::kUltimateShare;
+    if (finite && !to_and_fro) plan.drop = study.fragility.ultimate_share;
     if (study.load.stop_below > 0.0)
         plan.decided = to_and_fro ? stop_both_below(study.load.stop_below)
                                   : dem::stop_below(study.load.stop_below, direction);

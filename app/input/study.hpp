@@ -39,6 +39,7 @@ struct GeometryInput {
     std::string outlines;             ///< in place of a file, as outlines_text() writes them
     double length_unit = 1e-3;        ///< of the drawing [m]
     double snap = 5e-4;               ///< gaps and overlaps that are closed [m], >= 0
+    bool close_outlines = false;      ///< open outlines of four corners or more
     double picture_width = 0.0;       ///< [m]; 0: not given
     double picture_height = 0.0;      ///< [m]; 0: not given
     double simplify = 5e-3;           ///< tolerance of outlines traced from a picture [m], >= 0
@@ -65,6 +66,8 @@ struct LoadInput {
     std::vector<double> vertical_stress; ///< stress levels [Pa], >= 0, at least one
     double height =
         0.0; ///< of the horizontal load, or of the resultant of body forces, above the floor [m]
+    /// Why the height that was given cannot be, in a study read to be drawn: `height` is its default then.
+    std::string unfit_height;
     double max_displacement = dem::PushPlan{}.targets.front(); ///< of the load line [m], > 0
     std::vector<double>
         targets; ///< displacements visited in order [m]; empty: max_displacement
@@ -166,7 +169,7 @@ struct ProgramInput {
     bool above = false;             ///< the event is to reach the demand, else to fall to it
 };
 
-/// How walls are read, by every verb. Moves no wall.
+/// How walls are read, by every verb. Moves no wall, but that a finite push makes haste below ultimate_share.
 struct FragilityInput {
     std::string limit_states = "paper, ntc"; ///< sets: paper, ntc, ec8, user
     std::string user_states;                 ///< "slight: 0.7 yield; severe: drop 0.5; ..."
@@ -200,11 +203,15 @@ struct Study {
     StudyFile source;                 ///< what was given
 };
 
+/// What a study is read for. A drawing needs no load: a height that does not fit the wall is told, not refused.
+enum class Purpose { push, drawing };
+
 /// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at
 /// odds with another
-[[nodiscard]] Study read_study(const StudyFile& file);
+[[nodiscard]] Study read_study(const StudyFile& file, Purpose purpose = Purpose::push);
 /// The same of a file of this name, with values of --set in place of its own.
-[[nodiscard]] Study read_study(const std::string& path, std::span<const std::string> overrides);
+[[nodiscard]] Study read_study(const std::string& path, std::span<const std::string> overrides,
+                               Purpose purpose = Purpose::push);
 
 /// Whether a file has a section [model]: a study of another program.
 [[nodiscard]] bool is_program_study(const StudyFile& file);

@@ -1,6 +1,7 @@
 #include "app/input/study_checks.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/slivers.hpp"
+#include "app/input/unit_cracks.hpp"
 #include "app/input/wall_geometry.hpp"
 
 #include "app/input/units.hpp"
@@ -65,6 +66,8 @@ void check_levels_differ(const Study& study)
     }
 }
 
+constexpr double kMostPoints = 1e6; // of a curve
+
 constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
 
 void check_normal_stiffness(const Study& study, double kn)
@@ -110,8 +113,9 @@ void check_bond(const Study& study)
     if (wall.bond != dem::Bond::shifted && wall.header_length > wall.unit_length)
         refuse(study, "wall.header_length",
                "must be at most wall.unit_length, " + text(wall.unit_length, "m"));
+    if (wall.bond != dem::Bond::shifted || wall.length_cov == 0.0) return;
     const double most = dem::most_length_cov(wall);
-    if (wall.bond == dem::Bond::shifted && wall.length_cov > most)
+    if (wall.length_cov > most)
         refuse(study, "wall.unit_length_cov",
                "head joints would pass those of the next course; write at most " +
                    number(std::floor(most * 1e3) / 1e3, 3));
@@ -132,15 +136,11 @@ dem::Layout layout_in_courses(const Study& study)
 /// sizes.
 void check_pieces(const Study& study)
 {
-    constexpr double kSmallest = 1e-3; // [m]
-    constexpr double kMostUnits = 1e5;
+    constexpr double kSmallest = dem::kShortestUnit;
     const dem::WallGeometry& wall = study.wall;
     if (!is_drawn(study) && wall.length < wall.unit_length) {
         refuse(study, "wall.length",
                "must be at least one wall.unit_length, " + text(wall.unit_length, "m"));
-    }
-    if (!is_drawn(study) && wall.courses * (wall.length / wall.unit_length) > kMostUnits) {
-        refuse(study, "wall.unit_length", "makes a wall of more than 100000 units");
     }
     const std::string_view culprit =
         find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
@@ -161,8 +161,8 @@ void check_pieces(const Study& study)
     const dem::Layout layout = layout_in_courses(study);
     for (const dem::Block& b : layout.blocks) {
         const double extent = std::min(b.x1 - b.x0, b.z1 - b.z0);
-        if (layout.divided && extent < kSmallest)
-            refuse(study, "unit.cracks",
+        if (layout.divided && extent < kSmallest && cracks_make_slivers(study, kSmallest))
+            refuse(study, find_entry(study.source, "unit.cracks") ? "unit.cracks" : culprit,
                    "makes pieces below 1 mm; write fewer pieces, or larger cells");
         if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
     }
@@ -171,6 +171,27 @@ void check_pieces(const Study& study)
         const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
         if (length < kSmallest) refuse_piece("a piece of joint", length);
     }
+}
+
+/// Pieces that share the stiffness of their unit with cracks take a larger Poisson's ratio than it has.
+void check_poisson(const Study& study)
+{
+    if (!any_pattern(study, dem::shares_stiffness)) return;
+    const auto refuse_ratio = [&](std::string_view key, const dem::Elastic& stone,
+                                  const std::string& whose) {
+        const double rigidity = study.wall.cracks.rigidity;
+        if (dem::between_cracks(stone, rigidity).poisson_ratio < 0.5) return;
+        refuse(study, key,
+               whose + number(stone.poisson_ratio, 6) + " must be below " +
+                   number(0.5 * (1.0 - 1.0 / rigidity), 4) +
+                   ", 0.5 (1 - 1 / unit.crack_rigidity), where unit.cracks divides units into "
+                   "pieces with cracks on all sides");
+    };
+    refuse_ratio("stone.poisson_ratio", study.parameters.stone, "");
+    for (std::size_t k = 0; k < study.geometry.stones.size(); ++k)
+        if (study.geometry.layers[k] != "lintel")
+            refuse_ratio("wall.layer_stones", study.geometry.stones[k],
+                         "Poisson's ratio of " + study.geometry.layers[k] + ", ");
 }
 
 /// Beyond this a block takes minutes and gigabytes to condense.
@@ -192,15 +213,8 @@ void check_zones(const Study& study)
 
 void check_load(const Study& study)
 {
-    constexpr double kRounding = 1e-9; // [m]
-    const double top = wall_height(study);
-    const double low = top - kRounding, high = top + study.beam.height + kRounding;
-    const bool body = study.load.pattern == dem::LoadPattern::body;
-    if (!body && (study.load.height < low || study.load.height > high)) {
-        refuse(study, "load.height",
-               "must lie within the loading beam, from " + text(top, "m") + " to " +
-                   text(top + study.beam.height, "m"));
-    }
+    const std::string unfit = unfit_height(study);
+    if (!unfit.empty()) refuse(study, "load.height", unfit);
     double previous = 0.0;
     for (const double target : study.load.targets) {
         if (target == previous) {
@@ -243,6 +257,19 @@ void check_pattern(const Study& study)
                        " has no beam to act on; write 0 MPa, or beam.present = yes");
 }
 
+/// Dry joints carry nothing that does not press on them.
+void check_pressed(const Study& study)
+{
+    const auto& levels = study.load.vertical_stress;
+    if (study.load.gravity > 0.0 || has_mortar(study) ||
+        *std::ranges::min_element(levels) > 0.0)
+        return;
+    refuse(study,
+           find_entry(study.source, "load.gravity") ? "load.gravity" : "load.vertical_stress",
+           "without weight and under 0 MPa nothing presses on dry joints, and the wall carries "
+           "nothing; write 9.81 m/s2, or a load.vertical_stress above 0 MPa");
+}
+
 /// How the vertical load follows matters to a wall that moves.
 void check_top_load(const Study& study)
 {
@@ -276,7 +303,6 @@ void check_steps(const Study& study)
 /// What is kept must be more than nothing and fit into memory.
 void check_output(const Study& study)
 {
-    constexpr double kMostPoints = 1e6;
     const PushWay way = push_way(study);
     const double path = way.length;
     const OutputInput& out = study.output;
@@ -290,6 +316,29 @@ void check_output(const Study& study)
 }
 
 } // namespace
+
+std::string unfit_height(const Study& study)
+{
+    constexpr double kRounding = 1e-9; // [m]
+    const double top = wall_height(study), height = study.load.height;
+    if (study.load.pattern == dem::LoadPattern::body || !study.beam.present) return "";
+    if (height >= top - kRounding && height <= top + study.beam.height + kRounding) return "";
+    return "must lie within the loading beam, from " + text(top, "m") + " to " +
+           text(top + study.beam.height, "m") + "; without this key it is the top of the beam";
+}
+
+void check_cycles(const Study& study)
+{
+    constexpr double kMostTurns = kMostPoints / dem::Recorder::kAfterTurn;
+    const LoadInput& load = study.load;
+    const double turns = 2.0 * load.repeats * static_cast<double>(load.amplitudes.size());
+    if (turns > kMostTurns)
+        refuse(study,
+               find_entry(study.source, "load.repeats") ? "load.repeats" : "load.amplitudes",
+               "makes a path with " + fixed(turns, 0) +
+                   " turns; ask for fewer cycles, so that there are at most " +
+                   fixed(kMostTurns, 0));
+}
 
 void check_stiffness(const Study& study)
 {
@@ -317,12 +366,25 @@ void check_relations(const Study& study)
     check_bond(study);
     check_pieces(study);
     check_zones(study);
+    check_poisson(study);
     check_pattern(study);
     check_load(study);
+    check_pressed(study);
     check_top_load(study);
     check_output(study);
     check_layouts(study);
     check_steps(study);
+    check_bootstrap(study);
+}
+
+void check_bootstrap(const Study& study)
+{
+    constexpr int kFewest = 100; // the smallest p-value is 1 / (samples + 1), and 0.01 rejects
+    const int samples = study.fragility.bootstrap;
+    if (samples > 0 && samples < kFewest)
+        refuse(study, "fragility.bootstrap",
+               std::to_string(samples) + " samples cannot reject a law at p < 0.01; write " +
+                   std::to_string(kFewest) + " or more, or 0 for no tests");
 }
 
 } // namespace app

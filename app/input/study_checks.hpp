@@ -3,15 +3,28 @@
 
 #include "app/input/study.hpp"
 
+#include <string>
+
 namespace app {
+
+/// That a push to and fro is not endless. Before its path is made.
+/// @throws ConfigError at the value to change
+void check_cycles(const Study& study);
 
 /// Joint stiffness: where it comes from, and one value per stress level. Before defaults are
 /// derived from it.
 /// @throws ConfigError at the value to change
 void check_stiffness(const Study& study);
 
+/// Why load.height does not fit the wall; empty if it does.
+[[nodiscard]] std::string unfit_height(const Study& study);
+
 /// Everything else, once every value is known.
 /// @throws ConfigError at the value to change
 void check_relations(const Study& study);
+
+/// Samples behind p-values, also where no study was read.
+/// @throws ConfigError where they are too few for a law to be rejected
+void check_bootstrap(const Study& study);
 
 } // namespace app

@@ -120,9 +120,6 @@ StudyFile with_overrides(StudyFile file, std::span<const std::string> assignment
                                   "such as joint.friction_angle=\"30 deg\"");
         }
         const std::string value(trimmed(std::string_view(text).substr(equals + 1)));
-        if (value.empty()) {
-            throw ConfigError("--set", 0, key, "empty value; write one after the =");
-        }
         if (value.find_first_of("#\n\r") != std::string::npos) {
             throw ConfigError("--set", 0, key,
                               in_quotes(value) + " has a # or a line break, which a study file "
@@ -130,10 +127,16 @@ StudyFile with_overrides(StudyFile file, std::span<const std::string> assignment
         }
         const auto given =
             std::ranges::find_if(file.entries, [&](const Entry& e) { return e.key == key; });
-        if (given == file.entries.end()) {
-            file.entries.push_back({key, value, 0});
-        } else if (given->line == 0) {
+        if (given != file.entries.end() && given->line == 0) {
             throw ConfigError("--set", 0, key, "given twice; keep one of them");
+        } else if (value.empty() && given == file.entries.end()) {
+            throw ConfigError(
+                "--set", 0, key,
+                "empty value of a key that is not in the file; write one after the =");
+        } else if (value.empty()) {
+            file.entries.erase(given);
+        } else if (given == file.entries.end()) {
+            file.entries.push_back({key, value, 0});
         } else {
             *given = {key, value, 0};
         }

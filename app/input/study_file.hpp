@@ -39,8 +39,8 @@ struct StudyFile {
 /// The same from a text; path only names it.
 [[nodiscard]] StudyFile parse_study_text(const std::string& path, std::string_view text);
 
-/// The file with the values of `section.key=value` put in place of its own.
-/// @throws ConfigError if an assignment is malformed, empty or doubled
+/// The file with the values of `section.key=value` put in place of its own. An empty value takes the key out of the file.
+/// @throws ConfigError if an assignment is malformed or doubled, or takes out a key that is not there
 [[nodiscard]] StudyFile with_overrides(StudyFile file,
                                        std::span<const std::string> assignments);
 

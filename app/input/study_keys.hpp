@@ -4,6 +4,7 @@
 
 #include "app/input/study.hpp"
 #include "app/input/study_field.hpp"
+#include "app/input/verb_set.hpp"
 
 #include <span>
 #include <string>
@@ -56,7 +57,7 @@ struct Key {
     std::span<const Named> names = {}; ///< words in place of numbers
     Condition used = {};   ///< otherwise the key is not required, not derived and not shown
     Condition effect = {}; ///< otherwise its value changes nothing, and the user is told
-    std::string_view verbs = "";   ///< that it concerns, between blanks; empty: all
+    VerbSet verbs = {};    ///< that it concerns; empty: all
     std::string_view example = ""; ///< of a key that must be given; empty: it has a default
     Derived derived = {};          ///< empty: the default is the one of the field
     Varies varies = Varies::never; ///< otherwise a distribution is a value too

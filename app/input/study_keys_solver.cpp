@@ -2,6 +2,7 @@
 
 #include "app/input/study_key_table.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "dem/scene/rigid_wall.hpp"
 
 #include <array>
 
@@ -38,6 +39,11 @@ void derive_load_height(Study& s)
     const double beam = s.beam.present ? s.beam.height : 0.0;
     s.load.height = wall + beam;
     if (s.load.pattern == dem::LoadPattern::beam) return;
+    if (!is_full_rectangle(s)) {
+        s.load.height =
+            dem::gravity_height(whole_units(s), s.parameters.stone, s.beam.material);
+        return;
+    }
     const double stone = s.parameters.stone.density * wall,
                  top = s.beam.material.density * beam;
     s.load.height = (0.5 * wall * stone + (wall + 0.5 * beam) * top) / (stone + top);

@@ -45,6 +45,8 @@ constexpr std::array kToes = {named("held", dem::Toe::held), named("free", dem::
 bool rigid_blocks(const Study& s) { return s.discretisation.block_modes == 3; }
 constexpr Condition kOfDrawing{[](const Study& s) { return !is_picture(s.geometry.file); },
                                "wall.geometry is a picture"};
+constexpr Condition kOfPolylines{[](const Study& s) { return has_polylines(s.geometry.file); },
+                                 "only polylines of DXF and SVG can be open"};
 constexpr Condition kOfPicture{[](const Study& s) { return is_picture(s.geometry.file); },
                                "wall.geometry is no picture"};
 constexpr Condition kWhereDrawn{
@@ -130,6 +132,10 @@ constexpr std::array kWallKeys = {
         .effect = kOfDrawing,
         .meaning = "gaps and overlaps of a drawing up to this are closed",
         .field = kAt<&Study::geometry, &GeometryInput::snap>},
+    Key{.name = "wall.close_outlines", .kind = Kind::word, .names = kYesNo, .used = kOfFile,
+        .effect = kOfPolylines,
+        .meaning = "open outlines of four corners or more are closed by a straight side",
+        .field = kAt<&Study::geometry, &GeometryInput::close_outlines>},
     Key{.name = "wall.picture_width", .unit = "m", .range = {'[', 0, 100, ']'}, .used = kOfFile,
         .effect = kOfPicture,
         .meaning = "width of the picture from edge to edge; must be given",

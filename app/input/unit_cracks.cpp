@@ -5,6 +5,9 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
+#include "dem/scene/layout.hpp"
+#include "dem/scene/piece_count.hpp"
+#include "dem/scene/touching.hpp"
 
 #include <charconv>
 #include <stdexcept>
@@ -163,6 +166,32 @@ void read_unit_cracks(Study& study)
     if (!study.cracks.where.empty())
         read_at(study.source, "unit.cracks_where",
                 [&] { study.wall.cracks.where = parse_regions(study.cracks.where, study); });
+}
+
+void check_pieces_of_units(const Study& study)
+{
+    constexpr double kMostPieces = 1e5;
+    const dem::UnitCracks& cracks = study.wall.cracks;
+    if (!any_pattern(study, [](const dem::CrackPattern& p) {
+            return p.kind == CrackKind::grid || p.kind == CrackKind::voronoi;
+        }))
+        return;            // few pieces of each unit
+    Study regular = study; // random lengths may not be possible, which is told later
+    regular.wall.length_cov = 0.0;
+    const dem::Layout whole = whole_units(regular);
+    double within = 0.0, elsewhere = 0.0;
+    for (int k = 0; k < whole.beam; ++k) {
+        const dem::Block& b = whole.blocks[static_cast<std::size_t>(k)];
+        const dem::CrackPattern& pattern = dem::pattern_at(cracks, dem::centre_of(b));
+        (&pattern == &cracks.pattern ? within : elsewhere) +=
+            dem::piece_count(dem::corners_of(b), pattern, study.wall.unit_length);
+    }
+    if (within + elsewhere <= kMostPieces) return;
+    throw error_at(study.source, within >= elsewhere ? "unit.cracks" : "unit.cracks_elsewhere",
+                   "makes about " + fixed(within + elsewhere, 0) +
+                       " pieces of units; write larger cells or fewer pieces, or "
+                       "unit.cracks_where for a part of the wall, so that there are at most "
+                       "100000");
 }
 
 void find_needed_cracks(Study& study)

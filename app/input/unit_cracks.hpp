@@ -10,6 +10,10 @@ namespace app {
 /// @throws ConfigError
 void read_unit_cracks(Study& study);
 
+/// Refuses patterns that make so many pieces that laying them would take minutes and gigabytes. Before they are laid.
+/// @throws ConfigError
+void check_pieces_of_units(const Study& study);
+
 /// Puts boxes in the place of `unit.cracks_where = needed` (app/input/needed_cracks.hpp), in which form the study is
 /// kept. The study must be complete.
 /// @throws ConfigError

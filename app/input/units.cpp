@@ -2,6 +2,7 @@
 
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <numbers>
 #include <system_error>
+#include <utility>
 
 namespace app {
 namespace {
@@ -41,6 +43,7 @@ constexpr std::array kUnits = {
     Unit{"Pa/mm", "a joint stiffness", 1e3, 1},
     Unit{"N/mm3", "a joint stiffness", 1e9, 1},
     Unit{"kg/m3", "a density", 1, 1},
+    Unit{"kN/m3", "a density", 1e3, dem::Loads{}.gravity}, // the weight that it has
     Unit{"N/m", "an energy per area", 1, 1},
     Unit{"J/m2", "an energy per area", 1, 1},
     Unit{"N/mm", "an energy per area", 1e3, 1},
@@ -121,14 +124,30 @@ Parts number_and_unit(std::string_view text, const Unit& unit)
     return parts;
 }
 
+/// "kg/m3" of "kg/m³" and of "kg/m^3".
+std::string plain(std::string_view unit)
+{
+    std::string name(unit);
+    for (const auto& [sign, digit] :
+         {std::pair{"\u00b2", "2"}, {"\u00b3", "3"}, {"^2", "2"}, {"^3", "3"}})
+        if (const std::size_t at = name.find(sign); at != std::string::npos)
+            name.replace(at, std::string_view(sign).size(), digit);
+    return name;
+}
+
 double in_si(const Parts& parts, const Unit& expected)
 {
     const auto names = alternatives(expected);
-    if (std::ranges::find(names, parts.unit) == names.end()) {
+    const std::string name = plain(parts.unit);
+    if (std::ranges::find(names, name) == names.end()) {
         const std::string is = "unit " + in_quotes(parts.unit);
         if (parts.unit.starts_with('/')) {
             throw BadValue(in_quotes(std::string(parts.number_text) + std::string(parts.unit)) +
                            " is a fraction; write it as a decimal number, such as 0.3333");
+        }
+        if (expected.name.empty() && parts.unit == "%") {
+            throw BadValue("a percentage where a number belongs; write " +
+                           in_quotes(number(parts.number / 100.0, 12)));
         }
         if (expected.name.empty()) {
             throw BadValue(is + " where none belongs; write " + in_quotes(parts.number_text));
@@ -136,11 +155,26 @@ double in_si(const Parts& parts, const Unit& expected)
         throw BadValue(is + " is not " + std::string(expected.quantity) + "; use " +
                        listed(names));
     }
-    const double value = si_value(parts.number, unit_named(parts.unit));
+    const double value = si_value(parts.number, unit_named(name));
     if (!std::isfinite(value)) {
         refuse_number(parts.number_text, "beyond the range of a double", expected);
     }
     return value;
+}
+
+/// What a comma before no blank may have meant: the point of a decimal number, or a list.
+std::string without_doubt(std::string_view text, std::size_t comma)
+{
+    std::string point(text), list;
+    point[comma] = '.';
+    for (const std::string_view item : split(text, ","))
+        list += (list.empty() ? "" : ", ") + std::string(item);
+    const bool several = text.find(',', comma + 1) != std::string_view::npos;
+    const bool sign =
+        comma + 1 < text.size() && (text[comma + 1] == '-' || text[comma + 1] == '+');
+    if (several || sign) return "a blank after each comma of a list, " + in_quotes(list);
+    return "a decimal point, " + in_quotes(point) + ", or a list with blanks, " +
+           in_quotes(list);
 }
 
 /// A comma ends an item of a list only before a blank, so that "0,15" is never read as 0
@@ -152,11 +186,8 @@ std::vector<std::string_view> unit_words(std::string_view text)
         comma = text.find(',', begin);
         if (comma != std::string_view::npos && comma + 1 < text.size() &&
             text[comma + 1] != ' ' && text[comma + 1] != '\t') {
-            std::string point(text), list(text);
-            point[comma] = '.';
-            list.insert(comma + 1, " ");
-            throw BadValue("comma inside " + in_quotes(text) + "; write a decimal point, " +
-                           in_quotes(point) + ", or a list with blanks, " + in_quotes(list));
+            throw BadValue("comma inside " + in_quotes(text) + "; write " +
+                           without_doubt(text, comma));
         }
         found.push_back(trimmed(text.substr(begin, comma - begin)));
         if (found.back().empty()) {
@@ -226,17 +257,21 @@ double to_si(double value, std::string_view unit) { return si_value(value, unit_
 std::string format_quantities(std::span<const double> si, std::string_view unit)
 {
     const Unit& wanted = unit_named(unit);
-    const auto text_in = [&](const Unit& u) {
+    constexpr int kEvery = 17, kFew = 15;
+    const auto text_in = [&](const Unit& u, int digits) {
         std::string text;
         for (const double value : si) {
-            text += (text.empty() ? "" : ", ") + number(value * u.over / u.times, 17);
+            const double shown = value * u.over / u.times;
+            const std::string every = number(shown, kEvery), few = number(shown, digits);
+            text += (text.empty() ? "" : ", ") + (few.size() < every.size() ? few : every);
         }
         return text + (u.name.empty() ? "" : " ") + std::string(u.name);
     };
-    const std::string text = text_in(wanted);
-    const std::vector<double> back = parse_quantities(text, unit);
-    if (std::ranges::equal(si, back)) return text;
-    return text_in(unit_named(alternatives(wanted).front()));
+    for (const int digits : {kFew, kEvery}) { // 30 deg rather than 29.999999999999996 deg
+        const std::string text = text_in(wanted, digits);
+        if (std::ranges::equal(si, parse_quantities(text, unit))) return text;
+    }
+    return text_in(unit_named(alternatives(wanted).front()), kEvery);
 }
 
 } // namespace app

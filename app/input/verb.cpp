@@ -19,6 +19,13 @@ const Verb* find_verb(std::span<const Verb> verbs, std::string_view name)
 const Verb& known_verb(std::span<const Verb> verbs, std::string_view name)
 {
     if (const Verb* verb = find_verb(verbs, name)) return *verb;
+    const auto use = [&](const char* verb) {
+        throw ConfigError("drystone", 0, name,
+                          "missing verb; write \"drystone " + std::string(verb) + " " +
+                              std::string(name) + "\"");
+    };
+    if (name.ends_with(".ini")) use("push");
+    if (name.ends_with(".h5")) use("fragility");
     std::vector<std::string_view> names;
     for (const Verb& v : verbs) names.push_back(v.name);
     throw ConfigError("drystone", 0, name, "unknown verb; " + suggestion(name, names));

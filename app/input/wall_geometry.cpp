@@ -97,8 +97,9 @@ void read_file(Study& study)
                     study.source, key,
                     "missing; a picture does not say its size: write for example 1.20 m");
     const bool unit_given = find_entry(study.source, "wall.length_unit") != nullptr;
-    const Drawing drawing = read_drawing(path, {g.length_unit, unit_given, g.snap,
-                                                g.picture_width, g.picture_height, g.simplify});
+    const Drawing drawing =
+        read_drawing(path, {g.length_unit, unit_given, g.snap, g.close_outlines,
+                            g.picture_width, g.picture_height, g.simplify});
     g.notes = drawing.notes;
     for (const DrawnBlock& b : drawing.blocks)
         g.units.push_back(
@@ -118,7 +119,7 @@ void check_outlines(const Study& study)
     const Entry* entry = find_entry(study.source, "wall.outlines");
     std::vector<DrawnBlock> blocks;
     for (const dem::DrawnUnit& unit : study.geometry.units)
-        blocks.push_back({unit.outline, "", ""});
+        blocks.push_back({unit.outline, ""});
     check_blocks(study.source.path, entry->line, blocks);
 }
 
@@ -181,6 +182,7 @@ void read_geometry(Study& study)
         read_unit_cracks(study);
         require_level_top(study);
         std::ranges::copy(notes_of_ends(study), std::back_inserter(g.notes));
+        check_pieces_of_units(study);
         const dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam_height(study));
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;
@@ -219,6 +221,27 @@ bool has_crushing(const Study& study)
     const Parameters& p = study.parameters;
     return p.joint.crushing.strength > 0.0 ||
            (has_cracks(study) && p.unit.crushing.strength > 0.0);
+}
+
+bool is_full_rectangle(const Study& study)
+{
+    if (!is_drawn(study)) return study.wall.openings.empty();
+    constexpr double kRounding = 1e-9; // of the area
+    const dem::Region all = wall_extent(study);
+    double area = 0.0;
+    for (const dem::DrawnUnit& unit : study.geometry.units) {
+        if (unit.material != 0) return false;
+        area += dem::polygon_area(unit.outline);
+    }
+    return area >= (1.0 - kRounding) * (all.x1 - all.x0) * (all.z1 - all.z0);
+}
+
+dem::Layout whole_units(const Study& study)
+{
+    Study uncracked = study;
+    uncracked.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
+    uncracked.wall.cracks.where.clear();
+    return layout_of(uncracked);
 }
 
 dem::Layout layout_of(const Study& study)

@@ -33,8 +33,14 @@ void read_geometry(Study& study);
 /// Whether anything can crush: a mean strength is given.
 [[nodiscard]] bool has_crushing(const Study& study);
 
+/// Whether the masonry fills the rectangle around it with stones of one density.
+[[nodiscard]] bool is_full_rectangle(const Study& study);
+
 /// Of the wall with its beam.
 [[nodiscard]] dem::Layout layout_of(const Study& study);
+
+/// The same if no unit could crack.
+[[nodiscard]] dem::Layout whole_units(const Study& study);
 
 /// "0 0, 0.2 0, 0.2 0.1, 0 0.1; ...": corners in metres, to all digits, counter-clockwise. A layer that is not the
 /// wall's own stone stands in front: "lintel: 0 0, ...".

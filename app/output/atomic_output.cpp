@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace app {
 
@@ -53,23 +54,43 @@ void make_folder(const fs::path& folder)
     if (error) fail("create folder", folder, error.message());
 }
 
-void write_file(const fs::path& path, std::string_view content)
+NewFile::NewFile(fs::path path) : path_(std::move(path)), temporary_(temporary_beside(path_))
 {
     std::error_code ignored;
     // renaming over a device would replace it: /dev/null, for root
-    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
-        fail("write", path, "it exists and is not a regular file");
+    if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored))
+        fail("write", path_, "it exists and is not a regular file");
+    file_ = ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (file_ < 0) fail("write", path_, reason_of(errno));
+}
 
-    const fs::path temporary = temporary_beside(path);
-    const int file = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-    if (file < 0) fail("write", path, reason_of(errno));
-    int error = write_all(file, content);
-    if (::close(file) != 0 && error == 0)
-        error = errno; // network disks report a full disk here
-    if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-    if (error == 0) return;
-    ::unlink(temporary.c_str());
-    fail("write", path, reason_of(error));
+NewFile::~NewFile()
+{
+    if (temporary_.empty()) return;
+    if (file_ >= 0) ::close(file_);
+    ::unlink(temporary_.c_str());
+}
+
+void NewFile::add(std::string_view content)
+{
+    if (const int error = write_all(file_, content); error != 0)
+        fail("write", path_, reason_of(error));
+}
+
+void NewFile::finish()
+{
+    // network disks report a full disk here
+    if (::close(std::exchange(file_, -1)) != 0 ||
+        ::rename(temporary_.c_str(), path_.c_str()) != 0)
+        fail("write", path_, reason_of(errno));
+    temporary_.clear();
+}
+
+void write_file(const fs::path& path, std::string_view content)
+{
+    NewFile file(path);
+    file.add(content);
+    file.finish();
 }
 
 } // namespace app

@@ -1,6 +1,7 @@
 #include "app/output/markup.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -50,9 +51,12 @@ std::string replaced(std::string_view text, std::span<const Replacement> table)
 
 std::string csv_cell(const std::string& text)
 {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    const bool runs = text.size() > 1 &&
+                      std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+    const std::string shown = (runs ? "'" : "") + text;
+    if (shown.find_first_of(",\"\n\r") == std::string::npos) return shown;
     constexpr Replacement kQuote[] = {{"\"", "\"\""}};
-    return '"' + replaced(text, kQuote) + '"';
+    return '"' + replaced(shown, kQuote) + '"';
 }
 
 std::string markdown_text(std::string_view text) { return replaced(text, kMarkdown); }
@@ -85,6 +89,36 @@ std::string wrapped(const std::string& text, std::size_t width)
             used = 0;
         }
         at = end + 1;
+    }
+    return lines;
+}
+
+namespace {
+
+/// Column at which the words of a line that is too long go on: that of its last column, or a little to the right of
+/// its beginning.
+std::size_t hang_of(std::string_view line, std::size_t width)
+{
+    const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+    const std::size_t gap = line.substr(0, width).rfind("  ");
+    const bool columns = gap != std::string_view::npos && gap > begin && 2 * gap < width;
+    return columns ? gap + 2 : begin + 2;
+}
+
+} // namespace
+
+std::string hung(const std::string& text, std::size_t width)
+{
+    std::string lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line); lines += line + '\n') {
+        const std::size_t hang = hang_of(line, width);
+        while (shown_width(line) > width) {
+            const std::size_t blank = line.rfind(' ', width);
+            if (blank == std::string::npos || blank <= hang) break; // one word is longer
+            lines += line.substr(0, blank) + '\n';
+            line.replace(0, blank + 1, std::string(hang, ' '));
+        }
     }
     return lines;
 }

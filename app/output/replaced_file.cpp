@@ -4,14 +4,13 @@
 
 #include <array>
 #include <fstream>
-#include <iostream>
 
 namespace app {
 
-void check_replaced(const std::filesystem::path& file, std::string_view mark, bool quiet)
+std::string check_replaced(const std::filesystem::path& file, std::string_view mark)
 {
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) return;
+    if (!std::filesystem::is_regular_file(file, ignored)) return "";
     std::array<char, 1000> begin{};
     std::ifstream in(file, std::ios::binary);
     in.read(begin.data(), begin.size());
@@ -21,9 +20,7 @@ void check_replaced(const std::filesystem::path& file, std::string_view mark, bo
             "--out", 0, file.string(),
             "exists already and was not written by this command; give another name, or "
             "move the file away");
-    if (!quiet)
-        std::cerr << "note: " << file.string()
-                  << " is an earlier result and will be replaced\n";
+    return "note: " + file.string() + " is an earlier result and will be replaced\n";
 }
 
 } // namespace app

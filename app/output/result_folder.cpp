@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <fstream>
-#include <iostream>
 #include <iterator>
 #include <map>
 #include <set>
@@ -78,14 +77,14 @@ void move_file(const fs::path& from, const fs::path& to)
 
 } // namespace
 
-void check_results(const fs::path& folder, const std::vector<fs::path>& names, bool quiet,
-                   std::string_view list)
+std::string check_results(const fs::path& folder, const std::vector<fs::path>& names,
+                          std::string_view list)
 {
     const List before = read_list(folder, list);
     check_foreign(folder, names, before);
-    if (!quiet && !before.empty())
-        std::cerr << "note: " << folder.string()
-                  << " has results of an earlier run, which will be replaced\n";
+    if (before.empty()) return "";
+    return "note: " + folder.string() +
+           " has results of an earlier run, which will be replaced\n";
 }
 
 std::size_t write_results(const fs::path& folder, const std::vector<OutputFile>& files,
@@ -121,6 +120,22 @@ std::size_t write_results(const fs::path& folder, const std::vector<OutputFile>&
             fs::remove(parent, not_empty);
     write_file(folder / list, list_text(now));
     return removed;
+}
+
+void add_results(const fs::path& folder, const std::vector<OutputFile>& files,
+                 std::string_view list)
+{
+    List all = read_list(folder, list);
+    std::vector<fs::path> names;
+    for (const OutputFile& f : files) names.push_back(f.name);
+    check_foreign(folder, names, all);
+    make_folder(folder);
+    for (const OutputFile& f : files) all[f.name.string()] = check_sum(f.content);
+    write_file(folder / list, list_text(all)); // first, as in write_results
+    for (const OutputFile& f : files) {
+        make_folder((folder / f.name).parent_path());
+        write_file(folder / f.name, f.content);
+    }
 }
 
 } // namespace app

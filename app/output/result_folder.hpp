@@ -18,12 +18,12 @@ struct OutputFile {
 /// The list of files that a run wrote, with their check sums: how the next run knows what is ours.
 constexpr std::string_view kFileList = "drystone_files.txt";
 
-/// Asks before a run what write_results would refuse after it, and says on stderr where results of an earlier
-/// run will be replaced.
+/// Asks before a run what write_results would refuse after it.
+/// @return a line for people where results of an earlier run will be replaced, else nothing
 /// @throws ConfigError if a file of one of these names is there and not on the list of an earlier run
-void check_results(const std::filesystem::path& folder,
-                   const std::vector<std::filesystem::path>& names, bool quiet,
-                   std::string_view list = kFileList);
+[[nodiscard]] std::string check_results(const std::filesystem::path& folder,
+                                        const std::vector<std::filesystem::path>& names,
+                                        std::string_view list = kFileList);
 
 /// Writes all files and the list of them. Files that the list of an earlier run names and this run does
 /// not write are removed, unless they have been changed since; other files stay as they are. Files that are moved here
@@ -36,5 +36,11 @@ void check_results(const std::filesystem::path& folder,
 std::size_t write_results(const std::filesystem::path& folder,
                           const std::vector<OutputFile>& files,
                           std::string_view list = kFileList);
+
+/// Writes files beside those of an earlier run, which stay and remain on the list; the next write_results removes both.
+/// @param files none of them is moved here
+/// @throws as write_results
+void add_results(const std::filesystem::path& folder, const std::vector<OutputFile>& files,
+                 std::string_view list = kFileList);
 
 } // namespace app

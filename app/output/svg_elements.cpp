@@ -109,6 +109,7 @@ std::string svg_rectangle(Pixel top_left, double width, double height, std::stri
 
 std::string svg_text(Pixel at, std::string_view text, std::string_view style)
 {
+    if (text.empty()) return {};
     std::string result = "<text" + attribute("x", at.x) + attribute("y", at.y);
     if (!style.empty()) result.append(" ").append(style);
     return result + '>' + xml_escape(text) + "</text>\n";
@@ -131,8 +132,8 @@ std::string svg_page(double width, double height, std::string_view title, std::s
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
         "\" viewBox=\"0 0 " + w + ' ' + h +
         "\" font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" font-size=\"13\" "
-        "fill=\"#222\">\n<title>" +
-        xml_escape(title) + "</title>\n" +
+        "fill=\"#222\">\n" +
+        (title.empty() ? std::string() : "<title>" + xml_escape(title) + "</title>\n") +
         svg_rectangle({0, 0}, width, height, "fill=\"white\"");
     return page.append(body) + "</svg>\n";
 }

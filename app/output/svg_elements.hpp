@@ -31,7 +31,7 @@ struct Pixel {
 [[nodiscard]] std::string svg_line(Pixel a, Pixel b, std::string_view style);
 [[nodiscard]] std::string svg_rectangle(Pixel top_left, double width, double height,
                                         std::string_view style);
-/// `text` is escaped here.
+/// `text` is escaped here; nothing where it is empty.
 [[nodiscard]] std::string svg_text(Pixel at, std::string_view text, std::string_view style);
 
 /// `elements`, cut off outside a rectangle; coordinates stay those of the page. Without ids:
@@ -40,7 +40,7 @@ struct Pixel {
                                      std::string_view elements);
 
 /// A whole file around `body`: white page, one sans-serif font, 13 px unless said otherwise.
-/// @param title for screen readers and tooltips, escaped here
+/// @param title for screen readers and tooltips, escaped here; may be empty
 [[nodiscard]] std::string svg_page(double width, double height, std::string_view title,
                                    std::string_view body);
 

@@ -51,12 +51,19 @@ std::string number_cell(const Number& n)
     if (n.sense != Sense::equal) {
         const double least = value ? n.value : n.lower;
         if (!std::isfinite(least)) return {};
-        return (n.sense == Sense::above ? "> " : ">= ") + rounded_down(n, least);
+        const std::string text =
+            (n.sense == Sense::above ? "> " : ">= ") + rounded_down(n, least);
+        const bool wider = value && range && n.lower < least;
+        return wider ? text + " [" + rounded_down(n, n.lower) + ", " + bound(n, n.upper) + "]"
+                     : text;
     }
     if (!value) return range ? bound(n, n.lower) + " to " + bound(n, n.upper) : std::string();
     if (range)
         return marked(n, n.value) + " [" + bound(n, n.lower) + ", " + bound(n, n.upper) + "]";
-    if (std::isfinite(n.error)) return marked(n, n.value) + " +- " + digits(n, n.error);
+    if (std::isfinite(n.error))
+        return marked(n, n.value) + " +- " +
+               (n.decimals == kShortest ? digits(n, n.error)
+                                        : never_rounded_away(n.error, n.decimals));
     return marked(n, n.value);
 }
 
@@ -84,9 +91,11 @@ std::vector<std::string> plain_names(const Head& c)
     return names;
 }
 
-PlainTable::Value finite(double x)
+/// Values without decimals of their own are inputs, which programs get to the bit.
+PlainTable::Value finite(const Number& n, double x)
 {
-    return std::isfinite(x) ? PlainTable::Value(x) : PlainTable::Value();
+    if (!std::isfinite(x)) return {};
+    return n.decimals == kShortest ? x : rounded(x, kAfterUnits);
 }
 
 void add_plain(const Head& c, const Cell& cell, std::vector<PlainTable::Value>& row)
@@ -99,13 +108,13 @@ void add_plain(const Head& c, const Cell& cell, std::vector<PlainTable::Value>& 
     };
     const std::string* const text = text_of(cell);
     if ((c.holds & kRange) == 0)
-        row.push_back(text && !text->empty() ? PlainTable::Value(*text) : finite(n.value));
+        row.push_back(text && !text->empty() ? PlainTable::Value(*text) : finite(n, n.value));
     if (c.holds & kExtrapolated) row.push_back(flag(extrapolated(n, n.value)));
     if (c.holds & kCensored) row.push_back(flag(n.sense != Sense::equal));
-    if (c.holds & kError) row.push_back(finite(n.error));
+    if (c.holds & kError) row.push_back(finite(n, n.error));
     if (c.holds & (kInterval | kRange)) {
-        row.push_back(finite(n.lower));
-        row.push_back(finite(n.upper));
+        row.push_back(finite(n, n.lower));
+        row.push_back(finite(n, n.upper));
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// A table whose numbers stay numbers until a writer turns them into text. People get rounded values
-/// with their doubt in one cell; programs get all digits, one number per column.
+/// with their doubt in one cell; programs get kAfterUnits digits, of inputs all, one number per column.
 
 #include <cstddef>
 #include <limits>
@@ -45,7 +45,8 @@ enum : unsigned {
     kExtrapolated = 8, ///< "median extrapolated": 1 or 0
     kCensored = 16,    ///< "median censored": 1 where the value is a lower bound, else 0
     kNote = 32, ///< sentences: a number in brackets for people, the sentence below the table
-    kProgramsOnly = 64 ///< not shown to people
+    kProgramsOnly = 64, ///< not shown to people
+    kDetail = 128       ///< left out where a terminal is given the short of a table
 };
 
 struct Head {
@@ -80,7 +81,8 @@ struct PlainTable {
 /// Aligned columns. A table wider than `width` is parted into blocks of columns, each with the keys.
 /// @param width of the terminal in characters; 0: no limit
 [[nodiscard]] std::string as_text(const Table& table, std::size_t width = 0);
-[[nodiscard]] std::string as_csv(const Table& table); ///< RFC 4180, numbers with all digits
+[[nodiscard]] std::string
+as_csv(const Table& table); ///< RFC 4180, numbers as programs get them
 [[nodiscard]] std::string as_markdown(const Table& table);
 /// A table environment with booktabs rules, in \footnotesize; a table wider than an A4 page (16 cm of text) is parted into
 /// blocks of columns, each with the keys. Long tables are a longtable. Packages booktabs, graphicx, longtable.

@@ -104,7 +104,33 @@ std::string draw_undeformed(const Snapshot& wall, const WallView& view)
     return svg_group(svg_stroke("#d4d4d4", 0.7), blocks);
 }
 
-std::string draw_blocks(const Snapshot& wall, const WallView& view)
+StoneTints stone_tints(const dem::Layout& layout)
+{
+    StoneTints tints;
+    bool lintels = false, others = false;
+    for (const dem::Block& block : layout.blocks) {
+        if (block.unit < 1 || block.material == 0) continue;
+        tints.kind.resize(std::max(tints.kind.size(), static_cast<std::size_t>(block.unit)));
+        tints.kind[static_cast<std::size_t>(block.unit) - 1] = block.material;
+        (block.material == layout.lintels ? lintels : others) = true;
+    }
+    if (others)
+        tints.name = "units of other stone";
+    else if (lintels)
+        tints.name = "lintels";
+    return tints;
+}
+
+const char* block_tint(const dem::BlockState& block, const StoneTints& tints)
+{
+    if (block.course == 0) return "#c9ccd1";
+    const auto unit = static_cast<std::size_t>(block.unit);
+    const int kind = unit >= 1 && unit <= tints.kind.size() ? tints.kind[unit - 1] : 0;
+    if (kind == 0) return kStoneTints[unit % kStoneTints.size()];
+    return kKindTints[static_cast<std::size_t>(kind) % kKindTints.size()];
+}
+
+std::string draw_blocks(const Snapshot& wall, const WallView& view, const StoneTints& tints)
 {
     const auto cracks = cracks_of_blocks(wall);
     std::string stones, edges;
@@ -113,9 +139,7 @@ std::string draw_blocks(const Snapshot& wall, const WallView& view)
         std::vector<Pixel> outline;
         for (std::size_t i = 0; i < block.outline.size(); ++i)
             outline.push_back(view.place(block.outline[i], block.displacement.at(i)));
-        const std::string colour = block.course == 0
-                                       ? "#c9ccd1"
-                                       : kStoneTints[static_cast<std::size_t>(block.unit) % 3];
+        const std::string colour = block_tint(block, tints);
         // a stroke of its own colour closes the hairline between two halves
         stones += svg_polygon(outline,
                               svg_attribute("fill", colour) + svg_attribute("stroke", colour));

@@ -46,10 +46,13 @@ std::string thrust_text(double widest_force)
 
 } // namespace
 
-double wall_legend_height(const MarkSizes& sizes) { return sizes.crushed ? 82.0 : 56.0; }
+double wall_legend_height(const MarkSizes& sizes, const StoneTints& tints)
+{
+    return sizes.crushed || !tints.name.empty() ? 82.0 : 56.0;
+}
 
 std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes& sizes,
-                             double widest_force, double mark_size)
+                             double widest_force, double mark_size, const StoneTints& tints)
 {
     const std::string above = "> " + millimetres(sizes.threshold) + " mm";
     const auto at = [&](int column, int row) -> Pixel {
@@ -86,6 +89,11 @@ std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes& size
                            crushed_mark({p.x + 8, p.y}, 0.0, 1.5) +
                                crushed_mark({p.x + 26, p.y}, 1.0, 1.5)) +
                  label(p, "crushing; full: crushed through");
+    p = at(1, 2);
+    if (!tints.name.empty())
+        drawn += svg_rectangle({p.x + 4, p.y - 7}, kSwatch - 8, 14,
+                               svg_attribute("fill", kKindTints[1]) + "stroke=\"#a3937a\"") +
+                 label(p, tints.name);
     p = at(2, 1);
     return drawn + svg_rectangle({p.x + 4, p.y - 7}, kSwatch - 8, 14, svg_stroke("#bbb", 0.9)) +
            label(p, "undeformed");

@@ -20,13 +20,13 @@ namespace app {
 
 namespace {
 
-constexpr double kPageMargin = 24.0, kPanelWidth = 464.0, kMostPanelHeight = 640.0; // [px]
-constexpr double kLoadRoom = 62.0;   // beside the wall, for the arrow and its force [px]
-constexpr double kBareRoom = 16.0;   // on the other side [px]
-constexpr double kArrowRoom = 50.0;  // above the wall, for the vertical load [px]
-constexpr double kGroundRoom = 40.0; // below the wall, for the hatching and the scale bar [px]
-constexpr double kAway = 4.0;        // between an arrow and what it loads [px]
-constexpr double kFullStone = 34.0;  // height of a stone that takes marks of full size [px]
+constexpr double kPageMargin = 24.0, kPageWidth = 1000.0, kMostPanelHeight = 640.0; // [px]
+constexpr double kArrowLength = 44.0; // of the horizontal load [px]
+constexpr double kBareRoom = 16.0;    // on the other side [px]
+constexpr double kArrowRoom = 50.0;   // above the wall, for the vertical load [px]
+constexpr double kGroundRoom = 40.0;  // below the wall, for the hatching and the scale bar [px]
+constexpr double kAway = 4.0;         // between an arrow and what it loads [px]
+constexpr double kFullStone = 34.0;   // height of a stone that takes marks of full size [px]
 constexpr const char* kArrowColour = "#222";
 constexpr const char* kCentred = "text-anchor=\"middle\" font-size=\"12\"";
 
@@ -38,14 +38,16 @@ struct Panel {
     double left = 0.0; ///< [px]
 };
 
-/// What both panels share.
+/// What the panels share.
 struct Page {
+    double panel_width = 0.0;       ///< [px]
     double top = 0.0, height = 0.0; ///< of the panels [px]
     double pixels_per_metre = 1.0;
     Pixel origin; ///< of x = 0, z = 0, from the left of a panel and the top of the page
     WallBox rest; ///< undeformed walls
     MarkSizes marks;
-    double widest_force = 0.0; ///< [N]
+    double widest_force = 0.0; ///< of a face [N]
+    double largest_load = 0.0; ///< horizontal, of the panels [N]
     double mark_size = 1.0;    ///< WallView::mark_size
 };
 
@@ -96,17 +98,42 @@ std::string draw_vertical_load(Pixel left, Pixel right, std::string_view label)
     return drawn + svg_text({(left.x + right.x) / 2, tip - 26.0}, label, kCentred);
 }
 
-std::string draw_loads(const Panel& panel, const WallPictureText& text)
+/// The horizontal load of a panel [kN]; what is nothing beside the largest is written as nothing.
+std::string load_text(double force, const Page& page)
+{
+    constexpr double kNothing = 1e-3; // of the largest
+    return std::abs(force) <= kNothing * page.largest_load
+               ? fixed(0.0, 1)
+               : never_rounded_away(force * 1e-3, 1);
+}
+
+/// From the wall to the far end of the horizontal arrow or of its force [px].
+double load_room(double force, const Page& page)
+{
+    return kAway +
+           std::max(kArrowLength,
+                    text_width(load_text(std::abs(force), page) + " kN", 12.0) + kAway) +
+           8.0;
+}
+
+std::string draw_horizontal_load(const Panel& panel, const Page& page, Pixel tip, double sign)
+{
+    const double away = sign * kAway;
+    if (panel.wall.force == 0.0) return {};
+    return arrow({tip.x - away - sign * kArrowLength, tip.y}, {tip.x - away, tip.y}) +
+           svg_text({tip.x - 2 * away, tip.y - 9.0},
+                    load_text(std::abs(panel.wall.force), page) + " kN",
+                    svg_attribute("text-anchor", sign > 0.0 ? "end" : "start") +
+                        "font-size=\"12\"");
+}
+
+std::string draw_loads(const Panel& panel, const Page& page, const WallPictureText& text)
 {
     const WallBox beam = loaded_box(panel.wall, panel.view.scale);
     const double z = std::clamp(text.load_height, beam.low.z, beam.high.z);
     const bool to_right = panel.wall.force >= 0.0;
     const Pixel tip = panel.view.place({to_right ? beam.low.x : beam.high.x, z});
-    const double sign = to_right ? 1.0 : -1.0;
-    constexpr double kLength = 44.0; // [px]
-    return arrow({tip.x - sign * (kLength + kAway), tip.y}, {tip.x - sign * kAway, tip.y}) +
-           svg_text({tip.x - sign * (kAway + kLength / 2), tip.y - 8.0},
-                    fixed(std::abs(panel.wall.force) * 1e-3, 1) + " kN", kCentred) +
+    return draw_horizontal_load(panel, page, tip, to_right ? 1.0 : -1.0) +
            draw_vertical_load(panel.view.place({beam.low.x, beam.high.z}),
                               panel.view.place(beam.high), text.vertical_load);
 }
@@ -127,20 +154,13 @@ std::string draw_scale_bar(const Page& page, const WallView& view)
                                                               "font-size=\"12\"");
 }
 
-/// With so many decimals, or with two digits where these would leave none.
-std::string never_rounded_away(double x, int decimals)
-{
-    const bool none_left = x != 0.0 && std::abs(x) < 0.5 * std::pow(10.0, -decimals);
-    return none_left ? number(x, 2) : fixed(x, decimals);
-}
-
 std::string draw_heading(const Panel& panel, const Page& page, double load_height)
 {
     const dem::Snapshot& wall = panel.wall;
     const std::string numbers = never_rounded_away(wall.displacement * 1e3, 1) +
                                 " mm,  drift " +
                                 never_rounded_away(wall.displacement / load_height * 100.0, 2) +
-                                " %,  " + never_rounded_away(wall.force * 1e-3, 1) + " kN";
+                                " %,  " + load_text(wall.force, page) + " kN";
     const double after_name = panel.left + text_width(panel.name, 15.0) + 18.0;
     return svg_text({panel.left, page.top - 30.0}, panel.name,
                     "font-size=\"15\" font-weight=\"bold\"") +
@@ -154,12 +174,13 @@ std::string draw_panel(const Panel& panel, const Page& page, const WallPictureTe
     const dem::Snapshot& wall = panel.wall;
     const WallView& view = panel.view;
     return draw_heading(panel, page, text.load_height) +
-           svg_window({panel.left, page.top}, kPanelWidth, page.height,
+           svg_window({panel.left, page.top}, page.panel_width, page.height,
                       draw_undeformed(wall, view) + draw_ground(page, view) +
-                          draw_blocks(wall, view) + draw_thrust(wall, view, page.widest_force) +
+                          draw_blocks(wall, view, text.tints) +
+                          draw_thrust(wall, view, page.widest_force) +
                           draw_openings(wall, view, page.marks) +
                           draw_slips(wall, view, page.marks) + draw_cracks(wall, view) +
-                          draw_crushed(wall, view) + draw_loads(panel, text) +
+                          draw_crushed(wall, view) + draw_loads(panel, page, text) +
                           draw_scale_bar(page, view));
 }
 
@@ -198,9 +219,11 @@ double smallest_stone(const dem::Snapshot& wall)
     return smallest;
 }
 
-Page lay_out(const Panel& peak, const Panel& end, const WallPictureText& text)
+Page lay_out(const Panel& peak, const Panel& end, int panels, const WallPictureText& text)
 {
     Page page;
+    page.panel_width = (kPageWidth - (panels + 1) * kPageMargin) / panels;
+    page.largest_load = std::max(std::abs(peak.wall.force), std::abs(end.wall.force));
     page.rest = join(box_of(peak.wall.blocks, 0.0), box_of(end.wall.blocks, 0.0));
     const WallBox drawn =
         cut_off(page.rest, join(page.rest, join(box_of(peak.wall.blocks, peak.view.scale),
@@ -208,13 +231,16 @@ Page lay_out(const Panel& peak, const Panel& end, const WallPictureText& text)
     const double wide = drawn.high.x - drawn.low.x, high = drawn.high.z - drawn.low.z;
     constexpr double kAround = kArrowRoom + kGroundRoom; // [px]
     const auto [least, most] = std::minmax(peak.wall.force, end.wall.force);
-    const double left = most >= 0.0 ? kLoadRoom : kBareRoom,
-                 right = least < 0.0 ? kLoadRoom : kBareRoom;
+    const double loaded = std::max(load_room(least, page), load_room(most, page));
+    const double left = most >= 0.0 ? loaded : kBareRoom;
+    const double right = least < 0.0 ? loaded : kBareRoom;
     page.pixels_per_metre =
-        std::min((kPanelWidth - left - right) / wide, (kMostPanelHeight - kAround) / high);
-    page.top = text.title.empty() ? 56.0 : 86.0;
+        std::min((page.panel_width - left - right) / wide, (kMostPanelHeight - kAround) / high);
+    page.top = text.title.empty() ? 56.0 : 94.0;
     page.height = high * page.pixels_per_metre + kAround;
-    page.origin = {left - drawn.low.x * page.pixels_per_metre,
+    const double spare = page.panel_width - left - right - wide * page.pixels_per_metre;
+    page.origin = {left + (panels == 1 ? 0.5 * spare : 0.0) -
+                       drawn.low.x * page.pixels_per_metre,
                    page.top + page.height - kGroundRoom + drawn.low.z * page.pixels_per_metre};
     page.marks = {text.mark_above,
                   std::max(largest_slip(peak.wall, text.mark_above),
@@ -226,6 +252,14 @@ Page lay_out(const Panel& peak, const Panel& end, const WallPictureText& text)
     return page;
 }
 
+/// Whether the push ends at its largest force, or so near to it that both pictures would be one.
+bool same_picture(const dem::Snapshot& peak, const dem::Snapshot& end)
+{
+    constexpr double kNear = 0.02;
+    const auto near = [](double a, double b) { return std::abs(a - b) <= kNear * std::abs(b); };
+    return near(peak.displacement, end.displacement) && near(peak.force, end.force);
+}
+
 } // namespace
 
 std::string wall_picture(const dem::Snapshot& at_peak, const dem::Snapshot& at_end,
@@ -234,25 +268,32 @@ std::string wall_picture(const dem::Snapshot& at_peak, const dem::Snapshot& at_e
     if (!(text.load_height > 0.0) || !(text.mark_above > 0.0))
         throw std::invalid_argument("wall picture: load height and threshold must be positive");
     const std::array<double, 2> scales = drawing_scales(at_peak, at_end);
-    std::array<Panel, 2> panels = {
-        Panel{at_peak, text.peak_name, {scales[0], 1.0, {}, 1.0}, kPageMargin},
-        Panel{at_end, text.end_name, {scales[1], 1.0, {}, 1.0}, 2 * kPageMargin + kPanelWidth}};
-    const Page page = lay_out(panels[0], panels[1], text);
+    std::vector<Panel> panels;
+    if (same_picture(at_peak, at_end)) {
+        panels.push_back({at_end, text.both_name, {scales[1], 1.0, {}, 1.0}});
+    } else {
+        panels.push_back({at_peak, text.peak_name, {scales[0], 1.0, {}, 1.0}});
+        panels.push_back({at_end, text.end_name, {scales[1], 1.0, {}, 1.0}});
+    }
+    const Page page =
+        lay_out(panels.front(), panels.back(), static_cast<int>(panels.size()), text);
 
     std::string body =
         svg_text({kPageMargin, 34.0}, text.title, "font-size=\"18\" font-weight=\"bold\"");
+    double left = kPageMargin;
     for (Panel& panel : panels) {
+        panel.left = left;
         panel.view.pixels_per_metre = page.pixels_per_metre;
         panel.view.mark_size = page.mark_size;
         panel.view.origin = {panel.left + page.origin.x, page.origin.y};
         body += draw_panel(panel, page, text);
+        left += page.panel_width + kPageMargin;
     }
-    const double width = 3 * kPageMargin + 2 * kPanelWidth,
-                 legend_top = page.top + page.height + 14.0;
-    body += draw_wall_legend({kPageMargin, legend_top}, width - 2 * kPageMargin, page.marks,
-                             page.widest_force, page.mark_size);
-    return svg_page(width, legend_top + wall_legend_height(page.marks) + 16.0, text.title,
-                    body);
+    const double legend_top = page.top + page.height + 14.0;
+    body += draw_wall_legend({kPageMargin, legend_top}, kPageWidth - 2 * kPageMargin,
+                             page.marks, page.widest_force, page.mark_size, text.tints);
+    return svg_page(kPageWidth, legend_top + wall_legend_height(page.marks, text.tints) + 16.0,
+                    text.title.empty() ? "A wall that is pushed" : text.title, body);
 }
 
 } // namespace app

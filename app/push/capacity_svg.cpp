@@ -1,10 +1,14 @@
 #include "app/push/capacity_svg.hpp"
 
+#include "app/input/limit_state_text.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
 
+#include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,26 +16,84 @@ namespace app {
 
 namespace {
 
-void add_marks(const FragilityInput& f, const WallReading& r, double way, Chart& chart)
+/// "paper ultimate, ntc SLC 24.1 mm" for each displacement at which limit states are reached.
+void add_limits(const Study& study, const WallReading& r, double way, Chart& chart)
 {
-    if (r.peak)
-        chart.marks.push_back({way * r.peak->displacement * 1e3, way * r.peak->force * 1e-3,
-                               "peak " + fixed(r.peak->force * 1e-3, 1) + " kN"});
-    if (is_observed(r.ultimate))
-        chart.vertical.push_back({way * r.ultimate.displacement * 1e3,
-                                  percent_text(f.ultimate_share) + " of the peak"});
+    if (!r.no_reading.empty()) return;
+    const std::vector<StateName> names = state_names(reading_rules(study));
+    std::map<std::string, ReferenceLine> lines; // by what people read
+    const auto add = [&](const std::string& name, const fragility::LimitDisplacement& d) {
+        if (!is_observed(d)) return;
+        const double at = d.displacement * 1e3;
+        ReferenceLine& line = lines[never_rounded_away(at, 1) + " mm"];
+        line.at = way * at;
+        line.label += (line.label.empty() ? "" : ", ") + name;
+    };
+    add(percent_text(study.fragility.ultimate_share) + " of the peak", r.ultimate);
+    for (std::size_t i = 0; i < names.size(); ++i) add(state_name(names[i]), r.limits.at(i));
+    for (auto& [at, line] : lines) {
+        line.label += " " + at;
+        chart.vertical.push_back(std::move(line));
+    }
 }
 
-/// Of a push that turns back, over its path.
-void add_backbone(const PushedWall& w, int direction, Chart& chart)
+/// @param last displacement of the curve, in its own direction [m]
+void add_marks(const Study& study, const WallReading& r, double way, double last, Chart& chart)
 {
-    const auto b = fragility::backbone({w.displacement, w.force}, direction);
-    Series line{.name = "backbones", .colour = "#D55E00", .width = 2.2};
-    for (std::size_t i = 0; i < b.force.size(); ++i) {
-        line.x.push_back(direction * b.displacement[i] * 1e3);
-        line.y.push_back(direction * b.force[i] * 1e-3);
+    if (r.peak) {
+        constexpr double kNear =
+            0.99; // of the way: the force has hardly begun to fall, if at all
+        const std::string force = fixed(r.peak->force * 1e-3, 1) + " kN";
+        const bool ends = r.peak->at_end || r.peak->displacement >= kNear * last;
+        chart.marks.push_back(
+            {way * r.peak->displacement * 1e3, way * r.peak->force * 1e-3,
+             ends ? "largest force " + force + ", where the push ends" : "peak " + force});
     }
-    chart.series.push_back(std::move(line));
+    add_limits(study, r, way, chart);
+}
+
+/// A wall that is not symmetric leans when it is loaded, and is held at zero displacement.
+void add_start(const PushedWall& w, Chart& chart)
+{
+    constexpr double kSeen = 0.02; // of the peak
+    if (w.force.empty() || std::abs(w.force.front()) <= kSeen * std::abs(peak_force(w.reading)))
+        return;
+    const double force = w.force.front() * 1e-3;
+    chart.marks.push_back(
+        {0.0, force, fixed(force, 1) + " kN hold the loaded wall upright before the push"});
+}
+
+Series backbone_series(const fragility::Backbone& b, double way)
+{
+    Series line;
+    for (std::size_t i = 0; i < b.force.size(); ++i) {
+        line.x.push_back(way * b.displacement[i] * 1e3);
+        line.y.push_back(way * b.force[i] * 1e-3);
+    }
+    return line;
+}
+
+/// A push that turns back: both backbones, and the one that its table is read on.
+void add_backbones(const PushedWall& w, const ReadingRules& rules, Chart& chart)
+{
+    const fragility::Path path{w.displacement, w.force};
+    for (const int direction : {1, -1}) {
+        Series line = backbone_series(fragility::backbone(path, direction), direction);
+        line.name = "backbones of both directions";
+        line.colour = "#D55E00";
+        chart.series.push_back(std::move(line));
+    }
+    const bool left = rules.backbone == fragility::Side::left;
+    Series read =
+        backbone_series(capacity_curve({w.displacement, w.force}, rules), left ? -1 : 1);
+    read.name = rules.backbone == fragility::Side::right || left
+                    ? "the backbone that the table is read on"
+                    : "their mean: the peak and the limits of the table";
+    if (rules.backbone == fragility::Side::worse)
+        read.name = "their mean; limits are those of the direction that comes first";
+    read.colour = "#000000";
+    read.width = 2.4;
+    chart.series.push_back(std::move(read));
 }
 
 Chart empty_chart(const std::string& title, double height)
@@ -61,20 +123,23 @@ std::string capacity_svg(const Study& study, const PushedWall& w)
     Chart chart = empty_chart(
         "Capacity curve, vertical stress " + stress_text(w.vertical_stress), w.loads.height);
     Series curve = curve_of(w);
-    const std::vector<WallReading>& sides = w.reading.backbones;
-    if (!sides.empty()) curve.width = 1.0;
-    chart.series.push_back(curve);
+    const ReadingRules rules = reading_rules(study);
     // Readings count in the direction of the push.
-    const double way = push_way(study).direction < 0 ? -1.0 : 1.0;
-    if (sides.empty()) {
-        add_marks(study.fragility, w.reading, way, chart);
-        return line_chart(chart);
+    double way = push_way(study).direction < 0 ? -1.0 : 1.0;
+    if (w.reading.backbones.empty()) {
+        chart.series.push_back(curve);
+    } else {
+        curve.width = 1.0;
+        curve.name = "path of the push";
+        chart.series.push_back(curve);
+        add_backbones(w, rules, chart);
+        if (rules.backbone == fragility::Side::left) way = -1.0;
     }
-    for (const int direction : {1, -1}) {
-        add_backbone(w, direction, chart);
-        const auto side = direction > 0 ? fragility::Side::right : fragility::Side::left;
-        add_marks(study.fragility, sides[static_cast<int>(side)], direction, chart);
-    }
+    add_start(w, chart);
+    double last = 0.0;
+    if (w.reading.peak)
+        last = capacity_curve({w.displacement, w.force}, rules).displacement.back();
+    add_marks(study, w.reading, way, last, chart);
     return line_chart(chart);
 }
 

@@ -1,6 +1,9 @@
 #include "app/push/hand_checks.hpp"
 
 #include "app/input/wall_geometry.hpp"
+#include "app/study/limit_choices.hpp"
+#include "app/study/other_way.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/rigid_wall.hpp"
 #include "dem/scene/snapshot_reading.hpp"
@@ -8,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace app {
 namespace {
@@ -24,16 +28,9 @@ void add_beyond(const char* what, double peak, double limit, std::vector<std::st
                       "not hold for this wall");
 }
 
-/// Why the push found no drift limit, where the choice of kinematics is the reason.
-void add_missing_limit(const Study& study, const PushedWall& w,
-                       std::vector<std::string>& remarks)
+void add(std::string remark, std::vector<std::string>& remarks)
 {
-    if (study.solver.kinematics == dem::Kinematics::small && is_censored(w.reading.ultimate))
-        remarks.emplace_back(
-            "the drift limit was not reached: with small displacements a wall that rocks or "
-            "slides keeps its load; for its limit write solver.kinematics = finite and a "
-            "larger "
-            "load.max_displacement");
+    if (!remark.empty()) remarks.push_back(std::move(remark));
 }
 
 /// Small displacements leave a joint the contact that it was built with, however far it slides.
@@ -57,6 +54,49 @@ void add_unsettled(const PushedWall& w, std::vector<std::string>& remarks)
     remarks.emplace_back(
         "the wall had not come to rest under its vertical load when the push began: it may be "
         "coming down, or write a larger solver.preload_steps");
+}
+
+/// A beam that slides on the wall is the limit of the test, not of the wall.
+void add_sliding_beam(const Study& study, const PushedWall& w,
+                      std::vector<std::string>& remarks)
+{
+    constexpr double kMost = 0.5; // of the displacement: a free choice
+    if (study.beam.interface != dem::BeamInterface::joint || dem::failed(w.result.outcome))
+        return;
+    const dem::Snapshot& out = w.result.at_farthest.value_or(w.result.at_end);
+    const double slip = dem::beam_slip(out), pushed = std::abs(out.displacement);
+    if (slip > kMost * pushed)
+        remarks.push_back(
+            "the loading beam slid by " + fixed(1e3 * slip, 1) + " mm on the wall, of " +
+            fixed(1e3 * pushed, 1) +
+            " mm that it was pushed: this is a limit of the rig, not of the wall; write "
+            "beam.interface = tied, or a larger beam.friction_angle");
+}
+
+/// Where joints do not crush, a wall turns about a toe that no stone could be.
+void add_toe_stress(const Study& study, const HandChecks& h, std::vector<std::string>& remarks)
+{
+    constexpr double kRatio =
+        10.0; // of strengths in compression and tension of stones: a free choice
+    const double tension = study.parameters.unit.tensile_strength;
+    const bool crushes = study.parameters.joint.crushing.strength > 0.0;
+    if (crushes || !h.toe_stress || !(tension > 0.0) || *h.toe_stress <= kRatio * tension)
+        return;
+    remarks.push_back("the toe carries " + fixed(1e-6 * *h.toe_stress, 1) +
+                      " MPa, more than ten times the tensile strength of the units (" +
+                      fixed(1e-6 * tension, 1) +
+                      " MPa), and its joints do not crush; write joint.compressive_strength");
+}
+
+/// A wall that stood under its load and was lost at once: small elastic energies of stiff joints are mistaken for a fall.
+void add_lost(const PushedWall& w, std::vector<std::string>& remarks)
+{
+    if (w.result.settled && came_down_at_once(w))
+        remarks.emplace_back("the wall stood under its vertical load and was lost as soon as "
+                             "it was pushed: it fell, or "
+                             "the push is too fast for joints as stiff as these; write a "
+                             "larger solver.steps_per_mm, "
+                             "or solver.fidelity = simple");
 }
 
 /// A wall of stiff joints may have its peak, and lose it, between two recorded points.
@@ -87,6 +127,27 @@ HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layou
     return h;
 }
 
+/// What a peak says beside the limits of a wall that can turn.
+/// @param slides whether anything in it can slide
+void add_beyond_limits(const Study& study, bool slides, double peak, HandChecks& h)
+{
+    const bool turns = study.beam.rotation == dem::BeamRotation::free;
+    if (turns) add_beyond("rigid rocking", peak, *h.rocking_limit, h.remarks);
+    if (h.sliding_limit) add_beyond("sliding", peak, *h.sliding_limit, h.remarks);
+    if (turns) return;
+    if (!slides) {
+        h.remarks.emplace_back(
+            "the beam does not turn and the toe is held: nothing can rock or slide, and only "
+            "cracks and crushing limit the force");
+        return;
+    }
+    h.remarks.emplace_back(
+        "the beam does not turn: the rocking limit is that of a beam that turns; "
+        "up to twice as much can be carried");
+    add_beyond("rocking in double bending, twice that of a beam that turns", peak,
+               2.0 * *h.rocking_limit, h.remarks);
+}
+
 HandChecks limits_of(const Study& study, const PushedWall& w)
 {
     const Parameters& p = study.parameters;
@@ -112,16 +173,8 @@ HandChecks limits_of(const Study& study, const PushedWall& w)
                 ? "a single course on a fixed base: no joint can open or slide below "
                   "the beam; only cracks and crushing can end the wall"
                 : "a single course on a fixed base: nothing can move");
-    const double peak = peak_force(w.reading);
-    const bool free_beam = study.beam.rotation == dem::BeamRotation::free;
-    if (free_beam && rigid.turning > 0)
-        add_beyond("rigid rocking", peak, *h.rocking_limit, h.remarks);
-    if (h.sliding_limit && rigid.turning > 0)
-        add_beyond("sliding", peak, *h.sliding_limit, h.remarks);
-    if (!free_beam)
-        h.remarks.emplace_back(
-            "the beam does not turn: the rocking limit is that of a beam that turns; "
-            "up to twice as much can be carried");
+    if (rigid.turning > 0)
+        add_beyond_limits(study, std::isfinite(rigid.sliding_limit), peak_force(w.reading), h);
     return h;
 }
 
@@ -134,9 +187,14 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     HandChecks h = closed_form ? limits_of(study, w) : loads_alone(study, w, layout);
     if (!dem::failed(w.result.outcome))
         h.toe_stress = dem::toe_stress(w.result.at_end, study.wall.base);
-    add_missing_limit(study, w, h.remarks);
+    add(no_limit_remark(study, w.reading), h.remarks);
+    add(other_way_remark(study, layout, w), h.remarks);
+    add(pier_remark(study), h.remarks);
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);
+    add_sliding_beam(study, w, h.remarks);
+    add_toe_stress(study, h, h.remarks);
+    add_lost(w, h.remarks);
     add_unsettled(w, h.remarks);
     return h;
 }

@@ -15,7 +15,7 @@ Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
     t.keys = 2;
     t.head = {"stress [MPa]",
               "limit state",
-              {"at [mm]", kCensored},
+              {"displacement [mm]", kCensored},
               {"drift [%]", kCensored},
               {"note", kNote}};
     const std::vector<StateName> names = state_names(reading_rules(study));

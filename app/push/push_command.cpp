@@ -4,33 +4,34 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/study.hpp"
 #include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/output/backbones_csv.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/cycles_csv.hpp"
 #include "app/output/markup.hpp"
-#include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
-#include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/push/limit_table.hpp"
+#include "app/push/push_film.hpp"
+#include "app/push/push_until_told.hpp"
+#include "app/push/pushed_picture.hpp"
 #include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/study/drawn_wall.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/study/mode_rule.hpp"
-#include "app/study/push_walls.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
-#include "dem/block/model.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,34 +42,6 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Pushes all walls. One line shows how far they are together: those that are done, and the one
-/// that spoke last.
-/// @param plan where to push the walls
-std::vector<PushedWall> push_all(const Study& study, dem::PushPlan plan,
-                                 const std::vector<WantedWall>& wanted, int threads, bool quiet)
-{
-    std::vector<PushedWall> walls(wanted.size());
-    Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
-    std::mutex mutex;
-    double finished = 0.0;
-    plan.progress = [&](double done, double displacement, double force) {
-        const std::lock_guard lock(mutex);
-        line.update(std::min(1.0, (finished + done) / static_cast<double>(wanted.size())),
-                    fixed(force * 1e-3, 1) + " kN at " + fixed(displacement * 1e3, 1) + " mm");
-    };
-    PushList list;
-    list.size = wanted.size();
-    list.wall = [&](std::size_t i) { return wanted[i]; };
-    list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
-        const std::lock_guard lock(mutex);
-        walls[i] = std::move(wall);
-        finished += 1.0;
-    };
-    push_walls(study, model_of(study), plan, list, threads);
-    line.finish("");
-    return walls;
-}
 
 /// The values that were drawn for one wall, in the units of their keys.
 Table drawn_table(const Study& study, const WallDraw& draw)
@@ -104,6 +77,7 @@ std::string configuration(const Study& used, const Command& command)
 }
 
 constexpr std::string_view kPushList = "drystone_push_files.txt";
+constexpr const char* kInterruptedCurve = "capacity_interrupted.csv";
 
 /// The files of one wall, but for the series.
 std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
@@ -121,13 +95,7 @@ std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
         files.push_back({"backbones.csv", backbones_csv(path)});
     }
     files.push_back({"capacity.svg", capacity_svg(used, w)});
-    WallPictureText text;
-    if (used.beam.present) text.vertical_load = stress_text(w.vertical_stress);
-    text.load_height = w.loads.height;
-    const dem::PushResult& r = w.result;
-    // A wall that comes down under its vertical load has no peak.
-    const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
-    files.push_back({"wall.svg", wall_picture(peak, r.at_end, text)});
+    files.push_back({"wall.svg", pushed_picture(used, w)});
     return files;
 }
 
@@ -192,7 +160,7 @@ std::vector<fs::path> wall_folders(const Study& study, const std::vector<WantedW
 
 void write_all(const Command& command, const Study& study,
                const std::vector<WantedWall>& wanted, const std::vector<PushedWall>& walls,
-               PushedSeries& series)
+               PushedSeries& series, const std::optional<PushFilm>& film)
 {
     std::vector<OutputFile> files, moved;
     for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -200,6 +168,8 @@ void write_all(const Command& command, const Study& study,
         const Study used = study.random.empty() ? study : with_drawn(study, wanted[i]);
         for (OutputFile& f : wall_files(used, walls[i], command))
             files.push_back({folder / f.name, std::move(f.content)});
+        if (film && !dem::failed(walls[i].result.outcome))
+            files.push_back({folder / "film.svg", film->film(used, i, walls[i])});
         if (study.output.paraview && !dem::failed(walls[i].result.outcome))
             for (const OutputFile& f : series.seal(i, walls[i].result))
                 moved.push_back({folder / f.name, {}, f.from});
@@ -215,6 +185,25 @@ void write_all(const Command& command, const Study& study,
     write_results(command.out, files, kPushList);
 }
 
+/// Writes the curves so far, and nothing else: results of an earlier push stay as they are.
+/// @throws Interrupted
+[[noreturn]] void keep_curves(const Command& command, const std::vector<PushedWall>& walls)
+{
+    std::vector<OutputFile> files;
+    std::string where;
+    for (const PushedWall& w : walls) {
+        if (w.displacement.size() < 2 || dem::failed(w.result.outcome)) continue;
+        const fs::path name = wall_folder(walls.size(), w.vertical_stress) / kInterruptedCurve;
+        files.push_back({name, capacity_text(w)});
+        where += (where.empty() ? "" : ", ") + (fs::path(command.out) / name).string() +
+                 " (up to " + fixed(w.displacement.back() * 1e3, 1) + " mm)";
+    }
+    if (files.empty()) throw Interrupted();
+    add_results(command.out, files, kPushList);
+    throw Interrupted{std::string("nothing was written but the ") +
+                      (files.size() == 1 ? "curve" : "curves") + " so far, " + where};
+}
+
 /// Before any wall is pushed: what cannot be written afterwards.
 void check_folder(const Command& command, const Study& study,
                   const std::vector<WantedWall>& wanted)
@@ -227,13 +216,14 @@ void check_folder(const Command& command, const Study& study,
     for (const fs::path& folder : folders)
         for (const char* const name :
              {"study.ini", "summary.json", "capacity.csv", "cycles.csv", "backbones.csv",
-              "capacity.svg", "wall.svg"})
+              "capacity.svg", "wall.svg", "film.svg", kInterruptedCurve})
             names.push_back(folder / name);
     if (study.output.paraview) {
         const std::vector<fs::path> there = series_there(command.out, folders);
         names.insert(names.end(), there.begin(), there.end());
     }
-    check_results(command.out, names, command.quiet, kPushList);
+    if (const std::string note = check_results(command.out, names, kPushList); !command.quiet)
+        std::cerr << note;
 }
 
 /// With the layout of the wall that is pushed.
@@ -249,15 +239,21 @@ int push_command(const Command& command)
 {
     const StudySource source = study_source(command);
     const std::vector<WantedWall> wanted = wanted_walls(source, command);
-    say_effects(source.study, command);
+    std::cerr << study_notes(source.study, command);
+    if (!source.other_revision.empty())
+        std::cerr << wrapped("note: " + source.other_revision + "\n", terminal_width());
     const Study study = pushed_study(source.study, command.sample);
     check_folder(command, study, wanted);
+    catch_interrupts();
     PushedSeries series(command.out, wall_folders(study, wanted));
     dem::PushPlan plan = push_plan(study);
     plan.sink = series.sink();
-    const std::vector<PushedWall> walls =
-        push_all(study, std::move(plan), wanted, command.threads, command.quiet);
-    write_all(command, study, wanted, walls, series);
+    std::optional<PushFilm> film;
+    if (command.film) film.emplace(study, wanted.size(), plan);
+    const auto [walls, whole] =
+        push_until_told(study, std::move(plan), wanted, command.threads, command.quiet);
+    if (!whole) keep_curves(command, walls);
+    write_all(command, study, wanted, walls, series, film);
     std::cout << as_text(level_table(study, walls), terminal_width()) << '\n'
               << as_text(limit_table(study, walls), terminal_width());
     for (const PushedWall& w : walls)
@@ -266,6 +262,10 @@ int push_command(const Command& command)
                                      ".\n",
                                  terminal_width());
     std::cout << "written to " << command.out << '\n';
+    for (const PushedWall& w : walls)
+        if (dem::failed(w.result.outcome))
+            std::cerr << "drystone: " << stress_text(w.vertical_stress)
+                      << ": the wall failed: " << w.reading.no_reading << '\n';
     return std::ranges::any_of(
         walls, [](const PushedWall& w) { return dem::failed(w.result.outcome); });
 }

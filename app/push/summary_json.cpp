@@ -1,25 +1,20 @@
 #include "app/push/summary_json.hpp"
 
 #include "app/input/limit_state_text.hpp"
+#include "app/program_version.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
 #include "dem/solver/energy_parts.hpp"
+#include "dem/solver/solver_revision.hpp"
 
 namespace app {
 
 namespace {
 
 constexpr double kToMm = 1e3, kToKn = 1e-3, kToMpa = 1e-6;
-
-/// A value of the study file, with its digits: a change of unit leaves no 0.39999999999999997.
-Json as_given(double x)
-{
-    constexpr int kDigits = 15;
-    return or_null(rounded(x, kDigits));
-}
 
 Json displacement_mm(const fragility::LimitDisplacement& d)
 {
@@ -82,7 +77,7 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
             {"spalled_units", w.mechanism.spalled_units},
             {"cracked_contacts", w.mechanism.cracked_contacts},
             {"crushed_contacts", w.mechanism.crushed_contacts},
-            {"crushed_through_mm2", as_given(w.mechanism.crushed_area * 1e6)},
+            {"crushed_through_mm2", or_null(w.mechanism.crushed_area * 1e6)},
             {"brittle_crushing_contacts", w.result.brittle_crushing_contacts},
             {"snap_back_contacts", w.result.snap_back_contacts},
             {"slid_whole", w.reading.slid},
@@ -115,7 +110,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     ReadingRules rules = reading_rules(study);
     rules.height = w.loads.height;
     Json j;
-    j["vertical_stress_MPa"] = as_given(w.vertical_stress * kToMpa);
+    j["vertical_stress_MPa"] = or_null(w.vertical_stress * kToMpa);
     j["outcome"] = name(w.result.outcome);
     j["peak_force_kN"] = or_null(peak_force(r) * kToKn);
     if (w.loads.pattern == dem::LoadPattern::body) {
@@ -138,13 +133,21 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["stiffness_kN_per_mm"] = or_null(r.stiffness, 1e-6);
     j["stiffness_rule"] = "secant at 30 % of the peak";
     j["no_reading"] = r.no_reading;
-    j["load_height_m"] = as_given(w.loads.height);
+    j["load_height_m"] = or_null(w.loads.height);
     j["settlement_mm"] = whole ? or_null(w.result.settlement * kToMm) : Json(nullptr);
     j["limit_states"] = limit_states(r, rules);
     if (!r.backbones.empty()) {
         j["read_on"] = fragility::kSideNames[static_cast<int>(rules.backbone)];
         j["backbones"] = backbones(r, rules);
     }
+    if (w.other_way)
+        j["other_way"] = {
+            {"peak_force_kN", or_null(peak_force(*w.other_way) * kToKn)},
+            {"displacement_at_peak_mm", or_null(peak_displacement(*w.other_way) * kToMm)},
+            {"ultimate_displacement_mm", displacement_mm(w.other_way->ultimate)},
+            {"ultimate_censored", is_censored(w.other_way->ultimate)},
+            {"stiffness_kN_per_mm", or_null(w.other_way->stiffness, 1e-6)},
+            {"no_reading", w.other_way->no_reading}};
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, w));
     j["energy_residual"] = or_null(energy_residual(w));
@@ -158,6 +161,8 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["contact_updates_per_second"] =
         or_null(static_cast<double>(w.result.cost.contact_updates) / w.result.cost.seconds);
     j["version"] = kVersion;
+    j["commit"] = commit().empty() ? Json(nullptr) : Json(commit());
+    j["solver_revision"] = dem::kSolverRevision;
     j["study"] = effective_configuration(study);
     return text_of(j, 2) + "\n";
 }

@@ -35,17 +35,13 @@ std::vector<double> turned_round(std::span<const double> values)
     return turned;
 }
 
-/// The rules as they apply to one wall: the drift limit of the code depends on what moves, whatever modes are counted.
-fragility::LimitStateOptions options_of(const dem::Mechanism& mechanism, bool dropped,
-                                        const ReadingRules& rules)
+/// The rules as they apply to one wall: the drift limits of the codes depend on what moves.
+fragility::LimitStateOptions options_of(bool rocks, const ReadingRules& rules)
 {
-    dem::ModeThresholds thresholds = rules.mode;
-    thresholds.modes = dem::ModeRule::three;
-    const bool rocks =
-        dem::failure_mode(mechanism, dropped, thresholds) == dem::FailureMode::rocking;
     fragility::LimitStateOptions options = rules.options;
-    options.ntc_limit =
-        rules.height * (rocks ? fragility::kNtcRockingDrift : fragility::kNtcShearDrift);
+    options.ntc_limit = rules.height * fragility::ntc_drift(rocks);
+    options.ec8_limit = rules.height * fragility::ec8_drift(rocks, rules.slenderness);
+    options.slenderness = rules.slenderness;
     return options;
 }
 
@@ -61,7 +57,8 @@ WallReading read_curve(const fragility::Backbone& backbone, bool came_down,
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
     w.dropped = is_observed(w.ultimate);
     w.collapse = fragility::drop_after_peak(curve, 0.0);
-    const auto options = options_of(mechanism, w.dropped, rules);
+    const bool rocks = code_mode(mechanism, w.dropped, rules.mode) == dem::FailureMode::rocking;
+    const auto options = options_of(rocks, rules);
     for (const std::string_view set : rules.sets)
         for (const auto& s : fragility::read_limit_states(curve, set, options))
             w.limits.push_back(s.limit);
@@ -128,7 +125,8 @@ std::vector<StateName> state_names(const ReadingRules& rules)
 {
     std::vector<StateName> names;
     fragility::LimitStateOptions options = rules.options;
-    options.ntc_limit = kTrialX.back();
+    options.ntc_limit = options.ec8_limit = kTrialX.back();
+    options.slenderness = rules.slenderness;
     for (const std::string_view set : rules.sets)
         for (const auto& s : fragility::read_limit_states(kTrial, set, options))
             names.push_back({std::string(set), std::string(s.name), s.rule});
@@ -160,22 +158,26 @@ WallReading not_read(const ReadingRules& rules, std::string why)
 
 namespace {
 
-WallReading came_down_at_once(const ReadingRules& rules)
+/// A wall that has settled stands; it was lost while it was pushed, which may be the solver's fault.
+WallReading lost_at_once(const ReadingRules& rules, bool settled)
 {
-    constexpr std::string_view kWhy = "the wall came down under vertical load";
-    WallReading w = not_read(rules, std::string(kWhy));
-    for (fragility::LimitDisplacement& limit : w.limits) limit.reason = kWhy;
+    constexpr std::string_view kFell = "the wall came down under vertical load";
+    constexpr std::string_view kLost =
+        "the wall stood under its vertical load and was lost as soon as it was pushed";
+    const std::string_view why = settled ? kLost : kFell;
+    WallReading w = not_read(rules, std::string(why));
+    for (fragility::LimitDisplacement& limit : w.limits) limit.reason = why;
     return w;
 }
 
 } // namespace
 
 WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
-                 const ReadingRules& rules)
+                 const ReadingRules& rules, bool settled)
 {
     WallReading w;
     if (curve.displacement.size() < 2)
-        w = came_down_at_once(rules);
+        w = lost_at_once(rules, settled);
     else if (rules.direction == 0)
         w = read_to_and_fro(curve, mechanism, rules);
     else
@@ -202,6 +204,14 @@ fragility::Backbone capacity_curve(const fragility::Curve& curve, const ReadingR
 bool slid_whole(const dem::Mechanism& m, bool dropped, const dem::ModeThresholds& t)
 {
     return dem::failure_mode(m, dropped, t) == dem::FailureMode::rocking && !dem::rocks(m, t);
+}
+
+dem::FailureMode code_mode(const dem::Mechanism& mechanism, bool dropped,
+                           const dem::ModeThresholds& thresholds)
+{
+    dem::ModeThresholds three = thresholds;
+    three.modes = dem::ModeRule::three;
+    return dem::failure_mode(mechanism, dropped, three);
 }
 
 double peak_force(const WallReading& w) { return w.peak ? w.peak->force : kNone; }

@@ -28,8 +28,9 @@ struct ReadingRules {
     std::vector<UserState> user;        ///< of the set user
     fragility::LimitStateOptions options;
     dem::ModeThresholds mode;
-    double height = 1.0; ///< of the load line [m], > 0; drifts are displacements over it
-    int direction = 1;   ///< of the push: 1 to the right, -1 to the left, 0: it turns back
+    double height = 1.0;      ///< of the load line [m], > 0; drifts are displacements over it
+    double slenderness = 1.0; ///< H0 / D of EN 1998-3, Annex C [-], > 0
+    int direction = 1;        ///< of the push: 1 to the right, -1 to the left, 0: it turns back
     fragility::Side backbone = fragility::Side::mean; ///< of a push that turns back
 };
 
@@ -60,8 +61,9 @@ struct WallReading {
 };
 
 /// @param curve as the solver wrote it, [m] and [N], of a wall that did not fail
+/// @param settled whether the wall was at rest under its vertical load before it was pushed
 [[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
-                               const ReadingRules& rules);
+                               const ReadingRules& rules, bool settled = false);
 
 /// The curve that limit states are read on, in its own direction: of a push that turns back a backbone, of
 /// fragility::Side::worse the mean of both.
@@ -74,6 +76,10 @@ struct WallReading {
 /// A wall that neither overturned nor cracked nor lost load and counts as rocking (ModeRule::two).
 [[nodiscard]] bool slid_whole(const dem::Mechanism& mechanism, bool dropped,
                               const dem::ModeThresholds& thresholds);
+
+/// The mode by which drift limits of codes are chosen: one of three, whatever modes are counted.
+[[nodiscard]] dem::FailureMode code_mode(const dem::Mechanism& mechanism, bool dropped,
+                                         const dem::ModeThresholds& thresholds);
 
 [[nodiscard]] double peak_force(const WallReading& wall);        ///< [N]; NaN: none
 [[nodiscard]] double peak_displacement(const WallReading& wall); ///< [m]; NaN: none

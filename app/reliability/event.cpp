@@ -1,5 +1,13 @@
 #include "app/reliability/event.hpp"
 
+#include "app/input/units.hpp"
+#include "app/reading/wall_response.hpp"
+
+#include "app/text/words.hpp"
+
+#include <algorithm>
+#include <sstream>
+
 namespace app {
 
 uq::ReliabilityProblem asked_problem(const Study& study, Eigen::Index dimension)
@@ -19,6 +27,50 @@ uq::ReliabilityProblem asked_problem(const Study& study, Eigen::Index dimension)
             "has no meaning for reliability.method = sobol: Sobol' indices are shares "
             "of independent inputs; leave it out");
     return p;
+}
+
+namespace {
+
+bool asks_program(const Study& study) { return !study.program.command.empty(); }
+
+/// "joint.friction_angle" has the values "joint.friction_angle.17".
+bool is_value_of(const RandomInput& input, const std::string& name)
+{
+    return name == input.key ||
+           (name.starts_with(input.key + ".") &&
+            name.find_first_not_of("0123456789", input.key.size() + 1) == std::string::npos);
+}
+
+ShownNumber shown_input(const RandomInput& input, const std::string& name)
+{
+    if (input.unit.empty()) return {name + " [-]", 1.0};
+    return {name + " [" + std::string(input.unit) + "]", from_si(1.0, input.unit)};
+}
+
+} // namespace
+
+std::vector<ShownNumber> shown_inputs(const Study& study, const std::vector<std::string>& names)
+{
+    std::vector<ShownNumber> all;
+    for (const std::string& name : names) {
+        const auto input = std::ranges::find_if(
+            study.random, [&](const RandomInput& r) { return is_value_of(r, name); });
+        const bool known = input != study.random.end() && !asks_program(study);
+        all.push_back(known ? shown_input(*input, name) : ShownNumber{name, 1.0});
+    }
+    return all;
+}
+
+ShownNumber shown_response(const Study& study, const uq::ReliabilityProblem& problem)
+{
+    if (!asks_program(study)) {
+        const WallResponse& r = kWallResponses.at(study.reliability.response);
+        return {std::string(r.name) + " [" + std::string(r.unit) + "]", r.scale};
+    }
+    std::istringstream names(study.program.responses);
+    std::string name;
+    for (Eigen::Index i = 0; i <= problem.event.response; ++i) std::getline(names, name, ',');
+    return {std::string(trimmed(name)), 1.0};
 }
 
 } // namespace app

@@ -1,9 +1,12 @@
 #pragma once
-/// The event whose probability is sought, ready for the methods of uq/.
+/// The event whose probability is sought, ready for the methods of uq/, and how its numbers are shown.
 
 #include "app/input/command.hpp"
 #include "app/input/study.hpp"
 #include "uq/reliability/reliability.hpp"
+
+#include <string>
+#include <vector>
 
 namespace app {
 
@@ -15,8 +18,22 @@ namespace app {
 /// @throws ConfigError
 [[nodiscard]] uq::ReliabilityProblem program_event(const Study& study, int threads);
 
-/// What the study asks for in both cases, still without its event: dimension, method, budget and seed.
+/// The part that both kinds of study share, still without its event: dimension, method, budget and seed.
 /// @throws ConfigError if the budget is too small for the method, or the method cannot have correlated inputs
 [[nodiscard]] uq::ReliabilityProblem asked_problem(const Study& study, Eigen::Index dimension);
+
+/// A number of a sample as people read it: shown value = scale x value of the model.
+struct ShownNumber {
+    std::string name; ///< with its unit, where that is known: "joint.friction_angle [deg]"
+    double scale = 1.0;
+};
+
+/// The inputs in the units of their keys; the variables of another program as they are.
+/// @param names ReliabilityProblem::inputs
+[[nodiscard]] std::vector<ShownNumber> shown_inputs(const Study& study,
+                                                    const std::vector<std::string>& names);
+/// The response, of a wall in the unit of its demand.
+[[nodiscard]] ShownNumber shown_response(const Study& study,
+                                         const uq::ReliabilityProblem& problem);
 
 } // namespace app

@@ -50,9 +50,7 @@ uq::ExternalProgram program_of(const Study& study, int threads)
     p.time_limit = input.time_limit;
     p.grace = input.grace;
     p.keep = static_cast<uq::Keep>(input.keep);
-    p.while_waiting = [] {
-        if (interrupted()) throw Interrupted();
-    };
+    p.while_waiting = end_if_interrupted;
     return p;
 }
 

@@ -1,19 +1,18 @@
 #include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/study_keys.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
+#include "app/output/table_files.hpp"
+#include "app/reliability/evaluation_identity.hpp"
 #include "app/reliability/event.hpp"
+#include "app/store/store_head.hpp"
 #include "app/study/interrupt.hpp"
-#include "app/study/study_identity.hpp"
-#include "app/study/wanted_walls.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
-#include "app/version.hpp"
 #include "uq/marginals/normal_quantile.hpp"
 #include "uq/reliability/kept_evaluations.hpp"
 #include "uq/reliability/reliability.hpp"
@@ -37,12 +36,27 @@ Number cell(const std::optional<double>& x)
     return plain_number(*x, std::abs(*x) < kSmall ? kShortest : decimals_for(*x) + 1);
 }
 
+/// The problem, and how its numbers are shown.
+struct Question {
+    uq::ReliabilityProblem problem;
+    std::vector<ShownNumber> inputs;
+    ShownNumber response;
+    std::string model; ///< what its answers depend on
+};
+
+std::string evaluations_text(const uq::ReliabilityAnswer& a)
+{
+    const std::string all = std::to_string(a.evaluations) + " evaluations, ";
+    if (a.failed.empty()) return all + "none failed.";
+    return all + std::to_string(a.failed.size()) +
+           " failed: the bounds assume the worst and the best case of these.";
+}
+
 Table method_table(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer& a)
 {
     Table t;
     t.title = "P(" + p.words + ")";
-    t.caption = "Intervals are 95 %. Of " + std::to_string(a.evaluations) + " evaluations " +
-                std::to_string(a.failed.size()) + " failed; the bounds count them either way.";
+    t.caption = "Intervals are 95 %. " + evaluations_text(a);
     t.head = {"method", "probability",     "beta", "standard error", "lower",
               "upper",  {"outcome", kNote}};
     for (const uq::MethodAnswer& m : a.methods) {
@@ -74,42 +88,60 @@ Table sensitivity_table(const uq::ReliabilityAnswer& a)
     return t;
 }
 
-Table point_table(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer& a)
+Table point_table(const Question& q, const uq::ReliabilityAnswer& a)
 {
     Table t;
     t.title = "Design points, nearest first";
     t.caption = "The most probable values at which the event begins.";
     t.head = {"point", "beta", "input", "value"};
     for (std::size_t k = 0; k < a.points.size(); ++k)
-        for (std::size_t i = 0; i < p.inputs.size(); ++i)
-            t.rows.push_back({count(static_cast<double>(k + 1)), cell(a.points[k].beta),
-                              p.inputs[i], cell(a.points[k].x(static_cast<Eigen::Index>(i)))});
+        for (std::size_t i = 0; i < q.inputs.size(); ++i)
+            t.rows.push_back(
+                {count(static_cast<double>(k + 1)), cell(a.points[k].beta), q.inputs[i].name,
+                 cell(q.inputs[i].scale * a.points[k].x(static_cast<Eigen::Index>(i)))});
     return t;
 }
 
-Table evaluation_table(const uq::ReliabilityProblem& p, const std::vector<uq::Evaluated>& seen)
+Table evaluation_table(const Question& q, const std::vector<uq::Evaluated>& seen)
 {
     Table t;
-    t.head.assign(p.inputs.begin(), p.inputs.end());
-    t.head.insert(t.head.end(), {"response", "failure"});
+    for (const ShownNumber& input : q.inputs) t.head.emplace_back(input.name);
+    t.head.insert(t.head.end(), {q.response.name, "failure"});
     for (const uq::Evaluated& e : seen) {
         Row row;
-        for (const double x : e.x) row.emplace_back(Number{x});
-        row.emplace_back(e.failure.empty() ? Number{e.response} : Number{});
+        for (std::size_t i = 0; i < q.inputs.size(); ++i)
+            row.emplace_back(Number{q.inputs[i].scale * e.x(static_cast<Eigen::Index>(i))});
+        row.emplace_back(e.failure.empty() ? Number{q.response.scale * e.response} : Number{});
         row.emplace_back(e.failure);
         t.rows.push_back(row);
     }
     return t;
 }
 
-std::string answer_json(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer& a)
+Json share_json(const uq::InputShare& i)
 {
-    Json all = {{"event", p.words},
-                {"evaluations", a.evaluations},
-                {"failed", a.failed.size()},
-                {"methods", Json::array()},
-                {"sensitivity", Json::array()},
-                {"design_points", Json::array()},
+    return {{"input", i.input},
+            {"value", or_null(i.value)},
+            {"standard_error", or_null(i.std_error)},
+            {"lower", or_null(i.lower)},
+            {"upper", or_null(i.upper)}};
+}
+
+Json point_json(const Question& q, const uq::DesignPointFound& point)
+{
+    Json values = Json::object();
+    for (std::size_t i = 0; i < q.inputs.size(); ++i)
+        values[q.inputs[i].name] = q.inputs[i].scale * point.x(static_cast<Eigen::Index>(i));
+    return {{"beta", point.beta},
+            {"standard_normal", std::vector<double>(point.u.begin(), point.u.end())},
+            {"inputs", values}};
+}
+
+std::string answer_json(const Question& q, const uq::ReliabilityAnswer& a)
+{
+    Json all = {{"event", q.problem.words},     {"evaluations", a.evaluations},
+                {"failed", a.failed.size()},    {"methods", Json::array()},
+                {"sensitivity", Json::array()}, {"design_points", Json::array()},
                 {"warnings", a.warnings}};
     for (const uq::MethodAnswer& m : a.methods)
         all["methods"].push_back({{"method", m.method},
@@ -120,32 +152,13 @@ std::string answer_json(const uq::ReliabilityProblem& p, const uq::ReliabilityAn
                                   {"outcome", m.outcome}});
     for (const uq::Sensitivity& s : a.sensitivities) {
         Json inputs = Json::array();
-        for (const uq::InputShare& i : s.shares)
-            inputs.push_back({{"input", i.input},
-                              {"value", or_null(i.value)},
-                              {"standard_error", or_null(i.std_error)},
-                              {"lower", or_null(i.lower)},
-                              {"upper", or_null(i.upper)}});
+        for (const uq::InputShare& i : s.shares) inputs.push_back(share_json(i));
         all["sensitivity"].push_back({{"measure", s.measure}, {"inputs", inputs}});
     }
-    for (const uq::DesignPointFound& point : a.points) {
-        Json values = Json::object();
-        for (std::size_t i = 0; i < p.inputs.size(); ++i)
-            values[p.inputs[i]] = point.x(static_cast<Eigen::Index>(i));
-        all["design_points"].push_back(
-            {{"beta", point.beta},
-             {"standard_normal", std::vector<double>(point.u.begin(), point.u.end())},
-             {"inputs", values}});
-    }
+    for (const uq::DesignPointFound& point : a.points)
+        all["design_points"].push_back(point_json(q, point));
     // Reasons may quote what another program printed, in any encoding.
     return text_of(all, 2) + "\n";
-}
-
-void add_table(const std::string& name, const Table& table, std::vector<OutputFile>& files)
-{
-    files.push_back({name + ".csv", as_csv(table)});
-    files.push_back({name + ".md", as_markdown(table)});
-    files.push_back({name + ".tex", as_latex(table)});
 }
 
 constexpr std::string_view kReliabilityList = "drystone_reliability_files.txt";
@@ -156,70 +169,75 @@ void check_folder(const Command& command)
 {
     std::vector<fs::path> names = {kEvaluations, "reliability.json"};
     for (const std::string name : {"reliability", "sensitivity", "design_points"})
-        for (const char* const ending : {".csv", ".md", ".tex"}) names.push_back(name + ending);
-    check_results(command.out, names, command.quiet, kReliabilityList);
+        for (const char* const ending : kTableEndings) names.push_back(name + ending);
+    if (const std::string note = check_results(command.out, names, kReliabilityList);
+        !command.quiet)
+        std::cerr << note;
 }
-
-struct Question {
-    uq::ReliabilityProblem problem;
-    std::string model; ///< what its answers depend on
-};
 
 Question question_of(const Command& command)
 {
     const StudyFile file = with_overrides(read_study_file(command.study), command.overrides);
     const bool program = is_program_study(file);
     const Study study = program ? read_program_study(file) : read_study(file);
-    Question q{program ? program_event(study, command.threads) : wall_problem(study, command),
-               std::string(kVersion) + '\n'};
-    for (const Entry& e : file.entries) {
-        const std::string_view section = section_of(e.key);
-        if (program ? section != "reliability" : section == "fragility")
-            q.model += e.key + " = " + e.value + '\n';
-    }
-    if (!program) q.model += identity_text(study) + "level = " + command.level + '\n';
+    const uq::ReliabilityProblem problem =
+        program ? program_event(study, command.threads) : wall_problem(study, command);
+    Question q{problem, shown_inputs(study, problem.inputs), shown_response(study, problem),
+               program ? program_evaluations(study) : wall_evaluations(study, command)};
     q.model += "response = " + std::to_string(q.problem.event.response) + '\n';
-    say_effects(study, command);
+    std::cerr << study_notes(study, command);
     return q;
 }
 
-void write(const Command& command, const uq::ReliabilityProblem& problem,
-           const uq::ReliabilityAnswer& a, const std::vector<uq::Evaluated>& seen)
+void write(const Command& command, const Question& q, const uq::ReliabilityAnswer& a,
+           const std::vector<uq::Evaluated>& seen)
 {
-    std::vector<OutputFile> files = {{kEvaluations, as_csv(evaluation_table(problem, seen))}};
+    std::vector<OutputFile> files = {{kEvaluations, as_csv(evaluation_table(q, seen))}};
     const Table sensitivity = sensitivity_table(a);
-    add_table("reliability", method_table(problem, a), files);
-    if (!sensitivity.rows.empty()) add_table("sensitivity", sensitivity, files);
-    if (!a.points.empty()) add_table("design_points", point_table(problem, a), files);
-    files.push_back({"reliability.json", answer_json(problem, a)});
+    add_table(files, "reliability", method_table(q.problem, a));
+    if (!sensitivity.rows.empty()) add_table(files, "sensitivity", sensitivity);
+    if (!a.points.empty()) add_table(files, "design_points", point_table(q, a));
+    files.push_back({"reliability.json", answer_json(q, a)});
     write_results(command.out, files, kReliabilityList);
+}
+
+/// Prints the title above the numbers.
+void print(const Table& table)
+{
+    std::cout << table.title << ". " << table.caption << "\n\n"
+              << as_text(table, terminal_width());
 }
 
 void say(const Command& command, const uq::ReliabilityProblem& problem,
          const uq::ReliabilityAnswer& a)
 {
-    const Table methods = method_table(problem, a), sensitivity = sensitivity_table(a);
-    std::cout << methods.caption << "\n\n" << as_text(methods, terminal_width());
-    if (!sensitivity.rows.empty())
-        std::cout << '\n'
-                  << sensitivity.caption << "\n\n"
-                  << as_text(sensitivity, terminal_width());
+    print(method_table(problem, a));
+    if (const Table sensitivity = sensitivity_table(a); !sensitivity.rows.empty()) {
+        std::cout << '\n';
+        print(sensitivity);
+    }
     for (const std::string& w : a.warnings) std::cout << "warning: " << w << '\n';
     std::cout << "written to " << command.out << '\n';
 }
 
-/// What an interrupted run has left in the folder of the results.
+/// Evaluations that an interrupted run has left in the folder of the results.
 /// @throws ConfigError if it is of another study
 uq::KeptEvaluations kept_in(const Command& command, const std::string& model)
 {
     const fs::path file = fs::path(command.out) / "unfinished.jsonl";
     try {
         return uq::KeptEvaluations(file, model);
-    } catch (const std::invalid_argument&) {
-        throw ConfigError("drystone", 0, "--out",
-                          "'" + file.string() +
-                              "' holds the evaluations of an interrupted run of another study; "
-                              "remove it, or name another folder");
+    } catch (const uq::KeptEvaluations::OtherModel& other) {
+        const std::string before = solver_revision(other.model), now = solver_revision(model);
+        throw ConfigError(
+            "drystone", 0, "--out",
+            "'" + file.string() + "' holds the evaluations of an interrupted run of " +
+                (before == now
+                     ? "another study; remove it, or name another folder"
+                     : revision_words(before) + ". This program has " + revision_words(now) +
+                           ", which gives other numbers for the same walls; finish "
+                           "the run with the version that began it, or name another "
+                           "folder"));
     }
 }
 
@@ -239,11 +257,11 @@ uq::ReliabilityAnswer answered(const Command& command, const Question& question)
         seen.insert(seen.end(), batch.begin(), batch.end());
         progress.update(static_cast<double>(seen.size()) / problem.budget,
                         std::to_string(seen.size()) + " evaluations");
-        if (interrupted()) throw Interrupted();
+        end_if_interrupted();
     };
     try {
         const uq::ReliabilityAnswer a = uq::reliability(problem, on_batch);
-        write(command, problem, a, seen);
+        write(command, question, a, seen);
         kept.remove();
         progress.finish(std::to_string(seen.size()) + " evaluations");
         return a;
@@ -251,7 +269,7 @@ uq::ReliabilityAnswer answered(const Command& command, const Question& question)
         throw std::runtime_error(full.what +
                                  "; make space there and run the same command again");
     } catch (...) {
-        write_results(command.out, {{kEvaluations, as_csv(evaluation_table(problem, seen))}},
+        write_results(command.out, {{kEvaluations, as_csv(evaluation_table(question, seen))}},
                       kReliabilityList);
         throw;
     }
@@ -272,9 +290,8 @@ int reliability_command(const Command& command)
             a.methods, [](const uq::MethodAnswer& m) { return m.probability || m.upper; });
         return any && a.failed.size() < a.evaluations ? 0 : 1;
     } catch (const Interrupted&) {
-        std::cerr << "drystone: interrupted; the evaluations made so far are in " << command.out
-                  << "/evaluations.csv, and the same command continues with them\n";
-        return 1;
+        throw Interrupted{"the evaluations made so far are in " + command.out +
+                          "/evaluations.csv, and the same command continues with them"};
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto kWidth = static_cast<Eigen::Index>(kWallResponses.size());
 
-/// What all calls share; the model may outlive who made it.
+/// State shared by all calls; the model may outlive its maker.
 struct Shared {
     Study study;
     SamplePlan plan;

@@ -9,6 +9,7 @@
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 #include "dem/block/model.hpp"
 #include "dem/scene/layout.hpp"
 
@@ -28,12 +29,14 @@ const WallResponse& response_of(const Study& study)
 /// The demand in the unit of its response.
 Demand demand_of(const Study& study)
 {
-    const std::string& text = study.reliability.demand;
+    std::string text = study.reliability.demand;
     if (text.empty())
         throw error_at(study.source, "reliability.demand",
                        "missing; write e.g. \"demand = 40 kN\" under [reliability]");
     const WallResponse& r = response_of(study);
     const bool percent = r.unit == "%";
+    if (percent && text.ends_with('%'))
+        text = std::string(trimmed(text.substr(0, text.size() - 1)));
     const double value = read_at(study.source, "reliability.demand",
                                  [&] { return parse_quantity(text, percent ? "" : r.unit); });
     return {percent ? value / r.scale : value,
@@ -66,7 +69,7 @@ Study cheaper(const Study& study)
     return cheap;
 }
 
-/// Of a wall, relative: modes move through the contact points in every step.
+/// Relative cost of a wall: modes move through the contact points in every step.
 double cost_of(const Study& study)
 {
     const dem::Model m = model_of(study);
@@ -91,8 +94,7 @@ uq::ReliabilityProblem wall_problem(const Study& study, const Command& command)
     p.event.threshold = demand.value;
     const double stress = study.load.vertical_stress[level];
     p.words = demand.words + " under " + stress_text(stress);
-    for (const Column& c : input_columns(plan))
-        p.inputs.push_back(c.name + " [" + c.unit + "]");
+    for (const Column& c : input_columns(plan)) p.inputs.push_back(c.name);
     const auto& columns = plan.values.columns; // of the design, of each input
     p.normal.resize(static_cast<std::size_t>(plan.values.n_columns));
     for (std::size_t i = 0; i < columns.size(); ++i)

@@ -3,6 +3,7 @@
 #include "app/input/distribution_text.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/study/limit_choices.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
@@ -83,6 +84,15 @@ std::string drawn_words(const StudyWalls& study, std::string_view key)
     return "";
 }
 
+/// "study file", "default", "drawn for each wall"
+std::string origin(std::string_view key, const StudyWalls& study,
+                   const std::set<std::string>& defaults)
+{
+    const std::string drawn = drawn_words(study, key);
+    if (!drawn.empty()) return drawn;
+    return defaults.count(std::string(key)) > 0 ? "default" : "study file";
+}
+
 Table assumed(const StudyWalls& all, std::string_view sections)
 {
     const Study& study = all.study;
@@ -100,10 +110,7 @@ Table assumed(const StudyWalls& all, std::string_view sections)
         const std::string value = !drawn.empty() && entry ? distribution_words(entry->value)
                                                           : five_digits(value_text(key, study));
         if (value.empty()) continue;
-        t.rows.push_back({quantity(key.name), value,
-                          !drawn.empty()             ? drawn
-                          : defaults.count(name) > 0 ? "default"
-                                                     : "study file",
+        t.rows.push_back({quantity(key.name), value, origin(key.name, all, defaults),
                           std::string(key.meaning)});
     }
     return t;
@@ -128,6 +135,21 @@ Table material_table(const StudyWalls& study)
     t.caption =
         "What the study takes the wall to be made of. Values that change nothing in this "
         "study are left out; \"default\" marks those that its file does not give.";
+    return t;
+}
+
+Table choice_table(const StudyWalls& study)
+{
+    const std::set<std::string> defaults = defaults_in(study.head.configuration);
+    Table t;
+    t.title = "Choices that move a drift limit";
+    t.caption =
+        "What was chosen about the model, and what it does to the drift at which a wall fails.";
+    t.head = {"choice", "value", "how it was chosen", "what it does"};
+    for (const LimitChoice& choice : limit_choices(study.study))
+        t.rows.push_back({quantity(choice.key),
+                          five_digits(value_text(*find_key(choice.key), study.study)),
+                          origin(choice.key, study, defaults), std::string(choice.effect)});
     return t;
 }
 

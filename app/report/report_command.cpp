@@ -8,6 +8,7 @@
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_page.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
@@ -30,7 +31,7 @@ std::size_t most_walls(const StudyWalls& study, const std::optional<int>& asked)
 std::string chosen_text(std::size_t shown, std::size_t sound)
 {
     if (shown == 0) return "No wall was pushed again for this page.";
-    if (shown == sound) return "Every wall that gave a result can be looked at.";
+    if (shown == sound) return "Click any curve to see its wall.";
     return std::to_string(shown) + " of " + std::to_string(sound) +
            " walls can be looked at, taken in turns from each stress and mode in the order of "
            "the samples, to keep the page small. Click on the curve of another wall to see "
@@ -55,6 +56,7 @@ Json tested_data(const StudyWalls& study, const WallList& listed, bool quiet)
 {
     Progress progress(std::cerr, stderr_progress(quiet), steady_seconds);
     Json data = report_data(study, listed, [&](double done, const std::string& fit) {
+        end_if_interrupted();
         progress.update(done, "testing the fit of " + fit);
     });
     progress.finish("tested all fits");
@@ -97,12 +99,14 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
 {
     const StudyWalls& study = draft.study;
     const auto walls = walls_to_show(draft.listed, most_walls(study, command.walls));
-    if (walls.empty()) return {{}, chosen_text(0, 0)};
+    const std::string other = other_revision_text(study.head);
+    const std::string remark = other.empty() ? "" : " " + other;
+    if (walls.empty()) return {{}, chosen_text(0, 0) + remark};
     Shown shown{films_of(study, walls, command, shelf), {}};
     if (!command.walls) keep_in_page(draft, shown.replay);
     std::size_t sound = 0;
     for (const StudyLevel& level : study.levels) sound += level.walls.size();
-    shown.note = chosen_text(shown.replay.walls.size(), sound);
+    shown.note = chosen_text(shown.replay.walls.size(), sound) + remark;
     if (shown.replay.different > 0)
         shown.note += " " + std::to_string(shown.replay.different) +
                       " of them differ from what is stored: the file was written by another "
@@ -114,7 +118,8 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
 
 void check_report(const Command& command)
 {
-    check_replaced(command.out, kPageMark, command.quiet);
+    if (const std::string note = check_replaced(command.out, kPageMark); !command.quiet)
+        std::cerr << note;
 }
 
 int report_command(const Command& command, const FilmShelf& shelf)
@@ -122,6 +127,7 @@ int report_command(const Command& command, const FilmShelf& shelf)
     const std::filesystem::path file = command.words.front(), out = command.out;
     check_is_study(file);
     check_report(command);
+    catch_interrupts();
     const StudyWalls study = read_study_walls(file, command.overrides, Keep::everything);
     const std::string title =
         command.title.empty() ? "Drystone study " + file.stem().string() : command.title;

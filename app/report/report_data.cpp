@@ -9,11 +9,11 @@
 #include "app/fragility/fragility_walls.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "app/program_version.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
-#include "app/version.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <map>
@@ -71,11 +71,12 @@ Json provenance_json(const StudyWalls& study)
     Json sessions = Json::array();
     for (const StoreSession& s : head.sessions)
         sessions.push_back({{"version", s.program_version},
+                            {"solver_revision", s.solver_revision},
                             {"machine", s.machine},
                             {"build", s.build},
                             {"settings", s.settings},
                             {"started", s.started}});
-    return {{"version", std::string(kVersion)},
+    return {{"version", program_version()},
             {"seed", std::to_string(head.seed)},
             {"shard", head.shard + 1},
             {"shards", head.shards},
@@ -112,6 +113,7 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
         {"equal_modes", equal_modes_table(study)},
         {"mode_thresholds", threshold_table(study)},
         {"inputs", input_table(study)},
+        {"choices", choice_table(study)},
         {"materials", material_table(study)},
         {"wall_and_loads", wall_and_load_table(study)},
         {"walls", wall_table(study, listed)}};
@@ -127,10 +129,14 @@ Json geometry_of(const Study& study, std::uint32_t seed)
     return wall_geometry(layout_of(has_layouts(study) ? in_layout(study, seed) : study));
 }
 
-Json overview_json(const StudyWalls& study)
+Json overview_json(const StudyWalls& study, const DriftData& data)
 {
     const Overview o = overview(study);
-    return {{"run", o.run}, {"found", o.found}, {"sure", o.sure}};
+    return {{"lead", o.lead},
+            {"answers", answers_json(study, data)},
+            {"run", o.run},
+            {"found", o.found},
+            {"sure", o.sure}};
 }
 
 } // namespace
@@ -140,7 +146,7 @@ Json report_data(const StudyWalls& study, const WallList& listed, const FitProgr
     DriftData data = drift_data(study);
     judge(data, seen);
     return {{"name", study.name},
-            {"overview", overview_json(study)},
+            {"overview", overview_json(study, data)},
             {"levels", levels_json(study)},
             {"inputs", inputs_json(study)},
             {"height", study.height},

@@ -18,10 +18,8 @@ constexpr double kDamageStep = 1.0 / 255.0; ///< of damage and crushing
 constexpr std::array kKindNames = {"bed", "head", "crack", "beam", "base"};
 static_assert(kKindNames.size() == static_cast<std::size_t>(dem::FaceKind::base_joint) + 1);
 
-/// Places in an outline of the points nearest to the corners of its box.
-struct Corners {
-    std::size_t lower_left, lower_right, upper_left, upper_right;
-};
+using Corners = MotionFit::Corners;
+using Weights = MotionFit::Weights;
 
 std::size_t nearest_point(const std::vector<dem::Point>& outline, double x, double z)
 {
@@ -42,11 +40,6 @@ Corners corners_of(const std::vector<dem::Point>& outline)
             nearest_point(outline, left->x, high->z),
             nearest_point(outline, right->x, high->z)};
 }
-
-/// Weights of the displacements of the outline in a, b and c of a BlockMotion.
-struct Weights {
-    std::vector<double> a, b, c;
-};
 
 bool is_rectangle(const std::vector<dem::Point>& outline, const Corners& at)
 {
@@ -87,21 +80,6 @@ Weights weights_of(const std::vector<dem::Point>& outline)
     return w;
 }
 
-/// How the motion of one block follows from the displacements of its outline.
-class MotionFit {
-  public:
-    explicit MotionFit(const std::vector<dem::Point>& outline) : at_(corners_of(outline))
-    {
-        if (!is_rectangle(outline, at_)) weights_ = weights_of(outline);
-    }
-
-    [[nodiscard]] BlockMotion motion(const std::vector<dem::Point>& displacement) const;
-
-  private:
-    Corners at_;
-    Weights weights_; ///< empty for a rectangle
-};
-
 BlockMotion motion_of(const std::vector<dem::Point>& displacement, const Corners& at)
 {
     const dem::Point ll = displacement.at(at.lower_left), rl = displacement.at(at.lower_right),
@@ -111,20 +89,6 @@ BlockMotion motion_of(const std::vector<dem::Point>& displacement, const Corners
                           0.25 * (sll * ll.z + srl * rl.z + slh * lh.z + rh.z)};
     };
     return {combine(1, 1, 1), combine(-1, 1, -1), combine(-1, -1, 1)};
-}
-
-BlockMotion MotionFit::motion(const std::vector<dem::Point>& displacement) const
-{
-    if (weights_.a.empty()) return motion_of(displacement, at_);
-    const auto sum = [&](const std::vector<double>& weights) {
-        dem::Point total;
-        for (std::size_t i = 0; i < weights.size(); ++i) {
-            const dem::Point u = displacement.at(i);
-            total = {total.x + weights[i] * u.x, total.z + weights[i] * u.z};
-        }
-        return total;
-    };
-    return {sum(weights_.a), sum(weights_.b), sum(weights_.c)};
 }
 
 double mean_damage(const dem::FaceState& face)
@@ -220,9 +184,23 @@ Json wall_geometry(const dem::Layout& layout)
     return {{"blocks", blocks}, {"faces", faces}};
 }
 
-BlockMotion block_motion(const dem::BlockState& block)
+MotionFit::MotionFit(const std::vector<dem::Point>& outline) : at_(corners_of(outline))
 {
-    return MotionFit(block.outline).motion(block.displacement);
+    if (!is_rectangle(outline, at_)) weights_ = weights_of(outline);
+}
+
+BlockMotion MotionFit::motion(const std::vector<dem::Point>& displacement) const
+{
+    if (weights_.a.empty()) return motion_of(displacement, at_);
+    const auto sum = [&](const std::vector<double>& weights) {
+        dem::Point total;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const dem::Point u = displacement.at(i);
+            total = {total.x + weights[i] * u.x, total.z + weights[i] * u.z};
+        }
+        return total;
+    };
+    return {sum(weights_.a), sum(weights_.b), sum(weights_.c)};
 }
 
 Film film_of(std::span<const dem::Snapshot> frames)

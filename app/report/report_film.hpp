@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,8 +24,28 @@ constexpr double kFilmStep = 1e-5; ///< displacements are rounded to this [m]
 struct BlockMotion {
     dem::Point a, b, c; ///< [m]
 };
-/// @throws std::invalid_argument for a block without outline
-[[nodiscard]] BlockMotion block_motion(const dem::BlockState& block);
+
+/// How the motion of a block follows from the displacements of its outline, in any frame.
+class MotionFit {
+  public:
+    /// @throws std::invalid_argument for an outline without points, or one that is no rectangle and has no area
+    explicit MotionFit(const std::vector<dem::Point>& outline);
+    /// @param displacement of each point of the outline [m]
+    [[nodiscard]] BlockMotion motion(const std::vector<dem::Point>& displacement) const;
+
+    /// Places in an outline of the points nearest to the corners of its box.
+    struct Corners {
+        std::size_t lower_left, lower_right, upper_left, upper_right;
+    };
+    /// Weights of the displacements of the outline in a, b and c of a BlockMotion.
+    struct Weights {
+        std::vector<double> a, b, c;
+    };
+
+  private:
+    Corners at_;
+    Weights weights_; ///< empty for a rectangle
+};
 
 /// Frames of one wall.
 struct Film {

@@ -2,9 +2,9 @@
 
 #include "app/fragility/fragility_curves.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/mode_share.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/binomial.hpp"
 #include "fragility/equal_modes.hpp"
 #include "fragility/fragility_curve.hpp"
 #include "fragility/kaplan_meier.hpp"
@@ -49,6 +49,10 @@ Json curve_json(const DriftData& data, std::size_t state, std::size_t level,
     const fragility::KaplanMeier km = fragility::kaplan_meier(limits_of(group, state));
     c["known_to"] = five_decimals(km.end);
     c["steps"] = Json::array();
+    if (only_limits(limits_of(group, state))) { // one value is no curve
+        c["limit"] = limit_text(data, level, state);
+        return c;
+    }
     for (const auto& s : km.steps)
         c["steps"].push_back({five_decimals(s.at), five_decimals(s.probability)});
     return c;
@@ -117,7 +121,7 @@ void add_model(Json& modes, const fragility::ModeData& data, double confidence)
 
 struct ModeCount {
     double stress = 0.0; ///< [MPa]
-    double rocking = 0.0, sliding = 0.0, walls = 0.0, failed = 0.0;
+    double rocking = 0.0, sliding = 0.0, walls = 0.0;
 };
 
 ModeCount mode_count(const StudyWalls& study, std::size_t level)
@@ -128,7 +132,6 @@ ModeCount mode_count(const StudyWalls& study, std::size_t level)
         c.sliding += w.reading.mode == dem::FailureMode::sliding ? 1.0 : 0.0;
     }
     c.walls = static_cast<double>(study.levels[level].walls.size());
-    c.failed = static_cast<double>(study.levels[level].failed_walls.size());
     return c;
 }
 
@@ -170,12 +173,11 @@ Json modes_json(const StudyWalls& study)
         const ModeCount c = mode_count(study, level);
         if (c.walls == 0.0) continue;
         const fragility::Share s =
-            fragility::share(c.rocking, c.walls, c.failed, fragility::BinomialInterval::wilson,
-                             study.study.fragility.confidence);
+            mode_share(study.levels[level], kRocking, study.study.fragility.confidence);
         modes["levels"].push_back({{"stress", c.stress},
                                    {"value", s.value},
-                                   {"lower", s.bounds.lower},
-                                   {"upper", s.bounds.upper},
+                                   {"lower", s.interval.lower},
+                                   {"upper", s.interval.upper},
                                    {"sliding", c.sliding / c.walls},
                                    {"walls", c.walls}});
         counts.push_back(c);

@@ -120,7 +120,9 @@ Json running_json(const StudyWalls& study)
                                             input.count == 1 ? sd : uq::moments(values).sd};
             all.push_back(running(uq::running_mean(values, prescribed), level, input.key));
         }
-        const bool some = std::ranges::any_of(peaks, [](double f) { return std::isfinite(f); });
+        // errors are relative: there are none of walls that carried nothing
+        const bool some =
+            std::ranges::any_of(peaks, [](double f) { return std::isfinite(f) && f != 0.0; });
         if (some) all.push_back(running(uq::running_mean(peaks), level, "peak force"));
     }
     return all;

@@ -3,14 +3,18 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/other_way.hpp"
+#include "app/study/mode_share.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/binomial.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace app {
 namespace {
@@ -44,7 +48,7 @@ std::string listed_keys(const StudyWalls& study)
 
 std::string way_text(const PushWay& way)
 {
-    return (way.direction == 0 ? " to and fro, at most " : " up to ") +
+    return (way.direction == 0 ? " in cycles of at most " : " up to ") +
            number(1e3 * way.farthest, 4) + " mm";
 }
 
@@ -88,8 +92,7 @@ std::vector<std::string> what_was_run(const StudyWalls& study)
                        " and so on, which the samples take in turn.");
     if (!study.inputs.empty())
         text.push_back("Drawn at random: " + listed_keys(study) +
-                       ". Everything else is the "
-                       "same in all walls of a stress.");
+                       ". All other values are the same for every wall under one stress.");
     else if (!has_layouts(study.study))
         text.push_back("Nothing was drawn at random.");
     return text;
@@ -117,8 +120,8 @@ std::string lost_text(const FragilityInput& f)
     return "lost " + percent_text(1.0 - f.ultimate_share) + " of their peak force";
 }
 
-/// Lowest and highest stress side by side; nothing where one of them has few walls.
-std::vector<std::string> in_short(const StudyWalls& study)
+/// Lowest and highest stress side by side; empty where one of them has few walls.
+std::string in_short(const StudyWalls& study)
 {
     const auto [low, high] =
         std::ranges::minmax_element(study.levels, [](const StudyLevel& a, const StudyLevel& b) {
@@ -128,12 +131,12 @@ std::vector<std::string> in_short(const StudyWalls& study)
     if (low == high || low->walls.size() < kFewest || high->walls.size() < kFewest) return {};
     const LevelMeans a = means_of(low->walls), b = means_of(high->walls);
     if (!std::isfinite(a.peak) || !std::isfinite(b.peak)) return {};
-    return {"In short: from " + stress_text(low->stress) + " to " + stress_text(high->stress) +
-            ", the mean peak force goes from " + fixed(a.peak, 1) + " to " + fixed(b.peak, 1) +
-            " kN, the share of walls that rocked from " + percent(a.rocking) + " to " +
-            percent(b.rocking) + " %, and the share that " + lost_text(study.study.fragility) +
-            " before the push ended from " + percent(a.came_down) + " to " +
-            percent(b.came_down) + " %."};
+    return "From " + stress_text(low->stress) + " to " + stress_text(high->stress) +
+           ", the mean peak force goes from " + fixed(a.peak, 1) + " to " + fixed(b.peak, 1) +
+           " kN, the share of walls that rocked from " + percent(a.rocking) + " to " +
+           percent(b.rocking) + " %, and the share that " + lost_text(study.study.fragility) +
+           " before the push ended from " + percent(a.came_down) + " to " +
+           percent(b.came_down) + " %.";
 }
 
 std::string level_text(const FragilityInput& f, const StudyLevel& level)
@@ -141,13 +144,12 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
     const auto& walls = level.walls;
     if (walls.empty()) return stress_text(level.stress) + ": no wall gave a result.";
     std::vector<double> peaks;
-    double rocking = 0.0, sliding = 0.0;
+    double sliding = 0.0;
     std::size_t came_down = 0, known = 0, slid = 0;
     for (const StudyWall& w : walls) {
         const WallReading& r = w.reading;
         known += is_defined(r.ultimate) ? 1 : 0;
         if (r.peak) peaks.push_back(r.peak->force * 1e-3);
-        rocking += r.mode == dem::FailureMode::rocking ? 1.0 : 0.0;
         sliding += r.mode == dem::FailureMode::sliding ? 1.0 : 0.0;
         slid += r.slid ? 1 : 0;
         came_down += is_observed(r.ultimate) ? 1 : 0;
@@ -162,12 +164,9 @@ std::string level_text(const FragilityInput& f, const StudyLevel& level)
     } else if (!peaks.empty()) {
         text += "peak force " + fixed(peaks.front(), 1) + " kN; ";
     }
-    const fragility::Share s =
-        fragility::share(rocking, static_cast<double>(walls.size()),
-                         static_cast<double>(level.failed_walls.size()),
-                         fragility::BinomialInterval::wilson, f.confidence);
-    return text + percent(s.value) + " % rocked [" + percent(s.bounds.lower) + ", " +
-           percent(s.bounds.upper) + "]" +
+    const fragility::Share s = mode_share(level, kRocking, f.confidence);
+    return text + percent(s.value) + " % rocked [" + percent(s.interval.lower) + ", " +
+           percent(s.interval.upper) + "]" +
            (sliding > 0.0
                 ? ", " + percent(sliding / static_cast<double>(walls.size())) + " % slid"
                 : "") +
@@ -214,9 +213,13 @@ std::vector<std::string> how_sure(const StudyWalls& study)
             " of their peak when their push ended. Their "
             "ultimate displacement is only known to be larger (censored): the fits count it as "
             "larger, and the means leave it out.");
-    text.push_back("In brackets: " + percent_text(study.study.fragility.confidence) +
-                   " intervals, as of independent samples. They cover the chance of "
-                   "the draw, not the error of the model.");
+    for (const std::string& remark : {no_limit_remark(study), other_way_remark(study)})
+        if (!remark.empty()) text.push_back(remark);
+    if (std::string piers = pier_sentence(study.study); !piers.empty())
+        text.push_back(std::move(piers));
+    text.push_back("Brackets are " + percent_text(study.study.fragility.confidence) +
+                   " confidence intervals. They reflect the number of walls, not errors of "
+                   "the model.");
     return text;
 }
 
@@ -226,9 +229,10 @@ Overview overview(const StudyWalls& study)
 {
     Overview o;
     o.run = what_was_run(study);
-    o.found = in_short(study);
     const FragilityInput& f = study.study.fragility;
     for (const StudyLevel& level : study.levels) o.found.push_back(level_text(f, level));
+    o.lead = in_short(study);
+    if (o.lead.empty() && !o.found.empty()) o.lead = o.found.front();
     o.found.push_back("How a wall failed: " + mode_rule_text(f) + ".");
     if (!study.pushed_one_way) o.found.push_back(backbone_text(study.study).substr(1));
     o.sure = how_sure(study);

@@ -15,9 +15,15 @@
 namespace app {
 
 struct Overview {
+    std::string lead;                          ///< the answer in a sentence or two
     std::vector<std::string> run, found, sure; ///< plain text
 };
 [[nodiscard]] Overview overview(const StudyWalls& study);
+
+/// The answer as a table, of six stresses at most: mean peak force, shares of the modes, and the median drift of each limit
+/// state by the observed shares (Kaplan-Meier): {"head": [...], "rows": [[...]], "note"}, all texts.
+[[nodiscard]] nlohmann::ordered_json answers_json(const StudyWalls& study,
+                                                  const DriftData& data);
 
 /// "normal(mean 35 deg, cov 0.15)": "normal, mean 35 deg, coefficient of variation 0.15"
 [[nodiscard]] std::string distribution_words(const std::string& text);
@@ -25,6 +31,9 @@ struct Overview {
 /// Stone, joints, units, beam: each value that matters with its unit, its distribution where it was drawn, what it means, and
 /// whether the study file gives it.
 [[nodiscard]] Table material_table(const StudyWalls& study);
+
+/// The choices that move a drift limit, and how each of them does in this study.
+[[nodiscard]] Table choice_table(const StudyWalls& study);
 
 /// The same of geometry, supports and loads.
 [[nodiscard]] Table wall_and_load_table(const StudyWalls& study);
@@ -75,7 +84,8 @@ constexpr int kLoopPoints = 4; ///< from one frame of a film to the next
 
 /// P(limit state reached | drift) of each limit state and stress, as in the pictures of `drystone fragility`:
 /// [{"name", "rule", "curves": [{"level", "drift": [...], "least", "most", "lower", "upper", "fitted",
-///   "steps": [[drift, probability], ...], "known_to"}]}]
+///   "steps": [[drift, probability], ...], "known_to"}]}]; where walls reached a drift limit that is set and nothing else,
+/// "limit" says it in words and there is no curve.
 [[nodiscard]] nlohmann::ordered_json fragility_json(const DriftData& data);
 
 /// Share of rocking walls of each stress with its interval, and a logistic regression on the stress:

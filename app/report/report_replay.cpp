@@ -2,6 +2,7 @@
 
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "app/study/interrupt.hpp"
 #include "app/study/push_layouts.hpp"
 #include "app/study/wall_frames.hpp"
 #include "dem/scene/layout.hpp"
@@ -45,9 +46,11 @@ void push_missing(const StudyWalls& r, const std::vector<std::size_t>& missing, 
         ++all.pushed;
         if (seen) seen(all.pushed, missing.size());
     };
+    dem::PushPlan plan = filmed_plan(study);
+    plan.progress = [](double, double, double) { end_if_interrupted(); };
     push_in_layouts(
-        study, filmed_plan(study), list,
-        [&](std::size_t i) { return all.walls[missing[i]]->key.sample; }, threads);
+        study, plan, list, [&](std::size_t i) { return all.walls[missing[i]]->key.sample; },
+        threads);
 }
 
 } // namespace

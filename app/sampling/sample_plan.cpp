@@ -94,8 +94,8 @@ SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
 
 WallDraw draw(const SamplePlan& plan, int level, int sample)
 {
-    const Eigen::VectorXd normal =
-        plan.design[level].row(sample).transpose().unaryExpr(&uq::normal_quantile);
+    Eigen::VectorXd normal = plan.design[level].row(sample).transpose();
+    uq::to_normal_quantiles({normal.data(), static_cast<std::size_t>(normal.size())});
     uq::Stream random(plan.seeds[level], static_cast<std::uint64_t>(sample),
                       uq::Purpose::field);
     return {uq::draw(plan.values, normal, random)};

@@ -1,14 +1,13 @@
 #include "app/scene/reading_again.hpp"
 
+#include "app/drawing/raw_drawing.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
-#include <utility>
 
 namespace app {
 namespace {
@@ -16,10 +15,8 @@ namespace {
 /// As wall.length_unit calls it.
 std::string_view unit_name(double metres)
 {
-    constexpr std::array<std::pair<std::string_view, double>, 5> kUnits{
-        {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}}};
-    const auto distance = [&](const auto& unit) { return std::abs(unit.second - metres); };
-    return std::ranges::min_element(kUnits, {}, distance)->first;
+    const auto difference = [&](const LengthUnit& u) { return std::abs(u.metres - metres); };
+    return std::ranges::min_element(kLengthUnits, {}, difference)->name;
 }
 
 std::string stone_text(const dem::Elastic& stone)

@@ -4,9 +4,11 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "app/output/cells.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table.hpp"
+#include "app/sampling/wall_sites.hpp"
 #include "app/scene/reading_again.hpp"
 #include "app/scene/scene_picture.hpp"
 #include "app/scene/scene_units.hpp"
@@ -105,6 +107,21 @@ std::string quality_text(const dem::BondIndices& i, const dem::QualityTerms& q)
 
 constexpr std::string_view kSceneList = "drystone_scene_files.txt";
 
+/// Which value of a joint or a crack is which: the numbers behind "joint.friction_angle.17".
+Table joint_table(const dem::Layout& layout)
+{
+    Table t;
+    t.head = {"kind", "id", "course", "unit", "x [m]", "z [m]", "length [m]"};
+    for (const auto& places : {joint_places(layout), crack_places(layout)})
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const JointPlace& p = places[i];
+            t.rows.push_back({std::string(kind_name(p.kind)), count(static_cast<double>(i + 1)),
+                              count(p.site.course), count(p.site.unit), Number{p.site.x},
+                              Number{p.site.z}, Number{p.length}});
+        }
+    return t;
+}
+
 std::string layouts_text(const Study& study)
 {
     if (!has_layouts(study)) return "";
@@ -117,14 +134,20 @@ std::string layouts_text(const Study& study)
 
 int scene_command(const Command& command)
 {
-    const StudySource source = study_source(command);
+    const StudySource source = study_source(command, Purpose::drawing);
     const Study& study = source.study;
     const fs::path out = command.out;
-    check_results(out, {"scene.json", "scene.dxf", "scene.svg"}, command.quiet, kSceneList);
+    if (const std::string note =
+            check_results(out, {"scene.json", "scene.dxf", "scene.svg", "joints.csv"}, kSceneList);
+        !command.quiet)
+        std::cerr << note;
     const dem::Layout layout = layout_of(study);
     const dem::Layout whole = whole_units(study);
     const std::vector<DrawnBlock> units = scene_units(study, whole);
-    say_effects(study, command);
+    std::cerr << study_notes(study, command);
+    if (!study.load.unfit_height.empty())
+        std::cerr << "note: load.height: " << study.load.unfit_height
+                  << ". The wall is drawn; push and study refuse it.\n";
     const std::string counts = count_text(study, layout, units);
     const std::string sizes = size_text(study, layout);
     const dem::BondIndices indices = dem::bond_indices(whole);
@@ -132,15 +155,17 @@ int scene_command(const Command& command)
     write_results(out,
                   {{"scene.json", write_drawing_json(units, unit)},
                    {"scene.dxf", write_drawing_dxf(units, unit)},
-                   {"scene.svg", scene_picture(layout, units, counts, sizes)}},
+                   {"scene.svg", scene_picture(layout, units, counts, sizes)},
+                   {"joints.csv", as_csv(joint_table(layout))}},
                   kSceneList);
     std::cout << wrapped(counts + ".\n", terminal_width())
               << wrapped(sizes + ".\n", terminal_width())
               << wrapped(index_text(indices) + "\n", terminal_width())
               << wrapped(quality_text(indices, dem::quality_terms(indices, whole)) + "\n",
                          terminal_width())
-              << layouts_text(study) << "scene.svg, scene.json and scene.dxf written to "
-              << command.out << '\n'
+              << layouts_text(study)
+              << "scene.svg, scene.json, scene.dxf and joints.csv written to " << command.out
+              << '\n'
               << reading_again_text(study, layout.n_cracks > 0);
     return 0;
 }

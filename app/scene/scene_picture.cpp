@@ -1,6 +1,7 @@
 #include "app/scene/scene_picture.hpp"
 
 #include "app/output/svg_elements.hpp"
+#include "app/output/wall_body.hpp"
 #include "app/output/wall_view.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/polygon.hpp"
@@ -20,7 +21,6 @@ using dem::Point;
 constexpr double kMargin = 24.0, kSizeRoom = 56.0, kTop = 76.0; // [px]
 constexpr double kWide = 900.0, kHigh = 680.0;                  // of the wall, at most [px]
 constexpr double kLegendRow = 22.0;                             // [px]
-constexpr std::array kTints = {"#f3ecdf", "#cfe3ee", "#e3d3ea", "#d5e8cf", "#f3d3c4"};
 constexpr const char* kBeamTint = "#d3d6da";
 constexpr const char* kEdge = "stroke=\"#6b6459\" stroke-width=\"0.9\"";
 constexpr const char* kSmall = "font-size=\"12\" fill=\"#444\"";
@@ -64,7 +64,7 @@ std::vector<std::string> layers_of(std::span<const DrawnBlock> units)
 const char* tint_of(const std::vector<std::string>& layers, const std::string& layer)
 {
     const auto at = std::ranges::find(layers, layer) - layers.begin();
-    return kTints[static_cast<std::size_t>(at) % kTints.size()];
+    return kKindTints[static_cast<std::size_t>(at) % kKindTints.size()];
 }
 
 std::string draw_units(std::span<const DrawnBlock> units, const WallView& view)

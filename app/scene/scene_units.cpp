@@ -29,20 +29,12 @@ std::string layer_of(const Study& study, const dem::Block& block)
 
 } // namespace
 
-dem::Layout whole_units(const Study& study)
-{
-    Study uncracked = study;
-    uncracked.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
-    uncracked.wall.cracks.where.clear();
-    return layout_of(uncracked);
-}
-
 std::vector<DrawnBlock> scene_units(const Study& study, const dem::Layout& whole)
 {
     std::vector<DrawnBlock> units;
     for (int b = 0; b < whole.beam; ++b) {
         const dem::Block& block = whole.blocks[b];
-        units.push_back({dem::corners_of(block), layer_of(study, block), ""});
+        units.push_back({dem::corners_of(block), layer_of(study, block)});
     }
     return units;
 }

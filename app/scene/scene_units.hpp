@@ -9,9 +9,6 @@
 
 namespace app {
 
-/// The wall as it would be if no unit could crack.
-[[nodiscard]] dem::Layout whole_units(const Study& study);
-
 /// Unit k of the layout is in place k - 1; a beam is no unit. Layers are those of the drawing, "lintel" for lintels, and
 /// "wall" for units without one (nothing where wall.layer_stones gives "wall" another stone).
 /// @param whole as whole_units() makes it

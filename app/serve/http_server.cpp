@@ -1,6 +1,9 @@
 #include "app/serve/http_server.hpp"
 
-#include <httplib.h>
+#include "app/serve/http_connection.hpp"
+
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
@@ -15,12 +18,53 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kJson = "application/json";
+constexpr int kWaiting = 128; ///< connections that the system takes in before they are served
+
+/// Of the request that this thread answers: what follows on its connection is no request.
+thread_local bool hang_up = false;
 
 void send(httplib::Response& response, const HttpReply& reply)
 {
     response.status = reply.status;
     response.set_content(reply.body, kJson);
 }
+
+void send_and_hang_up(httplib::Response& response, const HttpReply& reply)
+{
+    send(response, reply);
+    response.set_header("Connection", "close");
+    hang_up = true;
+}
+
+/// The library's server over connections of ours.
+class Server final : public httplib::Server {
+  public:
+    explicit Server(const HttpOptions& o)
+        : limits_{o.most_head_bytes, o.most_seconds, o.silent_seconds}
+    {
+    }
+    /// After it is bound. The library asks for a queue of five.
+    void lengthen_queue() { ::listen(svr_sock_, kWaiting); }
+
+  private:
+    bool process_and_close_socket(socket_t socket) override
+    {
+        const std::function<bool()> ended = [this] { return svr_sock_ == INVALID_SOCKET; };
+        HttpConnection connection(socket, limits_, ended);
+        bool goes_on = true;
+        while (goes_on && !ended() && connection.next_request()) {
+            hang_up = false;
+            bool closed = false;
+            goes_on = process_request(connection, false, closed, nullptr) && !closed &&
+                      !hang_up && !connection.is_broken();
+        }
+        connection.say_goodbye();
+        ::close(socket);
+        return goes_on;
+    }
+
+    ConnectionLimits limits_;
+};
 
 /// The body of a request, within the limits; or why not.
 struct Body {
@@ -54,12 +98,27 @@ Body read_body(const httplib::Request& request, const httplib::Response& respons
     return body;
 }
 
+std::vector<std::string> sent(const httplib::Request& request, const char* header)
+{
+    std::vector<std::string> values;
+    for (std::size_t i = 0; i < request.get_header_value_count(header); ++i)
+        values.push_back(request.get_header_value(header, i));
+    return values;
+}
+
+RequestHead head_of(const httplib::Request& request)
+{
+    return {sent(request, "Host"), sent(request, "Origin"), sent(request, "Content-Length"),
+            sent(request, "Transfer-Encoding")};
+}
+
 /// What the library refuses by itself: unknown paths and methods, headers that are none.
 HttpReply refused(int status)
 {
     if (status == 404) return umbridge_error(404, "InvalidInput", "no such path or method");
     if (status == 413) return umbridge_error(413, "InvalidInput", "the request is too large");
-    return umbridge_error(status, "InvalidInput", "the request is malformed");
+    return umbridge_error(status, "InvalidInput",
+                          "the request is malformed, or its head is too long");
 }
 
 /// The library would let another program listen at the same port.
@@ -86,6 +145,13 @@ void set_limits(httplib::Server& server, const HttpOptions& o)
 void set_answers(httplib::Server& server, const HttpOptions& o,
                  std::span<const ServedModel> models)
 {
+    server.set_pre_routing_handler(
+        [names = o.names](const httplib::Request& request, httplib::Response& response) {
+            const std::optional<HttpReply> refusal = refused_by_head(head_of(request), names);
+            if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
+            send_and_hang_up(response, *refusal); // its body is not read
+            return httplib::Server::HandlerResponse::Handled;
+        });
     server.Get("/Info", [models](const httplib::Request&, httplib::Response& response) {
         send(response, umbridge_info(models));
     });
@@ -93,10 +159,11 @@ void set_answers(httplib::Server& server, const HttpOptions& o,
         server.Post(path, [=](const httplib::Request& request, httplib::Response& response,
                               const httplib::ContentReader& read) {
             const Body body = read_body(request, response, read, o);
-            send(response, body.status == 200
-                               ? umbridge_reply(models, path, body.text)
-                               : umbridge_error(body.status, "InvalidInput", body.trouble));
-            if (body.status != 200) response.set_header("Connection", "close");
+            if (body.status == 200)
+                send(response, umbridge_reply(models, path, body.text));
+            else
+                send_and_hang_up(response,
+                                 umbridge_error(body.status, "InvalidInput", body.trouble));
         });
     server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
         if (response.body.empty()) send(response, refused(response.status));
@@ -113,15 +180,17 @@ void serve_http(const HttpOptions& options, std::span<const ServedModel> models,
                 const std::function<void(int port)>& listening,
                 const std::function<bool()>& ended)
 {
-    httplib::Server server;
+    Server server(options);
     set_limits(server, options);
     set_answers(server, options, models);
-    const int port = options.port == 0 ? server.bind_to_any_port(options.address)
-                     : server.bind_to_port(options.address, options.port) ? options.port
-                                                                          : -1;
+    const std::string& address = options.names.address;
+    const int port = options.port == 0 ? server.bind_to_any_port(address)
+                     : server.bind_to_port(address, options.port) ? options.port
+                                                                  : -1;
     if (port < 0)
-        throw std::runtime_error("cannot listen at " + options.address + ":" +
+        throw std::runtime_error("cannot listen at " + address + ":" +
                                  std::to_string(options.port) + ": " + std::strerror(errno));
+    server.lengthen_queue();
     const std::jthread watch([&](const std::stop_token& done) {
         while (!done.stop_requested() && !ended())
             std::this_thread::sleep_for(std::chrono::milliseconds(100));

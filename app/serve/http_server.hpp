@@ -1,6 +1,7 @@
 #pragma once
-/// HTTP for umbridge.hpp. The only file that knows the HTTP library is http_server.cpp.
+/// HTTP for umbridge.hpp. The HTTP library is known to http_server.cpp and http_connection.hpp alone.
 
+#include "app/serve/request_head.hpp"
 #include "app/serve/umbridge.hpp"
 
 #include <cstddef>
@@ -11,16 +12,18 @@
 namespace app {
 
 struct HttpOptions {
-    std::string address = "127.0.0.1"; ///< of this machine, at which it listens
-    int port = 4242;                   ///< 0: any free one
+    ServerNames names; ///< names.address is that of this machine at which it listens
+    int port = 4242;   ///< 0: any free one
     /// Of a request [byte]. A wall with ten thousand joints has half a million.
     std::size_t most_bytes = 8 << 20;
-    double most_seconds = 10.0; ///< in which the body of a request has to arrive [s]
-    int silent_seconds = 5;     ///< so long a connection may be silent within a request [s]
-    int connections = 128;      ///< served at a time; further ones wait
+    std::size_t most_head_bytes = 64 << 10; ///< of a request: its first line and its headers
+    double most_seconds =
+        10.0; ///< in which the head of a request, and its body, have to arrive [s]
+    int silent_seconds = 5; ///< so long a connection may be silent [s]
+    int connections = 128;  ///< served at a time; further ones wait
 };
 
-/// Answers until `ended` says so. Requests outside the limits get an error in JSON.
+/// Answers until `ended` says so; then requests that wait for a wall get an error. Requests outside the limits get one, too.
 /// @param listening is told the port
 /// @param ended is asked every tenth of a second
 /// @throws std::runtime_error if it cannot listen there

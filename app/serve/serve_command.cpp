@@ -7,6 +7,10 @@
 #include "app/study/interrupt.hpp"
 #include "dem/block/model.hpp"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 
@@ -15,6 +19,12 @@ namespace {
 
 /// Requests of walls that are asked for while the others are pushed wait here.
 constexpr int kConnectionsPerThread = 64; // choice: four times the lanes of the widest register
+
+std::string machine_name()
+{
+    std::array<char, 256> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
 
 void list(const char* what, const std::vector<ServedColumn>& columns)
 {
@@ -28,16 +38,16 @@ void list(const char* what, const std::vector<ServedColumn>& columns)
 
 void say(const HttpOptions& options, int port, const std::vector<ServedModel>& models)
 {
-    std::cout << "UM-Bridge at http://" << options.address << ":" << port << ", until Ctrl-C\n";
+    std::cout << "UM-Bridge at http://" << options.names.address << ":" << port
+              << ", until Ctrl-C\n";
     for (const ServedModel& model : models) {
         std::cout << model.name << '\n';
         list("in", model.inputs);
         list("out", model.outputs);
     }
     std::cout.flush();
-    if (!options.address.starts_with("127.") && options.address != "localhost" &&
-        options.address != "::1")
-        std::cerr << "drystone: anyone who can reach " << options.address
+    if (!is_loopback(options.names.address))
+        std::cerr << "drystone: anyone who can reach " << options.names.address
                   << " can push walls here; there is no password\n";
 }
 
@@ -47,7 +57,7 @@ int serve_command(const Command& command)
 {
     const Study given = read_study(command.study, command.overrides);
     const ServedStudy served = served_study(given, command.inputs);
-    say_effects(given, command);
+    std::cerr << study_notes(given, command);
     const dem::Model model = model_of(served.study);
     catch_interrupts();
     WallQueue queue(served.study, model, command.threads);
@@ -56,7 +66,7 @@ int serve_command(const Command& command)
         command.responses.empty() ? std::vector<std::string>{"peak_force"} : command.responses,
         [&](WantedWall wall) { return queue.push(std::move(wall)); });
     HttpOptions options;
-    options.address = command.address;
+    options.names = {command.address, machine_name(), command.hosts};
     options.port = command.port;
     options.connections =
         std::max(options.connections, kConnectionsPerThread * command.threads);

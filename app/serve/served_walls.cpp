@@ -7,12 +7,15 @@
 #include "app/reading/wall_response.hpp"
 #include "app/reliability/wall_black_box.hpp"
 #include "app/sampling/sample_plan.hpp"
+#include "app/sampling/wall_sites.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_walls.hpp"
+#include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -126,13 +129,23 @@ std::vector<ServedColumn> physical_columns(const Shared& shared)
     for (std::size_t i = 0; i < shared.sites.size(); ++i) {
         const Key& key = *find_key(shared.inputs[i].key);
         const std::string unit = key.unit.empty() ? "-" : std::string(si_unit(key.unit));
+        const std::string meaning(key.meaning);
+        if (shared.sites[i] == 1) {
+            columns.push_back({std::string(key.name), unit, meaning});
+            continue;
+        }
+        const bool joint = key.varies == Varies::by_joint;
+        const std::vector<uq::Site> sites =
+            joint ? joint_sites(shared.layout) : crack_sites(shared.layout);
         for (int site = 1; site <= shared.sites[i]; ++site)
-            columns.push_back({std::string(key.name) +
-                                   (shared.sites[i] == 1 ? "" : "." + std::to_string(site)),
-                               unit, std::string(key.meaning)});
+            columns.push_back({std::string(key.name) + "." + std::to_string(site), unit,
+                               meaning + ", " + site_meaning(joint, sites.at(site - 1))});
     }
     return columns;
 }
+
+/// Farther out a probability is soon 1 in double precision, and its quantile no number.
+constexpr double kFarthest = 8.2;
 
 /// The same model over standard normal coordinates.
 ServedModel normal_model(const Study& study, const Shared& shared, const ServedModel& physical)
@@ -149,6 +162,13 @@ ServedModel normal_model(const Study& study, const Shared& shared, const ServedM
                 "standard normal coordinate of " + plan.inputs[i].key;
     model.evaluate = [to_physical = wall_map(study, plan),
                       at = physical.evaluate](std::span<const double> z) {
+        for (std::size_t i = 0; i < z.size(); ++i)
+            if (!(std::abs(z[i]) <= kFarthest))
+                throw BadValue(
+                    "input: z" + std::to_string(i + 1) + " = " + number(z[i], 6) +
+                    " is beyond " + number(kFarthest, 2) +
+                    " standard deviations, where a probability is 0 or 1 to the last "
+                    "digit");
         const Eigen::MatrixXd row =
             Eigen::Map<const Eigen::RowVectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
         const Eigen::MatrixXd x = to_physical(row);

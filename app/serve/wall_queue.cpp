@@ -108,7 +108,9 @@ void WallQueue::push_waiting()
         running.extract(i).mapped().set_value(std::move(wall));
     };
     try {
-        push_walls(study_, model_, bare_plan(study_), list, 1);
+        dem::PushPlan plan = bare_plan(study_);
+        plan.progress = [](double, double, double) { end_if_interrupted(); };
+        push_walls(study_, model_, plan, list, 1);
     } catch (...) {
         for (auto& [i, answer] : running) answer.set_exception(std::current_exception());
         throw;

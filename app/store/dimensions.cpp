@@ -84,7 +84,8 @@ void put_dimensions(const hdf5::File& file, const StoreHead& head, std::uint64_t
     d.give("/design_sizes", {"/design_growth"});
     for (const char* name : {"/levels/vertical_stress", "/levels/samples"})
         d.give(name, {"/stress_level"});
-    for (const char* name : {"program_version", "machine", "build", "settings", "started"})
+    for (const char* name :
+         {"program_version", "machine", "build", "settings", "started", "solver_revision"})
         d.give(std::string("/sessions/") + name, {"/session"});
     for (const char* name : {"/walls/level", "/walls/sample", "/walls/status", "/walls/reason"})
         d.give(name, {"/wall"});

@@ -57,8 +57,9 @@ FileLock::FileLock(fs::path path) : path_(std::move(path))
     } while (!still_there(file_, path_));
     const std::string name = this_process() + "\n";
     // the name only informs others: a full disk is no reason not to start
-    if (::ftruncate(file_.get(), 0) == 0)
-        static_cast<void>(::pwrite(file_.get(), name.data(), name.size(), 0));
+    if (::ftruncate(file_.get(), 0) == 0) {
+        [[maybe_unused]] const ssize_t n = ::pwrite(file_.get(), name.data(), name.size(), 0);
+    }
 }
 
 FileLock::~FileLock()

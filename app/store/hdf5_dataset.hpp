@@ -1,6 +1,7 @@
 #pragma once
 /// Datasets of numbers or texts, row by row, in chunks that are shuffled, deflated and end with HDF5's
-/// Fletcher-32 checksum.
+/// Fletcher-32 checksum. Files come from strangers: what is opened or read here is refused before the first value is read
+/// unless it is as this program writes it.
 
 #include "app/store/hdf5_file.hpp"
 
@@ -27,14 +28,17 @@ class Dataset {
   public:
     /// Makes a dataset of `sizes`: rows, and their width if it is a matrix.
     Dataset(const File& file, std::string name, hid_t type, std::vector<hsize_t> sizes);
-    /// Opens one that is there. Throws StoreError.
-    Dataset(const File& file, std::string name);
+    /// Opens one of `rank` axes (1 or 2) that is there. Throws StoreError if it is not in the file itself, has another
+    /// rank, filters that this program does not use, or more values than the bytes stored for it can hold.
+    Dataset(const File& file, std::string name, int rank = 1);
 
+    [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] std::uint64_t rows() const { return sizes_[0]; }
     [[nodiscard]] std::uint64_t width() const { return sizes_.size() > 1 ? sizes_[1] : 1; }
     [[nodiscard]] std::size_t value_bytes() const; ///< in the file
 
-    /// Rows [first, first + n), `values` of n x width. Throw StoreError.
+    /// Rows [first, first + n), `values` of n x width. Throw StoreError. Numbers are read as the type that they are stored
+    /// as, or float as double; texts of fixed length.
     void write(std::uint64_t first, std::uint64_t n, hid_t type, const void* values);
     void read(std::uint64_t first, std::uint64_t n, hid_t type, void* values) const;
 
@@ -54,22 +58,28 @@ class Dataset {
     void require_rows(std::uint64_t rows) const;
 
   private:
+    void check_storage(const Handle& list) const;
+    void check_size(const Handle& list) const;
+    void check_type(hid_t type) const;
     [[nodiscard]] Handle selected(std::uint64_t first, std::uint64_t n) const;
     [[nodiscard]] Handle space(std::uint64_t rows) const;
 
     const File* file_;
     std::string name_;
     std::vector<hsize_t> sizes_; ///< rows, and width if it is a matrix
-    Handle id_;
+    Handle id_, type_;
 };
 
 /// A dataset of texts, padded with NUL to the longest of them or to `bytes`.
 void put_texts(const File& file, const std::string& name,
                const std::vector<std::string>& texts);
-[[nodiscard]] std::vector<std::string> texts_of(const File& file, const std::string& name);
+/// All texts of a dataset, each of at most `most_bytes`. Throws StoreError.
+[[nodiscard]] std::vector<std::string> texts_of(const File& file, const std::string& name,
+                                                std::size_t most_bytes);
 
-/// Texts of rows [first, first + n), without padding.
+/// Texts of rows [first, first + n), without padding, each of at most `most_bytes`. Throws StoreError.
 [[nodiscard]] std::vector<std::string> read_texts(const File& file, const Dataset& from,
-                                                  std::uint64_t first, std::uint64_t n);
+                                                  std::uint64_t first, std::uint64_t n,
+                                                  std::size_t most_bytes);
 
 } // namespace app::hdf5

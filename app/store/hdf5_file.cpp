@@ -1,7 +1,6 @@
 #include "app/store/hdf5_file.hpp"
 
 #include "app/store/store_disk.hpp"
-#include "app/store/store_error.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -82,15 +81,6 @@ Handle File::owned(hid_t opened, herr_t (*close)(hid_t), const std::string& what
     return {opened, close};
 }
 
-void damaged(const fs::path& file, const std::string& why)
-{
-    const bool part = file.parent_path().extension() == ".parts";
-    throw StoreError(
-        "'" + file.string() + "' is damaged: " + why +
-        (part ? "; remove it and run the same command again: its walls will be run again"
-              : "; restore an earlier copy of it, or run the study again into another file"));
-}
-
 File open_file(const fs::path& path)
 {
     File file{path, false, {}};
@@ -125,6 +115,26 @@ Handle text_type(const File& file, std::size_t bytes)
     return type;
 }
 
+bool is_fixed_text(hid_t type)
+{
+    return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
+}
+
+Handle opened_object(const File& file, const std::string& name)
+{
+    for (std::size_t end = name.find('/', 1); name.size() > 1; end = name.find('/', end + 1)) {
+        const std::string part = name.substr(0, end);
+        H5L_info_t link;
+        file.checked(H5Lget_info(file.id.get(), part.c_str(), &link, H5P_DEFAULT),
+                     "find " + name + " in");
+        if (link.type != H5L_TYPE_HARD)
+            damaged(file.path, part + " is a link to somewhere else");
+        if (end == std::string::npos) break;
+    }
+    return file.owned(H5Oopen(file.id.get(), name.c_str(), H5P_DEFAULT), H5Oclose,
+                      "find " + name + " in");
+}
+
 void make_group(const File& file, const std::string& name)
 {
     // Without times: the same walls make the same bytes whenever they are written.
@@ -148,11 +158,29 @@ void put_value(const File& file, const std::string& object, const std::string& n
     file.checked(H5Awrite(attribute.get(), type, value), "write");
 }
 
-Handle attribute_of(const File& file, const std::string& object, const std::string& name)
+constexpr std::size_t kMostAttributeBytes = 64 << 10; ///< of a text
+
+/// An attribute that holds one value, and how messages name it.
+struct OneValue {
+    Handle attribute, type;
+    std::string name;
+};
+
+/// H5Aread writes as many values as the file has: nothing is read before their number is known to be one.
+OneValue one_value(const File& file, const std::string& object, const std::string& name)
 {
-    return file.owned(
-        H5Aopen_by_name(file.id.get(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose, "find the attribute " + name + " of " + object + " in");
+    const std::string what = "the attribute " + name + " of " + object;
+    const Handle owner = opened_object(file, object);
+    OneValue v{file.owned(H5Aopen(owner.get(), name.c_str(), H5P_DEFAULT), H5Aclose,
+                          "find " + what + " in"),
+               {},
+               what};
+    v.type = file.owned(H5Aget_type(v.attribute.get()), H5Tclose, "read " + what + " of");
+    const Handle space =
+        file.owned(H5Aget_space(v.attribute.get()), H5Sclose, "read " + what + " of");
+    if (H5Sget_simple_extent_type(space.get()) != H5S_SCALAR)
+        damaged(file.path, what + " is not one value");
+    return v;
 }
 
 } // namespace
@@ -171,23 +199,29 @@ void put_attribute(const File& file, const std::string& object, const std::strin
 
 std::string text_attribute(const File& file, const std::string& object, const std::string& name)
 {
-    const Handle attribute = attribute_of(file, object, name);
-    const Handle stored = file.owned(H5Aget_type(attribute.get()), H5Tclose, "read");
-    std::string text(H5Tget_size(stored.get()), '\0');
+    const OneValue v = one_value(file, object, name);
+    if (!is_fixed_text(v.type.get())) damaged(file.path, v.name + " is not a text");
+    std::string text(H5Tget_size(v.type.get()), '\0');
+    if (text.size() > kMostAttributeBytes)
+        damaged(file.path, v.name + " is longer than 64 KiB");
     const Handle type = text_type(file, text.size());
-    file.checked(H5Aread(attribute.get(), type.get(), text.data()),
-                 "read the attribute " + name + " of " + object + " in");
+    file.checked(H5Aread(v.attribute.get(), type.get(), text.data()), "read " + v.name + " in");
     text.resize(std::min(text.find('\0'), text.size()));
     return text;
 }
 
 std::uint64_t number_attribute(const File& file, const std::string& object,
-                               const std::string& name)
+                               const std::string& name, std::uint64_t most)
 {
-    const Handle attribute = attribute_of(file, object, name);
+    const OneValue v = one_value(file, object, name);
+    if (H5Tequal(v.type.get(), H5T_STD_U64LE) <= 0)
+        damaged(file.path, v.name + " is not an unsigned number of 64 bits");
     std::uint64_t number = 0;
-    file.checked(H5Aread(attribute.get(), H5T_NATIVE_UINT64, &number),
-                 "read the attribute " + name + " of " + object + " in");
+    file.checked(H5Aread(v.attribute.get(), H5T_NATIVE_UINT64, &number),
+                 "read " + v.name + " in");
+    if (number > most)
+        damaged(file.path, v.name + " is " + std::to_string(number) + ", more than " +
+                               std::to_string(most));
     return number;
 }
 

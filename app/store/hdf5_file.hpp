@@ -4,6 +4,8 @@
 ///
 /// Files are written in the format of HDF5 1.10, in which all metadata carry checksums.
 
+#include "app/store/store_error.hpp"
+
 #include <hdf5.h>
 
 #include <cstddef>
@@ -46,9 +48,6 @@ struct File {
     }
 };
 
-/// Throws StoreError: what is wrong with the file, and what to do.
-[[noreturn]] void damaged(const std::filesystem::path& file, const std::string& why);
-
 /// For reading. Throws StoreError if it is not an HDF5 file, or a damaged one.
 [[nodiscard]] File open_file(const std::filesystem::path& path);
 /// There must be no file of this name.
@@ -58,17 +57,26 @@ void close_file(File file);
 
 /// UTF-8 of this length, padded with NUL.
 [[nodiscard]] Handle text_type(const File& file, std::size_t bytes);
+/// Whether it is a text whose bytes stand where the value stands.
+[[nodiscard]] bool is_fixed_text(hid_t type);
 
 void make_group(const File& file, const std::string& name);
+
+/// The object of this absolute name. Files come from strangers: a name that leads over a soft or external
+/// link, which can name any file of the reader, is refused. Throws StoreError.
+[[nodiscard]] Handle opened_object(const File& file, const std::string& name);
 
 /// Attributes of groups and datasets. Throw StoreError.
 void put_attribute(const File& file, const std::string& object, const std::string& name,
                    const std::string& text);
 void put_attribute(const File& file, const std::string& object, const std::string& name,
                    std::uint64_t number);
+/// One text of fixed length, at most 64 KiB; one unsigned number of 64 bits, at most `most`. Whatever else the
+/// file has there is refused before it is read.
 [[nodiscard]] std::string text_attribute(const File& file, const std::string& object,
                                          const std::string& name);
 [[nodiscard]] std::uint64_t number_attribute(const File& file, const std::string& object,
-                                             const std::string& name);
+                                             const std::string& name,
+                                             std::uint64_t most = UINT64_MAX);
 
 } // namespace app::hdf5

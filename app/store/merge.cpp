@@ -7,7 +7,9 @@
 #include "app/store/wall_file.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <sys/resource.h>
@@ -28,14 +30,21 @@ void allow_open_files(std::size_t n)
     ::setrlimit(RLIMIT_NOFILE, &limit); // too few: the opening of a shard says so
 }
 
+constexpr std::size_t kMostListed = 20;
+
+/// "  and 12 more" of a list of `all`.
+std::string more_text(std::size_t all)
+{
+    if (all <= kMostListed) return "";
+    return "  and " + std::to_string(all - kMostListed) + " more\n";
+}
+
 std::string list_of(const std::vector<WallKey>& walls)
 {
-    constexpr std::size_t most = 20;
     std::string text;
-    for (std::size_t k = 0; k < std::min(most, walls.size()); ++k)
+    for (std::size_t k = 0; k < std::min(kMostListed, walls.size()); ++k)
         text += "  " + wall_name(walls[k]) + "\n";
-    if (walls.size() > most) text += "  and " + std::to_string(walls.size() - most) + " more\n";
-    return text;
+    return text + more_text(walls.size());
 }
 
 /// The head of a shard as that of the whole: what must be equal among shards.
@@ -47,27 +56,84 @@ StoreHead whole(StoreHead head)
     return head;
 }
 
-/// Everything that must be equal among shards, line by line.
-std::string whole_text(const StoreHead& head)
+/// What must be equal among shards beside the study, line by line.
+std::string plan_text(const StoreHead& head)
 {
-    std::string text = study_text(whole(head)) + "design grown through";
+    std::string text = "design grown through";
     for (const std::uint32_t size : head.design_sizes) text += " " + std::to_string(size);
     for (const StoreLevel& level : head.levels)
         text += "\nlevel of " + std::to_string(level.vertical_stress) + " Pa, " +
-                std::to_string(level.samples) + " samples";
-    text +=
-        head.single_precision_curves ? "\nsingle precision yes\n" : "\nsingle precision no\n";
-    return text + head.configuration;
+                std::to_string(level.samples) + (level.samples == 1 ? " sample" : " samples");
+    return text + (head.single_precision_curves ? "\nsingle precision yes\n"
+                                                : "\nsingle precision no\n");
+}
+
+/// The first of these that differs: what follows from it in the others is not said again.
+std::string shard_difference(const StoreHead& first, const StoreHead& other)
+{
+    const std::string texts[] = {study_difference(whole(first), whole(other)),
+                                 text_difference(plan_text(first), plan_text(other)),
+                                 text_difference(first.configuration, other.configuration)};
+    const auto* const why =
+        std::ranges::find_if(texts, [](const std::string& text) { return !text.empty(); });
+    return why == std::end(texts) ? "" : *why;
 }
 
 void check_equal(const fs::path& first_path, const StoreHead& first, const fs::path& path,
                  const StoreHead& other)
 {
-    const std::string why = text_difference(whole_text(first), whole_text(other));
+    const std::string one = solver_revision(first.identity),
+                      two = solver_revision(other.identity);
+    if (one != two)
+        throw StoreError("'" + path.string() + "' is of " + revision_words(two) + ", '" +
+                         first_path.string() + "' of " + revision_words(one) +
+                         ": each gives other numbers for the same walls. Nothing was written. "
+                         "Merge shards that one revision has run.");
+    const std::string why = shard_difference(first, other);
     if (!why.empty() || !(whole(first) == whole(other)))
         throw StoreError("'" + path.string() + "' is not of the study of '" +
                          first_path.string() + "' (-: there, +: here):\n" + why +
                          "Nothing was written. Merge shards of one study only.");
+}
+
+/// "runs/t_3_of_3.h5", beside "runs/t_1_of_3.h5", which is shard 1; empty where that has another name.
+std::string shard_beside(const fs::path& path, std::uint32_t index, const StoreHead& head,
+                         std::uint32_t wanted)
+{
+    const std::string of = "_of_" + std::to_string(head.shards);
+    std::string name = path.filename().string();
+    const std::size_t end = name.rfind(of);
+    if (end == std::string::npos) return "";
+    const std::size_t begin = name.find_last_not_of("0123456789", end - 1) + 1;
+    const std::string digits = name.substr(begin, end - begin);
+    if (digits.empty() || digits.size() > 9 || std::stoul(digits) != index + 1) return "";
+    std::string number = std::to_string(wanted + 1);
+    number.insert(0, digits.size() - std::min(digits.size(), number.size()), '0');
+    name.replace(begin, digits.size(), number);
+    return (path.parent_path() / name).string();
+}
+
+/// "  shard 3 of 3 is missing: runs/t_3_of_3.h5", a line for each; empty where some are no shards, or all are there.
+std::string missing_shards(const std::vector<fs::path>& paths,
+                           const std::vector<StoreReader>& shards)
+{
+    const StoreHead& first = shards.front().head();
+    std::set<std::uint32_t> there;
+    for (const StoreReader& shard : shards) {
+        if (shard.head().shards != first.shards) return "";
+        there.insert(shard.head().shard);
+    }
+    const std::size_t missing = first.shards - there.size();
+    std::string text;
+    std::size_t listed = 0;
+    for (std::uint32_t k = 0; listed < std::min(missing, kMostListed); ++k) {
+        if (there.count(k) > 0) continue;
+        ++listed;
+        const std::string file = shard_beside(paths.front(), first.shard, first, k);
+        text += "  shard " + std::to_string(k + 1) + " of " + std::to_string(first.shards) +
+                " is missing" + (file.empty() ? "" : ": " + file) + "\n";
+    }
+    return text + more_text(missing);
 }
 
 /// Adds the walls of a shard to those of the shards before it. @param in which shard has a wall
@@ -107,7 +173,8 @@ StoreHead merged_head(const std::vector<StoreReader>& shards)
 
 } // namespace
 
-void merge(const fs::path& out, const std::vector<fs::path>& paths, bool partial)
+void merge(const fs::path& out, const std::vector<fs::path>& paths, bool partial,
+           const WallCheck& check)
 {
     std::vector<StoreReader> shards = open_shards(paths);
     const FileLock lock(lock_of(out));
@@ -117,15 +184,26 @@ void merge(const fs::path& out, const std::vector<fs::path>& paths, bool partial
                          "' (or the folder with its parts) is there already. Nothing was "
                          "written. Remove it or name another file.");
     const StoreHead head = merged_head(shards);
+    const std::string absent = partial ? "" : missing_shards(paths, shards);
+    if (!absent.empty())
+        throw StoreError("Not all shards are here:\n" + absent +
+                         "Nothing was written. Run and name them, or ask for a partial merge "
+                         "(--partial).");
     StoreReader all(std::move(shards));
     const std::vector<WallKey> missing = missing_walls(head, all.statuses());
     if (!missing.empty() && !partial)
         throw StoreError(
             std::to_string(missing.size()) +
             " walls are in no shard. Nothing was written. Finish the shards, or ask "
-            "for a partial merge:\n" +
+            "for a partial merge (--partial):\n" +
             list_of(missing));
-    write_wall_file(out, head, all.walls());
+    RowSource source = all.walls();
+    source.row = [&](std::size_t i) {
+        WallRow row = all.row(i);
+        if (check) check(all.file_of(i), row);
+        return row;
+    };
+    write_wall_file(out, head, source);
 }
 
 } // namespace app

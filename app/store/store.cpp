@@ -70,6 +70,7 @@ void Store::add_part(const std::vector<const WallRow*>& rows)
     const std::uint32_t number = parts_.empty() ? 1 : parts_.back() + 1;
     // only with the first: a folder that is gone later took walls with it
     if (parts_.empty()) make_parts_folder(path_);
+    check_parts_folder(path_); // others may have put a link there meanwhile
     write_wall_file(part_of(path_, number), head_, source);
     parts_.push_back(number);
 }

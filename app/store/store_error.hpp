@@ -1,8 +1,10 @@
 #pragma once
-/// What goes wrong with the file of a study: the only exception that leaves the store for a bad
+/// What goes wrong with the file of a study: the only exceptions that leave the store for a bad
 /// file, a bad disk or a file in use.
 
+#include <filesystem>
 #include <stdexcept>
+#include <string>
 
 namespace app {
 
@@ -11,5 +13,14 @@ class StoreError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
+
+/// There is no such file, or it holds no study: the program ends with code 2, as for any bad input.
+class BadStoredStudy : public StoreError {
+  public:
+    using StoreError::StoreError;
+};
+
+/// Throws BadStoredStudy: what is wrong with the file, and what to do.
+[[noreturn]] void damaged(const std::filesystem::path& file, const std::string& why);
 
 } // namespace app

@@ -21,6 +21,12 @@ void require(bool good, const std::string& what)
     if (!good) throw std::invalid_argument("store: " + what);
 }
 
+void check_length(const char* what, const std::string& text, std::size_t most)
+{
+    require(text.size() <= most,
+            std::string(what) + " has more than " + std::to_string(most) + " bytes");
+}
+
 void check_columns(const char* list, const std::vector<Column>& columns)
 {
     std::set<std::string> names;
@@ -32,6 +38,8 @@ void check_columns(const char* list, const std::vector<Column>& columns)
                     "' must be of letters, digits and _-.+()[]");
         require(names.insert(name).second,
                 std::string(list) + ": column '" + name + "' is there twice");
+        check_length("a unit", column.unit, kMostTextBytes);
+        check_length("a meaning", column.meaning, kMostTextBytes);
     }
 }
 
@@ -43,10 +51,34 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
+/// A line as a message shows it: outlines of a drawing, or what a stranger wrote, can be megabytes.
+std::string shortened(const std::string& line)
+{
+    constexpr std::size_t most = 300;
+    if (line.size() <= most) return line;
+    std::size_t n = most;
+    while (n > 0 && (static_cast<unsigned char>(line[n]) & 0xC0u) == 0x80u) --n; // UTF-8
+    return line.substr(0, n) + " ...";
+}
+
 [[noreturn]] void refuse(const std::string& file, const std::string& why)
 {
     throw StoreError(file + ": " + why +
                      "\nUse another output file, or the inputs of this one.");
+}
+
+void check_revision(const std::string& file, const StoreHead& stored, const StoreHead& wanted)
+{
+    const std::string before = solver_revision(stored.identity),
+                      now = solver_revision(wanted.identity);
+    if (before == now) return;
+    const std::string version =
+        stored.sessions.empty() ? ""
+                                : " (version " + stored.sessions.front().program_version + ")";
+    throw StoreError(file + ": was begun by " + revision_words(before) + version +
+                     ". This program has " + revision_words(now) +
+                     ", which gives other numbers for the same walls.\nFinish the file with "
+                     "the version that began it, or begin a new one with another --out.");
 }
 
 void check_levels(const std::string& file, const StoreHead& stored, const StoreHead& wanted)
@@ -66,6 +98,35 @@ void check_levels(const std::string& file, const StoreHead& stored, const StoreH
     }
 }
 
+void check_sessions(const StoreHead& head)
+{
+    for (const StoreSession& s : head.sessions)
+        for (const std::string* text :
+             {&s.program_version, &s.machine, &s.build, &s.settings, &s.started})
+            check_length("a session", *text, kMostTextBytes);
+}
+
+/// NaN is none.
+bool is_sound(double v) { return std::abs(v) <= kMostSize; }
+
+void check_sound(const WallRow& row, const std::vector<double>& values, const char* what)
+{
+    const auto bad = std::ranges::find_if_not(values, is_sound);
+    if (bad != values.end())
+        throw std::invalid_argument(wall_name(row.key) + ": " + what + " " +
+                                    std::to_string(bad - values.begin() + 1) +
+                                    " is not a finite number of at most 1e30");
+}
+
+} // namespace
+
+std::uint64_t walls_wanted(const StoreHead& head)
+{
+    std::uint64_t walls = 0;
+    for (const StoreLevel& level : head.levels) walls += level.samples;
+    return walls;
+}
+
 std::uint32_t most_samples(const std::vector<StoreLevel>& levels)
 {
     std::uint32_t most = 0;
@@ -73,13 +134,17 @@ std::uint32_t most_samples(const std::vector<StoreLevel>& levels)
     return most;
 }
 
-} // namespace
-
 void check_head(const StoreHead& head)
 {
     for (const StoreLevel& level : head.levels)
         require(std::isfinite(level.vertical_stress), "vertical stress must be finite");
     require(head.levels.size() <= 1'000'000, "levels must be at most 1000000");
+    require(walls_wanted(head) <= kMostWalls, "has " + std::to_string(walls_wanted(head)) +
+                                                  " walls; at most " +
+                                                  std::to_string(kMostWalls) + " are possible");
+    check_length("the configuration", head.configuration, kMostStudyBytes);
+    check_length("the identity", head.identity, kMostStudyBytes);
+    check_sessions(head);
     require(head.shards >= 1 && head.shard < head.shards,
             "shard " + std::to_string(head.shard) + " must be in [0, " +
                 std::to_string(head.shards) + ")");
@@ -110,6 +175,13 @@ void check_row(const StoreHead& head, const WallRow& row)
     length("counts", row.counts.size(), head.counts.size());
     length("cost", row.cost.size(), head.cost.size());
     length("forces of the curve", row.curve.force.size(), row.curve.displacement.size());
+    require_row(row.curve.force.size() <= kMostPoints,
+                "the curve has more than " + std::to_string(kMostPoints) + " points");
+    check_sound(row, row.inputs, "input");
+    if (row.status == kWallOk) {
+        check_sound(row, row.curve.displacement, "displacement");
+        check_sound(row, row.curve.force, "force");
+    }
     const auto too_large = [](double v) {
         return std::isfinite(v) && std::abs(v) > std::numeric_limits<float>::max();
     };
@@ -133,10 +205,23 @@ std::string text_difference(const std::string& before, const std::string& after,
         differing.push_back("  the same lines in another order or with other line ends");
     std::string text;
     for (std::size_t k = 0; k < std::min(most, differing.size()); ++k)
-        text += differing[k] + "\n";
+        text += shortened(differing[k]) + "\n";
     if (differing.size() > most)
         text += "and " + std::to_string(differing.size() - most) + " more lines\n";
     return text;
+}
+
+std::string solver_revision(const std::string& identity)
+{
+    for (const std::string& line : lines_of(identity))
+        if (line.starts_with(kRevisionKey)) return line.substr(kRevisionKey.size());
+    return "";
+}
+
+std::string revision_words(const std::string& revision)
+{
+    return (revision.empty() ? "an earlier revision" : "revision " + revision) +
+           " of the solver";
 }
 
 std::string study_text(const StoreHead& head)
@@ -155,10 +240,17 @@ std::string study_text(const StoreHead& head)
     return text;
 }
 
+std::string study_difference(const StoreHead& before, const StoreHead& after)
+{
+    const std::string inputs = text_difference(before.identity, after.identity);
+    return inputs.empty() ? text_difference(study_text(before), study_text(after)) : inputs;
+}
+
 StoreHead continued_head(const std::string& file, const StoreHead& stored,
                          const StoreHead& wanted)
 {
-    const std::string why = text_difference(study_text(stored), study_text(wanted));
+    check_revision(file, stored, wanted);
+    const std::string why = study_difference(stored, wanted);
     if (!why.empty())
         refuse(file, "has other inputs (-: in the file, +: in this study):\n" + why);
     check_levels(file, stored, wanted);

@@ -6,9 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
+
+constexpr std::size_t kMostTextBytes = 4096; ///< of a unit, a meaning, a text of a session
+constexpr std::size_t kMostStudyBytes = 64u << 20; ///< of configuration and identity, each
+constexpr std::uint64_t kMostWalls = 100'000'000;  ///< wanted at all levels
+constexpr std::size_t kMostPoints = 4'000'000;     ///< of one curve; a study file allows 1e6
+constexpr double kMostSize = 1e30; ///< of an input or a point of a curve: products stay finite
 
 constexpr std::uint32_t kStoreLayout = 2; ///< counts up when the layout of FILE.h5 changes
 
@@ -30,12 +37,16 @@ struct StoreLevel {
 /// One process that added walls. Text only; differs between runs of the same study.
 struct StoreSession {
     std::string program_version;
-    std::string machine;  ///< host and processor
-    std::string build;    ///< compiler and preset
-    std::string settings; ///< threads and what else moves no result
-    std::string started;  ///< ISO 8601
+    std::string machine;         ///< host and processor
+    std::string build;           ///< compiler and preset
+    std::string settings;        ///< threads and what else moves no result
+    std::string started;         ///< ISO 8601
+    std::string solver_revision; ///< empty in files of before 0.2.0
     friend bool operator==(const StoreSession&, const StoreSession&) = default;
 };
+
+/// Begins the line of an identity that says which revision of the solver pushed the walls.
+constexpr std::string_view kRevisionKey = "solver_revision = ";
 
 struct StoreHead {
     std::string configuration; ///< complete effective study file
@@ -53,22 +64,35 @@ struct StoreHead {
 
 /// Throws std::invalid_argument naming the field and what is allowed.
 void check_head(const StoreHead& head);
-/// Throws std::invalid_argument naming the wall and what does not fit the head.
+/// Throws std::invalid_argument naming the wall and what does not fit the head. Inputs, and the curve of a wall that is
+/// ok, hold finite numbers of at most kMostSize.
 void check_row(const StoreHead& head, const WallRow& row);
 
 /// Lines in which two texts differ, `- ` only in `before`, `+ ` only in `after`, in order, at most
-/// `most` lines and then how many more. Empty if equal.
+/// `most` lines and then how many more; long lines are cut. Empty if equal.
 [[nodiscard]] std::string text_difference(const std::string& before, const std::string& after,
                                           std::size_t most = 40);
 
+[[nodiscard]] std::uint64_t walls_wanted(const StoreHead& head);
+/// Largest number of samples of a level, 0 without levels.
+[[nodiscard]] std::uint32_t most_samples(const std::vector<StoreLevel>& levels);
+/// Revision of the solver as an identity states it: "2"; empty in files of before 0.2.0.
+[[nodiscard]] std::string solver_revision(const std::string& identity);
+/// "revision 2 of the solver"; of an empty one "an earlier revision of the solver".
+[[nodiscard]] std::string revision_words(const std::string& revision);
+
 /// What makes two heads heads of one study, line by line: identity, seed, shard and columns.
 [[nodiscard]] std::string study_text(const StoreHead& head);
+
+/// Lines in which two studies differ, as text_difference: those of their inputs; of two with equal inputs those of
+/// study_text. A seed or a key that stands in both is then shown once.
+[[nodiscard]] std::string study_difference(const StoreHead& before, const StoreHead& after);
 
 /// The head with which a stored study goes on, if it may. `wanted` may have more samples, further
 /// levels after the stored ones, another configuration text and other sessions; the largest number of
 /// samples is added to `design_sizes` if it exceeds the last, and sessions are added after the
 /// stored ones. Precision stays as stored.
-/// Throws StoreError(`file`: what differs, what to do) if identity, seed, columns, shard or stored
+/// Throws StoreError(`file`: what differs, what to do) if revision, identity, seed, columns, shard or stored
 /// levels differ, or if fewer samples are wanted than before.
 [[nodiscard]] StoreHead continued_head(const std::string& file, const StoreHead& stored,
                                        const StoreHead& wanted);

@@ -22,16 +22,23 @@ fs::path with_suffix(const fs::path& file, const char* suffix)
     return name;
 }
 
-/// Names in the folder; none if there is no folder.
-std::vector<fs::path> names_in(const fs::path& folder)
+/// Whether it is there. Throws StoreError if it is there and no folder.
+bool is_own_folder(const fs::path& folder)
 {
     std::error_code error;
-    const fs::file_status status = fs::symlink_status(folder, error);
-    if (status.type() == fs::file_type::not_found) return {};
-    if (status.type() != fs::file_type::directory)
+    const fs::file_type type = fs::symlink_status(folder, error).type();
+    if (type != fs::file_type::not_found && type != fs::file_type::directory)
         throw StoreError(
             "'" + folder.string() +
             "' must be a folder of its own, with walls of the study; move it away");
+    return type == fs::file_type::directory;
+}
+
+/// Names in the folder; none if there is no folder.
+std::vector<fs::path> names_in(const fs::path& folder)
+{
+    if (!is_own_folder(folder)) return {};
+    std::error_code error;
     std::vector<fs::path> names;
     for (fs::directory_iterator at(folder, error), end; !error && at != end;
          at.increment(error))
@@ -72,6 +79,11 @@ std::vector<std::uint32_t> part_numbers(const fs::path& file)
     }
     std::ranges::sort(numbers);
     return numbers;
+}
+
+void check_parts_folder(const fs::path& file)
+{
+    static_cast<void>(is_own_folder(parts_of(file)));
 }
 
 void make_parts_folder(const fs::path& file)

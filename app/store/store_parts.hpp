@@ -20,6 +20,8 @@ namespace app {
 /// or is a symbolic link.
 [[nodiscard]] std::vector<std::uint32_t> part_numbers(const std::filesystem::path& file);
 
+/// Throws StoreError if the folder is there and is a symbolic link or anything else but a folder.
+void check_parts_folder(const std::filesystem::path& file);
 /// Makes the folder unless it is there. Throws StoreError.
 void make_parts_folder(const std::filesystem::path& file);
 /// Removes these parts, what killed processes left there, and the folder if it is then empty. Throws

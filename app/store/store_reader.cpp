@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void not_there(const fs::path& file)
 {
-    throw StoreError(
+    throw BadStoredStudy(
         "cannot open '" + file.string() + "': no such file" +
         (part_numbers(file).empty()
              ? ""
@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 
 void check_study(const WallFile& whole, const WallFile& part)
 {
-    const std::string why = text_difference(study_text(whole.head()), study_text(part.head()));
+    const std::string why = study_difference(whole.head(), part.head());
     if (!why.empty())
-        throw StoreError(
+        throw BadStoredStudy(
             "'" + part.path().string() +
             "' is not of the study beside it (-: in this file, +: in the part):\n" + why +
             "Move it away, or restore its file.");
@@ -91,6 +91,11 @@ WallRow StoreReader::row(std::size_t i)
     return files_[place.file].row(place.row);
 }
 
+const fs::path& StoreReader::file_of(std::size_t i) const
+{
+    return files_[places_.at(i).file].path();
+}
+
 std::optional<WallRow> StoreReader::row(WallKey key)
 {
     const auto found = std::ranges::lower_bound(statuses_, key, {}, &WallStatus::key);
@@ -115,6 +120,7 @@ StoreHead read_head(const fs::path& file) { return StoreReader(file).head(); }
 std::vector<WallKey> missing_walls(const StoreHead& head, const std::vector<WallStatus>& there)
 {
     std::vector<WallKey> missing;
+    missing.reserve(walls_wanted(head) - std::min(walls_wanted(head), there.size()));
     auto next = there.begin();
     for (std::uint32_t level = 0; level < head.levels.size(); ++level)
         for (std::uint32_t sample = 0; sample < head.levels[level].samples; ++sample) {

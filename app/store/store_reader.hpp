@@ -33,6 +33,8 @@ class StoreReader {
 
     /// Wall i of statuses(), i in [0, statuses().size()); fastest in increasing order.
     [[nodiscard]] WallRow row(std::size_t i);
+    /// The file that wall i is in: FILE.h5 or a part.
+    [[nodiscard]] const std::filesystem::path& file_of(std::size_t i) const;
     /// The wall of this key, if it is there.
     [[nodiscard]] std::optional<WallRow> row(WallKey key);
     /// All walls in the order of their keys, one in memory at a time.

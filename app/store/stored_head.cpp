@@ -42,6 +42,7 @@ constexpr std::pair<const char*, std::string StoreSession::*> kSession[] = {
     {"/sessions/build", &StoreSession::build},
     {"/sessions/settings", &StoreSession::settings},
     {"/sessions/started", &StoreSession::started}};
+constexpr const char* kSessionRevision = "/sessions/solver_revision"; // not before 0.2.0
 
 constexpr std::pair<const char*, std::string Column::*> kInput[] = {
     {"/walls/input_name", &Column::name},
@@ -54,14 +55,26 @@ std::vector<T> structs(const hdf5::File& file, const Fields& fields)
 {
     std::vector<T> list;
     for (const auto& [name, member] : fields) {
-        const std::vector<std::string> values = hdf5::texts_of(file, name);
+        const std::vector<std::string> values = hdf5::texts_of(file, name, kMostTextBytes);
         if (member == fields[0].second) list.resize(values.size());
         if (values.size() != list.size())
-            hdf5::damaged(file.path,
-                          std::string(name) +
-                              " does not have as many rows as the datasets beside it");
+            damaged(file.path, std::string(name) +
+                                   " does not have as many rows as the datasets beside it");
         for (std::size_t i = 0; i < list.size(); ++i) list[i].*member = values[i];
     }
+    return list;
+}
+
+std::vector<StoreSession> sessions(const hdf5::File& file)
+{
+    auto list = structs<StoreSession>(file, kSession);
+    if (file.checked(H5Lexists(file.id.get(), kSessionRevision, H5P_DEFAULT),
+                     "find the revision of the solver in") == 0)
+        return list;
+    const std::vector<std::string> revisions = hdf5::texts_of(file, kSessionRevision, kMostTextBytes);
+    if (revisions.size() != list.size())
+        damaged(file.path, "there is not a revision of the solver for each session");
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].solver_revision = revisions[i];
     return list;
 }
 
@@ -79,10 +92,10 @@ std::vector<Column> columns(const hdf5::File& file, const std::string& group)
 
 std::string only_text(const hdf5::File& file, const std::string& name)
 {
-    const std::vector<std::string> list = hdf5::texts_of(file, name);
+    const std::vector<std::string> list = hdf5::texts_of(file, name, kMostStudyBytes);
     if (list.size() != 1)
-        hdf5::damaged(file.path,
-                      name + " has " + std::to_string(list.size()) + " texts instead of one");
+        damaged(file.path,
+                name + " has " + std::to_string(list.size()) + " texts instead of one");
     return list.front();
 }
 
@@ -90,14 +103,14 @@ void check_layout(const hdf5::File& file)
 {
     const std::string path = "'" + file.path.string() + "'";
     if (file.checked(H5Aexists(file.id.get(), "layout"), "find its layout in") == 0)
-        throw StoreError(path + " is an HDF5 file, but not of a study; name the file that "
-                                "`drystone study` wrote");
+        throw BadStoredStudy(path + " is an HDF5 file, but not of a study; name the file that "
+                                    "`drystone study` wrote");
     const std::uint64_t layout = hdf5::number_attribute(file, "/", "layout");
     if (layout != kStoreLayout)
-        throw StoreError(path + " has layout " + std::to_string(layout) +
-                         ", this program knows " + std::to_string(kStoreLayout) +
-                         "; use the version of the program that wrote it, or run the study "
-                         "again into another file");
+        throw BadStoredStudy(path + " has layout " + std::to_string(layout) +
+                             ", this program knows " + std::to_string(kStoreLayout) +
+                             "; use the version of the program that wrote it, or run the study "
+                             "again into another file");
 }
 
 } // namespace
@@ -127,6 +140,8 @@ void put_head(const hdf5::File& file, const StoreHead& head)
     put_numbers(file, "/design_sizes", head.design_sizes);
     for (const auto& [name, member] : kSession)
         hdf5::put_texts(file, name, texts(head.sessions, member));
+    hdf5::put_texts(file, kSessionRevision,
+                    texts(head.sessions, &StoreSession::solver_revision));
     for (const auto& [name, member] : kInput)
         hdf5::put_texts(file, name, texts(head.inputs, member));
 }
@@ -165,17 +180,17 @@ StoreHead stored_head(const hdf5::File& file)
     const auto stress = numbers<double>(file, "/levels/vertical_stress");
     const auto samples = numbers<std::uint32_t>(file, "/levels/samples");
     if (stress.size() != samples.size())
-        hdf5::damaged(file.path, "there is not a number of samples for each level");
+        damaged(file.path, "there is not a number of samples for each level");
     for (std::size_t i = 0; i < stress.size(); ++i)
         head.levels.push_back({stress[i], samples[i]});
     head.design_sizes = numbers<std::uint32_t>(file, "/design_sizes");
-    const auto attribute = [&](const char* name) {
-        return hdf5::number_attribute(file, "/", name);
+    head.seed = hdf5::number_attribute(file, "/", "seed");
+    const auto small = [&](const char* name) {
+        return static_cast<std::uint32_t>(hdf5::number_attribute(file, "/", name, UINT32_MAX));
     };
-    head.seed = attribute("seed");
-    head.shard = static_cast<std::uint32_t>(attribute("shard"));
-    head.shards = static_cast<std::uint32_t>(attribute("shards"));
-    head.sessions = structs<StoreSession>(file, kSession);
+    head.shard = small("shard");
+    head.shards = small("shards");
+    head.sessions = sessions(file);
     head.inputs = structs<Column>(file, kInput);
     head.responses = columns(file, "/responses");
     head.counts = columns(file, "/counts");
@@ -185,8 +200,10 @@ StoreHead stored_head(const hdf5::File& file)
     try {
         check_head(head);
     } catch (const std::invalid_argument& error) {
-        hdf5::damaged(file.path, error.what());
+        damaged(file.path, error.what());
     }
+    if ((head.design_sizes.empty() ? 0 : head.design_sizes.back()) != most_samples(head.levels))
+        damaged(file.path, "/design_sizes does not end with the largest number of samples");
     return head;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -89,7 +90,7 @@ WallDatasets::WallDatasets(const hdf5::File& file, const StoreHead& head, std::u
 
 WallDatasets::WallDatasets(const hdf5::File& file, const StoreHead& head)
     : file_(&file), head_(&head), numbers_(open_numbers(file, head)),
-      reason_(file, "/walls/reason"), inputs_(file, "/walls/inputs"),
+      reason_(file, "/walls/reason"), inputs_(file, "/walls/inputs", 2),
       offset_(file, "/curves/offset"), displacement_(file, "/curves/displacement"),
       force_(file, "/curves/force")
 {
@@ -99,28 +100,31 @@ WallDatasets::WallDatasets(const hdf5::File& file, const StoreHead& head)
     offset_.require_rows(n + 1);
     force_.require_rows(displacement_.rows());
     if (inputs_.width() != head.inputs.size())
-        hdf5::damaged(file.path, "there is not a name for each input");
+        damaged(file.path, "there is not a name for each input");
 }
 
 std::vector<StoredWall> WallDatasets::index() const
 {
     const std::uint64_t n = reason_.rows();
+    if (n > walls_wanted(*head_)) damaged(file_->path, "it has more walls than the study");
     const auto level = numbers_[0].read<std::uint32_t>(0, n);
     const auto sample = numbers_[1].read<std::uint32_t>(0, n);
     const auto status = numbers_[2].read<std::int32_t>(0, n);
     const auto offset = offset_.read<std::uint64_t>(0, n + 1);
     if (offset.front() != 0 || offset.back() != force_.rows() ||
         !std::ranges::is_sorted(offset))
-        hdf5::damaged(file_->path, "curves overlap");
+        damaged(file_->path, "curves overlap");
     std::vector<StoredWall> walls;
     walls.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
         const WallKey key{level[i], sample[i]};
-        if (i > 0 && walls.back().key >= key)
-            hdf5::damaged(file_->path, "walls are out of order");
+        if (i > 0 && walls.back().key >= key) damaged(file_->path, "walls are out of order");
         if (key.level >= head_->levels.size() || key.sample >= head_->levels[key.level].samples)
-            hdf5::damaged(file_->path, wall_name(key) + " is outside the study");
+            damaged(file_->path, wall_name(key) + " is outside the study");
         walls.push_back({key, status[i], offset[i + 1] - offset[i]});
+        if (walls.back().points > kMostPoints)
+            damaged(file_->path, wall_name(key) + ": the curve has more than " +
+                                     std::to_string(kMostPoints) + " points");
     }
     return walls;
 }
@@ -156,6 +160,15 @@ std::uint64_t WallDatasets::write(std::uint64_t first, std::uint64_t point,
     return point + displacements.size();
 }
 
+void WallDatasets::require_sound(const WallRow& row) const
+{
+    try {
+        check_row(*head_, row);
+    } catch (const std::invalid_argument& error) {
+        damaged(file_->path, error.what());
+    }
+}
+
 std::vector<WallRow> WallDatasets::read(std::uint64_t first,
                                         std::span<const StoredWall> walls) const
 {
@@ -176,7 +189,7 @@ std::vector<WallRow> WallDatasets::read(std::uint64_t first,
     std::uint64_t points = 0;
     for (const StoredWall& wall : walls) points += wall.points;
     const std::uint64_t point = offset_.read<std::uint64_t>(first, 1)[0];
-    const auto reasons = hdf5::read_texts(*file_, reason_, first, rows.size());
+    const auto reasons = hdf5::read_texts(*file_, reason_, first, rows.size(), kMaxReason);
     const auto inputs = inputs_.read<double>(first, rows.size());
     const auto displacements = displacement_.read<double>(point, points);
     const auto forces = force_.read<double>(point, points);
@@ -187,6 +200,7 @@ std::vector<WallRow> WallDatasets::read(std::uint64_t first,
         rows[i].curve.displacement.assign(u, u + walls[i].points);
         rows[i].curve.force.assign(f, f + walls[i].points);
         input += inputs_.width(), u += walls[i].points, f += walls[i].points;
+        require_sound(rows[i]);
     }
     return rows;
 }

@@ -27,11 +27,13 @@ class WallDatasets {
     /// Writes rows from `first` on and their curves from `point` on. Returns where the next begins.
     std::uint64_t write(std::uint64_t first, std::uint64_t point,
                         std::span<const WallRow> rows);
-    /// Reads rows from `first` on, whose index is known.
+    /// Reads rows from `first` on, whose index is known. Throws StoreError naming the wall whose numbers are none.
     [[nodiscard]] std::vector<WallRow> read(std::uint64_t first,
                                             std::span<const StoredWall> walls) const;
 
   private:
+    void require_sound(const WallRow& row) const;
+
     const hdf5::File* file_;
     const StoreHead* head_;
     std::vector<hdf5::Dataset> numbers_; ///< one number per wall each: key, status, columns

@@ -107,8 +107,7 @@ std::optional<WallFile> WallFile::open(const fs::path& file)
     if (!open_to_read(file).is_open()) return {};
     try {
         if (!begins_as_hdf5(file))
-            hdf5::damaged(file,
-                          "it is empty, not the file of a study, or its beginning is lost");
+            damaged(file, "it is empty, not the file of a study, or its beginning is lost");
         return WallFile(std::make_unique<Impl>(file));
     } catch (const StoreError&) {
         if (!open_to_read(file).is_open()) return {}; // removed meanwhile

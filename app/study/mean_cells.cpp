@@ -1,6 +1,10 @@
 #include "app/study/mean_cells.hpp"
 
+#include "fragility/observed_quantile.hpp"
 #include "uq/estimates/estimate.hpp"
+
+#include <algorithm>
+#include <array>
 
 namespace app {
 
@@ -11,6 +15,23 @@ Number mean_cell(std::span<const double> values, int decimals, double scale)
     if (sound.size() == 1) return plain_number(sound.front() * scale, decimals);
     const uq::Estimate e = uq::estimate_mean(sound);
     return with_error(e.value * scale, e.std_error * scale, decimals);
+}
+
+Number median_cell(std::span<const fragility::Observation> data, double confidence,
+                   int decimals)
+{
+    if (data.empty()) return {};
+    constexpr std::array kHalf = {0.5};
+    const auto median = fragility::observed_quantiles(data, kHalf, confidence).front();
+    if (median.value) return with_interval(*median.value, median.interval, decimals);
+    const double lower = median.interval.lower;
+    double tested = fragility::known_to(data);
+    if (fragility::is_known(tested, lower)) tested = lower; // runs that ended together
+    return {.value = tested,
+            .lower = std::min(lower, tested),
+            .upper = median.interval.upper,
+            .decimals = decimals,
+            .sense = Sense::at_least};
 }
 
 Number cov_cell(std::span<const double> values)

@@ -15,12 +15,14 @@ int merge_command(const Command& command)
     const std::filesystem::path out = command.words.front();
     const std::vector<std::filesystem::path> shards(command.words.begin() + 1,
                                                     command.words.end());
+    const WallCheck check = readable_walls(shards.front());
     if (out.has_parent_path()) make_folder(out.parent_path());
-    merge(out, shards, command.partial);
+    merge(out, shards, command.partial, check);
     const StudySummary summary = summarise(read_study_walls(out, {}, Keep::readings));
-    std::cout << as_text(summary.table, terminal_width()) << summary.remarks << "written to "
-              << out.string() << '\n';
-    return summary.failed == 0 && summary.missing == 0 ? 0 : 1;
+    std::cout << as_text(summary.table, terminal_width()) 
+              << wrapped(summary.remarks, terminal_width()) << "written to " << out.string()
+              << '\n';
+    return summary.failed == 0 ? 0 : 1; // walls that are missing were asked for
 }
 
 } // namespace app

@@ -12,7 +12,8 @@ namespace {
 std::string units_text(int cracked)
 {
     if (cracked == 0) return "cracked or not";
-    return (cracked == 1 ? "a unit" : std::to_string(cracked) + " units") + " cracked through";
+    return (cracked == 1 ? "a stone" : std::to_string(cracked) + " stones") +
+           " cracked through";
 }
 
 } // namespace
@@ -31,7 +32,7 @@ std::string backbone_text(const Study& study)
         "the mean of the backbones of both directions",
         "the backbone of the direction that reaches the limit first",
         "the backbone to the right", "the backbone to the left"};
-    return std::string(" The push goes to and fro; values are read on ") +
+    return std::string(" The push is cyclic; values are read on ") +
            kReadOn.at(static_cast<int>(study.fragility.backbone)) + ".";
 }
 
@@ -40,17 +41,18 @@ std::string mode_rule_text(const FragilityInput& f)
     const dem::ModeThresholds& t = f.mode;
     if (t.modes == dem::ModeRule::three) {
         const std::string share = number(t.rotation_share, 6);
-        return "Mixed: " + units_text(t.cracked_units) + ", and either the " +
-               ultimate_text(f) + " or less than " + share +
-               " of the displacement is rotation of the beam; otherwise rocking, or sliding "
-               "where less than that is rotation of the blocks too";
+        return "Mixed: " + units_text(t.cracked_units) + ", and the " + ultimate_text(f) +
+               " or less than " + share +
+               " of the movement is rotation of the beam. Otherwise rocking, or sliding if "
+               "less than " +
+               share + " of the movement is rotation of the stones";
     }
     const std::string dropped = "Mixed: the " + ultimate_text(f) + ", or ";
-    const std::string overturns = "less than " + number(t.rotation_share, 6) +
-                                  " of the displacement is rotation of the beam";
-    if (t.cracked_units == 0) return dropped + overturns + "; otherwise rocking";
+    const std::string overturns =
+        "less than " + number(t.rotation_share, 6) + " of the movement is rotation of the beam";
+    if (t.cracked_units == 0) return dropped + overturns + ". Otherwise rocking";
     return dropped + units_text(t.cracked_units) + " and " + overturns +
-           "; otherwise rocking, which includes walls that slid along a course without "
+           ". Otherwise rocking, which includes walls that slid along a course without "
            "cracking";
 }
 

@@ -1,7 +1,8 @@
 #include "app/study/provenance.hpp"
 
-#include "app/version.hpp"
+#include "app/program_version.hpp"
 #include "dem/solver/solver_lanes.hpp"
+#include "dem/solver/solver_revision.hpp"
 
 #include <ctime>
 #include <fstream>
@@ -49,9 +50,12 @@ std::string compiler()
 
 StoreSession this_session(int threads)
 {
-    return {kVersion, host() + ", " + processor(),
+    return {program_version(),
+            host() + ", " + processor(),
             compiler() + ", " + std::to_string(dem::solver_lanes()) + " lanes",
-            std::to_string(threads) + " threads", now()};
+            std::to_string(threads) + " threads",
+            now(),
+            std::to_string(dem::kSolverRevision)};
 }
 
 } // namespace app

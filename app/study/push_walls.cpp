@@ -20,7 +20,8 @@ void push_walls(const Study& study, const dem::Model& model, const dem::PushPlan
     ensemble.size = list.size;
     ensemble.open = list.open;
     ensemble.wall = [&](std::size_t i) -> std::optional<dem::WallMaterials> {
-        if (interrupted()) throw Interrupted();
+        if (list.keeps_begun && interrupted()) return {};
+        end_if_interrupted();
         std::optional<WantedWall> wanted = list.wall(i);
         if (!wanted) return {};
         const int level = wanted->level;
@@ -41,7 +42,7 @@ void push_walls(const Study& study, const dem::Model& model, const dem::PushPlan
         const std::lock_guard lock(mutex);
         const WantedWall wanted = std::move(started.extract(i).mapped());
         list.done(i, wanted.draw, read_wall(study, wanted.level, std::move(result)));
-        if (interrupted()) throw Interrupted();
+        if (!list.keeps_begun) end_if_interrupted();
     };
     dem::Workers workers;
     workers.threads = threads;

@@ -22,11 +22,13 @@ struct PushList {
     std::function<void(std::size_t i, const WallDraw& draw, PushedWall&& wall)> done;
     /// Walls may come while others run: dem::Ensemble::open.
     bool open = false;
+    /// Told to end, the program begins no further wall and takes those that are begun: the plan has to end them.
+    bool keeps_begun = false;
 };
 
 /// A wall has the same bits whatever the number of threads and the walls beside it.
 /// @param plan where to push the walls, and what to keep of each push
-/// @throws Interrupted; what `wall` or `done` throw. Walls on their way are then left.
+/// @throws Interrupted unless the list keeps what is begun; what `wall` or `done` throw. Walls on their way are then left.
 void push_walls(const Study& study, const dem::Model& model, const dem::PushPlan& plan,
                 const PushList& list, int threads);
 

@@ -7,6 +7,7 @@
 #include "dem/scene/mechanism.hpp"
 #include "dem/solver/push.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct PushedWall {
     std::vector<double> displacement, force;
     dem::Mechanism mechanism;
     WallReading reading; ///< by the rules of the study; without a mode where the run failed
+    std::optional<WallReading>
+        other_way; ///< of the same wall pushed the other way (other_way.hpp)
 };
 
 /// Evaluates a finished push: peak, stiffness, limit states, mechanism, failure mode.
@@ -33,7 +36,7 @@ struct PushedWall {
 /// of the run broke.
 [[nodiscard]] double energy_residual(const PushedWall& wall);
 
-/// Whether a wall came down under its vertical load: it was not pushed, and has no mode.
+/// Whether a wall was lost under its vertical load, or before its curve had a second point: it has no mode.
 [[nodiscard]] bool came_down_at_once(const PushedWall& wall);
 
 } // namespace app

@@ -14,6 +14,7 @@
 #include "dem/scene/layout.hpp"
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace app {
@@ -104,10 +105,10 @@ StudyRunEnd run_study(const Study& study, const StudyRun& run)
 
 void check_summary(const std::filesystem::path& file)
 {
-    constexpr bool quiet = true; // the file of a study is its own study's
-    check_replaced(summary_stem(file) + ".csv", "stress [MPa],walls,failed", quiet);
+    // No note: the file of a study is its own study's.
+    std::ignore = check_replaced(summary_stem(file) + ".csv", "stress [MPa],walls,failed");
     for (const char* const ending : {".md", ".tex"})
-        check_replaced(summary_stem(file) + ending, kSummaryTitle, quiet);
+        std::ignore = check_replaced(summary_stem(file) + ending, kSummaryTitle);
 }
 
 StudySummary study_summary(const std::filesystem::path& file, bool write)

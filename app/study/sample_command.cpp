@@ -63,8 +63,11 @@ int sample_command(const Command& command)
         throw error_at(study.source, "joint.friction_angle",
                        "nothing to draw: no value of this study is a distribution; write e.g. "
                        "\"friction_angle = normal(mean 31.8 deg, cov 0.20)\"");
-    say_effects(study, command);
-    check_replaced(command.out, "level,vertical_stress [MPa],sample", command.quiet);
+    std::cerr << study_notes(study, command);
+    if (const std::string note =
+            check_replaced(command.out, "level,vertical_stress [MPa],sample");
+        !command.quiet)
+        std::cerr << note;
     const dem::Layout layout = layout_of(study);
     const SamplePlan plan = sample_plan(study, layout, source.sizes);
     Table table = head_of(study, plan);
@@ -75,7 +78,8 @@ int sample_command(const Command& command)
     const std::filesystem::path file = command.out;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, as_csv(table));
-    std::cout << table.rows.size() << " samples written to " << command.out << '\n';
+    std::cout << table.rows.size() << (table.rows.size() == 1 ? " sample" : " samples")
+              << " written to " << command.out << '\n';
     return 0;
 }
 

@@ -157,7 +157,8 @@ std::string slurm_script(const Command& command, int shards, double minutes)
 
 int write_slurm_script(const Study& study, const Command& command)
 {
-    check_replaced(command.script, kHead, command.quiet);
+    if (const std::string note = check_replaced(command.script, kHead); !command.quiet)
+        std::cerr << note;
     const double seconds = seconds_per_wall(study);
     const std::size_t walls = wall_count(study);
     const int shards = command.shard.count > 1 ? command.shard.count

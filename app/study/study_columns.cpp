@@ -28,19 +28,28 @@ struct Count {
     std::int64_t (*read)(const PushedWall&);
 };
 
+/// The curve of a wall as read for the file: of a push that turns back always the mean backbone, so that facts do not
+/// follow fragility.backbone.
+const WallReading& fact_reading(const PushedWall& w)
+{
+    const auto& backbones = w.reading.backbones;
+    return backbones.empty() ? w.reading
+                             : backbones.at(static_cast<std::size_t>(fragility::Side::mean));
+}
+
 // clang-format off
 constexpr std::array kResponses = {
-    Response{"peak_force", "N", "largest horizontal load",
-        [](const PushedWall& w) { return peak_force(w.reading); }},
+    Response{"peak_force", "N", "largest horizontal load; of a push that turns back, this and the next two are of the mean backbone",
+        [](const PushedWall& w) { return peak_force(fact_reading(w)); }},
     Response{"peak_displacement", "m", "of the load line at the first largest load",
-        [](const PushedWall& w) { return peak_displacement(w.reading); }},
+        [](const PushedWall& w) { return peak_displacement(fact_reading(w)); }},
     Response{"secant_stiffness", "N/m", "at 30 % of the peak",
-        [](const PushedWall& w) { return w.reading.stiffness.value_or(kNotDefined); }},
+        [](const PushedWall& w) { return fact_reading(w).stiffness.value_or(kNotDefined); }},
     Response{"last_displacement", "m", "where the curve ends",
         [](const PushedWall& w) { return w.displacement.empty() ? kNotDefined : w.displacement.back(); }},
     Response{"settlement", "m", "of the beam under vertical load alone, positive down",
         [](const PushedWall& w) { return w.result.settlement; }},
-    Response{"rotation_share", "-", "rotation of the beam x height / displacement: 1 for pure rocking; like the two columns of cracks at the end, with finite displacements where the force came down to 80 %",
+    Response{"rotation_share", "-", "rotation of the beam x height / displacement: 1 for pure rocking; like the two columns of cracks at the end, with finite displacements where the force came down to fragility.ultimate_share",
         [](const PushedWall& w) { return w.mechanism.rotation_share; }},
     Response{"sliding_share", "-", "slip of the closed bed joints, summed over the courses / displacement",
         [](const PushedWall& w) { return w.mechanism.sliding_share; }},
@@ -83,6 +92,12 @@ template <class Table> std::vector<Column> columns_of(const Table& table)
 
 } // namespace
 
+std::string site_meaning(bool joint, const uq::Site& site)
+{
+    return std::string(joint ? "of this joint ID" : "of this crack ID") +
+           ", middle at x = " + number(site.x, 6) + " m, z = " + number(site.z, 6) + " m";
+}
+
 std::vector<Column> input_columns(const SamplePlan& plan)
 {
     std::vector<Column> columns;
@@ -95,10 +110,8 @@ std::vector<Column> input_columns(const SamplePlan& plan)
         const bool joint = plan.inputs[i].varies == Varies::by_joint;
         for (int id = 1; sites > 1 && id <= sites; ++id) {
             const uq::Site& site = (joint ? plan.joints : plan.cracks).at(id - 1);
-            columns.push_back({key + "." + std::to_string(id), unit,
-                               std::string(joint ? "of this joint ID" : "of this crack ID") +
-                                   ", middle at x = " + number(site.x, 6) +
-                                   " m, z = " + number(site.z, 6) + " m"});
+            columns.push_back(
+                {key + "." + std::to_string(id), unit, site_meaning(joint, site)});
         }
     }
     return columns;

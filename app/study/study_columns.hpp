@@ -7,10 +7,14 @@
 #include "app/study/pushed_wall.hpp"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace app {
+
+/// Meaning of a value per joint or crack: "of this joint ID, middle at x = 0.3 m, z = 0.2 m"
+[[nodiscard]] std::string site_meaning(bool joint, const uq::Site& site);
 
 [[nodiscard]] std::vector<Column> input_columns(const SamplePlan& plan);
 [[nodiscard]] std::vector<Column> response_columns();

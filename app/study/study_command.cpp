@@ -120,7 +120,7 @@ int study_command(const Command& command, const FrameTaker& frames)
 {
     const Study study = read_study(command.study, command.overrides);
     check_stop(study, command);
-    say_effects(study, command);
+    std::cerr << study_notes(study, command);
     if (!command.script.empty()) return write_slurm_script(study, command);
     StudyRun run;
     run.file = shard_file(command.out, command.shard);
@@ -133,11 +133,11 @@ int study_command(const Command& command, const FrameTaker& frames)
     catch_interrupts();
     const StudyRunEnd end = run_with_line(study, run, command.quiet);
     const StudySummary summary = study_summary(run.file, command.shard.count == 1);
-    std::cout << as_text(summary.table, terminal_width()) << summary.remarks << end.remark
-              << resumed_text(end) << "written to " << run.file.string() << '\n';
-    if (!end.whole)
-        std::cerr << "drystone: interrupted; the same command goes on where it stopped\n";
-    return end.whole && summary.failed == 0 ? 0 : 1;
+    std::cout << as_text(summary.table, terminal_width())
+              << wrapped(summary.remarks, terminal_width()) << end.remark << resumed_text(end)
+              << "written to " << run.file.string() << '\n';
+    if (!end.whole) throw Interrupted{"the same command goes on where it stopped"};
+    return summary.failed == 0 ? 0 : 1;
 }
 
 } // namespace app

@@ -7,7 +7,8 @@
 namespace app {
 
 /// @param frames of the walls that this run pushes
-/// @return exit code: 0 all walls there, none failed; 1 some failed, or interrupted
+/// @return exit code: 0 no wall failed; 1 some failed
+/// @throws Interrupted once the walls that are finished are in the file
 /// @throws ConfigError, StoreError
 [[nodiscard]] int study_command(const Command& command, const FrameTaker& frames = {});
 

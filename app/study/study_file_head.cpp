@@ -6,6 +6,7 @@
 #include "app/study/study_columns.hpp"
 #include "app/study/study_identity.hpp"
 #include "app/text/config_error.hpp"
+#include "dem/solver/solver_revision.hpp"
 
 namespace app {
 
@@ -32,6 +33,16 @@ std::vector<std::uint32_t> design_sizes(const Study& study, const std::filesyste
     if (!rule && samples < sizes.back())
         sizes = {samples}; // fewer than there are: refused later
     return sizes;
+}
+
+std::string other_revision_text(const StoreHead& head)
+{
+    const std::string mine = std::to_string(dem::kSolverRevision);
+    const std::string theirs = solver_revision(head.identity);
+    if (theirs == mine) return "";
+    return "The walls of this file were pushed by " + revision_words(theirs) +
+           ". This program has revision " + mine +
+           ", which gives other numbers for the same walls (CHANGELOG.md).";
 }
 
 StoreHead head_of(const Study& study, const SamplePlan& plan, std::vector<std::uint32_t> sizes)

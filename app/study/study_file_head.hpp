@@ -22,6 +22,9 @@ namespace app {
 /// @throws ConfigError for a file that is there and no HDF5 file
 void check_is_study(const std::filesystem::path& file);
 
+/// Sentence about walls that another revision of the solver pushed; empty where it was this one.
+[[nodiscard]] std::string other_revision_text(const StoreHead& head);
+
 [[nodiscard]] StoreHead head_of(const Study& study, const SamplePlan& plan,
                                 std::vector<std::uint32_t> sizes);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What makes two studies the same: a file of walls is only gone on with by the same study.
+/// What makes two studies the same: a results file can be continued only by the study that began it.
 
 #include "app/input/study.hpp"
 
@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// All values that move a result, one `key = value` per line, in a fixed form: how numbers were written,
-/// and whether they are defaults, makes no difference. The number of samples is not among them.
+/// Revision of the solver and all values that move a result, one `key = value` per line, in a fixed form: how numbers
+/// were written, and whether they are defaults, makes no difference. The number of samples is not among them.
 [[nodiscard]] std::string identity_text(const Study& study);
 
 } // namespace app

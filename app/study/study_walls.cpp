@@ -2,13 +2,16 @@
 
 #include "app/input/limit_state_text.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/study/stored_study.hpp"
 #include "app/study/study_columns.hpp"
+#include "app/study/study_file_head.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
 #include "fragility/resampled_curve.hpp"
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 
 namespace app {
@@ -17,7 +20,7 @@ namespace {
 /// Columns of the facts that a reading needs, looked up once. Files of 0.1.0 have not all.
 struct Columns {
     std::size_t rotation, sliding, cracked, outcome;
-    std::optional<std::size_t> spalled, crushed_area, turning;
+    std::optional<std::size_t> spalled, crushed_area, turning, settled;
 };
 
 /// Place of the first whose `member` is this name.
@@ -29,18 +32,26 @@ std::optional<std::size_t> place_of(const Range& range, std::string_view name, M
     return at - range.begin();
 }
 
-Columns columns_of(const StoreHead& head)
+Columns columns_of(const std::filesystem::path& file, const StoreHead& head)
 {
-    return {column_of(head.responses, "rotation_share"),
-            column_of(head.responses, "sliding_share"),
-            column_of(head.counts, "cracked_units"),
-            column_of(head.counts, "outcome"),
+    const auto needed = [&](const std::vector<Column>& columns, std::string_view name) {
+        const auto place = place_of(columns, name, &Column::name);
+        if (!place)
+            throw BadStoredStudy("'" + file.string() + "' has no column " + std::string(name) +
+                                 "; run the study again into another file");
+        return *place;
+    };
+    return {needed(head.responses, "rotation_share"),
+            needed(head.responses, "sliding_share"),
+            needed(head.counts, "cracked_units"),
+            needed(head.counts, "outcome"),
             place_of(head.counts, "spalled_units", &Column::name),
             place_of(head.responses, "crushed_area", &Column::name),
-            place_of(head.responses, "turning_share", &Column::name)};
+            place_of(head.responses, "turning_share", &Column::name),
+            place_of(head.counts, "settled", &Column::name)};
 }
 
-StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
+StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
 {
     StudyWall w;
     w.key = row.key;
@@ -61,8 +72,9 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, K
     if (c.crushed_area) w.mechanism.crushed_area = row.responses[*c.crushed_area];
     const bool came_down =
         row.counts[c.outcome] == static_cast<std::int64_t>(dem::Outcome::lost_equilibrium);
-    w.reading =
-        read({row.curve.displacement, row.curve.force, came_down}, w.mechanism, all.rules);
+    const bool settled = c.settled && row.counts[*c.settled] != 0;
+    w.reading = read({row.curve.displacement, row.curve.force, came_down}, w.mechanism,
+                     all.rules, settled);
     if (keep == Keep::readings) return w;
     if (w.reading.no_reading.empty()) {
         const fragility::Backbone b =
@@ -73,6 +85,17 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const WallRow& row, K
         w.cycles = fragility::cycles({row.curve.displacement, row.curve.force});
     if (keep == Keep::everything) w.curve = row.curve;
     return w;
+}
+
+/// Throws BadStoredStudy naming file and wall if its curve is none: a push one way that turns back.
+StudyWall wall_of(const StudyWalls& all, const Columns& c, const std::filesystem::path& file,
+                  const WallRow& row, Keep keep)
+{
+    try {
+        return read_wall(all, c, row, keep);
+    } catch (const std::invalid_argument& bad) {
+        damaged(file, wall_name(row.key) + ": " + bad.what());
+    }
 }
 
 void check_overrides(std::span<const std::string> overrides)
@@ -108,8 +131,7 @@ StudyWalls study_of(const std::filesystem::path& file, const StoreHead& head,
     if (walls.shard)
         walls.name +=
             ", shard " + std::to_string(head.shard + 1) + " of " + std::to_string(head.shards);
-    walls.study = read_study(
-        with_overrides(parse_study_text(file.string(), head.configuration), overrides));
+    walls.study = stored_study(file, head, overrides);
     walls.rules = reading_rules(walls.study);
     walls.states = state_names(walls.rules);
     walls.inputs = stored_inputs(head.inputs);
@@ -131,13 +153,22 @@ StudyWalls read_study_walls(const std::filesystem::path& file,
     check_overrides(overrides);
     StoreReader reader(file);
     StudyWalls walls = study_of(file, reader.head(), overrides);
-    const Columns c = columns_of(reader.head());
+    const Columns c = columns_of(file, reader.head());
     reader.for_each_row([&](const WallRow& row) {
-        add_wall(walls.levels.at(row.key.level), wall_of(walls, c, row, keep));
+        add_wall(walls.levels.at(row.key.level), wall_of(walls, c, file, row, keep));
     });
     for (const WallKey key : missing_walls(reader.head(), reader.statuses()))
         ++walls.levels.at(key.level).missing;
     return walls;
+}
+
+WallCheck readable_walls(const std::filesystem::path& file)
+{
+    const StoreHead head = read_head(file);
+    return [study = study_of(file, head, {}), columns = columns_of(file, head)](
+               const std::filesystem::path& from, const WallRow& wall) {
+        static_cast<void>(wall_of(study, columns, from, wall, Keep::readings));
+    };
 }
 
 WallList walls_of(const StudyLevel& level, int mode)
@@ -186,6 +217,8 @@ std::string trouble_text(const StudyWalls& walls)
     for (const StudyLevel& level : walls.levels) missing += level.missing;
     if (missing > 0)
         text += std::to_string(missing) + " walls of the study are not in this file\n";
+    if (const std::string other = other_revision_text(walls.head); !other.empty())
+        text += other + "\n";
     return text;
 }
 

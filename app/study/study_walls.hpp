@@ -4,6 +4,7 @@
 
 #include "app/input/study.hpp"
 #include "app/reading/wall_reading.hpp"
+#include "app/store/merge.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
 #include "app/study/stored_input.hpp"
@@ -89,6 +90,10 @@ enum class Keep {
 [[nodiscard]] StudyWalls read_study_walls(const std::filesystem::path& file,
                                           std::span<const std::string> overrides = {},
                                           Keep keep = Keep::means);
+
+/// Tells of every wall of the study of `file` whether it can be read: throws BadStoredStudy naming the file that it is in and the wall.
+/// @throws StoreError, ConfigError
+[[nodiscard]] WallCheck readable_walls(const std::filesystem::path& file);
 
 /// Walls of a study that lives longer.
 using WallList = std::vector<const StudyWall*>;

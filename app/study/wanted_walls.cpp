@@ -6,6 +6,7 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/drawn_wall.hpp"
+#include "app/study/stored_study.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/words.hpp"
 #include "dem/scene/layout.hpp"
@@ -29,16 +30,15 @@ int level_of(const Study& study, const std::string& text)
     }
 }
 
-StudySource study_source(const Command& command)
+StudySource study_source(const Command& command, Purpose purpose)
 {
     if (!command.study.ends_with(".h5")) {
-        const Study study = read_study(command.study, command.overrides);
-        return {study, {samples_of(study)}};
+        const Study study = read_study(command.study, command.overrides, purpose);
+        return {study, {samples_of(study)}, {}};
     }
     const StoreHead head = read_head(command.study);
-    return {read_study(with_overrides(parse_study_text(command.study, head.configuration),
-                                      command.overrides)),
-            head.design_sizes};
+    return {stored_study(command.study, head, command.overrides, purpose), head.design_sizes,
+            other_revision_text(head)};
 }
 
 std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& command)
@@ -72,7 +72,8 @@ std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& c
     if (*command.sample >= samples)
         throw ConfigError("drystone", 0, "--sample",
                           std::to_string(*command.sample) + " is out of range; the study has " +
-                              std::to_string(samples) + " samples, from 0");
+                              std::to_string(samples) +
+                              (samples == 1 ? " sample" : " samples") + ", from 0");
     const int level = level_of(study, command.level);
     const dem::Layout layout = layout_of(study);
     const SamplePlan plan = sample_plan(study, layout, source.sizes);

@@ -6,6 +6,7 @@
 #include "app/sampling/wall_draw.hpp"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace app {
@@ -13,12 +14,14 @@ namespace app {
 struct StudySource {
     Study study;
     std::vector<std::uint32_t> sizes; ///< through which the design has grown
+    std::string
+        other_revision; ///< sentence, where another revision of the solver pushed the walls of the file
 };
 
 /// From a study file, or from the file of its results: the walls of a study that has grown can only be
 /// drawn again with the sizes that the latter keeps.
 /// @throws ConfigError, StoreError
-[[nodiscard]] StudySource study_source(const Command& command);
+[[nodiscard]] StudySource study_source(const Command& command, Purpose purpose = Purpose::push);
 
 /// Index of the level given as text, such as "0.75 MPa"; the only one if the text is empty.
 /// @throws ConfigError about --level

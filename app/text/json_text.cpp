@@ -1,12 +1,15 @@
 #include "app/text/json_text.hpp"
 
+#include "app/text/number_text.hpp"
+
 #include <cmath>
 
 namespace app {
 
 Json or_null(std::optional<double> x, double scale)
 {
-    return x && std::isfinite(*x * scale) ? Json(*x * scale) : Json(nullptr);
+    if (!x || !std::isfinite(*x * scale)) return nullptr;
+    return rounded(*x * scale, kAfterUnits);
 }
 
 Json json_of(const std::string& text) { return Json::parse(text); }

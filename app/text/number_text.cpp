@@ -51,4 +51,10 @@ std::string fixed(double value, int decimals)
     return is_zero && text.front() == '-' ? text.substr(1) : text;
 }
 
+std::string never_rounded_away(double value, int decimals)
+{
+    const bool none_left = value != 0.0 && std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+    return none_left ? number(value, 2) : fixed(value, decimals);
+}
+
 } // namespace app

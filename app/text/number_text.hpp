@@ -17,4 +17,10 @@ namespace app {
 /// @param decimals in [0, 17]
 [[nodiscard]] std::string fixed(double value, int decimals);
 
+/// The same, with two digits where `decimals` would leave none of a value that is not zero: "0.0042".
+[[nodiscard]] std::string never_rounded_away(double value, int decimals);
+
+/// Significant digits of a number that has gone through a change of units: 0.6 m are 600 mm, not 600.0000000000001.
+inline constexpr int kAfterUnits = 15;
+
 } // namespace app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -60,13 +61,15 @@ int edit_distance(std::string_view a, std::string_view b)
 {
     std::vector<int> row(b.size() + 1); // distance of a[0, i) to each b[0, j)
     std::iota(row.begin(), row.end(), 0);
+    std::vector<int> before, two_before; // the rows of i - 1 and i - 2
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        int diagonal = row[0];
+        two_before = std::exchange(before, row);
         row[0] = static_cast<int>(i);
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const int replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+            const int replaced = before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({before[j] + 1, row[j - 1] + 1, replaced});
+            const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if (swapped) row[j] = std::min(row[j], two_before[j - 2] + 1);
         }
     }
     return row.back();

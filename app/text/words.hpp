@@ -24,7 +24,7 @@ namespace app {
 /// "1 block", "2 blocks".
 [[nodiscard]] std::string counted(std::size_t n, std::string_view one, std::string_view more);
 
-/// Fewest letters to insert, delete or replace (Levenshtein).
+/// Fewest letters to insert, delete or replace, or neighbours to swap (optimal string alignment).
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
 /// The word fewest edits away, if at most a third of its letters differ; otherwise empty.

@@ -18,6 +18,8 @@ constexpr double kDenseCopies = 4.7; // of the displacements of all nodes by tho
 constexpr double kEigen = 25.0;      // operations / n^3 of a generalised eigenvalue problem
 constexpr double kEntrySeconds = 6e-7; // for an entry of the factors of a sparse block
 constexpr double kEntryBytes = 30.0, kDouble = 8.0;
+constexpr double kFactorSeconds = 1.5e-7,
+                 kFactorBytes = 20.0; // of a dense one, before its points are condensed
 
 /// What the cost of a block depends on.
 struct Size {
@@ -37,7 +39,9 @@ BuildCost cost_of(const Size& s)
         const bool eigenvectors = s.modes == 0 || s.modes > kFields;
         const double operations = 2.0 * s.dofs * columns * columns +
                                   (eigenvectors ? kEigen * columns * columns * columns : 0.0);
-        return {operations / kDenseRate, kDenseCopies * kDouble * s.dofs * columns};
+        const double entries = s.dofs * s.narrow;
+        return {operations / kDenseRate + kFactorSeconds * entries,
+                kDenseCopies * kDouble * s.dofs * columns + kFactorBytes * entries};
     }
     const double row = s.narrow + 4.0 * s.longest_face; // points of a face move one another
     return {kEntrySeconds * s.dofs * row, kEntryBytes * s.dofs * row};
@@ -77,7 +81,9 @@ BuildCost build_cost(const Layout& layout, const Discretisation& d)
         s.modes = beam ? d.beam_modes : d.block_modes;
         const BuildCost c = cost_of(s);
         all.seconds += c.seconds;
-        all.bytes = std::max(all.bytes, c.bytes);
+        if (c.bytes <= all.bytes) continue;
+        all.bytes = c.bytes;
+        all.beam = beam;
     }
     return all;
 }

@@ -10,6 +10,7 @@ namespace dem {
 struct BuildCost {
     double seconds = 0.0;
     double bytes = 0.0; ///< at most at a time
+    bool beam = false;  ///< it is the loading beam that takes them
 };
 
 /// Estimate of what discretise() takes. Costs next to nothing: no block is meshed.

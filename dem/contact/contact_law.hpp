@@ -111,14 +111,39 @@ template <class Real> [[nodiscard]] Real tension_left(const CrackLaw<Real>& law,
     return Real(1.0) - min(Real(1.0), (u_max - law.u_el) * law.inv_softening);
 }
 
+/// Whether damage in tension and damage in shear weaken each other. A further law has to answer, or it does
+/// not compile.
+[[nodiscard]] constexpr bool is_coupled(ContactLaw law)
+{
+    switch (law) {
+    case ContactLaw::coupled:
+        return true;
+    case ContactLaw::uncoupled:
+        return false;
+    }
+    __builtin_unreachable();
+}
+
+/// Calls `work.template operator()<kLaw>()` of the law: the one place that chooses.
+template <class Work>
+[[gnu::always_inline]] inline void with_contact_law(ContactLaw law, Work&& work)
+{
+    switch (law) {
+    case ContactLaw::coupled:
+        return work.template operator()<ContactLaw::coupled>();
+    case ContactLaw::uncoupled:
+        return work.template operator()<ContactLaw::uncoupled>();
+    }
+}
+
 /// The integrity left against opening and against slip. With the coupled law both are
 /// 1 - D = (1 - d_t)(1 - d_s) (Table 2, step 4).
 template <ContactLaw kLaw, class Real> struct Integrity {
     Real normal;
     Real shear;
     Integrity(Real left, Real bond)
-        : normal(kLaw == ContactLaw::coupled ? left * bond : left),
-          shear(kLaw == ContactLaw::coupled ? left * bond : bond)
+        : normal(is_coupled(kLaw) ? left * bond : left),
+          shear(is_coupled(kLaw) ? left * bond : bond)
     {
     }
 };
@@ -229,10 +254,9 @@ template <ContactLaw kLaw, Unloading kUnloading = Unloading::secant, class Real>
     const Real bond = select(yields, zero, s.bond);
     const Integrity<kLaw, Real> after(left, bond);
     const Real unloading =
-        kLaw == ContactLaw::coupled
-            ? select(yields, unloading_of_broken<kUnloading>(unloading_trial, u_n),
-                     unloading_trial)
-            : unloading_trial;
+        is_coupled(kLaw) ? select(yields, unloading_of_broken<kUnloading>(unloading_trial, u_n),
+                                  unloading_trial)
+                         : unloading_trial;
     const Real integrity = select(yields, after.shear, integrity_trial);
     const Real sigma = crack_stress<kUnloading>(law, unloading, u_n);
     const Real limit = shear_strength(law, integrity, sigma);
@@ -245,8 +269,7 @@ template <ContactLaw kLaw, Unloading kUnloading = Unloading::secant, class Real>
     const Real friction = select(bond < s.bond, min(shear_loss, abs(tau * slip)), shear_loss);
     const Real opening = opening_loss<kUnloading>(s, u_n, sigma, unloading, opens);
     // A propped crack that is broken in shear opens from u_p on; its d_t no longer matters.
-    constexpr bool kOpensAtProp =
-        kLaw == ContactLaw::coupled && kUnloading == Unloading::elastic;
+    constexpr bool kOpensAtProp = is_coupled(kLaw) && kUnloading == Unloading::elastic;
     const Real opens_from = kOpensAtProp ? select(yields, unloading, u_max) : u_max;
     return {{u_n, tau, sigma, opens_from, bond, unloading, integrity},
             {friction, opening + (shear_loss - friction)}};
@@ -258,7 +281,7 @@ template <ContactLaw kLaw, Unloading kUnloading, class Real>
 {
     CrackState<Real> broken = s;
     broken.bond = broken.integrity = Real(0.0);
-    if constexpr (kLaw == ContactLaw::coupled) {
+    if constexpr (is_coupled(kLaw)) {
         broken.unloading = unloading_of_broken<kUnloading>(s.unloading, s.u_n);
         if constexpr (kUnloading == Unloading::elastic) broken.u_max = broken.unloading;
     }

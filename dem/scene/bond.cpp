@@ -109,6 +109,25 @@ std::vector<CoursePiece> bonded_course(const WallGeometry& wall, int course)
     return pieces;
 }
 
+void join_slivers(std::vector<CoursePiece>& pieces)
+{
+    const auto meet = [](double a, double b) { return std::abs(a - b) < kSmallestPiece; };
+    for (std::size_t i = 0; i < pieces.size();) {
+        const CoursePiece p = pieces[i];
+        const bool sliver = p.material == 0 && p.x1 - p.x0 < kShortestUnit;
+        const bool left =
+            sliver && i > 0 && pieces[i - 1].material == 0 && meet(pieces[i - 1].x1, p.x0);
+        const bool right = sliver && !left && i + 1 < pieces.size() &&
+                           pieces[i + 1].material == 0 && meet(pieces[i + 1].x0, p.x1);
+        if (left) pieces[i - 1].x1 = p.x1;
+        if (right) pieces[i + 1].x0 = p.x0;
+        if (left || right)
+            pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+            ++i;
+    }
+}
+
 double top_of_course(const WallGeometry& wall, int course)
 {
     if (wall.course_heights.empty()) return course * wall.course_height;
@@ -119,16 +138,16 @@ double top_of_course(const WallGeometry& wall, int course)
 
 double most_length_cov(const WallGeometry& wall)
 {
-    constexpr double kShortest = 1e-3; // [m]
     double least = wall.unit_length;
     const std::vector<double> one = regular_ends(wall, 1), two = regular_ends(wall, 2);
     for (const std::vector<double>& x : {one, two})
         for (std::size_t i = 0; i + 1 < x.size(); ++i) least = std::min(least, x[i + 1] - x[i]);
     if (wall.courses > 1)
-        for (std::size_t i = 1; i + 1 < one.size(); ++i)
-            for (std::size_t j = 1; j + 1 < two.size(); ++j)
-                least = std::min(least, std::abs(one[i] - two[j]));
-    return std::max(0.0, 0.5 * (least - kShortest)) / (std::sqrt(1.5) * wall.unit_length);
+        for (std::size_t i = 1, j = 1; i + 1 < one.size() && j + 1 < two.size();) {
+            least = std::min(least, std::abs(one[i] - two[j]));
+            ++(one[i] < two[j] ? i : j);
+        }
+    return std::max(0.0, 0.5 * (least - kShortestUnit)) / (std::sqrt(1.5) * wall.unit_length);
 }
 
 } // namespace dem

@@ -9,6 +9,9 @@ namespace dem {
 
 constexpr double kSmallestPiece = 1e-6; // [m]; a shorter piece comes from rounding of the sizes
 
+constexpr double kShortestUnit =
+    1e-3; // [m]; shorter ones are slivers, whose stiffness is an accident
+
 /// Between two head joints of a course, or a lintel.
 struct CoursePiece {
     double x0 = 0.0, x1 = 0.0; ///< [m]
@@ -20,10 +23,14 @@ struct CoursePiece {
 /// @param course from 1 at the bottom
 [[nodiscard]] std::vector<CoursePiece> bonded_course(const WallGeometry& wall, int course);
 
+/// A random head joint may come so close to an opening or a lintel that a sliver is left between them. It joins the unit on
+/// its other side: no mason would lay it. @param pieces of a course from left to right
+void join_slivers(std::vector<CoursePiece>& pieces);
+
 /// Height of the top of a course above the floor [m]; 0 of course 0.
 [[nodiscard]] double top_of_course(const WallGeometry& wall, int course);
 
-/// The largest length_cov at which no unit and no overlap of two courses becomes shorter than 1 mm [-], >= 0.
+/// The largest length_cov at which no unit and no overlap of two courses becomes shorter than kShortestUnit [-], >= 0.
 [[nodiscard]] double most_length_cov(const WallGeometry& wall);
 
 } // namespace dem

@@ -111,6 +111,7 @@ std::vector<CoursePiece> pieces_of(const WallGeometry& wall, int course)
         if (o.z < z0 + kSmallestPiece && o.z + o.height > z1 - kSmallestPiece)
             pieces = without(pieces, o.x, o.x + o.width);
     std::ranges::sort(pieces, {}, &CoursePiece::x0);
+    if (wall.length_cov > 0.0) join_slivers(pieces);
     return pieces;
 }
 

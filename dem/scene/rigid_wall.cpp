@@ -27,6 +27,18 @@ Weights weights_of(const Layout& layout, const Elastic& stone, const Elastic& be
     return w;
 }
 
+double gravity_height(const Layout& layout, const Elastic& stone, const Elastic& beam)
+{
+    double mass = 0.0, moment = 0.0; // per thickness [kg/m] [kg]
+    for (int k = 0; k < static_cast<int>(layout.blocks.size()); ++k) {
+        const Block& block = layout.blocks[k];
+        const double own = stone_of(layout, k, stone, beam).density * area_of(block);
+        mass += own;
+        moment += own * centre_of(block).z;
+    }
+    return mass > 0.0 ? moment / mass : 0.0;
+}
+
 RigidWall rigid_wall(const WallGeometry& g, const Beam& b, const Elastic& stone,
                      const Loads& loads, const WallFriction& tan_phi, double weight)
 {

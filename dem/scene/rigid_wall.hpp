@@ -16,6 +16,10 @@ struct Weights {
 [[nodiscard]] Weights weights_of(const Layout& layout, const Elastic& stone,
                                  const Elastic& beam, double gravity);
 
+/// Height of the centre of gravity of all blocks, with the beam, above the floor [m]; 0 where nothing has weight.
+[[nodiscard]] double gravity_height(const Layout& layout, const Elastic& stone,
+                                    const Elastic& beam);
+
 /// Limits of small displacements; units that crack, cohesion and the flexibility of the wall lower them.
 struct RigidWall {
     double vertical_load = 0.0; ///< N: on the top, with the weight of the beam [N]

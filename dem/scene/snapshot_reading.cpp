@@ -102,6 +102,13 @@ std::optional<SlidJoint> slid_joint(const Snapshot& wall, double share)
     return {};
 }
 
+double beam_slip(const Snapshot& wall)
+{
+    return largest_of(wall, [](const FaceState& face, const ContactState& c) {
+        return face.kind == FaceKind::beam_joint && c.sigma < 0.0 ? std::abs(c.slip) : 0.0;
+    });
+}
+
 double strength_used(const ContactState& c, const CrackMaterial& m)
 {
     const double tension = m.ft > 0.0 ? c.sigma / m.ft : INFINITY;

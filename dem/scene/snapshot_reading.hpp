@@ -41,6 +41,9 @@ struct SlidJoint {
 /// Of the compressed joints that have slid further than this share of their length, the one that slid furthest.
 [[nodiscard]] std::optional<SlidJoint> slid_joint(const Snapshot& wall, double share);
 
+/// Largest slip of the loading beam on the wall [m]; 0 where it does not lie on a joint.
+[[nodiscard]] double beam_slip(const Snapshot& wall);
+
 /// Share of the strength of a potential crack that a contact uses, in tension or in shear [-], >= 0.
 [[nodiscard]] double strength_used(const ContactState& contact, const CrackMaterial& strength);
 

@@ -236,10 +236,9 @@ void advance_contacts(const StepTables& t, const SolverOptions& options, WallSta
     for (const ContactRun& run : t.dry) advance_dry(t, run, pair++, s);
     advance_reaches(t, s);
     for (const ContactRun& run : t.tied) advance_tied(t, run, pair++, s);
-    if (options.law == ContactLaw::coupled)
-        advance_cracks<ContactLaw::coupled>(t, options.shortcuts, pair, s);
-    else
-        advance_cracks<ContactLaw::uncoupled>(t, options.shortcuts, pair, s);
+    with_contact_law(options.law, [&]<ContactLaw kLaw>() {
+        advance_cracks<kLaw>(t, options.shortcuts, pair, s);
+    });
 }
 
 template <class Real> Real horizontal_force(const FiniteTables& t, const WallState<Real>& s)

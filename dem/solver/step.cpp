@@ -160,10 +160,8 @@ void step(const StepTables& t, const SolverOptions& options, const StepInput<Rea
     else
         advance_dry<true>(t, s);
     advance_tied(t, s);
-    if (options.law == ContactLaw::coupled)
-        advance_cracks<ContactLaw::coupled>(t, options.shortcuts, s);
-    else
-        advance_cracks<ContactLaw::uncoupled>(t, options.shortcuts, s);
+    with_contact_law(options.law,
+                     [&]<ContactLaw kLaw>() { advance_cracks<kLaw>(t, options.shortcuts, s); });
 
     if (t.body_forces) {
         s.base_shear = s.body_factor * s.laws.supported_weight - horizontal_force(t.ground, s);

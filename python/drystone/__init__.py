@@ -11,12 +11,13 @@ drifts of fragility are in percent.
 from drystone._load import core as _core
 from drystone import fragility, uq
 from drystone._results import Drifts, Results, open
-from drystone._study import Push, Study, push
+from drystone._study import Curve, Frame, Push, Study, push
 from drystone._wall import Wall
 
 ConfigError = _core.ConfigError
 StoreError = _core.StoreError
 NoFit = _core.NoFit
 __version__ = _core.__version__
+__solver_revision__ = _core.__solver_revision__
 
-__all__ = ["ConfigError", "Drifts", "NoFit", "Push", "Results", "StoreError", "Study", "Wall", "fragility", "open", "push", "uq"]
+__all__ = ["ConfigError", "Curve", "Drifts", "Frame", "NoFit", "Push", "Results", "StoreError", "Study", "Wall", "fragility", "open", "push", "uq"]

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
@@ -9,17 +10,28 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy
 
 from drystone._load import core as _core
+from drystone._values import Value, overrides as _overrides
 
 if TYPE_CHECKING:
     import pandas
 
 
-class Drifts(NamedTuple):
-    """Limit drifts of walls, as drystone.fragility takes them: fit(*drifts)."""
+class _Drifts(NamedTuple):
     values: numpy.ndarray
     """[%] of the height of the load line"""
     censored: numpy.ndarray
     """True: the wall had not reached the limit state at this drift"""
+
+
+class Drifts(_Drifts):
+    """Limit drifts of walls, as drystone.fragility takes them: fit(*drifts)."""
+    capped: numpy.ndarray
+    """True: a drift limit of a code or of the study, not the wall's own; no law describes it"""
+
+    def __new__(cls, values: numpy.ndarray, censored: numpy.ndarray, capped: numpy.ndarray | None = None) -> Drifts:
+        drifts = super().__new__(cls, values, censored)
+        drifts.capped = numpy.zeros(len(values), bool) if capped is None else capped
+        return drifts
 
 
 class Results:
@@ -39,8 +51,11 @@ class Results:
         """Of each level [Pa]."""
         self.missing: int = file["missing"]
         """Walls of the study that the file has not."""
+        self._stamp: str = file["stamp"]
         self.configuration: str = file["configuration"]
         """The study file in full."""
+        self.solver_revision: str = file["solver_revision"]
+        """Revision of the solver that pushed the walls; empty in files of before 0.2.0. `drystone.__solver_revision__` is this program's."""
         self.inputs: dict[str, numpy.ndarray]
         """Random values of the walls in SI, by name."""
         self.responses: dict[str, numpy.ndarray]
@@ -61,14 +76,28 @@ class Results:
     @cached_property
     def curves(self) -> list[tuple[numpy.ndarray, numpy.ndarray]]:
         """Displacement [m] and force [N] of each wall."""
-        return _core.read_curves(self.path)
+        return _core.read_curves(self.path, self._stamp)
+
+    def readings(self, set: Mapping[str, Value] | None = None) -> dict[str, numpy.ndarray]:
+        """How each wall is read: "mode" ("rocking", "sliding", "mixed"; "" of a wall that gave no result), "ultimate_displacement"
+        [m], and the drift [%] of each limit state, "ntc SLV". "ntc SLV censored": True where the drift is a lower bound.
+
+        :param set: fragility.key: value, in place of the study's
+        """
+        modes, ultimate, states = _core.read_readings(self.path, self._stamp, _overrides(set))
+        columns = {"mode": numpy.array(modes, str)}
+        for name, (values, censored) in [("ultimate_displacement", ultimate), *states]:
+            columns[name] = values
+            columns[f"{name} censored"] = numpy.array(censored, bool)
+        return columns
 
     def frame(self) -> pandas.DataFrame:
-        """Inputs, responses and counts as a table of pandas, by level and sample, in SI."""
+        """Inputs, responses, counts and readings as a table of pandas, by level and sample, in SI; drifts of limit states in percent."""
         import pandas
         index = pandas.MultiIndex.from_arrays([self.level, self.sample], names=["level", "sample"])
         stress = {"vertical_stress": self.vertical_stress[self.level]}
-        return pandas.DataFrame({**stress, **self.inputs, **self.responses, **self.counts, "failed": self.failed}, index)
+        return pandas.DataFrame({**stress, **self.inputs, **self.responses, **self.counts, **self.readings(), "failed": self.failed},
+                                index)
 
     def curve_frame(self) -> pandas.DataFrame:
         """All curves as a table of pandas: displacement [m], force [N], by level and sample."""
@@ -82,19 +111,21 @@ class Results:
     @property
     def limit_states(self) -> list[str]:
         """Names that `drifts` takes: "ntc SLV"."""
-        return _core.read_drifts(self.path, [])[0]
+        return _core.read_drifts(self.path, self._stamp, [])[0]
 
-    def drifts(self, limit_state: str, level: int = 0, set: Mapping[str, str] | None = None) -> Drifts:
-        """Drifts at which the walls under a vertical stress reached a limit state.
+    def drifts(self, limit_state: str, level: int = 0, set: Mapping[str, Value] | None = None) -> Drifts:
+        """Drifts at which the walls under a vertical stress reached a limit state. Warns where a drift limit comes first.
 
         :param limit_state: one of `limit_states`
         :param set: fragility.key: value, in place of the study's
         """
-        states, levels = _core.read_drifts(self.path, [f"{key}={value}" for key, value in (set or {}).items()])
+        states, levels = _core.read_drifts(self.path, self._stamp, _overrides(set))
         if limit_state not in states:
             raise ValueError(f"{limit_state!r} is none of {', '.join(states)}")
-        values, censored = levels[level][states.index(limit_state)]
-        return Drifts(values, numpy.array(censored, bool))
+        values, censored, capped, limit = levels[level][states.index(limit_state)]
+        if limit:
+            warnings.warn(f"{limit_state}: {limit}: no law describes these drifts (Drifts.capped marks them)", stacklevel=2)
+        return Drifts(values, numpy.array(censored, bool), numpy.array(capped, bool))
 
     def __repr__(self) -> str:
         return f"<Results {self.path}: {len(self)} walls, {int(self.failed.sum())} failed, {self.missing} still to run>"

@@ -5,7 +5,7 @@ import json
 import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy
 
@@ -16,6 +16,25 @@ from drystone._wall import Wall
 
 if TYPE_CHECKING:
     import pandas
+
+
+class Frame(NamedTuple):
+    """A wall at one instant of its push."""
+    displacement: float
+    """of the load line [m]"""
+    force: float
+    """[N]"""
+    outlines: list[numpy.ndarray]
+    """of each block as it stands then, n x 2 coordinates x, z [m]; a loading beam is the last"""
+
+
+class Curve(NamedTuple):
+    """Points of a curve."""
+    displacement: numpy.ndarray
+    """[m]"""
+    force: numpy.ndarray
+    """[N]"""
+
 
 class Push:
     """One wall pushed. Its curve is an array of numpy, to be plotted as it is."""
@@ -77,6 +96,34 @@ class Push:
         unbalance and energies."""
         return self._wall.capacity_csv()
 
+    def capacity_svg(self) -> str:
+        """The text of capacity.svg: the curve with its peak."""
+        return self._wall.capacity_svg()
+
+    def wall_svg(self) -> str:
+        """The text of wall.svg: the wall at its peak and at the end. Of a wall of `Study.push` it needs frames=True."""
+        return self._wall.wall_svg()
+
+    @property
+    def frames(self) -> list[Frame]:
+        """The wall as it moves: at the end, and with frames=True before the push and every output.snapshot_every of its way.
+
+        >>> ax.add_collection(PolyCollection(wall.frames[-1].outlines, facecolor="0.9", edgecolor="0"))  # doctest: +SKIP
+        """
+        return [Frame(*frame) for frame in self._wall.frames()]
+
+    @property
+    def cycles(self) -> dict[str, numpy.ndarray]:
+        """Of a push to and fro, by cycle: amplitude, displacement_plus, displacement_minus, residual_plus, residual_minus [m],
+        force_plus, force_minus [N], energy [J], damping [-], stiffness [N/m], closed (1: it came back to zero). nan: a cycle has
+        no such value. docs/cyclic.md says what they are."""
+        return self._wall.cycles()
+
+    @property
+    def backbones(self) -> dict[str, Curve]:
+        """Envelopes of first cycles, "right" and "left", displacements and forces positive on either side."""
+        return {"right": Curve(*self._wall.backbone(1)), "left": Curve(*self._wall.backbone(-1))}
+
     def frame(self) -> pandas.DataFrame:
         """The curve as a table of pandas: displacement [m], drift [-], force [N]."""
         import pandas
@@ -85,6 +132,10 @@ class Push:
     def __repr__(self) -> str:
         peak = "failed" if self.failed else f"peak {self.summary['peak_force_kN']:.4g} kN"
         return f"<Push under {self.vertical_stress * 1e-6:.2f} MPa: {peak}>"
+
+
+def _places(columns: dict[str, Any]) -> dict[str, numpy.ndarray]:
+    return {name: numpy.asarray(values) for name, values in columns.items()}
 
 
 class Study:
@@ -100,8 +151,8 @@ class Study:
 
     def __init__(self, path: str | os.PathLike[str] | None = None, set: Mapping[str, Value] | None = None, *,
                  wall: Wall | None = None) -> None:
-        self._study = _core.LoadedStudy("" if path is None else os.fspath(path), _overrides(set),
-                                        [] if wall is None else _overrides(wall.keys))
+        self._study = _core.load_study("" if path is None else os.fspath(path), _overrides(set),
+                                       [] if wall is None else _overrides(wall.keys))
         for note in self._study.notes().splitlines():
             warnings.warn(note.removeprefix("note: "), stacklevel=2)
 
@@ -137,6 +188,18 @@ class Study:
         """Of the inputs: "Pa", "rad", "-"."""
         return [unit for _, unit, _ in self._study.columns()]
 
+    @property
+    def joints(self) -> dict[str, numpy.ndarray]:
+        """Where each joint is, in the order of its `id`: kind ("bed joint", "head joint"), course and unit that it lies on or ends,
+        middle x, z and length [m]. Input "joint.friction_angle.17" is that of id 17. A table: pandas.DataFrame(study.joints).
+        Of random layouts those of the first."""
+        return _places(self._study.joints())
+
+    @property
+    def cracks(self) -> dict[str, numpy.ndarray]:
+        """The same of each potential crack, behind inputs such as "unit.tensile_strength.17"."""
+        return _places(self._study.cracks())
+
     def draws(self, level: int = 0) -> numpy.ndarray:
         """Random values of the walls under a vertical stress, in SI: one row per sample, columns as `inputs`."""
         return self._study.draws(level)
@@ -149,13 +212,15 @@ class Study:
         return pandas.DataFrame(numpy.vstack([self.draws(level) for level in levels]), index, self.inputs)
 
     def push(self, samples: Iterable[int] | None = None, level: int | None = None, *,
-             inputs: Sequence[Sequence[float]] | numpy.ndarray | None = None, threads: int = 0) -> list[Push]:
+             inputs: Sequence[Sequence[float]] | numpy.ndarray | None = None, threads: int = 0,
+             frames: bool = False) -> list[Push]:
         """Pushes walls side by side, each with the bits that it has alone and in a study.
 
         :param samples: numbers of the walls, from 0; None: all
         :param level: number of the vertical stress, from 0; None: all of them, one after the other
         :param inputs: in place of samples: one row per wall, columns as `inputs`, in SI; needs the level where there are several
         :param threads: 0: all of this machine
+        :param frames: keep what `Push.frames` and `Push.wall_svg` show; takes memory
         """
         if inputs is not None:
             if samples is not None:
@@ -163,11 +228,11 @@ class Study:
             if level is None and len(self.vertical_stress) > 1:
                 raise TypeError("inputs need the level under which these walls are pushed")
             rows = numpy.atleast_2d(numpy.asarray(inputs, float))
-            walls = self._study.push_values(level or 0, rows, threads)
+            walls = self._study.push_values(level or 0, rows, threads, frames)
         else:
             levels = range(len(self.vertical_stress)) if level is None else [level]
             chosen = list(range(self.samples) if samples is None else samples)
-            walls = self._study.push_samples([(at, sample) for at in levels for sample in chosen], threads)
+            walls = self._study.push_samples([(at, sample) for at in levels for sample in chosen], threads, frames)
         return [Push(wall) for wall in walls]
 
     def run(self, out: str | os.PathLike[str], *, threads: int = 0, rerun_failed: bool = False,
@@ -184,7 +249,7 @@ class Study:
 
 
 def push(study: str | os.PathLike[str] | None = None, set: Mapping[str, Value] | None = None, *, wall: Wall | None = None,
-         sample: int | Literal["mean"] | None = None, level: str = "", threads: int = 0) -> Push:
+         sample: int | Literal["mean"] | None = None, level: str = "", threads: int = 0, frames: bool = False) -> Push:
     """Pushes one wall, as `drystone push` does.
 
     >>> push("configs/wall.ini", set={"load.vertical_stress": "0.30 MPa"})  # doctest: +SKIP
@@ -194,7 +259,8 @@ def push(study: str | os.PathLike[str] | None = None, set: Mapping[str, Value] |
     :param wall: in the place of all that the study file says in [wall] and [lintel]
     :param sample: of a study with distributions, from 0; "mean": the wall of the mean values
     :param level: the vertical stress, "0.75 MPa", of a study with several
+    :param frames: keep the wall as it moves, for `Push.frames`
     :raises ConfigError: FILE:LINE: KEY: what is wrong and what to write
     """
     mean = sample == "mean"
-    return Push(Study(study, set, wall=wall)._study.push(None if mean else sample, mean, level, threads))
+    return Push(Study(study, set, wall=wall)._study.push(None if mean else sample, mean, level, threads, frames))

@@ -6,11 +6,14 @@ from typing import Union
 
 import numpy
 
-Value = Union[str, int, float, bool, Sequence[Union[int, float]]]
-"""Of a key of the study file: as it is written there, "0.50 MPa", or a number without unit."""
+Value = Union[str, int, float, bool, None, Sequence[Union[int, float]]]
+"""Of a key of the study file: as it is written there, "0.50 MPa", or a number without unit. None takes the key out of the
+file."""
 
 
 def text(value: Value) -> str:
+    if value is None:
+        return ""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, str):

@@ -60,12 +60,16 @@ class KaplanMeier:
     upper: numpy.ndarray
     end: float
     """Highest drift of all; nothing is known beyond."""
+    median: float | None
+    """Drift at which half of the walls have reached it; None: fewer did, and it is `end` or more."""
+    median_interval: tuple[float, float]
+    """Of the median, without a law (Fay, Brittain and Proschan 2013); an infinite end: the walls give none."""
 
 
 def kaplan_meier(values: ArrayLike, censored: ArrayLike | None = None, confidence: float = 0.95) -> KaplanMeier:
     """Kaplan and Meier's estimate (1958, J. Am. Stat. Assoc. 53, 457-481).
 
-    :param confidence: of the band, in (0, 1)
+    :param confidence: of the band and of the median's interval, in (0, 1)
     """
     return KaplanMeier(**_core.kaplan_meier(values, _flags(censored), confidence))
 

@@ -6,6 +6,7 @@
 namespace bindings {
 
 void bind_errors(pybind11::module_& m);
+void bind_wall(pybind11::module_& m);
 void bind_study(pybind11::module_& m);
 void bind_results(pybind11::module_& m);
 void bind_fragility(pybind11::module_& m);

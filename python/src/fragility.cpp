@@ -3,12 +3,15 @@
 #include "fragility/censored_fit.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/kaplan_meier.hpp"
+#include "fragility/observed_quantile.hpp"
 #include "fragility/performance_limits.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/refuse_new.hpp"
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -84,13 +87,29 @@ py::tuple interval(const LawOfData& f, const py::object& what, double confidence
     return py::make_tuple(i.lower, i.upper);
 }
 
+/// A fit is made again from its data, with the same bits.
+py::tuple pickled(const LawOfData& f)
+{
+    std::vector<double> values;
+    std::vector<bool> censored;
+    for (const Observation& o : f.data) {
+        values.push_back(o.lower);
+        censored.push_back(o.upper > o.lower);
+    }
+    const py::object again = py::module_::import("drystone.fragility").attr("fit");
+    return py::make_tuple(again,
+                          py::make_tuple(values, censored, std::string(name(f.fit.law.law))));
+}
+
 void bind_fit(py::module_& m)
 {
     const auto number = [](auto read) {
         return [read](const LawOfData& f) { return read(f.fit); };
     };
     using Fit = fragility::Fit;
-    py::class_<LawOfData>(m, "Fit", "A law fitted to limit drifts, in their unit.")
+    py::class_<LawOfData> type(m, "Fit", "A law fitted to limit drifts, in their unit.");
+    make_here_alone(type);
+    type.def("__reduce__", &pickled)
         .def_property_readonly(
             "law", [](const LawOfData& f) { return std::string(name(f.fit.law.law)); },
             "lognormal, normal, weibull or gamma.")
@@ -159,6 +178,11 @@ py::dict kaplan_meier(const GivenNumbers& values, const GivenFlags& censored, do
     steps["lower"] = column([](const Step& s) { return s.band.lower; });
     steps["upper"] = column([](const Step& s) { return s.band.upper; });
     steps["end"] = km.end;
+    constexpr std::array kHalf = {0.5};
+    const auto data = observations(values, censored);
+    const auto median = fragility::observed_quantiles(data, kHalf, confidence).front();
+    steps["median"] = median.value;
+    steps["median_interval"] = py::make_tuple(median.interval.lower, median.interval.upper);
     return steps;
 }
 

@@ -3,11 +3,13 @@
 #include "app/input/option.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_file_head.hpp"
 #include "python/src/beside_python.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace bindings {
@@ -90,15 +92,17 @@ std::shared_ptr<LoadedStudy> study_of(const std::shared_ptr<LoadedStudy>& study,
     return own;
 }
 
-std::vector<app::PushedWall>
-push_beside_python(LoadedStudy& study, const std::vector<app::WantedWall>& wanted, int threads)
+std::vector<app::PushedWall> push_beside_python(LoadedStudy& study,
+                                                const std::vector<app::WantedWall>& wanted,
+                                                int threads, Snapshots snapshots)
 {
     const dem::Model& model = model_of(study);
     std::vector<app::PushedWall> walls(wanted.size());
     beside_python([&](Caller& python) {
         dem::PushPlan plan = app::push_plan(study.source.study);
-        plan.snapshot_every = 0.0;
-        plan.snapshot_at_peak = false;
+        plan.snapshot_every =
+            snapshots == Snapshots::all ? study.source.study.output.snapshot_every : 0.0;
+        plan.snapshot_at_peak = snapshots != Snapshots::none;
         plan.progress = [&](double, double, double) { python.end_if_asked(); };
         app::PushList list;
         list.size = wanted.size();
@@ -106,8 +110,14 @@ push_beside_python(LoadedStudy& study, const std::vector<app::WantedWall>& wante
         list.done = [&](std::size_t i, const app::WallDraw&, app::PushedWall&& wall) {
             walls[i] = std::move(wall);
         };
+        const int all = threads > 0 ? threads : app::default_threads();
+        std::optional<app::OtherWay> other; // of one wall, as `drystone push` does
+        if (wanted.size() == 1)
+            other.emplace(study.source.study, model, wanted, all,
+                          [&] { python.end_if_asked(); });
         app::push_walls(study.source.study, model, plan, list,
-                        threads > 0 ? threads : app::default_threads());
+                        other ? other->threads_left() : all);
+        if (other) other->add_to(walls);
     });
     return walls;
 }

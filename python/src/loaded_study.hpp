@@ -52,9 +52,14 @@ struct WallOfStudy {
     app::WallDraw draw; ///< without values: the numbers of the study, or its means
 };
 
+/// What is kept of each push beside its curve and its end.
+enum class Snapshots { none, at_peak, all };
+
 /// Pushes walls side by side; the interpreter is free meanwhile.
 /// @param threads 0: all of this machine
+/// @param snapshots all: at the peak and as output.snapshot_every says
 [[nodiscard]] std::vector<app::PushedWall>
-push_beside_python(LoadedStudy& study, const std::vector<app::WantedWall>& wanted, int threads);
+push_beside_python(LoadedStudy& study, const std::vector<app::WantedWall>& wanted, int threads,
+                   Snapshots snapshots);
 
 } // namespace bindings

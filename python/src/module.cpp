@@ -3,6 +3,7 @@
 #include "app/text/config_error.hpp"
 #include "app/version.hpp"
 #include "dem/solver/solver_lanes.hpp"
+#include "dem/solver/solver_revision.hpp"
 #include "python/src/bind.hpp"
 
 namespace bindings {
@@ -33,8 +34,10 @@ void bind_errors(pybind11::module_& m)
 PYBIND11_MODULE(_core, m)
 {
     m.attr("__version__") = app::kVersion;
+    m.attr("__solver_revision__") = dem::kSolverRevision;
     m.def("lanes", &dem::solver_lanes, "Walls in one register of this build.");
     bindings::bind_errors(m);
+    bindings::bind_wall(m);
     bindings::bind_study(m);
     bindings::bind_results(m);
     bindings::bind_fragility(m);

@@ -2,6 +2,7 @@
 #include "app/store/store_reader.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_walls.hpp"
+#include "app/text/check_sum.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/beside_python.hpp"
 #include "python/src/bind.hpp"
@@ -9,6 +10,8 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +37,27 @@ py::tuple columns_with(const std::vector<app::Column>& columns,
 template <class T> void append(const std::vector<T>& row, std::vector<std::vector<T>>& columns)
 {
     for (std::size_t i = 0; i < columns.size(); ++i) columns[i].push_back(row[i]);
+}
+
+/// Is another one once the file holds another study, or other walls of it.
+std::string stamp_of(const app::StoreReader& reader)
+{
+    std::string text = reader.head().configuration;
+    for (const app::WallStatus& w : reader.statuses())
+        text += std::to_string(w.key.level) + ' ' + std::to_string(w.key.sample) + ' ' +
+                std::to_string(w.status) + '\n';
+    return app::check_sum(text);
+}
+
+/// @param stamp of the file when it was opened
+/// @throws app::StoreError if it has changed
+void check_stamp(const app::StoreReader& reader, const std::string& path,
+                 const std::string& stamp)
+{
+    if (stamp_of(reader) != stamp)
+        throw app::StoreError("'" + path +
+                              "' has changed since it was opened: other walls, or another "
+                              "study; open it again");
 }
 
 /// All of a file but its curves.
@@ -68,7 +92,9 @@ py::dict read_walls(const std::string& path)
     file["reasons"] = reasons;
     file["vertical_stress"] = array_of(std::move(stress));
     file["missing"] = missing;
+    file["stamp"] = stamp_of(reader);
     file["configuration"] = head.configuration;
+    file["solver_revision"] = app::solver_revision(head.identity);
     file["inputs"] = columns_with(head.inputs, std::move(inputs));
     file["responses"] = columns_with(head.responses, std::move(responses));
     file["counts"] = columns_with(head.counts, std::move(counts));
@@ -77,10 +103,11 @@ py::dict read_walls(const std::string& path)
 }
 
 /// Displacement and force of each wall, in the order of read_walls.
-py::list read_curves(const std::string& path)
+py::list read_curves(const std::string& path, const std::string& stamp)
 {
     const Hdf5Turn turn;
     app::StoreReader reader(path);
+    check_stamp(reader, path, stamp);
     py::list curves;
     reader.for_each_row([&](const app::WallRow& row) {
         app::WallCurve curve = row.curve;
@@ -91,29 +118,71 @@ py::list read_curves(const std::string& path)
 }
 
 /// Limit drifts as `drystone fragility` takes them: names of the limit states, and of each level and each
-/// state the drifts [%] with those that are lower bounds.
-py::tuple read_drifts(const std::string& path, const std::vector<std::string>& overrides)
+/// state the drifts [%], those that are lower bounds, those that are drift limits, and what these are in words.
+py::tuple read_drifts(const std::string& path, const std::string& stamp,
+                      const std::vector<std::string>& overrides)
 {
     const Hdf5Turn turn;
+    check_stamp(app::StoreReader(path), path, stamp);
     const app::DriftData data =
         app::drift_data(app::read_study_walls(path, overrides, app::Keep::readings));
     std::vector<std::string> states;
     for (const app::StateName& s : data.states) states.push_back(app::state_name(s));
     py::list levels;
-    for (const app::DriftGroup& group : data.groups) {
+    for (std::size_t g = 0; g < data.groups.size(); ++g) {
         py::list of_level;
         for (std::size_t s = 0; s < data.states.size(); ++s) {
             std::vector<double> drift;
-            py::list censored;
-            for (const fragility::Observation& o : app::limits_of(group, s)) {
+            py::list censored, capped;
+            for (const fragility::Observation& o : app::limits_of(data.groups[g], s)) {
                 drift.push_back(o.lower);
                 censored.append(o.upper > o.lower);
+                capped.append(o.capped);
             }
-            of_level.append(py::make_tuple(array_of(std::move(drift)), censored));
+            of_level.append(py::make_tuple(array_of(std::move(drift)), censored, capped,
+                                           app::limit_text(data, g, s)));
         }
         levels.append(of_level);
     }
     return py::make_tuple(states, levels);
+}
+
+/// Readings of walls one below the other. NaN: not defined on this wall.
+struct ReadingColumn {
+    std::vector<double> values;
+    std::vector<bool> censored; ///< the value is a lower bound
+
+    void add(const std::optional<fragility::Observation>& reading)
+    {
+        values.push_back(reading ? reading->lower : std::numeric_limits<double>::quiet_NaN());
+        censored.push_back(reading && reading->upper > reading->lower);
+    }
+    py::tuple taken() { return py::make_tuple(array_of(std::move(values)), censored); }
+};
+
+/// How each wall is read, in the order of read_walls: modes, ultimate displacements [m], and of each limit state the name
+/// and the drifts [%].
+py::tuple read_readings(const std::string& path, const std::string& stamp,
+                        const std::vector<std::string>& overrides)
+{
+    const Hdf5Turn turn;
+    check_stamp(app::StoreReader(path), path, stamp);
+    const app::StudyWalls study = app::read_study_walls(path, overrides, app::Keep::readings);
+    py::list modes, states;
+    ReadingColumn ultimate;
+    std::vector<ReadingColumn> limits(study.states.size());
+    for (const app::StudyWall* const wall : app::all_walls(study)) {
+        const app::WallReading& r = wall->reading;
+        const bool read = !wall->failed && r.no_reading.empty();
+        modes.append(read ? std::string(name(r.mode)) : std::string());
+        ultimate.add(read ? fragility::observation(r.ultimate) : std::nullopt);
+        for (std::size_t s = 0; s < limits.size(); ++s)
+            limits[s].add(read ? fragility::observation(r.limits.at(s), 100.0 / study.height)
+                               : std::nullopt);
+    }
+    for (std::size_t s = 0; s < limits.size(); ++s)
+        states.append(py::make_tuple(app::state_name(study.states[s]), limits[s].taken()));
+    return py::make_tuple(modes, ultimate.taken(), states);
 }
 
 } // namespace
@@ -121,8 +190,10 @@ py::tuple read_drifts(const std::string& path, const std::vector<std::string>& o
 void bind_results(py::module_& m)
 {
     m.def("read_walls", &read_walls, py::arg("path"));
-    m.def("read_curves", &read_curves, py::arg("path"));
-    m.def("read_drifts", &read_drifts, py::arg("path"), py::arg("overrides"));
+    m.def("read_curves", &read_curves, py::arg("path"), py::arg("stamp"));
+    m.def("read_drifts", &read_drifts, py::arg("path"), py::arg("stamp"), py::arg("overrides"));
+    m.def("read_readings", &read_readings, py::arg("path"), py::arg("stamp"),
+          py::arg("overrides"));
 }
 
 } // namespace bindings

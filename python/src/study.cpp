@@ -1,11 +1,10 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/option.hpp"
+#include "app/input/units.hpp"
 #include "app/input/verb.hpp"
-#include "app/push/capacity_text.hpp"
-#include "app/push/summary_json.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/sampling/wall_sites.hpp"
 #include "app/scene/scene_units.hpp"
-#include "app/study/drawn_wall.hpp"
-#include "app/study/interrupt.hpp"
 #include "app/study/run_study.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_file_head.hpp"
@@ -15,6 +14,7 @@
 #include "python/src/beside_python.hpp"
 #include "python/src/bind.hpp"
 #include "python/src/loaded_study.hpp"
+#include "python/src/refuse_new.hpp"
 
 #include <pybind11/stl.h>
 
@@ -77,6 +77,32 @@ py::list columns(LoadedStudy& study)
     return list;
 }
 
+/// One array for each number of joints or cracks, by ID.
+py::dict places(const std::vector<app::JointPlace>& all)
+{
+    py::list kind;
+    std::vector<int> id, course, unit;
+    std::vector<double> x, z, length;
+    for (const app::JointPlace& place : all) {
+        kind.append(std::string(app::kind_name(place.kind)));
+        id.push_back(static_cast<int>(id.size()) + 1);
+        course.push_back(place.site.course);
+        unit.push_back(place.site.unit);
+        x.push_back(place.site.x);
+        z.push_back(place.site.z);
+        length.push_back(place.length);
+    }
+    py::dict columns;
+    columns["id"] = array_of(std::move(id));
+    columns["kind"] = kind;
+    columns["course"] = array_of(std::move(course));
+    columns["unit"] = array_of(std::move(unit));
+    columns["x"] = array_of(std::move(x));
+    columns["z"] = array_of(std::move(z));
+    columns["length"] = array_of(std::move(length));
+    return columns;
+}
+
 py::array_t<double> draws(LoadedStudy& study, int level)
 {
     check_level(study, level);
@@ -94,9 +120,10 @@ py::array_t<double> draws(LoadedStudy& study, int level)
 
 std::vector<WallOfStudy> with_study(const StudyPointer& study,
                                     const std::vector<app::WantedWall>& wanted,
-                                    const std::vector<std::optional<int>>& of, int threads)
+                                    const std::vector<std::optional<int>>& of, int threads,
+                                    Snapshots snapshots)
 {
-    std::vector<app::PushedWall> walls = push_beside_python(*study, wanted, threads);
+    std::vector<app::PushedWall> walls = push_beside_python(*study, wanted, threads, snapshots);
     std::vector<WallOfStudy> all;
     for (std::size_t i = 0; i < walls.size(); ++i)
         all.push_back({study, std::move(walls[i]), wanted[i].level, of[i], wanted[i].draw});
@@ -106,28 +133,29 @@ std::vector<WallOfStudy> with_study(const StudyPointer& study,
 /// What `drystone push` pushes, under one stress.
 /// @param mean the wall of the mean values
 WallOfStudy push(const StudyPointer& study, std::optional<int> sample, bool mean,
-                 const std::string& level, int threads)
+                 const std::string& level, int threads, bool frames)
 {
+    const Snapshots snapshots = frames ? Snapshots::all : Snapshots::at_peak;
     app::Command command;
     command.sample = sample;
     command.mean_wall = mean;
     command.level = level;
     const std::vector<app::WantedWall> all = app::wanted_walls(study->source, command);
     if (!study->source.study.uq.drawn.empty())
-        return std::move(with_study(study, all, {sample}, threads).front());
+        return std::move(with_study(study, all, {sample}, threads, snapshots).front());
     const int asked = app::level_of(study->source.study, level);
     for (const app::WantedWall& wall : all)
         if (wall.level == asked)
-            return std::move(
-                with_study(study_of(study, sample.value_or(0)), {wall}, {sample}, threads)
-                    .front());
+            return std::move(with_study(study_of(study, sample.value_or(0)), {wall}, {sample},
+                                        threads, snapshots)
+                                 .front());
     throw std::logic_error("a level without a wall");
 }
 
 /// Walls of one layout are pushed side by side, layout by layout.
 std::vector<WallOfStudy> push_samples(const StudyPointer& study,
                                       const std::vector<std::pair<int, int>>& asked,
-                                      int threads)
+                                      int threads, bool frames)
 {
     const app::SamplePlan& plan = plan_of(*study);
     struct Group {
@@ -147,7 +175,8 @@ std::vector<WallOfStudy> push_samples(const StudyPointer& study,
     }
     std::vector<WallOfStudy> all(asked.size());
     for (auto& [own, group] : groups) {
-        std::vector<WallOfStudy> walls = with_study(own, group.wanted, group.of, threads);
+        std::vector<WallOfStudy> walls = with_study(own, group.wanted, group.of, threads,
+                                                    frames ? Snapshots::all : Snapshots::none);
         for (std::size_t k = 0; k < walls.size(); ++k)
             all[group.places[k]] = std::move(walls[k]);
     }
@@ -156,17 +185,22 @@ std::vector<WallOfStudy> push_samples(const StudyPointer& study,
 
 /// @param values one row per wall, in SI
 std::vector<WallOfStudy> push_values(const StudyPointer& study, int level,
-                                     const GivenNumbers& values, int threads)
+                                     const GivenNumbers& values, int threads, bool frames)
 {
     check_level(*study, level);
+    if (values.ndim() != 2)
+        throw app::BadValue("inputs: must have two axes, one row per wall and one column per "
+                            "input, not " +
+                            std::to_string(values.ndim()));
     const app::Study& s = study->source.study;
     const std::vector<int> sites = app::sites_of(s.random, s.uq.spatial, study->layout);
     std::vector<app::WantedWall> wanted;
     const auto width = static_cast<std::size_t>(values.shape(1));
-    for (py::ssize_t row = 0; row < values.shape(0); ++row)
-        wanted.push_back(
-            {level, app::checked_draw(s.random, sites, {values.data(row, 0), width})});
-    return with_study(study, wanted, std::vector<std::optional<int>>(wanted.size()), threads);
+    const double* from = values.data(); // row by row
+    for (py::ssize_t row = 0; row < values.shape(0); ++row, from += width)
+        wanted.push_back({level, app::checked_draw(s.random, sites, {from, width})});
+    return with_study(study, wanted, std::vector<std::optional<int>>(wanted.size()), threads,
+                      frames ? Snapshots::all : Snapshots::none);
 }
 
 /// @param progress called with done, failed and all after each wall; None: nothing
@@ -193,52 +227,14 @@ void run(const LoadedStudy& study, const std::string& out, int threads, bool rer
             "the run was interrupted; the same call goes on where it stopped");
 }
 
-/// The numbers of a wall, not copied and not to be written.
-py::array_t<double> view(const std::vector<double>& numbers, const py::object& owner)
-{
-    py::array_t<double> array(static_cast<py::ssize_t>(numbers.size()), numbers.data(), owner);
-    array.attr("flags").attr("writeable") = false;
-    return array;
-}
-
-void bind_wall(py::module_& m)
-{
-    py::class_<WallOfStudy>(m, "Wall")
-        .def_property_readonly("level", [](const WallOfStudy& w) { return w.level; })
-        .def_property_readonly("sample", [](const WallOfStudy& w) { return w.sample; })
-        .def_property_readonly("vertical_stress",
-                               [](const WallOfStudy& w) { return w.wall.vertical_stress; })
-        .def_property_readonly("height",
-                               [](const WallOfStudy& w) { return w.wall.loads.height; })
-        .def_property_readonly(
-            "failed", [](const WallOfStudy& w) { return dem::failed(w.wall.result.outcome); })
-        .def_property_readonly("displacement",
-                               [](const py::object& self) {
-                                   return view(
-                                       self.cast<const WallOfStudy&>().wall.displacement, self);
-                               })
-        .def_property_readonly("force",
-                               [](const py::object& self) {
-                                   return view(self.cast<const WallOfStudy&>().wall.force,
-                                               self);
-                               })
-        .def("capacity_csv", [](const WallOfStudy& w) { return app::capacity_text(w.wall); })
-        .def("summary_json", [](const WallOfStudy& w) {
-            const app::Study& study = w.study->source.study;
-            return app::summary_json(
-                study.random.empty() ? study : app::with_drawn(study, {w.level, w.draw}),
-                w.wall);
-        });
-}
-
 } // namespace
 
 void bind_study(py::module_& m)
 {
-    bind_wall(m);
-    py::class_<LoadedStudy, StudyPointer>(m, "LoadedStudy")
-        .def(py::init(&load_study), py::arg("path"), py::arg("overrides"), py::arg("wall"))
-        .def("notes", &notes)
+    m.def("load_study", &load_study, py::arg("path"), py::arg("overrides"), py::arg("wall"));
+    py::class_<LoadedStudy, StudyPointer> type(m, "LoadedStudy");
+    make_here_alone(type);
+    type.def("notes", &notes)
         .def("bond", &bond)
         .def_property_readonly("samples", &samples)
         .def_property_readonly(
@@ -252,12 +248,15 @@ void bind_study(py::module_& m)
                  return app::level_of(s.source.study, text);
              })
         .def("columns", &columns)
+        .def("joints", [](const LoadedStudy& s) { return places(app::joint_places(s.layout)); })
+        .def("cracks", [](const LoadedStudy& s) { return places(app::crack_places(s.layout)); })
         .def("draws", &draws, py::arg("level"))
         .def("push", &push, py::arg("sample"), py::arg("mean"), py::arg("level"),
-             py::arg("threads"))
-        .def("push_samples", &push_samples, py::arg("walls"), py::arg("threads"))
+             py::arg("threads"), py::arg("frames"))
+        .def("push_samples", &push_samples, py::arg("walls"), py::arg("threads"),
+             py::arg("frames"))
         .def("push_values", &push_values, py::arg("level"), py::arg("values"),
-             py::arg("threads"))
+             py::arg("threads"), py::arg("frames"))
         .def("run", &run, py::arg("out"), py::arg("threads"), py::arg("rerun_failed"),
              py::arg("progress"));
 }

@@ -3,6 +3,7 @@ drystone_tests(app_fragility
         app/fragility_scenes.cpp
         app/test_damage_counts.cpp
         app/test_drift_csv.cpp
+        app/test_drift_limits.cpp
         app/test_fragility_cycles.cpp
         app/test_fragility_limits.cpp
         app/test_fragility_means.cpp

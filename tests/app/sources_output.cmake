@@ -4,6 +4,7 @@ set(TEST_APP_OUTPUT_SOURCES
     app/test_capacity_csv.cpp
     app/test_chart_svg.cpp
     app/test_cycles_csv.cpp
+    app/test_film_svg.cpp
     app/test_number_text.cpp
     app/test_progress.cpp
     app/test_result_folder.cpp

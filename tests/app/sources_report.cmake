@@ -2,6 +2,7 @@ drystone_tests(app_report
     SOURCES
         app/fragility_scenes.cpp
         app/test_film_shelf.cpp
+        app/test_limit_choices.cpp
         app/test_one_reading.cpp
         app/test_report_bytes.cpp
         app/test_random_layouts.cpp

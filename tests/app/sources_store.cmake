@@ -4,9 +4,12 @@ set(TEST_APP_STORE_SOURCES
     app/test_store.cpp
     app/test_store_disk.cpp
     app/test_store_parts.cpp
+    app/test_store_strangers.cpp
     app/test_store_kill.cpp
     app/test_store_memory.cpp
     app/test_store_study.cpp
+    fuzz/crafted_hdf5.cpp
+    fuzz/test_crafted_store.cpp
     fuzz/test_store_fuzz.cpp)
 
 drystone_tests(app_store

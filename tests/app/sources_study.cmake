@@ -2,5 +2,10 @@ set(TEST_APP_STUDY_SOURCES
     app/test_key_effects.cpp
     app/test_reliability.cpp
     app/test_sample_plan.cpp
+    app/test_stored_study.cpp
+    app/test_study_identity.cpp
     app/test_study_runner.cpp
+    app/test_study_stopping.cpp
+    fuzz/crafted_hdf5.cpp
+    fuzz/test_crafted_study.cpp
     fuzz/test_study_fuzz.cpp)

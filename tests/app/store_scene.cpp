@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -44,6 +45,14 @@ std::vector<double> numbers(std::uint64_t key, std::size_t n)
     return values;
 }
 
+/// None is NaN or infinite.
+std::vector<double> finite_numbers(std::uint64_t key, std::size_t n)
+{
+    std::vector<double> values = numbers(key, n);
+    for (double& v : values) v = std::isfinite(v) ? v : 1e29;
+    return values;
+}
+
 } // namespace
 
 app::StoreHead store_head(std::uint32_t samples)
@@ -62,7 +71,7 @@ app::StoreHead store_head(std::uint32_t samples)
     head.counts = {{"steps", "-", "of the solver"}, {"cracked_units", "-", ""}};
     head.cost = {{"seconds", "s", "CPU time"}};
     head.sessions = {
-        {"0.1.0", "a machine", "g++ 12, release", "2 threads", "2026-01-01T00:00"}};
+        {"0.1.0", "a machine", "g++ 12, release", "2 threads", "2026-01-01T00:00", "2"}};
     return head;
 }
 
@@ -74,12 +83,12 @@ app::WallRow store_row(app::WallKey key, std::size_t points)
     const bool failed = id % 7 == 3;
     row.status = failed ? 5 : app::kWallOk;
     if (failed) row.reason = "no equilibrium at " + std::to_string(id % 1000) + " \xc2\xb5m";
-    row.inputs = numbers(id, 4);
+    row.inputs = finite_numbers(id, 4);
     row.responses = numbers(id + 1, 3);
     row.counts = {static_cast<std::int64_t>(mixed(id)), -1};
     row.cost = numbers(id + 2, 1);
     const std::size_t n = failed ? 0 : points + id % 3;
-    row.curve = {numbers(id + 3, n), numbers(id + 4, n)};
+    row.curve = {finite_numbers(id + 3, n), finite_numbers(id + 4, n)};
     return row;
 }
 

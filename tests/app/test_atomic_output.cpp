@@ -83,6 +83,32 @@ TEST_CASE("atomic output: a failure half-way leaves the old file and no temporar
     CHECK(entries_in(folder.path) == 1);
 }
 
+TEST_CASE("atomic output: a file written piece by piece is there once it is finished, else not "
+          "at all",
+          "[app][atomic_output]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path path = folder.path / "a.csv";
+    app::write_file(path, "old");
+    const auto reader_that_throws = [&] {
+        app::NewFile file(path);
+        file.add("new");
+        throw std::runtime_error("the file that is read is damaged");
+    };
+    CHECK_THROWS_WITH(reader_that_throws(), Contains("is damaged"));
+    CHECK(read_text(path) == "old");
+    CHECK(entries_in(folder.path) == 1);
+    {
+        app::NewFile file(path);
+        file.add("one\n");
+        file.add("two\n");
+        CHECK(read_text(path) == "old");
+        file.finish();
+    }
+    CHECK(read_text(path) == "one\ntwo\n");
+    CHECK(entries_in(folder.path) == 1);
+}
+
 TEST_CASE("atomic output: a folder that is missing is named with the reason",
           "[app][atomic_output]")
 {

@@ -161,3 +161,28 @@ TEST_CASE("bad drawing: more than can be a wall is refused at once", "[app][bad_
     check({{"w.json", json_text({rectangle(0, 0, 1, 0.5), dense}),
             "w.json: corners follow each other", "wall.snap"}});
 }
+
+TEST_CASE("bad drawing: other formats are refused with the format to save them in",
+          "[app][bad_drawing]")
+{
+    check({{"w.jpg", "x", "w.jpg: is not a drawing that can be read; save it as PNG", ""},
+           {"w.JPEG", "x", "w.JPEG: is not a drawing that can be read; save it as PNG", ""},
+           {"w.dwg", "x", "w.dwg: is not a drawing that can be read; save it as ASCII DXF", ""},
+           {"w.txt", "x", "w.txt: is not a drawing", "give a .dxf, .json, .svg or .png file"}});
+}
+
+TEST_CASE("bad drawing: a key that stands twice in one object of JSON loses nothing silently",
+          "[app][bad_drawing]")
+{
+    check(
+        {{"w.json",
+          "{\"blocks\": [[[0, 0], [1, 0], [1, 1]]],\n\"blocks\": [[[1, 0], [2, 0], [2, 1]]]}",
+          "w.json:2: \"blocks\" stands twice in the object that begins on line 1", "keep one"},
+         {"w.json",
+          "{\"blocks\": [\n{\"outline\": [[0, 0], [1, 0], [1, 1]],\n \"outline\": [[0, 0]]}]}",
+          "w.json:3: \"outline\" stands twice in the object that begins on line 2", ""},
+         {"w.json", "{\"a\": {\"x\": 1, \"x\": 2}, \"blocks\": [[[0, 0], [1, 0], [1, 1]]]}",
+          "w.json:1: \"x\" stands twice", ""}});
+    CHECK(refusal("w.json", "{\"blocks\": [{\"outline\": [[0, 0], [1, 0], [1, 1]]}, "
+                            "{\"outline\": [[1, 0], [2, 0], [2, 1], [1, 1]]}]}") == "read");
+}

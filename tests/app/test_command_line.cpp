@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -80,6 +81,31 @@ TEST_CASE("command line: help and version are verbs and options", "[app][command
     CHECK(parse(words).words == Words{"push"});
 }
 
+TEST_CASE("command line: help tells of a key, and finds what speaks of a word",
+          "[app][command_line]")
+{
+    const std::string key = help("joint.cohesion");
+    for (const char* const part :
+         {"joint.cohesion\n", "default   0 MPa", "values    [0, 1000] MPa", "a distribution",
+          "read by   push"})
+        CHECK(has(key, part));
+    CHECK(has(help("cohesion"), "joint.cohesion\n"));
+    CHECK(has(help("cohesion"), "unit.cohesion\n")); // both of this name
+    CHECK_FALSE(has(help("joint.cohesion"), "unit.cohesion\n"));
+    const std::string found = help("Mortar");
+    CHECK(has(found, "  joint.tensile_strength"));
+    CHECK_FALSE(has(found, "wall.length"));
+    CHECK_THROWS_WITH(help("cohesoin"), Catch::Contains("did you mean \"cohesion\"?"));
+}
+
+TEST_CASE("command line: a title is for the page that follows a study", "[app][command_line]")
+{
+    CHECK(parse({"study", "house.ini", "--report", "--title", "North wall"}).title ==
+          "North wall");
+    CHECK(parse({"-V"}).verb->name == "version");
+    CHECK(parse({"study", "house.ini", "--out", "a_0.60"}).out == "a_0.60"); // any name
+}
+
 TEST_CASE("command line: the help of a verb lists the keys that it reads, with true defaults",
           "[app][command_line]")
 {
@@ -107,13 +133,21 @@ TEST_CASE("command line: the help of a verb lists its options and no others",
         }
 }
 
-TEST_CASE("command line: the verbs that an option names are verbs", "[app][command_line]")
+TEST_CASE(
+    "command line: the verbs that lists may name are those of the program, the sections of a "
+    "verb sections",
+    "[app][command_line]")
 {
-    for (const app::Option& option : app::options()) {
-        std::istringstream verbs(option.verbs);
-        for (std::string name; verbs >> name;) {
-            INFO("--" << option.name);
-            CHECK(app::find_verb(app::verbs(), name) != nullptr);
+    CHECK(std::ranges::equal(app::verbs(), app::kVerbNames, {}, &app::Verb::name));
+    for (const app::Verb& verb : app::verbs()) {
+        std::istringstream sections{std::string(verb.sections)};
+        for (std::string name; sections >> name;) {
+            INFO(verb.name << " reads " << name);
+            const auto in_it = [&](const app::Key& key) {
+                return app::section_of(key.name) == name;
+            };
+            CHECK((std::ranges::any_of(app::study_keys(), in_it) ||
+                   std::ranges::any_of(app::program_keys(), in_it)));
         }
     }
 }

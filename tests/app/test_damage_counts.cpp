@@ -83,6 +83,10 @@ TEST_CASE("damage counts: faults are named by row and column", "[app][damage_cou
     CHECK(complaint("x,failed,n\n1,3,20\n", c).find("of: no such column") != std::string::npos);
     CHECK(complaint("x,a,b,of\n1,3,4,20\n", {"x", {"a", "b"}, "", "of"})
               .find("4 is more than 3 in column \"a\", the milder state") != std::string::npos);
+    CHECK(complaint("x,failed,of\n1,3,1e308\n", c) ==
+          "counts.csv:2: of: 1e+308 is more than 1000000000; write a number of walls");
+    CHECK(complaint("x,ds,of\n1,1,2e9\n", {"x", {}, "ds", "of"}).find("counts.csv:2: of: ") ==
+          0);
     CHECK(complaint("x,ds\n1,0.5\n", {"x", {}, "ds", ""}).find("is not a damage state") !=
           std::string::npos);
 }
@@ -101,4 +105,15 @@ TEST_CASE("damage curves: a table of fits, one of each curve, and a picture",
     const auto none =
         damage_output(counts("x,failed,of\n1,0,9\n2,0,9\n", {"x", {"failed"}, "", "of"}), 0.95);
     CHECK(none.remarks.find("failed: no curve: state 1 never occurs") == 0);
+}
+
+TEST_CASE("damage curves: the largest counts that are taken have a curve or a reason",
+          "[app][damage_counts]")
+{
+    for (const std::string of : {"1e9", "999999999"}) {
+        const auto out = damage_output(counts("x,failed,of\n1,1," + of + "\n2,5," + of + "\n",
+                                              {"x", {"failed"}, "", "of"}),
+                                       0.95);
+        CHECK(out.tables[0].table.rows.size() == 1);
+    }
 }

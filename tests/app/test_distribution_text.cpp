@@ -33,6 +33,24 @@ TEST_CASE("distribution text: moments come out as written, in SI", "[app][distri
     CHECK(uq::quantile(by_sd, 0.2) == Approx(uq::quantile(m, 0.2)).epsilon(1e-12));
 }
 
+TEST_CASE(
+    "distribution text: a cov in percent is the same cov, and one of 2 or more is refused",
+    "[app][distribution_text]")
+{
+    const std::string name = GENERATE("normal", "lognormal", "gumbel", "gamma", "weibull");
+    const uq::Marginal m = parse_distribution(name + "(mean 3.7 MPa, cov 0.30)", "MPa");
+    const std::string percent = GENERATE("cov 30 %", "cov 30%");
+    const uq::Marginal same =
+        parse_distribution(name + "(mean 3.7 MPa, " + percent + ")", "MPa");
+    CHECK(uq::quantile(same, 0.1) == uq::quantile(m, 0.1));
+    CHECK(complaint(name + "(mean 3.7 MPa, cov 30)", "MPa") ==
+          "cov 30 is a scatter of 30 times the mean; write \"cov 30 %\" if that was meant, and "
+          "less than 2 otherwise");
+    CHECK(complaint(name + "(mean 3.7 MPa, cov 200 %)", "MPa") ==
+          "cov 200 % is out of range; write less than 200 %");
+    CHECK(complaint(name + "(mean 3.7 MPa, sd 30 %)", "MPa") != "none");
+}
+
 TEST_CASE("distribution text: the lognormal of Table 5 in both its forms",
           "[app][distribution_text]")
 {

@@ -99,6 +99,20 @@ std::set<std::string> anchors(const fs::path& page)
 
 } // namespace
 
+TEST_CASE("docs: every picture has a ground of its own, for pages that are dark", "[app][docs]")
+{
+    for (const fs::path& file : files(kRoot / "docs", ".svg")) {
+        const std::string text = scenes::read_text(file);
+        const std::size_t first = text.find("<rect"), end = text.find('>', first);
+        INFO(file.string());
+        REQUIRE(first != std::string::npos);
+        CHECK(std::regex_search(text.substr(first, end - first),
+                                std::regex("fill=\"(white|#fff)\"")));
+        CHECK(text.substr(0, first).find("<text") == std::string::npos);
+        CHECK(text.find("<title></title>") == std::string::npos);
+    }
+}
+
 TEST_CASE("docs: every shipped study reads, and every value of it says where it is from",
           "[app][docs]")
 {

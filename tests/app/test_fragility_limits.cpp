@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string>
 #include <variant>
+#include <vector>
 
 using scenes::cell;
 using scenes::number_in;
@@ -206,6 +207,13 @@ TEST_CASE("fragility limits: captions say rule, law, confidence, censoring and f
     for (const char* const part : {"drop to 80 % of the peak", "lognormal", "95 %", "censored",
                                    "3 walls, 2 failed, 7 not in this file"})
         CHECK(caption.find(part) != std::string::npos);
+    CHECK(caption.find("(standard deviation of ln drift)") != std::string::npos);
+    data.options.law = fragility::Law::weibull;
+    CHECK(app::performance_table(data).caption.find("(1 / shape of the Weibull law)") !=
+          std::string::npos);
+    data.options.law = fragility::Law::gamma;
+    CHECK(app::performance_table(data).caption.find(
+              "(coefficient of variation of the drift)") != std::string::npos);
 }
 
 TEST_CASE("fragility limits: fits of degenerate data have a note and no statistics",

@@ -2,14 +2,23 @@
 
 #include "app/fragility/fragility_inputs.hpp"
 #include "app/fragility_scenes.hpp"
+#include "app/study/mean_cells.hpp"
+#include "app/study/study_summary.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <variant>
+#include <vector>
 
 using scenes::cell;
 using scenes::number_in;
+
+namespace {
+const char* const kFell = "displacement of walls that fell [mm]";
+}
 
 // two stresses: rows 0 and 1 are rocking, rows 2 and 3 mixed
 
@@ -21,17 +30,17 @@ TEST_CASE(
     CHECK(scenes::sound(t));
     REQUIRE(t.rows.size() == 4);
     CHECK(cell(t, 0, "mode") == "rocking");
-    CHECK(cell(t, 0, "displacement [mm]").empty());
+    CHECK(cell(t, 0, kFell).empty());
     CHECK(cell(t, 0, "observed") == "0");
     CHECK(cell(t, 0, "mean end of censored runs [mm]") == "> 28.00");
-    CHECK(cell(t, 0, "median displacement [mm]") == "> 28.0");
+    CHECK(cell(t, 0, "median displacement [mm]") == ">= 28.0");
     app::StudyWalls both = scenes::study_walls(13);
     both.levels[0].walls[0].reading.ultimate.reading = fragility::Reading::censored;
     both.levels[0].walls[0].reading.ultimate.displacement = 1.0;
     const app::Table mixed = app::mean_table(both);
     CHECK(cell(mixed, 2, "mode") == "mixed");
     CHECK(cell(mixed, 2, "censored") == "1");
-    CHECK(number_in(mixed, 2, "displacement [mm]").value > 15.0);
+    CHECK(number_in(mixed, 2, kFell).value > 15.0);
 }
 
 TEST_CASE("fragility means: means and standard errors are those of the walls of the mode",
@@ -49,9 +58,9 @@ TEST_CASE("fragility means: means and standard errors are those of the walls of 
     const app::Table t = app::mean_table(walls);
     CHECK(cell(t, 2, "n") == "2");
     CHECK(cell(t, 2, "peak force [kN]") == "42.00 +- 2.00");
-    CHECK(cell(t, 2, "displacement [mm]") == "17.00 +- 1.00");
+    CHECK(cell(t, 2, kFell) == "17.00 +- 1.00");
     CHECK(cell(t, 2, "joint.friction_angle [deg]") == "21.00 +- 1.00");
-    CHECK(cell(t, 2, "median displacement [mm]").empty());
+    CHECK(cell(t, 2, "median displacement [mm]") == "16.0 [0.0, no limit]"); // of two walls
 }
 
 TEST_CASE("fragility means: a mode that does not occur is said in words, one wall has no error",
@@ -135,4 +144,60 @@ TEST_CASE("fragility inputs: too few walls and inputs that do not vary are said 
     CHECK(cell(t, 1, "r").empty());
     CHECK(cell(t, 1, "note") == "The input does not vary.");
     CHECK(scenes::sound(t));
+}
+
+TEST_CASE(
+    "fragility means: of walls that all fell the median is the middle one, and its interval "
+    "that of ranks",
+    "[app][fragility_means]")
+{
+    std::vector<fragility::Observation> walls;
+    for (int i = 1; i <= 20; ++i) walls.push_back(fragility::observed(i));
+    // ranks 6 and 15 of 20 hold the median in 95.9 of 100 samples (Conover, Practical Nonparametric Statistics, table A3)
+    CHECK(app::cell_text(app::median_cell(walls, 0.95, 1)) == "10.0 [6.0, 15.0]");
+    CHECK(app::cell_text(app::median_cell({}, 0.95, 1)).empty());
+    // pushes to one target end a rounding apart
+    walls.clear();
+    for (int i = 0; i < 16; ++i) walls.push_back(fragility::right_censored(35.99 - 1e-3 * i));
+    CHECK(app::cell_text(app::median_cell(walls, 0.95, 1)) == ">= 35.9");
+}
+
+TEST_CASE("fragility means: the study's ultimate displacement is the median of all its walls, "
+          "never the mean of those that fell",
+          "[app][fragility_means]")
+{
+    app::StudyWalls walls = scenes::study_walls(20);
+    const auto set = [&](std::size_t level, std::size_t fell) {
+        for (std::size_t i = 0; i < 20; ++i)
+            walls.levels[level].walls[i].reading.ultimate =
+                i < fell
+                    ? fragility::LimitDisplacement{0.010 + 0.001 * static_cast<double>(i),
+                                                   fragility::Reading::observed, ""}
+                    : fragility::LimitDisplacement{0.060, fragility::Reading::censored, ""};
+    };
+    set(0, 12);
+    set(1, 1);
+    const app::Table t = app::summarise(walls).table;
+    CHECK(cell(t, 0, "ultimate [mm]").starts_with("19.0 [15.0, ")); // tenth of twenty; ranks
+    CHECK(cell(t, 0, "observed") == "12");
+    CHECK(cell(t, 0, "censored") == "8");
+    CHECK(cell(t, 1, "ultimate [mm]") == ">= 60.0"); // one fell at 10 mm
+    CHECK(cell(t, 1, "observed") == "1");
+    // few of few: less than half fell, and the doubt is said
+    walls.levels[1].walls.resize(8);
+    set(0, 20);
+    for (std::size_t i = 0; i < 3; ++i)
+        walls.levels[1].walls[i].reading.ultimate = {0.010 + 0.001 * static_cast<double>(i),
+                                                     fragility::Reading::observed, ""};
+    CHECK(cell(app::summarise(walls).table, 1, "ultimate [mm]") == ">= 60.0 [10.0, no limit]");
+    const app::PlainTable plain = app::plain(app::summarise(walls).table);
+    const auto at = [&](const std::string& head) {
+        const auto found = std::find(plain.head.begin(), plain.head.end(), head);
+        REQUIRE(found != plain.head.end());
+        return plain.rows[1][static_cast<std::size_t>(found - plain.head.begin())];
+    };
+    CHECK(std::get<double>(at("ultimate [mm]")) == 60.0);
+    CHECK(std::get<double>(at("ultimate censored")) == 1.0);
+    CHECK(std::get<double>(at("ultimate lower [mm]")) == 10.0);
+    CHECK(std::holds_alternative<std::monostate>(at("ultimate upper [mm]")));
 }

@@ -1,6 +1,10 @@
 #include "app/fragility/fragility_modes.hpp"
 
+#include "app/fragility/fragility_means.hpp"
+#include "app/fragility/fragility_walls.hpp"
 #include "app/fragility_scenes.hpp"
+#include "app/study/mode_share.hpp"
+#include "app/study/study_summary.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -22,11 +26,34 @@ TEST_CASE("fragility modes: shares add up, and bounds count failed walls either 
           8);
     // 20 to 30 deg: 6 mixed of 8; the others 32 and 34 deg rock
     CHECK(cell(t, 1, "walls with this mode") == "6");
-    CHECK(cell(t, 1, "share [%]") == "75.0 [40.9, 92.9]"); // Wilson
-    CHECK(cell(t, 1, "Clopper-Pearson [%]") == "34.9 to 96.8");
-    const app::Number with_failed = number_in(t, 1, "share with failed walls [%]");
-    CHECK(with_failed.lower < 40.9);
-    CHECK(with_failed.upper > 92.9);
+    CHECK(cell(t, 1, "share [%]") == "75.0 [31.3, 94.3]"); // Wilson, of 6 of 10 and of 8 of 10
+    CHECK(cell(t, 1, "Clopper-Pearson [%]") == "26.2 to 97.5");
+}
+
+TEST_CASE(
+    "fragility modes: every table and the page give one interval of a share, failed walls "
+    "or not",
+    "[app][fragility_modes]")
+{
+    const std::size_t failed = GENERATE(std::size_t{0}, std::size_t{3});
+    app::StudyWalls walls = scenes::study_walls(8);
+    walls.study.fragility.mode.modes = dem::ModeRule::three;
+    walls.levels[0].failed_walls.resize(failed);
+    const app::Table modes = app::mode_table(walls), means = app::mean_table(walls),
+                     summary = app::summarise(walls).table;
+    for (int mode = 0; mode < app::kAllModes; ++mode) {
+        const auto s = app::mode_share(walls.levels[0], mode, 0.95);
+        CHECK(s.failed == static_cast<double>(failed));
+        const auto check = [&](const app::Number& n) {
+            CHECK(n.value == 100.0 * s.value);
+            CHECK(n.lower == 100.0 * s.interval.lower);
+            CHECK(n.upper == 100.0 * s.interval.upper);
+        };
+        check(number_in(modes, static_cast<std::size_t>(mode), "share [%]"));
+        check(number_in(summary, 0, std::string(app::mode_name(mode)) + " [%]"));
+        if (s.count > 0.0)
+            check(number_in(means, 2 * static_cast<std::size_t>(mode), "share [%]"));
+    }
 }
 
 TEST_CASE("fragility modes: a mode that does not occur has the share 0 with an upper bound",
@@ -131,14 +158,24 @@ TEST_CASE("fragility modes: walls that slid whole count as rocking and are told 
     CHECK(cell(t, 0, "slid without cracking") == "0");
     CHECK(cell(t, 2, "slid without cracking") == "8");
     CHECK(cell(t, 3, "slid without cracking").empty());
+    // each of them says which limit of the code it was given
+    const app::Table each = app::wall_table(walls, app::all_walls(walls));
+    std::size_t slid_walls = 0;
+    for (std::size_t r = 0; r < each.rows.size(); ++r) {
+        if (!cell(each, r, "note").starts_with("Slid whole, which counts as rocking")) continue;
+        ++slid_walls;
+        CHECK(cell(each, r, "mode") == "rocking");
+        CHECK(cell(each, r, "mode of codes") == "sliding");
+    }
+    CHECK(slid_walls == 8);
     CHECK(t.caption.find(
-              "a unit cracked through and less than 0.5 of the displacement is rotation") !=
+              "a stone cracked through and less than 0.5 of the movement is rotation") !=
           std::string::npos);
     walls.study.fragility.mode = {0.4, 0, dem::ModeRule::two};
     CHECK(app::mode_table(walls).caption.find("80 % of the peak, or less than 0.4") !=
           std::string::npos);
     walls.study.fragility.mode = {0.4, 3, dem::ModeRule::two};
-    CHECK(app::mode_table(walls).caption.find("3 units cracked through") != std::string::npos);
+    CHECK(app::mode_table(walls).caption.find("3 stones cracked through") != std::string::npos);
 }
 
 TEST_CASE("fragility modes: thresholds move walls that cracked, not walls whose load fell",

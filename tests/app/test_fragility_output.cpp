@@ -9,9 +9,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <csignal>
 #include <filesystem>
 #include <set>
 #include <string>
+#include <sys/resource.h>
 
 namespace fs = std::filesystem;
 
@@ -77,6 +79,24 @@ TEST_CASE(
     for (const auto& entry : fs::directory_iterator(folder.path))
         top += entry.is_regular_file() ? 1 : 0;
     CHECK(top == 10); // README.md, two tables in three forms, JSON, pelicun, list of files
+}
+
+TEST_CASE("fragility output: a full disk leaves no index of tables that are not there",
+          "[app][fragility_output]")
+{
+    const scenes::TemporaryFolder folder, full;
+    const auto output = app::study_output(scenes::study_walls(5));
+    app::write_output(folder.path, output);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    rlimit limit = before;
+    limit.rlim_cur = fs::file_size(folder.path / "README.md"); // a table is larger
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    CHECK_THROWS_WITH(app::write_output(full.path, output), Catch::Contains("File too large"));
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    CHECK(!fs::exists(full.path / "README.md"));
 }
 
 TEST_CASE("fragility output: another run into the folder leaves nothing of the first",

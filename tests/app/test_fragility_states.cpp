@@ -1,6 +1,7 @@
 #include "app/input/limit_state_text.hpp"
 
 #include "app/input/units.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/study_scenes.hpp"
 #include "app/text/config_error.hpp"
 
@@ -86,4 +87,65 @@ TEST_CASE("fragility states: what is not a rule is refused with what is",
     CHECK_THROWS_WITH(
         study_scenes::study("samples = 1\n[fragility]\nuser_states = slight"),
         Catch::Contains("fragility.user_states: \"slight\" is not a limit state"));
+}
+
+TEST_CASE(
+    "fragility states: ec8 has the drift limits of EN 1998-3 by mode and shear span, and is "
+    "called so",
+    "[app][fragility_states]")
+{
+    const std::vector<double> x = {0.0, 0.01, 1.0}, f = {0.0, 5.0, 5.0}; // never falls
+    const auto nc = [&](const app::ReadingRules& rules, double rotation) {
+        const dem::Mechanism m{.rotation_share = rotation, .turning_share = rotation};
+        const auto limit = app::read({x, f}, m, rules).limits.back();
+        CHECK(limit.reason == fragility::kEc8LimitGoverns);
+        return limit.displacement / rules.height;
+    };
+    const app::ReadingRules free = wanted("limit_states = ec8");
+    const double slenderness = 0.5 / 0.6; // height of the load over the length of the wall
+    CHECK(free.height == Approx(0.5));
+    CHECK(nc(free, 0.9) == Approx(4.0 / 3.0 * 0.008 * slenderness).epsilon(1e-12));
+    CHECK(nc(free, 0.1) == Approx(4.0 / 3.0 * 0.004).epsilon(1e-12));
+    const app::ReadingRules fixed =
+        wanted("limit_states = ec8\n[beam]\nrotation = fixed"); // bends in double curvature
+    CHECK(nc(fixed, 0.9) == Approx(4.0 / 3.0 * 0.008 * 0.5 * slenderness).epsilon(1e-12));
+    CHECK(app::state_names(free).back().rule.find("compare with your copy of the code") !=
+          std::string::npos);
+}
+
+TEST_CASE(
+    "fragility states: the code's limits of a pier are remarked upon where a wall has several",
+    "[app][fragility_states]")
+{
+    const auto remark = [](const std::string& wall, const std::string& states) {
+        return app::pier_remark(study_scenes::study(
+            "samples = 1\n[fragility]\nlimit_states = " + states + "\n[wall]\n" + wall));
+    };
+    const std::string window = "openings = 0.2 m, 0.1 m, 0.2 m, 0.1 m";
+    CHECK(remark("", "paper, ntc").empty());
+    CHECK(remark(window, "paper").empty());
+    CHECK(remark(window, "paper, ntc")
+              .starts_with(
+                  "the drift limits of ntc are those of one pier; this wall has several"));
+    CHECK(remark(window, "ntc, ec8").find("ntc and ec8") != std::string::npos);
+}
+
+TEST_CASE("fragility states: a drawn wall has several piers where its stones leave an opening",
+          "[app][fragility_states]")
+{
+    const auto box = [](double x0, double z0, double x1, double z1) {
+        dem::DrawnUnit u;
+        u.outline = {{x0, z0}, {x1, z0}, {x1, z1}, {x0, z1}};
+        return u;
+    };
+    app::Study study;
+    study.geometry.units = {box(0.0, 0.0, 0.2, 0.3), box(0.4, 0.0, 0.6, 0.3),
+                            box(0.0, 0.3, 0.6, 0.4)};
+    CHECK(app::has_piers(study));
+    study.geometry.units[1] = box(0.2, 0.0, 0.6, 0.3);
+    CHECK_FALSE(app::has_piers(study));
+    study.geometry.units[1] = box(0.21, 0.0, 0.6, 0.3); // a joint of mortar
+    CHECK_FALSE(app::has_piers(study));
+    study.geometry.units = {box(0.0, 0.0, 0.6, 0.3), box(0.0, 0.3, 0.3, 0.4)}; // a step
+    CHECK_FALSE(app::has_piers(study));
 }

@@ -5,6 +5,7 @@
 #include "app/store/store_reader.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_file_head.hpp"
+#include "app/study/study_identity.hpp"
 #include "app/study/study_runner.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study_scenes.hpp"
@@ -163,7 +164,7 @@ TEST_CASE(
     const std::string csv = (folder / "walls.csv").string(), out = (folder / "out").string();
     std::ofstream(csv) << "drift [%],stopped,mode\n1.0,0,a\n2.0,1,a\n1.5,no,a\n0.8,0,b\n";
     CHECK(run({"fragility", csv, "--drift", "drift", "--censored", "stopped", "--group", "mode",
-               "--set", "fragility.bootstrap=50", "--out", out}) == 0);
+               "--set", "fragility.bootstrap=100", "--out", out}) == 0);
     CHECK(fs::exists(folder / "out" / "performance_limits.csv"));
     CHECK_THROWS_WITH(run({"fragility", csv, "--out", out}),
                       Catch::Contains("--drift: missing"));
@@ -172,4 +173,41 @@ TEST_CASE(
     CHECK_THROWS_WITH(run({"fragility", csv, "--drift", "drift", "--set",
                            "fragility.crossing=last", "--out", out}),
                       Catch::Contains("for a table, only"));
+    CHECK_THROWS_WITH(run({"fragility", csv, "--drift", "drift", "--set",
+                           "fragility.bootstrap=99", "--out", out}),
+                      Catch::Contains("fragility.bootstrap: 99 samples cannot reject a law"));
+    CHECK_THROWS_WITH(run({"fragility", csv, "--intensity", "drift", "--state", "stopped",
+                           "--set", "fragility.law=weibull", "--out", out}),
+                      Catch::Contains("fragility.law: has no effect on counts"));
+}
+
+TEST_CASE(
+    "fragility of a study: the mode of a finite push is read at ultimate_share, which is part "
+    "of the study then",
+    "[app][fragility_study]")
+{
+    std::string text = study_scenes::kSmall;
+    text += "kinematics = finite\n"; // its last section is the solver's
+    const auto with_share = [&](const std::string& base, const std::string& share) {
+        return study_scenes::study("samples = 1\n[fragility]\nultimate_share = " + share, base);
+    };
+    CHECK(app::push_plan(with_share(text, "0.7")).drop == 0.7);
+    CHECK(app::push_plan(with_share(text, "0.8")).drop == 0.8);
+    CHECK(app::push_plan(with_share(study_scenes::kSmall, "0.7")).drop == 0.0);
+    CHECK(app::identity_text(with_share(text, "0.7")) !=
+          app::identity_text(with_share(text, "0.8")));
+    // small displacements: the facts that are stored know nothing of it
+    CHECK(app::identity_text(with_share(study_scenes::kSmall, "0.7")) ==
+          app::identity_text(with_share(study_scenes::kSmall, "0.8")));
+}
+
+TEST_CASE("fragility of a table: without a column of drifts the message names those there are",
+          "[app][fragility_study]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string table = (folder.path / "walls.csv").string();
+    std::ofstream(table) << "wall,drift [%]\nA,1.5\n";
+    CHECK_THROWS_WITH(run({"fragility", table, "--out", (folder.path / "out").string()}),
+                      Catch::Contains("its columns are \"wall\", \"drift [%]\""));
+    CHECK_FALSE(fs::exists(folder.path / "out"));
 }

@@ -39,7 +39,6 @@ TEST_CASE("json drawing: plain outlines and objects with layers are blocks",
     CHECK(area(plain) == 1.0);
     CHECK(plain.blocks[0].outline[0].x == 0.0); // moved to the origin
     CHECK(plain.blocks[0].outline[0].z == 0.0);
-    CHECK(plain.blocks[0].place == "line 2");
     CHECK(plain.notes.empty());
 
     const app::Drawing named = drawing_of("w.JSON", R"({"blocks": [
@@ -51,7 +50,6 @@ TEST_CASE("json drawing: plain outlines and objects with layers are blocks",
     CHECK(area(named.blocks[0]) == 1.0);        // drawn clockwise
     CHECK(named.blocks[0].layer == "stone");
     CHECK(named.blocks[1].layer == "brick");
-    CHECK(named.blocks[1].place == "line 3");
     CHECK(scenes::common_sides(named) == 1);
 }
 
@@ -63,7 +61,6 @@ TEST_CASE("json drawing: meshes of COMPAS, flat or boxes, in lists and within as
     CHECK(boxes.blocks.size() == 2);
     CHECK(area(boxes) == Approx(2.0).epsilon(1e-12));
     CHECK(scenes::notes(boxes, "prisms along y"));
-    CHECK(boxes.blocks[1].place == "line 3");
 
     std::string triangles = compas_box(0, 0);
     triangles.replace(triangles.find("[0, 1, 5, 4]"), 12, "[0, 1, 5], \"6\": [0, 5, 4]");

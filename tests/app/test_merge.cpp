@@ -115,6 +115,45 @@ TEST_CASE("merge: walls in no shard are listed; a partial merge takes what is th
     CHECK(check_rows(out) == 3 * kSamples - 1);
 }
 
+TEST_CASE("merge: a shard that is missing is named with its file", "[app][merge]")
+{
+    const scenes::MemoryFolder folder;
+    std::vector<fs::path> files = shards(folder.path, 12);
+    const fs::path out = folder.path / "all.h5";
+    const fs::path own = folder.path / "wall_02_of_12.h5"; // compacted: it is one file
+    fs::rename(files[1], own);
+    files.erase(files.begin() + 1, files.begin() + 3);
+    files.insert(files.begin(), own);
+    CHECK_THAT(refusal(out, files),
+               Contains("  shard 3 of 12 is missing: " +
+                        (folder.path / "wall_03_of_12.h5").string() + "\n") &&
+                   !Contains("wall (level"));
+    std::swap(files[0], files[1]); // a file whose name does not tell
+    CHECK_THAT(refusal(out, files), Contains("  shard 3 of 12 is missing\n"));
+    CHECK_THAT(refusal(out, {own}), Contains("shard 12 of 12 is missing"));
+    app::merge(out, files, true);
+    CHECK(check_rows(out) == 3 * kSamples - 6);
+}
+
+TEST_CASE("merge: what makes two studies differ is shown once", "[app][merge]")
+{
+    const scenes::MemoryFolder folder;
+    app::StoreHead head = store_head(kSamples);
+    head.identity += "uq.seed = 1\n";
+    head.configuration += "seed = 1\n";
+    head.seed = 1;
+    const fs::path first = shard(folder.path, 0, 2, head);
+    head.identity.replace(head.identity.find("seed = 1"), 8, "seed = 2");
+    head.configuration.replace(head.configuration.find("seed = 1"), 8, "seed = 2");
+    head.seed = 2;
+    const std::string words =
+        refusal(folder.path / "all.h5", {first, shard(folder.path, 1, 2, head)});
+    CHECK_THAT(words, Contains("- uq.seed = 1\n+ uq.seed = 2\n"));
+    CHECK(words.find("seed = 2") == words.rfind("seed = 2"));
+    CHECK(app::text_difference("a\n", std::string(1'000'000, 'b')) ==
+          "- a\n+ " + std::string(298, 'b') + " ...\n");
+}
+
 TEST_CASE("merge: a wall in two shards is refused", "[app][merge]")
 {
     const scenes::MemoryFolder folder;
@@ -122,6 +161,20 @@ TEST_CASE("merge: a wall in two shards is refused", "[app][merge]")
     files.push_back(files[1]);
     CHECK_THAT(refusal(folder.path / "all.h5", files),
                Contains("wall (level 0, sample 1) is in") && Contains("Name each shard once"));
+}
+
+TEST_CASE("merge: shards of two revisions of the solver are refused", "[app][merge]")
+{
+    const scenes::MemoryFolder folder;
+    app::StoreHead head = store_head(kSamples);
+    head.identity = "solver_revision = 2\n" + head.identity;
+    const fs::path first = shard(folder.path, 0, 2, head);
+    head.identity.replace(head.identity.find('2'), 1, "3");
+    const std::vector<fs::path> files{first, shard(folder.path, 1, 2, head)};
+    CHECK_THAT(refusal(folder.path / "all.h5", files),
+               Contains("is of revision 3 of the solver, ") &&
+                   Contains("of revision 2 of the solver: each gives other numbers") &&
+                   Contains("Nothing was written"));
 }
 
 TEST_CASE("merge: shards of different studies are refused and the difference is shown",

@@ -54,3 +54,10 @@ TEST_CASE("number text: fixed keeps its decimals and has no negative zero",
     CHECK(fixed(-0.06, 1) == "-0.1");
     CHECK(fixed(1e300, 0).size() == 301);
 }
+
+TEST_CASE("number text: what is not zero is not written as zero", "[app][number_text]")
+{
+    CHECK(app::never_rounded_away(-0.0042, 1) == "-0.0042");
+    CHECK(app::never_rounded_away(9.84, 1) == "9.8");
+    CHECK(app::never_rounded_away(0.0, 1) == "0.0");
+}

@@ -39,7 +39,7 @@ class Terminal {
 };
 
 Written push(const std::string& study, const fs::path& out, std::vector<std::string> overrides,
-             int threads = 1)
+             int threads = 1, bool film = false)
 {
     app::Command command;
     command.study = std::string(DRYSTONE_SOURCE_DIR) + "/configs/" + study;
@@ -48,6 +48,7 @@ Written push(const std::string& study, const fs::path& out, std::vector<std::str
     command.threads = threads;
     command.mean_wall = study == "quick.ini";
     command.quiet = true;
+    command.film = film;
     const Terminal terminal;
     const int code = app::push_command(command);
     return {code, terminal.text()};
@@ -100,6 +101,30 @@ TEST_CASE("push command: walls from pictures and drawings have all their stones 
     CHECK(polygons >= 2 * blocks); // at the peak and at the end
     // Stones are outlines, read back to the same wall.
     CHECK(read_text(out / "study.ini").find("outlines ") != std::string::npos);
+}
+
+TEST_CASE("push command: a film changes nothing else, and goes with the push that made it",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string paraview = GENERATE("yes", "no");
+    std::vector<std::string> keys = kCoarse;
+    keys.push_back("output.paraview=" + paraview);
+    const fs::path still = folder.path / "still", film = folder.path / "film";
+    CHECK(push("wall.ini", still, keys).code == 0);
+    CHECK(push("wall.ini", film, keys, 1, true).code == 0);
+    CHECK_FALSE(fs::exists(still / "film.svg"));
+    const std::string moving = read_text(film / "film.svg");
+    CHECK(moving.find("repeatCount") != std::string::npos);
+    CHECK(moving.find("0.0 mm,  drift 0.00 %,") != std::string::npos);
+    CHECK(moving.find("4.0 mm,  drift 0.36 %,") != std::string::npos);
+    for (const char* const file : {"capacity.csv", "wall.svg", "study.ini"})
+        CHECK(read_text(still / file) == read_text(film / file));
+    CHECK(fs::exists(film / "series") == (paraview == "yes"));
+    if (paraview == "yes")
+        CHECK(read_text(still / "series/wall.pvd") == read_text(film / "series/wall.pvd"));
+    CHECK(push("wall.ini", film, keys).code == 0); // without: the old film goes
+    CHECK_FALSE(fs::exists(film / "film.svg"));
 }
 
 TEST_CASE("push command: the study it wrote gives the same curve again", "[app][push_command]")
@@ -248,6 +273,43 @@ TEST_CASE("push command: limit states are in tables, with what governs", "[app][
             CHECK(state["drift_percent"] == Approx(1.0));
         }
     CHECK(found == 1);
+}
+
+TEST_CASE("push command: a wall that is not symmetric is pushed the other way too, and says "
+          "both peaks",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    std::vector<std::string> keys = kCoarse;
+    keys.back() = "output.paraview=no";
+    const int threads = GENERATE(1, 2);
+    const Written both = push("facade.ini", folder.path / "both", keys, threads);
+    CHECK(both.terminal.find("the wall is not symmetric: pushed to the right") !=
+          std::string::npos);
+    const nlohmann::json right = summary(folder.path / "both");
+    keys.emplace_back("load.targets=-4 mm");
+    static_cast<void>(push("facade.ini", folder.path / "left", keys, threads));
+    const nlohmann::json left = summary(folder.path / "left");
+    CHECK(right["other_way"]["peak_force_kN"] == left["peak_force_kN"]); // to the bit
+    CHECK(left["other_way"]["peak_force_kN"] == right["peak_force_kN"]);
+    CHECK(right["peak_force_kN"] > left["peak_force_kN"]);
+
+    CHECK(push("wall.ini", folder.path / "wall", kCoarse).terminal.find("symmetric") ==
+          std::string::npos);
+    CHECK_FALSE(summary(folder.path / "wall").contains("other_way"));
+}
+
+TEST_CASE("push command: a wall that failed has its reason on stderr, however quiet",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    std::ostringstream said;
+    std::streambuf* const screen = std::cerr.rdbuf(said.rdbuf());
+    const int code = push("wall.ini", folder.path / "out", {"solver.most_steps=10"}).code;
+    std::cerr.rdbuf(screen);
+    CHECK(code == 1);
+    CHECK(said.str() ==
+          "drystone: 0.50 MPa: the wall failed: solver.most_steps was not enough\n");
 }
 
 TEST_CASE("push command: one thread and two give the same bits", "[app][push_command]")

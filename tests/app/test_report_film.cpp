@@ -14,7 +14,7 @@ TEST_CASE("report film: a block that moves without strain is drawn where it is",
     const double turn = 0.01, x0 = 0.003, z0 = -0.002; // linear in the angle, as the solver
     for (const dem::Point p : block.outline)
         block.displacement.push_back({x0 + turn * p.z, z0 - turn * p.x});
-    const app::BlockMotion m = app::block_motion(block);
+    const app::BlockMotion m = app::MotionFit(block.outline).motion(block.displacement);
     CHECK(m.a.x == Approx(x0 + turn * 0.15).epsilon(1e-14));
     CHECK(m.a.z == Approx(z0 - turn * 0.30).epsilon(1e-14));
     CHECK(m.b.z == Approx(-turn * 0.10).epsilon(1e-12));
@@ -30,7 +30,7 @@ TEST_CASE("report film: a block that is no rectangle is drawn where it is",
     block.outline = {{0.1, 0.0}, {0.4, 0.0}, {0.3, 0.2}, {0.15, 0.2}, {0.0, 0.1}};
     for (const dem::Point p : block.outline)
         block.displacement.push_back({0.003 + 0.5 * p.x - 0.2 * p.z, 0.01 * p.x + 0.1 * p.z});
-    const app::BlockMotion m = app::block_motion(block);
+    const app::BlockMotion m = app::MotionFit(block.outline).motion(block.displacement);
     CHECK(m.a.x == Approx(0.003 + 0.5 * 0.2 - 0.2 * 0.1).epsilon(1e-12));
     CHECK(m.a.z == Approx(0.01 * 0.2 + 0.1 * 0.1).epsilon(1e-12));
     CHECK(m.b.x == Approx(0.5 * 0.2).epsilon(1e-12));
@@ -45,10 +45,10 @@ TEST_CASE("report film: the strain of a block is kept too", "[app][report_film]"
     block.outline = {{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}};
     for (const dem::Point p : block.outline)
         block.displacement.push_back({0.1 * p.x, -0.2 * p.z});
-    const app::BlockMotion m = app::block_motion(block);
+    const app::BlockMotion m = app::MotionFit(block.outline).motion(block.displacement);
     CHECK(m.b.x == Approx(0.1));
     CHECK(m.c.z == Approx(-0.1));
-    CHECK_THROWS_AS(app::block_motion({}), std::invalid_argument);
+    CHECK_THROWS_AS(app::MotionFit({}), std::invalid_argument);
 }
 
 TEST_CASE(

@@ -60,3 +60,20 @@ TEST_CASE("report fragility: two shares are no test of the line through them",
     CHECK(modes.contains("model"));
     CHECK(note_of(modes).starts_with("Line: logistic regression on the stress. Both modes"));
 }
+
+TEST_CASE("report fragility: a drift limit of the code is said in words and has no curve",
+          "[app][report_fragility]")
+{
+    app::DriftData data;
+    data.states = {{"ntc", "SLC", "whichever comes first"}};
+    data.groups.push_back({"0.50 MPa", 0.5, {}, 0, 0, {}});
+    for (int i = 0; i < 20; ++i)
+        data.groups[0].walls.push_back({-1, {fragility::Observation{1.0, 1.0, 1.0, true}}});
+    const auto curve = app::fragility_json(data)[0]["curves"][0];
+    CHECK(curve["limit"] == "1.00 % (limit of the code, 20 of 20 walls)");
+    CHECK(curve["steps"].empty());
+    CHECK_FALSE(curve.contains("least"));
+    CHECK(curve["fitted"] == false);
+    data.groups[0].walls.push_back({-1, {fragility::observed(0.7)}});
+    CHECK_FALSE(app::fragility_json(data)[0]["curves"][0].contains("limit"));
+}

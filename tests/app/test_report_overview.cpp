@@ -43,23 +43,47 @@ app::StudyWalls one_stress()
 TEST_CASE("report overview: the lowest and the highest stress are set side by side, in words",
           "[app][report_overview]")
 {
-    const auto found = app::overview(two_stresses(6)).found;
-    REQUIRE(found.size() == 4);
-    CHECK(found[3].starts_with("How a wall failed: Mixed: a unit cracked through, and either "
-                               "the force first comes down to 80 % of the peak "));
-    CHECK(found[0] ==
-          "In short: from 0.50 MPa to 1.00 MPa, the mean peak force goes from 40.0 to 80.0 kN, "
+    const app::Overview six = app::overview(two_stresses(6));
+    REQUIRE(six.found.size() == 3);
+    CHECK(six.found[2].starts_with("How a wall failed: Mixed: a stone cracked through, and the "
+                                   "force first comes down to 80 % of the peak "));
+    CHECK(six.lead ==
+          "From 0.50 MPa to 1.00 MPa, the mean peak force goes from 40.0 to 80.0 kN, "
           "the share of walls that rocked from 100 to 0 %, and the share that lost 20 % of "
           "their peak force before the push ended from 0 to 50 %.");
-    CHECK(app::overview(two_stresses(4)).found.size() == 3); // shares of four say nothing
+    const app::Overview four = app::overview(two_stresses(4)); // shares of four say nothing
+    CHECK(four.lead == four.found.front());
+}
+
+TEST_CASE("report answers: medians of the observed shares, codes' limits as plain numbers",
+          "[app][report_overview]")
+{
+    app::StudyWalls study = one_stress();
+    study.height = 1.0;
+    const auto cell = [&] {
+        return app::answers_json(study, app::drift_data(study))["rows"][0][2]
+            .get<std::string>();
+    };
+    auto& walls = study.levels[0].walls;
+    for (std::uint32_t i = 0; i < 9; ++i) // 1.0, 1.1, ... 1.8 %
+        walls.push_back(scenes::read_wall({0, i}, 80e3, 0.010 + 0.001 * i, false));
+    CHECK(cell().starts_with("1.40 [1."));
+    for (app::StudyWall& w : walls) w.reading.limits[0].displacement = 0.01;
+    CHECK(cell() == "1.00 (9 of 9)");
+    for (std::size_t i = 0; i < 5; ++i)
+        walls[i].reading.limits[0] = {0.0272, fragility::Reading::censored, {}};
+    CHECK(cell() == "> 2.72");
+    const auto row = app::answers_json(study, app::drift_data(study))["rows"][0];
+    CHECK(row.front() == "1.00 MPa");
+    CHECK(row.back() == "mixed");
 }
 
 TEST_CASE("report overview: walls that slid whole are counted apart", "[app][report_overview]")
 {
     app::StudyWalls study = two_stresses(6);
-    CHECK(app::overview(study).found[2].find("slid") == std::string::npos);
+    CHECK(app::overview(study).found[1].find("slid") == std::string::npos);
     study.levels[1].walls.back().reading.slid = true;
-    CHECK(app::overview(study).found[2].find(
+    CHECK(app::overview(study).found[1].find(
               "100 % rocked [61, 100], counting 1 that slid whole;") != std::string::npos);
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("report data: failed walls are named with their reason, and in no mean
     const auto& share = data["modes"]["levels"][1]; // wider than without the failed wall
     const auto five = fragility::share(5.0 * share["value"].get<double>(), 5.0, 0.0);
     CHECK(share["upper"].get<double>() - share["lower"].get<double>() >
-          five.bounds.upper - five.bounds.lower + 0.05);
+          five.interval.upper - five.interval.lower + 0.05);
     CHECK(data["tables"]["results"]["rows"][0][1] == "6");
     CHECK(data["tables"]["results"]["rows"][1][2] == "1");
     for (const auto& bar : data["sensitivity"][0]["bars"]) // 6 walls for 5 inputs

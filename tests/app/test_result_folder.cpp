@@ -49,6 +49,21 @@ TEST_CASE("result folder: files that are not ours, and ours that were edited, ar
     CHECK(files_in(out.path) == std::set<std::string>{"b.csv", "c.csv", "mine.txt"});
 }
 
+TEST_CASE("result folder: files that are added leave those of before, and the next run removes "
+          "both",
+          "[app][result_folder]")
+{
+    const scenes::TemporaryFolder out;
+    app::write_results(out.path, {{"a.csv", "1"}});
+    app::add_results(out.path, {{"0.50_MPa/b.csv", "2"}});
+    CHECK(files_in(out.path) == std::set<std::string>{"0.50_MPa/b.csv", "a.csv"});
+    CHECK(scenes::read_text(out.path / "a.csv") == "1");
+    put(out.path / "mine.txt", "mine");
+    CHECK_THROWS_AS(app::add_results(out.path, {{"mine.txt", "ours"}}), app::ConfigError);
+    CHECK(app::write_results(out.path, {{"c.csv", "3"}}) == 2);
+    CHECK(files_in(out.path) == std::set<std::string>{"c.csv", "mine.txt"});
+}
+
 TEST_CASE("result folder: a file that is not ours is not replaced, and nothing is written then",
           "[app][result_folder]")
 {

@@ -207,6 +207,12 @@ TEST_CASE("sample plan: sites of joints and cracks are where Fig. 13 has them",
     CHECK(cracks[0].x == Approx(0.1));
     CHECK(cracks[0].course == 1);
     CHECK(cracks[0].unit != cracks[1].unit);
+
+    const auto places = app::joint_places(layout);
+    CHECK(app::kind_name(places[0].kind) == "head joint");
+    CHECK(app::kind_name(places[4].kind) == "bed joint");
+    CHECK(places[4].length == Approx(0.1)); // half a unit
+    CHECK(app::kind_name(app::crack_places(layout)[0].kind) == "crack");
 }
 
 TEST_CASE(

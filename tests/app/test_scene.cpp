@@ -105,6 +105,20 @@ TEST_CASE("scene command: the paper's wall, exported and read again, is the same
     }
 }
 
+TEST_CASE("scene command: joints.csv says where each value per joint belongs", "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    scene(kWall, folder.path);
+    std::istringstream table(read_text(folder.path / "joints.csv"));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(table, line);) lines.push_back(line);
+    REQUIRE(lines.size() == 1 + 135 + 45);
+    CHECK(lines[0] == "kind,id,course,unit,x [m],z [m],length [m]");
+    CHECK(lines[1] == "head joint,1,1,1,0.2,0.05,0.1");
+    CHECK(lines[5] == "bed joint,5,1,1,0.05,0.1,0.1");
+    CHECK(lines[136].starts_with("crack,1,1,1,0.1,0.05,"));
+}
+
 TEST_CASE("scene command: the export is in the unit of the study", "[app][scene]")
 {
     const scenes::TemporaryFolder folder;
@@ -191,6 +205,40 @@ TEST_CASE("scene command: what was closed or simplified of a drawing is said", "
     c.verb = &verb;
     const app::Study study =
         study_of(std::string(DRYSTONE_SOURCE_DIR) + "/configs/picture.ini");
-    const std::string text = said(std::cerr, [&] { app::say_effects(study, c); });
+    const std::string text = app::study_notes(study, c);
     CHECK(text.find("note: wall.geometry: 49 stones") != std::string::npos);
+}
+
+TEST_CASE("scene command: a load that does not fit the wall is told, and the wall is drawn",
+          "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto run = [&] { scene(kWall, folder.path, {"load.height=2.2 m"}); };
+    const std::string notes = said(std::cerr, run);
+    CHECK_THAT(notes,
+               Catch::Contains("note: load.height: must lie within the loading beam, from "
+                               "1 m to 1.1 m; without this key it is the top"));
+    CHECK(fs::exists(folder.path / "scene.svg"));
+    CHECK(said(std::cerr, [&] { scene(kWall, folder.path, {}); }).find("load.height") ==
+          std::string::npos);
+    CHECK_THROWS_WITH(app::push_command(command_of(kWall, folder.path, {"load.height=2.2 m"})),
+                      Catch::Contains("load.height: must lie within the loading beam"));
+}
+
+TEST_CASE(
+    "scene command: what no memory holds is refused by a push, by the key to change, and drawn",
+    "[app][scene]")
+{
+    const app::Study fine =
+        study_of(kWall, {"solver.contact_points=100", "solver.zones_per_interval=1",
+                         "wall.length=50 m"});
+    CHECK_THROWS_WITH(app::cost_note(fine, app::Purpose::push),
+                      Catch::Contains("solver.contact_points: the blocks would take about"));
+    CHECK_THAT(app::cost_note(fine, app::Purpose::drawing), Catch::StartsWith("note: making"));
+    const app::Study high =
+        study_of(kWall, {"wall.length=60 mm", "wall.unit_length=6 mm", "wall.courses=2",
+                         "wall.course_height=6 mm", "beam.height=10 m", "load.height=10 m"});
+    CHECK_THROWS_WITH(app::cost_note(high, app::Purpose::push),
+                      Catch::Contains("beam.height: the beam would take about"));
+    CHECK(app::cost_note(study_of(kWall), app::Purpose::push).empty());
 }

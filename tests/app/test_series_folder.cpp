@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <tuple>
+
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -64,7 +66,7 @@ std::string in_the_way(const Folder& f)
     for (const fs::path& file : app::in_the_way_of_series(f.series))
         names.push_back(file.lexically_relative(f.temporary.path));
     try {
-        app::check_results(f.temporary.path, names, true);
+        std::ignore = app::check_results(f.temporary.path, names);
     } catch (const app::ConfigError& e) {
         return e.what();
     }

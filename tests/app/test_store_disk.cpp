@@ -214,6 +214,26 @@ TEST_CASE("store: a folder of parts that is removed while a study runs is said a
     CHECK(check_rows(file) == 90);
 }
 
+TEST_CASE("store: a folder of parts that becomes a link while a study runs is not written into",
+          "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5", other = folder.path / "other";
+    fs::create_directory(other);
+    Store store(file, store_head(30));
+    store.append(store_rows(0, 10));
+    fs::rename(app::parts_of(file), folder.path / "away");
+    fs::create_directory_symlink(other, app::parts_of(file));
+    const auto more = store_rows(10, 20);
+    CHECK_THROWS_WITH(store.append(more), Contains("must be a folder of its own"));
+    CHECK(fs::is_empty(other));
+    fs::remove(app::parts_of(file));
+    fs::rename(folder.path / "away", app::parts_of(file));
+    store.append(more);
+    store.compact();
+    CHECK(check_rows(file) == 60);
+}
+
 TEST_CASE(
     "store: nothing is written through a symbolic link, but a linked file is gone on with",
     "[app][store_disk]")

@@ -5,6 +5,7 @@
 #include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
+#include <hdf5.h>
 
 #include <cmath>
 #include <filesystem>
@@ -111,6 +112,54 @@ TEST_CASE("store: another study is refused and the difference is shown", "[app][
     CHECK_THAT(refusal(file, other), Contains("level 1 has another vertical stress"));
     CHECK(scenes::read_text(file) == before);
     CHECK(refusal(file, store_head(4)) == "not refused");
+}
+
+TEST_CASE("store: walls of another revision of the solver are not gone on with",
+          "[app][store_study]")
+{
+    const scenes::MemoryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    const std::string before =
+        GENERATE("solver_revision = 1\n", "solver_revision = 3\n", "drystone = 0.1.0\n");
+    app::StoreHead head = store_head(4);
+    head.identity = before + head.identity;
+    {
+        Store store(file, head);
+        store.append(store_rows(0, 2));
+        store.compact();
+    }
+    const std::string bytes = scenes::read_text(file);
+    app::StoreHead wanted = store_head(9);
+    wanted.identity = "solver_revision = 2\n" + wanted.identity;
+    const std::string begun =
+        before == "drystone = 0.1.0\n"
+            ? "an earlier revision"
+            : "revision " + before.substr(before.find_last_of(' ') + 1, 1);
+    CHECK_THAT(refusal(file, wanted),
+               Contains("was begun by " + begun +
+                        " of the solver (version 0.1.0). This program has revision 2") &&
+                   Contains("Finish the file with the version that began it, or begin a new"));
+    CHECK(scenes::read_text(file) == bytes);
+    CHECK(app::read_head(file).sessions == head.sessions); // it is read as before
+}
+
+TEST_CASE("store: sessions of files of before 0.2.0 state no revision of the solver",
+          "[app][store_study]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    {
+        Store store(file, store_head(4));
+        store.append(store_rows(0, 2));
+        store.compact();
+    }
+    CHECK(app::read_head(file).sessions.front().solver_revision == "2");
+    const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    REQUIRE(H5Ldelete(id, "/sessions/solver_revision", H5P_DEFAULT) >= 0);
+    REQUIRE(H5Fclose(id) >= 0);
+    const app::StoreHead head = app::read_head(file);
+    CHECK(head.sessions.front().solver_revision.empty());
+    CHECK(head.sessions.front().machine == "a machine");
 }
 
 TEST_CASE("store: heads that make no sense are refused", "[app][store_study]")

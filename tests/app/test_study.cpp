@@ -42,6 +42,7 @@ TEST_CASE("study: the effective configuration reads back to the same study", "[a
         shipped("uncoupled.ini"), read_good({"wall.bond=english", "wall.header_length=9 cm"}),
         read_good({"wall.bond=rubble", "wall.seed=5"}),
         read(without_courses(), {"wall.course_heights=0.2, 0.3, 0.5 m"}),
+        read_good({"load.pattern=body", "wall.openings=0.4 m, 0 m, 0.2 m, 0.6 m"}),
         read_good({"wall.unit_cracks=no", "beam.interface=joint", "wall.base=joint"}),
         read_good({"joint.friction_angle=0.1234567890123 rad", "wall.courses=7"}));
     const std::string text = app::effective_configuration(study);
@@ -117,6 +118,19 @@ TEST_CASE("study: defaults follow from the values they depend on", "[app][study]
     CHECK(study.beam.material.poisson_ratio == 0.2);
     CHECK(study.load.height == Approx(1.1).epsilon(1e-15));
     CHECK(read_good({"wall.courses=5"}).load.height == Approx(0.6).epsilon(1e-15));
+}
+
+TEST_CASE("study: one of two keys for one thing takes the place of the other in the file",
+          "[app][study]")
+{
+    const app::Study study = read_good({"joint.normal_stiffness=6 GPa/m"});
+    CHECK(study.parameters.joint.wall_modulus.empty());
+    CHECK(study.parameters.joint.normal_stiffness == std::vector{6e9});
+    CHECK(app::effective_configuration(study).find("wall_modulus") == std::string::npos);
+    CHECK_THROWS_WITH(
+        read_good({"joint.normal_stiffness=6 GPa/m", "joint.wall_modulus=768 MPa"}),
+        Catch::Contains("keep one of them"));
+    CHECK(read_good({"load.amplitudes=1, 2 mm"}).load.amplitudes.size() == 2);
 }
 
 TEST_CASE("study: heights of courses give their number, their mean and the height of the load",

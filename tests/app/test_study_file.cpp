@@ -77,6 +77,21 @@ TEST_CASE("study file: --set replaces a value of the file, or adds one", "[app][
     CHECK(file.entries[1].value == "9");
 }
 
+TEST_CASE("study file: --set of nothing takes a key out of the file, and refuses one that is "
+          "not there",
+          "[app][study_file]")
+{
+    const auto file = parse_study_text("a.ini", "[wall]\nlength = 1 m\ncourses = 9\n");
+    const auto without = app::with_overrides(file, Assignments{"wall.length="});
+    REQUIRE(without.entries.size() == 1);
+    CHECK(without.entries[0].key == "wall.courses");
+    CHECK(app::with_overrides(file, Assignments{"wall.length=", "wall.length=2 m"})
+              .entries.size() == 2);
+    CHECK_THROWS_WITH(
+        app::with_overrides(file, Assignments{"wall.lenght="}),
+        Catch::Contains("wall.lenght: empty value of a key that is not in the file"));
+}
+
 TEST_CASE("study file: an error stands where the key is, else its section, else the end",
           "[app][study_file]")
 {

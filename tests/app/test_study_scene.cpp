@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 using study_texts::read;
@@ -225,4 +226,60 @@ TEST_CASE("study: loads carry the height of the load and gravity", "[app][study]
     CHECK(loads.vertical_stress == 150e3);
     CHECK(loads.height == 1.3);
     CHECK(loads.gravity == 9.80665);
+}
+
+TEST_CASE(
+    "study: body forces have the height of the centre of gravity of the wall that there is",
+    "[app][study]")
+{
+    const auto height = [](const std::vector<std::string>& more) {
+        std::vector<std::string> all = {"load.pattern=body"};
+        all.insert(all.end(), more.begin(), more.end());
+        return read_good(all).load.height;
+    };
+    const double beam = 2400.0 * 0.1, wall = 2300.0; // kg/m3 m of 1 m x 1 m
+    CHECK(height({}) == (0.5 * 1.0 * (2300.0 * 1.0) + (1.0 + 0.5 * 0.10) * (2400.0 * 0.10)) /
+                            (2300.0 * 1.0 + 2400.0 * 0.10)); // to the bit
+    // a door of 0.2 m x 0.6 m around 0.3 m; lintels are of the wall's stone
+    CHECK(height({"wall.openings=0.4 m, 0 m, 0.2 m, 0.6 m"}) ==
+          Approx((wall * (0.5 - 0.12 * 0.3) + beam * 1.05) / (wall * 0.88 + beam))
+              .epsilon(1e-14));
+    // a lintel of twice the density, of 0.4 m x 0.1 m around 0.65 m
+    CHECK(height({"wall.openings=0.4 m, 0 m, 0.2 m, 0.6 m", "lintel.density=4600 kg/m3"}) ==
+          Approx((wall * (0.5 - 0.12 * 0.3) + 2300.0 * 0.04 * 0.65 + beam * 1.05) /
+                 (wall * 0.88 + 2300.0 * 0.04 + beam))
+              .epsilon(1e-14));
+}
+
+TEST_CASE("study: body forces of a gable push at its own centre of gravity", "[app][study]")
+{
+    // a square of 1 m under a triangle of 1 m x 0.6 m: 1 m2 around 0.5 m and 0.3 m2 around 1.2 m
+    const app::Study gable = read(R"([wall]
+outlines = 0 0, 1 0, 1 1, 0 1; 0 1, 1 1, 0.5 1.6
+thickness = 0.2 m
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+friction_angle = 31.8 deg
+[beam]
+present = no
+[load]
+pattern = body
+vertical_stress = 0 MPa
+)");
+    CHECK(gable.load.height == Approx((0.5 + 0.36) / 1.3).epsilon(1e-14));
+}
+
+TEST_CASE("study: random lengths beside openings make a wall under every seed", "[app][study]")
+{
+    for (int seed = 1; seed <= 60; ++seed) // 6 of them left slivers
+        CHECK_NOTHROW(
+            read_good({"wall.length=3 m", "wall.courses=9", "wall.course_height=0.3 m",
+                       "wall.unit_length=0.6 m", "wall.unit_length_cov=0.15",
+                       "wall.openings=0.3 m, 0 m, 0.9 m, 2.1 m; 1.8 m, 0.9 m, 0.8 m, "
+                       "1.2 m",
+                       "wall.seed=" + std::to_string(seed)}));
 }

@@ -423,6 +423,8 @@ TEST_CASE("summary: what others read by name comes in a fixed order", "[app][sum
                                                "solver_seconds",
                                                "contact_updates_per_second",
                                                "version",
+                                               "commit",
+                                               "solver_revision",
                                                "study"};
     CHECK(keys_of(summary(good_wall())) == expected);
     CHECK(keys_of(summary(broken_wall())) == expected); // broken numbers keep their place

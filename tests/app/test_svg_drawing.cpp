@@ -34,7 +34,6 @@ TEST_CASE(
     CHECK(area(wall) == Approx(4.0 + 4.0 + 2.0).epsilon(1e-12));
     CHECK(scenes::common_sides(wall) == 3 + 4 + 1);
     CHECK(wall.blocks[0].outline[0].z == 0.0); // y = 2 is the floor
-    CHECK(wall.blocks[2].place == "line 4");
     CHECK(scenes::notes(wall, "1 text"));
 }
 
@@ -171,4 +170,25 @@ TEST_CASE("svg drawing: a file that states a length is read in it where no unit 
     CHECK(scenes::notes(wall("400cm", true), "unit is 2 mm; it was read with a unit of 1 mm"));
     CHECK(length(wall("2000px", false)) == Approx(2.0));
     CHECK(scenes::notes(wall("2000px", false), "px, which are not lengths"));
+}
+
+TEST_CASE("svg drawing: a path that runs on over its first sides, and one that is open",
+          "[app][svg_drawing]")
+{
+    const auto svg = [](const std::string& path) {
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\">\n<path d=\"" + path + "\"/>\n</svg>";
+    };
+    const app::DrawingOptions options{.unit = 1e-3};
+    const app::Drawing wall =
+        scenes::drawing_of("w.svg", svg("M 0 0 H 56 V 100 H 0 V 0 H 56"), options);
+    REQUIRE(wall.blocks.size() == 1);
+    CHECK(scenes::area(wall) == Approx(0.0056));
+    CHECK(scenes::notes(wall, "1 outline runs on over its own first sides once it has closed "
+                              "(line 2)"));
+    const std::string open = svg("M 0 0 H 56 V 100 H 0");
+    CHECK_THAT(scenes::refusal("w.svg", open, options),
+               Catch::StartsWith("w.svg:2: this outline is open") &&
+                   Catch::Contains("wall.close_outlines"));
+    CHECK(scenes::drawing_of("w.svg", open, {.unit = 1e-3, .close_outlines = true})
+              .blocks.size() == 1);
 }

@@ -53,3 +53,10 @@ TEST_CASE("svg elements: a window keeps the coordinates of the page", "[app][svg
     CHECK(scenes::number_of(svg, "width") == 30);
     CHECK(scenes::number_of(svg, "height") == 40);
 }
+
+TEST_CASE("svg elements: no title and no text leave no empty elements", "[app][svg_elements]")
+{
+    const std::string page = app::svg_page(100, 50, "", app::svg_text({1, 2}, "", ""));
+    CHECK(page.find("<title") == std::string::npos);
+    CHECK(page.find("<text") == std::string::npos);
+}

@@ -235,12 +235,13 @@ TEST_CASE("table: a lower bound is rounded down, and says whether it may be reac
               .value = 79.979, .decimals = 2, .sense = app::Sense::above}) == "> 79.97");
 }
 
-TEST_CASE("table: programs get all digits, one number per column, and the same head whatever "
-          "the rows hold",
-          "[app][table]")
+TEST_CASE(
+    "table: programs get fifteen digits, one number per column, and the same head whatever "
+    "the rows hold",
+    "[app][table]")
 {
     CHECK(app::as_csv(doubted(app::with_interval(1.0 / 3.0, 0.1, inf, 2), app::kInterval)) ==
-          "median [%],median lower [%],median upper [%]\n0.3333333333333333,0.1,\n");
+          "median [%],median lower [%],median upper [%]\n0.333333333333333,0.1,\n");
     CHECK(app::as_csv(doubted({}, app::kInterval)) ==
           "median [%],median lower [%],median upper [%]\n,,\n");
     CHECK(app::as_csv(doubted(app::with_error(16.24, 0.31, 1), app::kError)) ==
@@ -324,10 +325,41 @@ TEST_CASE("markup: names that would be obeyed are written as they read", "[app][
     CHECK(app::csv_cell("a\rb") == "\"a\rb\"");
 }
 
+TEST_CASE("markup: a name that a spreadsheet would run as a formula is marked as a text in CSV",
+          "[app][table]")
+{
+    CHECK(app::csv_cell("=cmd|' /C calc'!A0") == "'=cmd|' /C calc'!A0");
+    CHECK(app::csv_cell("=HYPERLINK(\"x\")") == "\"'=HYPERLINK(\"\"x\"\")\"");
+    for (const char first : std::string("+-@\t")) {
+        const std::string name = first + std::string("A1");
+        CHECK(app::csv_cell(name) == "'" + name);
+    }
+    CHECK(app::csv_cell("-") == "-");
+    CHECK(app::csv_cell("a=b") == "a=b");
+    CHECK(app::as_csv(table("", {"=a"}, {{std::string("@b")}, {app::Number{-1.5}}})) ==
+          "'=a\n'@b\n-1.5\n");
+}
+
 TEST_CASE("markup: text is broken at blanks and keeps its own lines", "[app][markup]")
 {
     CHECK(app::wrapped("one two three", 7) == "one two\nthree");
     CHECK(app::wrapped("one two three", 0) == "one two three");
     CHECK(app::wrapped("one\ntwo\n", 80) == "one\ntwo\n");
     CHECK(app::wrapped("a-word-too-long b", 5) == "a-word-too-long\nb");
+    CHECK(app::hung("  a  one two three four\nb\n", 15) ==
+          "  a  one two\n     three four\nb\n");
+    CHECK(app::hung("one two three four", 9) == "one two\n  three\n  four\n");
+    CHECK(app::hung("a-word-too-long b\n", 5) == "a-word-too-long b\n");
+}
+
+TEST_CASE("table: a change of units leaves no digits that nobody wrote", "[app][table]")
+{
+    const app::Table t =
+        table("", {"at [mm]", {"peak [kN]", app::kError}},
+              {{app::plain_number(5.500000000000001, 2), app::with_error(20.3, 0.004, 1)}});
+    CHECK(lines(app::as_csv(t)).at(1) == "5.5,20.3,0.004");
+    CHECK(app::cell_text(t.rows[0][1]) == "20.3 +- 0.004"); // not "+- 0.0"
+    // inputs are given to the bit
+    CHECK(lines(app::as_csv(table("", {"x"}, {{app::Number{0.1 + 0.2}}}))).at(1) ==
+          "0.30000000000000004");
 }

@@ -85,6 +85,18 @@ TEST_CASE("units: the unit of a list stands once at its end, or on each value", 
           "empty place in the list \"1, 2,\"; write a number between two commas");
 }
 
+TEST_CASE("units: a list without blanks is offered as a list, a share in percent as a number",
+          "[app][units]")
+{
+    CHECK(complaint("1,-1,2,-2 mm", "mm") == "comma inside \"1,-1,2,-2 mm\"; write a blank "
+                                             "after each comma of a list, \"1, -1, 2, -2 mm\"");
+    CHECK(complaint("1,-1 mm", "mm") ==
+          "comma inside \"1,-1 mm\"; write a blank after each comma of a list, \"1, -1 mm\"");
+    CHECK(complaint("0,20 m", "m") == "comma inside \"0,20 m\"; write a decimal point, \"0.20 "
+                                      "m\", or a list with blanks, \"0, 20 m\"");
+    CHECK(complaint("80 %", "") == "a percentage where a number belongs; write \"0.8\"");
+}
+
 TEST_CASE("units: what is no decimal number with its unit is refused", "[app][units]")
 {
     const std::string text =
@@ -128,6 +140,13 @@ TEST_CASE("units: a formatted quantity reads back to the same bits", "[app][unit
     CHECK(app::format_quantities(std::vector<double>{0.15e6, 0.5e6}, "MPa") == "0.15, 0.5 MPa");
 }
 
+TEST_CASE("units: a formatted angle has the digits that were written, where they give its bits",
+          "[app][units]")
+{
+    for (const std::string text : {"30 deg", "31.8 deg", "35 deg"})
+        CHECK(app::format_quantities(app::parse_quantities(text, "deg"), "deg") == text);
+}
+
 TEST_CASE("units: the locale of the user changes nothing", "[app][units]")
 {
     struct Comma : std::numpunct<char> {
@@ -141,4 +160,19 @@ TEST_CASE("units: the locale of the user changes nothing", "[app][units]")
     std::locale::global(before);
     CHECK(read == 1234.5);
     CHECK(written == "1234.5 m");
+}
+
+TEST_CASE("units: raised digits, and weights per volume, are read", "[app][units]")
+{
+    CHECK(app::parse_quantity("2300 kg/m\u00b3", "kg/m3") == 2300.0);
+    CHECK(app::parse_quantity("2300 kg/m^3", "kg/m3") == 2300.0);
+    CHECK(app::parse_quantity("3.5 N/mm\u00b2", "MPa") == 3.5e6);
+    CHECK(app::parse_quantity("2 N/mm\u00b3", "GPa/m") == 2e9);
+    CHECK(app::parse_quantity("9.81 m/s\u00b2", "m/s2") == 9.81);
+    // the density that weighs as much under the gravity of a study
+    CHECK(app::parse_quantity("23 kN/m3", "kg/m3") * 9.81 == Approx(23e3).epsilon(1e-15));
+    CHECK(app::parse_quantity("23 kN/m\u00b3", "kg/m3") ==
+          app::parse_quantity("23 kN/m3", "kg/m3"));
+    CHECK_THROWS_WITH(app::parse_quantity("23 kN/m\u00b2", "kg/m3"),
+                      Catch::Contains("kN/m\u00b2") && Catch::Contains("use kg/m3 or kN/m3"));
 }

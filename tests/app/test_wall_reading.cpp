@@ -193,6 +193,21 @@ TEST_CASE("wall reading: a wall that came down under its vertical load is not re
         CHECK(limit.reason == w.no_reading);
 }
 
+TEST_CASE(
+    "wall reading: a wall that stood under its vertical load is not said to have come down "
+    "under it",
+    "[app][wall_reading]")
+{
+    constexpr bool settled = true;
+    const std::vector<double> one = {0.0};
+    const app::WallReading w = app::read({one, one}, {}, rules(), settled);
+    CHECK(w.no_reading ==
+          "the wall stood under its vertical load and was lost as soon as it was pushed");
+    REQUIRE_FALSE(w.limits.empty());
+    for (const fragility::LimitDisplacement& limit : w.limits)
+        CHECK(limit.reason == w.no_reading);
+}
+
 TEST_CASE("wall reading: a fresh wall and a stored one give the same numbers for every key",
           "[slow][app][wall_reading]")
 {

@@ -3,6 +3,7 @@
 #include "app/output/wall_body.hpp"
 #include "app/output/wall_legend.hpp"
 #include "app/output/wall_marks.hpp"
+#include "app/text/number_text.hpp"
 #include "dem/scene/snapshot_reading.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
 #include "tests/scenes/xml_tree.hpp"
@@ -294,4 +295,85 @@ TEST_CASE("wall picture: bad walls and settings are refused", "[app][wall_svg]")
     CHECK_THROWS_AS(picture(wall, {}), std::invalid_argument);
     CHECK_THROWS_AS(picture(wall, wall, {.load_height = 0.0}), std::invalid_argument);
     CHECK_THROWS_AS(picture(wall, wall, {.mark_above = 0.0}), std::invalid_argument);
+}
+
+TEST_CASE("wall picture: a push that ends at its largest force is one panel", "[app][wall_svg]")
+{
+    dem::Snapshot wall = scenes::stair_step_rocking(0.03);
+    wall.force = 40e3;
+    const auto panels = [](const std::string& svg) {
+        return elements(scenes::parse_xml(svg), "svg").size() - 1; // the page is one, too
+    };
+    CHECK(panels(picture(wall, wall)) == 1);
+    CHECK_THAT(scenes::texts(scenes::parse_xml(picture(wall, wall))),
+               VectorContains(std::string("At the end, at or near the largest force")));
+    dem::Snapshot almost = wall;
+    almost.displacement *= 0.995;
+    almost.force *= 1.002;
+    CHECK(panels(picture(almost, wall)) == 1);
+    CHECK(panels(picture(scenes::stair_step_rocking(0.02), wall)) == 2);
+}
+
+TEST_CASE("wall picture: the force stands clear of the wall, and inside its panel",
+          "[app][wall_svg]")
+{
+    dem::Snapshot wall = scenes::wall_at_rest();
+    for (const double force : {9e3, 123456e3, -123456e3}) {
+        wall.force = force;
+        const auto page = scenes::parse_xml(picture(wall, wall));
+        double left = 1e9, right = -1e9; // of the stones [px]
+        for (const auto& stone : elements(page, "polygon"))
+            if (scenes::points_of(stone).size() > 4)
+                for (const auto& [x, y] : scenes::points_of(stone)) {
+                    left = std::min(left, x);
+                    right = std::max(right, x);
+                }
+        bool found = false;
+        for (const auto& text : elements(page, "text")) {
+            if (text.data() != app::fixed(std::abs(force) * 1e-3, 1) + " kN") continue;
+            found = true;
+            const double at = scenes::number_of(text, "x"),
+                         wide = app::text_width(text.data(), 12.0);
+            if (force > 0.0) {
+                CHECK(at <= left - 5.0);
+                CHECK(at - wide > 0.0);
+            } else {
+                CHECK(at >= right + 5.0);
+                CHECK(at + wide < 1000.0);
+            }
+        }
+        CHECK(found);
+    }
+}
+
+TEST_CASE("wall picture: a force that is nothing beside the largest is written as nothing",
+          "[app][wall_svg]")
+{
+    dem::Snapshot peak = scenes::stair_step_rocking(0.01),
+                  end = scenes::stair_step_rocking(0.03);
+    peak.force = 40e3;
+    end.force = -4.2;
+    for (const std::string& text : scenes::texts(scenes::parse_xml(picture(peak, end))))
+        CHECK(text.find("0.0042") == std::string::npos);
+}
+
+TEST_CASE("wall picture: lintels have a colour of their own, which the legend names",
+          "[app][wall_svg]")
+{
+    const dem::Snapshot wall = scenes::wall_at_rest();
+    app::WallPictureText text;
+    const auto tinted = [&] {
+        int n = 0;
+        for (const auto& stone :
+             elements(scenes::parse_xml(picture(wall, wall, text)), "polygon"))
+            n += scenes::attribute(stone, "fill") == app::kKindTints[1] ? 1 : 0;
+        return n;
+    };
+    CHECK(tinted() == 0);
+    text.tints.kind.assign(static_cast<std::size_t>(wall.blocks.front().unit), 0);
+    text.tints.kind.back() = 1;
+    text.tints.name = "lintels";
+    CHECK(tinted() >= 1);
+    CHECK_THAT(scenes::texts(scenes::parse_xml(picture(wall, wall, text))),
+               VectorContains(std::string("lintels")));
 }

@@ -6,11 +6,13 @@
 #include <string>
 #include <string_view>
 
-TEST_CASE("words: the edit distance counts insertions, deletions and replacements",
+TEST_CASE("words: the edit distance counts insertions, deletions, replacements and swaps",
           "[app][words]")
 {
     CHECK(app::edit_distance("push", "push") == 0);
     CHECK(app::edit_distance("kitten", "sitting") == 3); // the textbook pair
+    CHECK(app::edit_distance("psuh", "push") == 1);      // neighbours that changed places
+    CHECK(app::edit_distance("ca", "abc") == 3); // which only neighbours of both words do
     CHECK(app::edit_distance("", "abc") == 3);
     CHECK(app::edit_distance("abc", "") == 3);
     CHECK(app::edit_distance("flaw", "lawn") == app::edit_distance("lawn", "flaw"));
@@ -20,6 +22,7 @@ TEST_CASE("words: the nearest word is suggested only if at most a third of it is
           "[app][words]")
 {
     constexpr std::array<std::string_view, 3> kWords = {"length", "height", "bond"};
+    CHECK(app::nearest_word("bnod", kWords) == "bond");
     CHECK(app::nearest_word("lenght", kWords) == "length");
     CHECK(app::nearest_word("hieght", kWords) == "height");
     CHECK(app::nearest_word("bund", kWords) == "bond");

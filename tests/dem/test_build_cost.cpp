@@ -56,3 +56,24 @@ TEST_CASE("build cost: ordinary walls cost next to nothing, and finer blocks mor
         CHECK(cost(points + 10, 0.1).bytes > 1.5 * cost(points, 0.1).bytes);
     }
 }
+
+TEST_CASE("build cost: a high beam on a short wall is told, and that it is the beam",
+          "[dem][build_cost]")
+{
+    // core seconds and MB of a push of 0.01 mm of one course of units of 10 mm under a beam of 5 m
+    const auto [length, seconds, megabytes] =
+        GENERATE(table<double, double, double>({{0.01, 1.6, 560.0}, {0.02, 5.8, 1300.0}}));
+    dem::WallGeometry wall;
+    wall.length = length;
+    wall.courses = 1;
+    wall.course_height = 0.01;
+    wall.unit_length = 0.01;
+    const dem::BuildCost c =
+        dem::build_cost(dem::lay_out(wall, 5.0), dem::discretisation_of(dem::Fidelity::simple));
+    CHECK(c.beam);
+    CHECK(c.seconds > seconds / 2.0);
+    CHECK(c.seconds < seconds * 2.0);
+    CHECK(c.bytes > 1e6 * megabytes / 1.5);
+    CHECK(c.bytes < 1e6 * megabytes * 1.5);
+    CHECK_FALSE(cost(5, 10.0).beam);
+}

@@ -4,6 +4,7 @@
 #include "dem/scene/crack_pattern.hpp"
 #include "dem/scene/drawn_layout.hpp"
 #include "dem/scene/layout.hpp"
+#include "dem/scene/piece_count.hpp"
 #include "dem/scene/polygon.hpp"
 #include "dem/scene/touching.hpp"
 
@@ -98,6 +99,7 @@ TEST_CASE("crack pattern: pieces fill their unit", "[dem][cracks]")
                             Case{{Kind::diagonals}, 4}, Case{{Kind::voronoi, 1, 1, 0.04}, 13});
     const std::vector<Outline> pieces = dem::pieces_of(kUnit, c.pattern, 0.2, 7);
     CHECK(pieces.size() == c.pieces);
+    CHECK(dem::piece_count(kUnit, c.pattern, 0.2) == static_cast<double>(c.pieces));
     CHECK(area(pieces) == Approx(0.02).epsilon(1e-9));
     for (const Outline& p : pieces) CHECK(dem::polygon_area(p) > 0.0);
     // Half a unit has pieces of the same width, and none at mid-length.

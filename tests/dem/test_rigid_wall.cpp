@@ -82,3 +82,23 @@ TEST_CASE("rigid wall: weights are those of the blocks, by what holds them",
     CHECK(weights.free == Approx(3.6e3));
     CHECK(weights.beam == Approx(0.5e3));
 }
+
+TEST_CASE("rigid wall: the centre of gravity is that of what is there, by its density",
+          "[dem][rigid_wall]")
+{
+    Wall w; // 1 m x 1 m of 2000 kg/m3 under 0.1 m of 2500 kg/m3
+    const auto height = [&] {
+        return dem::gravity_height(dem::lay_out(w.geometry, w.beam.height), w.stone,
+                                   w.beam.material);
+    };
+    CHECK(height() == Approx((2000.0 * 0.5 + 250.0 * 1.05) / 2250.0).epsilon(1e-14));
+    w.geometry.openings = {{0.4, 0.2, 0.2, 0.3}}; // 0.06 m2 around 0.35 m
+    w.geometry.lintel_bearing = 0.1;
+    w.geometry.lintel = {30e9, 0.2, 2600.0}; // 600 kg/m3 more on 0.4 m x 0.1 m around 0.55 m
+    CHECK(height() ==
+          Approx((2000.0 * (0.5 - 0.06 * 0.35) + 600.0 * 0.04 * 0.55 + 250.0 * 1.05) /
+                 (2000.0 * 0.94 + 600.0 * 0.04 + 250.0))
+              .epsilon(1e-14));
+    w.stone.density = w.geometry.lintel.density = w.beam.material.density = 0.0;
+    CHECK(height() == 0.0);
+}

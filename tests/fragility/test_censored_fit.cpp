@@ -25,7 +25,7 @@ std::vector<Observation> mixed_data()
     data.push_back(right_censored(8.0));
     data.push_back(right_censored(10.0));
     data.push_back(left_censored(3.5));
-    data.push_back(interval_censored(4.0, 8.0));
+    data.push_back(Observation{4.0, 8.0});
     data.push_back({5.5, 5.500001, 2.0});
     data.push_back({0.0, 4.0, 1.0});
     return data;
@@ -216,8 +216,7 @@ TEST_CASE("censored fit: what cannot be fitted is named and gives no number",
         {{observed(2), right_censored(3), right_censored(3)}, FitOutcome::too_few},
         {D(12, right_censored(3)), FitOutcome::all_censored},
         {D(12, left_censored(3)), FitOutcome::all_censored},
-        {{interval_censored(1, 3), interval_censored(2, 4), interval_censored(1, 4)},
-         FitOutcome::no_spread},
+        {{Observation{1, 3}, Observation{2, 4}, Observation{1, 4}}, FitOutcome::no_spread},
         {{observed(1), observed(2), observed(0.0)}, FitOutcome::not_positive},
         {{observed(1), observed(2), observed(-1.0)}, FitOutcome::not_positive},
         {{observed(1), observed(2), observed(nan)}, FitOutcome::invalid_value},
@@ -285,5 +284,21 @@ TEST_CASE("censored fit: heavy censoring and far starts converge", "[fragility][
         }
     } else {
         CHECK(law == Law::gamma);
+    }
+}
+
+TEST_CASE("censored fit: no law is fitted to drift limits, whatever the others did",
+          "[fragility][censored_fit]")
+{
+    std::vector<Observation> walls = {observed(1.0), observed(1.2), observed(0.9),
+                                      right_censored(1.1)};
+    for (const Law law : {Law::lognormal, Law::normal, Law::weibull, Law::gamma})
+        CHECK(fit(law, walls).outcome == FitOutcome::converged);
+    walls.push_back({1.3, 1.3, 1.0, true});
+    for (const Law law : {Law::lognormal, Law::normal, Law::weibull, Law::gamma}) {
+        const Fit f = fit(law, walls);
+        CHECK(f.outcome == FitOutcome::capped);
+        CHECK(f.counts.n == 5.0);
+        CHECK(f.reason.find("1 of 5 walls") != std::string::npos);
     }
 }

@@ -30,16 +30,16 @@ std::vector<double> first(std::size_t n)
 
 } // namespace
 
-TEST_CASE("fit intervals: Wald intervals are the estimate times exp of 1.96 standard errors",
-          "[fragility][fit_intervals]")
+TEST_CASE(
+    "fit intervals: standard errors are those of the fit, of a quantile by the delta method",
+    "[fragility][fit_intervals]")
 {
     const auto data = fit_data::stopped_at(fit_data::lognormal350, 0.018);
     const Fit f = fit(Law::lognormal, data);
-    const Interval m = wald_interval(f, median());
-    CHECK(m.lower == near(std::exp(f.law.location - kZ * f.location_error)));
-    CHECK(m.upper == near(std::exp(f.law.location + kZ * f.location_error)));
-    const Interval s = wald_interval(f, dispersion());
-    CHECK(s.upper / f.law.dispersion == near(std::exp(kZ * 0.0444953795), 1e-8));
+    const Uncertain m = uncertain(f, median());
+    CHECK(m.value == near(std::exp(f.law.location)));
+    CHECK(m.axis_error == near(f.location_error));
+    CHECK(uncertain(f, dispersion()).axis_error == near(0.0444953795, 1e-8));
     const Uncertain u = uncertain(f, quantile_of(0.84134474606854293));
     const auto& c = f.covariance;
     const double b = f.law.dispersion;
@@ -65,7 +65,7 @@ TEST_CASE("fit intervals: the profile of a complete lognormal sample is Student'
     }
 }
 
-TEST_CASE("fit intervals: Wald and profile agree when there are many data",
+TEST_CASE("fit intervals: of many data the profile ends 1.96 standard errors away",
           "[fragility][fit_intervals]")
 {
     const Law law = GENERATE(from_range(kLaws));
@@ -78,11 +78,14 @@ TEST_CASE("fit intervals: Wald and profile agree when there are many data",
     }
     const Fit f = fit(law, data);
     REQUIRE(f.outcome == FitOutcome::converged);
-    const Interval w = wald_interval(f, q);
+    const Uncertain u = uncertain(f, q);
     const Interval p = profile_interval(f, data, q);
-    const double width = w.upper - w.lower;
-    CHECK(p.lower == Approx(w.lower).margin(0.005 * width).epsilon(0));
-    CHECK(p.upper == Approx(w.upper).margin(0.005 * width).epsilon(0));
+    const auto end = [&](double half) {
+        return u.logarithmic ? u.value * std::exp(half) : u.value + half;
+    };
+    const double low = end(-kZ * u.axis_error), high = end(kZ * u.axis_error);
+    CHECK(p.lower == Approx(low).margin(0.005 * (high - low)).epsilon(0));
+    CHECK(p.upper == Approx(high).margin(0.005 * (high - low)).epsilon(0));
 }
 
 TEST_CASE("fit intervals: intervals of medians scale with the unit",
@@ -117,10 +120,9 @@ TEST_CASE("fit intervals: a profile that does not close is said to be open",
 TEST_CASE("fit intervals: no fit, no interval", "[fragility][fit_intervals]")
 {
     const Fit none = fit(Law::lognormal, {});
-    CHECK_THROWS_AS(wald_interval(none, median()), std::invalid_argument);
     CHECK_THROWS_AS(profile_interval(none, {}, median()), std::invalid_argument);
     const auto data = fit_data::all_observed({1, 2, 3, 4});
-    CHECK_THROWS_AS(wald_interval(fit(Law::normal, data), median(), 1.0),
+    CHECK_THROWS_AS(profile_interval(fit(Law::normal, data), data, median(), 1.0),
                     std::invalid_argument);
 }
 

@@ -181,7 +181,7 @@ TEST_CASE("goodness of fit: a wrong law is refused, its own data are not",
 TEST_CASE("goodness of fit: what cannot be judged says why", "[fragility][goodness_of_fit]")
 {
     auto data = fit_data::all_observed({1, 2, 3, 4, 5});
-    data.push_back(interval_censored(2, 3));
+    data.push_back(Observation{2, 3});
     const GoodnessOfFit g = goodness_of_fit(fit(Law::lognormal, data), data, kBits, 10);
     CHECK_FALSE(g.available);
     CHECK_FALSE(g.reason.empty());

@@ -53,7 +53,7 @@ TEST_CASE("Kaplan-Meier: without censoring it is the share of walls, with binomi
 TEST_CASE("Kaplan-Meier: what it cannot judge is refused", "[fragility][kaplan_meier]")
 {
     CHECK_THROWS_AS(kaplan_meier(std::vector{left_censored(1)}), std::invalid_argument);
-    CHECK_THROWS_AS(kaplan_meier(std::vector{interval_censored(1, 2)}), std::invalid_argument);
+    CHECK_THROWS_AS(kaplan_meier(std::vector{Observation{1, 2}}), std::invalid_argument);
     CHECK_THROWS_AS(kaplan_meier(std::vector{observed(std::nan(""))}), std::invalid_argument);
     CHECK(kaplan_meier({}).steps.empty());
     CHECK(kaplan_meier(std::vector(4, right_censored(2))).end == 2.0);

@@ -135,6 +135,62 @@ TEST_CASE("limit states: the drift limit of the Italian code ends the curve wher
     CHECK(state(c, kNtc, "SLC", {.ntc_limit = 1.5}).limit.reason != kNtcLimitGoverns);
 }
 
+TEST_CASE(
+    "limit states: the drift limits of EN 1998-3 are those of SD, four thirds of them at NC, "
+    "in flexure in proportion to H0 / D",
+    "[fragility][limit_states]")
+{
+    CHECK(0.75 * ec8_drift(true, 1.0) == near(0.008));
+    CHECK(0.75 * ec8_drift(true, 2.5) == near(0.020));
+    CHECK(0.75 * ec8_drift(false, 1.0) == near(0.004));
+    CHECK(0.75 * ec8_drift(false, 2.5) == near(0.004));
+}
+
+TEST_CASE(
+    "limit states: the drift limit of EN 1998-3 ends the curve of ec8 alone, and its rule "
+    "sends the reader to the code",
+    "[fragility][limit_states]")
+{
+    const LimitStateOptions at{.ec8_limit = 1.2, .slenderness = 1.5};
+    const OwnedCurve c = scenes::triangle(); // as for ntc below 1.4
+    const LimitState nc = state(c, kEc8, "NC", at);
+    check_observed(nc.limit, 1.2);
+    CHECK(nc.limit.reason == kEc8LimitGoverns);
+    CHECK(nc.limit.reason.find("compare with your copy of the code") != std::string::npos);
+    CHECK(nc.rule.find("1.067 % x H0/D = 1.6 % if the wall rocks, 0.5333 % if not") !=
+          std::string::npos);
+    CHECK(nc.rule.find("compare with your copy of the code") != std::string::npos);
+    check_observed(state(c, kEc8, "SD", at).limit, 0.9);
+    check_observed(state(c, kEc8, "DL", at).limit, 1.2 - std::sqrt(1.44 - 2.0 * 6.9 / 10.0));
+    for (const std::string_view set : {kPaper, kNtc})
+        for (const LimitState& s : read_limit_states(c, set, at))
+            CHECK(s.limit.displacement == state(c, set, s.name).limit.displacement);
+    check_observed(state(c, kEc8, "NC", {.ec8_limit = 1.5}).limit, 1.4);
+}
+
+TEST_CASE("limit states: a drift limit is told from a displacement of the wall's own",
+          "[fragility][limit_states]")
+{
+    const OwnedCurve c = scenes::triangle();
+    const LimitStateOptions early{.ntc_limit = 1.2, .ec8_limit = 1.2}, late{.ntc_limit = 1.5};
+    CHECK(is_capped(state(c, kNtc, "SLC", early).limit));
+    CHECK(is_capped(state(c, kNtc, "SLV", early).limit));
+    CHECK(is_capped(state(c, kEc8, "SD", early).limit));
+    CHECK_FALSE(is_capped(state(c, kNtc, "SLD", early).limit));
+    CHECK_FALSE(is_capped(state(c, kNtc, "SLC", late).limit));
+    CHECK_FALSE(is_capped(state(c, kPaper, "ultimate", early).limit));
+    UserLimitState user;
+    user.name = "near";
+    user.ultimate = 1.0;
+    user.at_most = 1.3;
+    CHECK(is_capped(read_limit_states(c, {&user, 1}).front().limit));
+    user.at_most = 1.5;
+    CHECK_FALSE(is_capped(read_limit_states(c, {&user, 1}).front().limit));
+    // a wall that has not come so far has not reached the limit
+    CHECK_FALSE(is_capped(
+        state(OwnedCurve{{0, 0}, {1, 5}, {4, 5}}, kNtc, "SLC", {.ntc_limit = 5.0}).limit));
+}
+
 TEST_CASE("limit states: with a drift limit no limit state moves with where the push ends",
           "[fragility][limit_states]")
 {

@@ -72,7 +72,7 @@ TEST_CASE("median bound: no value beyond gives a better bound", "[fragility][med
     for (std::uint64_t study = 0; study < 20; ++study) {
         auto data = stopped_anywhere(study, 20);
         data.push_back(left_censored(0.7));
-        data.push_back(interval_censored(0.6, 1.6));
+        data.push_back(Observation{0.6, 1.6});
         double last = 0.0;
         for (double x = 0.05; x < 3.5; x += 0.05) {
             const double at_most = reached_at_most(data, x).at_most;
@@ -142,7 +142,7 @@ TEST_CASE("median bound: a left-censored wall has failed, an interval tells at i
     CHECK(reached_at_most(data, 2.0).failed == 1.0);
     CHECK(reached_at_most(data, 2.0).walls == 10.0);
     CHECK(reached_at_most(data, 2.0).at_most == Approx(binomial_upper_bound(1, 10)));
-    data.back() = interval_censored(1.0, 3.0);
+    data.back() = Observation{1.0, 3.0};
     CHECK(reached_at_most(data, 2.0).walls == 9.0);
     CHECK(reached_at_most(data, 0.9).walls == 10.0);
 }

@@ -1,5 +1,7 @@
 #include "fragility/observation.hpp"
 
+#include "fragility/limit_states.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <vector>
@@ -26,4 +28,22 @@ TEST_CASE("observation: runs that ended together end at the first of their ends"
     CHECK(common_end(std::vector{right_censored(1.0), observed(just_before),
                                  right_censored(last)}) == last);
     CHECK(common_end({}) == 0.0);
+}
+
+TEST_CASE("observation: a drift limit stays one, and limits are counted by their value",
+          "[fragility][observation]")
+{
+    const LimitDisplacement limit{0.011, Reading::observed, kNtcLimitGoverns},
+        own{0.011, Reading::observed, {}};
+    const Observation capped = *observation(limit, 2.0);
+    CHECK(capped.lower == 0.022);
+    CHECK(capped.upper == 0.022);
+    CHECK(capped.capped);
+    CHECK_FALSE(observation(own)->capped);
+    Observation twice = *observation(limit);
+    twice.weight = 2.0;
+    const std::vector<Observation> walls = {capped, observed(0.022), twice, capped,
+                                            right_censored(0.011)};
+    CHECK(caps(walls) == std::vector<Cap>{{0.011, 2.0}, {0.022, 2.0}});
+    CHECK(caps({}).empty());
 }

@@ -26,8 +26,8 @@ TEST_CASE("observed quantiles: without censoring the band of the share is that o
         const auto exact =
             share(static_cast<double>(i), 25.0, 0.0, BinomialInterval::clopper_pearson, 0.95);
         CHECK(found[i].share == Approx(static_cast<double>(i) / 25.0).margin(1e-12));
-        CHECK(found[i].band.lower == Approx(exact.bounds.lower).margin(1e-9));
-        CHECK(found[i].band.upper == Approx(exact.bounds.upper).margin(1e-9));
+        CHECK(found[i].band.lower == Approx(exact.interval.lower).margin(1e-9));
+        CHECK(found[i].band.upper == Approx(exact.interval.upper).margin(1e-9));
     }
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("stress model: with degrees 0 it is the pooled fit", "[fragility][stre
     std::vector<Observation> all;
     for (const auto& d : data) all.push_back(d.limit);
     all.push_back(left_censored(1.0));
-    all.push_back(interval_censored(1.0, 2.0));
+    all.push_back(Observation{1.0, 2.0});
     auto stressed = data;
     stressed.push_back({0.5, all[17]});
     stressed.push_back({1.0, all[18]});

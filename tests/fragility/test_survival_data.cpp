@@ -30,7 +30,7 @@ std::vector<Observation> random_walls(std::uint64_t set)
         if (kind < 0.1 && set % 2 == 1)
             data.push_back(x < limit ? left_censored(limit) : right_censored(limit));
         else if (kind < 0.2 && set % 3 == 1)
-            data.push_back(interval_censored(0.8 * x, 1.3 * x));
+            data.push_back(Observation{0.8 * x, 1.3 * x});
         else
             data.push_back(x < limit ? observed(x) : right_censored(limit));
     }

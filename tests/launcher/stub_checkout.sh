@@ -57,7 +57,8 @@ TOOL
 
 make_checkout() { # a program and three tests, all shell scripts
     mkdir -p "$checkout/app"
-    sed "s|/proc/cpuinfo|'$box/cpu'|" "$1/drystone" >"$checkout/drystone"
+    sed "s|/proc/cpuinfo|'$box/cpu'|; s|/var/lib/dpkg/status|'$box/status'|" "$1/drystone" >"$checkout/drystone"
+    : >"$box/status" # dpkg's database: newer after an install
     chmod +x "$checkout/drystone"
     echo "flags : avx2 fma bmi2" >"$box/cpu" # the same on any machine
     cat >"$checkout/app/program.sh" <<'SCRIPT'
@@ -76,6 +77,7 @@ SCRIPT
     cat >"$checkout/CMakeLists.txt" <<'CMAKE'
 cmake_minimum_required(VERSION 3.25)
 project(stub NONE)
+file(APPEND "$ENV{BOX}/calls" "configuring\n")
 set(program ${PROJECT_BINARY_DIR}/app/drystone)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/app)
 add_custom_command(OUTPUT ${program} DEPENDS ${PROJECT_SOURCE_DIR}/app/program.sh VERBATIM
@@ -85,6 +87,10 @@ add_custom_target(drystone ALL DEPENDS ${program})
 add_custom_command(OUTPUT ${program}-wall DEPENDS ${PROJECT_SOURCE_DIR}/app/program.sh VERBATIM
     COMMAND sh -c "echo wall >>\"$BOX/calls\"" COMMAND cp ${PROJECT_SOURCE_DIR}/app/program.sh ${program}-wall)
 add_custom_target(drystone-wall DEPENDS ${program}-wall)
+set(module ${PROJECT_BINARY_DIR}/python/stub.py)
+add_custom_command(OUTPUT ${module} COMMAND sh -c "echo module >>\"$BOX/calls\"" VERBATIM
+    COMMAND sh -c "mkdir -p python; echo 'answer = 42' >python/stub.py")
+add_custom_target(drystone-python DEPENDS ${module})
 set(tested ${PROJECT_BINARY_DIR}/tested)
 add_custom_command(OUTPUT ${tested} COMMAND touch ${tested} VERBATIM)
 add_custom_target(test_program ALL DEPENDS ${tested})

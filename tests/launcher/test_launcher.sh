@@ -99,6 +99,39 @@ claim_changed_presets_are_configured_again() {
     expect_equal "the last line" "$(tail -n 1 "$box/out")" "2 passed, 0 failed, 1 skipped"
 }
 
+claim_packages_that_come_later_are_configured_once_and_compile_nothing_again() {
+    printf '%s\n' pybind11-dev python3-dev >"$box/absent"
+    drystone exit 0
+    : >"$box/absent"
+    touch "$box/status" # as apt-get does
+    drystone exit 0
+    expect_equal "the number of configurations" "$(grep -c configuring "$box/calls")" 2
+    touch "$box/status" # some other package
+    drystone exit 0
+    drystone exit 0
+    expect_equal "the number then" "$(grep -c configuring "$box/calls")" 2
+    expect_equal "the number of builds" "$(grep -c building "$box/calls")" 1
+}
+
+claim_python_builds_the_module_alone_and_runs_python_with_it() {
+    printf '%s\n' pybind11-dev python3-dev >"$box/absent"
+    drystone python -c 'import stub, sys; print(stub.answer, sys.argv[1:])' "two words"
+    expect_equal "stdout" "$(cat "$box/out")" "42 ['two words']"
+    expect_text "$box/err" "building the Python module"
+    expect_text "$box/calls" "install -y --no-install-recommends pybind11-dev python3-dev"
+    expect_no_text "$box/calls" building
+    drystone python -c 'raise SystemExit(3)'
+    expect_equal "the exit code" "$code" 3
+    expect_equal "stderr then" "$(cat "$box/err")" ""
+    expect_equal "the number of builds" "$(grep -c module "$box/calls")" 1
+}
+
+claim_a_test_of_a_module_that_is_not_built_says_so() {
+    drystone test -R python:
+    expect_text "$box/err" "no test ran"
+    expect_text "$box/err" "./drystone python installs what it needs"
+}
+
 claim_a_moved_checkout_builds_again() {
     drystone exit 0
     mv -- "$checkout" "$box/moved here"
@@ -195,7 +228,7 @@ claim_a_sudo_that_asks_is_not_run_without_a_terminal() {
 claim_dpkg_is_asked_once_and_apt_never_when_all_is_there() {
     drystone exit 0
     drystone exit 0
-    expect_equal "the calls" "$(grep -v building "$box/calls")" "dpkg-query"
+    expect_equal "the calls" "$(grep -v -e building -e configuring "$box/calls")" "dpkg-query"
 }
 
 claim_an_install_that_leaves_packages_out_stops() {

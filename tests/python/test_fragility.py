@@ -3,6 +3,7 @@
 import math
 import time
 import unittest
+import warnings
 
 import numpy
 
@@ -64,6 +65,14 @@ class FitIsThatOfTheCommandLine(InFolder):
             self.assertEqual(list(column), [float(row[name]) for row in rows])
         self.assertEqual(steps.end, 3.0)
 
+    def test_median(self):
+        twenty = drystone.fragility.kaplan_meier(numpy.arange(1.0, 21.0))
+        self.assertEqual((twenty.median, twenty.median_interval), (10.0, (6.0, 15.0)))  # ranks of the sign test
+        stood = drystone.fragility.kaplan_meier([1.0, 2.0, 3.0, 3.0, 3.0], [0, 0, 1, 1, 1])
+        self.assertIsNone(stood.median)
+        self.assertEqual(stood.end, 3.0)
+        self.assertEqual(stood.median_interval[1], math.inf)
+
     def test_curve(self):
         fit = drystone.fragility.fit(self.DRIFTS, self.STOOD)
         x = numpy.array([[0.5, 1.0], [2.0, fit.median]])
@@ -76,6 +85,23 @@ class FitIsThatOfTheCommandLine(InFolder):
         for _ in range(1000):
             drystone.fragility.fit(self.DRIFTS, self.STOOD)
         self.assertLess(time.process_time() - begin, 10.0)  # 0.05 s where nothing else runs
+
+
+class DriftLimitsAreNoDriftsOfWalls(InFolder):
+    def test_warning(self):
+        file = self.folder / "few.h5"
+        drystone.Study(QUICK, set={"uq.samples": 2, "load.vertical_stress": "0.5 MPa", "joint.wall_modulus": "768 MPa",
+                                   "solver.fidelity": "rigid", "load.max_displacement": "3 mm"}).run(file)
+        results = drystone.open(file)
+        given = {"fragility.limit_states": "user", "fragility.user_states": "near: 0.1 %"}
+        with self.assertWarnsRegex(UserWarning, r"^user near: 0\.100 % \(limit given, 2 of 2 walls\): no law"):
+            drifts = results.drifts("user near", set=given)
+        self.assertEqual(list(drifts.capped), [True, True])
+        values, censored = drifts
+        self.assertEqual(list(censored), [False, False])
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertFalse(results.drifts("paper ultimate").capped.any())
 
 
 class SamplesAreThoseOfStudies(InFolder):

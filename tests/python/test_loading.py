@@ -77,7 +77,8 @@ class ModuleSaysWhatItIs(InFolder):
                 for member, value in vars(thing).items() if inspect.isclass(thing) else ():
                     if not member.startswith("_") and (callable(value) or isinstance(value, property)):
                         self.assertTrue(inspect.getdoc(value), f"{name}.{member}")
-        self.assertEqual("drystone " + drystone.__version__, run("version").stdout.strip())
+        self.assertEqual("drystone " + drystone.__version__, run("version").stdout.splitlines()[0])
+        self.assertIn(f"solver revision {drystone.__solver_revision__}", run("version").stdout)
 
 
 unittest.main()

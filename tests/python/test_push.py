@@ -32,6 +32,14 @@ class PushIsThatOfTheCommandLine(InFolder):
         self.assertEqual(wall.drift[-1], wall.displacement[-1] / 1.1)
         self.assertFalse(wall.force.flags.writeable or wall.failed)
 
+    def test_other_way_of_a_wall_that_is_not_symmetric(self):
+        wall = self.check(WALL, {**CHEAP, "wall.openings": "0.2 m, 0 m, 0.2 m, 0.3 m"})
+        self.assertGreater(wall.summary["other_way"]["peak_force_kN"], 0)
+
+    def test_key_taken_out(self):
+        wall = drystone.push(WALL, set={**CHEAP, "joint.wall_modulus": None, "joint.normal_stiffness": "8 GPa/m"})
+        self.assertNotIn("wall_modulus", wall.summary["study"])
+
     def test_wall_of_a_study(self):
         wall = self.check(QUICK, STUDY, "--sample", "3", "--level", "1.00 MPa", sample=3, level="1.00 MPa")
         self.assertEqual((wall.level, wall.sample), (1, 3))

@@ -14,6 +14,8 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 
 PROGRAM, STUDY = sys.argv[1:3]
 CHEAP = ["--set", "solver.fidelity=rigid", "--set", "solver.steps_per_mm=100", "--set", "load.max_displacement=3 mm",
@@ -21,8 +23,8 @@ CHEAP = ["--set", "solver.fidelity=rigid", "--set", "solver.steps_per_mm=100", "
 RESPONSES = ["peak_force", "peak_displacement", "friction_energy"]
 
 
-def start(*more):
-    server = subprocess.Popen([PROGRAM, "serve", STUDY, "--port", "0", "--threads", "2", *CHEAP, *more],
+def start(*more, settings=CHEAP):
+    server = subprocess.Popen([PROGRAM, "serve", STUDY, "--port", "0", "--threads", "2", *settings, *more],
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     return server, int(re.search(r"http://127\.0\.0\.1:(\d+)", server.stdout.readline()).group(1))
 
@@ -126,7 +128,7 @@ def raw(port, data, patience=0.1):
 
 def check_broken_requests(port):
     body = b'{"name": "quick_0.50_MPa", "input": [[0.5, 1, 3.7e6, 0.6]], "config": {}}'
-    good = b"POST /Evaluate HTTP/1.1\r\nHost: x\r\nConnection: close\r\nContent-Length: %d\r\n\r\n" % len(body) + body
+    good = b"POST /Evaluate HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nContent-Length: %d\r\n\r\n" % len(body) + body
 
     def broken(seed):
         bits = random.Random(seed)
@@ -157,9 +159,9 @@ def check_broken_requests(port):
             reply = json.loads(reply)
             assert ("error" in reply) == (status[:1] in b"45"), (data, answer)
     assert answered > 300, answered
-    large = b"POST /Evaluate HTTP/1.1\r\nHost: x\r\nContent-Length: 9000000\r\n\r\n" + b" " * 9000000
+    large = b"POST /Evaluate HTTP/1.1\r\nHost: localhost\r\nContent-Length: 9000000\r\n\r\n" + b" " * 9000000
     assert b" 413 " in raw(port, large, 20).split(b"\r\n")[0], "a length beyond the limit"
-    chunk = b"POST /Evaluate HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n"
+    chunk = b"POST /Evaluate HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n"
     answer = raw(port, chunk + (b"100000\r\n" + b" " * 0x100000 + b"\r\n") * 20 + b"0\r\n\r\n", 20)
     assert not answer or b" 413 " in answer.split(b"\r\n")[0], answer[:100]
     slow = [socket.create_connection(("127.0.0.1", port)) for _ in range(50)]
@@ -168,6 +170,127 @@ def check_broken_requests(port):
     assert ask(port, "/Info")[0] == 200, "slow clients keep others out"
     for s in slow:
         s.close()
+
+
+def head(path, body=b"", host=b"Host: localhost", *more):
+    lines = [b"POST %s HTTP/1.1" % path, host, b"Connection: close", *more]
+    if not any(line.startswith((b"Content-Length", b"Transfer-Encoding")) for line in lines):
+        lines.append(b"Content-Length: %d" % len(body))
+    return b"\r\n".join(lines) + b"\r\n\r\n" + body
+
+
+SIZES = b'{"name": "quick_0.50_MPa"}'
+
+
+def status_of(port, *request):
+    return int(raw(port, head(b"/InputSizes", *request), 20).split(b" ")[1])
+
+
+def check_browsers(port, own=()):
+    """Pages of browsers are refused: those of another machine, and those whose name was made to point to this one."""
+    for host in (b"localhost", b"LOCALHOST:4242", b"127.0.0.1:%d" % port, b"127.1.2.3", b"[::1]:4242", *own):
+        assert status_of(port, SIZES, b"Host: " + host) == 200, host
+    for host in (b"evil.example", b"evil.example:%d" % port, b"127.0.0.1.evil.example", b"localhost.evil.example", b"10.0.0.5", b"[",
+                 b"localhost\r\nHost: evil.example"):
+        assert status_of(port, SIZES, b"Host: " + host) in (403, 400), host
+    for origin in (b"http://localhost:8888", b"http://127.0.0.1", b"https://[::1]:8888", *(b"https://" + name for name in own)):
+        assert status_of(port, SIZES, b"Host: localhost", b"Origin: " + origin) == 200, origin
+    for origin in (b"http://evil.example", b"null", b"http://10.0.0.5:%d" % port, b"http://localhost.evil.example",
+                   b"http://localhost@evil.example"):
+        assert status_of(port, SIZES, b"Host: localhost", b"Origin: " + origin, b"Content-Type: text/plain") == 403, origin
+    reply = raw(port, head(b"/Evaluate", b"{}", b"Host: evil.example"), 20)
+    assert b'evil.example\\" is not a name of this server' in reply and b"--host" in reply, reply
+
+
+def check_heads(port):
+    """Lengths that two programs could read otherwise, and heads without end."""
+    for lines in ((b"Content-Length: 26", b"Content-Length: 3"), (b"Content-Length: abc",), (b"Content-Length: -1",), (b"Content-Length: 0x1a",),
+                  (b"Content-Length: 26", b"Transfer-Encoding: chunked"), (b"Transfer-Encoding: gzip",)):
+        assert status_of(port, SIZES, b"Host: localhost", *lines) == 400, lines
+    chunks = b"1a\r\n" + SIZES + b"\r\n0\r\n\r\n"
+    assert status_of(port, chunks, b"Host: localhost", b"Transfer-Encoding: chunked") == 200
+    assert status_of(port, SIZES, b"Host: localhost", *[b"X: a"] * 1000) == 200
+    with socket.create_connection(("127.0.0.1", port), timeout=30) as s:  # 64 kB are taken, then it answers and hangs up
+        answer = b""
+        try:
+            s.sendall(b"GET /Info HTTP/1.1\r\n" + b"X: a\r\n" * 20_000)
+            answer = s.recv(65536)
+            s.settimeout(5)
+            while s.recv(65536):
+                pass
+        except (ConnectionResetError, BrokenPipeError):
+            pass
+        assert not answer or b" 400 " in answer.split(b"\r\n")[0], answer
+    with socket.create_connection(("127.0.0.1", port), timeout=30) as s:  # a client that says no more than its request
+        s.sendall(head(b"/InputSizes", SIZES))
+        s.shutdown(socket.SHUT_WR)
+        assert s.recv(65536).startswith(b"HTTP/1.1 200 "), "no answer to a half-closed client"
+    with socket.create_connection(("127.0.0.1", port), timeout=30) as s:  # several requests at once
+        s.sendall(head(b"/InputSizes", SIZES).replace(b"Connection: close\r\n", b"") * 2 + head(b"/InputSizes", SIZES))
+        answer = b""
+        while piece := s.recv(65536):
+            answer += piece
+        assert answer.count(b"HTTP/1.1 200 ") == 3, answer
+
+
+def check_queue():
+    """Clients that come at once are taken in, all of them, while the server has no time for any."""
+    server, port = start()
+    try:
+        server.send_signal(signal.SIGSTOP)
+        clients = [socket.socket() for _ in range(64)]
+        for s in clients:
+            s.settimeout(0.5)  # one that is turned away tries again after a second
+            s.connect(("127.0.0.1", port))
+            s.close()
+    finally:
+        server.send_signal(signal.SIGCONT)
+        server.send_signal(signal.SIGTERM)
+        assert server.wait(30) == 0
+
+
+def check_far_coordinates(port):
+    for z in (30.0, -30.0, 8.3):
+        answer = ask(port, "/Evaluate", {"name": "quick_0.50_MPa_normal", "input": [[0, 0, z, 0, 0]]})
+        check_error(answer, 400, "InvalidInput")
+        assert "z3 = " in answer[1]["error"]["message"] and "standard deviations" in answer[1]["error"]["message"], answer
+
+
+def check_places():
+    """Inputs per joint say where the joint is."""
+    server, port = start("--set", "uq.spatial=independent")
+    try:
+        columns = ask(port, "/Columns", {"name": "quick_0.50_MPa"})[1]["inputs"]
+        joint = next(c for c in columns if c["name"] == "joint.friction_angle.1")
+        assert joint["meaning"].endswith(", of this joint ID, middle at x = 0.2 m, z = 0.05 m"), joint
+    finally:
+        server.send_signal(signal.SIGTERM)
+        assert server.wait(30) == 0
+
+
+def check_end():
+    """A wall that would take hours holds nobody up: who waits is told, and the server ends."""
+    for signal_of_the_end in (signal.SIGINT, signal.SIGTERM):
+        server, port = start(settings=["--set", "solver.steps_per_mm=200000", "--set", "load.max_displacement=300 mm"])
+        answers = []
+        request = {"name": "quick_0.50_MPa", "input": [[0.5, 1, 3.7e6, 0.6, 1]]}
+        clients = [threading.Thread(target=lambda: answers.append(ask(port, "/Evaluate", request))) for _ in range(3)]
+        silent = socket.create_connection(("127.0.0.1", port))
+        silent.sendall(b"POST /Evaluate HTTP/1.1\r\nX")
+        for client in clients:
+            client.start()
+        time.sleep(0.3)
+        sent = time.monotonic()
+        server.send_signal(signal_of_the_end)
+        assert server.wait(30) == 0
+        taken = time.monotonic() - sent
+        for client in clients:
+            client.join()
+        silent.close()
+        assert taken < 4, taken
+        assert len(answers) == 3, answers
+        for answer in answers:
+            check_error(answer, 500, "InvalidOutput")
 
 
 def check_address(port):
@@ -202,12 +325,24 @@ def main():
         check_protocol(port)
         check_study(port)
         check_broken_requests(port)
+        check_browsers(port)
+        check_heads(port)
+        check_far_coordinates(port)
         check_address(port)
         assert ask(port, "/Info")[0] == 200 and server.poll() is None, "it died"
     finally:
         server.send_signal(signal.SIGINT)
         assert server.wait(30) == 0, server.returncode
     check_inputs()
+    check_places()
+    check_queue()
+    check_end()
+    server, port = start("--host", "lab.example", "--host", "Notebook.example")
+    try:
+        check_browsers(port, (b"lab.example:80", b"notebook.example"))
+    finally:
+        server.send_signal(signal.SIGTERM)
+        assert server.wait(30) == 0
 
 
 main()

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# test_includes.sh ROOT   includes point one way: each folder of sources knows itself and those listed here, no others.
+# test_includes.sh ROOT   includes point one way: each folder of sources knows itself and those listed here, no others; and only
+# commands print.
 # Exit code 0: so it is, 1: the lines that break it.
 set -euo pipefail
 cd -- "$1"
@@ -27,7 +28,7 @@ declare -A knows=(
     [app/study]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling"
     [app/reliability]="app/text dem/ fragility uq/ app app/reading app/input app/output app/store app/sampling app/study"
     [app/serve]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/reliability"
-    [app/scene]="app/text app/drawing dem/ app app/input app/output app/study"
+    [app/scene]="app/text app/drawing dem/ app app/input app/output app/sampling app/study"
     [app/push]="app/text dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
     [app/report]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/fragility]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
@@ -51,5 +52,13 @@ for folder in dem dem/*/ fragility uq uq/*/ app/*/ python/src; do
         echo "$file:$line: $folder must not know $to"
         broken=1
     done < <(grep -nE '^#include "' "$folder"/*.?pp)
+done
+
+# Only commands speak to people; everything below them returns what there is to say.
+for folder in dem/*/ fragility uq/*/ app/text app/store app/reading app/input app/drawing app/output app/sampling; do
+    if grep -nE 'std::c(out|err|log) *<<' "${folder%/}"/*.?pp; then
+        echo "${folder%/} must not print: return the text, and let the command print it"
+        broken=1
+    fi
 done
 exit "$broken"

@@ -69,8 +69,40 @@ claim_threads_and_shards_change_no_bit() {
         "$program" merge "$work/m$n.h5" "${files[@]}"
         same whole "m$n"
     done
-    refused 1 '5 walls are in no shard' "$program" merge "$work/gap.h5" "${files[@]:1}"
+    refused 1 "shard 1 of 16 is missing: $work/s16_01_of_16.h5" "$program" merge "$work/gap.h5" "${files[@]:1}"
     [[ ! -e $work/gap.h5 ]] || fail "a file with a gap was written"
+    "$program" merge "$work/part.h5" "${files[@]:1}" --partial >"$work/said" || fail "asked for, but exit code $?"
+    grep -q '5 walls of the study are not in this file' "$work/said" || fail "$(cat "$work/said")"
+}
+
+claim_files_of_strangers_are_refused_by_name_and_nothing_is_written() {
+    /usr/bin/python3 -c 'import h5py' 2>/dev/null || exit 77
+    local craft verb file=$work/stranger.h5 before all="fragility report curves push merge study"
+    study one --set uq.samples=4 >/dev/null
+    open_by() { # $1: verb
+        case $1 in
+        fragility | curves) "$program" "$1" "$file" --out "$work/out" --quiet ;;
+        report) "$program" report "$file" --out "$work/out" --walls 0 --quiet ;;
+        push) "$program" push "$file" --sample 1 --level 0.5 --out "$work/out" --quiet ;;
+        merge) "$program" merge "$work/out" "$file" ;;
+        study) study stranger --set uq.samples=4 ;;
+        esac
+    }
+    for craft in "stack:$all" "heap:$all" "sizes:$all" "column:$all" "outside:$all" "nan:${all/push/}" \
+        "fall:fragility report merge study" "configuration:fragility report push merge"; do
+        /usr/bin/python3 "$here/craft_study.py" "$work/one.h5" "$file" "${craft%:*}"
+        before=$(cksum <"$file")
+        for verb in ${craft#*:}; do
+            refused 2 "stranger.h5" open_by "$verb"
+            [[ $(cksum <"$file") == "$before" && -z $(compgen -G "$work/out*"; compgen -G "$work/.out*") ]] ||
+                fail "$craft: $verb wrote something"
+            [[ ! -e $file.parts && ! -e $file.lock ]] || fail "$craft: $verb left something"
+        done
+    done
+    rm -- "$file"
+    refused 2 "stranger.h5': no such file" open_by fragility
+    /usr/bin/python3 "$here/craft_study.py" "$work/one.h5" "$file" zeros
+    "$program" report "$file" --out "$work/zeros.html" --walls 0 --quiet >/dev/null || fail "a wall may carry nothing"
 }
 
 claim_random_layouts_have_the_same_bits_by_threads_shards_resumes_and_alone() {
@@ -177,7 +209,7 @@ claim_tables_and_page_follow_where_asked() {
         fail "the name of a study's file need not end in .h5"
     [[ -s $work/other/README.md && -s $work/other.html ]] || fail "no tables or page of other.hdf5"
     head -c 2000 "$work/other.hdf5" >"$work/cut.hdf5"
-    refused 1 "cut.hdf5' is damaged" "$program" fragility "$work/cut.hdf5"
+    refused 2 "cut.hdf5' is damaged" "$program" fragility "$work/cut.hdf5"
     refused 2 "a shard has no report" study part --shard 1/2 --report
     refused 2 "a shard has no report" study part --slurm "$work/job.sh" --report
 }

@@ -23,6 +23,11 @@ inline std::vector<uq::Site> grid(int nx, int nz, double dx, double dz)
 /// As many as the joints of the paper's wall: 180.
 inline std::vector<uq::Site> wall_grid() { return grid(15, 12, 0.25, 0.20); }
 
+/// One value of its own at every site, the paper's spatial analysis.
+inline uq::Kernel independent_sites() { return {{uq::GroupCorrelation{uq::Group::all, 0.0}}}; }
+/// One value for all sites, the paper's non-spatial analysis.
+inline uq::Kernel one_for_all() { return {{uq::GroupCorrelation{uq::Group::all, 1.0}}}; }
+
 /// Standard normal coordinates of samples 0 .. n - 1, each read off its own stream.
 inline Eigen::MatrixXd coordinates(std::uint64_t seed, Eigen::Index n, Eigen::Index count)
 {

@@ -130,6 +130,9 @@ TEST_CASE("external program: each way to fail has its own reason", "[uq][externa
     says("echo '{\"responses\": {\"s\": NaN}}' > $2", "holds NaN or infinity");
     says("echo '{\"responses\": {\"s\": -Infinity}}' > $2", "holds NaN or infinity");
     says("echo '{\"responses\": {\"s\": 1e999}}' > $2", "too large");
+    says("echo '{\"responses\": {\"s\": 1}, \"responses\": {\"s\": 9}}' > $2",
+         "result names \"responses\" twice");
+    says("echo '{\"responses\": {\"s\": 1, \"s\": 9}}' > $2", "result names \"s\" twice");
     says("echo '{\"responses\": {\"s\": null}}' > $2", "response \"s\" is null, not a number");
     says("echo '{\"responses\": {\"s\": \"12\"}}' > $2", "response \"s\" is text (\"12\")");
     says("echo '{\"responses\": {\"s\": [1]}}' > $2", "response \"s\" is of type array");

@@ -41,8 +41,8 @@ TEST_CASE(
     "[uq][field]")
 {
     const auto sites = scenes::wall_grid();
-    const Eigen::MatrixXd zero = correlation_matrix(independent_sites(), sites);
-    const Eigen::MatrixXd one = correlation_matrix(one_for_all(), sites);
+    const Eigen::MatrixXd zero = correlation_matrix(scenes::independent_sites(), sites);
+    const Eigen::MatrixXd one = correlation_matrix(scenes::one_for_all(), sites);
     const Eigen::MatrixXd z = coordinates(5, 21, 180), y = coordinates(5, 21, 1);
     CHECK(same_bits(realise(cholesky_basis(zero), z), z));
     CHECK(same_bits(realise(cholesky_basis(one), y), y.replicate(1, 180)));

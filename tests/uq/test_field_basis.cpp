@@ -56,9 +56,9 @@ TEST_CASE("field basis: sites of correlation 1 share one row and one coordinate"
     CHECK(basis.map.cols() == 12);
     CHECK(basis.nugget == 0.0);
     CHECK(basis.map * basis.map.transpose() == units);
-    CHECK(cholesky_basis(correlation_matrix(one_for_all(), sites)).map ==
+    CHECK(cholesky_basis(correlation_matrix(scenes::one_for_all(), sites)).map ==
           Eigen::MatrixXd::Ones(24, 1));
-    CHECK(cholesky_basis(correlation_matrix(independent_sites(), sites)).map ==
+    CHECK(cholesky_basis(correlation_matrix(scenes::independent_sites(), sites)).map ==
           Eigen::MatrixXd::Identity(24, 24));
 }
 

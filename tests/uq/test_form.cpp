@@ -2,6 +2,7 @@
 
 #include "tests/uq/reliability_problems.hpp"
 
+#include <Eigen/Cholesky>
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -240,4 +241,69 @@ TEST_CASE("form: options out of range are refused", "[uq][form]")
     o = {};
     o.start_radius = 0.0;
     CHECK_THROWS_AS(form(s, o), std::invalid_argument);
+}
+
+namespace {
+
+/// Normal variables with these standard deviations and this correlation.
+Map correlated(const VectorXd& sd, const Eigen::MatrixXd& r)
+{
+    const Eigen::MatrixXd factor = sd.asDiagonal() * Eigen::MatrixXd(r.llt().matrixL());
+    return [factor](const Eigen::MatrixXd& u) -> Eigen::MatrixXd {
+        return u * factor.transpose();
+    };
+}
+
+DesignPoint point_of(const VectorXd& a, const Map& map)
+{
+    const LimitState s = problems::limit_state(
+        a.size(), [a](const VectorXd& x) { return 3.0 + a.dot(x); }, map);
+    return form(s, starts(1)).points.at(0);
+}
+
+} // namespace
+
+TEST_CASE("form: importance of correlated inputs is (a sd)^2 whatever their order",
+          "[uq][form]")
+{
+    // g = 3 + a x: gamma_i is proportional to a_i sd_i, alpha to nothing that belongs to one input
+    const VectorXd a{{1.0, 2.0, -1.0}}, sd{{1.0, 2.0, 3.0}};
+    const Eigen::MatrixXd r{{1.0, 0.5, -0.3}, {0.5, 1.0, 0.2}, {-0.3, 0.2, 1.0}};
+    const VectorXd share{{1.0 / 26.0, 16.0 / 26.0, 9.0 / 26.0}};
+    const Map map = correlated(sd, r);
+    const auto gamma = dependent_importance(point_of(a, map), map);
+    REQUIRE(gamma);
+    for (Eigen::Index i = 0; i < 3; ++i) CHECK((*gamma)(i) == Approx(share(i)).margin(1e-6));
+    const std::vector<Eigen::Index> turned{2, 0, 1};
+    const Map other = correlated(sd(turned), r(turned, turned));
+    const auto again = dependent_importance(point_of(a(turned), other), other);
+    REQUIRE(again);
+    for (Eigen::Index i = 0; i < 3; ++i)
+        CHECK((*again)(i) == Approx(share(turned[static_cast<std::size_t>(i)])).margin(1e-6));
+}
+
+TEST_CASE("form: of the correlated log ratio of the Dakota manual both inputs have one half",
+          "[uq][form]")
+{
+    const problems::Problem p = problems::log_ratio(0.4);
+    const DesignPoint point = form(p.limit, starts(1)).points.at(0);
+    const auto gamma = dependent_importance(point, p.limit.to_physical);
+    REQUIRE(gamma);
+    CHECK((*gamma)(0) == Approx(0.5).margin(1e-5));
+    CHECK((*gamma)(1) == Approx(0.5).margin(1e-5));
+    CHECK(std::abs(importance_factors(point)(0) - 0.5) > 0.05); // of the coordinates: not so
+}
+
+TEST_CASE(
+    "form: inputs with coordinates of their own, or with fewer than inputs, have no gamma",
+    "[uq][form]")
+{
+    const problems::Problem p = problems::difference_4_2();
+    const DesignPoint point = form(p.limit, starts(1)).points.at(0);
+    CHECK_FALSE(dependent_importance(point, p.limit.to_physical));
+    CHECK_FALSE(dependent_importance(point, {}));
+    const Map one = [](const Eigen::MatrixXd& u) -> Eigen::MatrixXd {
+        return u.col(0).replicate(1, 2); // two inputs that are the same
+    };
+    CHECK_FALSE(dependent_importance(point, one));
 }

@@ -64,6 +64,11 @@ TEST_CASE("kept evaluations: an interrupted analysis continues with those that i
     CHECK_THROWS_WITH(uq::KeptEvaluations(file, "model 2"),
                       Catch::Contains("unfinished.jsonl") &&
                           Catch::Contains("of another model"));
+    try {
+        const uq::KeptEvaluations other(file, "model 2");
+    } catch (const uq::KeptEvaluations::OtherModel& kept_model) {
+        CHECK(kept_model.model == "model 1");
+    }
     kept.remove();
     CHECK_FALSE(std::filesystem::exists(file));
 }

@@ -102,7 +102,7 @@ TEST_CASE("kernel: bad parameters are refused", "[uq][kernel]")
           KernelFactor{GroupCorrelation{Group::all, -0.1}}})
         CHECK_THROWS_AS(correlation_matrix(Kernel{{f}}, sites), std::invalid_argument);
     CHECK_THROWS_AS(correlation_matrix(Kernel{}, sites), std::invalid_argument);
-    CHECK_THROWS_AS(correlation_matrix(one_for_all(), {}), std::invalid_argument);
+    CHECK_THROWS_AS(correlation_matrix(scenes::one_for_all(), {}), std::invalid_argument);
     const std::vector<Site> astray{{0.0, 0.0}, {nan, 0.0}};
     CHECK_THROWS_AS(correlation_matrix(Kernel{{Exponential{1.0}}}, astray),
                     std::invalid_argument);

@@ -48,7 +48,11 @@ TEST_CASE(
     REQUIRE_FALSE(a.points.empty());
     CHECK(a.points.front().beta == Approx(3.0).epsilon(0.01));
     CHECK(a.sensitivities.front().shares[0].value == Approx(0.64).margin(0.08));
-    CHECK(a.methods.front().outcome.find("0 of 100 points looked at") != std::string::npos);
+    CHECK(
+        a.methods.front().outcome ==
+        "two searches found the same point; 100 checks in other directions (at 1.2 beta) found "
+        "no other failure region");
+    CHECK(a.warnings.empty());
 }
 
 TEST_CASE("reliability: FORM says that the four-branch function has further design points",
@@ -61,10 +65,12 @@ TEST_CASE("reliability: FORM says that the four-branch function has further desi
     };
     const uq::ReliabilityAnswer a = reliability(form_of(four, 0.0));
     const auto told = [](const std::string& w) {
-        return w.find("further design points") != std::string::npos ||
-               w.find("design points were found") != std::string::npos;
+        return w.find("occurs elsewhere") != std::string::npos ||
+               w.find("design points and gives the probability of the nearest") !=
+                   std::string::npos;
     };
     CHECK(std::any_of(a.warnings.begin(), a.warnings.end(), told));
+    CHECK(a.methods.front().outcome.find("same point") == std::string::npos);
 }
 
 namespace {
@@ -120,4 +126,72 @@ TEST_CASE("reliability: what is missing or too small is refused by name", "[uq][
     CHECK_THROWS_WITH(uq::reliability(p), Catch::Contains("each of the 2 inputs"));
     p = by(ReliabilityMethod::form, {});
     CHECK_THROWS_AS(uq::reliability(p), std::invalid_argument);
+}
+
+TEST_CASE("reliability: subset simulation spends its budget, or says what would not fit",
+          "[uq][reliability]")
+{
+    uq::ReliabilityProblem p = by(uq::ReliabilityMethod::subset, problems::rp22().limit);
+    p.budget = 2000;
+    p.target_cov = 0.01;
+    const uq::ReliabilityAnswer a =
+        uq::reliability(p); // 4e-3: three levels of 400, 1120 in all
+    CHECK(a.evaluations == 1120);
+    CHECK(a.methods.front().outcome ==
+          "target coefficient of variation not reached: another run "
+          "would not fit into the budget of 2000");
+    p.budget = 1000;                            // two levels of 200, or three: two runs
+    p.event = problems::difference_4_2().limit; // 8e-2: two levels
+    const uq::ReliabilityAnswer b = uq::reliability(p);
+    CHECK(b.evaluations > 1000 - 380);
+    CHECK(b.evaluations <= 1000);
+    p.budget = 50; // five levels of ten do not reach 1e-7
+    p.event = problems::steel_section().limit;
+    for (const uq::MethodAnswer& m : uq::reliability(p).methods)
+        CHECK(m.outcome.find("another run") == std::string::npos);
+}
+
+TEST_CASE("reliability: Sobol' indices are shares, and a first one above its total is said",
+          "[uq][reliability]")
+{
+    // a sum: first and total are equal, so that their errors cross; the third input does nothing
+    uq::ReliabilityProblem p =
+        by(uq::ReliabilityMethod::sobol, problems::limit_state(3, [](const Eigen::VectorXd& x) {
+               return 4.0 - 3.0 * x(0) - x(1);
+           }));
+    int crossed = 0;
+    for (p.seed = 1; p.seed <= 20; ++p.seed) {
+        p.budget = 50;
+        const uq::ReliabilityAnswer a = uq::reliability(p);
+        REQUIRE(a.sensitivities.size() == 2);
+        for (const uq::Sensitivity& s : a.sensitivities)
+            for (const uq::InputShare& i : s.shares) {
+                CHECK(i.value >= 0.0);
+                CHECK(i.value <= 1.0);
+                CHECK(*i.lower >= 0.0);
+                CHECK(*i.upper <= 1.0);
+            }
+        std::string said;
+        for (const std::string& w : a.warnings)
+            if (w.find("not told apart") != std::string::npos) said = w;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool above = a.sensitivities[0].shares[i].value >
+                               a.sensitivities[1].shares[i].value; // clipping keeps the order
+            if (above) CHECK(said.find("u" + std::to_string(i + 1)) != std::string::npos);
+            crossed += above ? 1 : 0;
+        }
+    }
+    CHECK(crossed > 5);
+}
+
+TEST_CASE("reliability: FORM shares an event among correlated inputs whatever their order",
+          "[uq][reliability]")
+{
+    const problems::Problem log_ratio = problems::log_ratio(0.4);
+    const uq::ReliabilityAnswer a =
+        uq::reliability(by(uq::ReliabilityMethod::form, log_ratio.limit));
+    REQUIRE(a.sensitivities.size() == 1);
+    CHECK(a.sensitivities[0].measure == "gamma^2 of FORM");
+    for (const uq::InputShare& i : a.sensitivities[0].shares)
+        CHECK(i.value == Approx(0.5).margin(1e-4));
 }

@@ -1,6 +1,7 @@
 #include "uq/reliability/subset_simulation.hpp"
 
 #include "tests/uq/reliability_problems.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
 #include <gsl/gsl_cdf.h>
@@ -230,6 +231,72 @@ TEST_CASE(
     CHECK(subset_simulation(s, o).exceedance.outcome == SamplingOutcome::target_reached);
     o.target_cov = 0.01;
     CHECK(subset_simulation(s, o).exceedance.outcome == SamplingOutcome::limit_reached);
+}
+
+TEST_CASE(
+    "subset simulation: independent runs are added until the target or the budget is reached",
+    "[uq][subset_simulation]")
+{
+    const problems::Problem p = problems::rp22(); // 4e-3: three levels
+    SubsetOptions o{.samples = 400, .max_evaluations = 6000, .target_cov = 0.15};
+    const SubsetResult r = subset_simulation(p.limit, o);
+    CHECK(r.arrived);
+    CHECK(r.runs > 1);
+    CHECK(r.exceedance.outcome == SamplingOutcome::target_reached);
+    CHECK(coefficient_of_variation(r.exceedance.estimate) <= 0.15);
+    o.target_cov = 0.01;
+    const SubsetResult all = subset_simulation(p.limit, o);
+    CHECK(all.exceedance.outcome == SamplingOutcome::limit_reached);
+    CHECK(all.exceedance.ledger.evaluations <= 6000);
+    CHECK(all.exceedance.ledger.evaluations >
+          6000 - (400 + 3 * 360)); // none left for another run
+    // two runs are the mean of two
+    o.max_evaluations = 2400;
+    const SubsetResult two = subset_simulation(p.limit, o);
+    REQUIRE(two.runs == 2);
+    SubsetOptions one{.samples = 400, .seed = o.seed};
+    const Estimate a = subset_simulation(p.limit, one).exceedance.estimate;
+    one.seed = replicate_seed(o.seed, 2);
+    const Estimate b = subset_simulation(p.limit, one).exceedance.estimate;
+    CHECK(two.exceedance.estimate.value == Approx(0.5 * (a.value + b.value)).epsilon(1e-14));
+    CHECK(two.exceedance.estimate.std_error ==
+          Approx(0.5 * std::hypot(a.std_error, b.std_error)).epsilon(1e-14));
+}
+
+TEST_CASE("subset simulation: runs added for a target keep value, error and coverage true",
+          "[uq][subset_simulation]")
+{
+    const SubsetOptions one{.samples = 400};
+    SubsetOptions o{.samples = 400, .max_evaluations = 4000};
+    o.target_cov =
+        GENERATE(0.2, 0.01); // reached by some runs; by none, so that the budget is spent
+    for (const problems::Problem& p : problems::all()) {
+        if (p.exact < 1e-4) continue; // one run fills the budget
+        INFO(p.name);
+        const Repeated single = repeat(p.limit, p.exact, 60, one),
+                       r = repeat(p.limit, p.exact, 150, o);
+        const double bias = // of one run, and of stopping on the result
+            std::pow(single.observed_cov(), 2) + std::pow(o.target_cov, 2);
+        CHECK(std::abs(r.mean - p.exact) < 3.0 * r.sd / std::sqrt(150.0) + bias * p.exact);
+        CHECK(r.observed_cov() < single.observed_cov());
+        CHECK(r.inside >= 132); // of 150; 0.88 at least of the 0.95 asked for
+        CHECK(r.evaluations <= 150 * o.max_evaluations);
+    }
+}
+
+TEST_CASE("subset simulation: a frequent event is a count of independent samples of all runs",
+          "[uq][subset_simulation]")
+{
+    const LimitState s =
+        problems::limit_state(1, [](const VectorXd& x) { return 0.5 - x(0); }); // P = 0.31
+    SubsetOptions o{.samples = 100, .max_evaluations = 1000, .target_cov = 0.001};
+    const SubsetResult r = subset_simulation(s, o);
+    CHECK(r.runs == 10);
+    CHECK(r.exceedance.ledger.evaluations == 1000);
+    const auto hits = static_cast<std::size_t>(std::lround(1000 * r.exceedance.estimate.value));
+    const Interval exact = binomial_interval(hits, 1000, 0.95);
+    CHECK(r.exceedance.estimate.interval.lower == Approx(exact.lower).epsilon(1e-12));
+    CHECK(r.exceedance.estimate.interval.upper == Approx(exact.upper).epsilon(1e-12));
 }
 
 TEST_CASE("subset simulation: options out of range are refused", "[uq][subset_simulation]")

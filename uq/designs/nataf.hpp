@@ -15,7 +15,7 @@ namespace uq {
 /// a_1, a_2, ... of the standardised variable, until only zeros follow; at most 1000, which only
 /// separate values and the kink of a triangle need. Empty for a constant.
 ///
-/// What the 1000 leave out of a pair falls with |rho_z|^1000. Triangles: below 1e-9 of rho up to
+/// The remainder of a pair beyond the 1000 falls with |rho_z|^1000. Triangles: below 1e-9 of rho up to
 /// |rho_z| = 1. Separate values with separate values: two coins, the worst, lose 3e-8 of rho at
 /// |rho_z| = 0.99, 1e-3 at 0.999 and 2e-2 at 1; 3 to 200 observations 1e-2 to 4e-4 at 1. So
 /// the last hundredth or less below the largest correlation is refused as not attainable, and

@@ -18,7 +18,7 @@ using Directions = std::array<std::uint64_t, kIndexBits>;
 
 constexpr std::uint64_t digit(int k) { return std::uint64_t{1} << (kDigits - 1 - k); }
 
-/// Of dimension j, from 0; Joe and Kuo 2008, eqs. 2 to 4.
+/// Direction numbers of dimension j, from 0 (Joe and Kuo 2008, eqs. 2 to 4).
 Directions directions(int j)
 {
     using Table = boost::random::detail::qrng_tables::sobol;

@@ -11,7 +11,7 @@
 
 namespace uq {
 
-/// What random numbers are drawn for. One stream each, so that adding draws for one purpose
+/// Purpose of random numbers. Each has a stream of its own, so that adding draws for one purpose
 /// moves no other. Values are part of stored results: never renumber.
 enum class Purpose : std::uint64_t {
     monte_carlo = 1,      ///< coordinates of independent samples

@@ -63,15 +63,14 @@ Moments moments(std::span<const double> y)
     CompensatedSum from_first; // differences from a value of the sample lose no digits
     for (const double x : y) from_first.add(x - y[0]);
     const double shift = from_first.value() / n;
-    CompensatedSum first, second, fourth;
+    CompensatedSum first, second;
     for (const double x : y) {
         const double d = (x - y[0]) - shift;
         first.add(d);
         second.add(d * d);
-        fourth.add(d * d * d * d);
     }
     const double squares = second.value() - first.value() * first.value() / n;
-    return {y[0] + shift, std::sqrt(std::max(0.0, squares) / (n - 1.0)), fourth.value() / n};
+    return {y[0] + shift, std::sqrt(std::max(0.0, squares) / (n - 1.0))};
 }
 
 Estimate estimate_mean(std::span<const double> y, double confidence)
@@ -97,24 +96,6 @@ Estimate estimate_mean(std::span<const double> y, double lower, double upper, do
         e.interval.lower = (n * e.interval.lower + failed * lower) / (n + failed);
         e.interval.upper = (n * e.interval.upper + failed * upper) / (n + failed);
     }
-    return e;
-}
-
-Estimate estimate_sd(std::span<const double> y, double confidence)
-{
-    check_confidence(confidence);
-    const SoundValues sound = sound_values(y);
-    const Moments m = moments(sound.values);
-    const auto n = static_cast<double>(sound.values.size());
-    if (m.sd == 0.0) return with_interval(0.0, 0.0, sound, 0.0, confidence);
-    const double variance = m.sd * m.sd;
-    const double spread =
-        std::max(0.0, m.fourth - variance * variance * (n - 3.0) / (n - 1.0)) /
-        n; // of variance
-    const double error = std::sqrt(spread) / (2.0 * m.sd);
-    Estimate e = with_interval(m.sd, error, sound, 0.0, confidence);
-    const double ratio = std::exp(student_factor(confidence, n - 1.0) * error / m.sd);
-    e.interval = {m.sd / ratio, m.sd * ratio, confidence};
     return e;
 }
 

@@ -36,8 +36,7 @@ struct SoundValues {
 
 struct Moments {
     double mean;
-    double sd;     ///< with n - 1
-    double fourth; ///< mean fourth power of the deviation
+    double sd; ///< with n - 1
 };
 /// Two passes with compensated sums (Neumaier 1974; Chan, Golub, LeVeque 1983): right to some
 /// units of the last place of the data, however small the spread.
@@ -53,11 +52,6 @@ struct Moments {
 /// samples, whatever the failed ones would have answered.
 [[nodiscard]] Estimate estimate_mean(std::span<const double> y, double lower, double upper,
                                      double confidence = kConfidence);
-
-/// Standard deviation. The standard error comes from the fourth moment, and the interval is taken on
-/// the logarithm because s is skewed; no distribution is assumed. For heavy tails and small n the
-/// interval is too short.
-[[nodiscard]] Estimate estimate_sd(std::span<const double> y, double confidence = kConfidence);
 
 enum class ProportionInterval {
     wilson,         ///< mean coverage is the one asked for (Wilson 1927)

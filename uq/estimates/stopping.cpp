@@ -70,20 +70,28 @@ void check(const StoppingRule& rule)
 StoppingDecision judge(const StoppingRule& rule, std::span<const double> y)
 {
     check(rule);
+    const bool enough = y.size() >= rule.min_n;
+    return judge(rule, y.size(), enough ? estimate(rule, y) : std::nullopt);
+}
+
+StoppingDecision judge(const StoppingRule& rule, std::size_t n,
+                       const std::optional<Estimate>& estimate)
+{
+    check(rule);
     StoppingDecision d;
     d.half_width = std::numeric_limits<double>::infinity();
-    if (y.size() < rule.min_n) {
+    if (n < rule.min_n) {
         d.next_n = rule.min_n;
         return d;
     }
-    d.estimate = estimate(rule, y);
+    d.estimate = estimate;
     if (d.estimate) d.half_width = larger_side(rule, *d.estimate);
     if (d.half_width <= rule.half_width)
         d.reason = StopReason::precise_enough;
-    else if (y.size() >= rule.max_n)
+    else if (n >= rule.max_n)
         d.reason = StopReason::sample_limit;
     else {
-        const double grown = std::ceil(rule.growth * static_cast<double>(y.size()));
+        const double grown = std::ceil(rule.growth * static_cast<double>(n));
         d.next_n = grown < static_cast<double>(rule.max_n) ? static_cast<std::size_t>(grown)
                                                            : rule.max_n;
     }

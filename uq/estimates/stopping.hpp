@@ -44,4 +44,9 @@ void check(const StoppingRule& rule);
 /// Judges the samples taken so far. NaN is a failed sample.
 [[nodiscard]] StoppingDecision judge(const StoppingRule& rule, std::span<const double> y);
 
+/// Judges an estimate that was made elsewhere, as of censored samples; the rule's target plays no part.
+/// @param n samples taken so far, failed ones included
+[[nodiscard]] StoppingDecision judge(const StoppingRule& rule, std::size_t n,
+                                     const std::optional<Estimate>& estimate);
+
 } // namespace uq

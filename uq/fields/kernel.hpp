@@ -50,14 +50,6 @@ struct Kernel {
     std::vector<KernelFactor> factors;
 };
 
-/// One value of its own at every site, the paper's spatial analysis.
-[[nodiscard]] inline Kernel independent_sites()
-{
-    return {{GroupCorrelation{Group::all, 0.0}}};
-}
-/// One value for all sites, the paper's non-spatial analysis.
-[[nodiscard]] inline Kernel one_for_all() { return {{GroupCorrelation{Group::all, 1.0}}}; }
-
 /// @throws std::invalid_argument naming the parameter that is out of range
 void check(const Kernel& kernel);
 

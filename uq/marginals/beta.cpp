@@ -16,7 +16,7 @@ using boost_tails::kQuiet;
 using boost_tails::solved;
 namespace bm = boost::math;
 
-/// Of the beta distribution over (0, 1): the quantile and its distance to one, both accurate.
+/// A quantile of the beta distribution over (0, 1) and its distance to one, both accurate.
 struct Split {
     double t, y;
 };

@@ -16,7 +16,7 @@
 namespace uq {
 namespace {
 
-/// What the cut leaves of the values.
+/// The values that the cut leaves.
 template <class S> std::span<const double> values(const S& s, const Marginal& m)
 {
     const std::span<const double> all = values_of(s);

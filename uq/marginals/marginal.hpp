@@ -33,7 +33,7 @@ void check(const Marginal& m);
 
 /// The same probability on the standard normal axis, from whichever tail is the smaller:
 ///   cdf(x) = Phi(z).
-/// Of separate values, to_normal gives the middle of the step. Except where the map is a line or
+/// For separate values to_normal gives the middle of the step. Except where the map is a line or
 /// an exponential, |z| > 37.5 is taken as 37.5, beyond which double has no probabilities.
 [[nodiscard]] double from_normal(const Marginal& m, double z);
 [[nodiscard]] double to_normal(const Marginal& m, double x);

@@ -1,5 +1,5 @@
 #pragma once
-/// What every distribution of one variable is described by.
+/// The description of a distribution of one variable.
 
 #include <array>
 #include <cstddef>

@@ -12,8 +12,8 @@
 
 namespace uq::truncated {
 
-/// Of the density from x to y, between which it changes little except as a power of the distance
-/// to an end of the support: Gauss-Legendre, on stretches that double this distance.
+/// Integral of the density from x to y, where it changes little except as a power of the distance to an
+/// end of the support: Gauss-Legendre, on stretches that double this distance.
 template <class S> [[nodiscard]] double integral(const S& s, double x, double y)
 {
     const Range ends = support(s);
@@ -57,7 +57,7 @@ template <class S> [[nodiscard]] double between(const S& s, double x, double y)
     return integral(s, x, y);
 }
 
-/// What is left of a shape, with what is asked for again and again.
+/// The part of a shape that is left, with the numbers that are needed again and again.
 struct Cut {
     double lower, upper;       ///< inside the support
     bool cut_below, cut_above; ///< whether the shape reaches beyond

@@ -94,7 +94,7 @@ struct Centred {
     }
 };
 
-/// Of the samples that only model b and the cheaper ones have: each enters the estimate as a
+/// Variance from the samples that only model b and the cheaper ones have. Each enters the estimate as a
 /// sum over the models, with a weight that differs by model.
 double block_variance(const NestedValues& y, const Eigen::VectorXd& a, std::size_t b)
 {

@@ -15,10 +15,23 @@
 namespace uq {
 namespace {
 
+/// Empty where there are several points: a warning says it then.
 std::string words(const FormResult& r)
 {
-    if (r.outcome == FormOutcome::agreed && r.reason.empty()) return "two searches agree";
-    return r.reason;
+    if (r.outcome != FormOutcome::agreed || !r.reason.empty()) return r.reason;
+    return r.points.size() == 1 ? "two searches found the same point" : "";
+}
+
+/// Shares by FORM: of the coordinates where each input has one of its own, else of dependent inputs.
+Sensitivity importance_of(const DesignPoint& point, const ReliabilityProblem& p)
+{
+    const auto dependent = dependent_importance(point, p.event.to_physical);
+    Sensitivity s{dependent ? "gamma^2 of FORM" : "alpha^2 of FORM", {}};
+    const Eigen::VectorXd share = dependent ? *dependent : importance_factors(point);
+    const auto& names = dependent ? p.inputs : p.normal;
+    for (Eigen::Index i = 0; i < share.size(); ++i)
+        s.shares.push_back({names[static_cast<std::size_t>(i)], share(i), {}, {}, {}});
+    return s;
 }
 
 void take(const FormResult& r, const ReliabilityProblem& p, ReliabilityAnswer& a)
@@ -29,12 +42,7 @@ void take(const FormResult& r, const ReliabilityProblem& p, ReliabilityAnswer& a
             {point.beta, point.at.u,
              p.event.to_physical ? p.event.to_physical(u).row(0).transpose() : point.at.u});
     }
-    if (r.points.empty()) return;
-    const Eigen::VectorXd share = importance_factors(r.points.front());
-    Sensitivity s{"alpha^2 of FORM", {}};
-    for (Eigen::Index i = 0; i < share.size(); ++i)
-        s.shares.push_back({p.normal[i], share(i), {}, {}, {}});
-    a.sensitivities.push_back(std::move(s));
+    if (!r.points.empty()) a.sensitivities.push_back(importance_of(r.points.front(), p));
 }
 
 /// The searches of a model that scatters. A wall's answer scatters by about 0.2 % of its force, which is
@@ -76,15 +84,17 @@ void look_elsewhere(const ReliabilityProblem& p, const FormResult& found, Reliab
     const Eigen::VectorXd g = limit_values(p.event, u.topRows(rows), ledger);
     take(ledger, a);
     const auto reached = (g.array() <= 0.0).count();
-    const std::string seen = std::to_string(reached) + " of " + std::to_string(rows) +
-                             " points looked at in other directions, 1.2 beta away";
-    if (reached > 0)
-        a.warnings.push_back(
-            "there are further design points: " + seen +
-            ", have passed the limit state too, and FORM gives the probability "
-            "of one alone; method = subset or monte_carlo counts all");
-    else
-        a.methods.front().outcome += "; " + seen + ", have passed the limit state";
+    const std::string checks =
+        std::to_string(rows) + " checks in other directions (at 1.2 beta)";
+    if (reached > 0) {
+        a.warnings.push_back("the event occurs elsewhere too: in " + std::to_string(reached) +
+                             " of " + checks +
+                             ". FORM gives the probability of one design point alone; "
+                             "method = subset or monte_carlo counts all");
+        return;
+    }
+    std::string& outcome = a.methods.front().outcome;
+    outcome += (outcome.empty() ? "" : "; ") + checks + " found no other failure region";
 }
 
 FormResult search(const ReliabilityProblem& p, std::size_t budget, ReliabilityAnswer& a)
@@ -102,9 +112,9 @@ FormResult search(const ReliabilityProblem& p, std::size_t budget, ReliabilityAn
     if (r.outcome == FormOutcome::agreed) m.probability = probability(r.points.front());
     a.methods.push_back(m);
     if (r.points.size() > 1)
-        a.warnings.push_back(std::to_string(r.points.size()) +
-                             " design points were found: FORM gives the probability of the "
-                             "nearest one alone; method = importance takes all of them");
+        a.warnings.push_back("FORM found " + std::to_string(r.points.size()) +
+                             " design points and gives the probability of the nearest one "
+                             "alone; method = importance takes all of them");
     return r;
 }
 

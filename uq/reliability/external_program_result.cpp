@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include <fcntl.h>
@@ -50,11 +51,21 @@ Text end_of(const std::filesystem::path& file, std::size_t most)
 }
 
 struct TooDeep {};
+struct Twice {
+    std::string name;
+};
 
+/// @throws TooDeep, Twice, json::exception
 json parsed(const std::string& text)
 {
-    return json::parse(text, [](int depth, json::parse_event_t, json&) {
+    using Event = json::parse_event_t;
+    std::vector<std::set<std::string>> names; // of the objects that are open
+    return json::parse(text, [&](int depth, Event event, json& value) {
         if (depth > kDeepest) throw TooDeep();
+        if (event == Event::object_start) names.emplace_back();
+        if (event == Event::object_end) names.pop_back();
+        if (event == Event::key && !names.back().insert(value.get<std::string>()).second)
+            throw Twice{value.get<std::string>()};
         return true;
     });
 }
@@ -138,6 +149,8 @@ ProgramResult read_result(const std::filesystem::path& file,
     } catch (const TooDeep&) {
         return failed("the brackets of the result are more than " + std::to_string(kDeepest) +
                       " deep");
+    } catch (const Twice& twice) {
+        return failed("result names \"" + twice.name.substr(0, 40) + "\" twice");
     } catch (const json::parse_error& e) {
         return failed(not_json(text, e.byte));
     } catch (const json::out_of_range&) {

@@ -2,6 +2,7 @@
 
 #include "uq/designs/stream.hpp"
 
+#include <Eigen/LU>
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
@@ -66,6 +67,18 @@ std::string first_reason(const std::vector<Search>& searches, bool hl_rf)
     return {};
 }
 
+/// dx/du by central differences: one row for each column of x.
+Eigen::MatrixXd jacobian(const Map& to_physical, const Eigen::VectorXd& u)
+{
+    constexpr double kStep = 1e-3; // [standard deviations]; off by some 1e-7 of the derivative
+    const Eigen::Index d = u.size();
+    Eigen::MatrixXd at = u.transpose().replicate(2 * d, 1);
+    at.topRows(d).diagonal().array() += kStep;
+    at.bottomRows(d).diagonal().array() -= kStep;
+    const Eigen::MatrixXd x = to_physical(at);
+    return (x.topRows(d) - x.bottomRows(d)).transpose() / (2.0 * kStep);
+}
+
 /// Compares the two searches by the nearest point each of them found. Points at equal distance
 /// are both nearest: then it is enough that both are on the list.
 void compare(FormResult& r, const FormOptions& o)
@@ -115,5 +128,18 @@ FormResult form(const LimitState& s, const FormOptions& o)
 double probability(const DesignPoint& p) { return gsl_cdf_ugaussian_Q(p.beta); }
 
 Eigen::VectorXd importance_factors(const DesignPoint& p) { return p.alpha.cwiseAbs2(); }
+
+std::optional<Eigen::VectorXd> dependent_importance(const DesignPoint& p,
+                                                    const Map& to_physical)
+{
+    if (!to_physical) return {};
+    const Eigen::MatrixXd j = jacobian(to_physical, p.at.u);
+    const bool own = ((j.array() != 0.0).rowwise().count() <= 1).all();
+    if (own || j.rows() != j.cols() || !j.allFinite()) return {};
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(j.rowwise().normalized());
+    if (!lu.isInvertible()) return {};
+    // J^-T alpha scaled by D is the solution of (D^-1 J)^T gamma = alpha.
+    return lu.transpose().solve(p.alpha).normalized().cwiseAbs2();
+}
 
 } // namespace uq

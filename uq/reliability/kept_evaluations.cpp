@@ -24,6 +24,15 @@ std::string as_line(const Json& j)
     return j.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// The model that the first line of a file states; empty if it states none.
+std::string model_in(const std::string& line)
+{
+    const Json j = Json::parse(line, nullptr, false);
+    return j.is_object() && j.contains("model") && j["model"].is_string()
+               ? j["model"].get<std::string>()
+               : "";
+}
+
 } // namespace
 
 KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
@@ -35,8 +44,8 @@ KeptEvaluations::KeptEvaluations(fs::path file, const std::string& model)
     const bool begun = in && std::getline(in, line) && !in.eof();
     if (begun) {
         if (line + "\n" != as_line({{"model", model}}))
-            throw std::invalid_argument("'" + file_.string() +
-                                        "' holds the evaluations of another model");
+            throw OtherModel("'" + file_.string() + "' holds the evaluations of another model",
+                             model_in(line));
         sound = line.size() + 1;
         while (std::getline(in, line) && !in.eof()) {
             try {

@@ -10,16 +10,26 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace uq {
 
 class KeptEvaluations {
   public:
+    struct OtherModel : std::invalid_argument {
+        OtherModel(const std::string& what, std::string kept)
+            : std::invalid_argument(what), model(std::move(kept))
+        {
+        }
+        std::string model; ///< of the file
+    };
+
     /// Reads what an interrupted run has left. A last line that a kill has cut off is dropped.
     /// @param model what the answers depend on, in words
-    /// @throws std::invalid_argument if the file is that of another model; std::runtime_error if it is damaged or
+    /// @throws OtherModel if the file is that of another model; std::runtime_error if it is damaged or
     /// cannot be written
     KeptEvaluations(std::filesystem::path file, const std::string& model);
 
@@ -32,7 +42,7 @@ class KeptEvaluations {
     /// Evaluations that were there at the start.
     [[nodiscard]] std::size_t found() const { return found_; }
 
-    /// The model, asked only for what is not known, a few samples at a time, each few kept as they come.
+    /// Wraps the model: evaluates only unknown samples, in small batches, and stores each batch.
     /// @param response the column that is kept; the only one of the answers
     /// The model that is returned must not outlive this.
     [[nodiscard]] BlackBox around(BlackBox model, Eigen::Index response);

@@ -40,14 +40,14 @@ struct FailedSample {
     std::string reason;
 };
 
-/// What an analysis asked of the model.
+/// Counts the evaluations of an analysis and keeps those that failed.
 struct Ledger {
     std::size_t evaluations = 0; ///< samples asked for; the next one has this number
     std::size_t batches = 0;     ///< calls of the model
     std::vector<FailedSample> failed;
     std::size_t limit = std::numeric_limits<std::size_t>::max(); ///< evaluations allowed
     bool used_up = false; ///< more evaluations than allowed were wanted; they were not made
-    /// Of an analysis that comes back to points it has been at: g by u, so that no point is asked for twice.
+    /// g by u, for an analysis that returns to points: none is asked for twice.
     std::optional<std::map<std::vector<double>, double>> known;
 };
 

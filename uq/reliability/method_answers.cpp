@@ -11,7 +11,7 @@ std::string words(SamplingOutcome o)
     case SamplingOutcome::target_reached:
         return "target coefficient of variation reached";
     case SamplingOutcome::limit_reached:
-        return "budget used up before the target was reached";
+        return "the budget was used up before the target coefficient of variation was reached";
     case SamplingOutcome::none_passed:
         return "the event was never seen: an upper bound";
     case SamplingOutcome::all_passed:
@@ -19,7 +19,7 @@ std::string words(SamplingOutcome o)
     case SamplingOutcome::no_answer:
         break;
     }
-    return "every evaluation failed";
+    return "no run succeeded; the bounds assume the worst and the best case";
 }
 
 MethodAnswer sampled(const std::string& method, const Exceedance& e)

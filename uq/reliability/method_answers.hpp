@@ -1,5 +1,5 @@
 #pragma once
-/// What the methods put into the answer, each in the same way.
+/// Parts of the answer that every method makes in the same way.
 
 #include "uq/reliability/exceedance.hpp"
 #include "uq/reliability/reliability.hpp"

@@ -62,7 +62,7 @@ void check_all(const LimitState& s, const std::vector<CheapModel>& cheap,
     }
 }
 
-/// As limit states; for a mean the threshold is zero and g is the response itself.
+/// The models as limit states; for a mean the threshold is zero and g is the response itself.
 std::vector<Asked> asked(const LimitState& s, const std::vector<CheapModel>& cheap,
                          const MultiFidelityOptions& o)
 {
@@ -81,7 +81,7 @@ std::vector<Asked> asked(const LimitState& s, const std::vector<CheapModel>& che
     return all;
 }
 
-/// What a failed sample of a cheap model counts as.
+/// The value that stands for a failed sample of a cheap model.
 double instead(const Asked& a, Quantity quantity, std::size_t pilot)
 {
     if (quantity == Quantity::probability) return 0.0;

@@ -24,7 +24,7 @@ struct EffortPlan {
 /// A smaller gain than this is not worth the estimated coefficients and is none: our choice.
 constexpr double kWorthwhileRatio = 0.9;
 
-/// Of all sets of cheap models the one of least predicted variance
+/// The set of cheap models of least predicted variance
 ///   (sum_i sqrt(w_i (rho_i^2 - rho_(i+1)^2)))^2 / w_0,  rho_0 = 1, rho_(k+1) = 0,
 /// with samples n_i / n_0 = sqrt(w_0 (rho_i^2 - rho_(i+1)^2) / (w_i (1 - rho_1^2))).
 /// @param budget [unit of cost], >= least_expensive * expensive_cost

@@ -40,7 +40,13 @@ void subsets(const ReliabilityProblem& p, ReliabilityAnswer& a)
     o.max_evaluations = static_cast<std::size_t>(p.budget);
     o.target_cov = p.target_cov;
     o.seed = p.seed;
-    add("subset simulation", subset_simulation(p.event, o).exceedance, a);
+    const SubsetResult r = subset_simulation(p.event, o);
+    add("subset simulation", r.exceedance, a);
+    if (r.exceedance.outcome == SamplingOutcome::limit_reached)
+        a.methods.back().outcome =
+            std::string("target coefficient of variation not reached: another ") +
+            (r.arrived ? "run" : "level") + " would not fit into the budget of " +
+            std::to_string(p.budget);
 }
 
 void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
@@ -59,7 +65,9 @@ void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
     m.std_error = r.estimate.std_error;
     m.lower = r.estimate.interval.lower;
     m.upper = r.estimate.interval.upper;
-    m.outcome = r.reason.empty() ? "the cheap model reduced the error" : r.reason;
+    m.outcome = r.reason.empty()
+                    ? "the cheap model reduced the error"
+                    : "plain Monte Carlo, since the cheap model does not help: " + r.reason;
     a.methods.push_back(m);
     MethodAnswer alone;
     alone.method = "its expensive samples alone";
@@ -68,13 +76,36 @@ void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
     a.methods.push_back(alone);
 }
 
+/// An index as a share: the estimate may leave [0, 1] by its error.
+InputShare share_of(const std::string& input, const Estimate& e)
+{
+    const auto share = [](double x) { return std::clamp(x, 0.0, 1.0); };
+    return {input, share(e.value), e.std_error, share(e.interval.lower),
+            share(e.interval.upper)};
+}
+
+/// A first-order index is never above the total one: where an estimate is, their errors hide what lies between.
+void tell_not_told_apart(const SobolIndices& s, const std::vector<std::string>& names,
+                         ReliabilityAnswer& a)
+{
+    std::string inputs;
+    for (std::size_t i = 0; i < s.inputs.size(); ++i)
+        if (s.inputs[i].first.value > s.inputs[i].total.value)
+            inputs += (inputs.empty() ? "" : ", ") + names[i];
+    if (!inputs.empty())
+        a.warnings.push_back("first-order and total Sobol' index are not told apart for " +
+                             inputs +
+                             ": the first comes out above the total, which it cannot be; more "
+                             "evaluations (reliability.budget) narrow both");
+}
+
 /// First-order and total indices, and the probability from the rows that are independent.
 void variance_shares(const ReliabilityProblem& p, ReliabilityAnswer& a)
 {
     const Eigen::Index d = p.event.dimension, n = p.budget / (d + 2);
     const Eigen::MatrixXd cube = sobol(0, n, 2 * static_cast<int>(d), p.seed);
-    const Eigen::MatrixXd u =
-        pick_freeze(cube.leftCols(d), cube.rightCols(d)).unaryExpr(&normal_quantile);
+    Eigen::MatrixXd u = pick_freeze(cube.leftCols(d), cube.rightCols(d));
+    to_normal_quantiles({u.data(), static_cast<std::size_t>(u.size())});
     Ledger ledger;
     Eigen::VectorXd g(u.rows());
     for (Eigen::Index first = 0; first < u.rows(); first += kBatch) {
@@ -100,17 +131,14 @@ void variance_shares(const ReliabilityProblem& p, ReliabilityAnswer& a)
         return;
     }
     for (std::size_t i = 0; i < s.inputs.size(); ++i) {
-        const auto share = [&](const Estimate& x) {
-            return InputShare{p.normal[i], x.value, x.std_error, x.interval.lower,
-                              x.interval.upper};
-        };
-        one.shares.push_back(share(s.inputs[i].first));
-        all.shares.push_back(share(s.inputs[i].total));
+        one.shares.push_back(share_of(p.normal[i], s.inputs[i].first));
+        all.shares.push_back(share_of(p.normal[i], s.inputs[i].total));
     }
     a.sensitivities = {one, all};
+    tell_not_told_apart(s, p.normal, a);
 }
 
-/// Of independent samples.
+/// Partial rank correlations from independent samples.
 void rank_correlations(const ReliabilityProblem& p, const std::vector<Evaluated>& seen,
                        ReliabilityAnswer& a)
 {

@@ -19,7 +19,7 @@ namespace uq {
 struct ReliabilityProblem {
     LimitState event;
     std::string words; ///< the event for people: "peak force <= 40 kN"; no method reads it
-    std::vector<std::string> inputs; ///< names of the columns of x
+    std::vector<std::string> inputs; ///< names of the columns of x, without units
     std::vector<std::string> normal; ///< names of the columns of u, event.dimension of them
     std::vector<CheapModel> cheap;   ///< for multi_fidelity; cost relative to the event's model
     ReliabilityMethod method = ReliabilityMethod::monte_carlo;
@@ -45,7 +45,7 @@ struct InputShare {
     std::optional<double> lower, upper; ///< 95 % interval
 };
 
-/// What the response depends on, by one measure.
+/// Dependence of the response on the inputs, by one measure.
 struct Sensitivity {
     std::string measure;            ///< "partial rank correlation with the response"
     std::vector<InputShare> shares; ///< in the order of the inputs
@@ -84,7 +84,7 @@ struct Evaluated {
 using OnBatch = std::function<void(std::span<const Evaluated>)>;
 
 /// The probability of the event by the method asked for, and what the response depends on, where the method shows it.
-/// What goes wrong with a sample stays with it, and is among the warnings and the failed samples.
+/// A sample that fails stays alone with its fault, which is among the warnings and the failed samples.
 /// @throws std::invalid_argument naming what is missing or out of range: of the event, of its names, of the
 /// budget, or no cheap model for multi_fidelity; std::runtime_error if too few samples are sound for
 /// multi_fidelity

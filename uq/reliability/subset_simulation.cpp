@@ -37,12 +37,16 @@ void check_options(const SubsetOptions& o)
     require(o.confidence > 0.0 && o.confidence < 1.0, "confidence must be in (0, 1)");
 }
 
+/// One run, or the mean of several: then what is counted is counted over all.
 struct Run {
     std::vector<SubsetLevel> levels;
     double reached = 1.0;     ///< probability of the last level's population
     double reached_cov = 0.0; ///< of it
     double value = 0.0, cov = 0.0;
-    std::size_t passed = 0; ///< in the last population
+    std::size_t passed = 0;    ///< in the last population
+    std::size_t samples = 0;   ///< in that population
+    std::size_t ancestors = 0; ///< of those that passed
+    std::size_t most_levels = 1;
     bool stuck = false;
     double failed_share = 0.0; ///< of the first level
 };
@@ -102,7 +106,26 @@ void finish(Run& r, const Population& p, double acceptance)
     r.passed = rows.size();
     r.value = r.reached * share;
     r.cov = rows.empty() ? 0.0 : lineage_cov(p, rows);
-    r.levels.push_back({0.0, share, acceptance, ancestors(p, rows)});
+    r.samples = static_cast<std::size_t>(p.g.size());
+    r.ancestors = ancestors(p, rows);
+    r.levels.push_back({0.0, share, acceptance, r.ancestors});
+    r.most_levels = r.levels.size();
+}
+
+/// The mean of `n` independent runs and one more.
+Run with(const Run& mean, std::size_t n, const Run& more)
+{
+    const auto before = static_cast<double>(n), all = before + 1.0;
+    const double error = std::hypot(before * mean.value * mean.cov, more.value * more.cov);
+    Run r = mean;
+    r.value = (before * mean.value + more.value) / all;
+    r.cov = error / (all * r.value);
+    r.passed += more.passed;
+    r.samples += more.samples;
+    r.ancestors += more.ancestors;
+    r.most_levels = std::max(r.most_levels, more.most_levels);
+    r.failed_share = (before * mean.failed_share + more.failed_share) / all;
+    return r;
 }
 
 Run run(const LimitState& s, const SubsetOptions& o, FailedAs failed, std::uint64_t seed,
@@ -136,20 +159,24 @@ Run run(const LimitState& s, const SubsetOptions& o, FailedAs failed, std::uint6
 
 Interval interval(const Run& r, const SubsetOptions& o)
 {
-    if (r.levels.size() == 1) return binomial_interval(r.passed, o.samples, o.confidence);
+    if (r.most_levels == 1) return binomial_interval(r.passed, r.samples, o.confidence);
     if (r.passed > 0) return log_interval(r.value, r.cov * r.value, o.confidence);
     Interval last = log_interval(r.reached, r.reached_cov * r.reached, o.confidence);
     last.lower = 0.0;
     return last;
 }
 
-SamplingOutcome outcome(const Run& r, const SubsetOptions& o, bool all_failed)
+bool arrived(const Run& r, const SubsetOptions& o)
+{
+    return r.passed >= r.samples / chain_length(o);
+}
+
+SamplingOutcome outcome(const Run& r, const SubsetOptions& o, bool all_failed, bool arrived)
 {
     if (all_failed) return SamplingOutcome::no_answer;
     if (r.passed == 0) return SamplingOutcome::none_passed;
-    if (r.levels.size() == 1 && r.value + r.failed_share >= 1.0)
+    if (r.most_levels == 1 && r.value + r.failed_share >= 1.0)
         return SamplingOutcome::all_passed;
-    const bool arrived = r.passed >= o.samples / chain_length(o);
     return arrived && r.cov <= o.target_cov ? SamplingOutcome::target_reached
                                             : SamplingOutcome::limit_reached;
 }
@@ -159,10 +186,10 @@ void warn(Exceedance& e, const Run& r)
     if (r.stuck && r.passed == 0)
         e.warnings.emplace_back("the limit state has one value over the whole last level, or "
                                 "failed there: it cannot be approached");
-    if (r.passed > 0 && r.levels.size() > 1 && r.levels.back().ancestors < kFewAncestors)
-        e.warnings.push_back(
-            "all passed samples descend from " + std::to_string(r.levels.back().ancestors) +
-            " first samples: the standard error is uncertain, take more samples");
+    if (r.passed > 0 && r.most_levels > 1 && r.ancestors < kFewAncestors)
+        e.warnings.push_back("only " + std::to_string(r.ancestors) +
+                             " independent samples are behind this probability: its standard "
+                             "error is unreliable; a larger budget gives more");
 }
 
 } // namespace
@@ -172,18 +199,27 @@ SubsetResult subset_simulation(const LimitState& s, const SubsetOptions& o)
     check(s);
     check_options(o);
     Ledger ledger;
-    const Run low = run(s, o, FailedAs::safe, o.seed, ledger);
+    Run low = run(s, o, FailedAs::safe, o.seed, ledger);
+    SubsetResult r{{}, low.levels, arrived(low, o)};
+    for (std::size_t longest = ledger.evaluations;
+         r.arrived && low.cov > o.target_cov && ledger.failed.empty() &&
+         longest <= o.max_evaluations - ledger.evaluations;
+         ++r.runs) {
+        const std::size_t before = ledger.evaluations;
+        low = with(low, r.runs,
+                   run(s, o, FailedAs::safe, replicate_seed(o.seed, 1 + r.runs), ledger));
+        longest = std::max(longest, ledger.evaluations - before);
+    }
     const bool failures = !ledger.failed.empty();
     const bool unknown = failures && ledger.evaluations + o.samples > o.max_evaluations;
     const Run high = failures && !unknown
                          ? run(s, o, FailedAs::passed, replicate_seed(o.seed, 1), ledger)
                          : low;
-    SubsetResult r{{}, low.levels};
     Exceedance& e = r.exceedance;
     const bool all_failed = low.failed_share >= 1.0;
     e.lower = low.value;
     e.upper = unknown ? 1.0 : std::max(low.value, high.value);
-    e.outcome = outcome(low, o, all_failed);
+    e.outcome = outcome(low, o, all_failed, r.arrived);
     if (!all_failed) {
         e.estimate.value = std::min(1.0, low.value / (1.0 - low.failed_share));
         e.estimate.std_error = low.cov * e.estimate.value;

@@ -13,10 +13,11 @@ struct SubsetOptions {
     /// Share of a level that seeds the next: 1 / length of the chains. [1 / samples, 1/2]
     double level_share = 0.1;
     int max_levels = 20; ///< including the first, >= 1
-    /// No level is begun that would need more evaluations than this in all.
+    /// No level, and no further run, is begun that would need more evaluations than this in all.
     std::size_t max_evaluations = std::numeric_limits<std::size_t>::max();
-    double target_cov = std::numeric_limits<double>::infinity(); ///< of the answer [-], > 0
-    double confidence = 0.95;                                    ///< of the interval, (0, 1)
+    /// Coefficient of variation [-], > 0. Independent runs are added until their mean has it.
+    double target_cov = std::numeric_limits<double>::infinity();
+    double confidence = 0.95; ///< of the interval, (0, 1)
     std::uint64_t seed = 1;
 };
 
@@ -29,7 +30,9 @@ struct SubsetLevel {
 
 struct SubsetResult {
     Exceedance exceedance;
-    std::vector<SubsetLevel> levels; ///< of the run in which failed samples are safe
+    std::vector<SubsetLevel> levels; ///< of the first run, in which failed samples are safe
+    bool arrived = false; ///< a tenth (level_share) of the first run's last level passed
+    std::size_t runs = 1; ///< of which the answer is the mean
 };
 
 /// With fewer ancestors the standard error is uncertain, and a warning says so. Tuned, see tests.
@@ -40,8 +43,13 @@ constexpr std::size_t kFewAncestors = 10;
 /// between levels is all in it. (Of generalised splitting: Botev and Kroese 2012; for particle
 /// filters: Lee and Whiteley 2018.)
 ///
-/// A failed evaluation is a rejected move. If there is any, the analysis is run once more with
-/// failed samples passed, for the upper bound; where the evaluations allowed do not suffice for
+/// Where a run ends with evaluations left and the target_cov is not reached, as many are begun as fit by the
+/// evaluations of the longest so far; they are independent, and the answer is their mean. A run has a
+/// bias of the order of its squared coefficient of variation (Au and Beck 2001), which the mean keeps; stopping on the
+/// result adds one of the order of target_cov^2.
+///
+/// A failed evaluation is a rejected move. If there is any, no run is added for the target, and the analysis is
+/// run once more with failed samples passed, for the upper bound; where the evaluations allowed do not suffice for
 /// that, the upper bound is 1. If the limit state cannot be reached (max_levels,
 /// max_evaluations, or g takes one value over a whole level) and nothing has passed, the outcome
 /// is none_passed and the upper end of the interval is that of the last level reached. The

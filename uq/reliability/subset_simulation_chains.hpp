@@ -6,7 +6,7 @@
 
 namespace uq {
 
-/// What a failed evaluation is taken for.
+/// The outcome that a failed evaluation stands for.
 enum class FailedAs { safe, passed };
 
 struct Population {

@@ -57,7 +57,7 @@ Estimate ratio(const Eigen::ArrayXd& part, const Rows& r, double confidence)
             {value - half, value + half, confidence}};
 }
 
-/// Of A and B where both are sound: the same for every index.
+/// Variance of the sound responses to A and B: the same for every index.
 double variance_of(const Eigen::VectorXd& y, Eigen::Index n)
 {
     std::vector<double> sound;

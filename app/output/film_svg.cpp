@@ -1,0 +1,190 @@
+#include "app/output/film_svg.hpp"
+
+#include "app/output/chart_frame.hpp"
+#include "app/output/film_shapes.hpp"
+#include "app/output/svg_elements.hpp"
+#include "app/output/wall_view.hpp"
+#include "app/text/number_text.hpp"
+#include "dem/scene/snapshot_reading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace app {
+namespace {
+
+constexpr double kWide = 960.0, kWallWide = 480.0, kHigh = 470.0, kTop = 64.0; // [px]
+constexpr double kRoomLeft = 78.0, kRoomRight = 14.0, kRoomBelow = 28.0; // around the wall
+constexpr double kSeconds = 8.0;
+constexpr int kMostShapes = 5'600; // frames times moving shapes: 0.4 MB
+
+/// Texts of which one is seen at a time.
+std::string captions(const MovingWall& film, Pixel at, double load_height)
+{
+    std::string drawn;
+    for (std::size_t i = 0; i < film.frames.size(); ++i) {
+        const dem::Snapshot& wall = *film.frames[i];
+        const std::string text = fixed(wall.displacement * 1e3, 1) + " mm,  drift " +
+                                 fixed(100.0 * wall.displacement / load_height, 2) + " %,  " +
+                                 fixed(wall.force * 1e-3, 1) + " kN";
+        const bool last = i + 1 == film.frames.size();
+        const std::size_t all = film.frames.size() + film.frames.size() / kFilmHold - 1;
+        const auto time = [&](std::size_t k) {
+            return number(static_cast<double>(k) / static_cast<double>(all), 4);
+        };
+        // seen from its own time to that of the next
+        const std::string before = i > 0 ? "hidden;" : "", from = i > 0 ? "0;" : "",
+                          after = last ? "" : ";hidden", to = last ? "" : ";" + time(i + 1);
+        drawn += "<text x=\"" + svg_number(at.x) + "\" y=\"" + svg_number(at.y) +
+                 "\" visibility=\"" + (last ? "visible" : "hidden") + "\">" + xml_escape(text) +
+                 "<animate attributeName=\"visibility\" calcMode=\"discrete\" values=\"" +
+                 before + "visible" + after + "\" keyTimes=\"" + from + time(i) + to + "\" " +
+                 film.clock + "/></text>\n";
+    }
+    return svg_group("font-size=\"15\"", drawn);
+}
+
+/// The arrow of the horizontal load goes with the beam, or with the whole wall where there is none.
+std::string moving_arrow(const MovingWall& film, double load_height)
+{
+    const auto tip = [&](const dem::Snapshot& wall) -> Pixel {
+        std::vector<dem::BlockState> beam;
+        for (const dem::BlockState& b : wall.blocks)
+            if (b.course == 0) beam.push_back(b);
+        const WallBox rest = box_of(beam.empty() ? wall.blocks : beam, 0.0);
+        const double z = std::clamp(load_height, rest.low.z, rest.high.z);
+        return film.view.place({wall.force < 0.0 ? rest.high.x : rest.low.x, z},
+                               {wall.displacement, 0.0});
+    };
+    std::vector<std::string> values;
+    for (const dem::Snapshot* wall : film.frames) {
+        const Pixel p = tip(*wall);
+        values.push_back(svg_number(p.x) + ' ' + svg_number(p.y));
+    }
+    const double way = film.frames.back()->force < 0.0 ? -1.0 : 1.0;
+    const auto x = [&](double behind) { return svg_number(-way * behind); };
+    return "<g transform=\"translate(" + values.back() + ")\">" +
+           svg_motion(film, "transform", values) + "<path d=\"M" + x(52) + " 0H" + x(12) +
+           "\" stroke=\"#222\" stroke-width=\"3\"/><path d=\"M" + x(4) + " 0L" + x(17) +
+           " -6L" + x(17) + " 6z\"/></g>\n";
+}
+
+Chart curve_chart(std::span<const double> displacement, std::span<const double> force,
+                  double load_height)
+{
+    Chart chart;
+    chart.x_label = "Displacement [mm]";
+    chart.y_label = "Horizontal force [kN]";
+    chart.width = kWide - kWallWide;
+    chart.height = kHigh - kTop;
+    chart.top = TopAxis{"Drift [%]", 100.0 / (load_height * 1e3)};
+    Series curve{.colour = "#0072B2", .width = 2.0};
+    for (std::size_t i = 0; i < displacement.size(); ++i) {
+        curve.x.push_back(displacement[i] * 1e3);
+        curve.y.push_back(force[i] * 1e-3);
+    }
+    chart.series.push_back(std::move(curve));
+    return chart;
+}
+
+std::string moving_dot(const MovingWall& film, const ChartFrame& frame)
+{
+    std::vector<std::string> x, y;
+    for (const dem::Snapshot* wall : film.frames) {
+        const Pixel p = frame.place(wall->displacement * 1e3, wall->force * 1e-3);
+        x.push_back(svg_number(p.x));
+        y.push_back(svg_number(p.y));
+    }
+    return "<circle r=\"6\" cx=\"" + x.back() + "\" cy=\"" + y.back() +
+           "\" fill=\"#d55e00\" stroke=\"white\" stroke-width=\"2\">" +
+           svg_motion(film, "cx", x) + svg_motion(film, "cy", y) + "</circle>\n";
+}
+
+std::string moving_curve(const MovingWall& film, const Chart& chart)
+{
+    const ChartFrame frame = lay_out_chart(chart);
+    std::vector<Pixel> points;
+    const Series& s = chart.series.front();
+    for (std::size_t i = 0; i < s.x.size(); ++i)
+        if (frame.shows(s.x[i], s.y[i])) points.push_back(frame.place(s.x[i], s.y[i]));
+    return svg_group("transform=\"translate(" + svg_number(kWallWide) + ' ' + svg_number(kTop) +
+                         ")\"",
+                     draw_frame(chart, frame) +
+                         svg_polyline(points, line_attributes(s, frame.colours.front())) +
+                         moving_dot(film, frame));
+}
+
+/// At most as many as asked for, with the first and the last.
+std::vector<const dem::Snapshot*> chosen(std::span<const dem::Snapshot> frames,
+                                         std::size_t most)
+{
+    const std::size_t steps = std::min(frames.size(), most) - 1;
+    std::vector<const dem::Snapshot*> some;
+    for (std::size_t i = 0; i <= steps; ++i)
+        some.push_back(&frames[i * (frames.size() - 1) / steps]);
+    return some;
+}
+
+/// The factor at which the frame that is farthest out is still a wall, and the place of all frames.
+WallView film_view(const std::vector<const dem::Snapshot*>& frames)
+{
+    WallView view;
+    view.scale = drawing_scale(*frames.back());
+    for (const dem::Snapshot* wall : frames)
+        view.scale = std::min(view.scale, drawing_scale(*wall));
+    WallBox box = box_of(frames.front()->blocks, 0.0);
+    const double floor = box.low.z;
+    const WallBox rest = box;
+    for (const dem::Snapshot* wall : frames) box = join(box, box_of(wall->blocks, view.scale));
+    // walls that fly apart leave the picture
+    const double most = 0.5 * std::max(rest.high.x - rest.low.x, rest.high.z - rest.low.z);
+    box = {
+        {std::max(box.low.x, rest.low.x - most), floor},
+        {std::min(box.high.x, rest.high.x + most), std::min(box.high.z, rest.high.z + most)}};
+    view.pixels_per_metre =
+        std::min((kWallWide - kRoomLeft - kRoomRight) / (box.high.x - box.low.x),
+                 (kHigh - kTop - kRoomBelow - 16.0) / (box.high.z - box.low.z));
+    view.origin = {kRoomLeft - box.low.x * view.pixels_per_metre,
+                   kHigh - kRoomBelow + floor * view.pixels_per_metre};
+    return view;
+}
+
+} // namespace
+
+std::string film_svg(std::span<const dem::Snapshot> frames,
+                     std::span<const double> displacement, std::span<const double> force,
+                     const FilmText& text)
+{
+    if (frames.size() < 2) throw std::invalid_argument("film: two frames are needed");
+    if (!(text.load_height > 0.0))
+        throw std::invalid_argument("film: the height of the load must be positive");
+    const std::size_t shapes = frames[0].blocks.size() + frames[0].faces.size() / 3;
+    const auto most = static_cast<std::size_t>(
+        std::clamp(static_cast<int>(kMostShapes / std::max<std::size_t>(shapes, 1)),
+                   kFewestPictures, kFilmPictures));
+    MovingWall film{chosen(frames, most), {}, {}};
+    film.view = film_view(film.frames);
+    film.clock = svg_attribute("dur", number(kSeconds, 3) + "s") + "repeatCount=\"indefinite\"";
+    const WallBox rest = box_of(frames[0].blocks, 0.0);
+    const Pixel left = film.view.place({rest.low.x, rest.low.z}),
+                right = film.view.place({rest.high.x, rest.low.z});
+    const std::string wall = moving_wall(film, text.tints);
+    const std::string body =
+        svg_text({24.0, 30.0}, text.title, "font-size=\"18\" font-weight=\"bold\"") +
+        captions(film, {24.0, 54.0}, text.load_height) +
+        svg_text({kWide - 24.0, 30.0}, "displacements drawn × " + number(film.view.scale, 6),
+                 "fill=\"#666\" text-anchor=\"end\"") +
+        svg_window({0.0, kTop}, kWallWide, kHigh - kTop,
+                   wall +
+                       svg_line({left.x - 16.0, left.y}, {right.x + 16.0, right.y},
+                                svg_stroke("#444", 2.0)) +
+                       moving_arrow(film, text.load_height)) +
+        moving_curve(film, curve_chart(displacement, force, text.load_height));
+    return svg_page(kWide, kHigh, text.title.empty() ? "A wall that is pushed" : text.title,
+                    body);
+}
+
+} // namespace app

@@ -1,0 +1,33 @@
+#pragma once
+/// Frames of a push for film.svg, taken beside the series for ParaView.
+
+#include "app/input/study.hpp"
+#include "app/study/pushed_wall.hpp"
+#include "dem/solver/push.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace app {
+
+class PushFilm {
+  public:
+    /// Sets how often `plan` takes snapshots where it takes none, and puts itself before its sink. Lives longer than the
+    /// push.
+    PushFilm(const Study& study, std::size_t walls, dem::PushPlan& plan);
+
+    /// film.svg of a wall whose push gave a result.
+    [[nodiscard]] std::string film(const Study& study, std::size_t wall,
+                                   const PushedWall& pushed) const;
+
+  private:
+    struct Taken {
+        std::size_t seen = 0;
+        std::vector<dem::Snapshot> frames;
+    };
+    std::vector<Taken> walls_;
+    std::size_t every_ = 1; ///< of the snapshots that are taken
+};
+
+} // namespace app

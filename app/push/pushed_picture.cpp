@@ -1,0 +1,23 @@
+#include "app/push/pushed_picture.hpp"
+
+#include "app/input/wall_geometry.hpp"
+#include "app/output/wall_svg.hpp"
+#include "app/study/study_walls.hpp"
+
+namespace app {
+
+std::string pushed_picture(const Study& study, const PushedWall& w)
+{
+    WallPictureText text;
+    text.title = "Wall under " + stress_text(w.vertical_stress);
+    text.tints = stone_tints(layout_of(study));
+    if (push_way(study).direction == 0) text.peak_name = "At the largest force";
+    if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
+    text.load_height = w.loads.height;
+    const dem::PushResult& r = w.result;
+    // A wall that comes down under its vertical load has no peak.
+    const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
+    return wall_picture(peak, r.at_end, text);
+}
+
+} // namespace app

@@ -1,0 +1,16 @@
+#pragma once
+/// wall.svg: a pushed wall at its peak and at the end.
+
+#include "app/input/study.hpp"
+#include "app/study/pushed_wall.hpp"
+
+#include <string>
+
+namespace app {
+
+/// @param wall with its snapshot at the peak (dem::PushPlan::snapshot_at_peak); one that came down under its vertical load
+/// has none
+/// @throws std::invalid_argument as wall_picture
+[[nodiscard]] std::string pushed_picture(const Study& study, const PushedWall& wall);
+
+} // namespace app

@@ -1,0 +1,19 @@
+#pragma once
+/// What the answers of a reliability analysis depend on: evaluations that an interrupted run has left serve an analysis
+/// with the same text.
+
+#include "app/input/command.hpp"
+#include "app/input/study.hpp"
+
+#include <string>
+
+namespace app {
+
+/// Identity of the study, rules of reading and vertical stress, however they were written. Method, budget and demand are
+/// not among them.
+[[nodiscard]] std::string wall_evaluations(const Study& study, const Command& command);
+
+/// Keys and names of the variables of another program.
+[[nodiscard]] std::string program_evaluations(const Study& study);
+
+} // namespace app

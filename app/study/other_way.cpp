@@ -1,0 +1,150 @@
+#include "app/study/other_way.hpp"
+
+#include "app/input/random_layouts.hpp"
+#include "app/input/units.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/study/interrupt.hpp"
+#include "app/study/push_walls.hpp"
+#include "app/text/number_text.hpp"
+#include "dem/block/contact_count.hpp"
+#include "dem/scene/symmetry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace app {
+namespace {
+
+const char* way_name(int direction) { return direction > 0 ? "right" : "left"; }
+
+/// "load.targets=-30 mm"
+std::string targets_text(const Study& study)
+{
+    return "load.targets=\"" + format_quantities(study.load.targets, "mm") + "\"";
+}
+
+/// The toe is at the right whatever the push.
+bool holds_right_toe(const Study& study)
+{
+    return in_courses(study) && study.wall.base == dem::Base::joint &&
+           study.wall.toe == dem::Toe::held;
+}
+
+std::string kilonewtons(const WallReading& wall)
+{
+    return fixed(peak_force(wall) * 1e-3, 1) + " kN";
+}
+
+/// "71.6 kN (39 % less)"
+std::string compared(const WallReading& other, const WallReading& first)
+{
+    if (!(peak_force(first) > 0.0)) return kilonewtons(other);
+    const double change = 100.0 * (peak_force(other) / peak_force(first) - 1.0);
+    return kilonewtons(other) + " (" + fixed(std::abs(change), 0) + " % " +
+           (change < 0.0 ? "less" : "more") + ")";
+}
+
+/// Whether a push takes no longer than half a minute of one core.
+bool is_cheap(const Study& study, const dem::Layout& layout)
+{
+    constexpr double kMost = 1e9;                  // contact updates
+    if (!study.cracks.where.empty()) return false; // cracks were placed for this way
+    const double steps = 1e3 * push_way(study).length * study.solver.steps_per_mm;
+    const std::size_t contacts = dem::contact_count(layout, study.discretisation);
+    return steps * static_cast<double>(contacts) < kMost;
+}
+
+/// Readings of the walls pushed the other way.
+std::vector<WallReading> push_other_way(const Study& study, const dem::Model& model,
+                                        const std::vector<WantedWall>& wanted, int threads,
+                                        const std::function<void()>& look)
+{
+    const Study other = turned_round(study);
+    dem::PushPlan plan = push_plan(other);
+    plan.snapshot_every = 0.0;
+    plan.progress = [&](double, double, double) {
+        if (interrupted()) throw Interrupted();
+        if (look) look();
+    };
+    std::vector<WallReading> readings(wanted.size());
+    PushList list;
+    list.size = wanted.size();
+    list.wall = [&](std::size_t i) { return wanted[i]; };
+    list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
+        readings[i] = std::move(wall.reading);
+    };
+    push_walls(other, model, plan, list, threads);
+    return readings;
+}
+
+} // namespace
+
+bool has_other_way(const Study& study, const dem::Layout& layout)
+{
+    return push_way(study).direction != 0 && !dem::is_symmetric(layout);
+}
+
+Study turned_round(Study study)
+{
+    LoadInput& load = study.load;
+    if (load.targets.empty()) load.targets = {load.max_displacement};
+    for (double& target : load.targets) target = -target;
+    return study;
+}
+
+OtherWay::OtherWay(const Study& study, const dem::Model& model,
+                   const std::vector<WantedWall>& wanted, int threads,
+                   std::function<void()> look)
+    : threads_left_(threads)
+{
+    if (!has_other_way(study, model.layout) || !is_cheap(study, model.layout)) return;
+    const int half = std::max(1, threads / 2);
+    threads_left_ = std::max(1, threads - half);
+    readings_ = std::async(threads > 1 ? std::launch::async : std::launch::deferred,
+                           [&study, &model, &wanted, half, look = std::move(look)] {
+                               return push_other_way(study, model, wanted, half, look);
+                           });
+}
+
+void OtherWay::add_to(std::vector<PushedWall>& walls)
+{
+    if (!readings_.valid()) return;
+    std::vector<WallReading> readings = readings_.get();
+    for (std::size_t i = 0; i < walls.size(); ++i) walls[i].other_way = std::move(readings[i]);
+}
+
+std::string other_way_remark(const Study& study, const dem::Layout& layout,
+                             const PushedWall& wall)
+{
+    if (!has_other_way(study, layout)) return "";
+    const int direction = push_way(study).direction;
+    const std::string first = way_name(direction), other = way_name(-direction);
+    if (!wall.other_way)
+        return "the wall is not symmetric and was pushed to the " + first + " alone; --set " +
+               targets_text(turned_round(study)) + " pushes it to the " + other;
+    if (!wall.other_way->no_reading.empty() || !wall.reading.no_reading.empty())
+        return "the wall is not symmetric; pushed to the " + other + ": " +
+               (wall.other_way->no_reading.empty() ? kilonewtons(*wall.other_way)
+                                                   : wall.other_way->no_reading);
+    return "the wall is not symmetric: pushed to the " + first + " it carries " +
+           kilonewtons(wall.reading) + ", to the " + other + " " +
+           compared(*wall.other_way, wall.reading) +
+           (holds_right_toe(study) ? ", with the right end of the first course held both times"
+                                   : "") +
+           "; all else here is of the push to the " + first;
+}
+
+std::string other_way_remark(const StudyWalls& walls)
+{
+    const Study& study = walls.study;
+    if (has_layouts(study) || !has_other_way(study, layout_of(study))) return "";
+    const int direction = push_way(study).direction;
+    return std::string("The wall is not symmetric, and all walls were pushed to the ") +
+           way_name(direction) + "; to the " + way_name(-direction) +
+           " they may carry less: drystone push " + (walls.shard ? "FILE.h5" : walls.name) +
+           " --sample mean" + (study.load.vertical_stress.size() > 1 ? " --level STRESS" : "") +
+           " gives the peaks of both.";
+}
+
+} // namespace app

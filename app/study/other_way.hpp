@@ -1,0 +1,50 @@
+#pragma once
+/// Walls that are not symmetric carry less when they are pushed the other way, or more. What outputs say of it stands here.
+
+#include "app/sampling/wall_draw.hpp"
+#include "app/study/pushed_wall.hpp"
+#include "app/study/study_walls.hpp"
+#include "dem/block/model.hpp"
+
+#include <functional>
+#include <future>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Whether the push goes one way and the wall is not symmetric.
+[[nodiscard]] bool has_other_way(const Study& study, const dem::Layout& layout);
+
+/// The same study, pushed as far the other way.
+[[nodiscard]] Study turned_round(Study study);
+
+/// Walls that are not symmetric, pushed the other way beside their own push where that costs little: as much as the push
+/// itself, on half of the threads. Other walls, and dear ones, are left alone.
+class OtherWay {
+  public:
+    /// @param study, model, wanted must outlive this
+    /// @param look is called every few hundred steps from any thread; what it throws ends this push. May be empty
+    OtherWay(const Study& study, const dem::Model& model, const std::vector<WantedWall>& wanted,
+             int threads, std::function<void()> look = {});
+
+    /// For the push itself, >= 1.
+    [[nodiscard]] int threads_left() const { return threads_left_; }
+
+    /// Waits, and gives each wall its reading of the other way.
+    /// @throws what `look` or push_walls throw
+    void add_to(std::vector<PushedWall>& walls);
+
+  private:
+    int threads_left_;
+    std::future<std::vector<WallReading>> readings_; ///< not valid where nothing is pushed
+};
+
+/// What a wall carries each way, or how to find out; without a full stop. Empty where there is no other way.
+[[nodiscard]] std::string other_way_remark(const Study& study, const dem::Layout& layout,
+                                           const PushedWall& wall);
+
+/// Of a study, whose walls are pushed one way: a sentence, or nothing.
+[[nodiscard]] std::string other_way_remark(const StudyWalls& walls);
+
+} // namespace app

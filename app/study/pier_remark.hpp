@@ -1,0 +1,20 @@
+#pragma once
+/// Codes limit the drift of a pier. A wall of several piers has one drift and one mode here, which is said.
+
+#include "app/input/study.hpp"
+
+#include <string>
+
+namespace app {
+
+/// Whether at some height the masonry stands in pieces beside each other: openings, arches, portals.
+[[nodiscard]] bool has_piers(const Study& study);
+
+/// "the drift limits of ntc are those of one pier: ..."; empty without a code among the limit states, and of a wall
+/// that is one pier. No full stop.
+[[nodiscard]] std::string pier_remark(const Study& study);
+
+/// The same as a sentence.
+[[nodiscard]] std::string pier_sentence(const Study& study);
+
+} // namespace app

@@ -1,0 +1,38 @@
+# cmake -D SOURCE_DIR=... -D OUTPUT=commit.cpp -P write_commit.cmake   writes the commit of the sources as a C++ function
+# and OUTPUT.d with the files on which it depends. Where the sources are no git checkout of their own, such as in a
+# tarball, the commit is empty. OUTPUT keeps its time if it says the same already: nothing is compiled or linked then.
+function(git result)
+    execute_process(COMMAND git -c safe.directory=* -C ${SOURCE_DIR} ${ARGN} OUTPUT_VARIABLE out OUTPUT_STRIP_TRAILING_WHITESPACE
+                    ERROR_QUIET RESULT_VARIABLE code)
+    if(NOT code EQUAL 0)
+        set(out "")
+    endif()
+    set(${result} "${out}" PARENT_SCOPE)
+endfunction()
+
+set(commit "")
+set(depends "")
+git(prefix rev-parse --show-prefix)
+git(inside rev-parse --is-inside-work-tree)
+if(inside STREQUAL "true" AND prefix STREQUAL "")
+    git(commit describe --always --dirty)
+    git(sources ls-files --cached -- app dem uq fragility python report cmake CMakeLists.txt)
+    string(REPLACE "\n" ";" sources "${sources}")
+    list(TRANSFORM sources PREPEND ${SOURCE_DIR}/)
+    foreach(state HEAD logs/HEAD)
+        git(file rev-parse --path-format=absolute --git-path ${state})
+        list(APPEND depends ${file})
+    endforeach()
+    list(APPEND depends ${sources})
+endif()
+
+list(JOIN depends " \\\n " depends)
+file(WRITE ${OUTPUT}.d "${OUTPUT}: ${depends}\n")
+set(text "// written by cmake/write_commit.cmake\n#include \"app/program_version.hpp\"\n\nnamespace app {\n\nstd::string_view commit() { return \"${commit}\"; }\n\n} // namespace app\n")
+set(before "")
+if(EXISTS ${OUTPUT})
+    file(READ ${OUTPUT} before)
+endif()
+if(NOT before STREQUAL text)
+    file(WRITE ${OUTPUT} "${text}")
+endif()

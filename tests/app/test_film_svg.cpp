@@ -1,0 +1,119 @@
+#include "app/output/film_svg.hpp"
+
+#include "app/output/wall_marks.hpp"
+#include "tests/scenes/snapshot_scenes.hpp"
+#include "tests/scenes/xml_tree.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using scenes::elements;
+
+namespace {
+
+/// A push of the paper's wall that rocks or cracks, in so many frames.
+struct Scene {
+    std::vector<dem::Snapshot> frames;
+    std::vector<double> displacement, force;
+};
+
+Scene scene(int frames, bool cracks, const scenes::SnapshotWall& wall = {})
+{
+    Scene s;
+    for (int i = 0; i < frames; ++i) {
+        const double t = static_cast<double>(i) / (frames - 1), d = 0.03 * t;
+        s.frames.push_back(i == 0   ? scenes::wall_at_rest(wall)
+                           : cracks ? scenes::diagonal_crack(d, t, wall)
+                                    : scenes::stair_step_rocking(d, wall));
+        s.frames.back().displacement = d;
+        s.frames.back().force = 50e3 * t;
+        s.displacement.push_back(d);
+        s.force.push_back(50e3 * t);
+    }
+    return s;
+}
+
+std::string film(const Scene& s)
+{
+    return app::film_svg(s.frames, s.displacement, s.force, {});
+}
+
+std::size_t values_of(const scenes::Xml& motion)
+{
+    const std::string text = scenes::attribute(motion, "values");
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), ';')) + 1;
+}
+
+} // namespace
+
+TEST_CASE("film: it moves without script, on a page of its own colour", "[app][film_svg]")
+{
+    const std::string text = film(scene(61, true));
+    CHECK(text.find("<script") == std::string::npos);
+    CHECK(text.find("href") == std::string::npos);
+    const auto page = scenes::parse_xml(text);
+    const auto ground = elements(page, "rect").at(0);
+    CHECK(scenes::attribute(ground, "fill") == "white");
+    CHECK(scenes::number_of(ground, "width") == 960);
+    CHECK(elements(page, "animate").size() > 60);
+    CHECK(text.size() < 400'000);
+}
+
+TEST_CASE("film: all shapes have the same clock, and rest at the end", "[app][film_svg]")
+{
+    const auto page = scenes::parse_xml(film(scene(21, false)));
+    for (const auto& shape : elements(page, "polygon"))
+        for (const auto& motion : elements(shape, "animate")) {
+            CHECK(scenes::attribute(motion, "repeatCount") == "indefinite");
+            CHECK(values_of(motion) == 21 + 4);
+            const std::string values = scenes::attribute(motion, "values"),
+                              last = scenes::attribute(shape, "points");
+            CHECK(values.ends_with(last + ";" + last)); // what does not play shows the end
+        }
+}
+
+TEST_CASE("film: the dot goes along the curve", "[app][film_svg]")
+{
+    const auto page = scenes::parse_xml(film(scene(11, false)));
+    const auto dot = elements(page, "circle").at(0);
+    const auto motions = elements(dot, "animate");
+    REQUIRE(motions.size() == 2);
+    std::vector<double> x;
+    std::string text = scenes::attribute(motions[0], "values");
+    const std::regex number("[0-9.]+");
+    for (std::sregex_iterator m(text.begin(), text.end(), number), end; m != end; ++m)
+        x.push_back(std::stod(m->str()));
+    REQUIRE(x.size() == 11 + 2);
+    CHECK(std::is_sorted(x.begin(), x.end()));
+    CHECK(x[5] - x[0] == Approx(0.5 * (x[10] - x[0])).epsilon(1e-3));
+}
+
+TEST_CASE("film: a crack is red from the frame on in which it is there", "[app][film_svg]")
+{
+    const auto red = [](const std::string& text) {
+        return text.find(app::kCrackColour) != text.npos;
+    };
+    CHECK(red(film(scene(11, true))));
+    CHECK_FALSE(red(film(scene(11, false))));
+}
+
+TEST_CASE("film: larger walls have fewer frames, and the file stays small", "[app][film_svg]")
+{
+    const std::string text = film(scene(61, false, {.courses = 24, .half_units = 24}));
+    CHECK(text.size() < 700'000);
+    for (const auto& shape : elements(scenes::parse_xml(text), "polygon"))
+        for (const auto& motion : elements(shape, "animate")) CHECK(values_of(motion) < 20);
+}
+
+TEST_CASE("film: one frame is no film", "[app][film_svg]")
+{
+    Scene s = scene(2, false);
+    s.frames.pop_back();
+    CHECK_THROWS_AS(film(s), std::invalid_argument);
+}
