@@ -152,7 +152,7 @@ std::string bars(const std::vector<Outcome>& outcomes)
                                    "fill=\"" + std::string(colour) + "\"");
         body += app::svg_text(
             {x_of(a.seconds) + 6.0, y + 15.0},
-            app::number(a.seconds, 2) + " s" + (reached ? "" : ", not there yet"), kFont);
+            app::number(a.seconds, 3) + " s" + (reached ? "" : ", not within 1 %"), kFont);
         y += kBar + 6.0;
     };
     for (const Outcome& c : outcomes) {
