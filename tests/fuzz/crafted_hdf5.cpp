@@ -72,10 +72,9 @@ std::vector<Text> texts_of(hid_t file, const std::string& name)
         const Handle a(good(H5Aopen_by_name(file, name.c_str(), key, H5P_DEFAULT, H5P_DEFAULT)),
                        H5Aclose);
         const Handle type(good(H5Aget_type(a.get())), H5Tclose);
-        // An earlier change may have made an array of it.
         const Handle space(good(H5Aget_space(a.get())), H5Sclose);
-        const auto points = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
-        std::string value(points * H5Tget_size(type.get()), '\0');
+        if (H5Sget_simple_extent_npoints(space.get()) != 1) continue; // of an earlier change
+        std::string value(H5Tget_size(type.get()), '\0');
         good(H5Aread(a.get(), type.get(), value.data()));
         texts.push_back({key, value});
     }
