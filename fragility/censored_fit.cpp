@@ -144,9 +144,8 @@ std::optional<Refusal> screen_counts(const Counts& c, double highest_lower, doub
     const double informative = c.observed + c.interval + std::min(c.left, c.n - c.left);
     if (c.n < kFewestWalls || informative < kFewestInformative)
         return Refusal{FitOutcome::too_few,
-                       "too few: " + shown(c.n) + " in all, " + shown(c.right) +
-                           " of them right-censored; two parameters need 3, two of them not "
-                           "merely lower limits"};
+                       shown(informative) + " of " + shown(c.n) +
+                           " walls reached it; a curve needs 3 walls, of which 2 reached it"};
     return std::nullopt;
 }
 
@@ -202,10 +201,10 @@ std::optional<Refusal> screen(Law law, std::span<const Observation> data)
     if (auto refusal = screen_caps(data, c.n)) return refusal;
     if (auto refusal = screen_counts(c, highest_lower, lowest_upper)) return refusal;
     if (!(highest_lower > lowest_upper + 1e-12 * size))
-        return Refusal{
-            FitOutcome::no_spread,
-            "no spread: " + shown(std::isfinite(highest_lower) ? highest_lower : lowest_upper) +
-                " agrees with all " + shown(c.n) + "; the dispersion cannot be told from zero"};
+        return Refusal{FitOutcome::no_spread,
+                       "all " + shown(c.n) + " agree with " +
+                           shown(std::isfinite(highest_lower) ? highest_lower : lowest_upper) +
+                           ": one value, no curve"};
     return std::nullopt;
 }
 

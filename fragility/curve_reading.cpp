@@ -127,9 +127,9 @@ LimitDisplacement drop_after_peak(const Curve& c, double share, Crossing crossin
     while (first < c.force.size() && above(first)) ++first;
     if (first == c.force.size() && c.came_down) return came_down_at_end(c);
     if (first == c.force.size())
-        return censored_at_end(
-            c, rises_to_end(c, top) ? "the force still rises where the curve ends"
-                                    : "the force has not fallen that far where the curve ends");
+        return censored_at_end(c, rises_to_end(c, top)
+                                      ? "the force still rises where the curve ends"
+                                      : "the push ended before the force fell that far");
     if (crossing == Crossing::first)
         return {crossing_before(c, first, level), Reading::observed, {}};
 

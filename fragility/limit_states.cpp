@@ -46,7 +46,7 @@ LimitDisplacement yield_of(const Curve& curve, const LimitDisplacement& ultimate
     const double least = o.ultimate_share * peak(curve).force /
                          secant_stiffness(curve, o.bilinear_share).value();
     return {std::min(b.yield_displacement, least), Reading::censored,
-            "the bilinear moves with where the push ends"};
+            "this value still depends on where the push ended; push further"};
 }
 
 Parts read_parts(const Curve& curve, const LimitStateOptions& o)

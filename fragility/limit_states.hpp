@@ -37,9 +37,9 @@ constexpr double kEc8FlexureDrift = 0.008, kEc8ShearDrift = 0.004; ///< [-]
 
 /// Reasons of a displacement that is a drift limit: of a code, or one that the user gave.
 constexpr std::string_view
-    kNtcLimitGoverns = "the drift limit of the code comes before the fall of the force",
-    kEc8LimitGoverns = "the drift limit of EN 1998-3, Annex C, comes before the fall of the "
-                       "force; compare with your copy of the code",
+    kNtcLimitGoverns = "governed by the code's drift limit",
+    kEc8LimitGoverns = "governed by the drift limit of EN 1998-3, Annex C; compare with your "
+                       "copy of the code",
     kGivenLimitGoverns = "the largest displacement allowed";
 
 /// Whether a displacement is such a limit, or a share of one, and not the wall's own.

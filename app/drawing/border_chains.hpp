@@ -36,8 +36,8 @@ struct ChainNetwork {
 [[nodiscard]] ChainNetwork trace_borders(const DrawingFrame& frame, const Labels& labels,
                                          double width, double height);
 
-/// Closes borders shorter than `least` to points, the shortest first, where no stone then touches itself, and each stone
-/// keeps three borders; the frame stays. Returns how many.
+/// Collapses borders shorter than `least`, shortest first, unless a stone would touch itself or keep fewer than three
+/// borders. The frame is kept. Returns how many.
 /// @param least [m]
 std::size_t close_short_chains(ChainNetwork& network, int stones, double least);
 

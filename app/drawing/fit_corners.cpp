@@ -245,9 +245,9 @@ void note_fitting(OutlineNetwork& network, const Fitting& fitting)
     }
     if (fitting.straight > 0) {
         network.notes.push_back(counted(fitting.straight,
-                                        "corner was left out that lies on a straight line",
-                                        "corners were left out that lie on straight lines") +
-                                ", where no other block has a corner.");
+                                        "corner on a straight side was removed",
+                                        "corners on straight sides were removed") +
+                                ".");
     }
 }
 

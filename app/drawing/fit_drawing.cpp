@@ -60,9 +60,9 @@ void note_unit(RawDrawing& raw, const dem::Region& e)
         "The file says that its unit is " +
         (raw.own_unit_name.empty() ? number(raw.own_unit * 1e3, 6) + " mm" : raw.own_unit_name);
     if (!raw.frame.unit_given) {
-        raw.notes.push_back(
-            says + ", and was read so: it is " + number((e.x1 - e.x0) * unit, 4) + " x " +
-            number((e.z1 - e.z0) * unit, 4) + " m. wall.length_unit would read it otherwise.");
+        raw.notes.push_back(says + "; the wall is " + number((e.x1 - e.x0) * unit, 4) + " x " +
+                            number((e.z1 - e.z0) * unit, 4) +
+                            " m. Set wall.length_unit to override.");
     } else if (std::abs(raw.own_unit / unit - 1.0) >= 1e-3) {
         raw.notes.push_back(says + "; it was read with a unit of " + number(unit * 1e3, 6) +
                             " mm (wall.length_unit).");

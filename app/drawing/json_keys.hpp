@@ -1,5 +1,5 @@
 #pragma once
-/// Keys of JSON objects that say nothing to this program.
+/// Counts unknown JSON keys, to report them.
 
 #include "app/drawing/raw_drawing.hpp"
 

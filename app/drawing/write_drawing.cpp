@@ -12,7 +12,15 @@
 namespace app {
 namespace {
 
-std::string in_units(double metres, double unit) { return number(metres / unit, kAfterUnits); }
+/// As few digits as give back the same length, in a unit other than the metre to the last bit but one: 0.6 m are 600 mm.
+std::string in_units(double metres, double unit)
+{
+    constexpr double kLastBit = 2.3e-16; // of 1 [-]
+    const double value = metres / unit, most = unit == 1.0 ? 0.0 : kLastBit * std::abs(metres);
+    int digits = kAfterUnits;
+    while (digits < 17 && std::abs(rounded(value, digits) * unit - metres) > most) ++digits;
+    return number(value, digits);
+}
 
 /// $INSUNITS of the DXF reference of Autodesk; 0: none of its units.
 int inserted_unit_code(double unit)

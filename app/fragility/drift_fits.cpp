@@ -92,10 +92,9 @@ bool describes(const JudgedFit& f)
 
 std::string rejected_text(const JudgedFit& f)
 {
-    return "The goodness-of-fit tests reject the law (p = " +
+    return "The fitted curve does not describe the walls (p = " +
            number(fragility::least_p(f.tests), 2) +
-           "): the observed shares replace it (Kaplan-Meier), with intervals that assume no "
-           "law.";
+           "); the row shows the observed percentages instead (Kaplan-Meier).";
 }
 
 } // namespace app

@@ -1,6 +1,6 @@
 #pragma once
-/// The laws of limit drifts and whether the walls bear them out. One rule for every output: a law that
-/// a test of goodness of fit rejects at fragility::kRejected gives way to the shares observed (Kaplan-Meier).
+/// The laws of limit drifts and whether the walls bear them out. One rule for every output: where a
+/// test of goodness of fit rejects a law at fragility::kRejected, the shares observed (Kaplan-Meier) are used instead.
 
 #include "app/fragility/fragility_data.hpp"
 
@@ -36,7 +36,7 @@ void judge(DriftData& data, const FitProgress& seen = {});
 /// There is a fit and no test rejects it.
 [[nodiscard]] bool describes(const JudgedFit& f);
 
-/// "The goodness-of-fit tests reject the law (p = 0.001): ..."
+/// "The fitted curve does not describe the walls (p = 0.001); ..."
 [[nodiscard]] std::string rejected_text(const JudgedFit& f);
 
 } // namespace app

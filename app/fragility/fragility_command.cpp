@@ -23,8 +23,7 @@
 #include "app/study/interrupt.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
-#include "app/study/other_way.hpp"
-#include "app/study/pier_remark.hpp"
+#include "app/study/study_summary.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/text_file.hpp"
 #include "app/text/words.hpp"
@@ -62,14 +61,9 @@ std::string stored_share_text(const StudyWalls& walls)
 /// "2 walls failed at 0.75 MPa: the energy ledger ..."
 std::string remarks_of(const StudyWalls& walls)
 {
-    std::string text = trouble_text(walls);
-    if (const std::string none = no_limit_remark(walls); !none.empty()) text += none + "\n";
-    if (const std::string other = other_way_remark(walls); !other.empty()) text += other + "\n";
-    text += limit_choices_text(walls.study) + "\n";
+    std::string text = limit_choices_text(walls.study) + "\n";
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
-    if (const std::string piers = pier_sentence(walls.study); !piers.empty())
-        text += piers + "\n";
     text += stored_share_text(walls);
     if (!walls.pushed_one_way) text += backbone_text(walls.study).substr(1) + "\n";
     const auto layouts = static_cast<std::uint32_t>(walls.study.geometry.layouts);
@@ -184,6 +178,7 @@ std::string answers_text(const FragilityOutput& output, const Command& command,
     std::string text;
     for (const NamedTable& t : output.tables) {
         if (!t.answer) continue;
+        if (t.in_summary && command.report && !command.verbose) continue;
         const Table shown = command.verbose ? t.table : short_table(t);
         text += t.table.title + "\n";
         if (!shown.rows.empty()) text += as_text(shown, width);
@@ -218,7 +213,6 @@ FragilityOutput output_of(const Command& command, const FitProgress& seen)
         check_columns(command, nullptr);
         return study_output(read_study_walls(command.study, command.overrides), seen);
     }
-    refuse_study_file(command.study);
     const DriftOptions options = options_of(command.overrides);
     const Csv csv = read_csv(command.study);
     check_columns(command, &csv);
@@ -257,8 +251,10 @@ FragilityOutput drift_output(DriftData data, const FitProgress& seen)
 FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
 {
     FragilityOutput output = drift_output(drift_data(walls), seen);
-    output.remarks = remarks_of(walls);
-    std::vector<NamedTable> tables = {{"modes", mode_table(walls), true},
+    output.remarks = study_remarks(walls);
+    output.told_by_study = output.remarks.size();
+    output.remarks += remarks_of(walls);
+    std::vector<NamedTable> tables = {{"modes", mode_table(walls), true, {}, true},
                                       {"means_by_mode", mean_table(walls)},
                                       {"equal_modes", equal_modes_table(walls)},
                                       {"mode_thresholds", threshold_table(walls)},
@@ -286,6 +282,7 @@ void check_fragility(const Command& command)
 
 int fragility_command(const Command& command)
 {
+    refuse_study_file(command.study);
     check_fragility(command);
     catch_interrupts();
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
@@ -299,9 +296,9 @@ int fragility_command(const Command& command)
     const std::string text = answers_text(output, command, width);
     std::cout << text;
     if (text.find("\u2020") != std::string::npos)
-        std::cout << wrapped(
-            "\u2020: no wall was tested up to this drift; it rests on the law alone.\n", width);
-    std::cout << wrapped(output.remarks, width) << "written to " << command.out
+        std::cout << "\u2020: extrapolated: no wall was pushed this far.\n";
+    const std::size_t told = command.report ? output.told_by_study : 0;
+    std::cout << wrapped(output.remarks.substr(told), width) << "written to " << command.out
               << "; README.md there begins with these tables\n";
     if (removed > 0) std::cout << removed << " files of an earlier run were removed there\n";
     return 0;

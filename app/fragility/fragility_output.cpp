@@ -85,15 +85,13 @@ Table short_table(const NamedTable& named)
         std::iota(rows.begin(), rows.end(), std::size_t{0});
     }
     rows.resize(std::min(rows.size(), kShortRows));
-    Table t{
-        .caption = all.caption, .head = {}, .rows = {}, .title = all.title, .keys = all.keys};
-    t.rows.resize(rows.size());
-    for (std::size_t c = 0; c < all.head.size(); ++c) {
-        if (all.head[c].holds & kDetail) continue;
-        t.head.push_back(all.head[c]);
-        for (std::size_t r = 0; r < rows.size(); ++r) t.rows[r].push_back(all.rows[rows[r]][c]);
-    }
-    return t;
+    Table t{.caption = all.caption,
+            .head = all.head,
+            .rows = {},
+            .title = all.title,
+            .keys = all.keys};
+    for (const std::size_t r : rows) t.rows.push_back(all.rows[r]);
+    return without_details(t);
 }
 
 void make_names_unique(FragilityOutput& output)

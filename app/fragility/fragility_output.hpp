@@ -14,6 +14,7 @@ struct NamedTable {
     Table table;
     bool answer = false; ///< what one came for: on top of the folder, and in its README.md
     std::vector<std::size_t> main{}; ///< rows that stand for a table too long for a terminal
+    bool in_summary = false;         ///< the summary that the verb study prints has its numbers
 };
 
 /// What a terminal gets unless it asks for all: no column of kDetail, and of a table of more than this many rows the main
@@ -30,6 +31,8 @@ struct NamedPicture {
 struct FragilityOutput {
     std::string source;  ///< what it was made from, with counts
     std::string remarks; ///< lines: failed and missing walls, warnings
+    std::size_t told_by_study =
+        0; ///< bytes at their beginning: study_remarks, which the verb study prints
     std::vector<NamedTable> tables;
     std::vector<NamedPicture> pictures;
     std::string pelicun; ///< CSV; empty: not written

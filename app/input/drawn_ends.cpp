@@ -45,8 +45,8 @@ void note_top(const std::vector<dem::Block>& blocks, std::vector<std::string>& n
                           std::ranges::min_element(blocks, {}, &dem::Block::x0)->x0;
     const double level = level_length(blocks);
     if (level >= kWhole * length) return;
-    notes.push_back("The beam lies on " + metres(level) + " of the " + metres(length) +
-                    " of the wall, on what is level at its highest point.");
+    notes.push_back("The beam rests on " + metres(level) + " of the wall's " + metres(length) +
+                    ": only the level sides at its highest point.");
 }
 
 bool stands(const dem::Block& block)

@@ -75,8 +75,8 @@ std::string cost_note(const Study& study, Purpose purpose)
     const bool beam = c.beam && study.beam.height > wall_length(study);
     const std::string less =
         beam ? "a beam that is less high, longer units or fewer solver.contact_points cost less"
-             : "fewer solver.contact_points or solver.zones_per_interval, or units that are "
-               "longer for their height, cost less";
+             : "fewer solver.contact_points or solver.zones_per_interval, or units with a "
+               "larger length-to-height ratio, cost less";
     const double available = memory();
     if (c.bytes > available && purpose == Purpose::push)
         throw error_at(study.source, beam ? "beam.height" : "solver.contact_points",

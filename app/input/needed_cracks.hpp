@@ -11,8 +11,8 @@ namespace app {
 /// one wall in a thousand of the paper's (lognormal, COV 0.30) is 0.39 of the mean; the rest is a margin for the coarse push.
 constexpr double kNeededShare = 0.25;
 
-/// Boxes that hold the middles of the units that may crack, course by course [m]. A coarse push with mean values, of
-/// units that are divided and do not break, under each stress level, tells them: tension over the tensile strength,
+/// Boxes that hold the middles of the units that may crack, course by course [m]. They are found by a coarse push with
+/// mean values under each stress level, with divided but unbreakable units: tension over the tensile strength,
 /// or shear over what cohesion and friction allow, in any crack at any of some tens of displacements.
 /// Where no unit may crack: one box with no middle in it.
 /// @param study with Study::wall::cracks of all units

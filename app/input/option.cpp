@@ -117,7 +117,7 @@ std::vector<Option> table()
          [](Command& c, Text v) { c.state = some_text(v); }},
         {"partial", "", "merge although walls are missing", "merge", false,
          [](Command& c, Text) { c.partial = true; }},
-        {"walls", "N", "number of walls that can be looked at (default: all; a choice if the study is large)", "report", false,
+        {"walls", "N", "how many walls the page can show (default: all; a selection of large studies)", "report", false,
          [](Command& c, Text v) { c.walls = whole_number(v, 0, 1e6); }},
         {"title", "TEXT", "title of the page (default: name of the study)", "report study", false,
          [](Command& c, Text v) { c.title = some_text(v); }},

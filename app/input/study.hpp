@@ -76,7 +76,8 @@ struct LoadInput {
     dem::Protocol protocol =
         dem::Protocol::none;    ///< none: one way, or as amplitudes or targets say
     bool scale_one_way = false; ///< of the protocol, see app/input/protocol_scale.hpp
-    std::string scaled; ///< what that found, as words; empty: max_displacement is as given
+    std::string
+        scaled; ///< the ultimate displacements behind the scaled protocol, as text; empty: not scaled
     double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
     /// Share of the peak that ends the push [-], in [0, 1). 0: zero force with finite displacements,
     /// never with small ones.
@@ -136,7 +137,7 @@ struct UqInput {
     double group_correlation = 0.5;         ///< [-], in [0, 1]
     int stop = kNoStop;            ///< kNoStop, kStopAtMixedShare or a row of kWallResponses
     double stop_half_width = 0.05; ///< of the 95 % interval [-], > 0
-    int most_samples = 1000;       ///< at which the rule gives up
+    int most_samples = 1000;       ///< upper limit of the stopping rule
     std::string pearson;           ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
     std::string drawn;             ///< one wall alone (app/study/drawn_wall.hpp); empty: all
 };

@@ -154,7 +154,7 @@ constexpr std::array kRandomKeys = {
         .field = kAt<&Study::uq, &UqInput::stop_half_width>},
     Key{.name = "uq.most_samples", .kind = Kind::count, .range = {'[', 1, 1e7, ']'},
         .effect = kWithStop, .verbs = "study",
-        .meaning = "number of samples at which the rule gives up",
+        .meaning = "upper limit on the number of samples",
         .field = kAt<&Study::uq, &UqInput::most_samples>},
     Key{.name = "uq.pearson", .kind = Kind::text,
         .effect = kWithRandom,

@@ -122,7 +122,7 @@ constexpr std::array kWallKeys = {
         .meaning = "a drawing of the blocks (.dxf, .json, .svg) or a picture of the stones (.png), in place of courses; from the folder of the study",
         .field = kAt<&Study::geometry, &GeometryInput::file>},
     Key{.name = "wall.outlines", .kind = Kind::text,
-        .meaning = "the same as text: corners x z in metres, counter-clockwise, between commas; blocks between semicolons",
+        .meaning = "outlines as text: \"x z\" corners in metres, counter-clockwise, separated by commas; stones separated by semicolons",
         .field = kAt<&Study::geometry, &GeometryInput::outlines>},
     Key{.name = "wall.length_unit", .kind = Kind::word, .names = kUnitNames, .used = kOfFile,
         .effect = kOfDrawing,

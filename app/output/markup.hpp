@@ -37,7 +37,7 @@ struct Replacement {
 /// Characters of UTF-8, of one column each.
 [[nodiscard]] std::size_t shown_width(std::string_view text);
 
-/// Columns of the terminal that stdout writes to; 100 where it is none.
+/// Columns of the terminal that stdout writes to; 100 where stdout is not a terminal.
 [[nodiscard]] std::size_t terminal_width();
 
 } // namespace app

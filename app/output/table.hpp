@@ -81,6 +81,9 @@ struct PlainTable {
 /// Aligned columns. A table wider than `width` is parted into blocks of columns, each with the keys.
 /// @param width of the terminal in characters; 0: no limit
 [[nodiscard]] std::string as_text(const Table& table, std::size_t width = 0);
+
+/// The table without its columns of kDetail.
+[[nodiscard]] Table without_details(const Table& all);
 [[nodiscard]] std::string
 as_csv(const Table& table); ///< RFC 4180, numbers as programs get them
 [[nodiscard]] std::string as_markdown(const Table& table);

@@ -56,6 +56,19 @@ std::string blocks(const ShownTable& t, std::size_t keys, std::size_t most)
 
 } // namespace
 
+Table without_details(const Table& all)
+{
+    Table t{
+        .caption = all.caption, .head = {}, .rows = {}, .title = all.title, .keys = all.keys};
+    t.rows.resize(all.rows.size());
+    for (std::size_t c = 0; c < all.head.size(); ++c) {
+        if (all.head[c].holds & kDetail) continue;
+        t.head.push_back(all.head[c]);
+        for (std::size_t r = 0; r < all.rows.size(); ++r) t.rows[r].push_back(all.rows[r][c]);
+    }
+    return t;
+}
+
 std::string as_text(const Table& table, std::size_t most)
 {
     const ShownTable t = shown(table);

@@ -128,10 +128,10 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
               "at [mm]",
               "stiffness [kN/mm]",
               {"ultimate [mm]", kCensored},
-              {"drift [%]", kCensored},
+              {"drift [%]", kCensored | kDetail},
               "mode",
               "cracked units",
-              "energy residual [%]"};
+              {"energy residual [%]", kDetail}};
     for (const PushedWall& w : walls) t.rows.push_back(level_row(w));
     return t;
 }
@@ -254,7 +254,7 @@ int push_command(const Command& command)
         push_until_told(study, std::move(plan), wanted, command.threads, command.quiet);
     if (!whole) keep_curves(command, walls);
     write_all(command, study, wanted, walls, series, film);
-    std::cout << as_text(level_table(study, walls), terminal_width()) << '\n'
+    std::cout << as_text(without_details(level_table(study, walls)), terminal_width()) << '\n'
               << as_text(limit_table(study, walls), terminal_width());
     for (const PushedWall& w : walls)
         for (const std::string& remark : hand_checks(study, w).remarks)

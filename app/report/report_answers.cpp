@@ -2,15 +2,14 @@
 
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/kaplan_meier.hpp"
+#include "fragility/observed_quantile.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace app {
 namespace {
@@ -56,37 +55,37 @@ std::string modes_of_level(const StudyLevel& level)
     return text.empty() ? kNothing : text;
 }
 
-/// First drift at which so large a share of the walls, or a bound of it, is reached.
-template <class Share>
-std::optional<double> reaching(const fragility::KaplanMeier& km, double share, Share of)
+/// "1.00 (7 of 10)"; "0.50 (10), 1.00 (40 of 50)" where walls have limits of their modes.
+std::string limits_text(const std::vector<fragility::Cap>& limits, std::size_t walls,
+                        int decimals)
 {
-    const auto at = std::ranges::find_if(
-        km.steps, [&](const fragility::KaplanMeierStep& s) { return of(s) >= share - 1e-12; });
-    return at == km.steps.end() ? std::nullopt : std::optional(at->at);
+    std::string text;
+    for (const fragility::Cap& limit : limits)
+        text += (text.empty() ? "" : ", ") + fixed(limit.value, decimals) + " (" +
+                number(limit.walls, 12) +
+                (&limit == &limits.back() ? " of " + std::to_string(walls) : "") + ")";
+    return text;
 }
 
-/// The median drift of the observed shares with its interval; "> 2.7" where fewer than half of the walls got there;
-/// "1.00 (7 of 10)" where walls have it in common, as they do a code's drift limit: that is no estimate.
+/// The median drift of the observed shares with its interval, as the tables have it; "> 2.7" where fewer than half of
+/// the walls got there. A drift limit of a code is no estimate: the walls that have it are counted.
 std::string median_of(const DriftData& data, const DriftGroup& group, std::size_t state)
 {
     constexpr int kDecimals = 2;
+    constexpr std::array kHalf = {0.5};
     const auto observed = limits_of(group, state);
     if (observed.empty()) return kNothing;
-    const auto km = fragility::kaplan_meier(observed, data.options.confidence);
-    using Step = fragility::KaplanMeierStep;
-    const auto median = reaching(km, 0.5, [](const Step& s) { return s.probability; });
-    if (!median) return "> " + fixed(std::floor(100.0 * km.end) / 100.0, kDecimals);
-    const auto same = std::ranges::count_if(observed, [&](const fragility::Observation& o) {
-        return o.lower == *median && o.upper == *median;
-    });
-    if (same >= 2)
-        return fixed(*median, kDecimals) + " (" + std::to_string(same) + " of " +
-               std::to_string(observed.size()) + ")";
-    const auto lower = reaching(km, 0.5, [](const Step& s) { return s.band.upper; });
-    const auto upper = reaching(km, 0.5, [](const Step& s) { return s.band.lower; });
-    return fixed(*median, kDecimals) +
-           interval(lower.value_or(*median),
-                    upper.value_or(std::numeric_limits<double>::infinity()), kDecimals);
+    const auto median =
+        fragility::observed_quantiles(observed, kHalf, data.options.confidence).front();
+    if (!median.value)
+        return "> " +
+               fixed(std::floor(100.0 * fragility::common_end(observed)) / 100.0, kDecimals);
+    const auto limits = fragility::caps(observed);
+    if (only_limits(observed) ||
+        std::ranges::find(limits, *median.value, &fragility::Cap::value) != limits.end())
+        return limits_text(limits, observed.size(), kDecimals);
+    return fixed(*median.value, kDecimals) +
+           interval(median.interval.lower, median.interval.upper, kDecimals);
 }
 
 /// The severest limit states of each set first: SLC before SLO.
@@ -137,11 +136,12 @@ Json answers_json(const StudyWalls& study, const DriftData& data)
         row.push_back(modes_of_level(level));
         rows.push_back(row);
     }
-    std::string note = "Limit states: the drift that half of the walls have reached, [" +
-                       number(100.0 * confidence, 4) +
-                       " % interval]. \"> 2.7\": fewer than half have reached it. \"(7 of "
-                       "10)\": 7 of 10 walls have "
-                       "this value in common, the limit of a code. …: no upper bound.";
+    std::string note =
+        "Limit states: the drift that half of the walls have reached, [" +
+        number(100.0 * confidence, 4) +
+        " % interval]. \"> 2.7\": fewer than half have reached it. \"(7 of "
+        "10)\": 7 of 10 walls have "
+        "a drift limit that is set, by a code or by the user. …: no upper bound.";
     if (levels.size() < study.levels.size())
         note += " " + std::to_string(levels.size()) + " of " +
                 std::to_string(study.levels.size()) +

@@ -10,7 +10,7 @@ namespace app {
 
 constexpr std::size_t kMostListed = 4'000; ///< walls with a curve and a row in the page
 
-/// Walls that can be looked at where nothing else is asked for: as many as have, together, no more
+/// Walls that the page can show where nothing else is asked for: as many as have, together, no more
 /// blocks than this, and at least kFewestFilmed. 316 walls of the paper are about 3 MB, and about a
 /// minute of one core to push.
 constexpr std::size_t kMostFilmedBlocks = 32'000;

@@ -3,6 +3,7 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/replaced_file.hpp"
 #include "app/report/report_choice.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <string_view>
 
 namespace app {
 namespace {
@@ -28,12 +30,15 @@ std::size_t most_walls(const StudyWalls& study, const std::optional<int>& asked)
     return walls_in_page(layout_of(study.study).blocks.size());
 }
 
+/// Of a page that shows all walls; a terminal need not be told.
+constexpr std::string_view kAllShown = "Click any curve to see its wall.";
+
 std::string chosen_text(std::size_t shown, std::size_t sound)
 {
     if (shown == 0) return "No wall was pushed again for this page.";
-    if (shown == sound) return "Click any curve to see its wall.";
+    if (shown == sound) return std::string(kAllShown);
     return std::to_string(shown) + " of " + std::to_string(sound) +
-           " walls can be looked at, taken in turns from each stress and mode in the order of "
+           " walls can be shown, taken in turns from each stress and mode in the order of "
            "the samples, to keep the page small. Click on the curve of another wall to see "
            "how to draw it; drystone report --walls N shows more.";
 }
@@ -138,7 +143,8 @@ int report_command(const Command& command, const FilmShelf& shelf)
     const std::string page = draft.page(shown.replay, shown.note);
     if (out.has_parent_path()) make_folder(out.parent_path());
     write_file(out, page);
-    std::cout << shown.note << "\nwritten to " << out.string() << ", "
+    if (shown.note != kAllShown) std::cout << wrapped(shown.note + "\n", terminal_width());
+    std::cout << "written to " << out.string() << ", "
               << fixed(static_cast<double>(page.size()) * 1e-6, 1) << " MB\n";
     return 0;
 }

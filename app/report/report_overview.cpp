@@ -5,8 +5,8 @@
 #include "app/study/fragility_text.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
-#include "app/study/other_way.hpp"
 #include "app/study/mode_share.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
 #include "uq/estimates/estimate.hpp"
@@ -206,17 +206,19 @@ std::vector<std::string> how_sure(const StudyWalls& study)
         sound += level.walls.size();
         for (const StudyWall& w : level.walls) censored += is_censored(w.reading.ultimate);
     }
-    if (censored > 0)
-        text.push_back(
-            std::to_string(censored) + " of " + count_of(sound, "wall") +
-            " still carried more than " + percent_text(study.study.fragility.ultimate_share) +
-            " of their peak when their push ended. Their "
-            "ultimate displacement is only known to be larger (censored): the fits count it as "
-            "larger, and the means leave it out.");
-    for (const std::string& remark : {no_limit_remark(study), other_way_remark(study)})
+    if (censored > 0) {
+        const std::string none = no_limit_remark(study);
+        text.push_back((!none.empty()
+                            ? none
+                            : std::to_string(censored) + " of " + count_of(sound, "wall") +
+                                  " still carried more than " +
+                                  percent_text(study.study.fragility.ultimate_share) +
+                                  " of the peak at the end.") +
+                       " The ultimate displacement of such a wall is only known to be larger "
+                       "(censored): the fits count it so, and the means leave it out.");
+    }
+    for (const std::string& remark : {other_way_remark(study), pier_sentence(study.study)})
         if (!remark.empty()) text.push_back(remark);
-    if (std::string piers = pier_sentence(study.study); !piers.empty())
-        text.push_back(std::move(piers));
     text.push_back("Brackets are " + percent_text(study.study.fragility.confidence) +
                    " confidence intervals. They reflect the number of walls, not errors of "
                    "the model.");
@@ -233,6 +235,7 @@ Overview overview(const StudyWalls& study)
     for (const StudyLevel& level : study.levels) o.found.push_back(level_text(f, level));
     o.lead = in_short(study);
     if (o.lead.empty() && !o.found.empty()) o.lead = o.found.front();
+    if (o.found.size() == 1) o.found.clear(); // the lead says it
     o.found.push_back("How a wall failed: " + mode_rule_text(f) + ".");
     if (!study.pushed_one_way) o.found.push_back(backbone_text(study.study).substr(1));
     o.sure = how_sure(study);

@@ -15,7 +15,7 @@ struct Replay {
     WallList walls;
     std::vector<Film> films; ///< of these
     std::size_t pushed = 0;  ///< for these films; the others were on the shelf
-    /// Of those pushed: the curve or the mode is not the stored one.
+    /// How many of the walls pushed again differ from the stored curve or mode.
     std::size_t different = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a study needs besides the drawing that `scene` writes, to read the same wall from it.
+/// The [wall] keys that read an exported drawing back as the same wall.
 
 #include "app/input/study.hpp"
 

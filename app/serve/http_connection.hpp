@@ -14,7 +14,7 @@ namespace app {
 struct ConnectionLimits {
     std::size_t most_head_bytes = 64 << 10; ///< request line and headers
     double most_head_seconds = 10.0;        ///< in which they have to arrive
-    int silent_seconds = 5;                 ///< so long either side may be silent
+    int silent_seconds = 5;                 ///< longest silence of either side
 };
 
 class HttpConnection final : public httplib::Stream {

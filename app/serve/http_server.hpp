@@ -19,7 +19,7 @@ struct HttpOptions {
     std::size_t most_head_bytes = 64 << 10; ///< of a request: its first line and its headers
     double most_seconds =
         10.0; ///< in which the head of a request, and its body, have to arrive [s]
-    int silent_seconds = 5; ///< so long a connection may be silent [s]
+    int silent_seconds = 5; ///< longest silence within a request [s]
     int connections = 128;  ///< served at a time; further ones wait
 };
 

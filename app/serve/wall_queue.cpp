@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Requests that are sent together do not arrive together: so long the first waits for the others. A push takes
-/// a hundred times longer.
+/// Requests sent together arrive one by one; the first waits this long for the rest. A push takes a hundred times
+/// longer.
 constexpr auto kGather = 2ms; // choice
 constexpr auto kLook = 100ms; // between looks whether the program is told to end
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All but the sessions: these alone are no reason to write anything.
+/// Compares everything but sessions; a new session alone does not rewrite the file.
 bool same_but_sessions(StoreHead a, const StoreHead& b)
 {
     a.sessions = b.sessions;

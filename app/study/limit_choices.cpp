@@ -2,6 +2,7 @@
 
 #include "app/input/key_values.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/study/fragility_text.hpp"
 #include "app/text/words.hpp"
 
 namespace app {
@@ -12,7 +13,7 @@ std::string keeps_its_load_text(const Study& study)
 {
     return std::string(
                "with small displacements a wall that rocks or slides keeps its load; for "
-               "its limit write solver.kinematics = finite and ") +
+               "its own limit write solver.kinematics = finite and ") +
            (!study.load.amplitudes.empty() ? "larger load.amplitudes"
             : !study.load.targets.empty()  ? "load.targets that go further"
                                            : "a larger load.max_displacement");
@@ -106,7 +107,8 @@ bool plays_a_part(const Key& key, const Study& study)
 std::string no_limit_remark(const Study& study, const WallReading& wall)
 {
     if (!keeps_its_load(study, wall)) return "";
-    return "the drift limit was not reached: " + keeps_its_load_text(study);
+    return "the force did not come down to " + percent_text(study.fragility.ultimate_share) +
+           " of the peak: " + keeps_its_load_text(study);
 }
 
 std::string no_limit_remark(const StudyWalls& walls)
@@ -119,7 +121,8 @@ std::string no_limit_remark(const StudyWalls& walls)
     }
     if (without == 0) return "";
     return std::to_string(without) + " of " + counted(all, "wall", "walls") +
-           " did not reach the drift limit: " + keeps_its_load_text(walls.study) + ".";
+           " still carried more than " + percent_text(walls.study.fragility.ultimate_share) +
+           " of the peak at the end: " + keeps_its_load_text(walls.study) + ".";
 }
 
 std::vector<LimitChoice> limit_choices(const Study& study)

@@ -35,7 +35,7 @@ std::vector<Group> groups_of(const Study& study, std::size_t size, const SampleO
     return groups;
 }
 
-/// What the threads of one call share. The first fault ends all: others leave where they next look.
+/// State shared by the threads of one call. The first exception stops them all, each at its next wall.
 class LayoutRun {
   public:
     LayoutRun(const Study& study, const dem::PushPlan& plan, const PushList& list,

@@ -15,7 +15,7 @@ namespace app {
 
 struct StudyRun {
     std::filesystem::path
-        file; ///< goes on where it stops; its folder is made if it is not there
+        file; ///< resumed where it stops; its folder is made if it is not there
     Shard shard;
     int threads = 1; ///< >= 1
     bool rerun_failed = false;
@@ -26,7 +26,7 @@ struct StudyRun {
 };
 
 struct StudyRunEnd {
-    bool whole = false; ///< else it was interrupted; the same run goes on where it stopped
+    bool whole = false; ///< else it was interrupted; the same run resumes where it stopped
     std::string remark; ///< of the stopping rule
     std::size_t before = 0, now = 0; ///< walls that the file had, and that this run added
 };

@@ -136,7 +136,7 @@ int study_command(const Command& command, const FrameTaker& frames)
     std::cout << as_text(summary.table, terminal_width())
               << wrapped(summary.remarks, terminal_width()) << end.remark << resumed_text(end)
               << "written to " << run.file.string() << '\n';
-    if (!end.whole) throw Interrupted{"the same command goes on where it stopped"};
+    if (!end.whole) throw Interrupted{"the same command resumes where it stopped"};
     return summary.failed == 0 ? 0 : 1;
 }
 

@@ -70,16 +70,19 @@ StudySummary summarise(const StudyWalls& walls)
         s.failed += level.failed_walls.size();
         s.missing += level.missing;
     }
-    s.remarks = trouble_text(walls);
-    if (const std::string none = no_limit_remark(walls); !none.empty()) {
+    if (const std::string none = no_limit_remark(walls); !none.empty())
         s.table.caption += " " + none;
-        s.remarks += none + "\n";
-    }
-    if (const std::string other = other_way_remark(walls); !other.empty())
-        s.remarks += other + "\n";
-    if (const std::string piers = pier_sentence(walls.study); !piers.empty())
-        s.remarks += piers + "\n";
+    s.remarks = study_remarks(walls);
     return s;
+}
+
+std::string study_remarks(const StudyWalls& walls)
+{
+    std::string text = trouble_text(walls);
+    for (const std::string& remark :
+         {no_limit_remark(walls), other_way_remark(walls), pier_sentence(walls.study)})
+        if (!remark.empty()) text += remark + "\n";
+    return text;
 }
 
 } // namespace app

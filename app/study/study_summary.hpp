@@ -13,10 +13,14 @@ constexpr const char* kSummaryTitle = "Results by stress";
 
 struct StudySummary {
     Table table;
-    std::string remarks; ///< lines: walls that failed and why, walls still to run
+    std::string remarks; ///< study_remarks
     std::size_t failed = 0, missing = 0;
 };
 
 [[nodiscard]] StudySummary summarise(const StudyWalls& walls);
+
+/// What is said of a study wherever it is summed up, one sentence a line: walls that failed and why, walls still to run, and
+/// what leaves its walls without a limit of their own.
+[[nodiscard]] std::string study_remarks(const StudyWalls& walls);
 
 } // namespace app

@@ -213,10 +213,15 @@ std::string trouble_text(const StudyWalls& walls)
     for (const auto& [reason, keys] : failures(walls))
         text += std::to_string(keys.size()) + " failed: " + reason + " (" +
                 named(walls, keys, kNamed) + (keys.size() > kNamed ? ", ...)\n" : ")\n");
-    std::size_t missing = 0;
-    for (const StudyLevel& level : walls.levels) missing += level.missing;
+    std::size_t missing = 0, all = 0;
+    for (const StudyLevel& level : walls.levels) {
+        missing += level.missing;
+        all += level.walls.size() + level.failed_walls.size() + level.missing;
+    }
     if (missing > 0)
-        text += std::to_string(missing) + " walls of the study are not in this file\n";
+        text +=
+            std::to_string(missing) + " of " + std::to_string(all) +
+            (walls.shard ? " walls are not in this shard\n" : " walls have not been run yet\n");
     if (const std::string other = other_revision_text(walls.head); !other.empty())
         text += other + "\n";
     return text;

@@ -123,7 +123,7 @@ bool share_a_block(const Face& f, const Face& g)
     return f.a == g.a || f.a == g.b || f.b == g.a || f.b == g.b;
 }
 
-/// Of each head joint that others begin above [m].
+/// Overlaps of each head joint with the head joints that begin above it [m].
 std::vector<double> overlaps(const Layout& layout)
 {
     std::map<long long, std::vector<const Face*>> beginning; // by level

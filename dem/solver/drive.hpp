@@ -46,7 +46,7 @@ class Drive {
     [[nodiscard]] bool settled() const { return settled_; } ///< at rest before the push
     [[nodiscard]] bool finished() const { return !settling_ && target_ >= targets_.size(); }
     [[nodiscard]] double position() const { return position_; } ///< of the load line [m]
-    /// Of the way to the next turn, or to the end [m].
+    /// Remaining distance to the next turn, or to the end [m].
     [[nodiscard]] double left() const { return turns_[turn_] - travelled_; }
     /// Whether the last step arrived where the drive turns back.
     [[nodiscard]] bool turned() const { return turned_; }
@@ -54,7 +54,7 @@ class Drive {
     [[nodiscard]] bool passed_zero() const { return passed_zero_; }
     /// Whether a push that turns back is at its end, which is a point like its turns.
     [[nodiscard]] bool came_to_its_end() const { return turns_back() && finished(); }
-    /// Of the way to the next turn, to the end or to zero displacement [m].
+    /// Remaining distance to the next turn, the end, or zero displacement [m].
     [[nodiscard]] double left_to_mark() const;
     [[nodiscard]] double done() const; ///< share of the whole path travelled [-]
 

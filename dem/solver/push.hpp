@@ -23,8 +23,8 @@ struct Model; // dem/block/model.hpp
 enum class Outcome {
     reached_target, ///< the wall reached all target displacements
     decided,        ///< PushPlan::decided stopped the push, because there was no more to learn
-    lost_equilibrium, ///< the wall came down: blocks fall freely, or are further apart, or one in the other, than its
-    ///< height. A result
+    lost_equilibrium, ///< the wall collapsed: blocks fall freely, or gaps or overlaps exceed its height. This is a
+    ///< result, not an error
     not_finite,    ///< a number is NaN or infinite; the run is counted, but none of it is used
     energy_astray, ///< the energy balance missed energy_tolerance even with the smallest step
     out_of_steps,  ///< SolverOptions::most_steps were not enough

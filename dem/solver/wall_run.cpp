@@ -134,7 +134,7 @@ template <class Real> Energy WallRun::energy(const WallState<Real>& state, int l
     return e;
 }
 
-/// The time that the sink takes is none of the solver's.
+/// Time spent in the sink is not charged to the solver.
 void WallRun::keep(Snapshot&& snapshot)
 {
     const SnapshotSink& sink = task_->plan.sink;

@@ -224,7 +224,7 @@ void run(const LoadedStudy& study, const std::string& out, int threads, bool rer
     });
     if (!whole)
         throw std::runtime_error(
-            "the run was interrupted; the same call goes on where it stopped");
+            "the run was interrupted; the same call resumes where it stopped");
 }
 
 } // namespace

@@ -127,7 +127,7 @@ TEST_CASE("drawing fit: corners on straight lines go unless another block has a 
         kMillimetres);
     CHECK(wall.blocks[0].outline.size() == 5);
     CHECK(wall.blocks[2].outline.size() == 5); // 1 mm is a corner
-    CHECK(scenes::notes(wall, "3 corners were left out that lie on straight lines"));
+    CHECK(scenes::notes(wall, "3 corners on straight sides were removed."));
 }
 
 TEST_CASE("drawing fit: the same drawing gives the same bits, and a fitted one stays as it is",

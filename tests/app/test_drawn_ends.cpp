@@ -108,7 +108,7 @@ TEST_CASE(
 {
     CHECK(wall_of(stack(kFlatFoot, kFlatTop)).geometry.notes.empty());
     const app::Study top = wall_of(stack(kFlatFoot, {600, 598, 602, 599, 600}));
-    CHECK(has_note(top, "The beam lies on 0.40 m of the 2.00 m of the wall"));
+    CHECK(has_note(top, "The beam rests on 0.40 m of the wall's 2.00 m: only the level sides"));
     const app::Study foot = wall_of(stack({3, 0, 2, 4, 2}, kFlatTop));
     CHECK(has_note(foot, "1 of 5 lowest blocks stand on the floor"));
     CHECK(has_note(foot, "begin up to 4 mm above it"));

@@ -138,8 +138,8 @@ TEST_CASE(
     CHECK(scenes::area(wall(5, false)) == Approx(2.0));
     CHECK(scenes::area(wall(14, false)) == Approx(200.0));
     CHECK(scenes::notes(wall(5, false),
-                        "The file says that its unit is cm, and was read so: it "
-                        "is 2 x 1 m"));
+                        "The file says that its unit is cm; the wall is 2 x 1 m. "
+                        "Set wall.length_unit to override."));
     CHECK(wall(0, false).notes.empty());
     CHECK(scenes::area(wall(14, true)) == Approx(0.02));
     CHECK(scenes::notes(wall(14, true), "unit is dm; it was read with a unit of 1 mm"));

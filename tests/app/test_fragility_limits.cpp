@@ -344,7 +344,7 @@ TEST_CASE(
     app::judge(data);
     const app::Table limits = app::performance_table(data);
     CHECK(cell(limits, 0, "note")
-              .starts_with("The goodness-of-fit tests reject the law (p = 0.005)"));
+              .starts_with("The fitted curve does not describe the walls (p = 0.005)"));
     CHECK(cell(limits, 1, "note").empty());
     CHECK(cell(limits, 0, "drifts from") == "observed");
     CHECK(cell(limits, 1, "drifts from") == "law");

@@ -96,7 +96,8 @@ TEST_CASE(
     const File file;
     run_study(file.path, n);
     const auto output = app::study_output(app::read_study_walls(file.path, {}));
-    CHECK(output.remarks.find("walls of the study are not in this file") != std::string::npos);
+    CHECK(output.remarks.find(std::to_string(6 - n) + " of 6 walls have not been run yet") !=
+          std::string::npos);
     CHECK(output.source.find(std::to_string(6 - n) + " not in this file") != std::string::npos);
 }
 

@@ -42,13 +42,16 @@ TEST_CASE(
         walls.levels[0].walls, [](const auto& w) { return is_censored(w.reading.ultimate); });
     REQUIRE(stood > 0);
     const std::string remark = app::no_limit_remark(walls);
-    CHECK(remark.starts_with(std::to_string(2 * stood) +
-                             " of 26 walls did not reach the drift limit: "));
+    CHECK(remark.starts_with(
+        std::to_string(2 * stood) +
+        " of 26 walls still carried more than 80 % of the peak at the end: "));
     CHECK(has(remark, "solver.kinematics = finite"));
     CHECK(has(app::summarise(walls).remarks, remark + "\n"));
     CHECK(has(app::summarise(walls).table.caption, remark));
     CHECK(has(app::performance_table(app::drift_data(walls)).caption, remark));
-    CHECK(std::ranges::count(app::overview(walls).sure, remark) == 1);
+    CHECK(std::ranges::count_if(app::overview(walls).sure, [&](const std::string& s) {
+              return s.starts_with(remark);
+          }) == 1);
 
     walls.study.solver.kinematics =
         dem::Kinematics::finite; // pushed too short a way: no such remark
@@ -92,7 +95,9 @@ TEST_CASE("limit choices: a study of walls that are not symmetric says that they
     CHECK(has(remark, "all walls were pushed to the right; to the left they may carry less"));
     CHECK(has(remark, "drystone push scene.h5 --sample mean --level STRESS"));
     CHECK(has(app::summarise(walls).remarks, remark + "\n"));
-    CHECK(std::ranges::count(app::overview(walls).sure, remark) == 1);
+    CHECK(std::ranges::count_if(app::overview(walls).sure, [&](const std::string& s) {
+              return s.starts_with(remark);
+          }) == 1);
 
     walls.study = study_scenes::study(door + "[load]\ntargets = 2, -2 mm\n");
     CHECK(app::other_way_remark(walls).empty()); // it goes both ways

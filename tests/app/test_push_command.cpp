@@ -264,7 +264,11 @@ TEST_CASE("push command: limit states are in tables, with what governs", "[app][
     CHECK(w.terminal.find("ntc SLC") != std::string::npos);
     const std::string csv = read_text(folder.path / "out" / "limit_states.csv");
     CHECK(csv.find("ntc SLC") != std::string::npos);
-    CHECK(csv.find("the drift limit of the code") != std::string::npos);
+    CHECK(csv.find("governed by the code's drift limit") != std::string::npos);
+    CHECK(w.terminal.starts_with("stress [MPa]"));
+    CHECK(w.terminal.find("energy residual") == std::string::npos); // in summary.json
+    CHECK(w.terminal.find("\n\n") ==
+          w.terminal.rfind("\n\n")); // two tables, none in two blocks
     const auto results = summary(folder.path / "out");
     int found = 0;
     for (const auto& state : results["limit_states"])

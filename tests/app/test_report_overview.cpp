@@ -53,6 +53,24 @@ TEST_CASE("report overview: the lowest and the highest stress are set side by si
           "their peak force before the push ended from 0 to 50 %.");
     const app::Overview four = app::overview(two_stresses(4)); // shares of four say nothing
     CHECK(four.lead == four.found.front());
+    app::StudyWalls one = two_stresses(4);
+    one.levels.pop_back();
+    const app::Overview o = app::overview(one); // what the lead says is not said again
+    CHECK(o.lead.starts_with("1.00 MPa: mean peak force 80.0 kN"));
+    CHECK(o.found.front().starts_with("How a wall failed: "));
+}
+
+TEST_CASE("report overview: walls that still stood are told once", "[app][report_overview]")
+{
+    app::StudyWalls study = two_stresses(4);
+    for (const dem::Kinematics k : {dem::Kinematics::small, dem::Kinematics::finite}) {
+        study.study.solver.kinematics = k;
+        const auto sure = app::overview(study).sure;
+        CHECK(std::ranges::count_if(sure, [](const std::string& s) {
+                  return s.find("still carried more than 80 % of the peak") !=
+                         std::string::npos;
+              }) == 1);
+    }
 }
 
 TEST_CASE("report answers: medians of the observed shares, codes' limits as plain numbers",
@@ -69,7 +87,14 @@ TEST_CASE("report answers: medians of the observed shares, codes' limits as plai
         walls.push_back(scenes::read_wall({0, i}, 80e3, 0.010 + 0.001 * i, false));
     CHECK(cell().starts_with("1.40 [1."));
     for (app::StudyWall& w : walls) w.reading.limits[0].displacement = 0.01;
+    CHECK(cell().starts_with("1.00 [")); // bit-equal drifts are no limit of a code
+    const auto limit = [](app::StudyWall& w, double at) {
+        w.reading.limits[0] = {at, fragility::Reading::observed, fragility::kNtcLimitGoverns};
+    };
+    for (app::StudyWall& w : walls) limit(w, 0.01);
     CHECK(cell() == "1.00 (9 of 9)");
+    for (std::size_t i = 0; i < 3; ++i) limit(walls[i], 0.005);
+    CHECK(cell() == "0.50 (3), 1.00 (6 of 9)");
     for (std::size_t i = 0; i < 5; ++i)
         walls[i].reading.limits[0] = {0.0272, fragility::Reading::censored, {}};
     CHECK(cell() == "> 2.72");

@@ -165,7 +165,8 @@ TEST_CASE("svg drawing: a file that states a length is read in it where no unit 
     CHECK(length(wall("200cm", false)) == Approx(2.0));
     CHECK(length(wall("2in", false)) == Approx(0.0508));
     CHECK(length(wall("720pt", false)) == Approx(0.254));
-    CHECK(scenes::notes(wall("400cm", false), "was read so: it is 4 x 2 m"));
+    CHECK(scenes::notes(wall("400cm", false),
+                        "; the wall is 4 x 2 m. Set wall.length_unit to override."));
     CHECK(length(wall("400cm", true)) == Approx(2.0));
     CHECK(scenes::notes(wall("400cm", true), "unit is 2 mm; it was read with a unit of 1 mm"));
     CHECK(length(wall("2000px", false)) == Approx(2.0));

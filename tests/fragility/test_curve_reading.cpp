@@ -157,7 +157,7 @@ TEST_CASE("curve reading: what has not dropped is censored where the curve ends"
     const LimitDisplacement flat = drop_after_peak(scenes::elastic_plastic(), 0.8, crossing);
     CHECK(flat.reading == Reading::censored);
     CHECK(flat.displacement == 10.0);
-    CHECK(flat.reason == "the force has not fallen that far where the curve ends");
+    CHECK(flat.reason == "the push ended before the force fell that far");
     const LimitDisplacement rising = drop_after_peak(scenes::straight(), 0.8, crossing);
     CHECK(rising.reading == Reading::censored);
     CHECK(rising.displacement == 3.0);

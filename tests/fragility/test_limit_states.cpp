@@ -93,7 +93,8 @@ TEST_CASE("limit states: without a drop the ultimate, its 3/4 and the yield are 
     check_censored(state(c, kNtc, "SLO").limit, 0.8 * 2.0 / 3.0);
     check_censored(state(c, kEc8, "SD").limit, 7.5);
     check_censored(state(c, kEc8, "DL").limit, 0.8);
-    CHECK(state(c, kEc8, "DL").limit.reason == "the bilinear moves with where the push ends");
+    CHECK(state(c, kEc8, "DL").limit.reason ==
+          "this value still depends on where the push ended; push further");
 }
 
 TEST_CASE("limit states: the bound of a yield holds however the push goes on",

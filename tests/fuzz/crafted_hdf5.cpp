@@ -394,7 +394,7 @@ std::string change_anything(const fs::path& path, uq::Stream& random)
         try {
             what = random.below(3) == 0 ? change_attribute(file, places, random)
                                         : change_dataset(file, path, places, random);
-        } catch (const std::runtime_error& error) {
+        } catch (const std::exception& error) {
             what = error.what();
         }
     });

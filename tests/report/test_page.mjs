@@ -288,7 +288,7 @@ claims['every control and picture has a name'] = () =>
 claims['a page of few walls says so and says which'] = () =>
     withPage({}, async (page) => {
         assert.equal(await page.evaluate(`document.querySelectorAll('#wall-choice option').length`), 3);
-        assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /3 of 24 walls can be looked at, taken in turns/);
+        assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /3 of 24 walls can be shown, taken in turns/);
         assert.ok(statSync(`${folder}/few.html`).size < statSync(small).size);
     }, `${folder}/few.html`);
 
@@ -343,7 +343,7 @@ claims['a page of many walls stays under 5 MB and takes less than two seconds of
 
 claims['a page of many walls has walls of each stress and says what it leaves out'] = () =>
     withPage({}, async (page) => {
-        assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /[0-9]+ of 4400 walls can be looked at, taken in turns/);
+        assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /[0-9]+ of 4400 walls can be shown, taken in turns/);
         assert.match(await page.evaluate(`document.getElementById('walls').textContent`), /4000 of 4400 walls: those with the lowest sample numbers/);
         const films = await page.evaluate(`[...document.querySelectorAll('#wall-choice optgroup')].map((g) => g.children.length)`);
         assert.equal(films.length, 2);

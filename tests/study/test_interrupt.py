@@ -90,7 +90,7 @@ def claim_study(folder):
     file = folder / "quick.h5"
     study = ["study", QUICK, "--out", file, "--quiet", *RIGID, "--set", "solver.steps_per_mm=1000", "--set", "load.max_displacement=2 mm"]
     said = interrupted([*study, "--set", "uq.design=monte_carlo", "--set", "uq.samples=4000"], file.exists)
-    assert said == "drystone: interrupted; the same command goes on where it stopped\n", said
+    assert said == "drystone: interrupted; the same command resumes where it stopped\n", said
 
 
 def claim_page(folder):

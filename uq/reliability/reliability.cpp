@@ -116,11 +116,10 @@ void variance_shares(const ReliabilityProblem& p, ReliabilityAnswer& a)
     const auto passed = static_cast<std::size_t>((independent <= 0.0).count()); // NaN is not
     const auto failed = static_cast<std::size_t>(independent.isNaN().count());
     Exceedance e = count_exceedance(passed, failed, static_cast<std::size_t>(2 * n), 0.95);
-    if (e.outcome == SamplingOutcome::limit_reached &&
-        coefficient_of_variation(e.estimate) <= p.target_cov)
-        e.outcome = SamplingOutcome::target_reached;
     e.ledger = std::move(ledger);
     add("Sobol' points", e, a);
+    if (e.outcome == SamplingOutcome::limit_reached) // no target ends these evaluations
+        a.methods.back().outcome = "of the evaluations that the indices need";
     Sensitivity one{"first-order Sobol' index", {}};
     Sensitivity all{"total Sobol' index", {}};
     SobolIndices s;
