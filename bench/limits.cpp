@@ -88,12 +88,13 @@ std::string page_of(const fs::path& work)
            "where it does, over the height of the load, by Kaplan and Meier, with 95 % "
            "intervals; a number behind > says that fewer walls than this share fell to "
            "80 % before their push ended. What the tables show: "
-           "[model.md](model.md#limits).\n\n" +
+           "[model.md](model.md#limits). Pushed until no force is left: "
+           "[validation.md](validation.md), section 8.\n\n" +
            app::as_markdown(
                table(work, kChoices,
                      "Kinematics, vertical load, crushing and cracks at the toe, one "
                      "at a time.")) +
-           "\n" + app::as_markdown(bench::limits_by_mode(complete(work, "collapse"))) + "\n" +
+           "\n" +
            app::as_markdown(
                table(work, kDensities, "Density of the cracks, fidelity standard."));
 }

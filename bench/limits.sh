@@ -35,8 +35,6 @@ study crushing_20 joint.compressive_strength="20 MPa" "$crushing"
 study cracks_2x2 solver.fidelity=standard unit.cracks="grid(2, 2)" unit.cracks_where=toe
 study cracks_2x2_crushing_57 solver.fidelity=standard unit.cracks="grid(2, 2)" unit.cracks_where=toe joint.compressive_strength="57 MPa" "$crushing"
 
-push collapse # until no force is left
-
 # Density of cracks.
 samples=16
 dense() { study "dense_$1" solver.fidelity=standard load.vertical_stress="0.75, 1.25 MPa" joint.wall_modulus="912.5, 1202 MPa" "${@:2}"; }

@@ -42,16 +42,23 @@ const char* group_of(const SceneReport& s, const WallReport& w)
     return fast ? "step within the bound, drive too fast" : "step within the bound";
 }
 
-/// How the walls of a scene ended, and what of it must not be.
-std::string story_of(const SceneReport& s)
+/// Scenes of one reason, as a reader types them after --only.
+struct FailedScenes {
+    int walls = 0;
+    std::vector<std::string> scenes;
+};
+
+void add(FailedScenes& f, const SceneReport& s)
 {
-    std::map<std::string, int> count;
-    for (const WallReport& w : s.walls)
-        if (!w.spoilt) ++count[name_of(w.outcome)];
+    ++f.walls;
+    const std::string number = std::to_string(s.number);
+    if (f.scenes.empty() || f.scenes.back() != number) f.scenes.push_back(number);
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
     std::string text;
-    for (const auto& [name, n] : count)
-        text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + name;
-    for (const std::string& rule : s.broken_rules) text += "; " + rule;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
     return text;
 }
 
@@ -149,15 +156,18 @@ app::Table within_bound_table(const std::vector<SceneReport>& scenes)
 
 app::Table failed_table(const std::vector<SceneReport>& scenes)
 {
+    std::map<std::string, FailedScenes> by_reason;
+    for_each_wall(scenes, [&](const SceneReport& s, const WallReport& w) {
+        if (!w.spoilt && dem::failed(w.outcome)) add(by_reason[name_of(w.outcome)], s);
+    });
+    for (const SceneReport& s : scenes)
+        for (const std::string& rule : s.broken_rules)
+            add(by_reason["broken rule: " + rule], s);
     app::Table t;
-    t.head = {"scene", "walls", "of"};
-    for (const SceneReport& s : scenes) {
-        const bool failed = std::any_of(s.walls.begin(), s.walls.end(), [](const auto& w) {
-            return !w.spoilt && dem::failed(w.outcome);
-        });
-        if (failed || !s.broken_rules.empty())
-            t.rows.push_back({std::to_string(s.number), story_of(s), s.scene.text});
-    }
+    t.head = {"reason", "walls", "scenes", "their numbers"};
+    for (const auto& [reason, f] : by_reason)
+        t.rows.push_back({reason, std::to_string(f.walls), std::to_string(f.scenes.size()),
+                          joined(f.scenes)});
     return t;
 }
 

@@ -29,7 +29,7 @@ struct CampaignSums {
 /// Share of walls whose step was halved though it was within the bound, by damping and step.
 [[nodiscard]] app::Table within_bound_table(const std::vector<SceneReport>& scenes);
 
-/// Scenes with walls that failed, spoilt ones apart, or with broken rules: to be run again.
+/// Walls that failed, spoilt ones apart, and rules that were broken: how many, and the scenes to run again.
 [[nodiscard]] app::Table failed_table(const std::vector<SceneReport>& scenes);
 
 /// Step over the measured limit of the wall of the paper at default settings.

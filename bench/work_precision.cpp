@@ -6,7 +6,6 @@
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"
 #include "app/text/number_text.hpp"
-#include "bench/equal_error.hpp"
 #include "bench/machine.hpp"
 #include "bench/nodal_answer.hpp"
 #include "bench/sweep.hpp"
@@ -204,6 +203,6 @@ int main(int argc, char** argv)
     app::write_file(folder / "work_precision.md",
                     kText + ("\nWritten by `" + bench::command_line()) + "` on " +
                         bench::machine_line() + ".\n" + front_text(points) + "\n" +
-                        app::as_markdown(table) + bench::equal_error_text());
+                        app::as_markdown(table));
     return 0;
 }

@@ -218,6 +218,10 @@ void set_out(const Verb& verb, Command& command)
 
 void check_study_options(const Command& command)
 {
+    if (command.study.ends_with(".h5") &&
+        is_listed(command.verb->name, "study reliability serve"))
+        refuse(command.study,
+               "is a file of results; write the study file that it was made from");
     const bool script = !command.script.empty();
     if (command.report && (command.shard.count > 1 || script))
         refuse("--report",
@@ -257,7 +261,7 @@ Command parse_command_line(std::span<const Verb> verbs,
     command.verb = &verb;
     if (command.words.size() > verb.most) check_assignments(given, command.words[verb.most]);
     check_words(verb, command.words);
-    if (command.words.empty()) return command;
+    if (command.words.empty() || verb.name == "help") return command;
     command.study = command.words.front();
     apply_all(verb, given, command);
     check_study_options(command);

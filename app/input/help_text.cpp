@@ -186,7 +186,7 @@ std::string help_of(const Verb& verb)
 std::string help_text(std::span<const Verb> verbs, std::string_view topic)
 {
     constexpr std::string_view kCodes =
-        "\nExit codes: 0 done, 1 failed, 2 error in the input.\n";
+        "\nExit codes: 0 done, 1 failed, 2 error in the input, 130 told to end.\n";
     if (topic.empty()) return help_of_program(verbs) + std::string(kCodes);
     if (const Verb* verb = find_verb(verbs, topic)) return help_of(*verb) + std::string(kCodes);
     std::string text;

@@ -7,7 +7,10 @@
 
 #include <boost/program_options/value_semantic.hpp>
 
+#include <arpa/inet.h>
+
 #include <algorithm>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -43,6 +46,20 @@ Shard shard_of(const std::string& text)
 std::string some_text(const std::string& text)
 {
     if (text.empty()) throw BadValue("missing value; write one after it");
+    return text;
+}
+
+/// Without the scheme, the brackets and the port that stand around it in an address.
+std::string host_name(const std::string& text)
+{
+    constexpr std::string_view kLetters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_";
+    in6_addr room{};
+    if (some_text(text).find_first_not_of(kLetters) != std::string::npos &&
+        ::inet_pton(AF_INET6, text.c_str(), &room) != 1)
+        throw BadValue(
+            in_quotes(text) +
+            " is not a name of a machine; write the name alone, such as \"lab.example\"");
     return text;
 }
 
@@ -109,7 +126,7 @@ std::vector<Option> table()
         {"address", "IP", "address at which a server listens (default: 127.0.0.1, this machine alone)", "serve", false,
          [](Command& c, Text v) { c.address = some_text(v); }},
         {"host", "NAME", "further name under which clients reach a server, or of a machine whose pages may ask it; may be repeated", "serve", true,
-         [](Command& c, Text v) { c.hosts.push_back(some_text(v)); }},
+         [](Command& c, Text v) { c.hosts.push_back(host_name(v)); }},
         {"input", "section.key", "key that a server takes as an input (default: all random variables); may be repeated", "serve", true,
          [](Command& c, Text v) { c.inputs.push_back(some_text(v)); }},
         {"response", "NAME", "what a server gives, such as ultimate_drift (default: peak_force); may be repeated", "serve", true,

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kPageRows = 40; // of LaTeX tables on one page, all parts together
 /// [characters] on 16 cm, the text of an A4 page, in \footnotesize: a digit of Computer Modern at 8 pt is 4.25 pt wide, and
 /// \tabcolsep of 4 pt on both sides of a column is less than kColumnGap.
-constexpr std::size_t kPageWidth = 105;
+constexpr std::size_t kLatexWidth = 105;
 constexpr std::size_t kHeadLine =
     9; // [characters] of a head are broken to this, or to what stands below
 
@@ -118,7 +118,7 @@ std::string as_latex(const Table& table)
 {
     const ShownTable t = shown(table);
     const std::vector<ShownTable> parts =
-        parts_of(t, page_widths(t), std::min(table.keys, t.head.size()), kPageWidth);
+        parts_of(t, page_widths(t), std::min(table.keys, t.head.size()), kLatexWidth);
     const std::string caption =
         "\\caption{" + latex_text(table.title.empty() ? table.caption : table.title) + "}";
     const std::string size = "\\footnotesize\\setlength{\\tabcolsep}{4pt}\n";

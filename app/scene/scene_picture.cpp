@@ -157,7 +157,7 @@ std::string draw_supports(const dem::Layout& layout, const WallView& view)
     return svg_group(svg_stroke("#444", 0.9), drawn);
 }
 
-std::string millimetres(double metres) { return number(metres * 1e3, 6) + " mm"; }
+std::string side_text(double metres) { return number(metres * 1e3, 6) + " mm"; }
 
 /// A line from end to end with its length.
 std::string draw_size(Pixel from, Pixel to, const std::string& text)
@@ -267,9 +267,9 @@ std::string scene_picture(const dem::Layout& layout, std::span<const DrawnBlock>
     }
     body += draw_supports(layout, view) + draw_faces(layout, view) + draw_numbers(units, view);
     const Pixel left = view.place({x0, 0.0}), right = view.place({x1, 0.0});
-    body += draw_size({left.x, left.y + 26}, {right.x, right.y + 26}, millimetres(x1 - x0)) +
+    body += draw_size({left.x, left.y + 26}, {right.x, right.y + 26}, side_text(x1 - x0)) +
             draw_size({left.x - 24, left.y}, {left.x - 24, view.place({0.0, layout.height}).y},
-                      millimetres(layout.height));
+                      side_text(layout.height));
     const std::vector<LegendItem> items = legend_items(layout, units);
     const double legend = left.y + 76.0;
     body += draw_legend(items, legend, (page - 2 * kMargin) / 3.0);

@@ -192,7 +192,8 @@ void serve_http(const HttpOptions& options, std::span<const ServedModel> models,
                                  std::to_string(options.port) + ": " + std::strerror(errno));
     server.lengthen_queue();
     const std::jthread watch([&](const std::stop_token& done) {
-        while (!done.stop_requested() && !ended())
+        while (!done.stop_requested() &&
+               !(ended() && server.is_running())) // else stop() is lost
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
         server.stop();
     });

@@ -19,21 +19,24 @@ std::string lower(std::string text)
     return text;
 }
 
-/// "localhost:4242" is localhost, "[::1]:4242" is ::1.
+/// "localhost:4242" is localhost, "[::1]:4242" is ::1; what has no port behind its colon is no name.
 std::string without_port(std::string_view authority)
 {
-    if (authority.starts_with('[')) {
-        const std::size_t end = authority.find(']');
-        return lower(std::string(authority.substr(1, end - 1)));
-    }
-    return lower(std::string(authority.substr(0, authority.find(':'))));
+    const bool bracket = authority.starts_with('[');
+    const std::size_t end = std::min(authority.find(bracket ? ']' : ':'), authority.size());
+    std::string_view port = authority.substr(end);
+    if (bracket) port = port.starts_with(']') ? port.substr(1) : "[";
+    if (!port.empty() &&
+        (port.front() != ':' || !std::ranges::all_of(port.substr(1), is_digit)))
+        return "";
+    return lower(std::string(authority.substr(bracket, end - bracket)));
 }
 
-/// "http://localhost:8888" is localhost; "null", of pages without a place, is null.
+/// "http://localhost:8888" is localhost; "null", of pages without a place, has none.
 std::string page_host(std::string_view origin)
 {
     const std::size_t scheme = origin.find("://");
-    return without_port(scheme == std::string_view::npos ? origin : origin.substr(scheme + 3));
+    return scheme == std::string_view::npos ? "" : without_port(origin.substr(scheme + 3));
 }
 
 bool is_address(const std::string& name)
@@ -79,7 +82,7 @@ std::optional<HttpReply> refused_by_head(const RequestHead& head, const ServerNa
     if (head.host.size() > 1) return malformed("the request has more than one Host");
     for (const std::string& host : head.host)
         if (const std::string name = without_port(host); !is_own(name, names))
-            return forbidden(shown(name) +
+            return forbidden(shown(name.empty() ? host : name) +
                              " is not a name of this server: if it is meant to be one, start "
                              "it with --host and this name");
     for (const std::string& origin : head.origin)

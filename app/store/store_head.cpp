@@ -220,7 +220,7 @@ std::string solver_revision(const std::string& identity)
 
 std::string revision_words(const std::string& revision)
 {
-    return (revision.empty() ? "an earlier revision" : "revision " + revision) +
+    return (revision.empty() ? "an earlier revision" : "revision " + shortened(revision)) +
            " of the solver";
 }
 

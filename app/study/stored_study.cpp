@@ -15,22 +15,14 @@ namespace {
 /// The configuration has the scale that was found, the identity that it was looked for.
 constexpr std::string_view kFoundOut = "load.protocol_scale";
 
-/// An identity by what its lines are about.
-struct IdentityLines {
-    std::string program; ///< keys without a section
-    std::string study;   ///< all others but kFoundOut
-};
-
-IdentityLines lines_of(const std::string& identity)
+std::string without_found_out(const std::string& identity)
 {
-    IdentityLines lines;
+    std::string text;
     std::istringstream in(identity);
-    for (std::string line; std::getline(in, line);) {
-        const std::string_view key = trimmed(std::string_view(line).substr(0, line.find('=')));
-        if (key == kFoundOut) continue;
-        (key.find('.') == std::string::npos ? lines.program : lines.study) += line + "\n";
-    }
-    return lines;
+    for (std::string line; std::getline(in, line);)
+        if (trimmed(std::string_view(line).substr(0, line.find('='))) != kFoundOut)
+            text += line + "\n";
+    return text;
 }
 
 bool same_stress(double a, double b)
@@ -53,9 +45,10 @@ void check_configuration(const std::filesystem::path& file, const StoreHead& hea
 {
     if (!same_walls(head, study))
         damaged(file, kNotOfWalls + std::string(", which have another seed or other stresses"));
-    const IdentityLines stored = lines_of(head.identity), own = lines_of(identity_text(study));
-    if (stored.program != own.program) return;
-    std::string why = text_difference(stored.study, own.study);
+    const std::string own = identity_text(study);
+    if (solver_revision(head.identity) != solver_revision(own))
+        return; // had other keys; other_revision_text says so
+    std::string why = text_difference(without_found_out(head.identity), without_found_out(own));
     if (!why.empty()) why.pop_back(); // the end of the last line
     if (!why.empty())
         damaged(file, kNotOfWalls +

@@ -86,10 +86,13 @@ TEST_CASE(
     {
         replace(head.configuration, "kinematics              = small",
                 "kinematics              = finite");
-        refused("+ solver.kinematics = finite");
-        // another revision of the solver may have had other keys: its configuration counts
-        replace(head.identity, "revision = ", "revision = 9");
+        refused("+ solver.kinematics = finite\n");
+        // another version may have had other keys: its configuration counts
+        const std::string own = head.identity;
+        replace(head.identity, "solver_revision = ", "solver_revision = 1");
         CHECK_NOTHROW(app::stored_study("stranger.h5", head));
+        head.identity = own + "solver_revision = 99\n"; // the first is this program's
+        refused("- solver_revision = 99");
     }
     SECTION("seed") { head.seed = 7, refused("another seed or other stresses"); }
     SECTION("stress")

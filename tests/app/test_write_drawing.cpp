@@ -43,17 +43,6 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("write drawing: 0.6 m are 600 mm", "[app][write_drawing]")
-{
-    app::DrawnBlock block;
-    block.outline = {{0.0, 0.0}, {0.1 + 0.2 + 0.3, 0.0}, {0.6, 0.3}}; // 0.6000000000000001 m
-    for (const std::string& text : {app::write_drawing_json({&block, 1}, 1e-3),
-                                    app::write_drawing_dxf({&block, 1}, 1e-3)}) {
-        CHECK(text.find("600") != std::string::npos);
-        CHECK(text.find("600.0") == std::string::npos);
-    }
-}
-
 TEST_CASE("write drawing: a DXF says its unit", "[app][write_drawing]")
 {
     const app::Drawing wall = scenes::drawing_of(

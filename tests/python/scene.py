@@ -28,6 +28,11 @@ def sets(values):
     return [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
 
 
+def as_written(value):
+    """A number as tables and summaries have it: of 15 digits (app/text/number_text.hpp)."""
+    return float(f"{value:.15g}")
+
+
 def table(path):
     with open(path, encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))

@@ -9,7 +9,7 @@ import numpy
 
 import drystone
 
-from scene import InFolder, QUICK, run, table
+from scene import InFolder, QUICK, as_written, run, table
 
 
 class FitIsThatOfTheCommandLine(InFolder):
@@ -29,17 +29,17 @@ class FitIsThatOfTheCommandLine(InFolder):
         self.assertEqual(len(rows), 4)
         for row in rows:
             fit = drystone.fragility.fit(self.DRIFTS, self.STOOD, law=row["law"])
-            self.assertEqual(fit.aic, float(row["AIC"]))
+            self.assertEqual(as_written(fit.aic), float(row["AIC"]))
             self.assertEqual((fit.n, fit.n_censored), (12, 3))
             if row["law"] in ("lognormal", "normal"):
-                self.assertEqual((fit.location, fit.dispersion), (float(row["first value"]), float(row["second value"])))
-                self.assertEqual(fit.location_error, float(row["first value std error"]))
+                self.assertEqual((as_written(fit.location), as_written(fit.dispersion)), (float(row["first value"]), float(row["second value"])))
+                self.assertEqual(as_written(fit.location_error), float(row["first value std error"]))
                 # The table takes it from the covariance of its own parameters: the last bit differs.
                 error = float(row["second value std error"])
-                self.assertTrue(math.isclose(fit.dispersion_error, error, rel_tol=4e-16), row)
+                self.assertTrue(math.isclose(fit.dispersion_error, error, rel_tol=1e-14), row)
             else:
                 shape = {"weibull": 1 / fit.dispersion, "gamma": 1 / fit.dispersion**2}[row["law"]]
-                self.assertTrue(math.isclose(shape, float(row["first value"]), rel_tol=4e-16), row)
+                self.assertTrue(math.isclose(shape, float(row["first value"]), rel_tol=1e-14), row)
 
     def test_performance_limits(self):
         for law in ("lognormal", "weibull"):
@@ -47,14 +47,14 @@ class FitIsThatOfTheCommandLine(InFolder):
             limits = drystone.fragility.performance_limits(self.DRIFTS, self.STOOD, law)
             fit = drystone.fragility.fit(self.DRIFTS, self.STOOD, law)
             for i, name in enumerate(("5 % drift", "16 % drift", "median drift", "84 % drift", "95 % drift")):
-                self.assertEqual(limits.drift[i], float(row[f"{name} [%]"]))
-                self.assertEqual(limits.lower[i], float(row[f"{name} lower [%]"]))
-                self.assertEqual(limits.upper[i], float(row[f"{name} upper [%]"]))
+                self.assertEqual(as_written(limits.drift[i]), float(row[f"{name} [%]"]))
+                self.assertEqual(as_written(limits.lower[i]), float(row[f"{name} lower [%]"]))
+                self.assertEqual(as_written(limits.upper[i]), float(row[f"{name} upper [%]"]))
                 self.assertEqual(fit.quantile(limits.share[i]), limits.drift[i])
                 self.assertEqual(fit.interval(limits.share[i]), (limits.lower[i], limits.upper[i]))
-            self.assertEqual(limits.dispersion, float(row["dispersion"]))
+            self.assertEqual(as_written(limits.dispersion), float(row["dispersion"]))
             self.assertEqual(fit.interval("dispersion"), limits.dispersion_interval)
-            self.assertEqual(100 * limits.censored_share, float(row["censored [%]"]))
+            self.assertEqual(as_written(100 * limits.censored_share), float(row["censored [%]"]))
             self.assertEqual(fit.median, limits.drift[2])
 
     def test_kaplan_meier(self):
@@ -62,7 +62,7 @@ class FitIsThatOfTheCommandLine(InFolder):
         steps = drystone.fragility.kaplan_meier(self.DRIFTS, self.STOOD)
         for column, name in ((steps.at, "drift [%]"), (steps.probability, "share"), (steps.lower, "share lower"),
                              (steps.upper, "share upper"), (steps.at_risk, "walls at risk")):
-            self.assertEqual(list(column), [float(row[name]) for row in rows])
+            self.assertEqual([as_written(x) for x in column], [float(row[name]) for row in rows])
         self.assertEqual(steps.end, 3.0)
 
     def test_median(self):

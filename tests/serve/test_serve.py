@@ -190,13 +190,14 @@ def check_browsers(port, own=()):
     """Pages of browsers are refused: those of another machine, and those whose name was made to point to this one."""
     for host in (b"localhost", b"LOCALHOST:4242", b"127.0.0.1:%d" % port, b"127.1.2.3", b"[::1]:4242", *own):
         assert status_of(port, SIZES, b"Host: " + host) == 200, host
-    for host in (b"evil.example", b"evil.example:%d" % port, b"127.0.0.1.evil.example", b"localhost.evil.example", b"10.0.0.5", b"[",
+    for host in (b"evil.example", b"evil.example:%d" % port, b"127.0.0.1.evil.example", b"localhost.evil.example", b"10.0.0.5", b"[", b"[::1", b"[::1]x",
+                 b"localhost:80@evil.example", b"localhost:evil",
                  b"localhost\r\nHost: evil.example"):
         assert status_of(port, SIZES, b"Host: " + host) in (403, 400), host
     for origin in (b"http://localhost:8888", b"http://127.0.0.1", b"https://[::1]:8888", *(b"https://" + name for name in own)):
         assert status_of(port, SIZES, b"Host: localhost", b"Origin: " + origin) == 200, origin
     for origin in (b"http://evil.example", b"null", b"http://10.0.0.5:%d" % port, b"http://localhost.evil.example",
-                   b"http://localhost@evil.example"):
+                   b"http://localhost@evil.example", b"http://localhost:80@evil.example", b"localhost"):
         assert status_of(port, SIZES, b"Host: localhost", b"Origin: " + origin, b"Content-Type: text/plain") == 403, origin
     reply = raw(port, head(b"/Evaluate", b"{}", b"Host: evil.example"), 20)
     assert b'evil.example\\" is not a name of this server' in reply and b"--host" in reply, reply
@@ -293,6 +294,14 @@ def check_end():
             check_error(answer, 500, "InvalidOutput")
 
 
+def check_end_at_once():
+    """A signal that comes before the first connection is taken in ends it too."""
+    for _ in range(8):
+        server, _ = start()
+        server.send_signal(signal.SIGINT)
+        assert server.wait(30) == 0
+
+
 def check_address(port):
     try:
         socket.create_connection(("127.0.0.2", port), timeout=5).close()
@@ -337,6 +346,7 @@ def main():
     check_places()
     check_queue()
     check_end()
+    check_end_at_once()
     server, port = start("--host", "lab.example", "--host", "Notebook.example")
     try:
         check_browsers(port, (b"lab.example:80", b"notebook.example"))
