@@ -47,8 +47,8 @@ export function fragility(data, host) {
 function fragilitySeries(data, c, x, alone) {
     const colour = levelColour(c.level);
     const name = data.levels[c.level].name;
-    const fitted = { label: alone ? `${name}: fitted, with ${percent(data)} band` : `${name}, ${percent(data)} band`, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: [[0, ...c.lower], [0, ...c.upper]], faint: !alone };
-    const series = c.fitted ? [fitted] : [];
+    const fitted = () => ({ label: alone ? `${name}: fitted, with ${percent(data)} band` : `${name}, ${percent(data)} band`, colour, dash: alone ? [] : dashOf(c.level), width: 2.5, data: [0, ...c.least], band: [[0, ...c.lower], [0, ...c.upper]], faint: !alone });
+    const series = c.fitted ? [fitted()] : [];
     if (!alone && c.fitted) return series;
     if (c.fitted && c.most.some((p, i) => p > c.least[i] + 1e-4)) series.push({ label: 'the most it may be: some modes have no fit', colour, dash: [3, 3], width: 1.5, data: [0, ...c.most] });
     if (c.steps.length) {
