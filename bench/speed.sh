@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bash bench/speed.sh [OUT.md]   times of whole commands on this machine, today: shortest of three runs each
+# bash bench/speed.sh [OUT.md]   times of whole commands on this machine, today: shortest of DRYSTONE_RUNS runs (default 3)
 #
 # OUT.md: default docs/bench/speed.md. The machine should be idle; the load at the beginning is written down.
 # DRYSTONE_PROGRAM: the program (default: what ./drystone builds).
@@ -23,7 +23,7 @@ row() { # $1: what; then the arguments of ./drystone; FILE stands for a new file
     local what=$1 run times=() shown
     shift
     shown="./drystone ${*//FILE.h5/runs/x.h5}"
-    for run in 1 2 3; do
+    for ((run = 0; run < ${DRYSTONE_RUNS:-3}; ++run)); do
         rm -f -- "$work"/new.h5
         times+=("$({ time drystone "${@//FILE.h5/$work/new.h5}" >"$work/log" 2>&1 </dev/null; } 2>&1)") || {
             tail -n 20 -- "$work/log" >&2
@@ -38,7 +38,7 @@ row() { # $1: what; then the arguments of ./drystone; FILE stands for a new file
     echo "# Whole commands"
     echo
     echo "Written by \`bash bench/speed.sh\` on $(LC_ALL=C date -u '+%-d %B %Y') on $(processor), $(nproc) cores;"
-    echo "$(drystone version | head -n 1); load before: $load. Shortest of three runs; core s: of all cores together."
+    echo "$(drystone version | head -n 1); load before: $load. Shortest of ${DRYSTONE_RUNS:-3} runs; core s: of all cores together."
     echo
     echo "| what | seconds | core s | command |"
     echo "|---|---:|---:|---|"

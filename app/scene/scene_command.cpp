@@ -137,8 +137,8 @@ int scene_command(const Command& command)
     const StudySource source = study_source(command, Purpose::drawing);
     const Study& study = source.study;
     const fs::path out = command.out;
-    if (const std::string note =
-            check_results(out, {"scene.json", "scene.dxf", "scene.svg", "joints.csv"}, kSceneList);
+    if (const std::string note = check_results(
+            out, {"scene.json", "scene.dxf", "scene.svg", "joints.csv"}, kSceneList);
         !command.quiet)
         std::cerr << note;
     const dem::Layout layout = layout_of(study);

@@ -71,7 +71,8 @@ std::vector<StoreSession> sessions(const hdf5::File& file)
     if (file.checked(H5Lexists(file.id.get(), kSessionRevision, H5P_DEFAULT),
                      "find the revision of the solver in") == 0)
         return list;
-    const std::vector<std::string> revisions = hdf5::texts_of(file, kSessionRevision, kMostTextBytes);
+    const std::vector<std::string> revisions =
+        hdf5::texts_of(file, kSessionRevision, kMostTextBytes);
     if (revisions.size() != list.size())
         damaged(file.path, "there is not a revision of the solver for each session");
     for (std::size_t i = 0; i < list.size(); ++i) list[i].solver_revision = revisions[i];

@@ -19,7 +19,7 @@ int merge_command(const Command& command)
     if (out.has_parent_path()) make_folder(out.parent_path());
     merge(out, shards, command.partial, check);
     const StudySummary summary = summarise(read_study_walls(out, {}, Keep::readings));
-    std::cout << as_text(summary.table, terminal_width()) 
+    std::cout << as_text(summary.table, terminal_width())
               << wrapped(summary.remarks, terminal_width()) << "written to " << out.string()
               << '\n';
     return summary.failed == 0 ? 0 : 1; // walls that are missing were asked for

@@ -75,9 +75,9 @@ TEST_CASE("command line: help and version are verbs and options", "[app][command
     CHECK(parse({"-h"}).words.empty());
     CHECK(parse({"version"}).verb->name == "version");
     CHECK(parse({"--version"}).verb->name == "version");
-    const Words words = GENERATE(Words{"push", "--help"}, Words{"--help", "push"},
-                                 Words{"help", "push"}, Words{"push", "wall.ini", "-h"},
-                                 Words{"push", "--film", "--out", "x", "-h"});
+    const Words words =
+        GENERATE(Words{"push", "--help"}, Words{"--help", "push"}, Words{"help", "push"},
+                 Words{"push", "wall.ini", "-h"}, Words{"push", "--film", "--out", "x", "-h"});
     CHECK(parse(words).verb->name == "help");
     CHECK(parse(words).words == Words{"push"});
 }
