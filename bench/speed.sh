@@ -38,7 +38,7 @@ row() { # $1: what; then the arguments of ./drystone; FILE stands for a new file
     echo "# Whole commands"
     echo
     echo "Written by \`bash bench/speed.sh\` on $(LC_ALL=C date -u '+%-d %B %Y') on $(processor), $(nproc) cores;"
-    echo "$(drystone version | head -n 1); load before: $load. Shortest of ${DRYSTONE_RUNS:-3} runs; core s: of all cores together."
+    echo "$(drystone version | head -n 1); load before: $load. Shortest of ${DRYSTONE_RUNS:-3} run(s); core s: of all cores together."
     echo
     echo "| what | seconds | core s | command |"
     echo "|---|---:|---:|---|"
