@@ -21,6 +21,10 @@ while IFS=: read -r file line name; do
     expect "$file:$line" "$name" "drystone_${version}_amd64.deb"
 done < <(grep -noE 'drystone_[0-9][0-9.]*_amd64\.deb' README.md packaging/drystone.def docs/*.md)
 
+while IFS=: read -r file line name; do
+    expect "$file:$line" "$name" "find_package(drystone ${version%.*} "
+done < <(grep -noE 'find_package\(drystone [0-9.]+ ' examples/cpp/CMakeLists.txt docs/*.md)
+
 revision=$(first 'kSolverRevision = ([0-9]+);' dem/solver/solver_revision.hpp)
 expect "CHANGELOG.md: last revision of its table" "$(grep -oE '^\| [0-9]+ \|' CHANGELOG.md | tr -dc '0-9\n' | sort -n | tail -n 1)" "$revision"
 said=$("$program" version)
