@@ -47,7 +47,7 @@ int main()
     const fragility::Curve curve = {displacement, force};
     const fragility::Peak peak = fragility::peak(curve);
     const fragility::LimitDisplacement drop = fragility::drop_after_peak(curve);
-    std::printf("peak_force_kN %.17g\n", peak.force * 1e-3);
-    std::printf("ultimate_displacement_mm %.17g\n", drop.displacement * 1e3);
-    std::printf("energy_residual %.17g\n", result.residual);
+    std::printf("peak_force_kN %.15g\n", peak.force * 1e-3);
+    std::printf("ultimate_displacement_mm %.15g\n", drop.displacement * 1e3);
+    std::printf("energy_residual %.15g\n", result.residual);
 }

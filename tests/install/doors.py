@@ -44,6 +44,6 @@ with tempfile.TemporaryDirectory() as folder:
     inputs = eval(re.search(r"x = (\[.*?\])", request).group(1))
     wall = drystone.Study("configs/quick.ini").push(inputs=[inputs], level=0)[0]
     assert wall.summary["vertical_stress_MPa"] == 0.5, wall.summary
-    assert 1000 * wall.summary["peak_force_kN"] == peak, (wall.summary["peak_force_kN"], peak)
+    assert wall.force.max() == peak, (wall.force.max(), peak)
     os.chdir("/")
 print("every door opens; the server has the bits of the module")

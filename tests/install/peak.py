@@ -3,4 +3,4 @@ import sys
 
 import drystone
 
-print(f"peak_force_kN {drystone.push(sys.argv[1]).summary['peak_force_kN']:.17g}")
+print(f"peak_force_kN {drystone.push(sys.argv[1]).summary['peak_force_kN']:.15g}")

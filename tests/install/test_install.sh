@@ -29,7 +29,7 @@ quietly cmake --build "$work/cmake" --verbose
 "$program" push "$root/configs/wall.ini" --out "$work/wall" --quiet >/dev/null
 while read -r key value; do
     grep -q "\"$key\"" "$work/wall/summary.json" || die "$key: not in summary.json"
-    python3 - "$key" "$value" "$work/wall/summary.json" <<'PYTHON' || die "$key: not the bits of the command line"
+    python3 - "$key" "$value" "$work/wall/summary.json" <<'PYTHON' || die "$key: not the number of the command line, which has 15 digits"
 import json, sys
 key, value, file = sys.argv[1:]
 sys.exit(json.load(open(file))[key] != float(value))
