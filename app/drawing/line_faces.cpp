@@ -128,7 +128,7 @@ std::string main_layer(const RawDrawing& drawing, const LineNetwork& network,
     return longest->first;
 }
 
-/// What the lines enclose: as many areas as were added, or were gaps.
+/// Numbers of the areas that the lines enclose: each is a block or a gap.
 struct Enclosed {
     std::size_t blocks = 0, gaps = 0;
 };

@@ -32,7 +32,7 @@ void check_options(const std::string& file, const DrawingOptions& options)
     }
 }
 
-/// What to do with a file of another format.
+/// The remedy for a file of another format.
 std::string remedy_for(const std::string& extension)
 {
     struct Other {

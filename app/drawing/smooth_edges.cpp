@@ -115,7 +115,7 @@ struct Around {
     }
 };
 
-/// What one meets on the way from a pixel out of its area.
+/// The way from a pixel out of its area.
 struct Way {
     int run = 0;  ///< pixels to the first of another kind
     int next = 0; ///< that kind

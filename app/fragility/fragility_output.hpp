@@ -17,8 +17,8 @@ struct NamedTable {
     bool in_summary = false;         ///< the summary that the verb study prints has its numbers
 };
 
-/// What a terminal gets unless it asks for all: no column of kDetail, and of a table of more than this many rows the main
-/// ones, at most so many.
+/// The table as a terminal gets it unless it asks for all. It has no column of kDetail. A table of more than this many rows is cut to its
+/// main ones, at most so many.
 constexpr std::size_t kShortRows = 10;
 [[nodiscard]] Table short_table(const NamedTable& named);
 

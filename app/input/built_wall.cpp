@@ -15,7 +15,7 @@
 namespace app {
 namespace {
 
-/// Of units and headers [m].
+/// The shortest unit or header [m].
 double shortest_unit(const Study& study)
 {
     const dem::WallGeometry& wall = study.wall;

@@ -51,7 +51,7 @@ void refuse_drawn(const Study& study)
 
 namespace {
 
-/// What this process may have [bytes].
+/// The memory that this process may have [bytes].
 double memory()
 {
     const double whole = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *

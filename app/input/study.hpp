@@ -204,7 +204,7 @@ struct Study {
     StudyFile source;                 ///< what was given
 };
 
-/// What a study is read for. A drawing needs no load: a height that does not fit the wall is told, not refused.
+/// The reason for which a study is read. A drawing needs no load: a height that does not fit the wall is told, not refused.
 enum class Purpose { push, drawing };
 
 /// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// That a push to and fro is not endless. Before its path is made.
+/// Checks that a push to and fro is not endless, before its path is made.
 /// @throws ConfigError at the value to change
 void check_cycles(const Study& study);
 

@@ -38,7 +38,7 @@ struct Panel {
     double left = 0.0; ///< [px]
 };
 
-/// What the panels share.
+/// The measures that the panels share.
 struct Page {
     double panel_width = 0.0;       ///< [px]
     double top = 0.0, height = 0.0; ///< of the panels [px]

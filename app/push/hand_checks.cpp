@@ -127,7 +127,7 @@ HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layou
     return h;
 }
 
-/// What a peak says beside the limits of a wall that can turn.
+/// Compares a peak with the limits of a wall that can turn.
 /// @param slides whether anything in it can slide
 void add_beyond_limits(const Study& study, bool slides, double peak, HandChecks& h)
 {

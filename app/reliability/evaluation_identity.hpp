@@ -1,6 +1,6 @@
 #pragma once
-/// What the answers of a reliability analysis depend on: evaluations that an interrupted run has left serve an analysis
-/// with the same text.
+/// The identity of the evaluations of a reliability analysis: a text of all that their values depend on. Evaluations that an interrupted run
+/// has left serve an analysis with the same text.
 
 #include "app/input/command.hpp"
 #include "app/input/study.hpp"

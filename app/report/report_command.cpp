@@ -30,7 +30,7 @@ std::size_t most_walls(const StudyWalls& study, const std::optional<int>& asked)
     return walls_in_page(layout_of(study.study).blocks.size());
 }
 
-/// Of a page that shows all walls; a terminal need not be told.
+/// The sentence of a page that shows all walls. A terminal need not be told.
 constexpr std::string_view kAllShown = "Click any curve to see its wall.";
 
 std::string chosen_text(std::size_t shown, std::size_t sound)

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kJson = "application/json";
 constexpr int kWaiting = 128; ///< connections that the system takes in before they are served
 
-/// Of the request that this thread answers: what follows on its connection is no request.
+/// Set where the rest of the connection of this thread cannot be read as requests.
 thread_local bool hang_up = false;
 
 void send(httplib::Response& response, const HttpReply& reply)

@@ -85,7 +85,7 @@ void Dataset::check_storage(const Handle& list) const
     }
 }
 
-/// What the dataset declares, and each of its chunks, is read into memory: so much must be there.
+/// Checks that the file holds as many bytes as the dataset and each of its chunks declare, since all of them are read into memory.
 void Dataset::check_size(const Handle& list) const
 {
     if (size_of(sizes_, value_bytes()) / kMostInflation > H5Dget_storage_size(id_.get()))

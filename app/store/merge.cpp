@@ -56,7 +56,7 @@ StoreHead whole(StoreHead head)
     return head;
 }
 
-/// What must be equal among shards beside the study, line by line.
+/// All that must be equal among shards beside the study, line by line.
 std::string plan_text(const StoreHead& head)
 {
     std::string text = "design grown through";

@@ -1,5 +1,5 @@
 #pragma once
-/// What goes wrong with the file of a study: the only exceptions that leave the store for a bad
+/// Faults of the file of a study: the only exceptions that leave the store for a bad
 /// file, a bad disk or a file in use.
 
 #include <filesystem>

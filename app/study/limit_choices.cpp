@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-/// What a wall with small displacements keeps, and the remedy.
+/// The sentence on a wall that keeps its load with small displacements, and its remedy.
 std::string keeps_its_load_text(const Study& study)
 {
     return std::string(

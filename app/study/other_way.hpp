@@ -40,11 +40,11 @@ class OtherWay {
     std::future<std::vector<WallReading>> readings_; ///< not valid where nothing is pushed
 };
 
-/// What a wall carries each way, or how to find out; without a full stop. Empty where there is no other way.
+/// Says what a wall carries each way, or how to find out, without a full stop. Empty where there is no other way.
 [[nodiscard]] std::string other_way_remark(const Study& study, const dem::Layout& layout,
                                            const PushedWall& wall);
 
-/// Of a study, whose walls are pushed one way: a sentence, or nothing.
+/// The sentence for a study, whose walls are pushed one way. Empty where there is no other way.
 [[nodiscard]] std::string other_way_remark(const StudyWalls& walls);
 
 } // namespace app

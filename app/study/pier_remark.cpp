@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-/// Of the length of the wall: what is narrower is a joint, not an opening.
+/// Share of the length of the wall. A gap that is narrower is a joint, not an opening.
 constexpr double kOpening = 0.05;
 
 using Piece = std::pair<double, double>; ///< from x to x

@@ -1,5 +1,5 @@
 #pragma once
-/// What makes two studies the same: a results file can be continued only by the study that began it.
+/// The identity of a study: a results file can be continued only by the study that began it.
 
 #include "app/input/study.hpp"
 

@@ -19,7 +19,7 @@ struct StudySummary {
 
 [[nodiscard]] StudySummary summarise(const StudyWalls& walls);
 
-/// What is said of a study wherever it is summed up, one sentence a line: walls that failed and why, walls still to run, and
+/// The remarks on a study wherever it is summed up, one sentence a line: walls that failed and why, walls still to run, and
 /// what leaves its walls without a limit of their own.
 [[nodiscard]] std::string study_remarks(const StudyWalls& walls);
 

@@ -34,7 +34,7 @@ std::vector<Mark> marks_of(const Layout& layout)
     return marks;
 }
 
-/// Of the masonry [m].
+/// The middle of the masonry [m].
 double middle_of(const Layout& layout)
 {
     double left = std::numeric_limits<double>::infinity(), right = -left;

@@ -52,7 +52,7 @@ struct WallOfStudy {
     app::WallDraw draw; ///< without values: the numbers of the study, or its means
 };
 
-/// What is kept of each push beside its curve and its end.
+/// The snapshots of each push that are kept beside its curve and its end.
 enum class Snapshots { none, at_peak, all };
 
 /// Pushes walls side by side; the interpreter is free meanwhile.

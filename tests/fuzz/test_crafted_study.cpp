@@ -30,7 +30,7 @@ fs::path whole_study(const fs::path& folder)
     return run.file;
 }
 
-/// What is wrong with how a crafted file was refused; empty if it was read or refused by its name.
+/// The fault in how a crafted file was refused; empty if it was read or refused by its name.
 std::string wrong_refusal(const fs::path& file)
 {
     std::string words;
