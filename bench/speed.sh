@@ -8,8 +8,7 @@ cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 out=$(realpath -m -- "${1:-docs/bench/speed.md}")
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-drystone() { DRYSTONE_PROGRAM=${DRYSTONE_PROGRAM-} ./drystone "$@"; }
-[[ -n ${DRYSTONE_PROGRAM-} ]] || unset DRYSTONE_PROGRAM
+drystone() { ./drystone "$@"; }
 drystone version >/dev/null # and with it the build
 load=$(cut -d' ' -f1 /proc/loadavg)
 TIMEFORMAT='%R %U %S'
