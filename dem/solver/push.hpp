@@ -75,6 +75,8 @@ struct PushResult {
     /// halved, and the wall is pushed again from the start.
     double step_fraction = 0.0;
     int step_reductions = 0;
+    /// Estimated error of the peak force by the speed of the drive [-], >= 0.
+    double solver_error = 0.0;
     bool settled =
         false; ///< whether the wall was at rest under the vertical load before the push
     double settlement = 0.0; ///< of the beam under vertical load alone [m], positive downwards

@@ -23,6 +23,9 @@ enum class Kinematics {
 };
 
 struct SolverOptions {
+    /// Error of forces and of limit displacements that a user will bear [-], in (0, 0.5]. The drive finds the speed that
+    /// holds it.
+    double accuracy = 0.01;
     Kinematics kinematics = Kinematics::small;
     ContactLaw law = ContactLaw::coupled;
     Unloading unloading = Unloading::secant;
