@@ -31,6 +31,13 @@ class Drive {
     /// To be called after each step of the push. Slows the drive while the wall is out of balance.
     /// @param unbalance |top force - base shear| / vertical load [-]
     void feel(double unbalance);
+    struct Felt { double unbalance, force, damping, fracture; };
+    bool window_due() const { return window_ + 1 >= 200; }
+    double log_m = 0;
+    void weigh(double kinetic) { kinetic_ = kinetic; } // N, N, J, J
+    void feel(const Felt& f);
+    double set_body(double mass, double stiffness, double capacity);
+    double log_calm = 1, log_cruise = 0, log_c = 0;
 
     /// To be told at each point of the curve whether the wall has come down to PushPlan::drop of its peak.
     void after_drop(bool yes) { haste_ = yes ? options_.haste_after_drop : 1.0; }
@@ -86,6 +93,8 @@ class Drive {
     double speed_ = 0.0;                                ///< now [m/step]
     double landing_ = 0.0;   ///< speed at which it lands on zero; 0: not yet [m/step]
     double unbalance_ = 0.0; ///< smoothed
+    double mean_force_ = 0.0, kinetic_ = 0.0, last_kinetic_ = 0.0, mass0_ = 0.0, mass_ = 0.0, floor_ = 0.0, scale_ = 0.0, cruise_ = 0.0, window_damping_ = 0.0, window_fracture_ = 0.0, window_way_ = 0.0;
+    double last_damping_ = 0.0, last_fracture_ = 0.0; int window_ = 0;
     double haste_ = 1.0;     ///< SolverOptions::haste_after_drop, or 1
 };
 

@@ -13,6 +13,13 @@ namespace dem {
 /// @return false if the iteration did not converge; the state is then unchanged
 [[nodiscard]] bool solve_preload(const StepTables& tables, WallState<double>& state);
 
+struct ElasticPush {
+    std::vector<double> rate; ///< of the modes per displacement of the drive; empty: not known
+    double stiffness = 0.0;   ///< [N/m]
+    double mass = 0.0;        ///< 2 kinetic energy / speed^2 [N step2/m]
+};
+[[nodiscard]] ElasticPush elastic_push(const StepTables& tables, WallState<double>& state);
+
 /// Copies positions, contacts and energy of a wall at rest into a lane.
 template <class Real>
 void copy_to_lane(const WallState<double>& wall, int lane, WallState<Real>& state);

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 namespace dem {
@@ -66,7 +68,7 @@ WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
     : task_(&task), number_(number), materials_(std::move(materials)),
       options_(at_own_speed(task, materials_)),
       unbalance_scale_(unbalance_measure(task.model, materials_)),
-      drive_(task.plan.targets, options_), recorder_(task.plan.record_every)
+      drive_(task.plan.targets, options_), recorder_(task.plan.record_every, options_.accuracy)
 {
     result_.snap_back_contacts = snap_back_contacts(task.model, materials_);
     result_.brittle_crushing_contacts = brittle_crushing_contacts(task.model, materials_);
@@ -92,6 +94,7 @@ template <class Real> void WallRun::load(WallState<Real>& state, int lane)
 {
     WallState<double> wall = with_stable_step();
     load_lane(task_->model, task_->tables, materials_, options_, lane, state);
+    elastic_ = elastic_push(task_->tables, wall);
     if (options_.preload != Preload::ramped && !solve_preload(task_->tables, wall)) {
         options_.preload = Preload::ramped;
         drive_ = Drive(task_->plan.targets, options_);
@@ -111,7 +114,7 @@ WallRun::Input WallRun::next(double top_force)
     return {load_factor_, step_drive_, drive_.settling() ? 0.0 : 1.0};
 }
 
-template <class Real> void WallRun::begin_push(const WallState<Real>& state, int lane)
+template <class Real> void WallRun::begin_push(WallState<Real>& state, int lane)
 {
     const Energy e = energy_of(task_->tables, state, lane);
     work_before_push_ = e.work;
@@ -119,6 +122,19 @@ template <class Real> void WallRun::begin_push(const WallState<Real>& state, int
     const double force = dem::lane(state.top_force, lane);
     result_.curve.push_back({0.0, force, dem::lane(state.base_shear, lane), 0.0, e});
     result_.settled = drive_.settled();
+    {
+        const double est = vertical_load(task_->model, materials_) *
+                           std::min(1.0, task_->model.layout.length / (2 * task_->model.loads.height));
+        const double v = drive_.set_body(elastic_.mass, elastic_.stiffness, est);
+        for (std::size_t m = 0; m < elastic_.rate.size(); ++m)
+            set_lane(state.v[m], lane, dem::lane(state.v[m], lane) + v * elastic_.rate[m]);
+        if (v > 0.0) {
+            const double impulse = 0.5 * elastic_.mass * v * v;
+            set_lane(state.work, lane, dem::lane(state.work, lane) + impulse);
+        }
+        if (std::getenv("D_T")) std::fprintf(stderr, "elastic k %g mass %g v0 %g est %g u_el %g n %zu\n", elastic_.stiffness, elastic_.mass, v, est, est / elastic_.stiffness, elastic_.rate.size());
+        elastic_.rate.clear();
+    }
     Snapshot s = take_snapshot(task_->model, task_->tables, state, lane, 0.0, force);
     result_.settlement = settlement_of(s);
     if (task_->plan.snapshot_at_peak) result_.at_peak = s;
@@ -235,9 +251,12 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
                  base = dem::lane(state.base_shear, lane);
     way_ += std::abs(step_drive_);
     drive_work_ += 0.5 * (force_before_ + top) * step_drive_;
-    recorder_.add(step_drive_, force_before_, top, base);
+    recorder_.add(step_drive_, force_before_, top, base - dem::lane(state.load_x, lane));
     const double missing = top + dem::lane(state.load_x, lane) - base;
-    if (unbalance_scale_ > 0.0) drive_.feel(std::abs(missing) / unbalance_scale_);
+    if (!drive_.settling() && drive_.window_due()) drive_.weigh(energy_of(task_->tables, state, lane).kinetic);
+    drive_.feel({std::abs(missing), top, dem::lane(state.damping, lane), dem::lane(state.fracture, lane)});
+    static const char* trace = std::getenv("D_T");
+    if (trace && result_.cost.steps % 500 == 0) std::fprintf(stderr, "%lld u %.5f F %.4f miss %.4f calm %.4f cruise %.3g c %.4g m %.3g\n", result_.cost.steps, drive_.position()*1e3, top*1e-3, missing*1e-3, drive_.log_calm, drive_.log_cruise, drive_.log_c, drive_.log_m);
     const bool room_for_another = drive_.left_to_mark() > 0.5 * task_->plan.record_every;
     const bool wanted = drive_.finished() || drive_.turned() || drive_.passed_zero() ||
                         (recorder_.due() && room_for_another);
@@ -299,7 +318,7 @@ void WallRun::reduce_step()
     result_ = std::move(fresh);
     if (task_->plan.sink.take) task_->plan.sink.forget(number_);
     drive_ = Drive(task_->plan.targets, options_);
-    recorder_ = Recorder(task_->plan.record_every);
+    recorder_ = Recorder(task_->plan.record_every, options_.accuracy);
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
     steps_ = 0;
     decided_ = came_down_ = false;

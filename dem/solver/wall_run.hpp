@@ -5,6 +5,7 @@
 #include "dem/solver/drive.hpp"
 #include "dem/solver/push.hpp"
 #include "dem/solver/recorder.hpp"
+#include "dem/solver/static_start.hpp"
 #include "dem/solver/step.hpp"
 
 #include <cstddef>
@@ -41,7 +42,7 @@ class WallRun {
     [[nodiscard]] PushResult finish(const WallState<Real>& state, int lane);
 
   private:
-    template <class Real> void begin_push(const WallState<Real>& state, int lane);
+    template <class Real> void begin_push(WallState<Real>& state, int lane);
     template <class Real> void add_ramp_work(WallState<Real>& state, int lane) const;
     template <class Real> void settle(WallState<Real>& state, int lane);
     template <class Real> void go_on(const WallState<Real>& state, int lane);
@@ -68,6 +69,7 @@ class WallRun {
     SolverOptions options_;  ///< with this wall's own speed and step
     double unbalance_scale_; ///< by which unbalance is measured (drive_speed.hpp) [N]
     Drive drive_;
+    ElasticPush elastic_;
     Recorder recorder_;
     PushResult result_;
     double load_factor_ = 0.0;      ///< of the step [-]
