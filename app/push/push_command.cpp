@@ -112,6 +112,7 @@ Row level_row(const PushedWall& w)
                         : came_down_at_once(w)        ? ""
                                                       : name(r.mode)),
             count(w.mechanism.cracked_units),
+            plain_number(100.0 * solver_error(w), 2),
             plain_number(100.0 * energy_residual(w), 4)};
 }
 
@@ -119,10 +120,11 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
 {
     Table t;
     t.title = "Capacity per vertical stress";
-    t.caption = "Ultimate: the " + ultimate_text(study.fragility) +
-                "; '>' marks walls whose force had not come down so far when the push "
-                "ended." +
-                backbone_text(study);
+    t.caption =
+        "Ultimate: the " + ultimate_text(study.fragility) +
+        "; '>' marks walls whose force had not come down so far when the push "
+        "ended. Error: of the peak, by the speed of the push, as the solver estimates it." +
+        backbone_text(study);
     t.head = {"stress [MPa]",
               "peak [kN]",
               "at [mm]",
@@ -131,6 +133,7 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
               {"drift [%]", kCensored | kDetail},
               "mode",
               "cracked units",
+              "error [%]",
               {"energy residual [%]", kDetail}};
     for (const PushedWall& w : walls) t.rows.push_back(level_row(w));
     return t;
