@@ -8,6 +8,7 @@
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 
@@ -40,7 +41,7 @@ std::vector<fragility::Observation> limits_at(const DriftGroup& group, std::size
         const double factor =
             end == ErrorEnd::most ? 1.0 + w.solver_error : std::max(0.0, 1.0 - w.solver_error);
         limits.back().lower *= factor;
-        limits.back().upper *= factor;
+        if (std::isfinite(limits.back().upper)) limits.back().upper *= factor;
     }
     return limits;
 }

@@ -1,6 +1,7 @@
 /// uq.audit: walls of a study pushed again more slowly, beside the study.
 
 #include "app/study/interrupt.hpp"
+#include "app/study/pushed_wall.hpp"
 #include "app/study/run_study.hpp"
 #include "app/study/solver_error.hpp"
 #include "app/study/study_file_head.hpp"
@@ -22,13 +23,13 @@ namespace fs = std::filesystem;
 using app::Study;
 
 /// Two stresses, three walls of each, two of them pushed again.
-Study audited(const std::vector<std::string>& more = {})
+Study audited(int audit = 2, int samples = 3)
 {
-    std::vector<std::string> all = {"uq.samples=3", "uq.audit=2", "solver.fidelity=rigid",
-                                    "solver.steps_per_mm=100", "load.max_displacement=1 mm"};
-    all.insert(all.end(), more.begin(), more.end());
+    const std::vector<std::string> set = {
+        "uq.samples=" + std::to_string(samples), "uq.audit=" + std::to_string(audit),
+        "solver.fidelity=rigid", "solver.steps_per_mm=100", "load.max_displacement=1 mm"};
     return app::read_study(
-        app::with_overrides(app::parse_study_text("study.ini", study_scenes::kSmall), all));
+        app::with_overrides(app::parse_study_text("study.ini", study_scenes::kSmall), set));
 }
 
 app::StudyRunEnd run(const Study& s, const fs::path& file, int threads = 1,
@@ -107,13 +108,12 @@ TEST_CASE("audit: the walls are the same whatever threads, shards, stops and lat
     CHECK(run(s, file("stopped.h5")).whole);
     CHECK(same(rows_of(file("stopped.h5")), whole));
 
-    run(audited({"uq.audit=0"}), file("later.h5")); // a study that is finished is audited
+    run(audited(0), file("later.h5")); // a study that is finished is audited
     CHECK(rows_of(file("later.h5")).size() == 6);
-    run(audited({"uq.audit=1", "uq.samples=2"}), file("grown.h5"));
+    run(audited(1, 2), file("grown.h5"));
     run(s, file("later.h5"));
     CHECK(same(rows_of(file("later.h5")), whole));
-    const app::StudyRunEnd grown =
-        run(audited({"uq.audit=2", "uq.samples=2"}), file("grown.h5"));
+    const app::StudyRunEnd grown = run(audited(2, 2), file("grown.h5"));
     CHECK(grown.before == 4); // walls of the study: those of the audit are not counted
     CHECK(grown.now == 0);
     CHECK(rows_of(file("grown.h5")).size() == 8);
@@ -124,7 +124,7 @@ TEST_CASE("audit: the walls of the study and their numbers stay what they are wi
 {
     const scenes::TemporaryFolder folder;
     run(audited(), folder.path / "with.h5");
-    run(audited({"uq.audit=0"}), folder.path / "without.h5");
+    run(audited(0), folder.path / "without.h5");
     const auto with = app::study_summary(folder.path / "with.h5", false);
     const auto without = app::study_summary(folder.path / "without.h5", false);
     CHECK(app::as_csv(with.table) == app::as_csv(without.table));
@@ -147,14 +147,14 @@ TEST_CASE("audit: walls that were pushed again are not dropped", "[app][audit]")
     const scenes::TemporaryFolder folder;
     run(audited(), folder.path / "a.h5");
     CHECK_THROWS_WITH(
-        run(audited({"uq.audit=1"}), folder.path / "a.h5"),
+        run(audited(1), folder.path / "a.h5"),
         Catch::Contains("has 2 walls of each stress pushed again more slowly, only 1 are "
                         "wanted (uq.audit)"));
 }
 
 TEST_CASE("audit: more walls than there are means all of them", "[app][audit]")
 {
-    const Study s = audited({"uq.audit=50"});
+    const Study s = audited(50);
     const std::vector<std::uint32_t> sizes = {3};
     const app::StoreHead head =
         app::head_of(s, sample_plan(s, app::model_of(s).layout, sizes), sizes);

@@ -176,11 +176,13 @@ TEST_CASE("store: walls of an audit stand beside those of the study, and old fil
         store.append(std::vector{scenes::store_row({4, 1})});
         store.compact();
     }
-    app::StoreReader reader(file);
-    CHECK(reader.head().levels == head.levels);
     std::vector<app::WallKey> own, audit;
-    reader.for_each_row([&](const app::WallRow& row) { own.push_back(row.key); });
-    reader.for_each_audit_row([&](const app::WallRow& row) { audit.push_back(row.key); });
+    {
+        app::StoreReader reader(file);
+        CHECK(reader.head().levels == head.levels);
+        reader.for_each_row([&](const app::WallRow& row) { own.push_back(row.key); });
+        reader.for_each_audit_row([&](const app::WallRow& row) { audit.push_back(row.key); });
+    }
     CHECK(own.size() == 6);
     CHECK(audit == std::vector<app::WallKey>{{4, 1}});
     CHECK(app::own_key(head, audit.front()) == app::WallKey{1, 1});
