@@ -268,6 +268,7 @@ TEST_CASE("push command: limit states are in tables, with what governs", "[app][
     CHECK(csv.find("governed by the code's drift limit") != std::string::npos);
     CHECK(w.terminal.starts_with("stress [MPa]"));
     CHECK(w.terminal.find("energy residual") == std::string::npos); // in summary.json
+    CHECK(w.terminal.find("\nsolver error of the peak force: ") != std::string::npos);
     CHECK(w.terminal.find("\n\n") ==
           w.terminal.rfind("\n\n")); // two tables, none in two blocks
     const auto results = summary(folder.path / "out");
