@@ -67,7 +67,7 @@ std::vector<T> structs(const hdf5::File& file, const Fields& fields)
 }
 
 /// Whether a file has what earlier versions did not write.
-bool has(const hdf5::File& file, const char* name)
+bool is_stored(const hdf5::File& file, const char* name)
 {
     return file.checked(H5Lexists(file.id.get(), name, H5P_DEFAULT),
                         std::string("find ") + name + " in") > 0;
@@ -76,7 +76,7 @@ bool has(const hdf5::File& file, const char* name)
 std::vector<StoreSession> sessions(const hdf5::File& file)
 {
     auto list = structs<StoreSession>(file, kSession);
-    if (!has(file, kSessionRevision)) return list;
+    if (!is_stored(file, kSessionRevision)) return list;
     const std::vector<std::string> revisions =
         hdf5::texts_of(file, kSessionRevision, kMostTextBytes);
     if (revisions.size() != list.size())
@@ -188,8 +188,9 @@ StoreHead stored_head(const hdf5::File& file)
     head.identity = only_text(file, "/identity");
     const auto stress = numbers<double>(file, "/levels/vertical_stress");
     const auto samples = numbers<std::uint32_t>(file, "/levels/samples");
-    const auto slower = has(file, kLevelSlower) ? numbers<std::uint32_t>(file, kLevelSlower)
-                                                : std::vector<std::uint32_t>(stress.size(), 1);
+    const auto slower = is_stored(file, kLevelSlower)
+                            ? numbers<std::uint32_t>(file, kLevelSlower)
+                            : std::vector<std::uint32_t>(stress.size(), 1);
     if (stress.size() != samples.size() || stress.size() != slower.size())
         damaged(file.path, "there is not a number of samples for each level");
     for (std::size_t i = 0; i < stress.size(); ++i)

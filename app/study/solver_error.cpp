@@ -14,7 +14,7 @@ constexpr double kUpper = 0.95;
 constexpr std::size_t kFewest = 20; ///< walls of which one is 5 %
 constexpr std::size_t kNamedWalls = 5;
 
-void append(std::vector<double>& all, const std::vector<double>& more)
+void append_errors(std::vector<double>& all, const std::vector<double>& more)
 {
     all.insert(all.end(), more.begin(), more.end());
 }
@@ -24,7 +24,7 @@ SolverErrors all_errors(const StudyWalls& walls)
     SolverErrors all;
     for (const StudyLevel& level : walls.levels) {
         const SolverErrors e = solver_errors(level, walls.study);
-        append(all.known, e.known);
+        append_errors(all.known, e.known);
         all.unknown += e.unknown;
         all.above.insert(all.above.end(), e.above.begin(), e.above.end());
     }
@@ -40,8 +40,8 @@ AuditDifferences all_differences(const StudyWalls& walls)
         all.checked += d.checked;
         all.failed += d.failed;
         all.missing += d.missing;
-        append(all.peak, d.peak);
-        append(all.ultimate, d.ultimate);
+        append_errors(all.peak, d.peak);
+        append_errors(all.ultimate, d.ultimate);
         all.fell_once += d.fell_once;
         all.other_modes += d.other_modes;
     }
