@@ -42,7 +42,7 @@ constexpr std::pair<const char*, std::string StoreSession::*> kSession[] = {
     {"/sessions/build", &StoreSession::build},
     {"/sessions/settings", &StoreSession::settings},
     {"/sessions/started", &StoreSession::started}};
-constexpr const char* kLevelSlower = "/levels/slower";                // not before 0.3.0
+constexpr const char* kLevelSlower = "/levels/slower"; // not before revision 3 of the solver
 constexpr const char* kSessionRevision = "/sessions/solver_revision"; // not before 0.2.0
 
 constexpr std::pair<const char*, std::string Column::*> kInput[] = {
