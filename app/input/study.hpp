@@ -138,8 +138,9 @@ struct UqInput {
     int stop = kNoStop;            ///< kNoStop, kStopAtMixedShare or a row of kWallResponses
     double stop_half_width = 0.05; ///< of the 95 % interval [-], > 0
     int most_samples = 1000;       ///< upper limit of the stopping rule
-    std::string pearson;           ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
-    std::string drawn;             ///< one wall alone (app/study/drawn_wall.hpp); empty: all
+    int audit = 0;       ///< walls of each stress that are pushed again more slowly, >= 0
+    std::string pearson; ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
+    std::string drawn;   ///< one wall alone (app/study/drawn_wall.hpp); empty: all
 };
 
 using uq::ReliabilityMethod;

@@ -154,6 +154,9 @@ constexpr std::array kSolverKeys = {
         .meaning = "small displacements (paper, section 2.1), or finite: blocks turn and slide by any"
                    " amount",
         .field = kAt<&Study::solver, &SolverOptions::kinematics>},
+    Key{.name = "solver.accuracy", .unit = "%", .range = {'(', 0, 50, ']'},
+        .meaning = "error of forces and of limit displacements that you will bear; the drive finds the speed that holds it",
+        .field = kAt<&Study::solver, &SolverOptions::accuracy>},
     Key{.name = "solver.contact_points", .kind = Kind::count, .range = {'[', 2, 100, ']'},
         .derived = {"of fidelity", derive_contact_points},
         .meaning = "number of contact points per face of a half unit",
@@ -181,7 +184,7 @@ constexpr std::array kSolverKeys = {
         .meaning = "time step as a share of the largest stable step",
         .field = kAt<&Study::solver, &SolverOptions::step_fraction>},
     Key{.name = "solver.steps_per_mm", .range = {'[', 1, 1e9, ']'},
-        .meaning = "explicit steps per millimetre that the load line travels at full speed",
+        .meaning = "explicit steps per millimetre that the load line travels at the fastest speed of the drive",
         .field = kAt<&Study::solver, &SolverOptions::steps_per_mm>},
     Key{.name = "solver.preload", .kind = Kind::word, .names = kPreloads,
         .meaning = "solved: the vertical load comes from the static solution; ramped: by a ramp",

@@ -4,6 +4,7 @@
 #include "app/study/limit_choices.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pier_remark.hpp"
+#include "app/study/solver_error.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/rigid_wall.hpp"
 #include "dem/scene/snapshot_reading.hpp"
@@ -99,6 +100,17 @@ void add_lost(const PushedWall& w, std::vector<std::string>& remarks)
                              "or solver.fidelity = simple");
 }
 
+/// The drive was faster than the accuracy allows.
+void add_inaccurate(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
+{
+    if (misses_accuracy(solver_error(w), study))
+        remarks.push_back("the peak force may be wrong by " + error_text(solver_error(w)) +
+                          " because of the speed of the push, more than the " +
+                          error_text(study.solver.accuracy) +
+                          " asked for (solver.accuracy); a larger solver.steps_per_mm slows "
+                          "it");
+}
+
 /// A wall of stiff joints may have its peak, and lose it, between two recorded points.
 void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
 {
@@ -190,6 +202,7 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     add(no_limit_remark(study, w.reading), h.remarks);
     add(other_way_remark(study, layout, w), h.remarks);
     add(pier_remark(study), h.remarks);
+    add_inaccurate(study, w, h.remarks);
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);
     add_sliding_beam(study, w, h.remarks);

@@ -151,6 +151,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, w));
     j["energy_residual"] = or_null(energy_residual(w));
+    j["solver_error_percent"] = or_null(100.0 * solver_error(w));
     j["energy"] = energy(w.result.energy);
     j["settled_before_push"] = w.result.settled;
     j["step_fraction"] = w.result.step_fraction;

@@ -221,6 +221,7 @@ const std::map<std::string_view, std::string> kOthers = {
     {"load.targets", "1 mm"},
     {"load.amplitudes", "0.5, 1 mm"},
     {"load.stop_below", "0.999999"},
+    {"solver.accuracy", "20 %"},
     {"solver.contact_points", "4"},
     {"solver.block_modes", "6"},
     {"solver.preload_steps", "1"},

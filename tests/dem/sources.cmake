@@ -41,6 +41,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_rigid_wall.cpp
     dem/test_rubble.cpp
     dem/test_rotation.cpp
+    dem/test_slower.cpp
     dem/test_run_outcomes.cpp
     dem/test_snapshot_reading.cpp
     dem/test_snapshot_vtu.cpp
