@@ -1,0 +1,319 @@
+#include "bench/accuracy_tables.hpp"
+
+#include "app/text/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace bench {
+
+namespace {
+
+using Scenes = std::vector<ComparedScene>;
+
+bool no_result(const Answer& a) { return a.outcome == kTooDear || a.outcome.empty(); }
+
+bool is_failure(const std::string& outcome)
+{
+    using dem::Outcome;
+    for (const Outcome o :
+         {Outcome::not_finite, Outcome::energy_astray, Outcome::out_of_steps, Outcome::no_wall})
+        if (outcome == name(o)) return true;
+    return false;
+}
+
+std::optional<double> relative(const std::optional<double>& x, const std::optional<double>& y)
+{
+    if (!x || !y || *y == 0.0) return {};
+    return *x / *y - 1.0;
+}
+
+app::Number number(double x, int decimals)
+{
+    app::Number n;
+    n.value = x;
+    n.decimals = decimals;
+    return n;
+}
+
+app::Cell maybe(const std::optional<double>& x, double scale, int decimals)
+{
+    if (!x) return {};
+    return number(scale * *x, decimals);
+}
+
+app::Cell share(std::size_t part, std::size_t whole)
+{
+    if (whole == 0) return {};
+    return number(100.0 * static_cast<double>(part) / static_cast<double>(whole), 1);
+}
+
+/// Empty: nothing to say.
+std::string remark(const ComparedScene& c)
+{
+    if (!c.broken.empty()) return c.broken;
+    if (no_result(c.reference)) return "reference too dear";
+    if (is_failure(c.reference.outcome)) return "reference failed: " + c.reference.outcome;
+    if (no_result(c.asked)) return "too dear, but not the reference";
+    if (is_failure(c.asked.outcome)) return "failed: " + c.asked.outcome;
+    if (is_lost(c))
+        return c.asked.peak ? "a peak, but none of the reference: " + c.reference.outcome
+                            : "no peak: " + c.asked.outcome;
+    if (!c.asked.peak) return "no peak in both: " + c.asked.outcome;
+    if (is_branch(c))
+        return c.asked.drop ? "falls, reference does not" : "does not fall, reference does";
+    if (c.asked.outcome != c.reference.outcome)
+        return "ends as " + c.asked.outcome + ", reference as " + c.reference.outcome;
+    return "";
+}
+
+} // namespace
+
+bool has_reference(const ComparedScene& c)
+{
+    return c.broken.empty() && !no_result(c.reference) && !is_failure(c.reference.outcome);
+}
+
+std::optional<double> peak_error(const ComparedScene& c)
+{
+    if (!has_reference(c) || is_failure(c.asked.outcome)) return {};
+    return relative(c.asked.peak, c.reference.peak);
+}
+
+bool is_lost(const ComparedScene& c)
+{
+    if (!has_reference(c)) return false;
+    const bool usable = !no_result(c.asked) && !is_failure(c.asked.outcome);
+    return !usable || c.asked.peak.has_value() != c.reference.peak.has_value();
+}
+
+std::optional<double> drop_error(const ComparedScene& c)
+{
+    if (!peak_error(c)) return {};
+    return relative(c.asked.drop, c.reference.drop);
+}
+
+bool is_branch(const ComparedScene& c)
+{
+    return peak_error(c) && c.asked.drop.has_value() != c.reference.drop.has_value();
+}
+
+bool is_held(const ComparedScene& c)
+{
+    const double error = std::abs(peak_error(c).value_or(0.0));
+    return error < kTooSmall || c.asked.solver_error >= error;
+}
+
+double quantile_of(std::vector<double> values, double p)
+{
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::ranges::sort(values);
+    const double rank = std::ceil(p * static_cast<double>(values.size()));
+    return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
+}
+
+app::Table scene_table(const Scenes& scenes)
+{
+    app::Table t;
+    t.head = {"scene",
+              "wall",
+              "load",
+              "kinematics",
+              "fidelity",
+              "extras",
+              "k_n [Pa/m]",
+              "N [kN]",
+              "F/N",
+              "peak [kN]",
+              "reference [kN]",
+              "error [%]",
+              "reported [%]",
+              "fall [mm]",
+              "reference [mm]",
+              "fall error [%]",
+              "outcome",
+              "reference outcome",
+              "steps",
+              "reference steps",
+              "seconds",
+              "reference seconds",
+              "energy residual [%]",
+              "remark"};
+    for (const ComparedScene& c : scenes)
+        t.rows.push_back({number(static_cast<double>(c.scene.number), 0),
+                          c.scene.kind,
+                          c.scene.load,
+                          c.kinematics,
+                          c.fidelity,
+                          c.scene.extras,
+                          app::Number{app::rounded(c.facts.kn, 4)},
+                          number(1e-3 * c.facts.vertical_load, 3),
+                          maybe(c.reference.peak, 1.0 / c.facts.vertical_load, 4),
+                          maybe(c.asked.peak, 1e-3, 4),
+                          maybe(c.reference.peak, 1e-3, 4),
+                          maybe(peak_error(c), 100.0, 3),
+                          number(100.0 * c.asked.solver_error, 3),
+                          maybe(c.asked.drop, 1e3, 4),
+                          maybe(c.reference.drop, 1e3, 4),
+                          maybe(drop_error(c), 100.0, 3),
+                          c.asked.outcome,
+                          c.reference.outcome,
+                          number(static_cast<double>(c.asked.steps), 0),
+                          number(static_cast<double>(c.reference.steps), 0),
+                          number(c.asked.seconds, 3),
+                          number(c.reference.seconds, 2),
+                          number(100.0 * c.asked.residual, 4),
+                          remark(c)});
+    return t;
+}
+
+namespace {
+
+/// One row of error_table.
+app::Row error_row(const std::string& group, const std::string& what, const Scenes& all,
+                   const std::function<bool(const ComparedScene&)>& belongs)
+{
+    std::vector<double> errors;
+    std::size_t scenes = 0, lost = 0, within_1 = 0, within_3 = 0, held = 0;
+    std::size_t falls = 0, branches = 0, near = 0;
+    double seconds = 0.0, steps = 0.0;
+    for (const ComparedScene& c : all) {
+        if (!has_reference(c) || !belongs(c)) continue;
+        ++scenes;
+        seconds += c.asked.seconds;
+        steps += static_cast<double>(c.asked.steps);
+        lost += is_lost(c);
+        const std::optional<double> error = peak_error(c);
+        if (!error) continue;
+        errors.push_back(100.0 * std::abs(*error));
+        within_1 += std::abs(*error) <= 0.01;
+        within_3 += std::abs(*error) <= 0.03;
+        held += is_held(c);
+        const std::optional<double> drop = drop_error(c);
+        branches += is_branch(c);
+        falls += drop || is_branch(c);
+        near += drop && std::abs(*drop) <= 0.02;
+    }
+    const std::size_t counted = errors.size() + lost;
+    return {group,
+            what,
+            number(static_cast<double>(scenes), 0),
+            number(static_cast<double>(lost), 0),
+            number(quantile_of(errors, 0.5), 3),
+            number(quantile_of(errors, 0.84), 3),
+            number(quantile_of(errors, 0.95), 3),
+            number(quantile_of(errors, 0.99), 3),
+            number(quantile_of(errors, 1.0), 3),
+            share(within_1, counted),
+            share(within_3, counted),
+            share(held, errors.size()),
+            number(static_cast<double>(falls), 0),
+            share(near, falls),
+            number(static_cast<double>(branches), 0),
+            number(1e-6 * steps, 2),
+            number(seconds, 1)};
+}
+
+using Label = std::function<std::string(const ComparedScene&)>;
+
+std::string decades(double kn)
+{
+    const int low = std::clamp(static_cast<int>(std::floor(std::log10(kn) / 2.0)) * 2, 8, 14);
+    return "1e" + std::to_string(low) + " to 1e" + std::to_string(low + 2) + " Pa/m";
+}
+
+} // namespace
+
+app::Table error_table(const Scenes& scenes)
+{
+    app::Table t;
+    t.head = {"by",
+              "of",
+              "scenes",
+              "lost",
+              "median [%]",
+              "84 % [%]",
+              "95 % [%]",
+              "99 % [%]",
+              "largest [%]",
+              "within 1 % [%]",
+              "within 3 % [%]",
+              "error reported [%]",
+              "falls",
+              "falls within 2 % [%]",
+              "branches",
+              "steps [10^6]",
+              "seconds"};
+    t.keys = 2;
+    t.rows.push_back(error_row("all", "", scenes, [](const ComparedScene&) { return true; }));
+    const std::vector<std::pair<std::string, Label>> groupings = {
+        {"wall", [](const ComparedScene& c) { return c.scene.kind; }},
+        {"load", [](const ComparedScene& c) { return c.scene.load; }},
+        {"kinematics", [](const ComparedScene& c) { return c.kinematics; }},
+        {"fidelity", [](const ComparedScene& c) { return c.fidelity; }},
+        {"extras",
+         [](const ComparedScene& c) {
+             return c.scene.extras.empty() ? std::string("none") : std::string("some");
+         }},
+        {"k_n", [](const ComparedScene& c) { return decades(c.facts.kn); }}};
+    for (const auto& [by, label] : groupings) {
+        std::set<std::string> names;
+        for (const ComparedScene& c : scenes) names.insert(label(c));
+        for (const std::string& one : names)
+            t.rows.push_back(error_row(
+                by, one, scenes, [&](const ComparedScene& c) { return label(c) == one; }));
+    }
+    for (const std::string extra :
+         {"mortar", "crushing", "cracks at mid", "cracks in patterns"})
+        t.rows.push_back(error_row("with", extra, scenes, [&](const ComparedScene& c) {
+            return c.scene.extras.find(extra) != std::string::npos;
+        }));
+    return t;
+}
+
+app::Table worst_table(const Scenes& scenes)
+{
+    Scenes worst;
+    for (const ComparedScene& c : scenes)
+        if (peak_error(c)) worst.push_back(c);
+    const auto error = [](const ComparedScene& c) { return std::abs(*peak_error(c)); };
+    std::ranges::stable_sort(worst, std::greater{}, error);
+    constexpr std::size_t kShown = 10;
+    if (worst.size() > kShown) worst.resize(kShown);
+    app::Table t;
+    t.head = {"scene",          "wall",      "load",        "kinematics",
+              "fidelity",       "extras",    "k_n [Pa/m]",  "peak [kN]",
+              "reference [kN]", "error [%]", "reported [%]"};
+    for (const ComparedScene& c : worst)
+        t.rows.push_back(
+            {number(static_cast<double>(c.scene.number), 0), c.scene.kind, c.scene.load,
+             c.kinematics, c.fidelity, c.scene.extras, app::Number{app::rounded(c.facts.kn, 3)},
+             maybe(c.asked.peak, 1e-3, 3), maybe(c.reference.peak, 1e-3, 3),
+             maybe(peak_error(c), 100.0, 2), number(100.0 * c.asked.solver_error, 2)});
+    return t;
+}
+
+app::Table apart_table(const Scenes& scenes)
+{
+    std::map<std::string, std::string> named;
+    std::map<std::string, int> counts;
+    for (const ComparedScene& c : scenes) {
+        const std::string why = remark(c);
+        if (why.empty()) continue;
+        ++counts[why];
+        std::string& list = named[why];
+        list += (list.empty() ? "" : ", ") + std::to_string(c.scene.number);
+    }
+    app::Table t;
+    t.head = {"remark", "count", "scenes"};
+    for (const auto& [why, count] : counts)
+        t.rows.push_back({why, number(count, 0), named[why]});
+    return t;
+}
+
+} // namespace bench
