@@ -20,6 +20,7 @@ std::string value(double x) { return app::number(x, 4); }
 
 /// What the sections of a study share.
 struct SceneDraw {
+    WallForm form;
     DrawnWall wall;
     bool finite = false;
     bool body = false; ///< body forces push
@@ -38,8 +39,8 @@ struct SceneDraw {
 SceneDraw draw_frame(Draw& d)
 {
     SceneDraw s;
-    s.wall.kind = draw_kind(d);
-    const bool arch = s.wall.kind == "arch";
+    s.form = draw_form(d);
+    const bool arch = s.form.kind == "arch";
     s.finite = d.chance(0.5);
     s.body = arch || d.chance(0.35);
     s.beam = !arch && (!s.body || d.chance(0.4));
@@ -101,7 +102,7 @@ std::string crack_keys(SceneDraw& s, Draw& d)
 {
     DrawnWall& w = s.wall;
     if (w.unit == 0.0) return {};
-    if (w.stones > 14 || !d.chance(0.35)) {
+    if (w.stones > 14 || !d.chance(0.5)) {
         const bool mid = d.chance(0.5);
         if (mid) s.add_extra("cracks at mid");
         return mid ? "cracks = mid\n" : "cracks = none\n";
@@ -204,7 +205,7 @@ std::string solver_keys(const SceneDraw& s)
 /// Nothing where it would cost too much.
 std::optional<AccuracyScene> draw_scene(SceneDraw s, Draw& d, double seconds)
 {
-    s.wall = draw_wall(s.wall.kind, d);
+    s.wall = draw_wall(s.form, d);
     AccuracyScene scene;
     scene.text = "[wall]\n" + s.wall.keys;
     scene.text += stone_keys(s, d);
@@ -246,12 +247,12 @@ bool is_accepted(const AccuracyScene& scene)
 
 AccuracyScene accuracy_scene(std::uint64_t seed, std::uint64_t number)
 {
-    constexpr std::uint64_t kMostDraws = 4000, kDearer = 500;
+    constexpr std::uint64_t kMostDraws = 2000, kDearer = 100;
     double seconds = 8.0; // of a reference; more where no wall is that cheap
     Draw of_frame(seed, number);
     const SceneDraw frame = draw_frame(of_frame);
     for (std::uint64_t again = 1; again <= kMostDraws; ++again) {
-        if (again % kDearer == 0) seconds *= 3.0;
+        if (again % kDearer == 0) seconds *= 1.5;
         Draw d(seed + (again << 32), number);
         std::optional<AccuracyScene> scene = draw_scene(frame, d, seconds);
         if (!scene) continue;

@@ -42,7 +42,7 @@ namespace {
 
 int draw_courses(Draw& d)
 {
-    if (d.chance(0.6)) return d.integer(1, 6);
+    if (d.chance(0.7)) return d.integer(1, 6);
     if (d.chance(0.7)) return d.integer(7, 15);
     return d.integer(16, 40);
 }
@@ -74,29 +74,29 @@ std::string bond_keys(Draw& d)
     return keys + "first_course = " + d.one_of({"whole", "shifted"}) + "\n";
 }
 
-/// Height over length is log-uniform; a whole unit is 0.6 to 4 times as long as high.
-DrawnWall draw_in_courses(Draw& d)
+/// How many whole units make a length of `over` course heights: each 0.6 to 4 times as long as high. 0: none.
+int draw_units(double over, int courses, Draw& d)
 {
+    const int most = std::min(static_cast<int>(over / 0.6), (courses > 15 ? 60 : 30) / courses);
+    const int least = std::max(1, static_cast<int>(std::ceil(over / 4.0)));
+    if (least > most) return 0;
+    const int one = d.integer(least, most), other = d.integer(least, most);
+    return std::min(one, other);
+}
+
+DrawnWall draw_in_courses(const WallForm& form, Draw& d)
+{
+    const double over = form.courses / form.aspect; // length over course height
+    const int units = std::max(1, draw_units(over, form.courses, d));
     DrawnWall w;
     w.kind = "courses";
-    int courses = 1, units = 0;
-    double over = 1.0;
-    while (units == 0) {
-        const double aspect = d.log_uniform(0.3, 6.0);
-        courses = draw_courses(d);
-        over = courses / aspect; // length over course height
-        const int most =
-            std::min(static_cast<int>(over / 0.6), (courses > 15 ? 60 : 30) / courses);
-        const int least = std::max(1, static_cast<int>(std::ceil(over / 4.0)));
-        if (least <= most) units = std::min(d.integer(least, most), d.integer(least, most));
-    }
-    w.course_height = d.log_uniform(0.04, courses > 6 ? 0.10 : 0.25);
+    w.course_height = d.log_uniform(0.04, form.courses > 6 ? 0.10 : 0.25);
     w.length = over * w.course_height;
-    w.height = courses * w.course_height;
+    w.height = form.courses * w.course_height;
     w.unit = w.length / (units - (units > 1 && d.chance(0.3) ? d.uniform(0.2, 0.8) : 0.0));
     w.thickness = d.uniform(0.1, 0.5);
-    w.stones = courses * units;
-    w.keys = course_keys(w, courses);
+    w.stones = form.courses * units;
+    w.keys = course_keys(w, form.courses);
     w.keys += bond_keys(d);
     w.keys += supports(d);
     return w;
@@ -223,21 +223,31 @@ DrawnWall draw_rubble(Draw& d)
 
 } // namespace
 
-std::string draw_kind(Draw& d)
+WallForm draw_form(Draw& d)
 {
+    WallForm f;
     const double which = d.uniform(0.0, 1.0);
-    if (which < 0.52) return "courses";
-    if (which < 0.64) return "opening";
-    if (which < 0.76) return "drawing";
-    return which < 0.90 ? "arch" : "rubble";
+    f.kind = which < 0.52   ? "courses"
+             : which < 0.64 ? "opening"
+             : which < 0.76 ? "drawing"
+             : which < 0.90 ? "arch"
+                            : "rubble";
+    if (f.kind != "courses") return f;
+    int units = 0;
+    while (units == 0) {
+        f.aspect = d.log_uniform(0.3, 6.0);
+        f.courses = draw_courses(d);
+        units = draw_units(f.courses / f.aspect, f.courses, d);
+    }
+    return f;
 }
 
-DrawnWall draw_wall(std::string_view kind, Draw& d)
+DrawnWall draw_wall(const WallForm& form, Draw& d)
 {
-    if (kind == "courses") return draw_in_courses(d);
-    if (kind == "opening") return draw_opening(d);
-    if (kind == "drawing") return draw_drawing(d);
-    return kind == "arch" ? draw_arch(d) : draw_rubble(d);
+    if (form.kind == "courses") return draw_in_courses(form, d);
+    if (form.kind == "opening") return draw_opening(d);
+    if (form.kind == "drawing") return draw_drawing(d);
+    return form.kind == "arch" ? draw_arch(d) : draw_rubble(d);
 }
 
 } // namespace bench

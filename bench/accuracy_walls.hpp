@@ -19,12 +19,16 @@ struct DrawnWall {
     int stones = 0;                    ///< roughly
 };
 
-/// "courses" are half of them.
-[[nodiscard]] std::string draw_kind(Draw& d);
+/// What a wall is to be, whatever its size.
+struct WallForm {
+    std::string kind;    ///< of DrawnWall; half of them are "courses"
+    int courses = 0;     ///< of "courses", 1 to 40; most have few
+    double aspect = 0.0; ///< of "courses", height over length, 0.3 to 6
+};
+[[nodiscard]] WallForm draw_form(Draw& d);
 
-/// 1 to 40 courses, heights of 0.3 to 6 lengths; most have fewer than 40 stones.
-/// @param kind of draw_kind
-[[nodiscard]] DrawnWall draw_wall(std::string_view kind, Draw& d);
+/// Most walls have fewer than 40 stones.
+[[nodiscard]] DrawnWall draw_wall(const WallForm& form, Draw& d);
 
 /// "0.125": six decimals, which close every joint of an outline.
 [[nodiscard]] std::string metres(double x);
