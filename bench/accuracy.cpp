@@ -1,14 +1,16 @@
 /// accuracy [OUT.md] [--first N] [--count M] [--seed S] [--threads T] [--set section.key=value]... [--references FILE]
-///          [--any-references] [--most-seconds S] [--csv FILE] [--print K]:
+///          [--any-references] [--answers FILE] [--before FILE] [--most-seconds S] [--csv FILE] [--print K]:
 /// scenes drawn far from the paper, pushed as asked and 20 times slower. What differs is the error of the drive.
 /// --set: changes scenes. What sets the speed of the drive is not changed for references.
 /// --references: a CSV file that keeps their answers. --any-references: also those of another revision of the solver.
+/// --answers: keeps those of the pushes as asked, too. --before: such a file of an earlier program, to be compared with the
+/// same references.
 /// --most-seconds: of one core, for one push; what takes longer is named as too dear.
 /// --print: the study file of one scene, for `drystone push`.
 
 #include "app/output/atomic_output.hpp"
 #include "app/text/number_text.hpp"
-#include "bench/accuracy_references.hpp"
+#include "bench/accuracy_answers.hpp"
 #include "bench/accuracy_tables.hpp"
 #include "bench/report.hpp"
 
@@ -29,7 +31,7 @@ namespace {
 using bench::ComparedScene;
 
 struct Request {
-    std::string out, csv, references;
+    std::string out, csv, references, answers, before;
     std::uint64_t first = 0, count = 100, seed = 1;
     unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::string> overrides;
@@ -59,6 +61,10 @@ Request read(int argc, char** argv)
             r.overrides.push_back(text());
         else if (word == "--references")
             r.references = text();
+        else if (word == "--answers")
+            r.answers = text();
+        else if (word == "--before")
+            r.before = text();
         else if (word == "--any-references")
             r.any_references = true;
         else if (word == "--most-seconds")
@@ -88,34 +94,42 @@ std::vector<std::string> changes_of_scene(const std::vector<std::string>& overri
     return changes;
 }
 
-bench::Answer reference_of(const bench::AccuracyScene& scene, const app::Study& asked,
-                           const Request& request, bench::References& references)
+struct Files {
+    bench::AnswerFile references, answers, before;
+};
+
+/// @param text of the scene with the changes of --set
+bench::Answer reference_of(std::uint64_t number, const std::string& text,
+                           const app::Study& asked, const dem::SolverOptions& slow,
+                           double most_seconds, bench::AnswerFile& references)
 {
-    std::string text = scene.text;
-    const std::vector<std::string> changes = changes_of_scene(request.overrides);
-    for (const std::string& c : changes) text += "--set " + c + "\n";
-    const dem::SolverOptions slow =
-        bench::reference_options(asked, bench::study_of(scene, changes));
-    const std::string settings = bench::reference_settings(slow);
-    if (const auto known = references.find(text, settings, request.most_seconds)) return *known;
-    const bench::Answer answer = bench::push_answer(asked, slow, request.most_seconds);
-    references.add(scene.number, text, settings, answer);
+    const std::string settings = bench::speed_settings(slow);
+    if (const auto known = references.find(text, settings, most_seconds)) return *known;
+    const bench::Answer answer = bench::push_answer(asked, slow, most_seconds);
+    references.add(number, text, settings, answer);
     return answer;
 }
 
 /// @throws app::ConfigError where --set does not fit
-ComparedScene compare(std::uint64_t number, const Request& request,
-                      bench::References& references)
+ComparedScene compare(std::uint64_t number, const Request& request, Files& files)
 {
     ComparedScene c;
     c.scene = bench::accuracy_scene(request.seed, number);
     const app::Study study = bench::study_of(c.scene, request.overrides);
+    const std::vector<std::string> changes = changes_of_scene(request.overrides);
+    std::string text = c.scene.text;
+    for (const std::string& change : changes) text += "--set " + change + "\n";
     c.kinematics = app::find_entry(study.source, "solver.kinematics")->value;
     c.fidelity = app::find_entry(study.source, "solver.fidelity")->value;
     try {
         c.facts = bench::facts_of(study);
         c.asked = bench::push_answer(study, study.solver, request.most_seconds);
-        c.reference = reference_of(c.scene, study, request, references);
+        files.answers.add(number, text, bench::speed_settings(study.solver), c.asked);
+        c.before = files.before.find(text, "", request.most_seconds);
+        const dem::SolverOptions slow =
+            bench::reference_options(study, bench::study_of(c.scene, changes));
+        c.reference =
+            reference_of(number, text, study, slow, request.most_seconds, files.references);
     } catch (const std::exception& e) {
         c.broken = std::string("exception: ") + e.what();
     }
@@ -124,7 +138,9 @@ ComparedScene compare(std::uint64_t number, const Request& request,
 
 std::vector<ComparedScene> run_all(const Request& request)
 {
-    bench::References references(request.references, request.any_references);
+    Files files{{request.references, request.any_references},
+                {request.answers, false},
+                {request.before, true}};
     std::vector<ComparedScene> scenes(request.count);
     std::atomic<std::uint64_t> next{0};
     std::mutex mutex; // of stderr and `error`
@@ -136,7 +152,7 @@ std::vector<ComparedScene> run_all(const Request& request)
             team.emplace_back([&] {
                 for (std::uint64_t k = next++; k < request.count; k = next++) {
                     try {
-                        scenes[k] = compare(request.first + k, request, references);
+                        scenes[k] = compare(request.first + k, request, files);
                     } catch (...) {
                         const std::lock_guard lock(mutex);
                         error = std::current_exception();
@@ -192,6 +208,13 @@ bench::Report report_of(const std::vector<ComparedScene>& scenes, const Request&
                    bench::error_table(scenes)},
                   {"worst", "Largest errors", "", bench::worst_table(scenes)},
                   {"remarks", "Remarks", "", bench::apart_table(scenes)}};
+    if (request.before.empty()) return r;
+    const std::vector<ComparedScene> before = bench::as_before(scenes);
+    r.sections.push_back({"before",
+                          "Before: the same scenes and references, an earlier program", "",
+                          bench::error_table(before)});
+    r.sections.push_back(
+        {"before_worst", "Before: largest errors", "", bench::worst_table(before)});
     return r;
 }
 
@@ -214,10 +237,11 @@ try {
         bench::write_report(request.out, report);
     return 0;
 } catch (const std::invalid_argument& e) {
-    std::cerr << e.what()
-              << "\nusage: accuracy [OUT.md] [--first N] [--count M] [--seed S] [--threads T] "
-                 "[--set section.key=value]... [--references FILE] [--any-references] "
-                 "[--most-seconds S] [--csv FILE] [--print K]\n";
+    std::cerr
+        << e.what()
+        << "\nusage: accuracy [OUT.md] [--first N] [--count M] [--seed S] [--threads T] "
+           "[--set section.key=value]... [--references FILE] [--any-references] "
+           "[--answers FILE] [--before FILE] [--most-seconds S] [--csv FILE] [--print K]\n";
     return 2;
 } catch (const std::exception& e) {
     std::cerr << e.what() << '\n';

@@ -56,7 +56,7 @@ dem::SolverOptions slower(dem::SolverOptions o, double factor)
     return o;
 }
 
-std::string reference_settings(const dem::SolverOptions& o)
+std::string speed_settings(const dem::SolverOptions& o)
 {
     return app::number(o.steps_per_mm, 6) + "/mm unbalance " +
            app::number(o.unbalance_limit, 6) + " accuracy " + app::number(o.accuracy, 6);

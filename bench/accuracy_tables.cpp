@@ -117,6 +117,17 @@ double quantile_of(std::vector<double> values, double p)
     return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
 }
 
+Scenes as_before(const Scenes& scenes)
+{
+    Scenes before;
+    for (const ComparedScene& c : scenes) {
+        if (!c.before) continue;
+        before.push_back(c);
+        before.back().asked = *c.before;
+    }
+    return before;
+}
+
 app::Table scene_table(const Scenes& scenes)
 {
     app::Table t;

@@ -15,7 +15,8 @@ struct ComparedScene {
     std::string kinematics, fidelity;
     WallFacts facts;
     Answer asked, reference;
-    std::string broken; ///< what was thrown; empty: nothing
+    std::optional<Answer> before; ///< of an earlier program
+    std::string broken;           ///< what was thrown; empty: nothing
 };
 
 /// Whether there is a reference to compare with: it was not too dear and did not fail.
@@ -34,6 +35,9 @@ inline constexpr double kTooSmall = 5e-4; ///< [-]; the reference itself is not 
 
 /// The value below or at which a share `p` of the values is; NaN of none.
 [[nodiscard]] double quantile_of(std::vector<double> values, double p);
+
+/// The scenes that an earlier program answered, with its answers in place of those of this one.
+[[nodiscard]] std::vector<ComparedScene> as_before(const std::vector<ComparedScene>& scenes);
 
 /// One row for each scene.
 [[nodiscard]] app::Table scene_table(const std::vector<ComparedScene>& scenes);

@@ -1,4 +1,4 @@
-#include "bench/accuracy_references.hpp"
+#include "bench/accuracy_answers.hpp"
 
 #include "app/text/check_sum.hpp"
 #include "app/text/csv.hpp"
@@ -48,17 +48,17 @@ Answer answer_of(const std::vector<std::string>& cells)
 
 } // namespace
 
-References::References(std::filesystem::path file, bool any) : file_(std::move(file)), any_(any)
+AnswerFile::AnswerFile(std::filesystem::path file, bool any) : file_(std::move(file)), any_(any)
 {
     if (file_.empty() || !std::filesystem::exists(file_)) return;
     const std::string text = app::read_bytes(file_.string(), kMostBytes, "is too large", "");
     if (!text.starts_with(kHead))
-        throw std::runtime_error(file_.string() + " is no file of references");
+        throw std::runtime_error(file_.string() + " is no file of answers");
     for (const app::CsvRow& row : app::parse_csv(file_.string(), text).rows)
         answers_[key_of(row.cells[0], row.cells[2], row.cells[3], any_)] = answer_of(row.cells);
 }
 
-std::optional<Answer> References::find(const std::string& text, const std::string& settings,
+std::optional<Answer> AnswerFile::find(const std::string& text, const std::string& settings,
                                        double most_seconds) const
 {
     const std::lock_guard lock(mutex_);
@@ -70,7 +70,7 @@ std::optional<Answer> References::find(const std::string& text, const std::strin
     return a;
 }
 
-void References::add(std::uint64_t number, const std::string& text, const std::string& settings,
+void AnswerFile::add(std::uint64_t number, const std::string& text, const std::string& settings,
                      const Answer& a)
 {
     if (file_.empty()) return;
