@@ -23,7 +23,8 @@ struct SceneDraw {
     WallForm form;
     DrawnWall wall;
     bool finite = false;
-    bool body = false; ///< body forces push
+    bool to_fall = false; ///< far enough for the fall to 80 % of a block that turns over
+    bool body = false;    ///< body forces push
     bool beam = true;
     double stress = 0.0;          ///< vertical [Pa]
     double young = 0.0, kn = 0.0; ///< [Pa] [Pa/m]
@@ -41,13 +42,14 @@ SceneDraw draw_frame(Draw& d)
     SceneDraw s;
     s.form = draw_form(d);
     const bool arch = s.form.kind == "arch";
-    s.finite = d.chance(0.5);
+    s.finite = d.chance(0.55);
     s.body = arch || d.chance(0.35);
     s.beam = !arch && (!s.body || d.chance(0.4));
     if (s.beam && !d.chance(0.12)) s.stress = d.log_uniform(0.02e6, 5e6);
     s.fidelity = d.one_of({"rigid", "simple", "simple", "standard"});
     s.young = d.log_uniform(5e9, 40e9);
     s.kn = d.log_uniform(1e9, 1e15);
+    s.to_fall = s.finite && s.kn < 1e12 && d.chance(0.8);
     return s;
 }
 
@@ -68,11 +70,11 @@ std::string mortar_keys(Draw& d)
 
 std::string crushing_keys(const SceneDraw& s, Draw& d)
 {
-    const double weakest = std::clamp(2.5e-6 * s.stress, 0.5, 10.0); // [MPa]
+    const double weakest = std::clamp(1.5e-6 * s.stress, 0.3, 10.0); // [MPa]
     std::string keys =
-        "compressive_strength = " + value(d.log_uniform(weakest, 50.0)) + " MPa\n";
+        "compressive_strength = " + value(weakest * d.log_uniform(1.0, 20.0)) + " MPa\n";
     if (d.chance(0.6))
-        keys += "crushing_energy = " + value(d.log_uniform(300.0, 3e4)) + " N/m\n";
+        keys += "crushing_energy = " + value(d.log_uniform(100.0, 3e4)) + " N/m\n";
     return keys;
 }
 
@@ -81,11 +83,11 @@ std::string joint_keys(SceneDraw& s, Draw& d)
     std::string keys = "[joint]\nnormal_stiffness = " + value(s.kn * 1e-9) + " GPa/m\n";
     const double angle = d.uniform(20.0, 60.0);
     keys += "friction_angle = " + value(angle) + " deg\n";
-    if (d.chance(0.25)) {
+    if (d.chance(0.3)) {
         s.add_extra("mortar");
         keys += mortar_keys(d);
     }
-    if (d.chance(0.22)) {
+    if (d.chance(0.28)) {
         s.add_extra("crushing");
         keys += crushing_keys(s, d);
     }
@@ -118,7 +120,7 @@ std::string crack_keys(SceneDraw& s, Draw& d)
 
 std::string unit_keys(SceneDraw& s, Draw& d)
 {
-    const double strength = d.log_uniform(0.5, 6.0), energy = d.log_uniform(5.0, 150.0);
+    const double strength = d.log_uniform(0.3, 6.0), energy = d.log_uniform(5.0, 150.0);
     const double angle = d.uniform(25.0, 45.0);
     return "[unit]\n" + crack_keys(s, d) + "tensile_strength = " + value(strength) +
            " MPa\nfracture_energy = " + value(energy) +
@@ -179,18 +181,19 @@ double cost_per_metre(const SceneDraw& s)
            kSecondsPerStoneStep;
 }
 
-/// How far: to where a block as large as the wall loses a fifth of its force, or a share of the height. Nothing where
+/// How far: a share of the height, or to where a block as large as the wall has lost a fifth of its force. Nothing where
 /// that costs a reference more than `seconds` of one core, unless less of it shows what a stiff wall does.
 std::optional<double> draw_way(const SceneDraw& s, Draw& d, double seconds)
 {
     const DrawnWall& w = s.wall;
-    const double share = s.finite ? d.log_uniform(0.02, 0.08) : d.log_uniform(0.005, 0.03);
-    const double rocking = w.length * d.uniform(0.22, 0.35);
-    double way = share * w.height;
-    if (s.finite && d.chance(0.6)) way = std::min(rocking, 0.15 * w.height);
+    double way = w.height * (s.finite ? d.log_uniform(0.02, 0.08) : d.log_uniform(0.005, 0.03));
     if (s.body) way *= 0.5; // of the middle
+    if (s.to_fall)
+        way = std::min(w.length * d.uniform(0.12, 0.2) * (s.stress > 0.0 || s.body ? 1.0 : 1.8),
+                       0.15 * w.height);
     const double affordable = seconds / cost_per_metre(s), elastic = elastic_way(s);
-    if (affordable < 0.4 * way && affordable < 60.0 * elastic) return {};
+    if (s.to_fall ? affordable < way : affordable < 0.4 * way && affordable < 60.0 * elastic)
+        return {};
     way = std::min(way, affordable);
     if (way < 8.0 * elastic && seconds < 50.0) return {}; // very soft walls go no farther
     return way;
