@@ -40,43 +40,48 @@ struct Request {
     std::optional<std::uint64_t> print;
 };
 
+/// Takes one option with a value.
+/// @return false if there is no option of this name
+bool take(Request& r, const std::string& name, const std::string& value)
+{
+    if (name == "--first")
+        r.first = std::stoull(value);
+    else if (name == "--count")
+        r.count = std::stoull(value);
+    else if (name == "--seed")
+        r.seed = std::stoull(value);
+    else if (name == "--threads")
+        r.threads = static_cast<unsigned>(std::max(1, std::stoi(value)));
+    else if (name == "--set")
+        r.overrides.push_back(value);
+    else if (name == "--references")
+        r.references = value;
+    else if (name == "--answers")
+        r.answers = value;
+    else if (name == "--before")
+        r.before = value;
+    else if (name == "--most-seconds")
+        r.most_seconds = std::stod(value);
+    else if (name == "--csv")
+        r.csv = value;
+    else if (name == "--print")
+        r.print = std::stoull(value);
+    else
+        return false;
+    return true;
+}
+
 Request read(int argc, char** argv)
 {
     Request r;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        const auto text = [&]() -> std::string {
-            if (++i == argc) throw std::invalid_argument(word + " needs a value");
-            return argv[i];
-        };
-        if (word == "--first")
-            r.first = std::stoull(text());
-        else if (word == "--count")
-            r.count = std::stoull(text());
-        else if (word == "--seed")
-            r.seed = std::stoull(text());
-        else if (word == "--threads")
-            r.threads = static_cast<unsigned>(std::max(1, std::stoi(text())));
-        else if (word == "--set")
-            r.overrides.push_back(text());
-        else if (word == "--references")
-            r.references = text();
-        else if (word == "--answers")
-            r.answers = text();
-        else if (word == "--before")
-            r.before = text();
-        else if (word == "--any-references")
+        if (word == "--any-references")
             r.any_references = true;
-        else if (word == "--most-seconds")
-            r.most_seconds = std::stod(text());
-        else if (word == "--csv")
-            r.csv = text();
-        else if (word == "--print")
-            r.print = std::stoull(text());
-        else if (word.starts_with("-") || !r.out.empty())
-            throw std::invalid_argument(word);
-        else
+        else if (!word.starts_with("-") && r.out.empty())
             r.out = word;
+        else if (i + 1 == argc || !take(r, word, argv[++i]))
+            throw std::invalid_argument(word + ": no such option, or its value is missing");
     }
     return r;
 }
@@ -169,41 +174,47 @@ std::vector<ComparedScene> run_all(const Request& request)
     return scenes;
 }
 
+std::string opening(const Request& request)
+{
+    return "Scenes " + std::to_string(request.first) + " to " +
+           std::to_string(request.first + request.count - 1) + " (seed " +
+           std::to_string(request.seed) + ") far from the paper, each pushed as asked and " +
+           app::number(bench::kReferenceFactor, 3) +
+           " times slower, at as much less unbalance: the reference. `accuracy --print SCENE` "
+           "prints one for "
+           "`drystone push`.\n\n"
+           "Drawn at random: courses (running, stack, flemish, a shift of 0.3, units of random "
+           "length), openings, drawings with sloping joints and portals, arches (semicircular, "
+           "segmental, pointed, 7 to 26 stones, with and without piers) and rubble; 1 to 40 "
+           "courses, "
+           "0.3 to 6 times as high as long; mortar, crushing, wear, cracks at mid-length and "
+           "in "
+           "patterns; small and finite displacements; rigid, simple and standard blocks; k_n "
+           "1e9 "
+           "to "
+           "1e15 Pa/m; 0 to 5 MPa; a beam that pushes, free or level, under dead load, a fixed "
+           "line, "
+           "a follower or a link, and body forces.\n\n"
+           "A reference that takes more than " +
+           app::number(request.most_seconds, 3) +
+           " s of one core, or fails, compares with nothing: such scenes are named and not "
+           "counted. Lost: "
+           "one of both has a peak and the other none; it counts as outside of 1 % and 3 %. "
+           "Falls: "
+           "walls that come down to 80 % of the peak in one of both; a branch, in one only, "
+           "counts as "
+           "outside of 2 %. Error reported: share of walls whose reported error is not smaller "
+           "than "
+           "the true one; a true one below " +
+           app::number(100.0 * bench::kTooSmall, 3) +
+           " % counts as reported, since the reference is not known better.";
+}
+
 bench::Report report_of(const std::vector<ComparedScene>& scenes, const Request& request)
 {
     bench::Report r;
     r.title = "Error of a push by the speed of its drive";
-    r.opening =
-        "Scenes " + std::to_string(request.first) + " to " +
-        std::to_string(request.first + request.count - 1) + " (seed " +
-        std::to_string(request.seed) + ") far from the paper, each pushed as asked and " +
-        app::number(bench::kReferenceFactor, 3) +
-        " times slower, at as much less unbalance: the reference. `accuracy --print SCENE` "
-        "prints one for "
-        "`drystone push`.\n\n"
-        "Drawn at random: courses (running, stack, flemish, a shift of 0.3, units of random "
-        "length), openings, drawings with sloping joints and portals, arches (semicircular, "
-        "segmental, pointed, 7 to 26 stones, with and without piers) and rubble; 1 to 40 "
-        "courses, "
-        "0.3 to 6 times as high as long; mortar, crushing, wear, cracks at mid-length and in "
-        "patterns; small and finite displacements; rigid, simple and standard blocks; k_n 1e9 "
-        "to "
-        "1e15 Pa/m; 0 to 5 MPa; a beam that pushes, free or level, under dead load, a fixed "
-        "line, "
-        "a follower or a link, and body forces.\n\n"
-        "A reference that takes more than " +
-        app::number(request.most_seconds, 3) +
-        " s of one core, or fails, compares with nothing: such scenes are named and not "
-        "counted. Lost: "
-        "one of both has a peak and the other none; it counts as outside of 1 % and 3 %. "
-        "Falls: "
-        "walls that come down to 80 % of the peak in one of both; a branch, in one only, "
-        "counts as "
-        "outside of 2 %. Error reported: share of walls whose reported error is not smaller "
-        "than "
-        "the true one; a true one below " +
-        app::number(100.0 * bench::kTooSmall, 3) +
-        " % counts as reported, since the reference is not known better.";
+    r.opening = opening(request);
     r.sections = {{"errors", "Errors of the peak force and of the fall to 80 %", "",
                    bench::error_table(scenes)},
                   {"worst", "Largest errors", "", bench::worst_table(scenes)},

@@ -36,35 +36,40 @@ app::Cell share(std::size_t part, std::size_t whole)
     return number(100.0 * static_cast<double>(part) / static_cast<double>(whole), 1);
 }
 
+std::vector<app::Head> scene_head()
+{
+    return {"scene",
+            "wall",
+            "load",
+            "kinematics",
+            "fidelity",
+            "extras",
+            "k_n [Pa/m]",
+            "N [kN]",
+            "F/N",
+            "peak [kN]",
+            "reference [kN]",
+            "error [%]",
+            "reported [%]",
+            "fall [mm]",
+            "reference [mm]",
+            "fall error [%]",
+            "outcome",
+            "reference outcome",
+            "steps",
+            "reference steps",
+            "seconds",
+            "reference seconds",
+            "energy residual [%]",
+            "remark"};
+}
+
 } // namespace
 
 app::Table scene_table(const Scenes& scenes)
 {
     app::Table t;
-    t.head = {"scene",
-              "wall",
-              "load",
-              "kinematics",
-              "fidelity",
-              "extras",
-              "k_n [Pa/m]",
-              "N [kN]",
-              "F/N",
-              "peak [kN]",
-              "reference [kN]",
-              "error [%]",
-              "reported [%]",
-              "fall [mm]",
-              "reference [mm]",
-              "fall error [%]",
-              "outcome",
-              "reference outcome",
-              "steps",
-              "reference steps",
-              "seconds",
-              "reference seconds",
-              "energy residual [%]",
-              "remark"};
+    t.head = scene_head();
     for (const ComparedScene& c : scenes)
         t.rows.push_back({number(static_cast<double>(c.scene.number), 0),
                           c.scene.kind,
@@ -95,49 +100,51 @@ app::Table scene_table(const Scenes& scenes)
 
 namespace {
 
-/// One row of error_table.
-app::Row error_row(const std::string& group, const std::string& what, const Scenes& all,
-                   const std::function<bool(const ComparedScene&)>& belongs)
-{
-    std::vector<double> errors;
+/// Of a group of scenes that have a reference.
+struct GroupSums {
+    std::vector<double> errors; ///< of the peak, without sign [%]
     std::size_t scenes = 0, lost = 0, within_1 = 0, within_3 = 0, held = 0;
     std::size_t falls = 0, branches = 0, near = 0;
     double seconds = 0.0, steps = 0.0;
-    for (const ComparedScene& c : all) {
-        if (!has_reference(c) || !belongs(c)) continue;
+
+    void add(const ComparedScene& c)
+    {
         ++scenes;
         seconds += c.asked.seconds;
         steps += static_cast<double>(c.asked.steps);
         lost += is_lost(c);
-        const std::optional<double> error = peak_error(c);
-        if (!error) continue;
+        const std::optional<double> error = peak_error(c), drop = drop_error(c);
+        if (!error) return;
         errors.push_back(100.0 * std::abs(*error));
         within_1 += std::abs(*error) <= 0.01;
         within_3 += std::abs(*error) <= 0.03;
         held += is_held(c);
-        const std::optional<double> drop = drop_error(c);
         branches += is_branch(c);
         falls += drop || is_branch(c);
         near += drop && std::abs(*drop) <= 0.02;
     }
-    const std::size_t counted = errors.size() + lost;
-    return {group,
-            what,
-            number(static_cast<double>(scenes), 0),
-            number(static_cast<double>(lost), 0),
-            number(quantile_of(errors, 0.5), 3),
-            number(quantile_of(errors, 0.84), 3),
-            number(quantile_of(errors, 0.95), 3),
-            number(quantile_of(errors, 0.99), 3),
-            number(quantile_of(errors, 1.0), 3),
-            share(within_1, counted),
-            share(within_3, counted),
-            share(held, errors.size()),
-            number(static_cast<double>(falls), 0),
-            share(near, falls),
-            number(static_cast<double>(branches), 0),
-            number(1e-6 * steps, 2),
-            number(seconds, 1)};
+};
+
+app::Row error_row(const std::string& group, const std::string& what, const Scenes& all,
+                   const std::function<bool(const ComparedScene&)>& belongs)
+{
+    GroupSums s;
+    for (const ComparedScene& c : all)
+        if (has_reference(c) && belongs(c)) s.add(c);
+    app::Row row = {group, what, number(static_cast<double>(s.scenes), 0),
+                    number(static_cast<double>(s.lost), 0)};
+    for (const double p : {0.5, 0.84, 0.95, 0.99, 1.0})
+        row.push_back(number(quantile_of(s.errors, p), 3));
+    const std::size_t counted = s.errors.size() + s.lost;
+    row.push_back(share(s.within_1, counted));
+    row.push_back(share(s.within_3, counted));
+    row.push_back(share(s.held, s.errors.size()));
+    row.push_back(number(static_cast<double>(s.falls), 0));
+    row.push_back(share(s.near, s.falls));
+    row.push_back(number(static_cast<double>(s.branches), 0));
+    row.push_back(number(1e-6 * s.steps, 2));
+    row.push_back(number(s.seconds, 1));
+    return row;
 }
 
 using Label = std::function<std::string(const ComparedScene&)>;
