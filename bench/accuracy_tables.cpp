@@ -189,12 +189,14 @@ app::Table error_table(const Scenes& scenes)
              return c.scene.extras.empty() ? std::string("none") : std::string("some");
          }},
         {"k_n", [](const ComparedScene& c) { return decades(c.facts.kn); }}};
-    for (const auto& [by, label] : groupings) {
+    for (const std::pair<std::string, Label>& grouping : groupings) {
+        const Label& label = grouping.second; // a structured binding cannot be captured
         std::set<std::string> names;
         for (const ComparedScene& c : scenes) names.insert(label(c));
         for (const std::string& one : names)
-            t.rows.push_back(error_row(
-                by, one, scenes, [&](const ComparedScene& c) { return label(c) == one; }));
+            t.rows.push_back(
+                error_row(grouping.first, one, scenes,
+                          [&](const ComparedScene& c) { return label(c) == one; }));
     }
     for (const std::string extra :
          {"mortar", "crushing", "cracks at mid", "cracks in patterns"})
