@@ -155,41 +155,54 @@ std::string decades(double kn)
     return "1e" + std::to_string(low) + " to 1e" + std::to_string(low + 2) + " Pa/m";
 }
 
+std::vector<app::Head> error_head()
+{
+    return {"by",
+            "of",
+            "scenes",
+            "lost",
+            "median [%]",
+            "84 % [%]",
+            "95 % [%]",
+            "99 % [%]",
+            "largest [%]",
+            "within 1 % [%]",
+            "within 3 % [%]",
+            "error reported [%]",
+            "falls",
+            "falls within 2 % [%]",
+            "branches",
+            "steps [10^6]",
+            "seconds"};
+}
+
+/// By what scenes are grouped, and the group of a scene.
+std::vector<std::pair<std::string, Label>> groupings()
+{
+    return {{"wall", [](const ComparedScene& c) { return c.scene.kind; }},
+            {"load", [](const ComparedScene& c) { return c.scene.load; }},
+            {"kinematics", [](const ComparedScene& c) { return c.kinematics; }},
+            {"fidelity", [](const ComparedScene& c) { return c.fidelity; }},
+            {"extras",
+             [](const ComparedScene& c) {
+                 return c.scene.extras.empty() ? std::string("none") : std::string("some");
+             }},
+            {"k_n", [](const ComparedScene& c) { return decades(c.facts.kn); }},
+            {"end", [](const ComparedScene& c) {
+                 return std::string(c.asked.outcome == c.reference.outcome ? "as the reference"
+                                                                           : "otherwise");
+             }}};
+}
+
 } // namespace
 
 app::Table error_table(const Scenes& scenes)
 {
     app::Table t;
-    t.head = {"by",
-              "of",
-              "scenes",
-              "lost",
-              "median [%]",
-              "84 % [%]",
-              "95 % [%]",
-              "99 % [%]",
-              "largest [%]",
-              "within 1 % [%]",
-              "within 3 % [%]",
-              "error reported [%]",
-              "falls",
-              "falls within 2 % [%]",
-              "branches",
-              "steps [10^6]",
-              "seconds"};
+    t.head = error_head();
     t.keys = 2;
     t.rows.push_back(error_row("all", "", scenes, [](const ComparedScene&) { return true; }));
-    const std::vector<std::pair<std::string, Label>> groupings = {
-        {"wall", [](const ComparedScene& c) { return c.scene.kind; }},
-        {"load", [](const ComparedScene& c) { return c.scene.load; }},
-        {"kinematics", [](const ComparedScene& c) { return c.kinematics; }},
-        {"fidelity", [](const ComparedScene& c) { return c.fidelity; }},
-        {"extras",
-         [](const ComparedScene& c) {
-             return c.scene.extras.empty() ? std::string("none") : std::string("some");
-         }},
-        {"k_n", [](const ComparedScene& c) { return decades(c.facts.kn); }}};
-    for (const std::pair<std::string, Label>& grouping : groupings) {
+    for (const std::pair<std::string, Label>& grouping : groupings()) {
         const Label& label = grouping.second; // a structured binding cannot be captured
         std::set<std::string> names;
         for (const ComparedScene& c : scenes) names.insert(label(c));
