@@ -16,8 +16,9 @@ namespace {
 /// Share of the length of the wall. A gap that is narrower is a joint, not an opening.
 constexpr double kOpening = 0.05;
 
-/// The side of a pier leans by less than this [m/m]. The inside of a half circle does so up to a quarter of its height.
-constexpr double kBatter = 0.25;
+/// The side of a pier leans by less than this [m/m], over more than a third of the height of the opening. The inside of
+/// a half circle does so up to a tenth of its height, or to a fifth where it is made of straight stones.
+constexpr double kBatter = 0.1;
 
 using Piece = std::pair<double, double>; ///< from x to x
 
@@ -84,7 +85,7 @@ bool has_piers(const Study& study)
                             std::abs(here->second - below->second)) < kBatter * rise;
         below = here;
     }
-    return 2 * upright > open;
+    return 3 * upright > open;
 }
 
 std::string pier_remark(const Study& study)
