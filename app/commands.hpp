@@ -16,7 +16,7 @@ namespace app {
 /// level below it: capacity.csv, capacity.svg, summary.json, wall.svg, study.ini (the effective configuration) and
 /// series/*.pvd for ParaView, which are written while the wall is pushed. Several levels also give levels.csv, .md, .tex,
 /// .svg. Files of an earlier push are removed. Told to end, it writes the curves so far as capacity_interrupted.csv and leaves
-/// all other files as they were.
+/// all other files as they were; where only the push the other way was left, it writes everything.
 /// @return 1 if a wall's numbers broke
 /// @throws Interrupted (app/study/interrupt.hpp)
 [[nodiscard]] int push_command(const Command& command);

@@ -105,6 +105,13 @@ const Verb& asked_verb(std::span<const Verb> verbs, const std::vector<po::option
     return verb;
 }
 
+/// `help --film` asks about an option, and does not give it.
+bool asks_about_option(const std::vector<std::string>& arguments)
+{
+    return arguments.size() == 2 && arguments.front() == "help" &&
+           arguments.back().starts_with("--");
+}
+
 /// `--set load.height "1 m"`: the blank ends the assignment.
 void check_assignments(const std::vector<po::option>& given, const std::string& next)
 {
@@ -247,9 +254,14 @@ void check_study_options(const Command& command)
 Command parse_command_line(std::span<const Verb> verbs,
                            const std::vector<std::string>& arguments)
 {
-    const std::vector<po::option> given = given_options(arguments);
     Command command;
     command.threads = default_threads();
+    if (asks_about_option(arguments)) {
+        command.verb = &known_verb(verbs, "help");
+        command.words = {arguments.back()};
+        return command;
+    }
+    const std::vector<po::option> given = given_options(arguments);
     for (const po::option& g : given)
         if (g.string_key.empty() && !g.unregistered) command.words.push_back(g.value.front());
     for (const po::option& g : given)

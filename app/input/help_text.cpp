@@ -123,6 +123,16 @@ std::string help_of(std::span<const Verb> verbs, const Key& key)
     return text;
 }
 
+std::string help_of(std::span<const Verb> verbs, const Option& option)
+{
+    std::string takers;
+    for (const Verb& verb : verbs)
+        if (takes(verb, option))
+            takers += (takers.empty() ? "" : ", ") + std::string(verb.name);
+    return "--" + option.name + (option.value_name.empty() ? "" : " " + option.value_name) +
+           "\n      " + option.meaning + "\n  taken by  " + takers + "\n";
+}
+
 bool speaks_of(std::string_view text, std::string_view word)
 {
     const auto same = [](char a, char b) {
@@ -150,7 +160,9 @@ std::string found(std::span<const Verb> verbs, std::string_view word)
 
 [[noreturn]] void refuse_topic(std::span<const Verb> verbs, std::string_view topic)
 {
-    std::vector<std::string_view> names;
+    std::vector<std::string> hyphened;
+    for (const Option& option : options()) hyphened.push_back("--" + option.name);
+    std::vector<std::string_view> names(hyphened.begin(), hyphened.end());
     for (const Verb& verb : verbs) names.push_back(verb.name);
     for (const Key& key : study_keys()) {
         names.push_back(key.name);
@@ -189,6 +201,8 @@ std::string help_text(std::span<const Verb> verbs, std::string_view topic)
         "\nExit codes: 0 done, 1 failed, 2 error in the input, 130 told to end.\n";
     if (topic.empty()) return help_of_program(verbs) + std::string(kCodes);
     if (const Verb* verb = find_verb(verbs, topic)) return help_of(*verb) + std::string(kCodes);
+    if (const Option* option = topic.starts_with("--") ? find_option(topic.substr(2)) : nullptr)
+        return help_of(verbs, *option);
     std::string text;
     for (const Key& key : keys_named(topic)) text += help_of(verbs, key);
     if (text.empty()) text = found(verbs, topic);

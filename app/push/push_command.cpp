@@ -265,10 +265,13 @@ int push_command(const Command& command)
     plan.sink = series.sink();
     std::optional<PushFilm> film;
     if (command.film) film.emplace(study, wanted.size(), plan);
-    const auto [walls, whole] =
+    const auto [walls, whole, other_way_left_out] =
         push_until_told(study, std::move(plan), wanted, command.threads, command.quiet);
     if (!whole) keep_curves(command, walls);
     write_all(command, study, wanted, walls, series, film);
+    if (other_way_left_out)
+        throw Interrupted{"all results of the push are in " + command.out +
+                          "; only the push the other way was left out"};
     std::cout << as_text(without_details(level_table(study, walls)), terminal_width()) << '\n'
               << as_text(limit_table(study, walls), terminal_width())
               << error_line(study, walls);

@@ -79,7 +79,7 @@ Pushed push_until_told(const Study& study, dem::PushPlan plan,
     try {
         other.add_to(walls);
     } catch (const Interrupted&) {
-        return {std::move(walls), false};
+        return {std::move(walls), true, true};
     }
     line.finish("");
     return {std::move(walls), true};

@@ -13,6 +13,8 @@ struct Pushed {
     std::vector<PushedWall> walls; ///< as they were wanted
     bool whole =
         false; ///< else the program was told to end: curves end early, or have no point
+    bool other_way_left_out =
+        false; ///< told to end while walls were pushed the other way alone
 };
 
 /// The line is of all walls together: those that are done, and the one that spoke last. Walls that are not symmetric are

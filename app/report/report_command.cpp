@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <string_view>
+#include <string>
 
 namespace app {
 namespace {
@@ -30,13 +30,10 @@ std::size_t most_walls(const StudyWalls& study, const std::optional<int>& asked)
     return walls_in_page(layout_of(study.study).blocks.size());
 }
 
-/// The sentence of a page that shows all walls. A terminal need not be told.
-constexpr std::string_view kAllShown = "Click any curve to see its wall.";
-
 std::string chosen_text(std::size_t shown, std::size_t sound)
 {
     if (shown == 0) return "No wall was pushed again for this page.";
-    if (shown == sound) return std::string(kAllShown);
+    if (shown == sound) return "Click any curve to see its wall.";
     return std::to_string(shown) + " of " + std::to_string(sound) +
            " walls can be shown, taken in turns from each stress and mode in the order of "
            "the samples, to keep the page small. Click on the curve of another wall to see "
@@ -98,6 +95,8 @@ void keep_in_page(const Draft& draft, Replay& replay)
 struct Shown {
     Replay replay;
     std::string note;
+    bool as_expected =
+        false; ///< each wall, and each as it is stored: a terminal need not be told
 };
 
 Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& shelf)
@@ -112,6 +111,8 @@ Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& sh
     std::size_t sound = 0;
     for (const StudyLevel& level : study.levels) sound += level.walls.size();
     shown.note = chosen_text(shown.replay.walls.size(), sound) + remark;
+    shown.as_expected =
+        shown.replay.walls.size() == sound && remark.empty() && shown.replay.different == 0;
     if (shown.replay.different > 0)
         shown.note += " " + std::to_string(shown.replay.different) +
                       " of them differ from what is stored: the file was written by another "
@@ -143,7 +144,7 @@ int report_command(const Command& command, const FilmShelf& shelf)
     const std::string page = draft.page(shown.replay, shown.note);
     if (out.has_parent_path()) make_folder(out.parent_path());
     write_file(out, page);
-    if (shown.note != kAllShown) std::cout << wrapped(shown.note + "\n", terminal_width());
+    if (!shown.as_expected) std::cout << wrapped(shown.note + "\n", terminal_width());
     std::cout << "written to " << out.string() << ", "
               << fixed(static_cast<double>(page.size()) * 1e-6, 1) << " MB\n";
     return 0;

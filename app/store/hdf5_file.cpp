@@ -19,7 +19,6 @@ bool set_up_library()
     // crashes when it cleans up at exit (HDFGroup/hdf5 pull request 2291). There is nothing to clean up.
     H5dont_atexit();
     H5open();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // what goes wrong is in the error's what()
     return true;
 }
 
@@ -27,6 +26,8 @@ Handle access_of(const File& file)
 {
     static const bool ready = set_up_library();
     static_cast<void>(ready);
+    // What goes wrong is in the error's what(). Each thread has a setting of its own.
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     Handle access = file.owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "set up");
     file.checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110),
                  "set the format of");

@@ -5,6 +5,8 @@
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,10 @@ namespace {
 
 /// Share of the length of the wall. A gap that is narrower is a joint, not an opening.
 constexpr double kOpening = 0.05;
+
+/// The side of a pier leans by less than this [m/m], over more than a third of the height of the opening. The inside of
+/// a half circle does so up to a tenth of its height, or to a fifth where it is made of straight stones.
+constexpr double kBatter = 0.1;
 
 using Piece = std::pair<double, double>; ///< from x to x
 
@@ -31,18 +37,24 @@ Piece crossed(const std::vector<dem::Point>& outline, double z)
     return piece;
 }
 
-/// Whether the stones at height z leave an opening between them.
-bool is_open_at(const std::vector<dem::DrawnUnit>& units, double z, double opening)
+/// The widest opening that the stones leave at height z; nothing where none is wider than `least`.
+std::optional<Piece> opening_at(const std::vector<dem::DrawnUnit>& units, double z,
+                                double least)
 {
     std::vector<Piece> pieces;
     for (const dem::DrawnUnit& u : units)
         if (const Piece p = crossed(u.outline, z); p.second > p.first) pieces.push_back(p);
     std::ranges::sort(pieces);
+    std::optional<Piece> widest;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
-        if (pieces[i].first > pieces[i - 1].second + opening) return true;
+        const Piece gap{pieces[i - 1].second, pieces[i].first};
+        if (gap.second - gap.first > least) {
+            least = gap.second - gap.first;
+            widest = gap;
+        }
         pieces[i].second = std::max(pieces[i].second, pieces[i - 1].second);
     }
-    return false;
+    return widest;
 }
 
 /// "ntc and ec8"
@@ -62,11 +74,18 @@ bool has_piers(const Study& study)
     if (!study.geometry.openings.empty()) return true;
     if (!is_drawn(study) || study.geometry.rubble) return false;
     constexpr int kHeights = 40;
-    const double height = wall_height(study), opening = kOpening * wall_length(study);
-    for (int i = 0; i < kHeights; ++i)
-        if (is_open_at(study.geometry.units, height * (i + 0.5) / kHeights, opening))
-            return true;
-    return false;
+    const double rise = wall_height(study) / kHeights, least = kOpening * wall_length(study);
+    std::optional<Piece> below;
+    int open = 0, upright = 0;
+    for (int i = 0; i < kHeights; ++i) {
+        const auto here = opening_at(study.geometry.units, rise * (i + 0.5), least);
+        open += here.has_value();
+        upright += here && below &&
+                   std::min(std::abs(here->first - below->first),
+                            std::abs(here->second - below->second)) < kBatter * rise;
+        below = here;
+    }
+    return 3 * upright > open;
 }
 
 std::string pier_remark(const Study& study)

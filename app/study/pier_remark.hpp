@@ -7,7 +7,8 @@
 
 namespace app {
 
-/// Whether at some height the masonry stands in pieces beside each other: openings, arches, portals.
+/// Whether openings divide the masonry into pieces that stand upright beside each other: walls with doors or windows,
+/// portals, arches on piers. A bare arch leans all the way from its springing, and has none.
 [[nodiscard]] bool has_piers(const Study& study);
 
 /// "the drift limits of ntc are those of one pier: ..."; empty without a code among the limit states, and of a wall

@@ -25,7 +25,7 @@ def _flags(censored: ArrayLike | None) -> numpy.ndarray:
     if censored is None:
         return numpy.empty(0, bool)
     flags = numpy.asarray(censored)
-    if flags.dtype != bool and not ((flags == 0) | (flags == 1)).all():
+    if flags.dtype.kind not in "biuf" or not ((flags == 0) | (flags == 1)).all():
         raise ValueError("censored: must be True or False, or 1 or 0, for each value")
     return flags.astype(bool)
 

@@ -99,6 +99,23 @@ TEST_CASE("command line: help tells of a key, and finds what speaks of a word",
     CHECK_THROWS_WITH(help("cohesoin"), Catch::Contains("did you mean \"cohesion\"?"));
 }
 
+TEST_CASE("command line: help tells of an option, with its hyphens or without",
+          "[app][command_line]")
+{
+    for (const app::Option& option : app::options()) {
+        const app::Command command = parse({"help", "--" + option.name});
+        REQUIRE(command.verb->name == "help");
+        const std::string text = help(command.words.front().c_str());
+        CHECK(has(text, "--" + option.name));
+        CHECK(has(text, option.meaning));
+    }
+    CHECK(help("--film") == "--film\n      write a moving picture of the push, film.svg, for a "
+                            "page or a talk\n  taken by  push\n");
+    CHECK(has(help("--shard"), "--shard I/N\n"));
+    CHECK(has(help("film"), "  --film  "));
+    CHECK_THROWS_WITH(help("--flim"), Catch::Contains("did you mean \"--film\"?"));
+}
+
 TEST_CASE("command line: a title is for the page that follows a study", "[app][command_line]")
 {
     CHECK(parse({"study", "house.ini", "--report", "--title", "North wall"}).title ==

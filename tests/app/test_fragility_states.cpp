@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -148,4 +150,37 @@ TEST_CASE("fragility states: a drawn wall has several piers where its stones lea
     CHECK_FALSE(app::has_piers(study));
     study.geometry.units = {box(0.0, 0.0, 0.6, 0.3), box(0.0, 0.3, 0.3, 0.4)}; // a step
     CHECK_FALSE(app::has_piers(study));
+}
+
+TEST_CASE("fragility states: an arch has piers where it stands on some",
+          "[app][fragility_states]")
+{
+    /// A half circle of mean radius 1 m between radial joints, its springing at height z.
+    const auto arch = [](int stones, double thickness, double z) {
+        std::vector<dem::DrawnUnit> units(static_cast<std::size_t>(stones));
+        const auto at = [z](double r, double angle) {
+            return dem::Point{1.3 - r * std::cos(angle), z + r * std::sin(angle)};
+        };
+        const double in = 1.0 - 0.5 * thickness, out = 1.0 + 0.5 * thickness;
+        for (std::size_t i = 0; i < units.size(); ++i) {
+            const double a = std::numbers::pi * static_cast<double>(i) / stones,
+                         b = std::numbers::pi * static_cast<double>(i + 1) / stones;
+            units[i].outline = {at(in, a), at(in, b), at(out, b), at(out, a)};
+        }
+        return units;
+    };
+    const int stones = GENERATE(5, 7, 8, 24);
+    const double thickness = GENERATE(0.12, 0.4);
+    app::Study study;
+    study.geometry.units = arch(stones, thickness, 0.0);
+    CHECK_FALSE(app::has_piers(study));
+
+    study.geometry.units = arch(stones, thickness, 0.8);
+    for (const double x : {0.3, 2.3}) {
+        dem::DrawnUnit pier;
+        const double half = 0.5 * thickness;
+        pier.outline = {{x - half, 0.0}, {x + half, 0.0}, {x + half, 0.8}, {x - half, 0.8}};
+        study.geometry.units.push_back(pier);
+    }
+    CHECK(app::has_piers(study));
 }

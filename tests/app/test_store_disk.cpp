@@ -7,11 +7,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 using app::Store;
@@ -397,4 +400,27 @@ TEST_CASE("store: folders, pipes and missing files are refused", "[app][store_di
     CHECK_THROWS_WITH(StoreReader(folder.path / "none"), Contains("no such file"));
     CHECK_THROWS_WITH(Store(folder.path / "none" / "a.h5", store_head(1)),
                       Contains("its folder is not there"));
+}
+
+TEST_CASE("store: what HDF5 says of an error is in ours alone, whatever the thread",
+          "[app][store_disk]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path said = folder.path / "stderr";
+    CHECK_THROWS_AS(app::hdf5::open_file(folder.path / "none.h5"), StoreError);
+    const int screen = ::dup(2), file = ::creat(said.c_str(), 0600);
+    ::dup2(file, 2);
+    bool refused = false;
+    std::thread([&] {
+        refused = says(
+            [&] {
+                static_cast<void>(app::hdf5::create_file(folder.path / "removed" / "part.h5"));
+            },
+            "its folder is not there");
+    }).join();
+    ::dup2(screen, 2);
+    ::close(screen);
+    ::close(file);
+    CHECK(refused);
+    CHECK(scenes::read_text(said).empty());
 }

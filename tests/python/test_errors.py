@@ -43,6 +43,8 @@ class ErrorsAreThoseOfTheProgram(InFolder):
             fit([1, 2, 3], [True])
         with self.assertRaisesRegex(ValueError, "censored: must be True or False"):
             fit([1, 2, 3], [0, 0.5, 1])
+        with self.assertRaisesRegex(ValueError, "censored: must be True or False"):
+            fit([1, 2, 3], ["no", "no", "yes"])
         with self.assertRaisesRegex(ValueError, "law: .* is none of lognormal"):
             fit([1, 2, 3], law="cauchy")
         with self.assertRaises(ValueError):

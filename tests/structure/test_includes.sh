@@ -45,7 +45,8 @@ for folder in dem dem/*/ fragility uq uq/*/ app/*/ python/src; do
         continue
     fi
     while IFS=: read -r file line text; do
-        to=$(dirname -- "$(cut -d '"' -f 2 <<<"$text")")
+        IFS='"' read -r _ to _ <<<"$text"
+        [[ $to == */* ]] && to=${to%/*} || to=.
         for known in "$folder" ${knows[$folder]}; do
             [[ $to == "$known" || ($known == */ && $to == "$known"*) ]] && continue 2
         done

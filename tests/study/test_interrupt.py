@@ -24,6 +24,10 @@ def catches_interrupts(process):
     return int(caught, 16) >> (signal.SIGINT - 1) & 1 == 1
 
 
+def exists(path):
+    return lambda process: path.exists()
+
+
 def wait_for(there, process):
     end = time.monotonic() + FAR
     while not there():
@@ -33,9 +37,9 @@ def wait_for(there, process):
 
 
 def interrupted(words, there, signals=(signal.SIGINT,), **settings):
-    """Starts the program, and sends the signals when `there` says so; None: as soon as it catches them. What it says on stderr."""
+    """Starts the program, and sends the signals when `there` says so of its process. What it says on stderr."""
     process = subprocess.Popen([PROGRAM, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **settings)
-    wait_for(there or (lambda: catches_interrupts(process)), process)
+    wait_for(lambda: there(process), process)
     for one in signals:
         process.send_signal(one)
         time.sleep(0.002)
@@ -62,7 +66,7 @@ def claim_push(folder):
             "--set", "output.snapshot_every=0.2 mm"]
     run(*push)
     before, whole = names(out), (out / "capacity.csv").read_text()
-    said = interrupted(push, (out / "series.part/wall_0003.vtu").exists)
+    said = interrupted(push, exists(out / "series.part/wall_0003.vtu"))
     assert "nothing was written but the curve so far, " in said and "capacity_interrupted.csv (up to " in said, said
     assert names(out) == sorted([*before, "capacity_interrupted.csv"]), names(out)
     curve = (out / "capacity_interrupted.csv").read_text()
@@ -70,17 +74,41 @@ def claim_push(folder):
 
     new = folder / "new"
     push[3] = new
-    interrupted(push, (new / "series.part/wall_0003.vtu").exists, [signal.SIGTERM])
+    interrupted(push, exists(new / "series.part/wall_0003.vtu"), [signal.SIGTERM])
     assert names(new) == ["capacity_interrupted.csv", "drystone_push_files.txt"], names(new)
     run("push", WALL, "--out", new, "--quiet", *RIGID, "--set", "load.max_displacement=0.2 mm")
     assert "capacity_interrupted.csv" not in names(new) and "capacity.csv" in names(new), names(new)
+
+
+def core_seconds(process):
+    """What it has taken so far."""
+    with open(f"/proc/{process.pid}/stat", encoding="ascii") as stat:
+        return sum(map(int, stat.read().rpartition(")")[2].split()[11:13])) / os.sysconf("SC_CLK_TCK")
+
+
+def claim_other_way(folder):
+    """A push that is over keeps all its results, and the program says what is missing."""
+    out, pushed = folder / "out", []
+    push = ["push", WALL, "--out", out, "--quiet", "--threads", "1", *RIGID, "--set", "wall.openings=0.1 m, 0 m, 0.3 m, 0.4 m",
+            "--set", "load.max_displacement=1 mm", "--set", "output.snapshot_every=1 mm", "--set", "solver.steps_per_mm=20000"]
+
+    def on_the_other_way(process):
+        """The last picture of the push is written, and the program works on."""
+        if not pushed and (out / "series.part/wall_0001.vtu").exists():
+            pushed.append(core_seconds(process))
+        return pushed and core_seconds(process) > pushed[0] + 0.05
+
+    said = interrupted(push, on_the_other_way)
+    assert said == f"drystone: interrupted; all results of the push are in {out}; only the push the other way was left out\n", said
+    assert {"capacity.csv", "summary.json", "series", "wall.svg"} <= set(names(out)) and "capacity_interrupted.csv" not in names(out), names(out)
+    assert "was pushed to the right alone" in (out / "summary.json").read_text()
 
 
 def claim_several_walls(folder):
     """Of walls pushed side by side each has its curve so far."""
     said = interrupted(["push", WALL, "--out", folder / "out", "--quiet", "--threads", "1", *RIGID, "--set", "load.vertical_stress=0.5, 1, 1.25 MPa",
                         "--set", "joint.wall_modulus=768, 1057, 1200 MPa", "--set", "solver.steps_per_mm=8000", "--set", "load.max_displacement=20 mm", "--set", "output.snapshot_every=0.2 mm"],
-                       (folder / "out/1.00_MPa/series.part/wall_0003.vtu").exists)
+                       exists(folder / "out/1.00_MPa/series.part/wall_0003.vtu"))
     assert "the curves so far, " in said, said
     for level in ("0.50_MPa", "1.00_MPa", "1.25_MPa"):
         assert names(folder / "out" / level) == ["capacity_interrupted.csv"], level
@@ -89,7 +117,7 @@ def claim_several_walls(folder):
 def claim_study(folder):
     file = folder / "quick.h5"
     study = ["study", QUICK, "--out", file, "--quiet", *RIGID, "--set", "solver.steps_per_mm=1000", "--set", "load.max_displacement=2 mm"]
-    said = interrupted([*study, "--set", "uq.design=monte_carlo", "--set", "uq.samples=4000"], file.exists)
+    said = interrupted([*study, "--set", "uq.design=monte_carlo", "--set", "uq.samples=4000"], exists(file))
     assert said == "drystone: interrupted; the same command resumes where it stopped\n", said
 
 
@@ -99,9 +127,9 @@ def claim_page(folder):
     study = ["study", QUICK, "--out", file, "--quiet", "--threads", "1", *RIGID, "--set", "solver.steps_per_mm=4000", "--set",
              "load.max_displacement=3 mm", "--set", "uq.samples=2"]
     run(*study)
-    said = interrupted([*study, "--report"], (folder / "quick/README.md").exists)
+    said = interrupted([*study, "--report"], exists(folder / "quick/README.md"))
     assert said == f"drystone: interrupted; all walls are in {file}, and the same command makes the tables and the page\n", said
-    said = interrupted(["report", file, "--quiet", "--threads", "1"], None)
+    said = interrupted(["report", file, "--quiet", "--threads", "1"], catches_interrupts)
     # the second where the file of the study is still being read
     assert said in ("drystone: interrupted; nothing was written\n", "drystone: interrupted; no result was finished\n"), said
     left = [name for name in names(folder) if not name.startswith("quick_summary")]
@@ -111,7 +139,7 @@ def claim_page(folder):
 def claim_before_any_result(folder):
     """Verbs that write nothing before their end leave nothing behind."""
     said = interrupted(["scene", WALL, "--out", folder / "out", "--set", "wall.length=20 m", "--set", "wall.courses=400", "--set",
-                        "load.height=40.1 m"], None)
+                        "load.height=40.1 m"], catches_interrupts)
     assert said == "drystone: interrupted; no result was finished\n" and not names(folder), (said, names(folder))
 
 
@@ -134,7 +162,7 @@ def claim_program(folder):
     tmp, pid = folder / "tmp", folder / "pid"
     tmp.mkdir()
     for signals in ([signal.SIGQUIT], [signal.SIGINT] * 4, [signal.SIGTERM]):
-        said = interrupted(["reliability", "s.ini", "--out", "out", "--quiet"], pid.exists,
+        said = interrupted(["reliability", "s.ini", "--out", "out", "--quiet"], exists(pid),
                            signals, cwd=folder, env={**os.environ, "TMPDIR": str(tmp)})
         assert "the evaluations made so far are in out/evaluations.csv" in said, said
         assert (folder / "out/evaluations.csv").exists() and not list(tmp.iterdir()), list(tmp.iterdir())

@@ -102,6 +102,18 @@ void compare(FormResult& r, const FormOptions& o)
     }
 }
 
+/// "the searches did not end within 200 evaluations: 197 were made, and the next step needs more than the 3 left"
+std::string ended_by_budget(const Ledger& ledger)
+{
+    const std::size_t left = ledger.limit - ledger.evaluations;
+    return "the searches did not end within " + std::to_string(ledger.limit) +
+           " evaluations: " +
+           (left == 0 ? "all were made"
+                      : std::to_string(ledger.evaluations) +
+                            " were made, and the next step needs more than the " +
+                            std::to_string(left) + " left");
+}
+
 } // namespace
 
 FormResult form(const LimitState& s, const FormOptions& o)
@@ -119,9 +131,7 @@ FormResult form(const LimitState& s, const FormOptions& o)
     r.points = distinct_points(r.searches, o.same_point);
     compare(r, o);
     if (r.ledger.used_up)
-        r.reason = "all " + std::to_string(o.max_evaluations) +
-                   " evaluations allowed were used up before the searches ended" +
-                   (r.reason.empty() ? "" : "; " + r.reason);
+        r.reason = ended_by_budget(r.ledger) + (r.reason.empty() ? "" : "; " + r.reason);
     return r;
 }
 

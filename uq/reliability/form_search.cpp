@@ -38,6 +38,12 @@ void give_up(Search& search, SearchOutcome outcome, std::string reason)
     search.point.reset();
 }
 
+void give_up_without_value(Search& search, const Ledger& ledger, const std::string& where)
+{
+    give_up(search, SearchOutcome::evaluation_failed,
+            (ledger.used_up ? "no evaluation was left " : "the model failed ") + where);
+}
+
 void judge(const LinearLimit& l, const SearchOptions& o, Search& search)
 {
     if (!(l.gradient.norm() > 0.0))

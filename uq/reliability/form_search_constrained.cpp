@@ -51,15 +51,15 @@ double constraint(const std::vector<double>& u, std::vector<double>& gradient, v
 }
 
 /// Why NLopt stopped where the design point may still be found near; else its complaint.
-void minimise(nlopt::opt& problem, std::vector<double>& u, Search& search)
+void minimise(nlopt::opt& problem, std::vector<double>& u, const Ledger& ledger, Search& search)
 {
     double least = 0.0;
     try {
         if (problem.optimize(u, least) == nlopt::MAXEVAL_REACHED)
-            give_up(search, SearchOutcome::iterations_used_up, "all evaluations used up");
+            give_up(search, SearchOutcome::iterations_used_up, "all iterations used up");
     } catch (const nlopt::roundoff_limited&) { // as near as it gets: judged like any other end
     } catch (const nlopt::forced_stop&) {
-        give_up(search, SearchOutcome::evaluation_failed, "the model failed at a point needed");
+        give_up_without_value(search, ledger, "at a point needed");
     } catch (const std::runtime_error& e) { // "nlopt failure"
         give_up(search, SearchOutcome::no_descent, e.what());
     }
@@ -78,7 +78,7 @@ Search search_constrained(const LimitState& s, const Eigen::VectorXd& start,
     };
     const std::optional<LinearLimit> first = linearise(s, start, o.step, ledger);
     if (!first)
-        give_up(search, SearchOutcome::evaluation_failed, "the model failed at the start");
+        give_up_without_value(search, ledger, "at the start");
     else if (!(first->gradient.norm() > 0.0))
         give_up(search, SearchOutcome::flat, "the gradient is zero at the start");
     if (!search.reason.empty()) return done();
@@ -92,13 +92,13 @@ Search search_constrained(const LimitState& s, const Eigen::VectorXd& start,
     problem.set_xtol_abs(0.1 * std::min(o.on_surface, o.on_axis));
     problem.set_initial_step(kFirstStep);
     std::vector<double> u(start.begin(), start.end());
-    minimise(problem, u, search);
+    minimise(problem, u, ledger, search);
     search.iterations = g.calls;
     if (!search.reason.empty()) return done();
     if (const auto l = linearise(s, view(u), o.step, ledger))
         judge(*l, o, search);
     else
-        give_up(search, SearchOutcome::evaluation_failed, "the model failed where it stopped");
+        give_up_without_value(search, ledger, "where it stopped");
     return done();
 }
 

@@ -78,7 +78,7 @@ Search search_hl_rf(const LimitState& s, const Eigen::VectorXd& start, const Sea
     Search search{SearchMethod::improved_hl_rf, start, {}, {}, {}, 1, 0};
     const std::size_t before = ledger.evaluations;
     std::optional<LinearLimit> l = linearise(s, start, o.step, ledger);
-    if (!l) give_up(search, SearchOutcome::evaluation_failed, "the model failed at the start");
+    if (!l) give_up_without_value(search, ledger, "at the start");
     while (l && l->gradient.norm() > 0.0 && !arrived(*l, o) &&
            search.iterations < o.max_iterations) {
         std::optional<LinearLimit> next = advance(s, *l, o, ledger);
