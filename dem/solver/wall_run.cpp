@@ -22,6 +22,14 @@ constexpr long long kWatchEvery = 50; // steps between them while a wall may be 
 // Share of kinetic in all energy that passed through a wall above which it falls, if it stores less. On its way in
 // balance a wall has some 1e-4 of it; the ledger of one that falls breaks at 0.2 to 0.5, where blocks strike each other.
 constexpr double kFalling = 0.1; // a free choice between the two
+// Kinetic energy above which a wall falls, as a multiple of what it has where all of it moves as fast as its drive. Joints
+// as stiff as stone store less than that.
+constexpr double kFlung =
+    10.0; // a free choice: blocks that turn or bounce go a few times as fast
+// Start of a wall that seems to come down under its vertical load: the load is put on in so many times the steps.
+constexpr long long kSlowStart = 10;
+constexpr long long kSlowLook =
+    2000; // steps of it before which blocks that are still unloaded count for nothing
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
@@ -39,6 +47,28 @@ double settlement_of(const Snapshot& s)
         }
     return sum / n;
 }
+
+/// Sum of the fictitious masses of all blocks and the beam in a motion sideways [N/m]; the step is the unit of time.
+template <class Real>
+double sway_mass(const Model& model, const StepTables& tables, const WallState<Real>& s,
+                 int lane)
+{
+    double sum = 0.0;
+    for (std::size_t b = 0; b < tables.blocks.size(); ++b) {
+        const StepTables::BlockRow& row = tables.blocks[b];
+        const double volume = area_of(model.layout.blocks[b]) * model.layout.thickness;
+        double mobility = 0.0;
+        for (int i = 0; i < row.modes; ++i)
+            mobility += std::pow(model.elements[row.element].sway(i), 2) *
+                        dem::lane(s.laws.inv_mass[row.first_mode + i], lane);
+        if (mobility > 0.0) sum += volume * volume / mobility;
+    }
+    return sum;
+}
+
+/// Whether more energy moves a wall than it stores, under a load that does no more than act: a wall with an equilibrium
+/// stores at least as much at its farthest as the load gives it on the way there.
+bool comes_down(const Energy& e) { return e.kinetic > e.elastic; }
 
 /// How far blocks that were in contact are apart, have sunk through a joint that is crushed, or have passed through each
 /// other [m].
@@ -108,6 +138,7 @@ WallRun::Input WallRun::next(double top_force)
     load_factor_ = drive_.load_factor();
     force_before_ = top_force;
     step_drive_ = drive_.advance();
+    fastest_ = std::max(fastest_, std::abs(step_drive_));
     return {load_factor_, step_drive_, drive_.settling() ? 0.0 : 1.0};
 }
 
@@ -115,6 +146,7 @@ template <class Real> void WallRun::begin_push(const WallState<Real>& state, int
 {
     const Energy e = energy_of(task_->tables, state, lane);
     work_before_push_ = e.work;
+    sway_mass_ = sway_mass(task_->model, task_->tables, state, lane);
     result_.residual = std::max(result_.residual, std::abs(e.residual()));
     const double force = dem::lane(state.top_force, lane);
     result_.curve.push_back({0.0, force, dem::lane(state.base_shear, lane), 0.0, e});
@@ -213,19 +245,28 @@ template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int la
     set_lane(state.work, lane, dem::lane(state.work, lane) + 0.5 * growth * work);
 }
 
-/// After a step under vertical load alone.
+/// After a step under vertical load alone. A wall that is not at rest when the steps for it are spent has come down where
+/// more energy moves it than it stores, and, in its first start, where it goes faster than half way: a slow start follows
+/// (look), which tells.
 template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
 {
     add_ramp_work(state, lane);
     drive_.settle([&] { return unbalanced_ratio(state, lane); });
-    if (drive_.settling()) return;
+    if (steps_ == options_.preload_steps / 2) kinetic_half_way_ = energy(state, lane).kinetic;
+    const bool due = steps_ >= kSlowLook && steps_ % kLookEvery == 0;
+    const bool down = result_.slow_starts > 0 && due && comes_down(energy(state, lane));
+    if (drive_.settling() && !down) return;
     begin_push(state, lane);
-    came_down_ = !result_.settled && falls(energy(state, lane));
+    if (result_.settled) return;
+    const Energy e = energy(state, lane);
+    const bool speeds_up = e.kinetic > kinetic_half_way_;
+    came_down_ = comes_down(e) || (speeds_up && result_.slow_starts == 0);
 }
 
-bool WallRun::falls(const Energy& e)
+bool WallRun::falls(const Energy& e) const
 {
-    return e.kinetic > std::max(e.elastic, kFalling * e.passed());
+    const double driven = 0.5 * sway_mass_ * fastest_ * fastest_;
+    return e.kinetic > std::max({e.elastic, kFalling * e.passed(), kFlung * driven});
 }
 
 /// After a step of the push. Takes a point of the curve if one is due.
@@ -281,6 +322,12 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
         load(state, lane);
         return true;
     }
+    const bool unpushed = way_ == 0.0 && result_.slow_starts == 0;
+    if (result_.outcome == Outcome::lost_equilibrium && unpushed) {
+        start_slowly();
+        load(state, lane);
+        return true;
+    }
     if (decided_ && result_.outcome == Outcome::reached_target)
         result_.outcome = Outcome::decided;
     return !over && result_.outcome == Outcome::reached_target;
@@ -292,15 +339,34 @@ void WallRun::reduce_step()
 {
     options_.step_fraction *= 0.5;
     options_.steps_per_mm *= 2.0;
+    ++result_.step_reductions;
+    start_again();
+}
+
+/// Starts again from the unloaded wall under a load that grows slowly, because blocks that a quick start sets moving may
+/// go on to fall where the wall has an equilibrium.
+void WallRun::start_slowly()
+{
+    options_.preload = Preload::ramped;
+    options_.preload_steps *= kSlowStart;
+    ++result_.slow_starts;
+    start_again();
+}
+
+void WallRun::start_again()
+{
     PushResult fresh;
     fresh.snap_back_contacts = result_.snap_back_contacts;
-    fresh.step_reductions = result_.step_reductions + 1;
+    fresh.brittle_crushing_contacts = result_.brittle_crushing_contacts;
+    fresh.step_reductions = result_.step_reductions;
+    fresh.slow_starts = result_.slow_starts;
     fresh.cost = result_.cost;
     result_ = std::move(fresh);
     if (task_->plan.sink.take) task_->plan.sink.forget(number_);
     drive_ = Drive(task_->plan.targets, options_);
     recorder_ = Recorder(task_->plan.record_every);
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
+    fastest_ = kinetic_half_way_ = 0.0;
     steps_ = 0;
     decided_ = came_down_ = false;
 }

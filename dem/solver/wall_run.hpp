@@ -57,10 +57,12 @@ class WallRun {
     {
         return options_.kinematics == Kinematics::finite && !drive_.settling();
     }
-    /// Whether more of the energy that the wall has taken up moves it than it stores.
-    [[nodiscard]] static bool falls(const Energy& e);
+    /// Whether more of the energy that the wall has taken up moves it than it stores, and more than its drive gives it.
+    [[nodiscard]] bool falls(const Energy& e) const;
     [[nodiscard]] WallState<double> with_stable_step();
     void reduce_step();
+    void start_slowly();
+    void start_again();
 
     const Task* task_;
     std::size_t number_;
@@ -79,6 +81,9 @@ class WallRun {
     double drive_work_ = 0.0;       ///< since the start of the push [J]
     double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]
     double next_snapshot_ = 0.0;    ///< travelled displacement at which it is due [m]
+    double sway_mass_ = 0.0; ///< fictitious, of all blocks and the beam moving sideways [N/m]
+    double fastest_ = 0.0;   ///< drive so far [m/step]
+    double kinetic_half_way_ = 0.0; ///< energy after half the steps under vertical load [J]
     bool came_down_ = false;        ///< under its vertical load, before the push
     /// Steps since the last restart, so that checks fall on the same steps as in a run that used the
     /// smaller step from the beginning.
