@@ -75,7 +75,7 @@ struct PushResult {
     /// halved, and the wall is pushed again from the start.
     double step_fraction = 0.0;
     int step_reductions = 0;
-    /// Number of starts in ten times the steps, because the wall seemed to come down under its vertical load.
+    /// Number of starts in ten times the steps or more, because the wall seemed to come down under its vertical load: 0 or 1.
     int slow_starts = 0;
     /// Estimated error of the peak force by the speed of the drive [-], >= 0.
     double solver_error = 0.0;

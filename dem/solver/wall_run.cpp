@@ -26,10 +26,13 @@ constexpr double kFalling = 0.1; // a free choice between the two
 // as stiff as stone store less than that.
 constexpr double kFlung =
     10.0; // a free choice: blocks that turn or bounce go a few times as fast
-// Start of a wall that seems to come down under its vertical load: the load is put on in so many times the steps.
-constexpr long long kSlowStart = 10;
-constexpr long long kSlowLook =
-    2000; // steps of it before which blocks that are still unloaded count for nothing
+// Start of a wall that seems to come down under its vertical load: so many times the steps, and kSlowSteps at least. The
+// load grows over a quarter of them. Before kSlowLook nothing is said of blocks that are hardly loaded yet. Both are
+// steps of fraction 1.
+constexpr double kSlowStart = 10.0, kSlowSteps = 30'000.0, kSlowLook = 2000.0;
+// Share of kinetic in stored energy from which a wall that gains speed in its first start is given a slow one.
+constexpr double kGainsSpeed =
+    0.01; // standing walls that have not come to rest have 0.005 or less
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
@@ -253,13 +256,15 @@ template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
     add_ramp_work(state, lane);
     drive_.settle([&] { return unbalanced_ratio(state, lane); });
     if (steps_ == options_.preload_steps / 2) kinetic_half_way_ = energy(state, lane).kinetic;
-    const bool due = steps_ >= kSlowLook && steps_ % kLookEvery == 0;
+    const bool due =
+        static_cast<double>(steps_) * std::min(1.0, options_.step_fraction) >= kSlowLook &&
+        steps_ % kLookEvery == 0;
     const bool down = result_.slow_starts > 0 && due && comes_down(energy(state, lane));
     if (drive_.settling() && !down) return;
     begin_push(state, lane);
     if (result_.settled) return;
     const Energy e = energy(state, lane);
-    const bool speeds_up = e.kinetic > kinetic_half_way_;
+    const bool speeds_up = e.kinetic > std::max(kinetic_half_way_, kGainsSpeed * e.elastic);
     came_down_ = comes_down(e) || (speeds_up && result_.slow_starts == 0);
 }
 
@@ -339,6 +344,7 @@ void WallRun::reduce_step()
 {
     options_.step_fraction *= 0.5;
     options_.steps_per_mm *= 2.0;
+    if (result_.slow_starts > 0) options_.preload_steps *= 2;
     ++result_.step_reductions;
     start_again();
 }
@@ -348,7 +354,9 @@ void WallRun::reduce_step()
 void WallRun::start_slowly()
 {
     options_.preload = Preload::ramped;
-    options_.preload_steps *= kSlowStart;
+    const double steps = kSlowStart * static_cast<double>(task_->options.preload_steps);
+    options_.preload_steps =
+        std::llround(std::max(steps, kSlowSteps) / std::min(1.0, options_.step_fraction));
     ++result_.slow_starts;
     start_again();
 }

@@ -53,7 +53,7 @@ def faces(outlines):
                 yield a, b, (p[0] + t[0] * low, p[1] + t[1] * low), (p[0] + t[0] * high, p[1] + t[1] * high), t
 
 
-def missing_force(outlines, loads, friction, inset=0.0, held=None):
+def missing_force(outlines, loads, friction, inset=0.0, held=None, heads=True):
     """Force that admissible contact forces leave unbalanced, as a share of all loads [-]; 0: the wall can stand.
 
     outlines  corners of every block [m], counter-clockwise, in contact along whole or parts of their sides
@@ -61,6 +61,7 @@ def missing_force(outlines, loads, friction, inset=0.0, held=None):
               (horizontal, vertical, x, z), [N], up and to the right positive
     friction  tan(phi) of a face between two blocks, as a function of both (-1: the floor)
     inset     share of its length by which the points of a face lie within its ends [-]
+    heads     whether faces steeper than 45 degrees carry anything
     held      (block, x, z) of a point that something holds horizontally, as the drive holds the beam
     """
     centre = [area_and_centre(o)[1] for o in outlines]
@@ -78,6 +79,8 @@ def missing_force(outlines, loads, friction, inset=0.0, held=None):
             values.append(value)
 
     for a, b, p, q, t in faces(outlines):
+        if not heads and abs(t[1]) > abs(t[0]):
+            continue
         n, mu = (-t[1], t[0]), friction(a, b)  # the other block presses along n
         for s in (inset, 1 - inset):
             x, z = p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1])

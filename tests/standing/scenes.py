@@ -124,6 +124,7 @@ def wedge_arch(r):
 
 KINDS = {"bond": bond, "corbel": corbel, "stepped": stepped, "leaning": leaning, "arch": arch, "rubble": rubble,
          "wedges": wedge_arch}
+THRUST = ("arch", "wedges", "leaning")  # faces of every direction carry
 
 
 def scene(number):

@@ -26,7 +26,7 @@ GRAVITY = 9.81  # [m/s2]
 NONE = 1e-9  # share of the loads below which no force is missing: the accuracy of the linear program
 SOME = 1e-3  # above which the wall has no equilibrium, whatever its joints give way
 # What a wall must bear beside its loads to be called one that stands with a margin: a tilt, less friction, smaller faces.
-TILT, FRICTION, INSET = 0.02, 0.9, 0.02
+TILT, FRICTION, INSET = 0.02, 0.7, 0.02
 
 
 def check(what, good):
@@ -56,7 +56,7 @@ def check_the_program():
     check("half circles stand from 0.1075 of their radius on", half_circle(0.1085) and not half_circle(0.1055))
 
 
-def study(s, sets):
+def study(s):
     outlines = "; ".join(", ".join("%.9f %.9f" % corner for corner in o) for o in s["outlines"])
     beam = "height = %g m\nyoung_modulus = 30 GPa\ndensity = 2500 kg/m3\ninterface = joint" % scenes.BEAM if s["beam"] else "present = no"
     return f"""[wall]
@@ -78,19 +78,23 @@ friction_angle = 35 deg
 {beam}
 [load]
 vertical_stress = {s["stress"] / 1e6:.6g} MPa
-max_displacement = 0.03 mm
+max_displacement = 0.01 mm
 pattern = {"beam" if s["beam"] else "body"}
 [solver]
 kinematics = {s["kinematics"]}
 fidelity = {s["fidelity"]}
 [output]
 paraview = no
-record_every = 0.01 mm
-""" + "\n".join(sets)
+record_every = 0.005 mm
+"""
 
 
 def standing(s):
-    """'stands' with a margin, 'falls' beyond doubt, or 'border'."""
+    """'stands' with a margin, 'falls' beyond doubt, or 'unsure'.
+
+    The margin is wide, because Coulomb's friction does not dilate: forces that only blocks in a squeeze have are
+    admissible, and nothing need bring them about. In courses head joints count for nothing for the same reason.
+    """
     outlines = list(s["outlines"])
     areas, centres = zip(*map(admissible.area_and_centre, outlines))
     weights = [GRAVITY * s["density"] * s["thickness"] * a for a in areas]
@@ -105,14 +109,17 @@ def standing(s):
         held = (len(outlines) - 1, centres[-1][0], top)  # the load line: it moves with the drive only
     mu = math.tan(math.radians(s["friction_deg"]))
 
-    def missing(tilt=0.0, share=1.0, inset=0.0):
+    def missing(tilt=0.0, share=1.0, inset=0.0, heads=True):
         loads = [[(tilt * w, -w, *c)] for w, c in zip(weights, centres)]
-        return admissible.missing_force(outlines, loads, lambda a, b: share * mu, inset, held)
+        return admissible.missing_force(outlines, loads, lambda a, b: share * mu, inset, held, heads)
 
     if missing() > SOME:
         return "falls"
-    stands = all(missing(tilt, FRICTION, INSET) < NONE for tilt in (TILT, -TILT))
-    return "stands" if stands else "border"
+
+    def bears(heads):
+        return all(missing(tilt, FRICTION, INSET, heads) < NONE for tilt in (TILT, -TILT))
+
+    return "stands" if bears(s["kind"] in scenes.THRUST) else "unsure"
 
 
 def said(program, s, sets):
@@ -120,9 +127,9 @@ def said(program, s, sets):
     its push, 'failed' for another reason."""
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, "s.ini"), "w") as f:
-            f.write(study(s, sets))
-        ran = subprocess.run([program, "push", f.name, "--quiet", "--threads", "1", "--out", os.path.join(folder, "o")],
-                             capture_output=True, text=True)
+            f.write(study(s))
+        command = [program, "push", f.name, "--quiet", "--threads", "1", "--out", os.path.join(folder, "o")]
+        ran = subprocess.run(command + [word for one in sets for word in ("--set", one)], capture_output=True, text=True)
         path = os.path.join(folder, "o", "summary.json")
         if not os.path.exists(path):
             sys.exit(f"scene {s['number']}: {ran.stderr}")
@@ -144,7 +151,9 @@ def main(program, count=200, first=0, *sets):
         every = [scenes.scene(i) for i in range(int(first), int(first) + int(count))]
         for s, (answer, summary) in zip(every, pool.map(lambda s: said(program, s, sets), every)):
             truth = standing(s)
-            tally[truth, answer] = tally.get((truth, answer), 0) + 1
+            saved = " after a slow start" if answer not in ("down", "failed") and summary["slow_starts"] else ""
+            if saved and os.environ.get("V"): print(s["number"], s["kind"], truth, answer, saved)
+            tally[truth, answer + saved] = tally.get((truth, answer + saved), 0) + 1
             if (truth, answer) in (("stands", "down"), ("stands", "lost"), ("falls", "stood"), ("falls", "moved")):
                 wrong += 1
                 print(f"scene {s['number']}, {s['kind']}, {s['fidelity']}, {s['kinematics']}, {s['stiffness']:.1e} Pa/m, "
