@@ -22,17 +22,18 @@ constexpr long long kWatchEvery = 50; // steps between them while a wall may be 
 // Share of kinetic in all energy that passed through a wall above which it falls, if it stores less. On its way in
 // balance a wall has some 1e-4 of it; the ledger of one that falls breaks at 0.2 to 0.5, where blocks strike each other.
 constexpr double kFalling = 0.1; // a free choice between the two
-// Kinetic energy above which a wall falls, as a multiple of what it has where all of it moves as fast as its drive. Joints
-// as stiff as stone store less than that.
-constexpr double kFlung =
-    10.0; // a free choice: blocks that turn or bounce go a few times as fast
+// Share of the kinetic energy of a wall that falls that weight and vertical load have given it on its way down. What
+// moves because it is pushed has its energy from the drive: on joints as stiff as stone that is more than they store.
+constexpr double kOfTheLoad = 0.5; // a free choice: elastic energy may have given the rest
+// Way down of all that presses, as a share of the height, before which no wall has fallen, however little its joints give.
+constexpr double kFallen = 1e-5; // a free choice, less than an ordinary wall settles
 // Start of a wall that seems to come down under its vertical load: so many times the steps, and kSlowSteps at least. The
 // load grows over a quarter of them. Before kSlowLook nothing is said of blocks that are hardly loaded yet. Both are
 // steps of fraction 1.
 constexpr double kSlowStart = 10.0, kSlowSteps = 30'000.0, kSlowLook = 2000.0;
-// Share of kinetic in stored energy from which a wall that gains speed in its first start is given a slow one.
-constexpr double kGainsSpeed =
-    0.01; // standing walls that have not come to rest have 0.005 or less
+// Work that the load still does in the second half of a first start, as a share of the energy stored, from which a slow
+// start follows. Standing walls that have not come to rest have 0.02 or less.
+constexpr double kStillGives = 0.1;
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
@@ -49,24 +50,6 @@ double settlement_of(const Snapshot& s)
             ++n;
         }
     return sum / n;
-}
-
-/// Sum of the fictitious masses of all blocks and the beam in a motion sideways [N/m]; the step is the unit of time.
-template <class Real>
-double sway_mass(const Model& model, const StepTables& tables, const WallState<Real>& s,
-                 int lane)
-{
-    double sum = 0.0;
-    for (std::size_t b = 0; b < tables.blocks.size(); ++b) {
-        const StepTables::BlockRow& row = tables.blocks[b];
-        const double volume = area_of(model.layout.blocks[b]) * model.layout.thickness;
-        double mobility = 0.0;
-        for (int i = 0; i < row.modes; ++i)
-            mobility += std::pow(model.elements[row.element].sway(i), 2) *
-                        dem::lane(s.laws.inv_mass[row.first_mode + i], lane);
-        if (mobility > 0.0) sum += volume * volume / mobility;
-    }
-    return sum;
 }
 
 /// Whether more energy moves a wall than it stores, under a load that does no more than act: a wall with an equilibrium
@@ -99,6 +82,7 @@ WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
     : task_(&task), number_(number), materials_(std::move(materials)),
       options_(at_own_speed(task, materials_)),
       unbalance_scale_(unbalance_measure(task.model, materials_)),
+      fall_work_(kFallen * task.model.layout.height * vertical_load(task.model, materials_)),
       drive_(task.plan.targets, options_), recorder_(task.plan.record_every)
 {
     result_.snap_back_contacts = snap_back_contacts(task.model, materials_);
@@ -141,7 +125,6 @@ WallRun::Input WallRun::next(double top_force)
     load_factor_ = drive_.load_factor();
     force_before_ = top_force;
     step_drive_ = drive_.advance();
-    fastest_ = std::max(fastest_, std::abs(step_drive_));
     return {load_factor_, step_drive_, drive_.settling() ? 0.0 : 1.0};
 }
 
@@ -149,7 +132,6 @@ template <class Real> void WallRun::begin_push(const WallState<Real>& state, int
 {
     const Energy e = energy_of(task_->tables, state, lane);
     work_before_push_ = e.work;
-    sway_mass_ = sway_mass(task_->model, task_->tables, state, lane);
     result_.residual = std::max(result_.residual, std::abs(e.residual()));
     const double force = dem::lane(state.top_force, lane);
     result_.curve.push_back({0.0, force, dem::lane(state.base_shear, lane), 0.0, e});
@@ -249,13 +231,13 @@ template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int la
 }
 
 /// After a step under vertical load alone. A wall that is not at rest when the steps for it are spent has come down where
-/// more energy moves it than it stores, and, in its first start, where it goes faster than half way: a slow start follows
-/// (look), which tells.
+/// more energy moves it than it stores, or where the load has done more work in the second half of them than that. After a
+/// first start less is enough: a slow one follows, which tells (look).
 template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
 {
     add_ramp_work(state, lane);
     drive_.settle([&] { return unbalanced_ratio(state, lane); });
-    if (steps_ == options_.preload_steps / 2) kinetic_half_way_ = energy(state, lane).kinetic;
+    if (steps_ == options_.preload_steps / 2) work_half_way_ = energy(state, lane).work;
     const bool due =
         static_cast<double>(steps_) * std::min(1.0, options_.step_fraction) >= kSlowLook &&
         steps_ % kLookEvery == 0;
@@ -264,14 +246,16 @@ template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
     begin_push(state, lane);
     if (result_.settled) return;
     const Energy e = energy(state, lane);
-    const bool speeds_up = e.kinetic > std::max(kinetic_half_way_, kGainsSpeed * e.elastic);
-    came_down_ = comes_down(e) || (speeds_up && result_.slow_starts == 0);
+    const double borne = result_.slow_starts > 0 ? 1.0 : kStillGives;
+    came_down_ = comes_down(e) || e.work - work_half_way_ > borne * e.elastic;
 }
 
-bool WallRun::falls(const Energy& e) const
+bool WallRun::falls(const Energy& e)
 {
-    const double driven = 0.5 * sway_mass_ * fastest_ * fastest_;
-    return e.kinetic > std::max({e.elastic, kFalling * e.passed(), kFlung * driven});
+    const double given = e.work - work_before_push_ - drive_work_;
+    least_given_ = std::min(least_given_, given);
+    return e.kinetic > std::max(e.elastic, kFalling * e.passed()) &&
+           given - least_given_ > std::max(kOfTheLoad * e.kinetic, fall_work_);
 }
 
 /// After a step of the push. Takes a point of the curve if one is due.
@@ -374,7 +358,7 @@ void WallRun::start_again()
     drive_ = Drive(task_->plan.targets, options_);
     recorder_ = Recorder(task_->plan.record_every);
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
-    fastest_ = kinetic_half_way_ = 0.0;
+    work_half_way_ = least_given_ = 0.0;
     steps_ = 0;
     decided_ = came_down_ = false;
 }

@@ -57,8 +57,8 @@ class WallRun {
     {
         return options_.kinematics == Kinematics::finite && !drive_.settling();
     }
-    /// Whether more of the energy that the wall has taken up moves it than it stores, and more than its drive gives it.
-    [[nodiscard]] bool falls(const Energy& e) const;
+    /// Whether more of the energy that the wall has taken up moves it than it stores, and weight and load gave it that.
+    [[nodiscard]] bool falls(const Energy& e);
     [[nodiscard]] WallState<double> with_stable_step();
     void reduce_step();
     void start_slowly();
@@ -69,6 +69,7 @@ class WallRun {
     WallMaterials materials_;
     SolverOptions options_;  ///< with this wall's own speed and step
     double unbalance_scale_; ///< by which unbalance is measured (drive_speed.hpp) [N]
+    double fall_work_;       ///< least work of weight and load on a wall that falls [J]
     Drive drive_;
     Recorder recorder_;
     PushResult result_;
@@ -81,10 +82,10 @@ class WallRun {
     double drive_work_ = 0.0;       ///< since the start of the push [J]
     double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]
     double next_snapshot_ = 0.0;    ///< travelled displacement at which it is due [m]
-    double sway_mass_ = 0.0; ///< fictitious, of all blocks and the beam moving sideways [N/m]
-    double fastest_ = 0.0;   ///< drive so far [m/step]
-    double kinetic_half_way_ = 0.0; ///< energy after half the steps under vertical load [J]
-    bool came_down_ = false;        ///< under its vertical load, before the push
+    double least_given_ =
+        0.0; ///< least work of the vertical load and self-weight in the push [J]
+    double work_half_way_ = 0.0; ///< after half the steps under vertical load [J]
+    bool came_down_ = false;     ///< under its vertical load, before the push
     /// Steps since the last restart, so that checks fall on the same steps as in a run that used the
     /// smaller step from the beginning.
     long long steps_ = 0;
