@@ -34,6 +34,9 @@ constexpr double kSlowStart = 10.0, kSlowSteps = 30'000.0, kSlowLook = 2000.0;
 // Work that the load still does in the second half of a first start, as a share of the energy stored, from which a slow
 // start follows. Standing walls that have not come to rest have 0.02 or less.
 constexpr double kStillGives = 0.1;
+// Kinetic energy that no wall with an equilibrium has, as a multiple of the energy that it stores with closed joints: where
+// joints open it stores more, and at most that moves it on its way there. Soft stones between stiff joints sway slowly.
+constexpr double kNeverMore = 5.0; // a free choice
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
@@ -51,10 +54,6 @@ double settlement_of(const Snapshot& s)
         }
     return sum / n;
 }
-
-/// Whether more energy moves a wall than it stores, under a load that does no more than act: a wall with an equilibrium
-/// stores at least as much at its farthest as the load gives it on the way there.
-bool comes_down(const Energy& e) { return e.kinetic > e.elastic; }
 
 /// How far blocks that were in contact are apart, have sunk through a joint that is crushed, or have passed through each
 /// other [m].
@@ -109,9 +108,13 @@ template <class Real> void WallRun::load(WallState<Real>& state, int lane)
 {
     WallState<double> wall = with_stable_step();
     load_lane(task_->model, task_->tables, materials_, options_, lane, state);
-    if (options_.preload != Preload::ramped && !solve_preload(task_->tables, wall)) {
-        options_.preload = Preload::ramped;
-        drive_ = Drive(task_->plan.targets, options_);
+    if (options_.preload != Preload::ramped) {
+        if (solve_preload(task_->tables, wall)) {
+            solved_energy_ = wall.work;
+        } else {
+            options_.preload = Preload::ramped;
+            drive_ = Drive(task_->plan.targets, options_);
+        }
     }
     if (options_.kinematics == Kinematics::finite)
         take_up_frames(task_->tables, options_, wall);
@@ -230,24 +233,25 @@ template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int la
     set_lane(state.work, lane, dem::lane(state.work, lane) + 0.5 * growth * work);
 }
 
-/// After a step under vertical load alone. A wall that is not at rest when the steps for it are spent has come down where
-/// more energy moves it than it stores, or where the load has done more work in the second half of them than that. After a
-/// first start less is enough: a slow one follows, which tells (look).
+/// After a step under vertical load alone. A wall that is not at rest when the steps for it are spent seems to come down
+/// where more energy moves it than it stores, or where the load goes on doing work. A slow start follows (look), and tells.
 template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
 {
     add_ramp_work(state, lane);
     drive_.settle([&] { return unbalanced_ratio(state, lane); });
     if (steps_ == options_.preload_steps / 2) work_half_way_ = energy(state, lane).work;
-    const bool due =
-        static_cast<double>(steps_) * std::min(1.0, options_.step_fraction) >= kSlowLook &&
-        steps_ % kLookEvery == 0;
-    const bool down = result_.slow_starts > 0 && due && comes_down(energy(state, lane));
-    if (drive_.settling() && !down) return;
-    begin_push(state, lane);
-    if (result_.settled) return;
+    const bool slow = result_.slow_starts > 0;
+    const double steps = static_cast<double>(steps_) * std::min(1.0, options_.step_fraction);
+    const bool due = slow && steps >= kSlowLook && steps_ % kLookEvery == 0;
+    if (drive_.settling() && !due) return;
     const Energy e = energy(state, lane);
-    const double borne = result_.slow_starts > 0 ? 1.0 : kStillGives;
-    came_down_ = comes_down(e) || e.work - work_half_way_ > borne * e.elastic;
+    const double closed = slow ? load_factor_ * load_factor_ * solved_energy_ : 0.0;
+    const double most = std::max(e.elastic, kNeverMore * closed);
+    const bool moves = e.kinetic > most;
+    if (drive_.settling() && !moves) return;
+    begin_push(state, lane);
+    const double given = e.work - work_half_way_;
+    came_down_ = !result_.settled && (moves || given > (slow ? 1.0 : kStillGives) * most);
 }
 
 bool WallRun::falls(const Energy& e)

@@ -84,6 +84,8 @@ class WallRun {
     double next_snapshot_ = 0.0;    ///< travelled displacement at which it is due [m]
     double least_given_ =
         0.0; ///< least work of the vertical load and self-weight in the push [J]
+    double solved_energy_ =
+        0.0; ///< stored under vertical load with closed joints; 0: not known [J]
     double work_half_way_ = 0.0; ///< after half the steps under vertical load [J]
     bool came_down_ = false;     ///< under its vertical load, before the push
     /// Steps since the last restart, so that checks fall on the same steps as in a run that used the
