@@ -141,6 +141,8 @@ def said(program, s, sets):
         return "lost", summary
     if summary["outcome"] not in ("reached target", "decided", "lost equilibrium"):
         return "failed", summary
+    if s["kinematics"] == "finite" and summary["settled_before_push"] and abs(summary["settlement_mm"] or 0) > 0.3:
+        return "found another place", summary  # which the linear program knows nothing of
     return ("stood" if summary["settled_before_push"] else "moved"), summary
 
 
@@ -152,7 +154,6 @@ def main(program, count=200, first=0, *sets):
         for s, (answer, summary) in zip(every, pool.map(lambda s: said(program, s, sets), every)):
             truth = standing(s)
             saved = " after a slow start" if answer not in ("down", "failed") and summary["slow_starts"] else ""
-            if saved and os.environ.get("V"): print(s["number"], s["kind"], truth, answer, saved)
             tally[truth, answer + saved] = tally.get((truth, answer + saved), 0) + 1
             if (truth, answer) in (("stands", "down"), ("stands", "lost"), ("falls", "stood"), ("falls", "moved")):
                 wrong += 1
