@@ -36,7 +36,7 @@ constexpr double kSlowStart = 10.0, kSlowSteps = 30'000.0, kSlowLook = 2000.0;
 constexpr double kStillGives = 0.1;
 // Kinetic energy that no wall with an equilibrium has, as a multiple of the energy that it stores with closed joints: where
 // joints open it stores more, and at most that moves it on its way there. Soft stones between stiff joints sway slowly.
-constexpr double kNeverMore = 5.0; // a free choice
+constexpr double kNeverMore = 2.0; // a free choice
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit

@@ -141,8 +141,6 @@ def said(program, s, sets):
         return "lost", summary
     if summary["outcome"] not in ("reached target", "decided", "lost equilibrium"):
         return "failed", summary
-    if s["kinematics"] == "finite" and summary["settled_before_push"] and abs(summary["settlement_mm"] or 0) > 0.3:
-        return "found another place", summary  # which the linear program knows nothing of
     return ("stood" if summary["settled_before_push"] else "moved"), summary
 
 
@@ -153,6 +151,9 @@ def main(program, count=200, first=0, *sets):
         every = [scenes.scene(i) for i in range(int(first), int(first) + int(count))]
         for s, (answer, summary) in zip(every, pool.map(lambda s: said(program, s, sets), every)):
             truth = standing(s)
+            moved = s["kinematics"] == "finite" and abs(summary["settlement_mm"] or 0.0) > 0.3
+            if (truth, answer) == ("falls", "stood") and moved:
+                answer = "stood elsewhere"  # of which the linear program of the drawn wall knows nothing
             saved = " after a slow start" if answer not in ("down", "failed") and summary["slow_starts"] else ""
             tally[truth, answer + saved] = tally.get((truth, answer + saved), 0) + 1
             if (truth, answer) in (("stands", "down"), ("stands", "lost"), ("falls", "stood"), ("falls", "moved")):
