@@ -33,7 +33,7 @@ constexpr double kFallen = 1e-5; // a free choice, less than an ordinary wall se
 constexpr double kSlowStart = 10.0, kSlowSteps = 30'000.0, kSlowLook = 2000.0;
 // Work that the load still does in the second half of a first start, as a share of the energy stored, from which a slow
 // start follows. Standing walls that have not come to rest have 0.02 or less.
-constexpr double kStillGives = 0.1;
+constexpr double kStillGives = 0.05;
 // Kinetic energy that no wall with an equilibrium has, as a multiple of the energy that it stores with closed joints: where
 // joints open it stores more, and at most that moves it on its way there. Soft stones between stiff joints sway slowly.
 constexpr double kNeverMore = 2.0; // a free choice
