@@ -4,7 +4,8 @@
 #include "app/study/pushed_wall.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
-#include "dem/solver/drive_speed.hpp"
+#include "dem/solver/vertical_load.hpp"
+#include "dem/solver/slower.hpp"
 #include "dem/solver/thread_time.hpp"
 
 #include <algorithm>
@@ -46,16 +47,6 @@ Answer read_answer(const app::PushedWall& wall)
 
 } // namespace
 
-dem::SolverOptions slower(dem::SolverOptions o, double factor)
-{
-    o.accuracy /= factor;
-    o.steps_per_mm *= factor;
-    if (o.unbalance_limit > 0.0)
-        o.unbalance_limit = std::max(o.unbalance_limit / factor, kFinestUnbalance);
-    o.most_steps = std::numeric_limits<long long>::max() / 4;
-    return o;
-}
-
 std::string speed_settings(const dem::SolverOptions& o)
 {
     return app::number(o.steps_per_mm, 6) + "/mm unbalance " +
@@ -70,8 +61,8 @@ dem::SolverOptions reference_options(const app::Study& asked, const app::Study& 
     o.steps_per_mm = own.steps_per_mm;
     o.unbalance_limit = own.unbalance_limit;
     o.min_speed = own.min_speed;
-    o.haste_after_drop = own.haste_after_drop;
-    return slower(o, kReferenceFactor);
+    o.most_steps = std::numeric_limits<long long>::max() / 1000;
+    return dem::slower(o, kReferenceFactor);
 }
 
 Answer push_answer(const app::Study& study, const dem::SolverOptions& options,

@@ -57,6 +57,15 @@ void add_unsettled(const PushedWall& w, std::vector<std::string>& remarks)
         "coming down, or write a larger solver.preload_steps");
 }
 
+/// Such a wall stands only if nobody hurries.
+void add_slow_start(const PushedWall& w, std::vector<std::string>& remarks)
+{
+    if (w.result.slow_starts > 0 && w.result.settled)
+        remarks.emplace_back(
+            "the wall seemed to come down when its vertical load was put on as always, and "
+            "came to rest when that took ten times the steps: it may be near its limit");
+}
+
 /// A beam that slides on the wall is the limit of the test, not of the wall.
 void add_sliding_beam(const Study& study, const PushedWall& w,
                       std::vector<std::string>& remarks)
@@ -89,7 +98,7 @@ void add_toe_stress(const Study& study, const HandChecks& h, std::vector<std::st
                       " MPa), and its joints do not crush; write joint.compressive_strength");
 }
 
-/// A wall that stood under its load and was lost at once: small elastic energies of stiff joints are mistaken for a fall.
+/// A wall that stood under its load and was lost before its curve had a second point.
 void add_lost(const PushedWall& w, std::vector<std::string>& remarks)
 {
     if (w.result.settled && came_down_at_once(w))
@@ -209,6 +218,7 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     add_toe_stress(study, h, h.remarks);
     add_lost(w, h.remarks);
     add_unsettled(w, h.remarks);
+    add_slow_start(w, h.remarks);
     return h;
 }
 

@@ -156,6 +156,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["settled_before_push"] = w.result.settled;
     j["step_fraction"] = w.result.step_fraction;
     j["step_reductions"] = w.result.step_reductions;
+    j["slow_starts"] = w.result.slow_starts;
     j["steps"] = w.result.cost.steps;
     j["contact_updates"] = w.result.cost.contact_updates;
     j["solver_seconds"] = w.result.cost.seconds;

@@ -1,7 +1,7 @@
 #pragma once
 /// The clock of one wall: the vertical load first, then the load line visits the target displacements.
 
-#include "dem/solver/solver_options.hpp"
+#include "dem/solver/pace.hpp"
 
 #include <vector>
 
@@ -28,26 +28,23 @@ class Drive {
         settling_ = !settled_ && step_ < options_.preload_steps;
     }
 
-    /// To be called after each step of the push. Slows the drive while the wall is out of balance.
-    /// @param unbalance |top force - base shear| / vertical load [-]
-    void feel(double unbalance);
-    struct Felt { double unbalance, force, damping, fracture; };
-    bool window_due() const { return window_ + 1 >= 200; }
-    double log_m = 0;
-    void weigh(double kinetic) { kinetic_ = kinetic; } // N, N, J, J
-    void feel(const Felt& f);
-    double set_body(double mass, double stiffness, double capacity);
-    double log_calm = 1, log_cruise = 0, log_c = 0;
+    /// Begins the push: see Pace::begin.
+    double begin(double stiffness, double mass, double force, double damping)
+    {
+        return speed_ = pace_.begin(stiffness, mass, force, damping);
+    }
 
-    /// To be told at each point of the curve whether the wall has come down to PushPlan::drop of its peak.
-    void after_drop(bool yes) { haste_ = yes ? options_.haste_after_drop : 1.0; }
+    /// Whether the kinetic energy is wanted in the next feel().
+    [[nodiscard]] bool weighs() const { return !settling_ && pace_.weighs(); }
+
+    /// To be called after each step: see Pace::feel.
+    void feel(const Felt& felt, double kinetic)
+    {
+        if (!settling_) pace_.feel(felt, speed_, kinetic);
+    }
 
     /// Whether the wall is so far out of balance that the drive goes as slowly as it may.
-    [[nodiscard]] bool waits() const
-    {
-        return options_.unbalance_limit > 0.0 &&
-               unbalance_ * options_.min_speed >= haste_ * options_.unbalance_limit;
-    }
+    [[nodiscard]] bool waits() const { return pace_.waits(); }
 
     [[nodiscard]] bool settling() const { return settling_; }
     [[nodiscard]] bool settled() const { return settled_; } ///< at rest before the push
@@ -70,7 +67,6 @@ class Drive {
     [[nodiscard]] bool turns_back() const { return turns_.size() > 1; }
     [[nodiscard]] bool towards_zero() const;
     void land_on_zero();
-    [[nodiscard]] double fastest(double to_target) const;
     [[nodiscard]] long long ramp_steps() const
     {
         return options_.preload == Preload::solved ? 0 : options_.preload_steps / 4;
@@ -78,7 +74,7 @@ class Drive {
 
     std::vector<double> targets_;
     SolverOptions options_;
-    double full_speed_ = 0.0;   ///< [m/step]
+    Pace pace_;
     double path_ = 0.0;         ///< [m]
     std::vector<double> turns_; ///< travelled way at each turn, and at the end [m]
     std::size_t turn_ = 0;      ///< the next of them
@@ -89,13 +85,8 @@ class Drive {
     std::size_t target_ = 0;
     double position_ = 0.0;
     double travelled_ = 0.0;
-    double farthest_right_ = 0.0, farthest_left_ = 0.0; ///< so far [m], >= 0 and <= 0
-    double speed_ = 0.0;                                ///< now [m/step]
-    double landing_ = 0.0;   ///< speed at which it lands on zero; 0: not yet [m/step]
-    double unbalance_ = 0.0; ///< smoothed
-    double mean_force_ = 0.0, kinetic_ = 0.0, last_kinetic_ = 0.0, mass0_ = 0.0, mass_ = 0.0, floor_ = 0.0, scale_ = 0.0, cruise_ = 0.0, window_damping_ = 0.0, window_fracture_ = 0.0, window_way_ = 0.0;
-    double last_damping_ = 0.0, last_fracture_ = 0.0; int window_ = 0;
-    double haste_ = 1.0;     ///< SolverOptions::haste_after_drop, or 1
+    double speed_ = 0.0;   ///< now [m/step]
+    double landing_ = 0.0; ///< speed at which it lands on zero; 0: not yet [m/step]
 };
 
 } // namespace dem

@@ -10,7 +10,6 @@ namespace dem {
 {
     options.accuracy /= factor;
     options.steps_per_mm *= factor;
-    options.unbalance_limit /= factor;
     constexpr double kMost = 1e18; // fits into long long
     const double steps = static_cast<double>(options.most_steps) * factor;
     options.most_steps = static_cast<long long>(steps < kMost ? steps : kMost);

@@ -75,37 +75,37 @@ bool solve_preload(const StepTables& t, WallState<double>& s)
 
 ElasticPush elastic_push(const StepTables& t, WallState<double>& s)
 {
-    ElasticPush e;
-    Vector pull(s.q.size(), 0.0);
-    if (t.body_forces) {
-        pull = s.laws.sway;
-    } else {
-        s.du.assign(s.du.size(), 0.0);
+    const bool body = t.body_forces;
+    const auto add_drive = [&] {
         for (const HorizontalShare& h : t.beam) s.du[h.row] += h.factor;
         elastic_stress(t, s, s.du, s.stress);
+    };
+    Vector pull = s.laws.sway;
+    if (!body) {
+        pull.assign(s.q.size(), 0.0);
+        s.du.assign(s.du.size(), 0.0);
+        add_drive();
         for (const auto& b : t.blocks)
             gather(t.matrices[b.element], t.port_contact.data() + b.first_port, t.area.data(),
                    s.stress.data(), pull.data() + b.first_mode);
     }
+    ElasticPush e;
     e.rate.assign(s.q.size(), 0.0);
-    if (solve(t, pull, s, e.rate)) {
-        double moved = dot(pull, e.rate);
-        if (t.body_forces) {
-            const double factor = moved > 0.0 ? s.laws.whole_weight / moved : 0.0;
-            for (double& r : e.rate) r *= factor;
-            e.stiffness = s.laws.whole_weight * factor;
-        } else {
-            stretch(t, e.rate, s.du);
-            for (const HorizontalShare& h : t.beam) s.du[h.row] += h.factor;
-            elastic_stress(t, s, s.du, s.stress);
-            for (const HorizontalShare& h : t.beam)
-                e.stiffness += h.area * h.factor * s.stress[h.row];
-        }
-        for (std::size_t m = 0; m < e.rate.size(); ++m)
-            e.mass += e.rate[m] * e.rate[m] / s.laws.inv_mass[m];
-    } else {
+    const double moved = solve(t, pull, s, e.rate) ? dot(pull, e.rate) : 0.0;
+    if (!(moved > 0.0)) {
         e.rate.clear();
+    } else if (body) {
+        const double factor = s.laws.whole_weight / moved;
+        for (double& r : e.rate) r *= factor;
+        e.stiffness = s.laws.whole_weight * factor;
+    } else {
+        stretch(t, e.rate, s.du);
+        add_drive();
+        for (const HorizontalShare& h : t.beam)
+            e.stiffness += h.area * h.factor * s.stress[h.row];
     }
+    for (std::size_t m = 0; m < e.rate.size(); ++m)
+        e.mass += e.rate[m] * e.rate[m] / s.laws.inv_mass[m];
     s.du.assign(s.du.size(), 0.0);
     s.stress.assign(s.stress.size(), 0.0);
     return e;

@@ -2,17 +2,17 @@
 
 #include "dem/block/model.hpp"
 #include "dem/solver/brittle_contacts.hpp"
-#include "dem/solver/drive_speed.hpp"
 #include "dem/solver/finite_step.hpp"
+#include "dem/solver/slower.hpp"
+#include "dem/solver/solver_error.hpp"
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/static_start.hpp"
 #include "dem/solver/take_snapshot.hpp"
 #include "dem/solver/thread_time.hpp"
+#include "dem/solver/vertical_load.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 namespace dem {
@@ -24,6 +24,24 @@ constexpr long long kWatchEvery = 50; // steps between them while a wall may be 
 // Share of kinetic in all energy that passed through a wall above which it falls, if it stores less. On its way in
 // balance a wall has some 1e-4 of it; the ledger of one that falls breaks at 0.2 to 0.5, where blocks strike each other.
 constexpr double kFalling = 0.1; // a free choice between the two
+// Share of the kinetic energy of a wall that falls that weight and vertical load have given it on its way down. What
+// moves because it is pushed has its energy from the drive: on joints as stiff as stone that is more than they store.
+constexpr double kOfTheLoad = 0.5; // a free choice: elastic energy may have given the rest
+// Way down of all that presses, as a share of the height, before which no wall has fallen, however little its joints give.
+constexpr double kFallen = 1e-5; // a free choice, less than an ordinary wall settles
+// Start of a wall that seems to come down under its vertical load: so many times the steps, and kSlowSteps at least. The
+// load grows over a quarter of them. Before kSlowLook nothing is said of blocks that are hardly loaded yet. Both are
+// steps of fraction 1.
+constexpr double kSlowStart = 10.0, kSlowSteps = 30'000.0, kSlowLook = 2000.0;
+// Work that the load still does in the second half of a first start, as a share of the energy stored, from which a slow
+// start follows. Standing walls that have not come to rest have 0.02 or less.
+constexpr double kStillGives = 0.05;
+// Kinetic energy that no wall with an equilibrium has, as a multiple of the energy that it stores with closed joints: where
+// joints open it stores more, and at most that moves it on its way there. Soft stones between stiff joints sway slowly.
+constexpr double kNeverMore = 2.0; // a free choice
+// A wall that misses the accuracy is pushed again so many times slower, so many times.
+constexpr double kSlowdown = 4.0;
+constexpr int kMostSlowdowns = 2;
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
@@ -55,20 +73,14 @@ template <class Real> double farthest_apart(const WallState<Real>& s, int lane)
     return worst;
 }
 
-SolverOptions at_own_speed(const Task& task, const WallMaterials& materials)
-{
-    SolverOptions options = task.options;
-    options.steps_per_mm = steps_per_mm_of(task.model, materials, options);
-    return options;
-}
-
 } // namespace
 
 WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
     : task_(&task), number_(number), materials_(std::move(materials)),
-      options_(at_own_speed(task, materials_)),
-      unbalance_scale_(unbalance_measure(task.model, materials_)),
-      drive_(task.plan.targets, options_), recorder_(task.plan.record_every, options_.accuracy)
+      options_(task.options),
+      fall_work_(kFallen * task.model.layout.height * vertical_load(task.model, materials_)),
+      drive_(task.plan.targets, options_),
+      recorder_(task.plan.record_every, options_.accuracy)
 {
     result_.snap_back_contacts = snap_back_contacts(task.model, materials_);
     result_.brittle_crushing_contacts = brittle_crushing_contacts(task.model, materials_);
@@ -95,9 +107,13 @@ template <class Real> void WallRun::load(WallState<Real>& state, int lane)
     WallState<double> wall = with_stable_step();
     load_lane(task_->model, task_->tables, materials_, options_, lane, state);
     elastic_ = elastic_push(task_->tables, wall);
-    if (options_.preload != Preload::ramped && !solve_preload(task_->tables, wall)) {
-        options_.preload = Preload::ramped;
-        drive_ = Drive(task_->plan.targets, options_);
+    if (options_.preload != Preload::ramped) {
+        if (solve_preload(task_->tables, wall)) {
+            solved_energy_ = wall.work;
+        } else {
+            options_.preload = Preload::ramped;
+            drive_ = Drive(task_->plan.targets, options_);
+        }
     }
     if (options_.kinematics == Kinematics::finite)
         take_up_frames(task_->tables, options_, wall);
@@ -114,7 +130,7 @@ WallRun::Input WallRun::next(double top_force)
     return {load_factor_, step_drive_, drive_.settling() ? 0.0 : 1.0};
 }
 
-template <class Real> void WallRun::begin_push(WallState<Real>& state, int lane)
+template <class Real> void WallRun::begin_push(const WallState<Real>& state, int lane)
 {
     const Energy e = energy_of(task_->tables, state, lane);
     work_before_push_ = e.work;
@@ -122,24 +138,27 @@ template <class Real> void WallRun::begin_push(WallState<Real>& state, int lane)
     const double force = dem::lane(state.top_force, lane);
     result_.curve.push_back({0.0, force, dem::lane(state.base_shear, lane), 0.0, e});
     result_.settled = drive_.settled();
-    {
-        const double est = vertical_load(task_->model, materials_) *
-                           std::min(1.0, task_->model.layout.length / (2 * task_->model.loads.height));
-        const double v = drive_.set_body(elastic_.mass, elastic_.stiffness, est);
-        for (std::size_t m = 0; m < elastic_.rate.size(); ++m)
-            set_lane(state.v[m], lane, dem::lane(state.v[m], lane) + v * elastic_.rate[m]);
-        if (v > 0.0) {
-            const double impulse = 0.5 * elastic_.mass * v * v;
-            set_lane(state.work, lane, dem::lane(state.work, lane) + impulse);
-        }
-        if (std::getenv("D_T")) std::fprintf(stderr, "elastic k %g mass %g v0 %g est %g u_el %g n %zu\n", elastic_.stiffness, elastic_.mass, v, est, est / elastic_.stiffness, elastic_.rate.size());
-        elastic_.rate.clear();
-    }
     Snapshot s = take_snapshot(task_->model, task_->tables, state, lane, 0.0, force);
     result_.settlement = settlement_of(s);
     if (task_->plan.snapshot_at_peak) result_.at_peak = s;
     if (task_->plan.snapshot_every > 0.0) keep(std::move(s));
     next_snapshot_ = task_->plan.snapshot_every;
+}
+
+/// All blocks begin with the velocities that they have in a wall in which nothing opens, slips or cracks: no wave has to
+/// pass through it first. The energy for that comes from the drive.
+template <class Real> void WallRun::set_moving(WallState<Real>& state, int lane)
+{
+    const double speed = drive_.begin(elastic_.stiffness, elastic_.mass,
+                                      sideways_force(task_->model, materials_),
+                                      dem::lane(state.damping, lane));
+    const double before = energy_of(task_->tables, state, lane).kinetic;
+    for (std::size_t m = 0; m < elastic_.rate.size(); ++m)
+        set_lane(state.v[m], lane, dem::lane(state.v[m], lane) + speed * elastic_.rate[m]);
+    const double given = energy_of(task_->tables, state, lane).kinetic - before;
+    set_lane(state.work, lane, dem::lane(state.work, lane) + given);
+    drive_work_ += given;
+    elastic_.rate = {};
 }
 
 template <class Real> Energy WallRun::energy(const WallState<Real>& state, int lane) const
@@ -208,7 +227,6 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     if (task_->plan.drop > 0.0 && !result_.at_drop &&
         std::abs(p.force) <= task_->plan.drop * peak_)
         result_.at_drop = snapshot();
-    drive_.after_drop(task_->plan.drop > 0.0 && std::abs(p.force) <= task_->plan.drop * peak_);
     if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_) {
         keep(snapshot());
         next_snapshot_ += task_->plan.snapshot_every;
@@ -229,19 +247,34 @@ template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int la
     set_lane(state.work, lane, dem::lane(state.work, lane) + 0.5 * growth * work);
 }
 
-/// After a step under vertical load alone.
+/// After a step under vertical load alone. A wall that is not at rest when the steps for it are spent seems to come down
+/// where more energy moves it than it stores, or where the load goes on doing work. A slow start follows (look), and tells.
 template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
 {
     add_ramp_work(state, lane);
     drive_.settle([&] { return unbalanced_ratio(state, lane); });
-    if (drive_.settling()) return;
+    if (steps_ == options_.preload_steps / 2) work_half_way_ = energy(state, lane).work;
+    const bool slow = result_.slow_starts > 0;
+    const double steps = static_cast<double>(steps_) * std::min(1.0, options_.step_fraction);
+    const bool due = slow && steps >= kSlowLook && steps_ % kLookEvery == 0;
+    if (drive_.settling() && !due) return;
+    const Energy e = energy(state, lane);
+    const double closed = slow ? load_factor_ * load_factor_ * solved_energy_ : 0.0;
+    const double most = std::max(e.elastic, kNeverMore * closed);
+    const bool moves = e.kinetic > most;
+    if (drive_.settling() && !moves) return;
     begin_push(state, lane);
-    came_down_ = !result_.settled && falls(energy(state, lane));
+    const double given = e.work - work_half_way_;
+    came_down_ = !result_.settled && (moves || given > (slow ? 1.0 : kStillGives) * most);
+    if (!came_down_) set_moving(state, lane);
 }
 
 bool WallRun::falls(const Energy& e)
 {
-    return e.kinetic > std::max(e.elastic, kFalling * e.passed());
+    const double given = e.work - work_before_push_ - drive_work_;
+    least_given_ = std::min(least_given_, given);
+    return e.kinetic > std::max(e.elastic, kFalling * e.passed()) &&
+           given - least_given_ > std::max(kOfTheLoad * e.kinetic, fall_work_);
 }
 
 /// After a step of the push. Takes a point of the curve if one is due.
@@ -253,10 +286,11 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     drive_work_ += 0.5 * (force_before_ + top) * step_drive_;
     recorder_.add(step_drive_, force_before_, top, base - dem::lane(state.load_x, lane));
     const double missing = top + dem::lane(state.load_x, lane) - base;
-    if (!drive_.settling() && drive_.window_due()) drive_.weigh(energy_of(task_->tables, state, lane).kinetic);
-    drive_.feel({std::abs(missing), top, dem::lane(state.damping, lane), dem::lane(state.fracture, lane)});
-    static const char* trace = std::getenv("D_T");
-    if (trace && result_.cost.steps % 500 == 0) std::fprintf(stderr, "%lld u %.5f F %.4f miss %.4f calm %.4f cruise %.3g c %.4g m %.3g\n", result_.cost.steps, drive_.position()*1e3, top*1e-3, missing*1e-3, drive_.log_calm, drive_.log_cruise, drive_.log_c, drive_.log_m);
+    const double kinetic =
+        drive_.weighs() ? energy_of(task_->tables, state, lane).kinetic : 0.0;
+    drive_.feel({std::abs(step_drive_), top, std::abs(missing), dem::lane(state.damping, lane),
+                 dem::lane(state.fracture, lane)},
+                kinetic);
     const bool room_for_another = drive_.left_to_mark() > 0.5 * task_->plan.record_every;
     const bool wanted = drive_.finished() || drive_.turned() || drive_.passed_zero() ||
                         (recorder_.due() && room_for_another);
@@ -300,6 +334,19 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
         load(state, lane);
         return true;
     }
+    const bool unpushed = way_ == 0.0 && result_.slow_starts == 0;
+    if (result_.outcome == Outcome::lost_equilibrium && unpushed) {
+        start_slowly();
+        load(state, lane);
+        return true;
+    }
+    if (over && misses_accuracy() && result_.slowdowns < kMostSlowdowns) {
+        options_ = slower(options_, kSlowdown);
+        ++result_.slowdowns;
+        start_again();
+        load(state, lane);
+        return true;
+    }
     if (decided_ && result_.outcome == Outcome::reached_target)
         result_.outcome = Outcome::decided;
     return !over && result_.outcome == Outcome::reached_target;
@@ -311,15 +358,46 @@ void WallRun::reduce_step()
 {
     options_.step_fraction *= 0.5;
     options_.steps_per_mm *= 2.0;
+    if (result_.slow_starts > 0) options_.preload_steps *= 2;
+    ++result_.step_reductions;
+    start_again();
+}
+
+/// Starts again from the unloaded wall under a load that grows slowly, because blocks that a quick start sets moving may
+/// go on to fall where the wall has an equilibrium.
+void WallRun::start_slowly()
+{
+    options_.preload = Preload::ramped;
+    const double steps = kSlowStart * static_cast<double>(task_->options.preload_steps);
+    options_.preload_steps =
+        std::llround(std::max(steps, kSlowSteps) / std::min(1.0, options_.step_fraction));
+    ++result_.slow_starts;
+    start_again();
+}
+
+/// Reads the error of a push that is over.
+bool WallRun::misses_accuracy()
+{
+    result_.solver_error = force_error(result_.curve);
+    return result_.outcome == Outcome::reached_target &&
+           result_.solver_error > task_->options.accuracy;
+}
+
+void WallRun::start_again()
+{
     PushResult fresh;
     fresh.snap_back_contacts = result_.snap_back_contacts;
-    fresh.step_reductions = result_.step_reductions + 1;
+    fresh.brittle_crushing_contacts = result_.brittle_crushing_contacts;
+    fresh.step_reductions = result_.step_reductions;
+    fresh.slow_starts = result_.slow_starts;
+    fresh.slowdowns = result_.slowdowns;
     fresh.cost = result_.cost;
     result_ = std::move(fresh);
     if (task_->plan.sink.take) task_->plan.sink.forget(number_);
     drive_ = Drive(task_->plan.targets, options_);
     recorder_ = Recorder(task_->plan.record_every, options_.accuracy);
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
+    work_half_way_ = least_given_ = 0.0;
     steps_ = 0;
     decided_ = came_down_ = false;
 }

@@ -42,7 +42,8 @@ class WallRun {
     [[nodiscard]] PushResult finish(const WallState<Real>& state, int lane);
 
   private:
-    template <class Real> void begin_push(WallState<Real>& state, int lane);
+    template <class Real> void begin_push(const WallState<Real>& state, int lane);
+    template <class Real> void set_moving(WallState<Real>& state, int lane);
     template <class Real> void add_ramp_work(WallState<Real>& state, int lane) const;
     template <class Real> void settle(WallState<Real>& state, int lane);
     template <class Real> void go_on(const WallState<Real>& state, int lane);
@@ -58,18 +59,21 @@ class WallRun {
     {
         return options_.kinematics == Kinematics::finite && !drive_.settling();
     }
-    /// Whether more of the energy that the wall has taken up moves it than it stores.
-    [[nodiscard]] static bool falls(const Energy& e);
+    /// Whether more of the energy that the wall has taken up moves it than it stores, and weight and load gave it that.
+    [[nodiscard]] bool falls(const Energy& e);
     [[nodiscard]] WallState<double> with_stable_step();
     void reduce_step();
+    void start_slowly();
+    void start_again();
+    [[nodiscard]] bool misses_accuracy();
 
     const Task* task_;
     std::size_t number_;
     WallMaterials materials_;
-    SolverOptions options_;  ///< with this wall's own speed and step
-    double unbalance_scale_; ///< by which unbalance is measured (drive_speed.hpp) [N]
+    SolverOptions options_;  ///< with the step and the accuracy of this start
+    double fall_work_;       ///< least work of weight and load on a wall that falls [J]
     Drive drive_;
-    ElasticPush elastic_;
+    ElasticPush elastic_; ///< until the push begins
     Recorder recorder_;
     PushResult result_;
     double load_factor_ = 0.0;      ///< of the step [-]
@@ -81,7 +85,12 @@ class WallRun {
     double drive_work_ = 0.0;       ///< since the start of the push [J]
     double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]
     double next_snapshot_ = 0.0;    ///< travelled displacement at which it is due [m]
-    bool came_down_ = false;        ///< under its vertical load, before the push
+    double least_given_ =
+        0.0; ///< least work of the vertical load and self-weight in the push [J]
+    double solved_energy_ =
+        0.0; ///< stored under vertical load with closed joints; 0: not known [J]
+    double work_half_way_ = 0.0; ///< after half the steps under vertical load [J]
+    bool came_down_ = false;     ///< under its vertical load, before the push
     /// Steps since the last restart, so that checks fall on the same steps as in a run that used the
     /// smaller step from the beginning.
     long long steps_ = 0;

@@ -436,6 +436,7 @@ TEST_CASE("summary: what others read by name comes in a fixed order", "[app][sum
                                                "settled_before_push",
                                                "step_fraction",
                                                "step_reductions",
+                                               "slow_starts",
                                                "steps",
                                                "contact_updates",
                                                "solver_seconds",

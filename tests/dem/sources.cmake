@@ -47,6 +47,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_snapshot_vtu.cpp
     dem/test_stability_limit.cpp
     dem/test_static_start.cpp
+    dem/test_standing.cpp
     dem/test_step_tables.cpp
     dem/test_stop_rules.cpp
     dem/test_symmetry.cpp

@@ -1,0 +1,80 @@
+#pragma once
+/// How fast a wall is pushed, so that the drive takes no more than the accuracy allows. What the solver adds to the force
+/// of the wall itself is felt in three ways, each as a share of the largest force so far:
+///   inertia    the wall is accelerated no faster than kInertia of the accuracy allows;
+///   damping    its energy per displacement is held at kDamping of the accuracy, by the cruising speed;
+///   unbalance  |top force - base shear|, where something breaks: above unbalance_limit of the accuracy the drive waits.
+/// docs/theory.md, section 4, Speed.
+
+#include "dem/solver/solver_options.hpp"
+
+namespace dem {
+
+/// What a wall does in one step of its push.
+struct Felt {
+    double way = 0.0;       ///< of the drive in the step [m], >= 0
+    double force = 0.0;     ///< of the drive [N]
+    double unbalance = 0.0; ///< |drive + loads - base shear| [N]
+    double damping = 0.0;   ///< energy so far [J]
+    double fracture = 0.0;  ///< energy so far [J]
+};
+
+class Pace {
+  public:
+    explicit Pace(const SolverOptions& options);
+
+    /// Begins the push.
+    /// @param stiffness of the wall in which nothing opens, slips or cracks [N/m]; 0: not known
+    /// @param mass 2 kinetic energy / speed^2 of that wall [N step2/m]
+    /// @param force size of what it can carry [N]
+    /// @param damping energy so far [J]
+    /// @return speed at which the wall is set moving [m/step]
+    double begin(double stiffness, double mass, double force, double damping);
+
+    /// Speed of the next step [m/step], > 0.
+    /// @param speed now [m/step]
+    [[nodiscard]] double next(double speed) const;
+
+    /// Largest speed from which the drive can stop within a way [m/step].
+    [[nodiscard]] double stopping_within(double way) const;
+
+    /// Whether the kinetic energy is wanted in the next feel().
+    [[nodiscard]] bool weighs() const { return window_.steps + 1 == kWindow && !constant(); }
+
+    /// To be called after each step of the push.
+    /// @param kinetic energy [J]; read where weighs() asked for it
+    void feel(const Felt& felt, double speed, double kinetic);
+
+    /// Whether the wall is so far out of balance that the drive goes as slowly as it may.
+    [[nodiscard]] bool waits() const
+    {
+        return !constant() && unbalance_ * options_.min_speed >= unbalance_allowed();
+    }
+
+  private:
+    static constexpr int kWindow = 200; ///< steps over which damping is measured
+
+    [[nodiscard]] bool constant() const { return options_.unbalance_limit == 0.0; }
+    [[nodiscard]] double error_allowed() const { return options_.accuracy * scale_; } ///< [N]
+    [[nodiscard]] double unbalance_allowed() const
+    {
+        return options_.unbalance_limit * error_allowed();
+    }
+    [[nodiscard]] double acceleration() const; ///< largest [m/step2]
+    void change_cruise();
+
+    SolverOptions options_;
+    double fastest_;                      ///< [m/step]
+    double cruise_;                       ///< speed of a wall in balance [m/step]
+    double scale_ = 0.0;                  ///< largest force so far [N]
+    double force_ = 0.0;                  ///< smoothed [N]
+    double unbalance_ = 0.0;              ///< smoothed [N]
+    double least_mass_ = 0.0, mass_ = 0.0; ///< that the drive moves [N step2/m]
+    struct {
+        int steps = 0;
+        double way = 0.0, damping = 0.0, fracture = 0.0; ///< [m], and at its begin [J]
+    } window_;
+    Felt last_;
+};
+
+} // namespace dem

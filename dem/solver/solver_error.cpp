@@ -1,0 +1,42 @@
+#include "dem/solver/solver_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace dem {
+
+namespace {
+
+constexpr std::size_t kPoints = 5; // over which a peak is read
+
+double median(std::vector<double> all)
+{
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return *middle;
+}
+
+} // namespace
+
+double force_error(std::span<const CurvePoint> curve)
+{
+    std::size_t peak = 0;
+    for (std::size_t i = 1; i < curve.size(); ++i)
+        if (std::abs(curve[i].force) > std::abs(curve[peak].force)) peak = i;
+    const double force = curve.empty() ? 0.0 : std::abs(curve[peak].force);
+    if (!(force > 0.0)) return 0.0;
+    const std::size_t last = std::min(curve.size() - 1, std::max(peak, kPoints));
+    std::vector<double> taken; // [N]
+    for (std::size_t i = last - std::min(last, kPoints) + 1; i <= last; ++i) {
+        const double way = std::abs(curve[i].displacement - curve[i - 1].displacement);
+        const Energy &now = curve[i].energy, &before = curve[i - 1].energy;
+        if (way > 0.0)
+            taken.push_back((now.damping - before.damping + now.kinetic - before.kinetic) / way);
+    }
+    const double drag = taken.empty() ? 0.0 : std::abs(median(std::move(taken)));
+    return (drag + 0.5 * curve[peak].unbalance) / force;
+}
+
+} // namespace dem
