@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 namespace dem {
@@ -10,11 +11,12 @@ namespace {
 
 // Shares of the accuracy. Free choices; docs/bench/accuracy.md has what they hold.
 constexpr double kInertia = 0.2;
-constexpr double kDamping = 0.5;
+const double kDamping = std::getenv("D_C") ? std::atof(std::getenv("D_C")) : 0.75;
 // A wall whose first force is not known yet has this share of what it can carry.
 constexpr double kFirstForce = 0.02;
-// At first it takes kFirstPeriods of its own periods, over the root of the accuracy, to what it can carry.
-constexpr double kFirstPeriods = 1.0 / 3.0;
+// Change of the force in a period of the wall, as a share of the largest so far, or of kFirstRise of what it can carry: kRise
+// times the root of the accuracy. Faster, a wall swings beyond the force at which a mechanism forms.
+const double kRise = std::getenv("D_R") ? std::atof(std::getenv("D_R")) : 1.5, kFirstRise = 0.1;
 constexpr double kUnknownStart = 1e-4; // of the fastest speed, where stiffness is not known
 // Steps over which unbalance and force are smoothed.
 constexpr double kUnbalanceSteps = 50.0, kForceSteps = 200.0;
@@ -44,8 +46,9 @@ double Pace::begin(double stiffness, double mass, double force, double damping)
         return 0.0;
     }
     const double period = 2.0 * std::numbers::pi * std::sqrt(mass / stiffness); // [steps]
-    const double way = force / stiffness;
-    cruise_ = std::min(fastest_, std::sqrt(options_.accuracy) * way / (kFirstPeriods * period));
+    rise_ = kRise * std::sqrt(options_.accuracy) / period;
+    first_rise_ = kFirstRise * force;
+    cruise_ = std::min(fastest_, rise_ * first_rise_ / stiffness);
     return cruise_;
 }
 
@@ -85,7 +88,7 @@ void Pace::feel(const Felt& felt, double speed, double kinetic)
         mass_ = std::max({least_mass_, measured, 0.5 * mass_});
     }
     change_cruise();
-    window_ = {0, 0.0, felt.damping, felt.fracture};
+    window_ = {0, 0.0, felt.damping, felt.fracture, force_};
 }
 
 /// Damping per displacement is what the drive takes, unless something has broken and set energy free.
@@ -96,6 +99,9 @@ void Pace::change_cruise()
                  fracture = last_.fracture - window_.fracture;
     if (fracture <= error_allowed() * window_.way)
         cruise_ *= damping > 0.0 ? std::clamp(allowed / damping, kSlower, kFaster) : kFaster;
+    const double risen = std::abs(force_ - window_.force),
+                 may_rise = rise_ * kWindow * std::max(scale_, first_rise_);
+    if (rise_ > 0.0 && risen > may_rise) cruise_ *= std::max(kSlower, may_rise / risen) / kFaster;
     const double least = std::min(fastest_, kLeastSteps * acceleration());
     cruise_ = std::clamp(cruise_, least, fastest_);
 }

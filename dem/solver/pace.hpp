@@ -69,10 +69,13 @@ class Pace {
     double scale_ = 0.0;                  ///< largest force so far [N]
     double force_ = 0.0;                  ///< smoothed [N]
     double unbalance_ = 0.0;              ///< smoothed [N]
+    double rise_ = 0.0;       ///< largest change of the force, as a share [1/step]; 0: any
+    double first_rise_ = 0.0; ///< force of which it is a share at least [N]
     double least_mass_ = 0.0, mass_ = 0.0; ///< that the drive moves [N step2/m]
     struct {
         int steps = 0;
         double way = 0.0, damping = 0.0, fracture = 0.0; ///< [m], and at its begin [J]
+        double force = 0.0;                              ///< at its begin [N]
     } window_;
     Felt last_;
 };

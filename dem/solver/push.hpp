@@ -77,7 +77,7 @@ struct PushResult {
     int step_reductions = 0;
     /// Number of starts in ten times the steps or more, because the wall seemed to come down under its vertical load: 0 or 1.
     int slow_starts = 0;
-    /// How often the wall was pushed again, four times slower, because its error was larger than the accuracy: 0 to 2.
+    /// How often the wall was pushed again, twice as slowly, because its error was larger than the accuracy: 0 to 3.
     int slowdowns = 0;
     /// Estimated error of the peak force by the speed of the drive [-], >= 0.
     double solver_error = 0.0;

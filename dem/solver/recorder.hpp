@@ -11,7 +11,7 @@ namespace dem {
 
 /// Sums up the steps since the last point. What rings in a wall moves the forces at its top and at its base apart, one up and
 /// one down, so that a point has the mean of both; and it has the mean over some steps more than its own interval, as long
-/// as the force stood still there.
+/// as the force stood still there and points stay in order.
 class Recorder {
   public:
     /// Points that are closer after a turn, where the force changes fast: they reach as far as two others.
@@ -54,8 +54,11 @@ class Recorder {
         Sums all = now_;
         for (auto s = before_.rbegin(); s != before_.rend() && all.steps < kSteps; ++s) {
             if (std::abs(s->mean() - now_.mean()) > still_ * std::abs(now_.mean())) break;
+            if (travelled_ + now_.way - 0.5 * (all.way + s->way) <= last_) break;
             all.add(*s);
         }
+        travelled_ += now_.way;
+        last_ = travelled_ - 0.5 * all.way;
         before_.push_back(now_);
         if (before_.size() > static_cast<std::size_t>(kSteps)) before_.pop_front();
         now_ = {};
@@ -83,6 +86,8 @@ class Recorder {
     int fine_ = 0; ///< points to come that are close
     Sums now_;
     std::deque<Sums> before_; ///< of this way
+    double travelled_ = 0.0;  ///< to the last point taken [m]
+    double last_ = 0.0;       ///< where that point stands, on the way travelled [m]
 };
 
 } // namespace dem

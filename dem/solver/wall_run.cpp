@@ -40,8 +40,8 @@ constexpr double kStillGives = 0.05;
 // joints open it stores more, and at most that moves it on its way there. Soft stones between stiff joints sway slowly.
 constexpr double kNeverMore = 2.0; // a free choice
 // A wall that misses the accuracy is pushed again so many times slower, so many times.
-constexpr double kSlowdown = 4.0;
-constexpr int kMostSlowdowns = 2;
+constexpr double kSlowdown = 2.0;
+constexpr int kMostSlowdowns = 3;
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
