@@ -14,7 +14,7 @@ struct Pushed {
     bool whole =
         false; ///< else the program was told to end: curves end early, or have no point
     bool other_way_left_out =
-        false; ///< told to end while walls were pushed the other way alone
+        false; ///< the program was told to end when nothing else was left to push
 };
 
 /// The line is of all walls together: those that are done, and the one that spoke last. Walls that are not symmetric are

@@ -26,7 +26,7 @@ Handle access_of(const File& file)
 {
     static const bool ready = set_up_library();
     static_cast<void>(ready);
-    // What goes wrong is in the error's what(). Each thread has a setting of its own.
+    // HDF5 prints errors by a setting of each thread. StoreError says them already.
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     Handle access = file.owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "set up");
     file.checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110),

@@ -81,7 +81,7 @@ def claim_push(folder):
 
 
 def core_seconds(process):
-    """What it has taken so far."""
+    """User and system time of the process so far [s]."""
     with open(f"/proc/{process.pid}/stat", encoding="ascii") as stat:
         return sum(map(int, stat.read().rpartition(")")[2].split()[11:13])) / os.sysconf("SC_CLK_TCK")
 
