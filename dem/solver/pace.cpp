@@ -11,7 +11,7 @@ namespace {
 
 // Shares of the accuracy. Free choices; docs/bench/accuracy.md has what they hold.
 constexpr double kInertia = 0.2;
-const double kDamping = std::getenv("D_C") ? std::atof(std::getenv("D_C")) : 0.75;
+const double kDamping = std::getenv("D_C") ? std::atof(std::getenv("D_C")) : 0.5;
 // A wall whose first force is not known yet has this share of what it can carry.
 constexpr double kFirstForce = 0.02;
 // Change of the force in a period of the wall, as a share of the largest so far, or of kFirstRise of what it can carry: kRise
