@@ -233,11 +233,11 @@ app::Table worst_table(const Scenes& scenes)
               "fidelity",       "extras",    "k_n [Pa/m]",  "peak [kN]",
               "reference [kN]", "error [%]", "reported [%]"};
     for (const ComparedScene& c : worst)
-        t.rows.push_back(
-            {number(static_cast<double>(c.scene.number), 0), c.scene.kind, c.scene.load,
-             c.kinematics, c.fidelity, c.scene.extras, app::Number{app::rounded(c.facts.kn, 3)},
-             maybe(c.asked.peak, 1e-3, 3), maybe(c.reference.peak, 1e-3, 3),
-             maybe(peak_error(c), 100.0, 2), number(100.0 * c.asked.solver_error, 2)});
+        t.rows.push_back({number(static_cast<double>(c.scene.number), 0), c.scene.kind,
+                          c.scene.load, c.kinematics, c.fidelity, c.scene.extras,
+                          app::number(c.facts.kn, 3), maybe(c.asked.peak, 1e-3, 3),
+                          maybe(c.reference.peak, 1e-3, 3), maybe(peak_error(c), 100.0, 2),
+                          number(100.0 * c.asked.solver_error, 2)});
     return t;
 }
 

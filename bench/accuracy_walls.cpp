@@ -11,7 +11,7 @@ namespace bench {
 std::string metres(double x) { return app::fixed(x, 6); }
 
 DrawnWall drawn_wall_of(std::string_view kind, std::vector<std::vector<Corner>> stones,
-                        double thickness)
+                        double thickness, int decimals)
 {
     double left = 0.0, right = 0.0, top = 0.0;
     for (const auto& stone : stones)
@@ -24,8 +24,8 @@ DrawnWall drawn_wall_of(std::string_view kind, std::vector<std::vector<Corner>> 
     for (const auto& stone : stones) {
         if (!outlines.empty()) outlines += "; ";
         for (std::size_t i = 0; i < stone.size(); ++i)
-            outlines +=
-                (i > 0 ? ", " : "") + metres(stone[i].x - left) + " " + metres(stone[i].z);
+            outlines += (i > 0 ? ", " : "") + app::fixed(stone[i].x - left, decimals) + " " +
+                        app::fixed(stone[i].z, decimals);
     }
     DrawnWall w;
     w.kind = kind;
@@ -154,7 +154,7 @@ DrawnWall draw_sloping(Draw& d)
         }
         slope = next;
     }
-    DrawnWall w = drawn_wall_of("drawing", std::move(stones), d.uniform(0.15, 0.5));
+    DrawnWall w = drawn_wall_of("drawing", std::move(stones), d.uniform(0.15, 0.5), 14);
     w.course_height = rise / courses;
     return w;
 }

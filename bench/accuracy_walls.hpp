@@ -30,7 +30,7 @@ struct WallForm {
 /// Most walls have fewer than 40 stones.
 [[nodiscard]] DrawnWall draw_wall(const WallForm& form, Draw& d);
 
-/// "0.125": six decimals, which close every joint of an outline.
+/// "0.125000"
 [[nodiscard]] std::string metres(double x);
 
 struct Corner {
@@ -41,7 +41,9 @@ struct Corner {
 [[nodiscard]] DrawnWall draw_arch(Draw& d);
 
 /// Keys of a wall that is drawn: moves the outlines to x >= 0.
-[[nodiscard]] DrawnWall
-drawn_wall_of(std::string_view kind, std::vector<std::vector<Corner>> stones, double thickness);
+/// @param decimals of the corners; many where one lies on a sloping side of a neighbour
+[[nodiscard]] DrawnWall drawn_wall_of(std::string_view kind,
+                                      std::vector<std::vector<Corner>> stones, double thickness,
+                                      int decimals = 6);
 
 } // namespace bench
