@@ -437,6 +437,7 @@ TEST_CASE("summary: what others read by name comes in a fixed order", "[app][sum
                                                "step_fraction",
                                                "step_reductions",
                                                "slow_starts",
+                                               "slowdowns",
                                                "steps",
                                                "contact_updates",
                                                "solver_seconds",
