@@ -183,7 +183,8 @@ TEST_CASE("drive: takes the steps asked for where the speed is constant", "[dem]
 {
     const long long steps = GENERATE(2000, 20000);
     Drive d = settled({0.03}, options(steps));
-    CHECK(std::abs(static_cast<double>(steps_of(d).size()) - static_cast<double>(steps)) <= 1.0);
+    CHECK(std::abs(static_cast<double>(steps_of(d).size()) - static_cast<double>(steps)) <=
+          1.0);
 }
 
 TEST_CASE("drive: brakes softly before each turn, but not at the end of a push one way",
@@ -265,4 +266,3 @@ TEST_CASE("drive: without a way to go it is done once the vertical load is carri
     CHECK(d.position() == 0.0);
     CHECK(d.done() == 1.0);
 }
-

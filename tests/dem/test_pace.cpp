@@ -69,7 +69,8 @@ TEST_CASE("pace: the inertia of a wall that gets faster is within the accuracy",
     }
     CHECK(wall.speed == Approx(fastest(o)));
     CHECK(most < accuracy * kForce);
-    CHECK(most > 0.05 * std::min(accuracy * kForce, fastest(o) * kMass)); // not for nothing slow
+    CHECK(most >
+          0.05 * std::min(accuracy * kForce, fastest(o) * kMass)); // not for nothing slow
 }
 
 TEST_CASE("pace: more of a wall that moves gets faster as much more slowly", "[dem][pace]")

@@ -64,8 +64,9 @@ TEST_CASE("recorder: unbalance is the size of the gap, whichever of the two is l
     CHECK(r.take(2.0, {}).unbalance == Approx(4.0).epsilon(1e-14));
 }
 
-TEST_CASE("recorder: force times way over all points is the work of the drive on a wall in balance",
-          "[dem][recorder]")
+TEST_CASE(
+    "recorder: force times way over all points is the work of the drive on a wall in balance",
+    "[dem][recorder]")
 {
     const auto force = [](double x) { return 1000.0 * x - 300.0 * x * x; };
     Recorder r(0.1, 0.0);
@@ -133,8 +134,9 @@ std::vector<dem::CurvePoint> points_of(const std::vector<double>& forces, double
 
 } // namespace
 
-TEST_CASE("recorder: where the force stands still a point is the mean over more steps, in order",
-          "[dem][recorder]")
+TEST_CASE(
+    "recorder: where the force stands still a point is the mean over more steps, in order",
+    "[dem][recorder]")
 {
     std::vector<double> rings;
     for (int i = 0; i < 80; ++i) rings.push_back(i % 2 == 0 ? 100.4 : 99.6);
