@@ -36,7 +36,7 @@ inline dem::PushPlan to(double target)
 inline dem::SolverOptions quick()
 {
     dem::SolverOptions o;
-    o.steps_per_mm = 300;
+    o.accuracy = 0.05;
     return o;
 }
 
