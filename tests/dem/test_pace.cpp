@@ -151,28 +151,32 @@ TEST_CASE("pace: what damping takes while something breaks does not slow it", "[
     CHECK(speed(0.1 * kForce) == Approx(fastest({})));
 }
 
-TEST_CASE("pace: a force that rises quickly slows it, the more the less error is borne",
+TEST_CASE("pace: a force that changes much within a period of the wall slows it, the more the "
+          "less error is borne",
           "[dem][pace]")
 {
-    constexpr double kStiff = 100.0 * kStiffness;
-    const double period = 2.0 * std::acos(-1.0) * std::sqrt(kMass / kStiff); // [steps]
-    const auto rise = [&](double accuracy) { // in a period, as a share of the force
-        Wall wall(with_accuracy(accuracy), kStiff);
-        double most = 0.0;
-        wall.felt.force = 0.0;
-        for (int i = 0; i < 1'000'000 && wall.felt.force < kForce; ++i) {
-            wall.step();
-            const double rise = kStiff * wall.speed * period;
-            wall.felt.force += rise / period;
-            if (wall.felt.force > 0.3 * kForce) most = std::max(most, rise / wall.felt.force);
-        }
-        CHECK(wall.felt.force >= kForce);
-        return most;
+    const double period = 2.0 * std::acos(-1.0) * std::sqrt(kMass / kStiffness); // [steps]
+    const double way = 2.0 * period * fastest({}); // on which it rises, or falls
+    const auto mean_speed = [&](double accuracy, double swing) {
+        Wall wall(with_accuracy(accuracy));
+        double at = 0.0;
+        const auto go = [&](int steps) {
+            for (int i = 0; i < steps; ++i) {
+                wall.step();
+                at += wall.speed;
+                const double ways = at / way;
+                const double share = std::abs(ways - 2.0 * std::round(0.5 * ways)); // 0 to 1
+                wall.felt.force = kForce * (1.0 - swing * share);
+            }
+            return at;
+        };
+        const double before = go(20000);
+        return (go(20000) - before) / 20000;
     };
-    CHECK(fastest({}) * kStiff * period > kForce); // as fast as it may go
-    CHECK(rise(0.1) < 1.0);
-    CHECK(rise(0.01) < 0.5 * rise(0.1));
-    CHECK(rise(0.0001) < 0.5 * rise(0.01));
+    CHECK(mean_speed(0.01, 0.02) == Approx(fastest({})));
+    const double fine = mean_speed(0.01, 1.0), coarse = mean_speed(0.04, 1.0);
+    CHECK(fine < 0.5 * fastest({}));
+    CHECK(coarse > 1.5 * fine);
 }
 
 TEST_CASE("pace: so many times out of balance, so many times slower, never below its slowest",
