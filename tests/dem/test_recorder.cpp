@@ -91,7 +91,8 @@ TEST_CASE("recorder: a point sits in the middle of its interval", "[dem][recorde
     r.add(0.75, 0, 0, 0);
     r.add(0.75, 0, 0, 0);
     CHECK(r.take(1.5, {}).displacement == 0.75);
-    r.add(-1.0, 0, 0, 0); // the way back
+    r.begin_way(); // and back
+    r.add(-1.0, 0, 0, 0);
     CHECK(r.take(0.5, {}).displacement == 1.0);
 }
 
