@@ -180,7 +180,8 @@ std::string opening(const Request& request)
            std::to_string(request.first + request.count - 1) + " (seed " +
            std::to_string(request.seed) + ") far from the paper, each pushed as asked and " +
            app::number(bench::kReferenceFactor, 3) +
-           " times slower, at as much less unbalance: the reference. `accuracy --print SCENE` "
+           " times slower, for an accuracy as much finer: the reference. `accuracy --print "
+           "SCENE` "
            "prints one for "
            "`drystone push`.\n\n"
            "Drawn at random: courses (running, stack, flemish, a shift of 0.3, units of random "

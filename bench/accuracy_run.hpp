@@ -11,10 +11,6 @@
 namespace bench {
 
 inline constexpr double kReferenceFactor = 20.0;
-inline constexpr double kFinestUnbalance = 1e-5; ///< of a reference [-]
-
-/// The same push, `factor` times slower, at `factor` times less unbalance and error.
-[[nodiscard]] dem::SolverOptions slower(dem::SolverOptions options, double factor);
 
 /// What tells answers of one scene apart: the keys that set the speed of the drive.
 [[nodiscard]] std::string speed_settings(const dem::SolverOptions& options);

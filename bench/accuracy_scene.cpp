@@ -169,7 +169,8 @@ double elastic_way(const SceneDraw& s)
 
 constexpr double kSecondsPerStoneStep = 5e-7; // of small walls on one core, measured
 
-/// Of a way of one metre, 20 times slower than the default, some walls with pauses [s].
+/// Of a way of one metre, 20 times slower than the drive for which the scenes were drawn first, some walls with pauses [s].
+/// Another estimate would draw other scenes.
 double cost_per_metre(const SceneDraw& s)
 {
     const DrawnWall& w = s.wall;

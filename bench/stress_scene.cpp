@@ -105,7 +105,8 @@ dem::SolverOptions draw_solver(Draw& d)
     o.damping_factor = d.chance(0.1) ? 0.0 : d.uniform(0.0, 0.95);
     o.step_fraction = d.chance(0.5) ? d.uniform(0.2, 1.0) : d.uniform(1.0, 2.0);
     o.steps_per_mm = d.chance(0.2) ? d.log_uniform(5.0, 100.0) : d.log_uniform(100.0, 3000.0);
-    o.unbalance_limit = d.chance(0.2) ? 0.0 : d.log_uniform(5e-4, 0.1);
+    o.accuracy = std::clamp(10.0 / o.steps_per_mm, 0.005, 0.5); // fast drives bear much
+    o.unbalance_limit = d.chance(0.2) ? 0.0 : d.log_uniform(0.05, 1.0);
     o.min_speed = d.log_uniform(0.05, 1.0);
     o.preload = d.one_of({dem::Preload::solved, dem::Preload::ramped});
     o.preload_steps = d.integer(500, 3000);
@@ -120,6 +121,7 @@ dem::PushPlan draw_plan(Draw& d, const dem::WallGeometry& wall, double steps,
     if (d.chance(0.03)) { // much too fast
         way = 3.0 * wall.courses * wall.course_height;
         o.steps_per_mm = 1e-3 * steps / way;
+        o.unbalance_limit = 0.0;
     }
     dem::PushPlan plan;
     plan.targets = {way};

@@ -171,7 +171,7 @@ struct ProgramInput {
     bool above = false;             ///< the event is to reach the demand, else to fall to it
 };
 
-/// How walls are read, by every verb. Moves no wall, but that a finite push makes haste below ultimate_share.
+/// How walls are read, by every verb. Moves no wall.
 struct FragilityInput {
     std::string limit_states = "paper, ntc"; ///< sets: paper, ntc, ec8, user
     std::string user_states;                 ///< "slight: 0.7 yield; severe: drop 0.5; ..."

@@ -25,8 +25,8 @@ void add_beyond(const char* what, double peak, double limit, std::vector<std::st
     const std::string by =
         limit > 0.0 ? fixed(100.0 * (peak / limit - 1.0), 1) + " % above" : "above";
     remarks.push_back("the peak force is " + by + " the limit of " + what +
-                      ": the push was too fast (raise solver.steps_per_mm), or the limit does "
-                      "not hold for this wall");
+                      ": the push was too fast (write a smaller solver.accuracy), or the limit "
+                      "does not hold for this wall");
 }
 
 void add(std::string remark, std::vector<std::string>& remarks)
@@ -105,7 +105,7 @@ void add_lost(const PushedWall& w, std::vector<std::string>& remarks)
         remarks.emplace_back("the wall stood under its vertical load and was lost as soon as "
                              "it was pushed: it fell, or "
                              "the push is too fast for joints as stiff as these; write a "
-                             "larger solver.steps_per_mm, "
+                             "smaller solver.accuracy, "
                              "or solver.fidelity = simple");
 }
 
@@ -116,8 +116,7 @@ void add_inaccurate(const Study& study, const PushedWall& w, std::vector<std::st
         remarks.push_back("the peak force may be wrong by " + error_text(solver_error(w)) +
                           " because of the speed of the push, more than the " +
                           error_text(study.solver.accuracy) +
-                          " asked for (solver.accuracy); a larger solver.steps_per_mm slows "
-                          "it");
+                          " asked for (solver.accuracy); a smaller one slows it");
 }
 
 /// A wall of stiff joints may have its peak, and lose it, between two recorded points.

@@ -157,6 +157,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["step_fraction"] = w.result.step_fraction;
     j["step_reductions"] = w.result.step_reductions;
     j["slow_starts"] = w.result.slow_starts;
+    j["slowdowns"] = w.result.slowdowns;
     j["steps"] = w.result.cost.steps;
     j["contact_updates"] = w.result.cost.contact_updates;
     j["solver_seconds"] = w.result.cost.seconds;

@@ -57,8 +57,7 @@ std::string page_of(const bench::TwoStudies& both)
             "ones it is what cracks and jumps leave to be damped.\n\n";
     text +=
         "## 3. Cost\n\n" + app::as_markdown(bench::protocol_cost()) +
-        "\nWhere a wall has been before, and not near a turn, the drive goes up to three "
-        "times as fast; it brakes before turns, and goes slowly on ways of less than 6 mm.\n\n";
+        "\nThe drive brakes before turns, and starts as softly after them.\n\n";
     text += "## 4. The paper's walls\n\n`configs/paper.ini`, " + n +
             " walls under each stress, with the default damping (`solver.damping = combined`) "
             "because the paper's drags, "

@@ -226,7 +226,7 @@ const std::map<std::string_view, std::string> kOthers = {
     {"solver.block_modes", "6"},
     {"solver.preload_steps", "1"},
     {"solver.preload_unbalance", "0.9"},
-    {"solver.unbalance_limit", "0.5"},
+    {"solver.unbalance_limit", "0.05"},
     {"solver.energy_tolerance", "1e-15"},
     {"solver.most_steps", "10"},
     {"solver.min_speed", "1"},

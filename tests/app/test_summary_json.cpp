@@ -215,7 +215,9 @@ TEST_CASE("summary: the solver's error is there in percent, and above the accura
     const auto remarks = [&] {
         return Json::parse(app::summary_json(study, w)).at("hand_checks").at("remarks").dump();
     };
+    w.result.slowdowns = 2;
     CHECK(summary(w).at("solver_error_percent").get<double>() == Approx(2.3));
+    CHECK(summary(w).at("slowdowns") == 2);
     CHECK(
         remarks().find("the peak force may be wrong by 2.3 % because of the speed of the push, "
                        "more than the 2 % asked for (solver.accuracy)") != std::string::npos);
@@ -437,6 +439,7 @@ TEST_CASE("summary: what others read by name comes in a fixed order", "[app][sum
                                                "step_fraction",
                                                "step_reductions",
                                                "slow_starts",
+                                               "slowdowns",
                                                "steps",
                                                "contact_updates",
                                                "solver_seconds",

@@ -51,31 +51,28 @@ TEST_CASE(
     "accuracy campaign: a reference is slower in what sets the speed, and in nothing else",
     "[bench][accuracy]")
 {
-    dem::SolverOptions asked;
-    asked.damping_factor = 0.7;
-    dem::SolverOptions slow = bench::slower(asked, 20.0);
+    const app::Study study = bench::study_of(bench::accuracy_scene(1, 0));
+    const dem::SolverOptions& asked = study.solver;
+    dem::SolverOptions slow = bench::reference_options(study, study);
     CHECK(slow.steps_per_mm == 20.0 * asked.steps_per_mm);
-    CHECK(slow.unbalance_limit == asked.unbalance_limit / 20.0);
     CHECK(slow.accuracy == asked.accuracy / 20.0);
     CHECK(slow.most_steps > 1000 * asked.most_steps);
-    CHECK(bench::slower(asked, 1e6).unbalance_limit == bench::kFinestUnbalance);
     slow.steps_per_mm = asked.steps_per_mm;
-    slow.unbalance_limit = asked.unbalance_limit;
     slow.accuracy = asked.accuracy;
     slow.most_steps = asked.most_steps;
     CHECK(slow == asked);
-    asked.unbalance_limit = 0.0; // never slows
-    CHECK(bench::slower(asked, 20.0).unbalance_limit == 0.0);
 }
 
 TEST_CASE("accuracy campaign: --set of speed moves the push and leaves its reference",
           "[bench][accuracy]")
 {
     const bench::AccuracyScene scene = bench::accuracy_scene(1, 0);
-    const std::vector<std::string> fast = {"solver.steps_per_mm=100"};
+    const std::vector<std::string> fast = {"solver.steps_per_mm=100", "solver.accuracy=5 %",
+                                           "solver.min_speed=0.5"};
     const app::Study asked = bench::study_of(scene, fast), own = bench::study_of(scene);
     CHECK(asked.solver.steps_per_mm == 100.0);
-    CHECK(bench::reference_options(asked, own) == bench::slower(own.solver, 20.0));
+    CHECK(asked.solver.accuracy == 0.05);
+    CHECK(bench::reference_options(asked, own) == bench::reference_options(own, own));
 }
 
 TEST_CASE(

@@ -28,6 +28,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_mortar.cpp
     dem/test_model_elasticity.cpp
     dem/test_openings.cpp
+    dem/test_pace.cpp
     dem/test_pack.cpp
     dem/test_contact_operator.cpp
     dem/test_body_forces.cpp

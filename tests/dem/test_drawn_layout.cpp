@@ -46,15 +46,14 @@ dem::Model model_of(dem::Layout layout, const scenes::Scene& s,
 double peak(const scenes::Scene& s, const dem::Model& m)
 {
     dem::SolverOptions o;
-    o.steps_per_mm = 4000;
+    o.accuracy = 0.001;
     dem::PushPlan plan;
     plan.targets = {0.006};
     return scenes::peak_force(dem::push(m, scenes::uniform(s, m), plan, o));
 }
 
 /// A wall of rigid blocks without beam under its weight, pushed by body forces.
-dem::PushResult pushed(const dem::DrawnWall& wall, double tan_phi, double to,
-                       double steps_per_mm, double kn = 1e11)
+dem::PushResult pushed(const dem::DrawnWall& wall, double tan_phi, double to, double kn = 1e11)
 {
     scenes::Scene s = scenes::monolith(1.0, 1.0, 0.0, kn);
     s.beam.present = false;
@@ -71,7 +70,7 @@ dem::PushResult pushed(const dem::DrawnWall& wall, double tan_phi, double to,
     plan.targets = {to};
     plan.record_every = std::abs(to) / 100;
     dem::SolverOptions o;
-    o.steps_per_mm = steps_per_mm;
+    o.accuracy = 0.001;
     dem::PushResult r = dem::push(m, scenes::uniform(s, m), plan, o);
     CHECK(r.residual < 0.01);
     CHECK_FALSE(dem::failed(r.outcome));
@@ -79,9 +78,9 @@ dem::PushResult pushed(const dem::DrawnWall& wall, double tan_phi, double to,
 }
 
 /// The largest load factor.
-double peak_factor(const dem::DrawnWall& wall, double tan_phi, double to, double steps_per_mm)
+double peak_factor(const dem::DrawnWall& wall, double tan_phi, double to)
 {
-    const dem::PushResult r = pushed(wall, tan_phi, to, steps_per_mm);
+    const dem::PushResult r = pushed(wall, tan_phi, to);
     return scenes::peak_force(r) / r.weight;
 }
 
@@ -248,8 +247,8 @@ TEST_CASE(
 {
     const Course fe = {1, 1, 1, 1}, fu = {.5, 1, 1, 1, .5}, we = {1, .5, -1, .5, 1},
                  wu = {.5, 1, -1, 1, .5};
-    const double f = peak_factor(of_courses({fe, fu, fe, wu, we, wu, we, wu, fe, fu, fe}), 0.65,
-                                 2.5e-3, 4000);
+    const double f =
+        peak_factor(of_courses({fe, fu, fe, wu, we, wu, we, wu, fe, fu, fe}), 0.65, 2.5e-3);
     constexpr double kAssociated = 0.40369;
     CHECK(f < 1.005 * kAssociated);
     CHECK(f == Approx(0.3558).epsilon(0.02)); // non-associated
@@ -260,8 +259,8 @@ TEST_CASE("drawn layout: a semicircular arch stands from a thickness of 0.1075 r
 {
     // Milankovitch (1907); Heyman's approximation is 0.1059. The load factor that it can carry falls to zero
     // there, linearly.
-    const double thick = peak_factor(arch(0.114, 36), 10.0, 1e-4, 2e5),
-                 thin = peak_factor(arch(0.111, 36), 10.0, 1e-4, 2e5);
+    const double thick = peak_factor(arch(0.114, 36), 10.0, 1e-4),
+                 thin = peak_factor(arch(0.111, 36), 10.0, 1e-4);
     INFO("load factors " << thick << ", " << thin);
     CHECK(0.111 - thin * 0.003 / (thick - thin) == Approx(0.10748).epsilon(0.01));
 }
@@ -273,7 +272,7 @@ TEST_CASE("drawn layout: an arch of least thickness hinges at its crown, its hau
     // Milankovitch's thrust line touches the back at the crown and the springings, and the belly 54.48 degrees from the
     // crown. Pushed, the arch needs four of these five hinges: that of the haunch behind stays shut.
     constexpr double kThickness = 0.109;
-    const dem::PushResult r = pushed(arch(kThickness, 90), 10.0, 3e-5, 2e5);
+    const dem::PushResult r = pushed(arch(kThickness, 90), 10.0, 3e-5);
     struct Hinge {
         double angle; ///< from the crown [deg], positive on the side of the push
         bool at_back; ///< closed there, open at the belly
@@ -339,8 +338,8 @@ TEST_CASE("drawn layout: a wall that cannot carry its weight comes down before i
           "[dem][drawn_layout]")
 {
     // The thinnest semicircle that stands is 0.107 of its mean radius thick (Milankovitch).
-    const dem::PushResult thin = pushed(arch(0.10, 24), 0.7, 1e-3, 1e5),
-                          thick = pushed(arch(0.14, 24), 0.7, 1e-3, 1e5);
+    const dem::PushResult thin = pushed(arch(0.10, 24), 0.7, 1e-3),
+                          thick = pushed(arch(0.14, 24), 0.7, 1e-3);
     CHECK(thin.outcome == dem::Outcome::lost_equilibrium);
     CHECK_FALSE(thin.settled);
     CHECK(thin.curve.size() == 1); // nothing of it is a capacity

@@ -2,6 +2,7 @@
 
 #include "dem/block/model.hpp"
 #include "dem/scene/mechanism.hpp"
+#include "dem/solver/slower.hpp"
 #include "dem/solver/step.hpp"
 #include "scenes/paper_wall.hpp"
 
@@ -99,9 +100,9 @@ TEST_CASE("push: half the time step, and half the speed, move the peak by less t
 {
     const scenes::Scene s = scenes::paper_wall(GENERATE(0.50, 1.25));
     const double peak = scenes::peak_force(pushed(s, to({0.015})));
-    dem::SolverOptions shorter, slower;
+    dem::SolverOptions shorter;
+    const dem::SolverOptions slower = dem::slower({}, 2.0);
     shorter.step_fraction = 0.5 * shorter.step_fraction;
-    slower.steps_per_mm *= 2;
     CHECK(scenes::peak_force(pushed(s, to({0.015}), shorter)) == Approx(peak).epsilon(0.01));
     CHECK(scenes::peak_force(pushed(s, to({0.015}), slower)) == Approx(peak).epsilon(0.01));
 }

@@ -269,7 +269,7 @@ constexpr std::array kStudies = {
     BadStudy{"ten thousand small cycles", "[load]", "[load]\namplitudes = 1 mm\nrepeats = 10000",
         "study.ini:25: output.record_every: makes more than 1000000 points; record fewer"},
     BadStudy{"more cycles than steps", "[load]", "[load]\namplitudes = 20 mm\nrepeats = 800\n[output]\nrecord_every = 1 mm\nsnapshot_every = 0 mm\n[load]",
-        "study.ini:29: solver.most_steps: is less than the 2.13e+07 steps that a path of 64 m needs; ask for fewer cycles, or allow more steps"},
+        "study.ini:29: solver.most_steps: is less than the 2.56e+07 steps that a path of 64 m needs at least; ask for fewer cycles, or allow more steps"},
     BadStudy{"an amplitude of another unit", "[load]", "[load]\namplitudes = 5, 10 kN",
         "study.ini:23: load.amplitudes: unit \"kN\" is not a length; use m, cm or mm"},
     BadStudy{"a protocol that does not exist", "[load]", "[load]\nprotocol = atc24",
