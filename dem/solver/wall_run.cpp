@@ -39,14 +39,13 @@ constexpr double kStillGives = 0.05;
 // Kinetic energy that no wall with an equilibrium has, as a multiple of the energy that it stores with closed joints: where
 // joints open it stores more, and at most that moves it on its way there. Soft stones between stiff joints sway slowly.
 constexpr double kNeverMore = 2.0; // a free choice
-// A wall that misses the accuracy is pushed again so many times slower, so many times.
+// A wall that misses the accuracy is pushed again so many times slower.
 constexpr double kSlowdown = 2.0;
 // Error of the slower of two pushes, as a multiple of the change of its peak.
 constexpr double kChange =
     2.0; // a free choice: 1, if errors fall with the accuracy asked; 2.4, with its root
 // Error that no push claims to be below, as a share of the accuracy: a push does not feel at its peak what it did before.
 constexpr double kLeastError = 0.5;
-constexpr int kMostSlowdowns = 3;
 // Kinetic energy of a wall at rest under its vertical load, as a share of what it stores. Forces are in balance, too, in a
 // wall that comes down at a constant speed.
 constexpr double kAtRest = 1e-3; // a free choice: walls at rest have 1e-6 at most
@@ -353,7 +352,7 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
         load(state, lane);
         return true;
     }
-    if (over && wants_slowdown() && result_.slowdowns < kMostSlowdowns) {
+    if (over && wants_slowdown()) {
         options_ = slower(options_, kSlowdown);
         pushed_before_ = peak_;
         ++result_.slowdowns;
@@ -398,8 +397,9 @@ bool WallRun::wants_slowdown()
     if (pushed_before_ && peak_ > 0.0)
         error = std::min(error, kChange * std::abs(peak_ - *pushed_before_) / peak_);
     result_.solver_error = peak_ > 0.0 ? std::max(error, kLeastError * asked) : 0.0;
-    const double reach = std::pow(kSlowdown, kMostSlowdowns - result_.slowdowns);
+    const double reach = std::pow(kSlowdown, task_->options.most_slowdowns - result_.slowdowns);
     return result_.outcome == Outcome::reached_target && result_.solver_error > asked &&
+           result_.slowdowns < task_->options.most_slowdowns &&
            result_.solver_error <= reach * asked;
 }
 
