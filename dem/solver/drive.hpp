@@ -20,28 +20,23 @@ class Drive {
     double advance();
 
     /// To be called after each step under vertical load.
-    /// @param unbalanced_ratio gives that of the wall; it is called only when it is time to look
-    template <class F> void settle(F unbalanced_ratio)
+    /// @param at_rest tells whether the wall is; it is called only when it is time to look
+    template <class F> void settle(F at_rest)
     {
         if (!settling_ || step_ % kLookEvery != 0 || step_ <= ramp_steps()) return;
-        settled_ = unbalanced_ratio() < options_.preload_unbalance;
+        settled_ = at_rest();
         settling_ = !settled_ && step_ < options_.preload_steps;
     }
 
-    /// Begins the push: see Pace::begin.
-    double begin(double stiffness, double mass, double force, double damping)
+    /// Begins the push: see Pace::begin. The way is known here.
+    double begin(PushStart start)
     {
-        return speed_ = pace_.begin(stiffness, mass, force, damping);
+        start.way = path_;
+        return speed_ = pace_.begin(start);
     }
 
-    /// Whether the kinetic energy is wanted in the next feel().
-    [[nodiscard]] bool weighs() const { return !settling_ && pace_.weighs(); }
-
-    /// To be called after each step: see Pace::feel.
-    void feel(const Felt& felt, double kinetic)
-    {
-        if (!settling_) pace_.feel(felt, speed_, kinetic);
-    }
+    /// Feels each step of the push.
+    [[nodiscard]] Pace& pace() { return pace_; }
 
     /// Whether the wall is so far out of balance that the drive goes as slowly as it may.
     [[nodiscard]] bool waits() const { return pace_.waits(); }

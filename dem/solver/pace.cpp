@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 namespace dem {
@@ -10,23 +9,24 @@ namespace dem {
 namespace {
 
 // Shares of the accuracy. Free choices; docs/bench/accuracy.md has what they hold.
-constexpr double kInertia = 0.2;
-const double kDamping = std::getenv("D_C") ? std::atof(std::getenv("D_C")) : 0.5;
+constexpr double kInertia = 0.1, kDamping = 0.25;
+// What damping takes from blocks that only ring counts so much: where joints slide, it takes in place of friction.
+constexpr double kRinging = 0.35;
 // A wall whose first force is not known yet has this share of what it can carry.
 constexpr double kFirstForce = 0.02;
 // Change of the force in a period of the wall, as a share of the largest so far, or of kFirstRise of what it can carry: kRise
 // times the root of the accuracy. Faster, a wall swings beyond the force at which a mechanism forms.
-const double kRise = std::getenv("D_R") ? std::atof(std::getenv("D_R")) : 1.5, kFirstRise = 0.1;
+constexpr double kRise = 1.5, kFirstRise = 0.1;
 constexpr double kUnknownStart = 1e-4; // of the fastest speed, where stiffness is not known
 // Steps over which unbalance and force are smoothed.
 constexpr double kUnbalanceSteps = 50.0, kForceSteps = 200.0;
 // Change of the cruising speed from one window to the next.
 constexpr double kFaster = 1.5, kSlower = 0.5;
-// The cruising speed is at least what the largest acceleration reaches in so many steps: slower, a wall that only rings
-// would seem to be dragged.
-constexpr double kLeastSteps = 20.0;
-// What rings in a wall may seem to be mass; at most so many times that of the wall.
-constexpr double kMostMass = 1e4;
+// The cruising speed is at least this share of the one at the start: slower, a wall that moves by itself would seem to be
+// dragged. And it is so fast that the whole way takes this share of the most steps.
+constexpr double kSlowest = 0.3, kShareOfSteps = 0.02;
+// A wall that moves by itself may seem to be heavy; at most so many times as in its elastic motion.
+constexpr double kMostMass = 100.0;
 
 } // namespace
 
@@ -35,20 +35,23 @@ Pace::Pace(const SolverOptions& options)
 {
 }
 
-double Pace::begin(double stiffness, double mass, double force, double damping)
+double Pace::begin(const PushStart& start)
 {
-    window_.damping = damping;
-    scale_ = kFirstForce * force;
-    least_mass_ = mass_ = mass;
+    window_.damping = start.damping;
+    scale_ = kFirstForce * start.most_force;
+    least_mass_ = mass_ = start.mass;
     if (constant()) return fastest_;
-    if (!(stiffness > 0.0 && mass > 0.0 && force > 0.0)) {
+    least_ = start.way / (kShareOfSteps * static_cast<double>(options_.most_steps));
+    if (!(start.stiffness > 0.0 && start.mass > 0.0 && start.most_force > 0.0)) {
         cruise_ = kUnknownStart * fastest_;
         return 0.0;
     }
-    const double period = 2.0 * std::numbers::pi * std::sqrt(mass / stiffness); // [steps]
+    const double period =
+        2.0 * std::numbers::pi * std::sqrt(start.mass / start.stiffness); // [steps]
     rise_ = kRise * std::sqrt(options_.accuracy) / period;
-    first_rise_ = kFirstRise * force;
-    cruise_ = std::min(fastest_, rise_ * first_rise_ / stiffness);
+    first_rise_ = kFirstRise * start.most_force;
+    cruise_ = std::min(fastest_, rise_ * first_rise_ / start.stiffness);
+    least_ = std::min(fastest_, std::max(least_, kSlowest * cruise_));
     return cruise_;
 }
 
@@ -73,7 +76,7 @@ double Pace::stopping_within(double way) const
     return std::max(a, std::sqrt(2.0 * a * std::max(0.0, way)));
 }
 
-void Pace::feel(const Felt& felt, double speed, double kinetic)
+void Pace::feel(const Felt& felt, const Kinetic& kinetic)
 {
     unbalance_ += (felt.unbalance - unbalance_) / kUnbalanceSteps;
     if (constant()) return;
@@ -82,28 +85,30 @@ void Pace::feel(const Felt& felt, double speed, double kinetic)
     window_.way += felt.way;
     last_ = felt;
     if (++window_.steps < kWindow) return;
-    if (speed > 0.0) {
-        const double measured =
-            std::min(2.0 * kinetic / (speed * speed), kMostMass * least_mass_);
-        mass_ = std::max({least_mass_, measured, 0.5 * mass_});
+    if (window_.way > 0.0) {
+        const double speed = window_.way / kWindow;
+        const double mass =
+            std::min(2.0 * kinetic.steady / (speed * speed), kMostMass * least_mass_);
+        mass_ = std::max({least_mass_, mass, 0.5 * mass_});
+        change_cruise(kinetic);
     }
-    change_cruise();
     window_ = {0, 0.0, felt.damping, felt.fracture, force_};
 }
 
 /// Damping per displacement is what the drive takes, unless something has broken and set energy free.
-void Pace::change_cruise()
+void Pace::change_cruise(const Kinetic& kinetic)
 {
+    const double steady = kinetic.all > 0.0 ? kinetic.steady / kinetic.all : 1.0;
+    const double taken =
+        (kRinging + (1.0 - kRinging) * steady) * (last_.damping - window_.damping);
     const double allowed = kDamping * error_allowed() * window_.way;
-    const double damping = last_.damping - window_.damping,
-                 fracture = last_.fracture - window_.fracture;
-    if (fracture <= error_allowed() * window_.way)
-        cruise_ *= damping > 0.0 ? std::clamp(allowed / damping, kSlower, kFaster) : kFaster;
+    if (last_.fracture - window_.fracture <= error_allowed() * window_.way)
+        cruise_ *= taken > 0.0 ? std::clamp(allowed / taken, kSlower, kFaster) : kFaster;
     const double risen = std::abs(force_ - window_.force),
                  may_rise = rise_ * kWindow * std::max(scale_, first_rise_);
-    if (rise_ > 0.0 && risen > may_rise) cruise_ *= std::max(kSlower, may_rise / risen) / kFaster;
-    const double least = std::min(fastest_, kLeastSteps * acceleration());
-    cruise_ = std::clamp(cruise_, least, fastest_);
+    if (rise_ > 0.0 && risen > may_rise)
+        cruise_ *= std::max(kSlower, may_rise / risen) / kFaster;
+    cruise_ = std::clamp(cruise_, least_, fastest_);
 }
 
 } // namespace dem

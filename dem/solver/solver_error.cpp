@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kPoints = 5; // over which a peak is read
 // What is felt at the peak is too small for what happened before it: chosen so that it holds the error in nine of ten scenes.
-constexpr double kWider = 1.5;
+constexpr double kWider = 2.0;
 
 double median(std::vector<double> all)
 {
@@ -30,15 +30,22 @@ double force_error(std::span<const CurvePoint> curve)
     const double force = curve.empty() ? 0.0 : std::abs(curve[peak].force);
     if (!(force > 0.0)) return 0.0;
     const std::size_t last = std::min(curve.size() - 1, std::max(peak, kPoints));
-    std::vector<double> taken; // [N]
+    std::vector<double> damping, all; // per displacement [N]
+    double at_peak = 0.0;             // of them, where nothing broke [N]
     for (std::size_t i = last - std::min(last, kPoints) + 1; i <= last; ++i) {
         const double way = std::abs(curve[i].displacement - curve[i - 1].displacement);
         const Energy &now = curve[i].energy, &before = curve[i - 1].energy;
-        if (way > 0.0)
-            taken.push_back((now.damping - before.damping + now.kinetic - before.kinetic) / way);
+        if (!(way > 0.0)) continue;
+        damping.push_back((now.damping - before.damping) / way);
+        all.push_back(damping.back() + (now.kinetic - before.kinetic) / way);
+        if (i == peak && now.fracture == before.fracture) at_peak = all.back();
     }
-    const double drag = taken.empty() ? 0.0 : std::abs(median(std::move(taken)));
-    return kWider * (drag + 0.5 * curve[peak].unbalance) / force;
+    if (all.empty()) return 0.0;
+    // What speeds the wall up is kinetic energy, and sets its top and its base apart as well.
+    const double apart = std::abs(curve[peak].force - curve[peak].base_shear);
+    const double taken = std::max(
+        {at_peak, std::abs(median(std::move(all))), median(std::move(damping)) + apart});
+    return kWider * taken / force;
 }
 
 } // namespace dem

@@ -39,7 +39,7 @@ struct SolverOptions {
     double steps_per_mm = 400;
     /// |top force - base shear| above which the drive slows, as a share of the error that is borne: accuracy x largest
     /// force so far [-], >= 0. With 0 the drive goes at its fastest all the way, whatever it takes.
-    double unbalance_limit = 0.5;
+    double unbalance_limit = 1.0;
     double min_speed = 0.01; ///< slowest drive of a wall out of balance, as a share of its speed in balance, in (0, 1]
     Preload preload = Preload::solved;
     long long preload_steps =

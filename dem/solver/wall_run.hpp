@@ -6,9 +6,11 @@
 #include "dem/solver/push.hpp"
 #include "dem/solver/recorder.hpp"
 #include "dem/solver/static_start.hpp"
+#include "dem/solver/steady_motion.hpp"
 #include "dem/solver/step.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace dem {
 
@@ -65,22 +67,24 @@ class WallRun {
     void reduce_step();
     void start_slowly();
     void start_again();
-    [[nodiscard]] bool misses_accuracy();
+    [[nodiscard]] bool wants_slowdown();
 
     const Task* task_;
     std::size_t number_;
     WallMaterials materials_;
-    SolverOptions options_;  ///< with the step and the accuracy of this start
-    double fall_work_;       ///< least work of weight and load on a wall that falls [J]
+    SolverOptions options_; ///< with the step and the accuracy of this start
+    double fall_work_;      ///< least work of weight and load on a wall that falls [J]
     Drive drive_;
     ElasticPush elastic_; ///< until the push begins
     Recorder recorder_;
+    SteadyMotion motion_; ///< in the push, since the last window
     PushResult result_;
-    double load_factor_ = 0.0;      ///< of the step [-]
-    double force_before_ = 0.0;     ///< of the drive, before the step [N]
-    double step_drive_ = 0.0;       ///< of the step [m]
-    double peak_ = 0.0;             ///< largest force so far, either way [N]
-    double farthest_ = 0.0;         ///< distance of the farthest turn so far [m]
+    double load_factor_ = 0.0;            ///< of the step [-]
+    double force_before_ = 0.0;           ///< of the drive, before the step [N]
+    double step_drive_ = 0.0;             ///< of the step [m]
+    std::optional<double> pushed_before_; ///< peak of the push before, twice as fast [N]
+    double peak_ = 0.0;                   ///< largest force so far, either way [N]
+    double farthest_ = 0.0;               ///< distance of the farthest turn so far [m]
     double way_ = 0.0;              ///< displacement travelled since the start of the push [m]
     double drive_work_ = 0.0;       ///< since the start of the push [J]
     double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]

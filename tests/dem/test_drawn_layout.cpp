@@ -127,6 +127,30 @@ dem::DrawnWall arch(double thickness, int voussoirs)
     return w;
 }
 
+/// Two courses of two stones that meet on sloping beds, and a corner that lies off the side under it.
+dem::DrawnWall sloping(Point off)
+{
+    const auto bed = [](double x) { return 0.10 + 0.0825 * x; };
+    const Point low{0.18, bed(0.18)}, high{0.25 + off.x, bed(0.25) + off.z};
+    dem::DrawnWall w;
+    w.base = dem::Base::joint;
+    w.thickness = 0.5;
+    w.units = {{{{0, 0}, {0.155, 0}, low, {0, bed(0)}}},
+               {{{0.155, 0}, {0.41, 0}, {0.41, bed(0.41)}, low}},
+               {{{0, bed(0)}, high, {0.237, 0.24}, {0, 0.24}}},
+               {{high, {0.41, bed(0.41)}, {0.41, 0.24}, {0.237, 0.24}}}};
+    return w;
+}
+
+scenes::Scene stiff_stones()
+{
+    scenes::Scene s = scenes::monolith(0.41, 0.24, 0.1e6, 1e10);
+    s.joint.ks = 0.4 * s.joint.kn;
+    s.joint.tan_phi = 0.7;
+    s.beam.interface = dem::BeamInterface::joint;
+    return s;
+}
+
 } // namespace
 
 TEST_CASE("drawn layout: the paper's wall drawn unit by unit has the joints and cracks of the "
@@ -321,4 +345,76 @@ TEST_CASE("drawn layout: a wall that cannot carry its weight comes down before i
     CHECK(thin.curve.size() == 1); // nothing of it is a capacity
     CHECK(thick.settled);
     CHECK(thick.outcome == dem::Outcome::reached_target);
+}
+
+TEST_CASE(
+    "drawn layout: a corner within a micrometre of the side under it leaves all blocks as "
+    "they are",
+    "[dem][drawn_layout]")
+{
+    const scenes::Scene s = stiff_stones();
+    const auto elements = [&](Point off) {
+        return model_of(dem::drawn_layout(sloping(off), s.beam.height), s).elements;
+    };
+    const std::vector<dem::BlockElement> exact = elements({});
+    for (const Point off :
+         {Point{0, 9e-7}, Point{0, -4e-7}, Point{3e-7, 3e-7}, Point{1e-6, 0}}) {
+        INFO("off by " << off.x << " " << off.z << " m");
+        const std::vector<dem::BlockElement> moved = elements(off);
+        REQUIRE(moved.size() == exact.size());
+        for (std::size_t e = 0; e < exact.size(); ++e) {
+            REQUIRE(moved[e].lambda.size() == exact[e].lambda.size());
+            CHECK((moved[e].lambda - exact[e].lambda).cwiseAbs().maxCoeff() <
+                  1e-4 * exact[e].lambda.maxCoeff());
+        }
+    }
+}
+
+TEST_CASE(
+    "drawn layout: a corner within a micrometre of the side under it does not change what "
+    "the wall carries",
+    "[dem][drawn_layout]")
+{
+    const scenes::Scene s = stiff_stones();
+    dem::Discretisation d;
+    d.contact_points = 4;
+    d.zones_per_interval = 1;
+    d.block_modes = 12;
+    const auto carried = [&](Point off) {
+        return peak(s, model_of(dem::drawn_layout(sloping(off), s.beam.height), s, d));
+    };
+    const double exact = carried({});
+    for (const Point off : {Point{0, 6e-7}, Point{0, -3e-7}})
+        CHECK(carried(off) == Approx(exact).epsilon(1e-4));
+}
+
+TEST_CASE("drawn layout: sides that bend a little at each of many corners are not one joint",
+          "[dem][drawn_layout]")
+{
+    // Each corner lies within a micrometre of the line between those beside it, the middle 0.3 mm off the whole.
+    std::vector<Point> below{{0, 0}, {0.4, 0}}, arc;
+    constexpr int kSides = 40;
+    const auto at = [](int i) {
+        const double x = 0.4 * i / kSides;
+        return Point{x, 0.1 + 0.0075 * x * (0.4 - x)};
+    };
+    for (int i = kSides; i >= 0; --i) below.push_back(at(i));
+    for (int i = 0; i <= kSides; ++i) arc.push_back(at(i));
+    std::vector<Point> above = arc;
+    above.push_back({0.4, 0.2});
+    above.push_back({0, 0.2});
+    dem::DrawnWall w;
+    w.units = {{below}, {above}};
+    scenes::Scene s = stiff_stones();
+    s.loads.height = 0.2 + s.beam.height;
+    const dem::Layout layout = dem::drawn_layout(w, s.beam.height);
+    CHECK(layout.n_joints > 3);
+    CHECK(layout.n_joints < kSides); // most of them continue each other
+    for (const dem::Face& f : layout.faces)
+        for (const Point p : arc) {
+            if (f.kind != dem::FaceKind::bed_joint || p.x < f.from.x || p.x > f.to.x) continue;
+            const double off = (p.x - f.from.x) * f.normal.x + (p.z - f.from.z) * f.normal.z;
+            CHECK(std::abs(off) <= dem::kTouching);
+        }
+    CHECK_NOTHROW(model_of(layout, s));
 }

@@ -278,6 +278,64 @@ constexpr std::array kStudies = {
         "study.ini:13: joint.wear_length: joints with mortar do not wear; remove it"},
     BadStudy{"wear in no time", "[joint]", "[joint]\nwear_length = 0 mm",
         "study.ini:12: joint.wear_length: \"0 mm\" is out of range; must be in (0, 10000] mm"},
+    BadStudy{"one stone that the base holds", "", R"([wall]
+length = 0.2 m
+courses = 1
+course_height = 0.1 m
+unit_length = 0.2 m
+thickness = 0.2 m
+base = fixed
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+friction_angle = 31.8 deg
+[unit]
+cracks = none
+[beam]
+present = no
+[load]
+pattern = body
+vertical_stress = 0 MPa
+)",
+        "study.ini:7: wall.base: fixed holds the block at (0.1, 0.05), which touches no other, so that nothing of it can move; write joint, or leave the block out"},
+    BadStudy{"a stone on its own that the base holds", "", R"([wall]
+outlines = 0 0, 1 0, 1 1, 0 1; 2 0, 3 0, 3 1, 2 1; 0 1, 1 1, 0.5 1.6
+thickness = 0.2 m
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+friction_angle = 31.8 deg
+[beam]
+present = no
+[load]
+pattern = body
+vertical_stress = 0 MPa
+)",
+        "study.ini:1: wall.base: fixed holds the block at (2.5, 0.5), which touches no other, so that nothing of it can move; write joint, or leave the block out"},
+    BadStudy{"a stone on an edge of 0.05 mm", "", R"([wall]
+outlines = 0 0, 1 0, 1 1, 0 1; 0.99995 1, 2 1, 2 2, 0.99995 2
+thickness = 0.2 m
+base = joint
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+friction_angle = 31.8 deg
+[beam]
+present = no
+[load]
+pattern = body
+vertical_stress = 0 MPa
+)",
+        "study.ini:2: wall.outlines: the block at (1.5, 1.5) lies against no other over more than 0.1 mm; draw it against its neighbours"},
     BadStudy{"a curve without points", "[load]", "[output]\nrecord_every = 31 mm\n[load]",
         "study.ini:23: output.record_every: must be at most the path of the push, 30 mm"},
     BadStudy{"a curve of too many points", "[load]", "[output]\nrecord_every = 1e-6 mm\n[load]",
