@@ -239,7 +239,7 @@ const std::map<std::string_view, std::string> kOthers = {
 /// the scenes, and need not be named where they change nothing.
 const std::set<std::string_view> kLimits = {"load.stop_below", "solver.preload_steps",
                                             "solver.preload_unbalance",
-                                            "solver.unbalance_limit"};
+                                            "solver.unbalance_limit", "solver.min_speed"};
 
 /// Another value for a key, as text.
 std::string other_value(const Key& key, const Study& study)

@@ -25,7 +25,7 @@ struct Wall {
     explicit Wall(const dem::SolverOptions& options, double stiffness = kStiffness)
         : pace(options)
     {
-        speed = pace.begin(stiffness, stiffness > 0.0 ? kMass : 0.0, kForce, 0.0);
+        speed = pace.begin({0.0, stiffness, stiffness > 0.0 ? kMass : 0.0, kForce, 0.0});
         felt.force = kForce;
     }
 
@@ -35,7 +35,12 @@ struct Wall {
         felt.way = speed;
         felt.damping += (drag + viscosity * speed) * speed;
         felt.fracture += fracture * speed;
-        pace.feel(felt, speed, 0.5 * mass * speed * speed);
+        window.way += speed;
+        ++window.steps;
+        if (!pace.ends_window()) return pace.feel(felt, {});
+        const double mean = window.way / window.steps, kinetic = 0.5 * mass * mean * mean;
+        window = {};
+        pace.feel(felt, {kinetic, kinetic});
     }
 
     void go(int steps)
@@ -50,6 +55,10 @@ struct Wall {
     double viscosity = 0.0; ///< of it, per speed [N step/m]
     double fracture = 0.0;  ///< energy per displacement [N]
     dem::Felt felt;
+    struct {
+        double way = 0.0;
+        int steps = 0;
+    } window; ///< of which the kinetic energy is the mean
 };
 
 } // namespace
