@@ -44,7 +44,7 @@ Attempt run_ours(const scenes::Scene& s, dem::Fidelity fidelity, const dem::Solv
     const dem::Model model = scenes::model_of(s, dem::discretisation_of(fidelity));
     dem::PushPlan plan;
     plan.targets = {kWay};
-    plan.energy_at_points = plan.snapshot_at_peak = false;
+    plan.snapshot_at_peak = false;
     Attempt a{"accuracy " + app::number(100.0 * o.accuracy, 4) + " %"};
     const auto lanes = static_cast<std::size_t>(dem::lanes<dem::Pack>);
     dem::push_ensemble(model,

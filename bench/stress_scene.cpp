@@ -128,7 +128,6 @@ dem::PushPlan draw_plan(Draw& d, const dem::WallGeometry& wall, double steps,
     if (d.chance(0.35)) plan.targets = {way / 4.0, -way / 4.0, way / 8.0, 0.0};
     plan.record_every = way / d.integer(10, 60);
     plan.snapshot_every = d.chance(0.1) ? way / 3.0 : 0.0;
-    plan.energy_at_points = d.chance(0.8);
     return plan;
 }
 

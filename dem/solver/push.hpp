@@ -109,8 +109,6 @@ struct PushPlan {
     double record_every = 5e-5;  ///< travelled displacement between curve points [m], > 0
     double snapshot_every = 0.0; ///< travelled displacement between snapshots [m]; 0 takes none
     SnapshotSink sink;           ///< of these snapshots; `push` calls its wall 0
-    /// Whether the energy is balanced at every curve point, or only every few hundred steps.
-    bool energy_at_points = true;
     bool snapshot_at_peak = true;
     /// A snapshot is taken where the force first comes down to this share of its peak [-], in [0, 1); 0: none.
     double drop = 0.0;

@@ -212,11 +212,8 @@ template <class Real> void WallRun::take_turn(const WallState<Real>& state, int 
 
 template <class Real> void WallRun::take_point(const WallState<Real>& state, int lane)
 {
-    Energy e;
-    if (task_->plan.energy_at_points) {
-        e = energy(state, lane);
-        result_.residual = std::max(result_.residual, std::abs(e.residual()));
-    }
+    const Energy e = energy(state, lane);
+    result_.residual = std::max(result_.residual, std::abs(e.residual()));
     CurvePoint p = recorder_.take(drive_.position(), e);
     if (task_->tables.body_forces)
         p.corner =
@@ -393,14 +390,14 @@ void WallRun::start_slowly()
 bool WallRun::wants_slowdown()
 {
     const double asked = task_->options.accuracy;
+    const int left = task_->options.most_slowdowns - result_.slowdowns;
     double error = force_error(result_.curve);
     if (pushed_before_ && peak_ > 0.0)
         error = std::min(error, kChange * std::abs(peak_ - *pushed_before_) / peak_);
     result_.solver_error = peak_ > 0.0 ? std::max(error, kLeastError * asked) : 0.0;
-    const double reach = std::pow(kSlowdown, task_->options.most_slowdowns - result_.slowdowns);
-    return result_.outcome == Outcome::reached_target && result_.solver_error > asked &&
-           result_.slowdowns < task_->options.most_slowdowns &&
-           result_.solver_error <= reach * asked;
+    return result_.outcome == Outcome::reached_target && options_.unbalance_limit > 0.0 &&
+           left > 0 && result_.solver_error > asked &&
+           result_.solver_error <= std::pow(kSlowdown, left) * asked;
 }
 
 void WallRun::start_again()

@@ -66,7 +66,7 @@ struct Unit {
         options.accuracy = 0.5;
         if (steps == Steps::small) {
             options.step_fraction = 0.1;
-            options.preload_steps = 30000;
+            options.preload_steps = 10000;
         }
         return push(plan, options);
     }

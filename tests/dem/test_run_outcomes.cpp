@@ -108,7 +108,6 @@ TEST_CASE("wall run: a ledger that does not close halves the step and the wall s
           "[dem][wall_run]")
 {
     PushPlan plan = with_snapshots();
-    plan.energy_at_points = GENERATE(true, false);
     if (GENERATE(true, false)) // decided before the first look
         plan.decided = [](std::span<const dem::CurvePoint> curve) {
             return curve.back().displacement > 2.6e-4;
@@ -275,28 +274,6 @@ TEST_CASE("wall run: what is never decided goes to its target", "[dem][wall_run]
     CHECK(small_wall::same(wall.pushed(plan, small_wall::quick()), full));
 }
 
-TEST_CASE("wall run: energies nobody asked for are zero, and the forces the same",
-          "[dem][wall_run]")
-{
-    const Weak wall;
-    PushPlan plan = with_snapshots();
-    const PushResult full = wall.pushed(plan, small_wall::quick());
-    plan.energy_at_points = false;
-    const PushResult r = wall.pushed(plan, small_wall::quick());
-    REQUIRE(r.curve.size() == full.curve.size());
-    for (std::size_t i = 0; i < r.curve.size(); ++i) {
-        CHECK(small_wall::same_forces(r.curve[i], full.curve[i]));
-        if (i > 0) CHECK(small_wall::same(r.curve[i].energy, {}));
-        CHECK(full.curve[i].energy.work > 0.0);
-    }
-    CHECK(small_wall::same(r.energy, full.curve.back().energy));
-    CHECK(small_wall::same(r.at_peak, full.at_peak));
-    CHECK(r.residual > 0.0); // still looked at, now and then
-    CHECK(r.residual <= full.residual);
-    CHECK(full.residual >= largest_residual(full));
-    CHECK(r.cost.steps == full.cost.steps);
-}
-
 TEST_CASE("wall run: snapshots nobody asked for are empty, and all else the same",
           "[dem][wall_run]")
 {
@@ -306,6 +283,7 @@ TEST_CASE("wall run: snapshots nobody asked for are empty, and all else the same
     plan.snapshot_at_peak = false;
     plan.snapshot_every = 0.0;
     PushResult r = wall.pushed(plan, small_wall::quick());
+    CHECK(full.residual >= largest_residual(full));
     CHECK(r.at_peak.blocks.empty());
     CHECK(r.at_peak.faces.empty());
     CHECK(r.snapshots.empty());
