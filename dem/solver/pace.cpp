@@ -23,8 +23,8 @@ constexpr double kUnbalanceSteps = 50.0, kForceSteps = 200.0;
 // Change of the cruising speed from one window to the next.
 constexpr double kFaster = 1.5, kSlower = 0.5;
 // The cruising speed is at least this share of the one at the start: slower, a wall that moves by itself would seem to be
-// dragged. And it is so fast that the whole way takes this share of the most steps.
-constexpr double kSlowest = 0.3, kShareOfSteps = 0.02;
+// dragged. And it is so fast that the whole way takes so many steps, over the accuracy, at most.
+constexpr double kSlowest = 0.3, kMostSteps = 4e3;
 // A wall that moves by itself may seem to be heavy; at most so many times as in its elastic motion.
 constexpr double kMostMass = 100.0;
 
@@ -41,7 +41,7 @@ double Pace::begin(const PushStart& start)
     scale_ = kFirstForce * start.most_force;
     least_mass_ = mass_ = start.mass;
     if (constant()) return fastest_;
-    least_ = start.way / (kShareOfSteps * static_cast<double>(options_.most_steps));
+    least_ = start.way * options_.accuracy / kMostSteps;
     if (!(start.stiffness > 0.0 && start.mass > 0.0 && start.most_force > 0.0)) {
         cruise_ = kUnknownStart * fastest_;
         return 0.0;

@@ -3,6 +3,7 @@
 
 #include "dem/solver/curve_point.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <deque>
@@ -37,13 +38,11 @@ class Recorder {
         now_.gap += (gap < 0.0 ? -gap : gap) * way;
     }
 
-    [[nodiscard]] bool due() const
-    {
-        return now_.way >= (fine_ > 0 ? 2.0 * every_ / kAfterTurn : every_);
-    }
+    [[nodiscard]] bool due() const { return now_.way + late_ >= interval(); }
     void begin_way() ///< to be called at a turn
     {
         fine_ = kAfterTurn;
+        late_ = 0.0;
         before_.clear();
     }
     [[nodiscard]] bool any() const { return now_.way > 0.0; }
@@ -59,6 +58,7 @@ class Recorder {
         }
         travelled_ += now_.way;
         last_ = travelled_ - 0.5 * all.way;
+        late_ = std::clamp(now_.way + late_ - interval(), 0.0, 0.5 * interval());
         before_.push_back(now_);
         if (before_.size() > static_cast<std::size_t>(kSteps)) before_.pop_front();
         now_ = {};
@@ -82,8 +82,15 @@ class Recorder {
             gap += s.gap;
         }
     };
+    [[nodiscard]] double interval() const ///< [m]
+    {
+        return fine_ > 0 ? 2.0 * every_ / kAfterTurn : every_;
+    }
+
     double every_, still_;
     int fine_ = 0; ///< points to come that are close
+    double late_ =
+        0.0; ///< way by which the last point was late: no step is as long as is left [m]
     Sums now_;
     std::deque<Sums> before_; ///< of this way
     double travelled_ = 0.0;  ///< to the last point taken [m]

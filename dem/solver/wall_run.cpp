@@ -48,7 +48,8 @@ constexpr double kChange =
 constexpr double kLeastError = 0.5;
 // Kinetic energy of a wall at rest under its vertical load, as a share of what it stores. Forces are in balance, too, in a
 // wall that comes down at a constant speed.
-constexpr double kAtRest = 1e-3; // a free choice: walls at rest have 1e-6 at most
+constexpr double kAtRest = 1e-3;   // a free choice: walls at rest have 1e-6 at most
+constexpr double kRounding = 1e-9; // of ways that are sums of steps
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
@@ -231,7 +232,7 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     if (task_->plan.drop > 0.0 && !result_.at_drop &&
         std::abs(p.force) <= task_->plan.drop * peak_)
         result_.at_drop = snapshot();
-    if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_) {
+    if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_ * (1.0 - kRounding)) {
         keep(snapshot());
         next_snapshot_ += task_->plan.snapshot_every;
     }
@@ -349,7 +350,7 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
         load(state, lane);
         return true;
     }
-    if (over && wants_slowdown()) {
+    if ((over || result_.outcome == Outcome::lost_equilibrium) && wants_slowdown()) {
         options_ = slower(options_, kSlowdown);
         pushed_before_ = peak_;
         ++result_.slowdowns;
@@ -395,8 +396,9 @@ bool WallRun::wants_slowdown()
     if (pushed_before_ && peak_ > 0.0)
         error = std::min(error, kChange * std::abs(peak_ - *pushed_before_) / peak_);
     result_.solver_error = peak_ > 0.0 ? std::max(error, kLeastError * asked) : 0.0;
-    return result_.outcome == Outcome::reached_target && options_.unbalance_limit > 0.0 &&
-           left > 0 && result_.solver_error > asked &&
+    const bool read = result_.outcome == Outcome::reached_target ||
+                      result_.outcome == Outcome::lost_equilibrium;
+    return read && options_.unbalance_limit > 0.0 && left > 0 && result_.solver_error > asked &&
            result_.solver_error <= std::pow(kSlowdown, left) * asked;
 }
 

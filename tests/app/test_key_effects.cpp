@@ -65,6 +65,7 @@ max_displacement = 2 mm
 [solver]
 fidelity = rigid
 steps_per_mm = 500
+accuracy = 50 %
 [output]
 record_every = 0.1 mm
 snapshot_every = 1 mm

@@ -59,7 +59,9 @@ TEST_CASE(
     CHECK(slow.most_steps > 1000 * asked.most_steps);
     slow.steps_per_mm = asked.steps_per_mm;
     slow.accuracy = asked.accuracy;
+    CHECK(slow.most_slowdowns == 0);
     slow.most_steps = asked.most_steps;
+    slow.most_slowdowns = asked.most_slowdowns;
     CHECK(slow == asked);
 }
 

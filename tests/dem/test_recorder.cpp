@@ -26,6 +26,19 @@ TEST_CASE("recorder: a point is due once the way since the last one is long enou
     CHECK(r.due());
 }
 
+TEST_CASE("recorder: points keep to their spacing, however the steps fall", "[dem][recorder]")
+{
+    Recorder r(1.0, 0.0);
+    int points = 0;
+    for (int step = 1; step <= 100; ++step) { // 60 intervals of 1
+        r.add(0.6, 1, 1, 1);
+        if (!r.due()) continue;
+        (void)r.take(0.6 * step, {});
+        ++points;
+    }
+    CHECK(points == 60);
+}
+
 TEST_CASE("recorder: after a turn points are closer as far as two of the usual ones reach",
           "[dem][recorder]")
 {

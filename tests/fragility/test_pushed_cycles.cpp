@@ -92,7 +92,7 @@ TEST_CASE("pushed cycles: a sliding block has the energy and damping of its clos
     const Slider s;
     const double d = 5.03e-3, f = s.strength, elastic = f / s.stiffness;
     // The first cycle begins without stress; the third ends where the drive stops.
-    const Pushed p = pushed(s.model, s.materials, {d, -d, d, -d, d, -d, 0.0}, 0.001);
+    const Pushed p = pushed(s.model, s.materials, {d, -d, d, -d, d, -d, 0.0}, 1e-5);
     REQUIRE(p.cycles.size() == 3);
     const fragility::Cycle& c = p.cycles[1];
     const double energy = 4.0 * f * (d - elastic);
