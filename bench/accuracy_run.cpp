@@ -4,9 +4,9 @@
 #include "app/study/pushed_wall.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
-#include "dem/solver/vertical_load.hpp"
 #include "dem/solver/slower.hpp"
 #include "dem/solver/thread_time.hpp"
+#include "dem/solver/vertical_load.hpp"
 
 #include <algorithm>
 #include <exception>

@@ -296,7 +296,8 @@ void check_steps(const Study& study)
         return;
     refuse(study, "solver.most_steps",
            "is less than the " + number(least, 3) + " steps that a path of " +
-               text(way.length, "m") + " needs at least; ask for fewer cycles, or allow more steps");
+               text(way.length, "m") +
+               " needs at least; ask for fewer cycles, or allow more steps");
 }
 
 /// What is kept must be more than nothing and fit into memory.

@@ -55,9 +55,8 @@ std::string page_of(const bench::TwoStudies& both)
             "\nThe solver's damping is no property of the wall. Its share of small loops "
             "shrinks with the speed; of large "
             "ones it is what cracks and jumps leave to be damped.\n\n";
-    text +=
-        "## 3. Cost\n\n" + app::as_markdown(bench::protocol_cost()) +
-        "\nThe drive brakes before turns, and starts as softly after them.\n\n";
+    text += "## 3. Cost\n\n" + app::as_markdown(bench::protocol_cost()) +
+            "\nThe drive brakes before turns, and starts as softly after them.\n\n";
     text += "## 4. The paper's walls\n\n`configs/paper.ini`, " + n +
             " walls under each stress, with the default damping (`solver.damping = combined`) "
             "because the paper's drags, "

@@ -10,6 +10,8 @@ namespace {
 
 // Shares of the accuracy. Free choices; docs/bench/accuracy.md has what they hold.
 constexpr double kInertia = 0.1, kDamping = 0.25;
+// Local damping takes most of what rings, and drags the wall less than it takes.
+constexpr double kLocalDamping = 1.5;
 // What damping takes from blocks that only ring counts so much: where joints slide, it takes in place of friction.
 constexpr double kRinging = 0.35;
 // A wall whose first force is not known yet has this share of what it can carry.
@@ -101,7 +103,8 @@ void Pace::change_cruise(const Kinetic& kinetic)
     const double steady = kinetic.all > 0.0 ? kinetic.steady / kinetic.all : 1.0;
     const double taken =
         (kRinging + (1.0 - kRinging) * steady) * (last_.damping - window_.damping);
-    const double allowed = kDamping * error_allowed() * window_.way;
+    const double share = options_.damping == Damping::local ? kLocalDamping : kDamping;
+    const double allowed = share * error_allowed() * window_.way;
     if (last_.fracture - window_.fracture <= error_allowed() * window_.way)
         cruise_ *= taken > 0.0 ? std::clamp(allowed / taken, kSlower, kFaster) : kFaster;
     const double risen = std::abs(force_ - window_.force),

@@ -2,6 +2,7 @@
 /// What a push says itself about the error that its speed makes.
 
 #include "dem/solver/curve_point.hpp"
+#include "dem/solver/solver_options.hpp"
 
 #include <span>
 
@@ -12,6 +13,6 @@ namespace dem {
 /// the unbalance at the peak. It sees forces that are too high because the drive drags or accelerates the wall; it does
 /// not see a crack that broke too early.
 /// @param curve with its energies; without them only the unbalance counts
-[[nodiscard]] double force_error(std::span<const CurvePoint> curve);
+[[nodiscard]] double force_error(std::span<const CurvePoint> curve, Damping d);
 
 } // namespace dem

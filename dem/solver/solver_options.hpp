@@ -40,7 +40,8 @@ struct SolverOptions {
     /// |top force - base shear| above which the drive slows, as a share of the error that is borne: accuracy x largest
     /// force so far [-], >= 0. With 0 the drive goes at its fastest all the way, whatever it takes.
     double unbalance_limit = 1.0;
-    double min_speed = 0.01; ///< slowest drive of a wall out of balance, as a share of its speed in balance, in (0, 1]
+    double min_speed =
+        0.01; ///< slowest drive of a wall out of balance, as a share of its speed in balance, in (0, 1]
     /// Largest number of times that a wall that misses the accuracy is pushed again, twice as slowly each time.
     int most_slowdowns = 3;
     Preload preload = Preload::solved;

@@ -297,7 +297,7 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     const double missing = top + dem::lane(state.load_x, lane) - base;
     Pace& pace = drive_.pace();
     if (pace.samples()) motion_.add(state, lane);
-    const Kinetic kinetic = pace.ends_window() ? motion_.take(state, lane) : Kinetic{};
+    const Kinetic kinetic = pace.ends_window() ? motion_.take() : Kinetic{};
     pace.feel({std::abs(step_drive_), top, std::abs(missing), dem::lane(state.damping, lane),
                dem::lane(state.fracture, lane)},
               kinetic);
@@ -392,7 +392,7 @@ bool WallRun::wants_slowdown()
 {
     const double asked = task_->options.accuracy;
     const int left = task_->options.most_slowdowns - result_.slowdowns;
-    double error = force_error(result_.curve);
+    double error = force_error(result_.curve, options_.damping);
     if (pushed_before_ && peak_ > 0.0)
         error = std::min(error, kChange * std::abs(peak_ - *pushed_before_) / peak_);
     result_.solver_error = peak_ > 0.0 ? std::max(error, kLeastError * asked) : 0.0;

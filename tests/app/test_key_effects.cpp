@@ -238,9 +238,9 @@ const std::map<std::string_view, std::string> kOthers = {
 
 /// Limits act once they are reached, which no study can tell before its push: they must change one of
 /// the scenes, and need not be named where they change nothing.
-const std::set<std::string_view> kLimits = {"load.stop_below", "solver.preload_steps",
-                                            "solver.preload_unbalance",
-                                            "solver.unbalance_limit", "solver.min_speed"};
+const std::set<std::string_view> kLimits = {"load.stop_below",          "solver.preload_steps",
+                                            "solver.preload_unbalance", "solver.steps_per_mm",
+                                            "solver.unbalance_limit",   "solver.min_speed"};
 
 /// Another value for a key, as text.
 std::string other_value(const Key& key, const Study& study)

@@ -30,10 +30,10 @@ TEST_CASE("recorder: points keep to their spacing, however the steps fall", "[de
 {
     Recorder r(1.0, 0.0);
     int points = 0;
-    for (int step = 1; step <= 100; ++step) { // 60 intervals of 1
-        r.add(0.6, 1, 1, 1);
+    for (int step = 1; step <= 96; ++step) { // 60 intervals of 1
+        r.add(0.625, 1, 1, 1);
         if (!r.due()) continue;
-        (void)r.take(0.6 * step, {});
+        (void)r.take(0.625 * step, {});
         ++points;
     }
     CHECK(points == 60);

@@ -163,8 +163,7 @@ TEST_CASE("wall run: a wall that falls has come down before its blocks strike ea
     const dem::PushResult r = dem::push(m, scenes::table5_sample(s, m, 2), to(0.9), o);
     REQUIRE(r.outcome == dem::Outcome::lost_equilibrium);
     CHECK(r.step_reductions == 0);
-    CHECK(r.energy.kinetic > r.energy.elastic);
-    CHECK(r.energy.kinetic < 0.3 * r.energy.passed()); // it has only begun to
+    CHECK(r.energy.kinetic < 0.3 * r.energy.passed()); // it has only begun to fall
 }
 
 TEST_CASE("wall run: a wall that misses the accuracy is pushed again more slowly, and says how "
