@@ -399,7 +399,7 @@ bool WallRun::wants_slowdown()
     const bool read = result_.outcome == Outcome::reached_target ||
                       result_.outcome == Outcome::lost_equilibrium;
     return read && options_.unbalance_limit > 0.0 && left > 0 && result_.solver_error > asked &&
-           result_.solver_error <= std::pow(kSlowdown, left) * asked;
+           (!pushed_before_ || result_.solver_error <= std::pow(kSlowdown, left) * asked);
 }
 
 void WallRun::start_again()
