@@ -8,11 +8,11 @@ namespace dem {
 
 namespace {
 
-// Shares of the accuracy. Free choices; docs/bench/accuracy.md has what they hold.
+// Inertia and damping may take these shares of the accuracy. Both are free choices; docs/bench/accuracy.md has what they hold.
 constexpr double kInertia = 0.1, kDamping = 0.25;
 // Local damping takes most of what rings, and drags the wall less than it takes.
 constexpr double kLocalDamping = 1.5;
-// What damping takes from blocks that only ring counts so much: where joints slide, it takes in place of friction.
+// Damping of blocks that only ring counts so much: where joints slide, it takes in place of friction.
 constexpr double kRinging = 0.35;
 // A wall whose first force is not known yet has this share of what it can carry.
 constexpr double kFirstForce = 0.02;

@@ -10,7 +10,7 @@ namespace dem {
 namespace {
 
 constexpr std::size_t kPoints = 5; // over which a peak is read
-// What is felt at the peak is too small for what happened before it: chosen so that it holds the error in nine of ten scenes.
+// The slope at the peak is too small for what happened before it. The factor is chosen so that nine of ten scenes are held.
 constexpr double kWider = 2.0;
 // Local damping takes more from what rings, and so less from the force, than combined damping does.
 constexpr double kWiderLocal = 0.5;
@@ -24,7 +24,7 @@ double median(std::vector<double> all)
 
 } // namespace
 
-double force_error(std::span<const CurvePoint> curve, Damping d)
+double force_error(std::span<const CurvePoint> curve, Damping kind)
 {
     std::size_t peak = 0;
     for (std::size_t i = 1; i < curve.size(); ++i)
@@ -43,11 +43,11 @@ double force_error(std::span<const CurvePoint> curve, Damping d)
         if (i == peak && now.fracture == before.fracture) at_peak = all.back();
     }
     if (all.empty()) return 0.0;
-    // What speeds the wall up is kinetic energy, and sets its top and its base apart as well.
+    // Energy that speeds the wall up sets its top and its base apart as well, and counts once.
     const double apart = std::abs(curve[peak].force - curve[peak].base_shear);
     const double taken =
         std::max(std::abs(median(std::move(all))), median(std::move(damping)) + apart);
-    const double wider = d == Damping::local ? kWiderLocal : kWider;
+    const double wider = kind == Damping::local ? kWiderLocal : kWider;
     return std::max(wider * taken, std::min(1.0, wider) * at_peak) / force;
 }
 
