@@ -12,8 +12,7 @@ Case reference(double stress)
     c.discretisation.face_rule = dem::FaceRule::lobatto;
     c.discretisation.zones_per_interval = 2;
     c.discretisation.block_modes = 0;
-    c.solver.steps_per_mm = 3000;
-    c.solver.unbalance_limit = 0.0005;
+    c.solver.accuracy = 0.001;
     return c;
 }
 
@@ -29,30 +28,39 @@ template <class T> Row with(T dem::SolverOptions::*field, T value, std::string l
     return {std::move(label), [=](Case& c) { c.solver.*field = value; }};
 }
 
-Sweep drive_sweep(bool adaptive)
+Sweep constant_drive_sweep()
 {
-    Sweep s;
-    s.title = adaptive ? "Drive that slows with the unbalance" : "Drive at constant speed";
-    s.text = adaptive
-                 ? "Full speed as given; slower wherever |top - base shear| exceeds 0.05 % "
-                   "of the vertical load."
-                 : "The error is made where units crack: the drive moves on while the "
-                   "wall releases energy.";
-    s.head = "steps per mm";
+    Sweep s{"Drive at constant speed",
+            "The error is made where units crack: the drive moves on while the wall releases "
+            "energy.",
+            "steps per mm",
+            {}};
     for (const double steps : {200.0, 500.0, 1000.0, 1500.0, 3000.0, 6000.0})
         s.rows.push_back({app::number(steps, 5), [=](Case& c) {
                               c.solver.steps_per_mm = steps;
-                              if (!adaptive) c.solver.unbalance_limit = 0.0;
+                              c.solver.unbalance_limit = 0.0;
                           }});
+    return s;
+}
+
+Sweep accuracy_sweep()
+{
+    Sweep s{"Drive that holds an accuracy", "", "accuracy [%]", {}};
+    for (const double percent : {10.0, 3.0, 1.0, 0.3, 0.1, 0.03})
+        s.rows.push_back(
+            with(&dem::SolverOptions::accuracy, 0.01 * percent, app::number(percent, 3)));
     return s;
 }
 
 Sweep unbalance_sweep()
 {
-    Sweep s{"Unbalance at which the drive slows", "At 700 steps per mm.", "limit [-]", {}};
-    for (const double limit : {0.03, 0.01, 0.005, 0.003, 0.002, 0.001, 0.0005})
+    Sweep s{"Unbalance at which the drive waits",
+            "As a share of the error that is borne, at an accuracy of 1 %.",
+            "limit [-]",
+            {}};
+    for (const double limit : {1.0, 0.7, 0.5, 0.3, 0.1})
         s.rows.push_back({app::number(limit, 3), [=](Case& c) {
-                              c.solver.steps_per_mm = 700;
+                              c.solver.accuracy = 0.01;
                               c.solver.unbalance_limit = limit;
                           }});
     return s;
@@ -186,8 +194,8 @@ Sweep model_sweep()
 std::vector<Sweep> convergence_sweeps()
 {
     return {default_sweep(),
-            drive_sweep(false),
-            drive_sweep(true),
+            constant_drive_sweep(),
+            accuracy_sweep(),
             unbalance_sweep(),
             points_sweep(dem::FaceRule::even),
             points_sweep(dem::FaceRule::lobatto),

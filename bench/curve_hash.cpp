@@ -75,6 +75,7 @@ std::vector<dem::PushResult> pushed(const dem::Model& model,
     plan.targets = {way};
     dem::SolverOptions o;
     o.steps_per_mm = 50;
+    o.accuracy = 0.2;
     o.law = c.law;
     o.damping = c.damping;
     o.kinematics = c.kinematics;

@@ -175,7 +175,7 @@ template <dem::Damping kDamping> void drive(const NodalOptions& o, NodalWall& n,
     const long long steps =
         std::max(1LL, std::llround(1e3 * o.max_displacement * o.steps_per_mm));
     const double speed = o.max_displacement / static_cast<double>(steps);
-    dem::Recorder recorder(o.record_every);
+    dem::Recorder recorder(o.record_every, 0.0);
     double before = top_force(n);
     r.curve.push_back({0.0, before});
     for (long long i = 1; i <= steps; ++i, ++r.cost.steps) {

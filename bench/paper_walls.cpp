@@ -157,11 +157,8 @@ std::string drive_error(int n)
     std::vector<Case> cases;
     for (const double stress : kStress) append(cases, walls(stress, n));
     std::vector<std::vector<Answer>> runs = {bench::run_all(cases)};
-    for (const double steps : {5000.0, 5500.0, 6000.0}) {
-        for (Case& c : cases) {
-            c.solver.steps_per_mm = steps;
-            c.solver.min_speed = 0.003;
-        }
+    for (const double accuracy : {0.001, 0.0009, 0.0008}) {
+        for (Case& c : cases) c.solver.accuracy = accuracy;
         runs.push_back(bench::run_all(cases));
     }
     app::Table t;
@@ -173,7 +170,7 @@ std::string drive_error(int n)
               "largest dF [%]",
               "d80 within 0.3 mm [%]",
               "the same mode [%]"};
-    const char* names[] = {"default", "5000 steps/mm", "5500 steps/mm", "6000 steps/mm"};
+    const char* names[] = {"default", "0.1 %", "0.09 %", "0.08 %"};
     for (std::size_t run = 0; run < runs.size(); ++run) {
         Errors all;
         for (std::size_t level = 0; level < kStress.size(); ++level) {
@@ -190,9 +187,8 @@ std::string drive_error(int n)
     }
     return "\n## Error of drive and step\n\nThe same walls, wall by wall, against the slow "
            "limit at "
-           "the same discretisation: the middle of three slow runs (5000, 5500 and 6000 steps "
-           "per mm, "
-           "down to 0.3 % of that speed). Three, because a wall whose drop just touches 80 %, "
+           "the same discretisation: the middle of three slow runs (accuracy 0.1, 0.09 and "
+           "0.08 %). Three, because a wall whose drop just touches 80 %, "
            "or where "
            "two units are about to crack, goes one way or the other at any speed: the last "
            "rows say how "

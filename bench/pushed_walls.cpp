@@ -19,6 +19,7 @@ PushedWalls<Real> pushed_walls(const scenes::Scene& scene, const dem::Discretisa
                                int steps)
 {
     PushedWalls<Real> w{scenes::model_of(scene, d), {}, {}, {}};
+    w.options.steps_per_mm = 1000;
     w.tables = dem::step_tables(w.model);
     w.state = dem::empty_lanes<Real>(w.model, w.tables);
     for (int i = 0; i < dem::lanes<Real>; ++i) {

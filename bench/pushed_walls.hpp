@@ -17,12 +17,12 @@ template <class Real> struct PushedWalls {
     dem::WallState<Real> state;
 };
 
-/// A register of random walls (samples of Table 5, one draw per joint), pushed at full speed.
+/// A register of random walls (samples of Table 5, one draw per joint), pushed at 1000 steps per mm.
 template <class Real>
 [[nodiscard]] PushedWalls<Real>
 pushed_walls(const scenes::Scene& scene, const dem::Discretisation& discretisation, int steps);
 
-/// Steps at full speed.
+/// Steps at that speed.
 template <class Real> void push_on(PushedWalls<Real>& walls, int steps);
 
 } // namespace bench

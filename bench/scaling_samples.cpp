@@ -40,7 +40,7 @@ app::Table sample_table()
     const dem::Model model = scenes::model_of(scene, d);
     dem::PushPlan plan;
     plan.targets = {0.5e-3};
-    plan.energy_at_points = plan.snapshot_at_peak = false;
+    plan.snapshot_at_peak = false;
     dem::SolverOptions options;
     options.steps_per_mm = 200;
     options.unbalance_limit = 0.0;

@@ -30,7 +30,7 @@ Run run(const scenes::Scene& scene, const dem::Model& model, int threads)
 {
     dem::PushPlan plan;
     plan.targets = {0.012};
-    plan.energy_at_points = plan.snapshot_at_peak = false;
+    plan.snapshot_at_peak = false;
     Run result;
     result.steps.resize(kWalls);
     const dem::Ensemble ensemble{

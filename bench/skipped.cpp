@@ -47,7 +47,7 @@ Run run(const Trial& trial)
     for (const double stress : kStress) {
         levels.emplace_back();
         levels.back().wall = scenes::paper_wall(stress);
-        levels.back().plan.energy_at_points = levels.back().plan.snapshot_at_peak = false;
+        levels.back().plan.snapshot_at_peak = false;
         trial.change(levels.back());
     }
     const Scene& first = levels.front();
@@ -98,8 +98,6 @@ std::vector<Trial> trials()
     return {
         {"damage law of cracks that neither open nor slip",
          "`SolverOptions::shortcuts = false`", [](Scene& s) { s.options.shortcuts = false; }},
-        {"energy ledger at every curve point", "`PushPlan::energy_at_points = true`",
-         [](Scene& s) { s.plan.energy_at_points = true; }},
         {"picture of the wall at each new peak", "`PushPlan::snapshot_at_peak = true`",
          [](Scene& s) { s.plan.snapshot_at_peak = true; }},
         {"waiting for the vertical load", "`solver.preload = ramped`",

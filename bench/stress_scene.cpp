@@ -1,44 +1,15 @@
 #include "bench/stress_scene.hpp"
 
+#include "bench/draw.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <sstream>
 
 namespace bench {
 
 namespace {
-
-/// std::uniform_*_distribution differs between libraries; this does not.
-class Draw {
-  public:
-    Draw(std::uint64_t seed, std::uint64_t number)
-    {
-        std::seed_seq words{seed, seed >> 32, number, number >> 32};
-        engine_.seed(words);
-    }
-    [[nodiscard]] double uniform(double low, double high)
-    {
-        return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-    }
-    [[nodiscard]] double log_uniform(double low, double high)
-    {
-        return std::exp(uniform(std::log(low), std::log(high)));
-    }
-    [[nodiscard]] int integer(int low, int high) ///< both ends included
-    {
-        return std::min(high, low + static_cast<int>(uniform(0.0, high - low + 1.0)));
-    }
-    [[nodiscard]] bool chance(double share) { return uniform(0.0, 1.0) < share; }
-    template <class T> [[nodiscard]] T one_of(std::initializer_list<T> list)
-    {
-        return list.begin()[integer(0, static_cast<int>(list.size()) - 1)];
-    }
-
-  private:
-    std::mt19937_64 engine_;
-};
 
 /// Most walls are small; a few are tall.
 int draw_courses(Draw& d)
@@ -134,7 +105,8 @@ dem::SolverOptions draw_solver(Draw& d)
     o.damping_factor = d.chance(0.1) ? 0.0 : d.uniform(0.0, 0.95);
     o.step_fraction = d.chance(0.5) ? d.uniform(0.2, 1.0) : d.uniform(1.0, 2.0);
     o.steps_per_mm = d.chance(0.2) ? d.log_uniform(5.0, 100.0) : d.log_uniform(100.0, 3000.0);
-    o.unbalance_limit = d.chance(0.2) ? 0.0 : d.log_uniform(5e-4, 0.1);
+    o.accuracy = std::clamp(10.0 / o.steps_per_mm, 0.005, 0.5); // fast drives bear much
+    o.unbalance_limit = d.chance(0.2) ? 0.0 : d.log_uniform(0.05, 1.0);
     o.min_speed = d.log_uniform(0.05, 1.0);
     o.preload = d.one_of({dem::Preload::solved, dem::Preload::ramped});
     o.preload_steps = d.integer(500, 3000);
@@ -149,13 +121,13 @@ dem::PushPlan draw_plan(Draw& d, const dem::WallGeometry& wall, double steps,
     if (d.chance(0.03)) { // much too fast
         way = 3.0 * wall.courses * wall.course_height;
         o.steps_per_mm = 1e-3 * steps / way;
+        o.unbalance_limit = 0.0;
     }
     dem::PushPlan plan;
     plan.targets = {way};
     if (d.chance(0.35)) plan.targets = {way / 4.0, -way / 4.0, way / 8.0, 0.0};
     plan.record_every = way / d.integer(10, 60);
     plan.snapshot_every = d.chance(0.1) ? way / 3.0 : 0.0;
-    plan.energy_at_points = d.chance(0.8);
     return plan;
 }
 

@@ -31,7 +31,7 @@ template <class F> void for_each_wall(const std::vector<SceneReport>& scenes, F 
         for (const WallReport& w : s.walls) f(s, w);
 }
 
-constexpr double kTooFast = 100.0; // steps per mm; default: 1000
+constexpr double kTooFast = 100.0; // steps per mm; default: 400
 
 const char* group_of(const SceneReport& s, const WallReport& w)
 {

@@ -72,7 +72,7 @@ std::vector<Answer> run_all(const std::vector<Case>& cases, const dem::Workers& 
         const dem::Model model = scenes::model_of(common.scene, common.discretisation);
         dem::PushPlan plan;
         plan.record_every = common.record_every;
-        plan.energy_at_points = plan.snapshot_at_peak = false;
+        plan.snapshot_at_peak = false;
         const dem::Ensemble ensemble{
             group.size(), [&](std::size_t k) { return case_materials(cases[group[k]], model); },
             [&](std::size_t k, dem::PushResult&& r) {

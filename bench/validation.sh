@@ -84,8 +84,8 @@ effect damping_0.5 solver.damping_factor=0.5
 effect damping_0.95 solver.damping_factor=0.95
 effect combined solver.damping=combined
 effect combined_0.95 solver.damping=combined solver.damping_factor=0.95
-effect drive_fast solver.steps_per_mm=300
-effect drive_slow solver.steps_per_mm=3000
+effect drive_fast solver.accuracy="3 %"
+effect drive_slow solver.accuracy="0.3 %"
 effect drive_constant_fast solver.steps_per_mm=300 solver.unbalance_limit=0
 effect drive_constant_slow solver.steps_per_mm=3000 solver.unbalance_limit=0
 effect modulus_768 joint.wall_modulus="566, 768, 768, 1057, 1202 MPa"

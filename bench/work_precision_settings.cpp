@@ -4,12 +4,19 @@ namespace bench {
 
 namespace {
 
-Setting setting(std::string family, dem::Fidelity fidelity, double steps_per_mm)
+Setting setting(std::string family, dem::Fidelity fidelity = dem::Fidelity::standard)
 {
     Setting s;
     s.family = std::move(family);
     s.fidelity = fidelity;
     s.discretisation = dem::discretisation_of(fidelity);
+    return s;
+}
+
+Setting at_constant_speed(std::string family, double steps_per_mm)
+{
+    Setting s = setting(std::move(family));
+    s.solver.unbalance_limit = 0.0;
     s.solver.steps_per_mm = steps_per_mm;
     return s;
 }
@@ -23,8 +30,9 @@ void add_ladder(std::vector<Setting>& all)
         {"zones", dem::Fidelity::zones},
         {"fine", dem::Fidelity::fine}};
     for (const auto& [name, fidelity] : rungs)
-        for (const double steps : {100.0, 200.0, 500.0, 1000.0, 2000.0}) {
-            all.push_back(setting(name, fidelity, steps));
+        for (const double accuracy : {0.1, 0.03, 0.01, 0.003, 0.001}) {
+            all.push_back(setting(name, fidelity));
+            all.back().solver.accuracy = accuracy;
             all.back().is_default = all.back().solver == dem::SolverOptions{} &&
                                     all.back().discretisation == dem::Discretisation{};
         }
@@ -33,11 +41,11 @@ void add_ladder(std::vector<Setting>& all)
 void add_points(std::vector<Setting>& all)
 {
     for (const int n : {3, 4, 6, 8}) {
-        all.push_back(setting("contact points", dem::Fidelity::standard, 1000));
+        all.push_back(setting("contact points"));
         all.back().discretisation.contact_points = n;
     }
     for (const int n : {3, 5, 9}) {
-        all.push_back(setting("even points", dem::Fidelity::standard, 1000));
+        all.push_back(setting("even points"));
         all.back().discretisation.contact_points = n;
         all.back().discretisation.face_rule = dem::FaceRule::even;
     }
@@ -45,33 +53,31 @@ void add_points(std::vector<Setting>& all)
 
 void add_drive(std::vector<Setting>& all)
 {
-    for (const double limit : {0.01, 0.003, 0.0003}) {
-        all.push_back(setting("unbalance limit", dem::Fidelity::standard, 1000));
+    for (const double limit : {1.0, 0.3, 0.1}) {
+        all.push_back(setting("unbalance limit"));
         all.back().solver.unbalance_limit = limit;
     }
-    for (const double steps : {200.0, 1000.0, 5000.0}) {
-        all.push_back(setting("constant speed", dem::Fidelity::standard, steps));
-        all.back().solver.unbalance_limit = 0.0;
-    }
+    for (const double steps : {200.0, 1000.0, 5000.0})
+        all.push_back(at_constant_speed("constant speed", steps));
 }
 
 void add_damping(std::vector<Setting>& all)
 {
     for (const double gamma : {0.3, 0.5, 0.7, 0.9}) {
-        all.push_back(setting("damping factor", dem::Fidelity::standard, 1000));
+        all.push_back(setting("damping factor"));
         all.back().solver.damping_factor = gamma;
     }
     for (const double steps : {1000.0, 4000.0, 16000.0}) {
-        all.push_back(setting("local damping", dem::Fidelity::standard, steps));
+        all.push_back(at_constant_speed("local damping", steps));
         all.back().solver.damping = dem::Damping::local;
-        all.back().solver.unbalance_limit = 0.0;
     }
 }
 
 void add_arithmetic(std::vector<Setting>& all)
 {
-    for (const double steps : {500.0, 1000.0}) {
-        all.push_back(setting("one wall at a time", dem::Fidelity::standard, steps));
+    for (const double accuracy : {0.03, 0.01}) {
+        all.push_back(setting("one wall at a time"));
+        all.back().solver.accuracy = accuracy;
         all.back().workers.scalar = true;
     }
 }
@@ -79,7 +85,7 @@ void add_arithmetic(std::vector<Setting>& all)
 void add_nodal(std::vector<Setting>& all)
 {
     for (const double steps : {1500.0, 6000.0, 20000.0}) {
-        all.push_back(setting("paper's scheme", dem::Fidelity::zones, steps));
+        all.push_back(setting("paper's scheme", dem::Fidelity::zones));
         all.back().nodal_steps_per_mm = steps;
     }
 }

@@ -25,6 +25,7 @@ set(DEM_PUBLIC_HEADERS
     solver/energy_parts.hpp
     solver/ensemble.hpp
     solver/push.hpp
+    solver/slower.hpp
     solver/solver_options.hpp
     solver/solver_revision.hpp
     solver/stop_rules.hpp)

@@ -10,15 +10,16 @@ const note = (text) => element('p', { class: 'note' }, text);
 
 /** The answer: a sentence, and the drifts of each stress. */
 function overview(data) {
-    const { lead, answers } = data.overview;
+    const { lead, answers, solver } = data.overview;
     const host = section('overview', 'Overview', element('p', { class: 'lead' }, lead));
     if (answers.rows.length) host.append(scrolled(answers, 'Peak force, mode and drift limits of each stress'), note(answers.note));
+    if (solver) host.append(note(solver));
 }
 
 /** What stands behind the answer. */
 function about(data) {
     const list = (title, lines) => element('div', {}, element('h3', {}, title), element('ul', {}, ...lines.map((l) => element('li', {}, l))));
-    section('about', 'The study', element('div', { class: 'pair' }, list('What was run', data.overview.run), list('How sure', data.overview.sure)), list('What came out', data.overview.found), table(data.tables.results));
+    section('about', 'The study', element('div', { class: 'pair' }, list('What was run', data.overview.run), list('How sure', data.overview.sure)), list('What came out', data.overview.found), table(data.tables.results), table(data.tables.solver_error));
 }
 
 async function curvesAndWall(data) {

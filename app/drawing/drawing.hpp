@@ -44,11 +44,13 @@ struct DrawingOptions {
 /// Whether the outlines of a file may be open: polylines of DXF and SVG.
 [[nodiscard]] bool has_polylines(const std::filesystem::path& path);
 
-/// Refuses blocks that cross themselves, overlap, hide in each other or touch nothing, as a drawing is refused.
+/// The outlines of a study, as they fit together within 2 um: where they do to 0.1 um they stay as they are. Refuses blocks
+/// that cross themselves, overlap, hide in each other or touch nothing, as a drawing is refused.
 /// @param file named in the message
 /// @param line of the file, from 1; 0: none
 /// @throws ConfigError
-void check_blocks(const std::string& file, int line, std::span<const DrawnBlock> blocks);
+[[nodiscard]] Drawing fit_blocks(const std::string& file, int line,
+                                 std::span<const DrawnBlock> blocks);
 
 /// Reads the format that the file's extension names: .dxf, .json, .svg or .png. The same file and options give the
 /// same bits. Cost: n log n in the number of corners.

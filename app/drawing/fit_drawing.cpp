@@ -3,11 +3,13 @@
 #include "app/drawing/line_faces.hpp"
 #include "app/drawing/outline_network.hpp"
 #include "app/text/number_text.hpp"
+#include "dem/scene/layout.hpp"
 #include "dem/scene/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace app {
@@ -87,6 +89,39 @@ OutlineNetwork network_of(RawDrawing raw, double snap)
     return network;
 }
 
+/// The farthest that a corner of one outline lies from the sides of another [m].
+double farthest_off(std::span<const dem::Point> corners, std::span<const dem::Point> outline)
+{
+    double farthest = 0.0;
+    for (const dem::Point p : corners) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            nearest = std::min(nearest, dem::distance_to_segment(
+                                            p, outline[i], outline[(i + 1) % outline.size()]));
+        farthest = std::max(farthest, nearest);
+    }
+    return farthest;
+}
+
+/// Whether the outlines as they fit together differ from those that were drawn.
+bool is_moved(const OutlineNetwork& drawn, const OutlineNetwork& fitted)
+{
+    for (std::size_t r = 0; r < drawn.rings.size(); ++r) {
+        const std::vector<dem::Point> a = outline_of(drawn, drawn.rings[r]),
+                                      b = outline_of(fitted, fitted.rings[r]);
+        if (farthest_off(a, b) > kLeastSnap || farthest_off(b, a) > kLeastSnap) return true;
+    }
+    return false;
+}
+
+/// Outlines stay where they were written, and the floor at z = 0.
+void shift_back(dem::Point origin, Drawing& drawing)
+{
+    if (std::abs(origin.z) < 2.0 * dem::kTouching) origin.z = 0.0;
+    for (DrawnBlock& block : drawing.blocks)
+        for (dem::Point& p : block.outline) p = {p.x + origin.x, p.z + origin.z};
+}
+
 /// The leftmost corner may have been moved: back to x = 0. The floor is where it was.
 void shift_to_origin(Drawing& drawing)
 {
@@ -117,14 +152,26 @@ Drawing fit_drawing(RawDrawing raw, double snap)
     check_size(raw, extent);
     note_unit(raw, extent);
     raw.frame.origin = {extent.x0, extent.z0};
+    Drawing drawing;
+    if (!raw.frame.snap_given)
+        for (const RawOutline& o : raw.outlines) drawing.blocks.push_back({o.corners, o.layer});
     OutlineNetwork network = network_of(std::move(raw), snap);
+    const OutlineNetwork drawn = network;
     fit_corners(network);
     check_outlines(network);
+    const bool as_written = !network.frame.snap_given && !is_moved(drawn, network);
+    if (as_written) {
+        network.notes = drawn.notes;
+    } else {
+        drawing.blocks.clear();
+        for (const Ring& ring : network.rings)
+            drawing.blocks.push_back({outline_of(network, ring), ring.layer});
+        if (network.frame.snap_given)
+            shift_to_origin(drawing);
+        else
+            shift_back(network.frame.origin, drawing);
+    }
     note_gaps(network);
-    Drawing drawing;
-    for (const Ring& ring : network.rings)
-        drawing.blocks.push_back({outline_of(network, ring), ring.layer});
-    shift_to_origin(drawing);
     drawing.notes = std::move(network.notes);
     return drawing;
 }

@@ -36,7 +36,8 @@ void note_gaps(OutlineNetwork& network)
         counted(n, "corner lies", "corners lie") + " near a side of another block, up to " +
         millimetres(widest) + " away, and " + (n == 1 ? "does" : "do") +
         " not touch it, such as the one at " + coordinates(network.frame, first) +
-        "; a larger wall.snap would close these gaps.");
+        (network.frame.snap_given ? "; a larger wall.snap would close these gaps."
+                                  : "; joints need corners on the side."));
 }
 
 } // namespace app

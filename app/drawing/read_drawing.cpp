@@ -59,13 +59,13 @@ bool has_polylines(const std::filesystem::path& path)
     return extension == ".dxf" || extension == ".svg";
 }
 
-void check_blocks(const std::string& file, int line, std::span<const DrawnBlock> blocks)
+Drawing fit_blocks(const std::string& file, int line, std::span<const DrawnBlock> blocks)
 {
     RawDrawing raw;
     raw.frame.file = file;
     raw.frame.snap_given = false;
     for (const DrawnBlock& b : blocks) raw.outlines.push_back({b.outline, b.layer, line});
-    static_cast<void>(fit_drawing(std::move(raw), 2.0 * dem::kTouching));
+    return fit_drawing(std::move(raw), 2.0 * dem::kTouching);
 }
 
 Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& options)

@@ -11,6 +11,7 @@
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
 #include "app/fragility/measured_drifts.hpp"
+#include "app/fragility/solver_error_table.hpp"
 #include "app/input/key_reading.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/study_checks.hpp"
@@ -259,6 +260,7 @@ FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
                                       {"equal_modes", equal_modes_table(walls)},
                                       {"mode_thresholds", threshold_table(walls)},
                                       {"mean_curves", mean_curve_table(walls)},
+                                      {"solver_error", solver_error_table(walls)},
                                       {"walls", wall_table(walls, all_walls(walls))}};
     if (!walls.inputs.empty()) tables.push_back({"inputs", input_table(walls)});
     if (!walls.pushed_one_way) tables.push_back({"cycles", cycle_table(walls)});

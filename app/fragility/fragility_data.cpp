@@ -3,10 +3,12 @@
 #include "app/output/cells.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/pier_remark.hpp"
+#include "app/study/solver_error.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 
@@ -17,6 +19,37 @@ std::vector<fragility::Observation> limits_of(const DriftGroup& group, std::size
     for (const DriftWall& w : group.walls)
         if ((mode < 0 || w.mode == mode) && w.limits[state]) limits.push_back(*w.limits[state]);
     return limits;
+}
+
+namespace {
+
+bool is_inaccurate(const DriftWall& w, std::size_t state)
+{
+    return w.solver_error > 0.0 && w.limits[state] && !w.limits[state]->capped;
+}
+
+} // namespace
+
+std::vector<fragility::Observation> limits_at(const DriftGroup& group, std::size_t state,
+                                              ErrorEnd end)
+{
+    std::vector<fragility::Observation> limits;
+    for (const DriftWall& w : group.walls) {
+        if (!w.limits[state]) continue;
+        limits.push_back(*w.limits[state]);
+        if (!is_inaccurate(w, state)) continue;
+        const double factor =
+            end == ErrorEnd::most ? 1.0 + w.solver_error : std::max(0.0, 1.0 - w.solver_error);
+        limits.back().lower *= factor;
+        if (std::isfinite(limits.back().upper)) limits.back().upper *= factor;
+    }
+    return limits;
+}
+
+std::size_t inaccurate_walls(const DriftGroup& group, std::size_t state)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(
+        group.walls, [state](const DriftWall& w) { return is_inaccurate(w, state); }));
 }
 
 bool only_limits(const std::vector<fragility::Observation>& limits)
@@ -105,6 +138,8 @@ DriftData drift_data(const StudyWalls& walls)
         for (const StudyWall& w : level.walls) {
             const auto mode = std::ranges::find(modes, mode_of(w));
             DriftWall wall{static_cast<int>(mode - modes.begin()), {}};
+            if (misses_accuracy(w.solver_error, walls.study))
+                wall.solver_error = w.solver_error;
             for (const auto& limit : w.reading.limits)
                 wall.limits.push_back(fragility::observation(limit, 100.0 / walls.height));
             group.walls.push_back(std::move(wall));

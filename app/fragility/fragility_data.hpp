@@ -24,6 +24,8 @@ struct DriftWall {
     int mode = -1; ///< index in DriftData::modes; -1: no modes
     /// One per limit state [unit of the data]; nothing: not defined on this curve.
     std::vector<std::optional<fragility::Observation>> limits;
+    /// Of a wall that misses the accuracy of its study: the error by the speed of the solver's drive [-]; else 0.
+    double solver_error = 0.0;
 };
 
 /// A law fitted to limit drifts and its tests.
@@ -66,6 +68,15 @@ struct DriftData {
 /// Observations of one limit state: of all walls of a group, or of one mode.
 [[nodiscard]] std::vector<fragility::Observation> limits_of(const DriftGroup& group,
                                                             std::size_t state, int mode = -1);
+
+enum class ErrorEnd { least, most };
+/// The same where the drift of every wall that misses the accuracy lies at this end of its error; a drift limit that is set
+/// has no error. Quantiles of the drifts lie between those of both ends.
+[[nodiscard]] std::vector<fragility::Observation> limits_at(const DriftGroup& group,
+                                                            std::size_t state, ErrorEnd end);
+
+/// Walls of `limits_of` that limits_at moves.
+[[nodiscard]] std::size_t inaccurate_walls(const DriftGroup& group, std::size_t state);
 
 /// Where a drift limit of a code or of the user comes first: "1.00 % (limit of the code, 20 of 20 walls)", "0.500 % of
 /// 10, 1.00 % of 40 walls (limit of the code)", with "; 3 of 53 fell before" where walls did. Empty where it never does.

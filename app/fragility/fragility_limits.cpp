@@ -3,11 +3,13 @@
 #include "app/fragility/drift_fits.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/words.hpp"
 #include "fragility/observed_quantile.hpp"
 #include "fragility/performance_limits.hpp"
 #include "fragility/stress_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -64,12 +66,72 @@ template <class Add> void add_rows(const DriftData& data, Add add, Table& t)
             if (!names_of(data, s).empty()) add(data, g, s, t);
 }
 
-/// Shares observed in place of a law. A drift limit is a plain number: it has no interval.
-void add_observed(const DriftData& data, const std::vector<Observation>& observations, Row& row)
+constexpr std::array kErrorEnds = {ErrorEnd::least, ErrorEnd::most};
+
+void widen(fragility::Interval& interval, double lower, double upper)
 {
-    const auto quantiles = fragility::observed_quantiles(observations, fragility::kLimitShares,
-                                                         data.options.confidence);
-    const std::vector<fragility::Cap> caps = fragility::caps(observations);
+    interval.lower = std::min(interval.lower, lower);
+    interval.upper = std::max(interval.upper, upper);
+}
+
+/// The limits by a law, in intervals that hold wherever the drifts of walls that miss the accuracy lie within their error.
+fragility::PerformanceLimits limits_by_law(const DriftData& data, const DriftGroup& group,
+                                           std::size_t state)
+{
+    const auto by_law = [&](const std::vector<Observation>& observations) {
+        return fragility::performance_limits(data.options.law, observations,
+                                             data.options.confidence);
+    };
+    fragility::PerformanceLimits limits = by_law(limits_of(group, state));
+    if (inaccurate_walls(group, state) == 0) return limits;
+    for (const ErrorEnd end : kErrorEnds) {
+        const fragility::PerformanceLimits other = by_law(limits_at(group, state, end));
+        if (end == ErrorEnd::least) limits.bound = other.bound;
+        for (std::size_t i = 0; i < limits.drifts.size() && limits.fitted; ++i)
+            widen(limits.drifts[i].interval,
+                  other.fitted ? other.drifts[i].interval.lower : 0.0,
+                  other.fitted ? other.drifts[i].interval.upper : fragility::kInfinity);
+        if (limits.fitted)
+            widen(limits.dispersion_interval,
+                  other.fitted ? other.dispersion_interval.lower : 0.0,
+                  other.fitted ? other.dispersion_interval.upper : fragility::kInfinity);
+    }
+    return limits;
+}
+
+/// The limits as observed, in such intervals.
+std::vector<fragility::ObservedQuantile>
+observed_limits(const DriftData& data, const DriftGroup& group, std::size_t state)
+{
+    const auto observed = [&](const std::vector<Observation>& observations) {
+        return fragility::observed_quantiles(observations, fragility::kLimitShares,
+                                             data.options.confidence);
+    };
+    auto limits = observed(limits_of(group, state));
+    if (inaccurate_walls(group, state) == 0) return limits;
+    for (const ErrorEnd end : kErrorEnds) {
+        const auto other = observed(limits_at(group, state, end));
+        for (std::size_t i = 0; i < limits.size(); ++i)
+            widen(limits[i].interval, other[i].interval.lower, other[i].interval.upper);
+    }
+    return limits;
+}
+
+/// " 2 of 50 walls miss the accuracy asked of the solver: the brackets hold whatever their drifts are within their error."
+std::string inaccurate_text(const DriftGroup& group, std::size_t state)
+{
+    const std::size_t n = inaccurate_walls(group, state);
+    if (n == 0) return {};
+    return counted(n, "wall misses", "walls miss") +
+           " the accuracy asked of the solver: brackets hold wherever the drifts of such "
+           "walls lie within their error.";
+}
+
+/// Shares observed in place of a law. A drift limit is a plain number: it has no interval.
+void add_observed(const DriftData& data, const DriftGroup& group, std::size_t state, Row& row)
+{
+    const auto quantiles = observed_limits(data, group, state);
+    const std::vector<fragility::Cap> caps = fragility::caps(limits_of(group, state));
     for (const auto& q : quantiles) {
         const int d = decimals_for(q.value.value_or(q.interval.lower));
         if (q.value && std::ranges::count(caps, *q.value, &fragility::Cap::value) > 0)
@@ -88,8 +150,11 @@ void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& 
 {
     const DriftGroup& group = data.groups[g];
     const auto observations = limits_of(group, state);
-    const auto limits =
-        fragility::performance_limits(data.options.law, observations, data.options.confidence);
+    const fragility::PerformanceLimits limits = limits_by_law(data, group, state);
+    const auto add = [&](const Row& cells, std::string note) {
+        const std::string more = inaccurate_text(group, state);
+        add_row(t, cells, note + (note.empty() || more.empty() ? "" : " ") + more);
+    };
     const JudgedFit law = judged_fit(data, g, state);
     const double end = known_to(observations);
     const bool any = limits.n > 0.0;
@@ -102,26 +167,27 @@ void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& 
     if (const std::string limit = limit_text(data, g, state); !limit.empty()) {
         const bool alone = only_limits(observations);
         row.back() = alone ? "limit" : "observed";
-        add_observed(data, observations, row);
-        return add_row(
-            t, row,
+        add_observed(data, group, state, row);
+        return add(
+            row,
             limit + (alone ? "." : ": the drifts are those observed (Kaplan-Meier), no law."));
     }
     if (!limits.fitted) {
         const int d = decimals_for(limits.bound.median_above);
-        return add_row(t, joined(row, {{}, {}, median_bound(limits.bound, d)}),
-                       without_fit(limits, group));
+        return add(joined(row, {{}, {}, median_bound(limits.bound, d)}),
+                   without_fit(limits, group));
     }
     if (!describes(law)) {
-        add_observed(data, observations, row);
-        return add_row(t, row, rejected_text(law));
+        add_observed(data, group, state, row);
+        return add(row, rejected_text(law));
     }
     const int d = decimals_for(limits.drifts[2].drift);
     for (const fragility::DriftLimit& at : limits.drifts)
         row.emplace_back(with_interval(at.drift, at.interval, d, end));
-    add_row(t, joined(row, {with_interval(limits.dispersion, limits.dispersion_interval, 2),
-                            plain_number(limits.median_error, 3),
-                            plain_number(limits.predictive_dispersion, 2)}));
+    add(joined(row, {with_interval(limits.dispersion, limits.dispersion_interval, 2),
+                     plain_number(limits.median_error, 3),
+                     plain_number(limits.predictive_dispersion, 2)}),
+        {});
 }
 
 void add_tests(const DriftData& data, std::size_t g, std::size_t state, Table& t)

@@ -17,11 +17,12 @@ void add_wall(const StudyWalls& study, const StudyWall& w, Table& t)
         row.emplace_back(limit_cell(d, 1e3, 2));
     const dem::ModeThresholds& thresholds = study.study.fragility.mode;
     row = joined(
-        row, w.failed ? Row(4)
+        row, w.failed ? Row(5)
                       : Row{std::string(name(code_mode(w.mechanism, r.dropped, thresholds))),
                             count(w.mechanism.cracked_units),
                             plain_number(w.mechanism.rotation_share, 2),
-                            plain_number(w.mechanism.sliding_share, 2)});
+                            plain_number(w.mechanism.sliding_share, 2),
+                            plain_number(100.0 * w.solver_error, 2)});
     for (const double x : w.inputs) row.emplace_back(plain_number(x, decimals_for(x) + 2));
     add_row(t, row,
             w.failed ? "Failed: " + w.reason + "."
@@ -49,7 +50,8 @@ Table wall_table(const StudyWalls& study, const WallList& walls)
     for (const StateName& s : study.states)
         t.head.emplace_back(state_name(s) + " [mm]", kCensored | kProgramsOnly);
     t.head.emplace_back("mode of codes", kProgramsOnly);
-    for (const char* const head : {"cracked units", "rotation share", "sliding share"})
+    for (const char* const head :
+         {"cracked units", "rotation share", "sliding share", "solver error [%]"})
         t.head.emplace_back(head);
     for (const StoredInput& input : study.inputs)
         t.head.emplace_back((input.count > 1 ? "mean " : "") + input.key + " [" + input.unit +

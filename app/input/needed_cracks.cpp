@@ -14,9 +14,9 @@
 namespace app {
 namespace {
 
-constexpr double kUnbreakable = 1e12;  // [Pa]
-constexpr double kCoarseSteps = 300.0; // per mm
-constexpr double kLooks = 40.0;        // at the wall, on the way of the push
+constexpr double kUnbreakable = 1e12; // [Pa]
+constexpr double kCoarse = 0.5;       // accuracy that is enough
+constexpr double kLooks = 40.0;       // at the wall, on the way of the push
 
 /// Parallel vertical cracks add to the stiffness, so that these are kept; in place of many pieces there are four.
 dem::CrackPattern coarse(const dem::CrackPattern& p)
@@ -30,7 +30,7 @@ Study coarse_study(const Study& study)
     Study s = study;
     s.wall.cracks.pattern = coarse(study.wall.cracks.pattern);
     s.wall.cracks.where.clear();
-    s.solver.steps_per_mm = std::min(s.solver.steps_per_mm, kCoarseSteps);
+    s.solver.accuracy = std::max(s.solver.accuracy, kCoarse);
     return s;
 }
 

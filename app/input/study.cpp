@@ -183,9 +183,11 @@ dem::Model model_of(const Study& study)
 {
     const Parameters& p = study.parameters;
     const double h = study.wall.course_height;
-    return dem::discretise(layout_of(study), p.stone, study.beam, loads(study, 0),
-                           {joint_material(p, h, 0), crack_material(p, h, 0)},
-                           study.discretisation);
+    return read_at(study.source, geometry_key(study), [&] {
+        return dem::discretise(layout_of(study), p.stone, study.beam, loads(study, 0),
+                               {joint_material(p, h, 0), crack_material(p, h, 0)},
+                               study.discretisation);
+    });
 }
 
 namespace {

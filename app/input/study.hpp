@@ -138,8 +138,9 @@ struct UqInput {
     int stop = kNoStop;            ///< kNoStop, kStopAtMixedShare or a row of kWallResponses
     double stop_half_width = 0.05; ///< of the 95 % interval [-], > 0
     int most_samples = 1000;       ///< upper limit of the stopping rule
-    std::string pearson;           ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
-    std::string drawn;             ///< one wall alone (app/study/drawn_wall.hpp); empty: all
+    int audit = 0;       ///< walls of each stress that are pushed again more slowly, >= 0
+    std::string pearson; ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
+    std::string drawn;   ///< one wall alone (app/study/drawn_wall.hpp); empty: all
 };
 
 using uq::ReliabilityMethod;
@@ -170,7 +171,7 @@ struct ProgramInput {
     bool above = false;             ///< the event is to reach the demand, else to fall to it
 };
 
-/// How walls are read, by every verb. Moves no wall, but that a finite push makes haste below ultimate_share.
+/// How walls are read, by every verb. Moves no wall.
 struct FragilityInput {
     std::string limit_states = "paper, ntc"; ///< sets: paper, ntc, ec8, user
     std::string user_states;                 ///< "slight: 0.7 yield; severe: drop 0.5; ..."

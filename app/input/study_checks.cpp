@@ -289,15 +289,15 @@ void check_top_load(const Study& study)
 /// A protocol that no wall can finish.
 void check_steps(const Study& study)
 {
-    constexpr double kFastest = 3.0; // on known ground, in full speeds
     const PushWay way = push_way(study);
-    const double least = 1e3 * way.length * study.solver.steps_per_mm / kFastest;
+    const double least = 1e3 * way.length * study.solver.steps_per_mm;
     if (way.turns == 0 || study.load.stop_below > 0.0 ||
         least <= static_cast<double>(study.solver.most_steps))
         return;
     refuse(study, "solver.most_steps",
            "is less than the " + number(least, 3) + " steps that a path of " +
-               text(way.length, "m") + " needs; ask for fewer cycles, or allow more steps");
+               text(way.length, "m") +
+               " needs at least; ask for fewer cycles, or allow more steps");
 }
 
 /// What is kept must be more than nothing and fit into memory.

@@ -53,6 +53,7 @@ constexpr std::array kUnits = {
     Unit{"N", "a force", 1, 1},
     Unit{"kN", "a force", 1e3, 1},
     Unit{"m/s2", "an acceleration", 1, 1},
+    Unit{"%", "a percentage", 1, 1e2},
     Unit{"s", "a time", 1, 1},
     Unit{"min", "a time", 60, 1},
     Unit{"", "a number without unit", 1, 1},

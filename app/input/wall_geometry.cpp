@@ -113,14 +113,17 @@ void read_file(Study& study)
                                                  : layers_text(drawing)));
 }
 
-/// Outlines of the study itself are checked as those of a drawing are.
-void check_outlines(const Study& study)
+/// Outlines of the study itself are fitted and checked as those of a drawing are.
+void fit_outlines(Study& study)
 {
     const Entry* entry = find_entry(study.source, "wall.outlines");
     std::vector<DrawnBlock> blocks;
     for (const dem::DrawnUnit& unit : study.geometry.units)
         blocks.push_back({unit.outline, ""});
-    check_blocks(study.source.path, entry->line, blocks);
+    Drawing drawing = fit_blocks(study.source.path, entry->line, blocks);
+    for (std::size_t b = 0; b < drawing.blocks.size(); ++b)
+        study.geometry.units[b].outline = std::move(drawing.blocks[b].outline);
+    study.geometry.notes = std::move(drawing.notes);
 }
 
 std::string outline_text(const dem::DrawnUnit& unit)
@@ -145,6 +148,33 @@ dem::DrawnWall drawn_wall(const Study& study)
     return wall;
 }
 
+/// A block without joints has nothing to move by.
+void require_joints(const Study& study, const dem::Layout& layout)
+{
+    std::vector<char> has(layout.blocks.size());
+    for (const dem::Face& f : layout.faces)
+        for (const int block : {f.a, f.b})
+            if (block != dem::kGround) has[static_cast<std::size_t>(block)] = 1;
+    const auto alone = std::ranges::find(has, 0);
+    if (alone == has.end()) return;
+    const auto b = static_cast<std::size_t>(alone - has.begin());
+    const dem::Block& block = layout.blocks[b];
+    const dem::Point at = dem::centre_of(block);
+    const std::string name =
+        static_cast<int>(b) == layout.beam
+            ? "the beam"
+            : "the block at (" + number(at.x, 4) + ", " + number(at.z, 4) + ")";
+    if (block.motion != dem::Motion::free)
+        throw error_at(study.source, "wall.base",
+                       "fixed holds " + name +
+                           ", which touches no other, so that nothing of it can move; write "
+                           "joint, or leave the block out");
+    throw error_at(study.source, geometry_key(study),
+                   name + " lies against no other over more than " +
+                       number(1e3 * dem::kShortestFace, 3) +
+                       " mm; draw it against its neighbours");
+}
+
 double beam_height(const Study& study) { return study.beam.present ? study.beam.height : 0.0; }
 
 } // namespace
@@ -152,6 +182,12 @@ double beam_height(const Study& study) { return study.beam.present ? study.beam.
 bool is_drawn(const Study& study)
 {
     return !study.geometry.units.empty() && !study.geometry.rubble;
+}
+
+std::string_view geometry_key(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    return !g.file.empty() ? "wall.geometry" : !g.outlines.empty() ? "wall.outlines" : "wall";
 }
 
 bool in_courses(const Study& study)
@@ -163,9 +199,11 @@ bool in_courses(const Study& study)
 void read_geometry(Study& study)
 {
     GeometryInput& g = study.geometry;
-    const std::string_view key = g.file.empty() ? "wall.outlines" : "wall.geometry";
+    const std::string_view key = geometry_key(study);
     if (g.file.empty() && g.outlines.empty()) {
         read_built_wall(study);
+        if (study.wall.base == dem::Base::fixed && !study.beam.present)
+            read_at(study.source, key, [&] { require_joints(study, layout_of(study)); });
         return;
     }
     if (!g.file.empty() && !g.outlines.empty())
@@ -175,7 +213,7 @@ void read_geometry(Study& study)
     read_at(study.source, key, [&] {
         if (g.file.empty()) {
             g.units = parse_outlines(g);
-            check_outlines(study);
+            fit_outlines(study);
         } else {
             read_file(study);
         }
@@ -184,6 +222,7 @@ void read_geometry(Study& study)
         std::ranges::copy(notes_of_ends(study), std::back_inserter(g.notes));
         check_pieces_of_units(study);
         const dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam_height(study));
+        require_joints(study, layout);
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;
         study.cracks.cut_nothing = layout.n_cracks == 0;

@@ -21,6 +21,9 @@ void read_geometry(Study& study);
 /// Whether its keys say so; it need not be read any further.
 [[nodiscard]] bool in_courses(const Study& study);
 
+/// The key that draws the wall; "wall" of one that its other keys build.
+[[nodiscard]] std::string_view geometry_key(const Study& study);
+
 [[nodiscard]] double wall_length(const Study& study); ///< [m]
 [[nodiscard]] double wall_height(const Study& study); ///< above the floor, without the beam [m]
 

@@ -4,6 +4,7 @@
 #include "app/study/limit_choices.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pier_remark.hpp"
+#include "app/study/solver_error.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/rigid_wall.hpp"
 #include "dem/scene/snapshot_reading.hpp"
@@ -24,8 +25,8 @@ void add_beyond(const char* what, double peak, double limit, std::vector<std::st
     const std::string by =
         limit > 0.0 ? fixed(100.0 * (peak / limit - 1.0), 1) + " % above" : "above";
     remarks.push_back("the peak force is " + by + " the limit of " + what +
-                      ": the push was too fast (raise solver.steps_per_mm), or the limit does "
-                      "not hold for this wall");
+                      ": the push was too fast (write a smaller solver.accuracy), or the limit "
+                      "does not hold for this wall");
 }
 
 void add(std::string remark, std::vector<std::string>& remarks)
@@ -54,6 +55,15 @@ void add_unsettled(const PushedWall& w, std::vector<std::string>& remarks)
     remarks.emplace_back(
         "the wall had not come to rest under its vertical load when the push began: it may be "
         "coming down, or write a larger solver.preload_steps");
+}
+
+/// Such a wall stands only if nobody hurries.
+void add_slow_start(const PushedWall& w, std::vector<std::string>& remarks)
+{
+    if (w.result.slow_starts > 0 && w.result.settled)
+        remarks.emplace_back(
+            "the wall seemed to come down when its vertical load was put on as always, and "
+            "came to rest when that took ten times the steps: it may be near its limit");
 }
 
 /// A beam that slides on the wall is the limit of the test, not of the wall.
@@ -88,15 +98,25 @@ void add_toe_stress(const Study& study, const HandChecks& h, std::vector<std::st
                       " MPa), and its joints do not crush; write joint.compressive_strength");
 }
 
-/// A wall that stood under its load and was lost at once: small elastic energies of stiff joints are mistaken for a fall.
+/// A wall that stood under its load and was lost before its curve had a second point.
 void add_lost(const PushedWall& w, std::vector<std::string>& remarks)
 {
     if (w.result.settled && came_down_at_once(w))
         remarks.emplace_back("the wall stood under its vertical load and was lost as soon as "
                              "it was pushed: it fell, or "
                              "the push is too fast for joints as stiff as these; write a "
-                             "larger solver.steps_per_mm, "
+                             "smaller solver.accuracy, "
                              "or solver.fidelity = simple");
+}
+
+/// The drive was faster than the accuracy allows.
+void add_inaccurate(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
+{
+    if (misses_accuracy(solver_error(w), study))
+        remarks.push_back("the peak force may be wrong by " + error_text(solver_error(w)) +
+                          " because of the speed of the push, more than the " +
+                          error_text(study.solver.accuracy) +
+                          " asked for (solver.accuracy); a smaller one slows it");
 }
 
 /// A wall of stiff joints may have its peak, and lose it, between two recorded points.
@@ -190,12 +210,14 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     add(no_limit_remark(study, w.reading), h.remarks);
     add(other_way_remark(study, layout, w), h.remarks);
     add(pier_remark(study), h.remarks);
+    add_inaccurate(study, w, h.remarks);
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);
     add_sliding_beam(study, w, h.remarks);
     add_toe_stress(study, h, h.remarks);
     add_lost(w, h.remarks);
     add_unsettled(w, h.remarks);
+    add_slow_start(w, h.remarks);
     return h;
 }
 

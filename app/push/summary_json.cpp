@@ -151,10 +151,13 @@ std::string summary_json(const Study& study, const PushedWall& w)
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, w));
     j["energy_residual"] = or_null(energy_residual(w));
+    j["solver_error_percent"] = or_null(100.0 * solver_error(w));
     j["energy"] = energy(w.result.energy);
     j["settled_before_push"] = w.result.settled;
     j["step_fraction"] = w.result.step_fraction;
     j["step_reductions"] = w.result.step_reductions;
+    j["slow_starts"] = w.result.slow_starts;
+    j["slowdowns"] = w.result.slowdowns;
     j["steps"] = w.result.cost.steps;
     j["contact_updates"] = w.result.cost.contact_updates;
     j["solver_seconds"] = w.result.cost.seconds;

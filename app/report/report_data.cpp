@@ -7,10 +7,12 @@
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
+#include "app/fragility/solver_error_table.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/program_version.hpp"
 #include "app/report/report_parts.hpp"
+#include "app/study/solver_error.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
@@ -109,6 +111,7 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
         {"means_by_mode", mean_table(study)},
         {"performance_limits", performance_table(data)},
         {"law_parameters", law_table(data)},
+        {"solver_error", solver_error_table(study)},
         {"modes", mode_table(study)},
         {"equal_modes", equal_modes_table(study)},
         {"mode_thresholds", threshold_table(study)},
@@ -134,6 +137,7 @@ Json overview_json(const StudyWalls& study, const DriftData& data)
     const Overview o = overview(study);
     return {{"lead", o.lead},
             {"answers", answers_json(study, data)},
+            {"solver", solver_error_text(study)},
             {"run", o.run},
             {"found", o.found},
             {"sure", o.sure}};

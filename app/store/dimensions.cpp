@@ -82,7 +82,7 @@ void put_dimensions(const hdf5::File& file, const StoreHead& head, std::uint64_t
     d.add("/text", 1);
     for (const char* name : {"/configuration", "/identity"}) d.give(name, {"/text"});
     d.give("/design_sizes", {"/design_growth"});
-    for (const char* name : {"/levels/vertical_stress", "/levels/samples"})
+    for (const char* name : {"/levels/vertical_stress", "/levels/samples", "/levels/slower"})
         d.give(name, {"/stress_level"});
     for (const char* name :
          {"program_version", "machine", "build", "settings", "started", "solver_revision"})

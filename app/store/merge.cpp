@@ -63,7 +63,8 @@ std::string plan_text(const StoreHead& head)
     for (const std::uint32_t size : head.design_sizes) text += " " + std::to_string(size);
     for (const StoreLevel& level : head.levels)
         text += "\nlevel of " + std::to_string(level.vertical_stress) + " Pa, " +
-                std::to_string(level.samples) + (level.samples == 1 ? " sample" : " samples");
+                std::to_string(level.samples) + (level.samples == 1 ? " sample" : " samples") +
+                (level.slower > 1 ? ", pushed again more slowly" : "");
     return text + (head.single_precision_curves ? "\nsingle precision yes\n"
                                                 : "\nsingle precision no\n");
 }

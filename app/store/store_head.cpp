@@ -85,17 +85,42 @@ void check_levels(const std::string& file, const StoreHead& stored, const StoreH
 {
     for (std::size_t k = 0; k < stored.levels.size(); ++k) {
         const StoreLevel& before = stored.levels[k];
+        const std::uint32_t audited = k < wanted.levels.size() ? wanted.levels[k].samples : 0;
+        if (before.slower > 1 && audited < before.samples)
+            refuse(file, "has " + std::to_string(before.samples) +
+                             " walls of each stress pushed again more slowly, only " +
+                             std::to_string(audited) + " are wanted (uq.audit)");
         if (k >= wanted.levels.size())
             refuse(file, "has " + std::to_string(stored.levels.size()) +
                              " levels of vertical stress, but " +
                              std::to_string(wanted.levels.size()) + " are wanted");
         if (!(wanted.levels[k].vertical_stress == before.vertical_stress))
             refuse(file, "level " + std::to_string(k) + " has another vertical stress");
+        if (wanted.levels[k].slower != before.slower)
+            refuse(file, "has level " + std::to_string(k) + " pushed " +
+                             std::to_string(before.slower) + " times slower, not " +
+                             std::to_string(wanted.levels[k].slower));
         if (wanted.levels[k].samples < before.samples)
             refuse(file, "has " + std::to_string(before.samples) + " samples at level " +
                              std::to_string(k) + ", only " +
                              std::to_string(wanted.levels[k].samples) + " are wanted");
     }
+}
+
+/// The levels of an audit are those of the study, with walls that it has.
+void check_audit(const StoreHead& head)
+{
+    const std::size_t own = own_levels(head), all = head.levels.size();
+    require(own == all || all == 2 * own, "an audit must have all levels of the study");
+    for (std::size_t k = own; k < all; ++k) {
+        const StoreLevel &level = head.levels[k], &of = head.levels[k - own];
+        require(level.slower > 1 && level.vertical_stress == of.vertical_stress &&
+                    level.samples <= of.samples,
+                "level " + std::to_string(k) + " must be an audit of walls of level " +
+                    std::to_string(k - own));
+    }
+    require(std::ranges::all_of(head.levels, [](const auto& l) { return l.slower >= 1; }),
+            "levels must be pushed once or more times slower");
 }
 
 void check_sessions(const StoreHead& head)
@@ -120,6 +145,21 @@ void check_sound(const WallRow& row, const std::vector<double>& values, const ch
 
 } // namespace
 
+std::uint32_t own_levels(const StoreHead& head)
+{
+    const auto audit = std::ranges::find_if(
+        head.levels, [](const StoreLevel& level) { return level.slower > 1; });
+    return static_cast<std::uint32_t>(audit - head.levels.begin());
+}
+
+bool is_audit(const StoreHead& head, WallKey key) { return key.level >= own_levels(head); }
+
+WallKey own_key(const StoreHead& head, WallKey key)
+{
+    if (is_audit(head, key)) key.level -= own_levels(head);
+    return key;
+}
+
 std::uint64_t walls_wanted(const StoreHead& head)
 {
     std::uint64_t walls = 0;
@@ -139,6 +179,7 @@ void check_head(const StoreHead& head)
     for (const StoreLevel& level : head.levels)
         require(std::isfinite(level.vertical_stress), "vertical stress must be finite");
     require(head.levels.size() <= 1'000'000, "levels must be at most 1000000");
+    check_audit(head);
     require(walls_wanted(head) <= kMostWalls, "has " + std::to_string(walls_wanted(head)) +
                                                   " walls; at most " +
                                                   std::to_string(kMostWalls) + " are possible");

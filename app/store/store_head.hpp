@@ -31,6 +31,8 @@ struct Column {
 struct StoreLevel {
     double vertical_stress = 0.0; ///< [Pa], finite
     std::uint32_t samples = 0;    ///< wanted: walls (level, 0 .. samples - 1)
+    /// 1; more: a level of an audit, whose walls are pushed again so many times slower.
+    std::uint32_t slower = 1;
     friend bool operator==(const StoreLevel&, const StoreLevel&) = default;
 };
 
@@ -61,6 +63,14 @@ struct StoreHead {
     std::vector<StoreSession> sessions;   ///< oldest first
     friend bool operator==(const StoreHead&, const StoreHead&) = default;
 };
+
+/// Number of the study's own levels. A study with an audit has as many again after them, in the same order: wall
+/// (own_levels + k, i) is wall (k, i) pushed again more slowly.
+[[nodiscard]] std::uint32_t own_levels(const StoreHead& head);
+/// Whether a wall belongs to the audit.
+[[nodiscard]] bool is_audit(const StoreHead& head, WallKey key);
+/// The wall of the study that a wall is, or is pushed again for.
+[[nodiscard]] WallKey own_key(const StoreHead& head, WallKey key);
 
 /// Throws std::invalid_argument naming the field and what is allowed.
 void check_head(const StoreHead& head);

@@ -37,8 +37,10 @@ class StoreReader {
     [[nodiscard]] const std::filesystem::path& file_of(std::size_t i) const;
     /// The wall of this key, if it is there.
     [[nodiscard]] std::optional<WallRow> row(WallKey key);
-    /// All walls in the order of their keys, one in memory at a time.
+    /// All walls of the study in the order of their keys, one in memory at a time; those of its audit are left out.
     void for_each_row(const std::function<void(const WallRow&)>& visit);
+    /// The same of its audit.
+    void for_each_audit_row(const std::function<void(const WallRow&)>& visit);
     /// All of them, to be written; must not outlive this.
     [[nodiscard]] RowSource walls();
 
@@ -49,6 +51,7 @@ class StoreReader {
         std::uint32_t file = 0, row = 0;
     };
     explicit StoreReader(std::vector<WallFile> files);
+    void visit_rows(bool audit, const std::function<void(const WallRow&)>& visit);
     static std::vector<WallFile> files_of(std::vector<StoreReader> several);
 
     std::vector<WallFile> files_;

@@ -42,6 +42,7 @@ constexpr std::pair<const char*, std::string StoreSession::*> kSession[] = {
     {"/sessions/build", &StoreSession::build},
     {"/sessions/settings", &StoreSession::settings},
     {"/sessions/started", &StoreSession::started}};
+constexpr const char* kLevelSlower = "/levels/slower"; // not before revision 3 of the solver
 constexpr const char* kSessionRevision = "/sessions/solver_revision"; // not before 0.2.0
 
 constexpr std::pair<const char*, std::string Column::*> kInput[] = {
@@ -65,12 +66,17 @@ std::vector<T> structs(const hdf5::File& file, const Fields& fields)
     return list;
 }
 
+/// Whether a file has what earlier versions did not write.
+bool is_stored(const hdf5::File& file, const char* name)
+{
+    return file.checked(H5Lexists(file.id.get(), name, H5P_DEFAULT),
+                        std::string("find ") + name + " in") > 0;
+}
+
 std::vector<StoreSession> sessions(const hdf5::File& file)
 {
     auto list = structs<StoreSession>(file, kSession);
-    if (file.checked(H5Lexists(file.id.get(), kSessionRevision, H5P_DEFAULT),
-                     "find the revision of the solver in") == 0)
-        return list;
+    if (!is_stored(file, kSessionRevision)) return list;
     const std::vector<std::string> revisions =
         hdf5::texts_of(file, kSessionRevision, kMostTextBytes);
     if (revisions.size() != list.size())
@@ -129,15 +135,17 @@ void put_head(const hdf5::File& file, const StoreHead& head)
     hdf5::put_texts(file, "/configuration", {head.configuration});
     hdf5::put_texts(file, "/identity", {head.identity});
     std::vector<double> stress;
-    std::vector<std::uint32_t> samples;
+    std::vector<std::uint32_t> samples, slower;
     for (const StoreLevel& level : head.levels) {
         stress.push_back(level.vertical_stress);
         samples.push_back(level.samples);
+        slower.push_back(level.slower);
     }
     put_numbers(file, "/levels/vertical_stress", stress);
     for (const char* name : {"unit", "units"}) // the second is what netCDF programs look for
         put_attribute(file, "/levels/vertical_stress", name, "Pa");
     put_numbers(file, "/levels/samples", samples);
+    put_numbers(file, kLevelSlower, slower);
     put_numbers(file, "/design_sizes", head.design_sizes);
     for (const auto& [name, member] : kSession)
         hdf5::put_texts(file, name, texts(head.sessions, member));
@@ -180,10 +188,13 @@ StoreHead stored_head(const hdf5::File& file)
     head.identity = only_text(file, "/identity");
     const auto stress = numbers<double>(file, "/levels/vertical_stress");
     const auto samples = numbers<std::uint32_t>(file, "/levels/samples");
-    if (stress.size() != samples.size())
+    const auto slower = is_stored(file, kLevelSlower)
+                            ? numbers<std::uint32_t>(file, kLevelSlower)
+                            : std::vector<std::uint32_t>(stress.size(), 1);
+    if (stress.size() != samples.size() || stress.size() != slower.size())
         damaged(file.path, "there is not a number of samples for each level");
     for (std::size_t i = 0; i < stress.size(); ++i)
-        head.levels.push_back({stress[i], samples[i]});
+        head.levels.push_back({stress[i], samples[i], slower[i]});
     head.design_sizes = numbers<std::uint32_t>(file, "/design_sizes");
     head.seed = hdf5::number_attribute(file, "/", "seed");
     const auto small = [&](const char* name) {

@@ -78,6 +78,12 @@ double energy_residual(const PushedWall& w)
                : w.result.residual;
 }
 
+double solver_error(const PushedWall& w)
+{
+    return dem::failed(w.result.outcome) ? std::numeric_limits<double>::quiet_NaN()
+                                         : w.result.solver_error;
+}
+
 bool came_down_at_once(const PushedWall& w)
 {
     return w.result.outcome == dem::Outcome::lost_equilibrium && w.displacement.size() < 2;

@@ -36,6 +36,9 @@ struct PushedWall {
 /// of the run broke.
 [[nodiscard]] double energy_residual(const PushedWall& wall);
 
+/// Estimated error of the peak force by the speed of the drive [-], >= 0; NaN where the run gave no result.
+[[nodiscard]] double solver_error(const PushedWall& wall);
+
 /// Whether a wall was lost under its vertical load, or before its curve had a second point: it has no mode.
 [[nodiscard]] bool came_down_at_once(const PushedWall& wall);
 

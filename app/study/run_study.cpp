@@ -20,26 +20,26 @@
 namespace app {
 namespace {
 
-/// @param last set to how far it came
-/// @return whether it ran to the end
-bool run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan, Store& store,
+/// Pushes the walls of the study itself, or those of its audit, that the store does not have.
+/// @param last what to push, and set to how far it came
+void run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan, Store& store,
                  RunProgress& last)
 {
+    const Deal deal = deal_of(study);
     const std::vector<WallKey> walls =
-        pending_walls(store, run.shard, run.rerun_failed, deal_of(study));
-    const std::size_t before =
-        walls_of(store.head(), run.shard, deal_of(study)).size() - walls.size();
+        pending_walls(store, run.shard, run.rerun_failed, deal, last.audit);
+    const std::size_t all = walls_of(store.head(), run.shard, deal, last.audit).size();
+    if (last.audit && all == 0) return;
+    last.all = walls.size();
+    last.before = all - walls.size();
     const auto seen = [&](const RunProgress& p) {
         last = p;
         if (run.seen) run.seen(p);
     };
-    try {
-        seen({.all = walls.size(), .before = before});
-        run_walls(study, plan, walls, run.threads, store, seen, run.frames, before);
-    } catch (const Interrupted&) {
-        return false;
-    }
-    return true;
+    const RunProgress start = last;
+    seen(start);
+    run_walls(last.audit ? audit_study(study) : study, plan, walls, run.threads, store, seen,
+              last.audit ? FrameTaker() : run.frames, start);
 }
 
 /// A shard that was begun when walls were divided otherwise would continue with walls that another shard has.
@@ -70,8 +70,14 @@ void work_on(const Study& study, const StudyRun& run, const std::vector<std::uin
     head.shards = static_cast<std::uint32_t>(run.shard.count);
     head.sessions = {this_session(run.threads)};
     Store store(run.file, head);
-    RunProgress last;
-    end.whole = run_pending(study, run, plan, store, last);
+    RunProgress last, audit{.audit = true};
+    try {
+        run_pending(study, run, plan, store, last);
+        run_pending(study, run, plan, store, audit);
+        end.whole = true;
+    } catch (const Interrupted&) {
+        end.whole = false;
+    }
     if (end.now == 0) end.before = last.before; // of the first round
     end.now += last.done;
     store.compact();

@@ -20,7 +20,7 @@ struct StudyRun {
     int threads = 1; ///< >= 1
     bool rerun_failed = false;
     /// Told before the first wall of a round and after each wall, one at a time, from any thread. A study with a stopping rule
-    /// may have several rounds. It may throw Interrupted, which ends the run as a signal does.
+    /// may have several rounds; an audit is a round of its own. It may throw Interrupted, which ends the run as a signal does.
     std::function<void(const RunProgress&)> seen;
     FrameTaker frames; ///< of the walls that this run pushes
 };

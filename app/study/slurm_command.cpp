@@ -95,12 +95,20 @@ std::size_t wall_count(const Study& study)
     return study.load.vertical_stress.size() * samples_of(study);
 }
 
+/// Walls that would take as long as all pushes of the study and of its audit.
+double effort(const Study& study)
+{
+    const std::uint32_t audit = std::min<std::uint32_t>(samples_of(study), study.uq.audit);
+    return static_cast<double>(wall_count(study)) +
+           static_cast<double>(study.load.vertical_stress.size()) * audit * kAuditSlower;
+}
+
 /// Shards so that one takes about half an hour, at least one wall in each.
-/// @param seconds of one core for a wall
+/// @param seconds of one core for all of them
 int shard_count(std::size_t walls, double seconds, int threads)
 {
     const double n = static_cast<double>(walls);
-    const double wanted = std::ceil(n * seconds / (kShardSeconds * threads));
+    const double wanted = std::ceil(seconds / (kShardSeconds * threads));
     return static_cast<int>(std::clamp(wanted, 1.0, std::min(kMostShards, std::max(1.0, n))));
 }
 
@@ -161,10 +169,10 @@ int write_slurm_script(const Study& study, const Command& command)
         std::cerr << note;
     const double seconds = seconds_per_wall(study);
     const std::size_t walls = wall_count(study);
-    const int shards = command.shard.count > 1 ? command.shard.count
-                                               : shard_count(walls, seconds, command.threads);
-    const double minutes =
-        static_cast<double>(walls) * seconds / 60.0 / shards / command.threads;
+    const int shards = command.shard.count > 1
+                           ? command.shard.count
+                           : shard_count(walls, effort(study) * seconds, command.threads);
+    const double minutes = effort(study) * seconds / 60.0 / shards / command.threads;
     const fs::path file = command.script;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, slurm_script(command, shards, minutes));

@@ -63,6 +63,7 @@ constexpr std::array kResponses = {
     Response{"crushed_area", "m2", "of contacts that have lost all their compressive strength", [](const PushedWall& w) { return w.mechanism.crushed_area; }},
     Response{"energy_residual", "-", "largest share of the work that the ledger misses, anywhere",
         energy_residual},
+    Response{"solver_error", "-", "estimated error of the peak force by the speed of the drive", solver_error},
     Response{"step_fraction", "-", "step used, of the proven stable one",
         [](const PushedWall& w) { return w.result.step_fraction; }},
 };

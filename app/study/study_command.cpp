@@ -33,11 +33,12 @@ fs::path shard_file(const fs::path& out, Shard shard)
     return file;
 }
 
-/// "16 of 120 walls"; of a study that goes on "120 of 120 walls (104 before, 16 now)"
+/// "16 of 120 walls"; of a study that goes on "120 of 120 walls (104 before, 16 now)"; of an audit "4 of 8 walls of the audit"
 std::string progress_text(const RunProgress& p, double seconds)
 {
     std::string text = std::to_string(p.before + p.done) + " of " +
-                       std::to_string(p.before + p.all) + " walls";
+                       std::to_string(p.before + p.all) + " walls" +
+                       (p.audit ? " of the audit" : "");
     if (p.before > 0)
         text +=
             " (" + std::to_string(p.before) + " before, " + std::to_string(p.done) + " now)";

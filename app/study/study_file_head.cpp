@@ -8,6 +8,8 @@
 #include "app/text/config_error.hpp"
 #include "dem/solver/solver_revision.hpp"
 
+#include <algorithm>
+
 namespace app {
 
 std::uint32_t samples_of(const Study& study)
@@ -52,6 +54,9 @@ StoreHead head_of(const Study& study, const SamplePlan& plan, std::vector<std::u
     head.identity = identity_text(study);
     for (const double stress : study.load.vertical_stress)
         head.levels.push_back({stress, sizes.back()});
+    const auto audit = std::min<std::uint32_t>(sizes.back(), study.uq.audit);
+    for (const double stress : study.load.vertical_stress)
+        if (audit > 0) head.levels.push_back({stress, audit, kAuditSlower});
     head.design_sizes = std::move(sizes);
     head.seed = study.uq.seed;
     head.inputs = input_columns(plan);

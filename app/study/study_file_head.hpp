@@ -11,6 +11,9 @@
 
 namespace app {
 
+/// How many times slower an audit pushes. The error of a wall is about 4/3 of the difference where it falls with the speed.
+constexpr std::uint32_t kAuditSlower = 4; // choice
+
 /// Walls per stress level: 1 where nothing is random.
 [[nodiscard]] std::uint32_t samples_of(const Study& study);
 

@@ -16,11 +16,9 @@ namespace app {
 namespace {
 
 /// Of no consequence for a wall.
-constexpr std::array<std::string_view, 6> kFree = {"uq.samples",
-                                                   "uq.stop",
-                                                   "uq.stop_half_width",
-                                                   "uq.most_samples",
-                                                   "output.snapshot_every",
+constexpr std::array<std::string_view, 7> kFree = {"uq.samples",      "uq.audit",
+                                                   "uq.stop",         "uq.stop_half_width",
+                                                   "uq.most_samples", "output.snapshot_every",
                                                    "output.paraview"};
 
 /// The text with numbers as short as they can be and without blanks beside commas, semicolons and brackets.

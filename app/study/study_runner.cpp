@@ -4,6 +4,8 @@
 #include "app/output/progress.hpp"
 #include "app/study/push_layouts.hpp"
 #include "app/study/study_columns.hpp"
+#include "app/study/study_file_head.hpp"
+#include "dem/solver/slower.hpp"
 
 #include <utility>
 
@@ -40,9 +42,10 @@ Deal deal_of(const Study& study) { return has_layouts(study) ? Deal::samples : D
 
 namespace {
 
-/// @param levels of the study
-bool is_of(Shard shard, WallKey key, std::size_t levels, Deal deal)
+bool is_of(Shard shard, const StoreHead& head, WallKey key, Deal deal)
 {
+    const std::size_t levels = own_levels(head);
+    key = own_key(head, key);
     const auto count = static_cast<std::size_t>(shard.count);
     // Levels begin at shards far apart: where the samples are not a multiple of the shards, those
     // that are left over are spread.
@@ -52,15 +55,15 @@ bool is_of(Shard shard, WallKey key, std::size_t levels, Deal deal)
 
 } // namespace
 
-std::vector<WallKey> walls_of(const StoreHead& head, Shard shard, Deal deal)
+std::vector<WallKey> walls_of(const StoreHead& head, Shard shard, Deal deal, bool audit)
 {
-    std::uint32_t most = 0;
-    for (const StoreLevel& level : head.levels) most = std::max(most, level.samples);
+    const std::uint32_t own = own_levels(head), first = audit ? own : 0;
+    const auto end = audit ? static_cast<std::uint32_t>(head.levels.size()) : own;
     std::vector<WallKey> walls;
-    for (std::uint32_t sample = 0; sample < most; ++sample)
-        for (std::uint32_t level = 0; level < head.levels.size(); ++level)
+    for (std::uint32_t sample = 0; sample < most_samples(head.levels); ++sample)
+        for (std::uint32_t level = first; level < end; ++level)
             if (sample < head.levels[level].samples &&
-                is_of(shard, {level, sample}, head.levels.size(), deal))
+                is_of(shard, head, {level, sample}, deal))
                 walls.push_back({level, sample});
     return walls;
 }
@@ -71,34 +74,39 @@ std::vector<WallKey> foreign_walls(const StoreHead& head, const std::vector<Wall
     const Shard shard{static_cast<int>(head.shard), static_cast<int>(head.shards)};
     std::vector<WallKey> foreign;
     for (const WallStatus& wall : there)
-        if (!is_of(shard, wall.key, head.levels.size(), deal)) foreign.push_back(wall.key);
+        if (!is_of(shard, head, wall.key, deal)) foreign.push_back(wall.key);
     return foreign;
 }
 
 std::vector<WallKey> pending_walls(const Store& store, Shard shard, bool rerun_failed,
-                                   Deal deal)
+                                   Deal deal, bool audit)
 {
     std::vector<WallKey> pending;
-    for (const WallKey key : walls_of(store.head(), shard, deal)) {
+    for (const WallKey key : walls_of(store.head(), shard, deal, audit)) {
         const auto status = store.status(key);
         if (!status || (rerun_failed && *status != kWallOk)) pending.push_back(key);
     }
     return pending;
 }
 
+Study audit_study(Study study)
+{
+    study.solver = dem::slower(study.solver, kAuditSlower);
+    return study;
+}
+
 RunProgress run_walls(const Study& study, const SamplePlan& plan,
                       const std::vector<WallKey>& walls, int threads, Store& store,
                       const std::function<void(const RunProgress&)>& seen,
-                      const FrameTaker& frames, std::size_t before)
+                      const FrameTaker& frames, RunProgress start)
 {
-    RunProgress so_far;
+    RunProgress so_far = start;
     so_far.all = walls.size();
-    so_far.before = before;
     RowBuffer rows(store);
     PushList list;
     list.size = walls.size();
     list.wall = [&](std::size_t i) -> WantedWall {
-        const int level = static_cast<int>(walls[i].level);
+        const int level = static_cast<int>(own_key(store.head(), walls[i]).level);
         return {level, draw(plan, level, static_cast<int>(walls[i].sample))};
     };
     list.done = [&](std::size_t i, const WallDraw& drawn, PushedWall&& wall) {

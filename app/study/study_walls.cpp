@@ -13,14 +13,15 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace app {
 namespace {
 
-/// Columns of the facts that a reading needs, looked up once. Files of 0.1.0 have not all.
+/// Columns of the facts that a reading needs, looked up once. Files of earlier versions have not all.
 struct Columns {
     std::size_t rotation, sliding, cracked, outcome;
-    std::optional<std::size_t> spalled, crushed_area, turning, settled;
+    std::optional<std::size_t> spalled, crushed_area, turning, settled, solver_error;
 };
 
 /// Place of the first whose `member` is this name.
@@ -48,7 +49,8 @@ Columns columns_of(const std::filesystem::path& file, const StoreHead& head)
             place_of(head.counts, "spalled_units", &Column::name),
             place_of(head.responses, "crushed_area", &Column::name),
             place_of(head.responses, "turning_share", &Column::name),
-            place_of(head.counts, "settled", &Column::name)};
+            place_of(head.counts, "settled", &Column::name),
+            place_of(head.responses, "solver_error", &Column::name)};
 }
 
 StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
@@ -64,6 +66,7 @@ StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row,
         w.reading = not_read(all.rules, "the wall failed");
         return w;
     }
+    if (c.solver_error) w.solver_error = row.responses[*c.solver_error];
     w.mechanism.rotation_share = row.responses[c.rotation];
     w.mechanism.sliding_share = row.responses[c.sliding];
     if (c.turning) w.mechanism.turning_share = row.responses[*c.turning];
@@ -139,9 +142,9 @@ StudyWalls study_of(const std::filesystem::path& file, const StoreHead& head,
     walls.height = walls.rules.height;
     walls.pushed_one_way = walls.rules.direction != 0;
     walls.step = push_way(walls.study).farthest / static_cast<double>(kCurveSteps);
-    walls.shared = walls.study.uq.shared && head.levels.size() > 1;
-    for (const StoreLevel& level : head.levels)
-        walls.levels.push_back({level.vertical_stress, {}, {}, 0});
+    walls.shared = walls.study.uq.shared && own_levels(head) > 1;
+    for (std::uint32_t l = 0; l < own_levels(head); ++l)
+        walls.levels.push_back({head.levels[l].vertical_stress, {}, {}, 0});
     return walls;
 }
 
@@ -157,8 +160,15 @@ StudyWalls read_study_walls(const std::filesystem::path& file,
     reader.for_each_row([&](const WallRow& row) {
         add_wall(walls.levels.at(row.key.level), wall_of(walls, c, file, row, keep));
     });
-    for (const WallKey key : missing_walls(reader.head(), reader.statuses()))
-        ++walls.levels.at(key.level).missing;
+    reader.for_each_audit_row([&](const WallRow& row) {
+        StudyWall wall = wall_of(walls, c, file, row, Keep::readings);
+        wall.key = own_key(walls.head, row.key);
+        walls.levels.at(wall.key.level).audit.push_back(std::move(wall));
+    });
+    for (const WallKey key : missing_walls(walls.head, reader.statuses())) {
+        StudyLevel& level = walls.levels.at(own_key(walls.head, key).level);
+        ++(is_audit(walls.head, key) ? level.audit_missing : level.missing);
+    }
     return walls;
 }
 

@@ -11,6 +11,7 @@
 #include "fragility/cyclic_curve.hpp"
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -26,12 +27,16 @@ constexpr int kAllModes = 3;                   ///< walls of any mode
 [[nodiscard]] const char* mode_name(int mode); ///< "rocking", "sliding", "mixed", "all"
 constexpr std::size_t kCurveSteps = 120;       ///< of the grid of displacements for mean curves
 
+constexpr double kUnknownError = std::numeric_limits<double>::quiet_NaN();
+
 struct StudyWall {
     WallKey key;
     bool failed = false; ///< it gave no result: only key, reason and inputs mean anything
     std::string reason;  ///< why it failed
     WallReading reading;
     dem::Mechanism mechanism;
+    double solver_error =
+        kUnknownError; ///< of the peak force [-], >= 0; NaN: failed, or a file without it
     std::vector<double>
         inputs; ///< shown values; of several per joint, their mean (Keep::means)
     std::vector<double>
@@ -53,6 +58,9 @@ struct StudyLevel {
     std::vector<StudyWall> walls; ///< that gave a result
     std::vector<StudyWall> failed_walls;
     std::size_t missing = 0; ///< walls of the study that are not in the file
+    /// Walls of the level pushed again more slowly (uq.audit), by sample, failed ones too.
+    std::vector<StudyWall> audit{};
+    std::size_t audit_missing = 0;
 };
 
 struct StudyWalls {

@@ -10,7 +10,6 @@ dem::PushPlan bare_plan(const Study& study)
     dem::PushPlan plan = push_plan(study);
     plan.snapshot_every = 0.0;
     plan.snapshot_at_peak = false;
-    plan.energy_at_points = false;
     return plan;
 }
 

@@ -55,10 +55,8 @@ std::string page_of(const bench::TwoStudies& both)
             "\nThe solver's damping is no property of the wall. Its share of small loops "
             "shrinks with the speed; of large "
             "ones it is what cracks and jumps leave to be damped.\n\n";
-    text +=
-        "## 3. Cost\n\n" + app::as_markdown(bench::protocol_cost()) +
-        "\nWhere a wall has been before, and not near a turn, the drive goes up to three "
-        "times as fast; it brakes before turns, and goes slowly on ways of less than 6 mm.\n\n";
+    text += "## 3. Cost\n\n" + app::as_markdown(bench::protocol_cost()) +
+            "\nThe drive brakes before turns, and starts as softly after them.\n\n";
     text += "## 4. The paper's walls\n\n`configs/paper.ini`, " + n +
             " walls under each stress, with the default damping (`solver.damping = combined`) "
             "because the paper's drags, "

@@ -117,18 +117,18 @@ app::Table rocking_loops()
     app::Table t;
     t.caption =
         "The block of 1 m x 1 m with a free toe, second cycle of 10 mm, in percent of 4 F d: "
-        "contact points on its faces, speed of the drive (steps/mm), modes of the block.";
-    t.head = {"points",     "steps per mm",       "modes",
+        "contact points on its faces, accuracy of the drive, modes of the block.";
+    t.head = {"points",     "accuracy [%]",       "modes",
               "energy [%]", "of it friction [%]", "solver [%]"};
     struct Case {
         int points, modes;
-        double speed;
+        double accuracy; // [%]
     };
     const dem::Discretisation usual;
     for (const Case& c :
-         {Case{usual.contact_points, usual.block_modes, 1000}, Case{9, usual.block_modes, 1000},
-          Case{17, usual.block_modes, 1000}, Case{33, usual.block_modes, 1000},
-          Case{33, 3, 1000}, Case{usual.contact_points, usual.block_modes, 4000}}) {
+         {Case{usual.contact_points, usual.block_modes, 1}, Case{9, usual.block_modes, 1},
+          Case{17, usual.block_modes, 1}, Case{33, usual.block_modes, 1}, Case{33, 3, 1},
+          Case{usual.contact_points, usual.block_modes, 0.25}}) {
         scenes::Scene s = scenes::monolith(1.0, 1.0, 0.5e6, 8.08e9);
         s.wall.toe = dem::Toe::free;
         dem::Discretisation d;
@@ -136,11 +136,11 @@ app::Table rocking_loops()
         d.block_modes = c.modes;
         const dem::Model m = scenes::model_of(s, d);
         dem::SolverOptions o;
-        o.steps_per_mm = c.speed;
+        o.accuracy = 0.01 * c.accuracy;
         const Loops l = loops_of(m, scenes::uniform(s, m), there_and_back({10, 10}), o);
         const double whole = 4.0 * l.cycles.at(1).force_plus * 10e-3;
         t.rows.push_back(
-            {app::count(c.points), app::count(c.speed), app::count(c.modes),
+            {app::count(c.points), app::given(c.accuracy), app::count(c.modes),
              app::plain_number(100.0 * l.cycles.at(1).energy / whole, 2),
              app::plain_number(100.0 * l.lost(1, &dem::Energy::friction) / whole, 2),
              app::plain_number(100.0 * l.lost(1, &dem::Energy::damping) / whole, 4)});
@@ -204,9 +204,9 @@ app::Table loops_over_speed()
     app::Table t;
     t.caption = "The paper's wall with mean values at 0.50 MPa: energy of each cycle [J], and "
                 "the share of it that the "
-                "solver's damping takes [%], for speeds of the drive (solver.steps_per_mm; "
-                "1000 is the default).";
-    t.head = {"steps per mm", "steps"};
+                "solver's damping takes [%], for accuracies of the drive (solver.accuracy; "
+                "1 % is the default).";
+    t.head = {"accuracy [%]", "steps"};
     const std::vector<double> amplitudes = {1, 3, 6, 10, 15};
     for (const double a : amplitudes) {
         const std::string mm = app::cell_text(app::count(a)) + " mm";
@@ -215,11 +215,11 @@ app::Table loops_over_speed()
     }
     const scenes::Scene s = scenes::paper_wall(0.50);
     const dem::Model m = scenes::model_of(s);
-    for (const double speed : {250.0, 500.0, 1000.0, 2000.0, 4000.0}) {
+    for (const double percent : {4.0, 2.0, 1.0, 0.5, 0.25}) {
         dem::SolverOptions o;
-        o.steps_per_mm = speed;
+        o.accuracy = 0.01 * percent;
         const Loops l = loops_of(m, scenes::uniform(s, m), there_and_back(amplitudes), o);
-        app::Row row = {app::count(speed),
+        app::Row row = {app::given(percent),
                         app::count(static_cast<double>(l.result.cost.steps))};
         for (std::size_t c = 0; c < amplitudes.size(); ++c) {
             row.emplace_back(app::plain_number(l.cycles.at(c).energy, 2));

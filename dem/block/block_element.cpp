@@ -3,7 +3,9 @@
 #include "dem/block/block_modes.hpp"
 #include "dem/block/condensation.hpp"
 #include "dem/block/sparse_modes.hpp"
+#include "dem/scene/touching.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -133,10 +135,10 @@ BlockElement block_element(const BlockSpec& spec)
 
 int find_point(const BlockElement& element, Point at)
 {
-    for (std::size_t p = 0; p < element.points.size(); ++p)
-        if (same_place(element.points[p], at)) return static_cast<int>(p);
-    assert(false && "contact point not on the block's boundary");
-    return -1;
+    const auto away = [at](Point p) { return std::hypot(p.x - at.x, p.z - at.z); };
+    const auto nearest = std::ranges::min_element(element.points, {}, away);
+    assert(nearest != element.points.end() && away(*nearest) < 2.0 * kSamePlace);
+    return static_cast<int>(nearest - element.points.begin());
 }
 
 } // namespace dem

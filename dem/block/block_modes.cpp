@@ -36,12 +36,14 @@ MatrixXd columns(std::initializer_list<VectorXd> list)
 }
 
 /// Appends the candidates to `basis`, made C-orthonormal to it, until it has `wanted` columns. Candidates
-/// that the basis nearly spans are left out.
+/// that the basis nearly spans are left out, and those that move no contact point.
 void extend_basis(const MatrixXd& c, const MatrixXd& candidates, Index wanted, MatrixXd& basis)
 {
     for (Index k = 0; k < candidates.cols() && basis.cols() < wanted; ++k) {
         VectorXd v = candidates.col(k);
-        v /= std::sqrt(v.dot(c * v));
+        const double whole = v.dot(c * v);
+        if (!(whole > 0.0)) continue; // of a shear, where all contacts are at the bottom
+        v /= std::sqrt(whole);
         for (int twice = 0; twice < 2; ++twice)
             if (basis.cols() > 0) v -= basis * (basis.transpose() * (c * v));
         const double left = v.dot(c * v);

@@ -1,20 +1,28 @@
 #include "dem/block/condensation.hpp"
 
+#include "dem/scene/touching.hpp"
+
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace dem {
 
 namespace {
 
-constexpr double kSamePlace = 1e-7; // [m]
+constexpr double kRounding = 1e-7; // [m] of the coordinates of a level or vertical edge
 
 bool same(double a, double b) { return std::abs(a - b) < kSamePlace; }
 
-bool is_vertical(const BlockEdge& e) { return same(e.from.x, e.to.x); }
+/// Of an edge of a rectangle.
+bool is_vertical(const BlockEdge& e)
+{
+    return std::abs(e.to.x - e.from.x) < std::abs(e.to.z - e.from.z);
+}
 
 Point along(const BlockEdge& e, double s)
 {
@@ -113,24 +121,39 @@ void trace_edge(const BlockSpec& spec, const BlockEdge& e, const std::vector<Poi
     }
 }
 
-/// Where a point lies on an edge, 0 to 1; outside that range where it does not lie on it.
+/// Where a point lies on an edge, 0 to 1; -1 where it does not lie on it.
 double place_on(const BlockEdge& e, Point p)
 {
     const double dx = e.to.x - e.from.x, dz = e.to.z - e.from.z;
+    const double length = std::hypot(dx, dz);
     double s = 0.0, off = 0.0;
-    if (is_vertical(e)) {
+    if (std::abs(dx) < kRounding) {
         off = p.x - e.from.x;
         s = (p.z - e.from.z) / dz;
-    } else if (same(e.from.z, e.to.z)) {
+    } else if (std::abs(dz) < kRounding) {
         off = p.z - e.from.z;
         s = (p.x - e.from.x) / dx;
     } else {
-        const double length = std::hypot(dx, dz);
         off = ((p.z - e.from.z) * dx - (p.x - e.from.x) * dz) / length;
         s = ((p.x - e.from.x) * dx + (p.z - e.from.z) * dz) / (length * length);
     }
-    return std::abs(off) < kSamePlace && s > -1e-6 && s < 1 + 1e-6 ? std::clamp(s, 0.0, 1.0)
-                                                                   : -1.0;
+    const double beyond = std::max(-s, s - 1.0) * length;
+    return std::abs(off) < kSamePlace && beyond < kSamePlace ? std::clamp(s, 0.0, 1.0) : -1.0;
+}
+
+/// A contact point that no node lies at would move without force.
+void require_nodes(const Mesh& mesh, const std::vector<Point>& points, const Trace& t)
+{
+    const auto at = [](Point p, Point q) {
+        return std::hypot(p.x - q.x, p.z - q.z) < 2.0 * kSamePlace;
+    };
+    for (const Point p : points)
+        if (std::ranges::none_of(mesh.ring, [&](int n) {
+                return t.source[2 * n] == Source::edge && at(p, mesh.nodes[n]);
+            }))
+            throw std::invalid_argument("no zone has a node at the contact point (" +
+                                        std::to_string(p.x) + ", " + std::to_string(p.z) +
+                                        ") m from its lower left");
 }
 
 Trace trace_nodes(const BlockSpec& spec, const Mesh& mesh, const std::vector<Point>& points)
@@ -148,6 +171,7 @@ Trace trace_nodes(const BlockSpec& spec, const Mesh& mesh, const std::vector<Poi
             if (is_held(spec, p, d) && t.source[2 * n + d] == Source::inside)
                 t.source[2 * n + d] = Source::held;
     }
+    require_nodes(mesh, points, t);
     return t;
 }
 

@@ -25,6 +25,7 @@ struct Condensed {
     Eigen::MatrixXd outline_from_points; ///< 2 outline points x 2 points
 };
 
+/// @throws std::invalid_argument if the outline crosses itself, or no zone has a node at a contact point
 [[nodiscard]] Condensed condense(const BlockSpec& spec);
 
 /// The same block before its inside is eliminated: unknowns are the points, then the inside nodes. Nothing
@@ -45,7 +46,7 @@ struct SparseBlock {
 /// The loads on the contact points that do the same work as the given loads on all nodes.
 [[nodiscard]] Eigen::VectorXd condense_load(const Condensed& c, const Eigen::VectorXd& nodal);
 
-/// Whether two points are closer than the rounding of their coordinates, 1e-7 m.
+/// Whether two points are closer than kSamePlace in x and in z.
 [[nodiscard]] bool same_place(Point a, Point b);
 
 } // namespace dem

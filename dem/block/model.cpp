@@ -39,6 +39,18 @@ std::vector<double> key_of(const BlockSpec& s)
     return key;
 }
 
+std::string name_of(int block) { return "block " + std::to_string(block + 1); }
+
+/// @throws std::invalid_argument if its outline or its joints make no zones, with the name of the block
+BlockElement element_of(int block, const BlockSpec& spec)
+{
+    try {
+        return block_element(spec);
+    } catch (const std::invalid_argument& bad) {
+        throw std::invalid_argument(name_of(block) + ": " + bad.what());
+    }
+}
+
 /// Faces of each block, in the order of the layout.
 std::vector<std::vector<int>> faces_by_block(const Layout& layout)
 {
@@ -98,15 +110,15 @@ void place_blocks(const Discretisation& d, Model& m)
     std::vector<std::vector<double>> keys;
     for (int block = 0; block < static_cast<int>(m.layout.blocks.size()); ++block) {
         if (faces[block].empty())
-            throw std::invalid_argument("block " + std::to_string(block + 1) +
-                                        " touches no other and does not stand on the ground");
+            throw std::invalid_argument(name_of(block) +
+                                        " touches no other and stands on no joint");
         const BlockSpec spec = spec_of(block, faces[block], m, d);
         const std::vector<double> key = key_of(spec);
         const auto known = std::find(keys.begin(), keys.end(), key);
         const int element = static_cast<int>(known - keys.begin());
         if (known == keys.end()) {
             keys.push_back(key);
-            m.elements.push_back(block_element(spec));
+            m.elements.push_back(element_of(block, spec));
         }
         m.places.push_back({element, m.n_points, m.n_modes});
         m.n_points += static_cast<int>(m.elements[element].points.size());

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace dem {
 
@@ -32,7 +33,8 @@ struct Line {
 
 /// A piece along a side of one block.
 struct Piece {
-    Point from, to; ///< in the direction of the side
+    Point from, to;             ///< in the direction of the side
+    std::vector<Point> between; ///< where it was joined of others
 };
 
 /// The common piece of side p of one block and side q of another: both run counter-clockwise, so against each other.
@@ -43,7 +45,19 @@ std::optional<Piece> common(const Line& p, Point p_to, const Line& q, Point q_to
     if (!on_p && !on_q) return std::nullopt;
     const double q0 = p.place(q_to), q1 = p.place(q.at);
     if (std::min(q1, p.length) - std::max(q0, 0.0) <= 0.0) return std::nullopt;
-    return Piece{q0 > 0.0 ? q_to : p.at, q1 < p.length ? q.at : p_to};
+    return Piece{q0 > 0.0 ? q_to : p.at, q1 < p.length ? q.at : p_to, {}};
+}
+
+/// The piece of two that follow each other, if it passes all ends of what it is joined of.
+std::optional<Piece> joined(const Piece& a, const Piece& b)
+{
+    Piece whole{a.from, b.to, a.between};
+    whole.between.push_back(a.to);
+    whole.between.insert(whole.between.end(), b.between.begin(), b.between.end());
+    const Line line(whole.from, whole.to);
+    if (!std::ranges::all_of(whole.between, [&](Point p) { return line.has(p); }))
+        return std::nullopt;
+    return whole;
 }
 
 /// Joins pieces that continue each other in a straight line.
@@ -57,9 +71,9 @@ void join(std::vector<Piece>& pieces)
         for (std::size_t i = 0; i < pieces.size() && !again; ++i)
             for (std::size_t j = 0; j < pieces.size() && !again; ++j) {
                 if (i == j || !near(pieces[i].to, pieces[j].from)) continue;
-                const Line whole(pieces[i].from, pieces[j].to);
-                if (!whole.has(pieces[i].to)) continue;
-                pieces[i].to = pieces[j].to;
+                std::optional<Piece> whole = joined(pieces[i], pieces[j]);
+                if (!whole) continue;
+                pieces[i] = std::move(*whole);
                 pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(j));
                 again = true;
             }

@@ -12,8 +12,7 @@ struct CurvePoint {
     double force = 0.0;        ///< horizontal load [N]: work of the drive / displacement
     double base_shear = 0.0;   ///< horizontal force on the ground [N]
     double unbalance = 0.0;    ///< mean of |load - base shear| [N]
-    Energy
-        energy; ///< at the end of the interval [J]; zeros if PushPlan::energy_at_points is false
+    Energy energy;             ///< at the end of the interval [J]
     /// Horizontal, of the upper right corner at the end of the interval [m]; only with body forces.
     double corner = 0.0;
 };

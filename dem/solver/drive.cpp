@@ -5,25 +5,8 @@
 
 namespace dem {
 
-namespace {
-
-// Number of steps to reach full speed. A jerk at the start would ring through the wall.
-constexpr double kStartSteps = 500;
-// Where a push that turns back has been before it may go so many times as fast, as long as the next turn and new ground
-// are kRoom away, and in proportion nearer by. Loops move by less than 1 % of their energy (docs/cyclic.md).
-constexpr double kOnKnownGround = 3.0;
-constexpr double kRoom = 6e-3; // [m]
-// Ways between two turns that are shorter than kLongWay are gone as much slower, down to kSlowest: their loops are small,
-// and what the drive itself takes is a larger share of them.
-constexpr double kLongWay = 6e-3; // [m]
-constexpr double kSlowest = 0.1;
-// Number of steps over which the unbalance is smoothed before it slows the drive.
-constexpr double kSmoothingSteps = 50;
-
-} // namespace
-
 Drive::Drive(std::vector<double> targets, const SolverOptions& options)
-    : targets_(std::move(targets)), options_(options)
+    : targets_(std::move(targets)), options_(options), pace_(options)
 {
     const auto stays = std::unique(targets_.begin(), targets_.end());
     targets_.erase(stays, targets_.end());
@@ -36,7 +19,6 @@ Drive::Drive(std::vector<double> targets, const SolverOptions& options)
         from = to;
     }
     turns_.push_back(path_);
-    full_speed_ = 1e-3 / options_.steps_per_mm;
 }
 
 double Drive::load_factor() const
@@ -70,33 +52,14 @@ void Drive::land_on_zero()
         speed_ = landing_ = std::abs(position_) / std::max(1.0, steps);
 }
 
-/// Speed of a wall in balance [m/step].
-/// @param to_target way to it, signed [m]
-double Drive::fastest(double to_target) const
-{
-    const double known =
-        to_target > 0.0 ? farthest_right_ - position_ : position_ - farthest_left_;
-    const double room = std::clamp(std::min(known, std::abs(to_target)) / kRoom, 0.0, 1.0);
-    const double steady = full_speed_ * (1.0 + (kOnKnownGround - 1.0) * room);
-    if (!turns_back()) return steady;
-    const double way = turns_[turn_] - (turn_ > 0 ? turns_[turn_ - 1] : 0.0);
-    const double slower = std::clamp(way / kLongWay, kSlowest, 1.0);
-    const double braking = full_speed_ / kStartSteps; // [m/step2]
-    return std::min(slower * steady,
-                    std::max(braking, std::sqrt(2.0 * braking * std::max(0.0, left()))));
-}
-
 double Drive::advance()
 {
     ++step_;
     turned_ = passed_zero_ = false;
     if (settling_ || finished()) return 0.0;
-    const double limit = haste_ * options_.unbalance_limit;
-    const double calm = limit > 0.0 && unbalance_ > limit
-                            ? std::max(options_.min_speed, limit / unbalance_)
-                            : 1.0;
     const double left = targets_[target_] - position_;
-    speed_ = std::min(haste_ * fastest(left) * calm, speed_ + full_speed_ / kStartSteps);
+    speed_ = pace_.next(speed_);
+    if (turns_back()) speed_ = std::min(speed_, pace_.stopping_within(this->left()));
     const bool lands = towards_zero();
     if (lands)
         land_on_zero();
@@ -112,21 +75,13 @@ double Drive::advance()
                 : passed_zero_ ? 0.0
                                : position_ + std::copysign(way, left);
     travelled_ += way;
-    farthest_right_ = std::max(farthest_right_, position_);
-    farthest_left_ = std::min(farthest_left_, position_);
     if (arrives) {
         ++target_;
-        speed_ = 0.0; // turn round, or stop
         turned_ = !finished() && (targets_[target_] - position_) * left < 0.0;
         turn_ += turned_ ? 1 : 0;
+        if (turned_ || finished()) speed_ = 0.0;
     }
     return position_ - before;
-}
-
-void Drive::feel(double unbalance)
-{
-    if (settling_) return;
-    unbalance_ += (unbalance - unbalance_) / kSmoothingSteps;
 }
 
 double Drive::done() const { return path_ > 0.0 ? travelled_ / path_ : 1.0; }

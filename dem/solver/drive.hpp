@@ -1,7 +1,7 @@
 #pragma once
 /// The clock of one wall: the vertical load first, then the load line visits the target displacements.
 
-#include "dem/solver/solver_options.hpp"
+#include "dem/solver/pace.hpp"
 
 #include <vector>
 
@@ -20,27 +20,26 @@ class Drive {
     double advance();
 
     /// To be called after each step under vertical load.
-    /// @param unbalanced_ratio gives that of the wall; it is called only when it is time to look
-    template <class F> void settle(F unbalanced_ratio)
+    /// @param at_rest tells whether the wall is; it is called only when it is time to look
+    template <class F> void settle(F at_rest)
     {
         if (!settling_ || step_ % kLookEvery != 0 || step_ <= ramp_steps()) return;
-        settled_ = unbalanced_ratio() < options_.preload_unbalance;
+        settled_ = at_rest();
         settling_ = !settled_ && step_ < options_.preload_steps;
     }
 
-    /// To be called after each step of the push. Slows the drive while the wall is out of balance.
-    /// @param unbalance |top force - base shear| / vertical load [-]
-    void feel(double unbalance);
+    /// Begins the push: see Pace::begin. The way is known here.
+    double begin(PushStart start)
+    {
+        start.way = path_;
+        return speed_ = pace_.begin(start);
+    }
 
-    /// To be told at each point of the curve whether the wall has come down to PushPlan::drop of its peak.
-    void after_drop(bool yes) { haste_ = yes ? options_.haste_after_drop : 1.0; }
+    /// Feels each step of the push.
+    [[nodiscard]] Pace& pace() { return pace_; }
 
     /// Whether the wall is so far out of balance that the drive goes as slowly as it may.
-    [[nodiscard]] bool waits() const
-    {
-        return options_.unbalance_limit > 0.0 &&
-               unbalance_ * options_.min_speed >= haste_ * options_.unbalance_limit;
-    }
+    [[nodiscard]] bool waits() const { return pace_.waits(); }
 
     [[nodiscard]] bool settling() const { return settling_; }
     [[nodiscard]] bool settled() const { return settled_; } ///< at rest before the push
@@ -63,7 +62,6 @@ class Drive {
     [[nodiscard]] bool turns_back() const { return turns_.size() > 1; }
     [[nodiscard]] bool towards_zero() const;
     void land_on_zero();
-    [[nodiscard]] double fastest(double to_target) const;
     [[nodiscard]] long long ramp_steps() const
     {
         return options_.preload == Preload::solved ? 0 : options_.preload_steps / 4;
@@ -71,7 +69,7 @@ class Drive {
 
     std::vector<double> targets_;
     SolverOptions options_;
-    double full_speed_ = 0.0;   ///< [m/step]
+    Pace pace_;
     double path_ = 0.0;         ///< [m]
     std::vector<double> turns_; ///< travelled way at each turn, and at the end [m]
     std::size_t turn_ = 0;      ///< the next of them
@@ -82,11 +80,8 @@ class Drive {
     std::size_t target_ = 0;
     double position_ = 0.0;
     double travelled_ = 0.0;
-    double farthest_right_ = 0.0, farthest_left_ = 0.0; ///< so far [m], >= 0 and <= 0
-    double speed_ = 0.0;                                ///< now [m/step]
-    double landing_ = 0.0;   ///< speed at which it lands on zero; 0: not yet [m/step]
-    double unbalance_ = 0.0; ///< smoothed
-    double haste_ = 1.0;     ///< SolverOptions::haste_after_drop, or 1
+    double speed_ = 0.0;   ///< now [m/step]
+    double landing_ = 0.0; ///< speed at which it lands on zero; 0: not yet [m/step]
 };
 
 } // namespace dem

@@ -19,10 +19,12 @@ constexpr double kDeepest = 0.5;
 /// within each other.
 constexpr double kShallow = 0.05;
 
-constexpr double kFar = 1e3;      // [m], half the length of the ground
-constexpr double kOnLine = 1e-6;  // [m]
-constexpr std::size_t kReach = 3; // blocks onto which a block can slide, to either side
-constexpr double kUpward = 0.5;   // of the normal of a side that carries a block
+constexpr double kFar = 1e3; // [m], half the length of the ground
+constexpr double kOnLine =
+    1e-5; // [m], over blocks that follow each other with corners within kTouching
+constexpr double kParallel = 1.0 - 1e-6; // cosine between the normals of sides on one line
+constexpr std::size_t kReach = 3;        // blocks onto which a block can slide, to either side
+constexpr double kUpward = 0.5;          // of the normal of a side that carries a block
 
 FiniteTables::BlockRow block_row(const Model& m, int block)
 {
@@ -163,10 +165,15 @@ std::vector<Ledge> ledges_of(const Model& m)
     return all;
 }
 
+bool has(const Ledge& l, Point p)
+{
+    return std::abs(l.normal.x * p.x + l.normal.z * p.z - l.level) < kOnLine;
+}
+
 bool on_one_line(const Ledge& a, const Ledge& b)
 {
-    return std::abs(a.level - b.level) < kOnLine &&
-           a.normal.x * b.normal.x + a.normal.z * b.normal.z > 1.0 - 1e-9;
+    return has(a, b.from) && has(a, b.to) &&
+           a.normal.x * b.normal.x + a.normal.z * b.normal.z > kParallel;
 }
 
 /// The ledge that a pair lies on.
@@ -174,12 +181,10 @@ const Ledge* ledge_of(const Face& f, const std::vector<Ledge>& ledges)
 {
     const Point middle{0.5 * (f.from.x + f.to.x), 0.5 * (f.from.z + f.to.z)};
     for (const Ledge& l : ledges) {
-        if (l.block != f.a || l.normal.x * f.normal.x + l.normal.z * f.normal.z < 1.0 - 1e-9)
+        if (l.block != f.a || l.normal.x * f.normal.x + l.normal.z * f.normal.z < kParallel)
             continue;
         const double at = l.normal.z * middle.x - l.normal.x * middle.z;
-        if (at > l.start && at < l.stop &&
-            std::abs(l.normal.x * middle.x + l.normal.z * middle.z - l.level) < kOnLine)
-            return &l;
+        if (at > l.start && at < l.stop && has(l, middle)) return &l;
     }
     return nullptr;
 }

@@ -116,8 +116,8 @@ void check(const PushPlan& plan, const SolverOptions& o)
     require(plan.snapshot_every >= 0, "the spacing of snapshots must not be negative");
     require(!plan.sink.take || plan.sink.forget,
             "a sink that takes snapshots must forget them where a push starts anew");
+    require(o.accuracy > 0 && o.accuracy <= 0.5, "the accuracy must lie in (0, 0.5]");
     require(o.steps_per_mm > 0, "steps per mm must be positive");
-    require(o.haste_after_drop >= 1, "the haste after the drop must be at least 1");
     require(o.damping_factor >= 0 && o.damping_factor < 1,
             "the damping factor must lie in [0, 1)");
     require(o.step_fraction > 0, "the step fraction must be positive");

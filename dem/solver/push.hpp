@@ -75,6 +75,12 @@ struct PushResult {
     /// halved, and the wall is pushed again from the start.
     double step_fraction = 0.0;
     int step_reductions = 0;
+    /// Number of starts in ten times the steps or more, because the wall seemed to come down under its vertical load: 0 or 1.
+    int slow_starts = 0;
+    /// How often the wall was pushed again, twice as slowly, because its error was larger than the accuracy: 0 to 3.
+    int slowdowns = 0;
+    /// Estimated error of the peak force by the speed of the drive [-], >= 0.
+    double solver_error = 0.0;
     bool settled =
         false; ///< whether the wall was at rest under the vertical load before the push
     double settlement = 0.0; ///< of the beam under vertical load alone [m], positive downwards
@@ -103,11 +109,8 @@ struct PushPlan {
     double record_every = 5e-5;  ///< travelled displacement between curve points [m], > 0
     double snapshot_every = 0.0; ///< travelled displacement between snapshots [m]; 0 takes none
     SnapshotSink sink;           ///< of these snapshots; `push` calls its wall 0
-    /// Whether the energy is balanced at every curve point, or only every few hundred steps.
-    bool energy_at_points = true;
     bool snapshot_at_peak = true;
-    /// A snapshot is taken where the force first comes down to this share of its peak [-], in [0, 1), and below it the
-    /// drive makes haste (SolverOptions::haste_after_drop); 0: neither.
+    /// A snapshot is taken where the force first comes down to this share of its peak [-], in [0, 1); 0: none.
     double drop = 0.0;
     /// Is asked at each curve point and ends the push by returning true. May be empty.
     std::function<bool(std::span<const CurvePoint>)> decided;

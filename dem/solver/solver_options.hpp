@@ -23,6 +23,9 @@ enum class Kinematics {
 };
 
 struct SolverOptions {
+    /// Error of forces and of limit displacements that a user will bear [-], in (0, 0.5]. The drive finds the speed that
+    /// holds it.
+    double accuracy = 0.01;
     Kinematics kinematics = Kinematics::small;
     ContactLaw law = ContactLaw::coupled;
     Unloading unloading = Unloading::secant;
@@ -32,14 +35,15 @@ struct SolverOptions {
     /// study ends at 1. Above 1, which only serves to study the limit itself (bench/stability), stability is
     /// measured before the push, and the step is halved where the measurement or the energy balance fails.
     double step_fraction = 0.95;
-    double steps_per_mm =
-        1000; ///< steps per displacement of the load line at full speed [1/mm], > 0
-    /// |top force - base shear| / vertical load above which the drive slows [-]; with 0 it never slows.
-    double unbalance_limit = 0.001;
-    double min_speed = 0.01; ///< slowest drive, as a share of full speed, in (0, 1]
-    /// Once the force has come down to PushPlan::drop of its peak, nothing is read but where none is left. There the
-    /// drive goes so many times as fast and bears so many times the unbalance [-], >= 1; 1: as before.
-    double haste_after_drop = 2.0;
+    /// Fewest steps per displacement of the load line: the fastest that the drive may go [1/mm], > 0.
+    double steps_per_mm = 400;
+    /// |top force - base shear| above which the drive slows, as a share of the error that is borne: accuracy x largest
+    /// force so far [-], >= 0. With 0 the drive goes at its fastest all the way, whatever it takes.
+    double unbalance_limit = 1.0;
+    double min_speed =
+        0.01; ///< slowest drive of a wall out of balance, as a share of its speed in balance, in (0, 1]
+    /// Largest number of times that a wall that misses the accuracy is pushed again, twice as slowly each time.
+    int most_slowdowns = 3;
     Preload preload = Preload::solved;
     long long preload_steps =
         3000; ///< largest number of steps to come to rest under vertical load

@@ -13,11 +13,11 @@ using Vector = std::vector<double>;
 constexpr double kStartTolerance = 1e-8; // relative residual in the norm of the preconditioner
 constexpr int kMostStartIterations = 20000;
 
-/// Solves K q = load by conjugate gradients.
-bool solve(const StepTables& t, WallState<double>& s)
+/// Solves K q = load by conjugate gradients, from q = 0.
+bool solve(const StepTables& t, const Vector& load, WallState<double>& s, Vector& q)
 {
-    const std::size_t n = s.q.size();
-    Vector r = s.laws.load, z(n), p(n, 0.0), kp(n);
+    const std::size_t n = q.size();
+    Vector r = load, z(n), p(n, 0.0), kp(n);
     const auto precondition = [&] {
         for (std::size_t i = 0; i < n; ++i) z[i] = s.laws.inv_mass[i] * r[i];
     };
@@ -29,7 +29,7 @@ bool solve(const StepTables& t, WallState<double>& s)
         apply_stiffness(t, p, s, kp);
         const double alpha = rz / dot(p, kp);
         for (std::size_t m = 0; m < n; ++m) {
-            s.q[m] += alpha * p[m];
+            q[m] += alpha * p[m];
             r[m] -= alpha * kp[m];
         }
         precondition();
@@ -58,7 +58,7 @@ void cut_back(const StepTables& t, WallState<double>& s)
 
 bool solve_preload(const StepTables& t, WallState<double>& s)
 {
-    const bool solved = solve(t, s);
+    const bool solved = solve(t, s.laws.load, s, s.q);
     if (solved) {
         stretch(t, s.q, s.du);
         elastic_stress(t, s, s.du, s.stress);
@@ -71,6 +71,44 @@ bool solve_preload(const StepTables& t, WallState<double>& s)
     s.du.assign(s.du.size(), 0.0);
     s.work = energy_of(t, s, 0).elastic;
     return solved;
+}
+
+ElasticPush elastic_push(const StepTables& t, WallState<double>& s)
+{
+    const bool body = t.body_forces;
+    const auto add_drive = [&] {
+        for (const HorizontalShare& h : t.beam) s.du[h.row] += h.factor;
+        elastic_stress(t, s, s.du, s.stress);
+    };
+    Vector pull = s.laws.sway;
+    if (!body) {
+        pull.assign(s.q.size(), 0.0);
+        s.du.assign(s.du.size(), 0.0);
+        add_drive();
+        for (const auto& b : t.blocks)
+            gather(t.matrices[b.element], t.port_contact.data() + b.first_port, t.area.data(),
+                   s.stress.data(), pull.data() + b.first_mode);
+    }
+    ElasticPush e;
+    e.rate.assign(s.q.size(), 0.0);
+    const double moved = solve(t, pull, s, e.rate) ? dot(pull, e.rate) : 0.0;
+    if (!(moved > 0.0)) {
+        e.rate.clear();
+    } else if (body) {
+        const double factor = s.laws.whole_weight / moved;
+        for (double& r : e.rate) r *= factor;
+        e.stiffness = s.laws.whole_weight * factor;
+    } else {
+        stretch(t, e.rate, s.du);
+        add_drive();
+        for (const HorizontalShare& h : t.beam)
+            e.stiffness += h.area * h.factor * s.stress[h.row];
+    }
+    for (std::size_t m = 0; m < e.rate.size(); ++m)
+        e.mass += e.rate[m] * e.rate[m] / s.laws.inv_mass[m];
+    s.du.assign(s.du.size(), 0.0);
+    s.stress.assign(s.stress.size(), 0.0);
+    return e;
 }
 
 template <class Real>

@@ -6,12 +6,25 @@
 
 #include "dem/solver/wall_state.hpp"
 
+#include <vector>
+
 namespace dem {
 
 /// @param state one unloaded wall. On success it is at rest under its full load, and its energy balance
 /// starts with the energy stored.
 /// @return false if the iteration did not converge; the state is then unchanged
 [[nodiscard]] bool solve_preload(const StepTables& tables, WallState<double>& state);
+
+/// A wall that is pushed while nothing opens, slips or cracks, per displacement of the drive.
+struct ElasticPush {
+    std::vector<double> rate; ///< of the modes [sqrt(J)/m]; empty: not known
+    double stiffness = 0.0;   ///< force of the drive [N/m]
+    double mass = 0.0;        ///< 2 kinetic energy / speed^2 [N step2/m]
+};
+
+/// By conjugate gradients, as above. All zero and empty if the iteration did not converge.
+/// @param state one unloaded wall, which it leaves unloaded
+[[nodiscard]] ElasticPush elastic_push(const StepTables& tables, WallState<double>& state);
 
 /// Copies positions, contacts and energy of a wall at rest into a lane.
 template <class Real>

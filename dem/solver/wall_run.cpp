@@ -2,12 +2,14 @@
 
 #include "dem/block/model.hpp"
 #include "dem/solver/brittle_contacts.hpp"
-#include "dem/solver/drive_speed.hpp"
 #include "dem/solver/finite_step.hpp"
+#include "dem/solver/slower.hpp"
+#include "dem/solver/solver_error.hpp"
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/static_start.hpp"
 #include "dem/solver/take_snapshot.hpp"
 #include "dem/solver/thread_time.hpp"
+#include "dem/solver/vertical_load.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,32 @@ constexpr long long kWatchEvery = 50; // steps between them while a wall may be 
 // Share of kinetic in all energy that passed through a wall above which it falls, if it stores less. On its way in
 // balance a wall has some 1e-4 of it; the ledger of one that falls breaks at 0.2 to 0.5, where blocks strike each other.
 constexpr double kFalling = 0.1; // a free choice between the two
+// Share of the kinetic energy of a wall that falls that weight and vertical load have given it on its way down. What
+// moves because it is pushed has its energy from the drive: on joints as stiff as stone that is more than they store.
+constexpr double kOfTheLoad = 0.5; // a free choice: elastic energy may have given the rest
+// Way down of all that presses, as a share of the height, before which no wall has fallen, however little its joints give.
+constexpr double kFallen = 1e-5; // a free choice, less than an ordinary wall settles
+// Start of a wall that seems to come down under its vertical load: so many times the steps, and kSlowSteps at least. The
+// load grows over a quarter of them. Before kSlowLook nothing is said of blocks that are hardly loaded yet. Both are
+// steps of fraction 1.
+constexpr double kSlowStart = 10.0, kSlowSteps = 30'000.0, kSlowLook = 2000.0;
+// Work that the load still does in the second half of a first start, as a share of the energy stored, from which a slow
+// start follows. Standing walls that have not come to rest have 0.02 or less.
+constexpr double kStillGives = 0.05;
+// Kinetic energy that no wall with an equilibrium has, as a multiple of the energy that it stores with closed joints: where
+// joints open it stores more, and at most that moves it on its way there. Soft stones between stiff joints sway slowly.
+constexpr double kNeverMore = 2.0; // a free choice
+// A wall that misses the accuracy is pushed again so many times slower.
+constexpr double kSlowdown = 2.0;
+// Error of the slower of two pushes, as a multiple of the change of its peak.
+constexpr double kChange =
+    2.0; // a free choice: 1, if errors fall with the accuracy asked; 2.4, with its root
+// Error that no push claims to be below, as a share of the accuracy: a push does not feel at its peak what it did before.
+constexpr double kLeastError = 0.5;
+// Kinetic energy of a wall at rest under its vertical load, as a share of what it stores. Forces are in balance, too, in a
+// wall that comes down at a constant speed.
+constexpr double kAtRest = 1e-3;   // a free choice: walls at rest have 1e-6 at most
+constexpr double kRounding = 1e-9; // of ways that are sums of steps
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
@@ -53,20 +81,12 @@ template <class Real> double farthest_apart(const WallState<Real>& s, int lane)
     return worst;
 }
 
-SolverOptions at_own_speed(const Task& task, const WallMaterials& materials)
-{
-    SolverOptions options = task.options;
-    options.steps_per_mm = steps_per_mm_of(task.model, materials, options);
-    return options;
-}
-
 } // namespace
 
 WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
-    : task_(&task), number_(number), materials_(std::move(materials)),
-      options_(at_own_speed(task, materials_)),
-      unbalance_scale_(unbalance_measure(task.model, materials_)),
-      drive_(task.plan.targets, options_), recorder_(task.plan.record_every)
+    : task_(&task), number_(number), materials_(std::move(materials)), options_(task.options),
+      fall_work_(kFallen * task.model.layout.height * vertical_load(task.model, materials_)),
+      drive_(task.plan.targets, options_), recorder_(task.plan.record_every, options_.accuracy)
 {
     result_.snap_back_contacts = snap_back_contacts(task.model, materials_);
     result_.brittle_crushing_contacts = brittle_crushing_contacts(task.model, materials_);
@@ -92,9 +112,14 @@ template <class Real> void WallRun::load(WallState<Real>& state, int lane)
 {
     WallState<double> wall = with_stable_step();
     load_lane(task_->model, task_->tables, materials_, options_, lane, state);
-    if (options_.preload != Preload::ramped && !solve_preload(task_->tables, wall)) {
-        options_.preload = Preload::ramped;
-        drive_ = Drive(task_->plan.targets, options_);
+    elastic_ = elastic_push(task_->tables, wall);
+    if (options_.preload != Preload::ramped) {
+        if (solve_preload(task_->tables, wall)) {
+            solved_energy_ = wall.work;
+        } else {
+            options_.preload = Preload::ramped;
+            drive_ = Drive(task_->plan.targets, options_);
+        }
     }
     if (options_.kinematics == Kinematics::finite)
         take_up_frames(task_->tables, options_, wall);
@@ -124,6 +149,24 @@ template <class Real> void WallRun::begin_push(const WallState<Real>& state, int
     if (task_->plan.snapshot_at_peak) result_.at_peak = s;
     if (task_->plan.snapshot_every > 0.0) keep(std::move(s));
     next_snapshot_ = task_->plan.snapshot_every;
+}
+
+/// All blocks begin with the velocities that they have in a wall in which nothing opens, slips or cracks: no wave has to
+/// pass through it first. The energy for that comes from the drive.
+template <class Real> void WallRun::set_moving(WallState<Real>& state, int lane)
+{
+    const double speed = drive_.begin({.stiffness = elastic_.stiffness,
+                                       .mass = elastic_.mass,
+                                       .most_force = sideways_force(task_->model, materials_),
+                                       .damping = dem::lane(state.damping, lane)});
+    const double before = energy_of(task_->tables, state, lane).kinetic;
+    for (std::size_t m = 0; m < elastic_.rate.size(); ++m)
+        set_lane(state.v[m], lane, dem::lane(state.v[m], lane) + speed * elastic_.rate[m]);
+    const double given = energy_of(task_->tables, state, lane).kinetic - before;
+    set_lane(state.work, lane, dem::lane(state.work, lane) + given);
+    drive_work_ += given;
+    elastic_.rate = {};
+    motion_ = {};
 }
 
 template <class Real> Energy WallRun::energy(const WallState<Real>& state, int lane) const
@@ -170,11 +213,8 @@ template <class Real> void WallRun::take_turn(const WallState<Real>& state, int 
 
 template <class Real> void WallRun::take_point(const WallState<Real>& state, int lane)
 {
-    Energy e;
-    if (task_->plan.energy_at_points) {
-        e = energy(state, lane);
-        result_.residual = std::max(result_.residual, std::abs(e.residual()));
-    }
+    const Energy e = energy(state, lane);
+    result_.residual = std::max(result_.residual, std::abs(e.residual()));
     CurvePoint p = recorder_.take(drive_.position(), e);
     if (task_->tables.body_forces)
         p.corner =
@@ -192,8 +232,7 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     if (task_->plan.drop > 0.0 && !result_.at_drop &&
         std::abs(p.force) <= task_->plan.drop * peak_)
         result_.at_drop = snapshot();
-    drive_.after_drop(task_->plan.drop > 0.0 && std::abs(p.force) <= task_->plan.drop * peak_);
-    if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_) {
+    if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_ * (1.0 - kRounding)) {
         keep(snapshot());
         next_snapshot_ += task_->plan.snapshot_every;
     }
@@ -213,19 +252,38 @@ template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int la
     set_lane(state.work, lane, dem::lane(state.work, lane) + 0.5 * growth * work);
 }
 
-/// After a step under vertical load alone.
+/// After a step under vertical load alone. A wall that is not at rest when the steps for it are spent seems to come down
+/// where more energy moves it than it stores, or where the load goes on doing work. A slow start follows (look), and tells.
 template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
 {
     add_ramp_work(state, lane);
-    drive_.settle([&] { return unbalanced_ratio(state, lane); });
-    if (drive_.settling()) return;
+    drive_.settle([&] {
+        if (!(unbalanced_ratio(state, lane) < options_.preload_unbalance)) return false;
+        const Energy e = energy(state, lane);
+        return e.kinetic <= kAtRest * e.elastic;
+    });
+    if (steps_ == options_.preload_steps / 2) work_half_way_ = energy(state, lane).work;
+    const bool slow = result_.slow_starts > 0;
+    const double steps = static_cast<double>(steps_) * std::min(1.0, options_.step_fraction);
+    const bool due = slow && steps >= kSlowLook && steps_ % kLookEvery == 0;
+    if (drive_.settling() && !due) return;
+    const Energy e = energy(state, lane);
+    const double closed = slow ? load_factor_ * load_factor_ * solved_energy_ : 0.0;
+    const double most = std::max(e.elastic, kNeverMore * closed);
+    const bool moves = e.kinetic > most;
+    if (drive_.settling() && !moves) return;
     begin_push(state, lane);
-    came_down_ = !result_.settled && falls(energy(state, lane));
+    const double given = e.work - work_half_way_;
+    came_down_ = !result_.settled && (moves || given > (slow ? 1.0 : kStillGives) * most);
+    if (!came_down_) set_moving(state, lane);
 }
 
 bool WallRun::falls(const Energy& e)
 {
-    return e.kinetic > std::max(e.elastic, kFalling * e.passed());
+    const double given = e.work - work_before_push_ - drive_work_;
+    least_given_ = std::min(least_given_, given);
+    return e.kinetic > std::max(e.elastic, kFalling * e.passed()) &&
+           given - least_given_ > std::max(kOfTheLoad * e.kinetic, fall_work_);
 }
 
 /// After a step of the push. Takes a point of the curve if one is due.
@@ -235,9 +293,14 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
                  base = dem::lane(state.base_shear, lane);
     way_ += std::abs(step_drive_);
     drive_work_ += 0.5 * (force_before_ + top) * step_drive_;
-    recorder_.add(step_drive_, force_before_, top, base);
+    recorder_.add(step_drive_, force_before_, top, base - dem::lane(state.load_x, lane));
     const double missing = top + dem::lane(state.load_x, lane) - base;
-    if (unbalance_scale_ > 0.0) drive_.feel(std::abs(missing) / unbalance_scale_);
+    Pace& pace = drive_.pace();
+    if (pace.samples()) motion_.add(state, lane);
+    const Kinetic kinetic = pace.ends_window() ? motion_.take() : Kinetic{};
+    pace.feel({std::abs(step_drive_), top, std::abs(missing), dem::lane(state.damping, lane),
+               dem::lane(state.fracture, lane)},
+              kinetic);
     const bool room_for_another = drive_.left_to_mark() > 0.5 * task_->plan.record_every;
     const bool wanted = drive_.finished() || drive_.turned() || drive_.passed_zero() ||
                         (recorder_.due() && room_for_another);
@@ -281,6 +344,20 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
         load(state, lane);
         return true;
     }
+    const bool unpushed = way_ == 0.0 && result_.slow_starts == 0;
+    if (result_.outcome == Outcome::lost_equilibrium && unpushed) {
+        start_slowly();
+        load(state, lane);
+        return true;
+    }
+    if ((over || result_.outcome == Outcome::lost_equilibrium) && wants_slowdown()) {
+        options_ = slower(options_, kSlowdown);
+        pushed_before_ = peak_;
+        ++result_.slowdowns;
+        start_again();
+        load(state, lane);
+        return true;
+    }
     if (decided_ && result_.outcome == Outcome::reached_target)
         result_.outcome = Outcome::decided;
     return !over && result_.outcome == Outcome::reached_target;
@@ -292,15 +369,54 @@ void WallRun::reduce_step()
 {
     options_.step_fraction *= 0.5;
     options_.steps_per_mm *= 2.0;
+    if (result_.slow_starts > 0) options_.preload_steps *= 2;
+    ++result_.step_reductions;
+    start_again();
+}
+
+/// Starts again from the unloaded wall under a load that grows slowly, because blocks that a quick start sets moving may
+/// go on to fall where the wall has an equilibrium.
+void WallRun::start_slowly()
+{
+    options_.preload = Preload::ramped;
+    const double steps = kSlowStart * static_cast<double>(task_->options.preload_steps);
+    options_.preload_steps =
+        std::llround(std::max(steps, kSlowSteps) / std::min(1.0, options_.step_fraction));
+    ++result_.slow_starts;
+    start_again();
+}
+
+/// Reads the error of a push that is over. A slower push than another knows how much that has changed.
+/// @return whether it misses the accuracy, and pushes that are left could reach it
+bool WallRun::wants_slowdown()
+{
+    const double asked = task_->options.accuracy;
+    const int left = task_->options.most_slowdowns - result_.slowdowns;
+    double error = force_error(result_.curve, options_.damping);
+    if (pushed_before_ && peak_ > 0.0)
+        error = std::min(error, kChange * std::abs(peak_ - *pushed_before_) / peak_);
+    result_.solver_error = peak_ > 0.0 ? std::max(error, kLeastError * asked) : 0.0;
+    const bool read = result_.outcome == Outcome::reached_target ||
+                      result_.outcome == Outcome::lost_equilibrium;
+    return read && options_.unbalance_limit > 0.0 && left > 0 && result_.solver_error > asked &&
+           (!pushed_before_ || result_.solver_error <= std::pow(kSlowdown, left) * asked);
+}
+
+void WallRun::start_again()
+{
     PushResult fresh;
     fresh.snap_back_contacts = result_.snap_back_contacts;
-    fresh.step_reductions = result_.step_reductions + 1;
+    fresh.brittle_crushing_contacts = result_.brittle_crushing_contacts;
+    fresh.step_reductions = result_.step_reductions;
+    fresh.slow_starts = result_.slow_starts;
+    fresh.slowdowns = result_.slowdowns;
     fresh.cost = result_.cost;
     result_ = std::move(fresh);
     if (task_->plan.sink.take) task_->plan.sink.forget(number_);
     drive_ = Drive(task_->plan.targets, options_);
-    recorder_ = Recorder(task_->plan.record_every);
+    recorder_ = Recorder(task_->plan.record_every, options_.accuracy);
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
+    work_half_way_ = least_given_ = 0.0;
     steps_ = 0;
     decided_ = came_down_ = false;
 }

@@ -5,9 +5,12 @@
 #include "dem/solver/drive.hpp"
 #include "dem/solver/push.hpp"
 #include "dem/solver/recorder.hpp"
+#include "dem/solver/static_start.hpp"
+#include "dem/solver/steady_motion.hpp"
 #include "dem/solver/step.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace dem {
 
@@ -42,6 +45,7 @@ class WallRun {
 
   private:
     template <class Real> void begin_push(const WallState<Real>& state, int lane);
+    template <class Real> void set_moving(WallState<Real>& state, int lane);
     template <class Real> void add_ramp_work(WallState<Real>& state, int lane) const;
     template <class Real> void settle(WallState<Real>& state, int lane);
     template <class Real> void go_on(const WallState<Real>& state, int lane);
@@ -57,29 +61,40 @@ class WallRun {
     {
         return options_.kinematics == Kinematics::finite && !drive_.settling();
     }
-    /// Whether more of the energy that the wall has taken up moves it than it stores.
-    [[nodiscard]] static bool falls(const Energy& e);
+    /// Whether more of the energy that the wall has taken up moves it than it stores, and weight and load gave it that.
+    [[nodiscard]] bool falls(const Energy& e);
     [[nodiscard]] WallState<double> with_stable_step();
     void reduce_step();
+    void start_slowly();
+    void start_again();
+    [[nodiscard]] bool wants_slowdown();
 
     const Task* task_;
     std::size_t number_;
     WallMaterials materials_;
-    SolverOptions options_;  ///< with this wall's own speed and step
-    double unbalance_scale_; ///< by which unbalance is measured (drive_speed.hpp) [N]
+    SolverOptions options_; ///< with the step and the accuracy of this start
+    double fall_work_;      ///< least work of weight and load on a wall that falls [J]
     Drive drive_;
+    ElasticPush elastic_; ///< until the push begins
     Recorder recorder_;
+    SteadyMotion motion_; ///< in the push, since the last window
     PushResult result_;
-    double load_factor_ = 0.0;      ///< of the step [-]
-    double force_before_ = 0.0;     ///< of the drive, before the step [N]
-    double step_drive_ = 0.0;       ///< of the step [m]
-    double peak_ = 0.0;             ///< largest force so far, either way [N]
-    double farthest_ = 0.0;         ///< distance of the farthest turn so far [m]
+    double load_factor_ = 0.0;            ///< of the step [-]
+    double force_before_ = 0.0;           ///< of the drive, before the step [N]
+    double step_drive_ = 0.0;             ///< of the step [m]
+    std::optional<double> pushed_before_; ///< peak of the push before, twice as fast [N]
+    double peak_ = 0.0;                   ///< largest force so far, either way [N]
+    double farthest_ = 0.0;               ///< distance of the farthest turn so far [m]
     double way_ = 0.0;              ///< displacement travelled since the start of the push [m]
     double drive_work_ = 0.0;       ///< since the start of the push [J]
     double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]
     double next_snapshot_ = 0.0;    ///< travelled displacement at which it is due [m]
-    bool came_down_ = false;        ///< under its vertical load, before the push
+    double least_given_ =
+        0.0; ///< least work of the vertical load and self-weight in the push [J]
+    double solved_energy_ =
+        0.0; ///< stored under vertical load with closed joints; 0: not known [J]
+    double work_half_way_ = 0.0; ///< after half the steps under vertical load [J]
+    bool came_down_ = false;     ///< under its vertical load, before the push
     /// Steps since the last restart, so that checks fall on the same steps as in a run that used the
     /// smaller step from the beginning.
     long long steps_ = 0;

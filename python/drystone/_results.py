@@ -91,6 +91,23 @@ class Results:
             columns[f"{name} censored"] = numpy.array(censored, bool)
         return columns
 
+    @property
+    def solver_error(self) -> numpy.ndarray:
+        """Estimated error of the peak force of each wall by the speed of the solver's drive [-]; nan: the wall failed, or the file is
+        of a version that did not measure it. The study asks for solver.accuracy."""
+        return self.responses.get("solver_error", numpy.full(len(self), numpy.nan))
+
+    @property
+    def solver_error_text(self) -> str:
+        """What `drystone study` says of these errors, and of the audit."""
+        return _core.read_audit(self.path, self._stamp)[1]
+
+    @property
+    def audit(self) -> dict[str, numpy.ndarray]:
+        """Walls that were pushed again more slowly (uq.audit): their level and sample, and the relative difference between both pushes
+        of peak_force and ultimate_displacement [-]; nan: not defined on one of them. A table: pandas.DataFrame(results.audit)."""
+        return _core.read_audit(self.path, self._stamp)[0]
+
     def frame(self) -> pandas.DataFrame:
         """Inputs, responses, counts and readings as a table of pandas, by level and sample, in SI; drifts of limit states in percent."""
         import pandas

@@ -84,6 +84,12 @@ class Push:
         return self._wall.failed
 
     @property
+    def solver_error(self) -> float:
+        """Estimated error of the peak force by the speed of the solver's drive [-]; nan where the run failed. The study asks
+        for solver.accuracy."""
+        return self._wall.solver_error
+
+    @property
     def summary(self) -> dict[str, Any]:
         """What summary.json of the command line holds: peak_force_kN, ultimate_displacement_mm, mode, ... What is not
         defined on this wall is None."""
@@ -242,7 +248,8 @@ class Study:
         While it runs, no other thread of this process may use HDF5. The callback may.
 
         :param out: FILE.h5
-        :param progress: called after each wall with the walls that are done, that failed, and all of this run
+        :param progress: called after each wall with the walls that are done, that failed, and all of this run; then the same for the
+            walls of uq.audit
         """
         self._study.run(os.fspath(out), threads, rerun_failed, progress)
         return _open(out)

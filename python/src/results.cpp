@@ -1,5 +1,6 @@
 #include "app/fragility/fragility_data.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/study/solver_error.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/check_sum.hpp"
@@ -83,15 +84,18 @@ py::dict read_walls(const std::string& path)
         append(row.cost, cost);
     });
     std::vector<double> stress;
-    for (const app::StoreLevel& l : head.levels) stress.push_back(l.vertical_stress);
-    const std::size_t missing = app::missing_walls(head, reader.statuses()).size();
+    for (std::uint32_t l = 0; l < app::own_levels(head); ++l)
+        stress.push_back(head.levels[l].vertical_stress);
+    const auto missing = std::ranges::count_if(
+        app::missing_walls(head, reader.statuses()),
+        [&](const app::WallKey& key) { return !app::is_audit(head, key); });
     py::dict file;
     file["level"] = array_of(std::move(level));
     file["sample"] = array_of(std::move(sample));
     file["status"] = array_of(std::move(status));
     file["reasons"] = reasons;
     file["vertical_stress"] = array_of(std::move(stress));
-    file["missing"] = missing;
+    file["missing"] = static_cast<std::size_t>(missing);
     file["stamp"] = stamp_of(reader);
     file["configuration"] = head.configuration;
     file["solver_revision"] = app::solver_revision(head.identity);
@@ -147,6 +151,31 @@ py::tuple read_drifts(const std::string& path, const std::string& stamp,
     return py::make_tuple(states, levels);
 }
 
+/// The walls of the audit: level, sample, |value / value of the slower push - 1| of peak force and ultimate displacement. NaN:
+/// not defined on one of both. And the study's solver error in words.
+py::tuple read_audit(const std::string& path, const std::string& stamp)
+{
+    const Hdf5Turn turn;
+    check_stamp(app::StoreReader(path), path, stamp);
+    const app::StudyWalls study = app::read_study_walls(path, {}, app::Keep::readings);
+    std::vector<int> level, sample;
+    std::vector<double> peak, ultimate;
+    for (const app::StudyLevel& l : study.levels)
+        for (const app::StudyWall& slow : l.audit) {
+            const app::AuditDifference d = app::audit_difference(l, slow);
+            level.push_back(static_cast<int>(slow.key.level));
+            sample.push_back(static_cast<int>(slow.key.sample));
+            peak.push_back(d.peak);
+            ultimate.push_back(d.ultimate);
+        }
+    py::dict columns;
+    columns["level"] = array_of(std::move(level));
+    columns["sample"] = array_of(std::move(sample));
+    columns["peak_force"] = array_of(std::move(peak));
+    columns["ultimate_displacement"] = array_of(std::move(ultimate));
+    return py::make_tuple(columns, app::solver_error_text(study));
+}
+
 /// Readings of walls one below the other. NaN: not defined on this wall.
 struct ReadingColumn {
     std::vector<double> values;
@@ -192,6 +221,7 @@ void bind_results(py::module_& m)
     m.def("read_walls", &read_walls, py::arg("path"));
     m.def("read_curves", &read_curves, py::arg("path"), py::arg("stamp"));
     m.def("read_drifts", &read_drifts, py::arg("path"), py::arg("stamp"), py::arg("overrides"));
+    m.def("read_audit", &read_audit, py::arg("path"), py::arg("stamp"));
     m.def("read_readings", &read_readings, py::arg("path"), py::arg("stamp"),
           py::arg("overrides"));
 }

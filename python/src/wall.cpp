@@ -129,6 +129,8 @@ void bind_wall(py::module_& m)
                                [](const WallOfStudy& w) { return w.wall.loads.height; })
         .def_property_readonly(
             "failed", [](const WallOfStudy& w) { return dem::failed(w.wall.result.outcome); })
+        .def_property_readonly("solver_error",
+                               [](const WallOfStudy& w) { return app::solver_error(w.wall); })
         .def_property_readonly("displacement",
                                [](const py::object& self) {
                                    return view(

@@ -1,4 +1,5 @@
 set(TEST_APP_STUDY_SOURCES
+    app/test_audit.cpp
     app/test_key_effects.cpp
     app/test_reliability.cpp
     app/test_sample_plan.cpp

@@ -93,6 +93,7 @@ gravity = 9.80665 m/s2
 [solver]
 fidelity = simple
 kinematics = finite
+accuracy = 2 %
 contact_points = 5
 face_rule = lobatto
 zones_per_interval = 3
@@ -127,6 +128,7 @@ group_correlation = 0.3
 stop = peak_force
 stop_half_width = 0.02
 most_samples = 500
+audit = 3
 pearson = joint.friction_angle joint.stiffness_factor 0.3
 [reliability]
 method = form

@@ -29,6 +29,22 @@ void disturb(std::vector<Outline>& blocks, double most)
 
 constexpr app::DrawingOptions kMillimetres{.unit = 1e-3, .snap = 5e-4};
 
+/// Two stones side by side on one with a sloping top, 0.1 m from the left; the corner between them lies off it.
+std::vector<app::DrawnBlock> on_a_slope(double off)
+{
+    const auto top = [](double x) { return 0.1 + 0.07 * x; };
+    const dem::Point corner{0.1 + 0.2 / 3, top(0.2 / 3) + off};
+    return {{{{0.1, 0}, {0.5, 0}, {0.5, top(0.4)}, {0.1, top(0)}}, ""},
+            {{{0.1, top(0)}, corner, {corner.x, 0.3}, {0.1, 0.3}}, ""},
+            {{corner, {0.5, top(0.4)}, {0.5, 0.3}, {corner.x, 0.3}}, ""}};
+}
+
+bool same_bits(const std::vector<dem::Point>& a, const std::vector<dem::Point>& b)
+{
+    return std::ranges::equal(
+        a, b, [](dem::Point p, dem::Point q) { return p.x == q.x && p.z == q.z; });
+}
+
 } // namespace
 
 TEST_CASE("drawing fit: what is drawn exactly stays as it is", "[app][drawing_fit]")
@@ -198,4 +214,46 @@ TEST_CASE("drawing fit: feet and tops that scatter by less than snap are level, 
     const app::Drawing uneven = stones({0, 0, 0, 0, 0}, {600, 602, 600, 602, 600});
     CHECK(level(uneven, false) == 5);
     CHECK(level(uneven, true) == 2);
+}
+
+TEST_CASE("drawing fit: outlines of a study that fit stay as they are written, to the bit",
+          "[app][drawing_fit]")
+{
+    const std::vector<app::DrawnBlock> written = on_a_slope(0.0);
+    const app::Drawing fitted = app::fit_blocks("study.ini", 2, written);
+    CHECK(fitted.notes.empty());
+    for (std::size_t b = 0; b < written.size(); ++b)
+        CHECK(same_bits(fitted.blocks[b].outline, written[b].outline));
+}
+
+TEST_CASE("drawing fit: a corner of a study that lies up to two micrometres off a side is put "
+          "onto it",
+          "[app][drawing_fit]")
+{
+    for (const double off : {-1.9e-6, -5e-7, 2e-7, 1.5e-6}) {
+        INFO("off by " << off << " m");
+        const app::Drawing wall = app::fit_blocks("study.ini", 2, on_a_slope(off));
+        CHECK(wall.notes.size() == 1);
+        CHECK(scenes::notes(wall, "corners were moved by at most 0.00"));
+        CHECK(scenes::common_sides(wall) == 3);
+        REQUIRE(wall.blocks.size() == 3);
+        REQUIRE(wall.blocks[0].outline.size() == 5);
+        CHECK(wall.blocks[0].outline[0].x ==
+              Approx(0.1).epsilon(1e-12)); // where it was written
+        const dem::Point meet = wall.blocks[0].outline[3];
+        CHECK(std::abs(meet.z - (0.1 + 0.07 * (meet.x - 0.1))) < 1e-7);
+    }
+}
+
+TEST_CASE("drawing fit: a corner of a study that lies a little farther from a side is told",
+          "[app][drawing_fit]")
+{
+    std::vector<app::DrawnBlock> written = on_a_slope(0.0);
+    written[1].outline[1].z += 5e-6; // that stone leans against the other only
+    const app::Drawing wall = app::fit_blocks("study.ini", 2, written);
+    REQUIRE(wall.notes.size() == 1);
+    CHECK_THAT(wall.notes.front(),
+               Catch::Contains("up to 0.00499 mm away, and do not touch it"));
+    CHECK(scenes::notes(wall, "joints need corners on the side"));
+    CHECK(same_bits(wall.blocks[1].outline, written[1].outline));
 }

@@ -65,6 +65,7 @@ max_displacement = 2 mm
 [solver]
 fidelity = rigid
 steps_per_mm = 500
+accuracy = 50 %
 [output]
 record_every = 0.1 mm
 snapshot_every = 1 mm
@@ -221,11 +222,12 @@ const std::map<std::string_view, std::string> kOthers = {
     {"load.targets", "1 mm"},
     {"load.amplitudes", "0.5, 1 mm"},
     {"load.stop_below", "0.999999"},
+    {"solver.accuracy", "20 %"},
     {"solver.contact_points", "4"},
     {"solver.block_modes", "6"},
     {"solver.preload_steps", "1"},
     {"solver.preload_unbalance", "0.9"},
-    {"solver.unbalance_limit", "0.5"},
+    {"solver.unbalance_limit", "0.05"},
     {"solver.energy_tolerance", "1e-15"},
     {"solver.most_steps", "10"},
     {"solver.min_speed", "1"},
@@ -236,9 +238,9 @@ const std::map<std::string_view, std::string> kOthers = {
 
 /// Limits act once they are reached, which no study can tell before its push: they must change one of
 /// the scenes, and need not be named where they change nothing.
-const std::set<std::string_view> kLimits = {"load.stop_below", "solver.preload_steps",
-                                            "solver.preload_unbalance",
-                                            "solver.unbalance_limit"};
+const std::set<std::string_view> kLimits = {"load.stop_below",          "solver.preload_steps",
+                                            "solver.preload_unbalance", "solver.steps_per_mm",
+                                            "solver.unbalance_limit",   "solver.min_speed"};
 
 /// Another value for a key, as text.
 std::string other_value(const Key& key, const Study& study)

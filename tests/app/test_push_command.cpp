@@ -71,9 +71,10 @@ TEST_CASE(
                              "study.ini", "series/wall.pvd", "series/joints.pvd"})
         CHECK(fs::file_size(folder.path / "out" / file) > 0);
     const nlohmann::json s = summary(folder.path / "out");
-    for (const char* key : {"peak_force_kN", "displacement_at_peak_mm",
-                            "ultimate_displacement_mm", "ultimate_censored", "mode",
-                            "energy_residual", "solver_seconds", "contact_updates_per_second"})
+    for (const char* key :
+         {"peak_force_kN", "displacement_at_peak_mm", "ultimate_displacement_mm",
+          "ultimate_censored", "mode", "energy_residual", "solver_error_percent",
+          "solver_seconds", "contact_updates_per_second"})
         CHECK_FALSE(s.at(key).is_null());
     CHECK(s["vertical_stress_MPa"] == 0.5);
     CHECK(s["study"] == read_text(folder.path / "out" / "study.ini"));
@@ -267,6 +268,7 @@ TEST_CASE("push command: limit states are in tables, with what governs", "[app][
     CHECK(csv.find("governed by the code's drift limit") != std::string::npos);
     CHECK(w.terminal.starts_with("stress [MPa]"));
     CHECK(w.terminal.find("energy residual") == std::string::npos); // in summary.json
+    CHECK(w.terminal.find("\nsolver error of the peak force: ") != std::string::npos);
     CHECK(w.terminal.find("\n\n") ==
           w.terminal.rfind("\n\n")); // two tables, none in two blocks
     const auto results = summary(folder.path / "out");

@@ -2,6 +2,7 @@
 #include "app/report/report_data.hpp"
 #include "app/report/report_replay.hpp"
 #include "app/report_scene.hpp"
+#include "app/study/solver_error.hpp"
 #include "app/study/study_identity.hpp"
 #include "dem/block/model.hpp"
 #include "fragility/binomial.hpp"
@@ -106,6 +107,10 @@ TEST_CASE("report data: failed walls are named with their reason, and in no mean
           std::string::npos);
     CHECK(data["overview"]["run"][0].get<std::string>().starts_with(
         "12 walls under 2 vertical stresses from 0.50 MPa to 1.00 MPa: a wall of 0.60 m"));
+    CHECK(data["overview"]["solver"] == app::solver_error_text(study));
+    CHECK(data["overview"]["solver"].get<std::string>().find(
+              "of 11 walls above the 1 % asked for") != std::string::npos);
+    CHECK(data["tables"]["solver_error"]["rows"].size() == 2);
     CHECK(data["walls"].back()["mode"] == "failed");
     CHECK(data["walls"].back()["peak"].is_null());
     CHECK(data["modes"]["levels"][1]["walls"] == 5);

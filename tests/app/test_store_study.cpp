@@ -162,12 +162,54 @@ TEST_CASE("store: sessions of files of before 0.2.0 state no revision of the sol
     CHECK(head.sessions.front().machine == "a machine");
 }
 
+TEST_CASE("store: walls of an audit stand beside those of the study, and old files have none",
+          "[app][store_study]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5";
+    app::StoreHead head = store_head(4);
+    for (std::size_t l = 0; l < 3; ++l)
+        head.levels.push_back({head.levels[l].vertical_stress, 2, 4});
+    {
+        Store store(file, head);
+        store.append(store_rows(0, 2));
+        store.append(std::vector{scenes::store_row({4, 1})});
+        store.compact();
+    }
+    std::vector<app::WallKey> own, audit;
+    {
+        app::StoreReader reader(file);
+        CHECK(reader.head().levels == head.levels);
+        reader.for_each_row([&](const app::WallRow& row) { own.push_back(row.key); });
+        reader.for_each_audit_row([&](const app::WallRow& row) { audit.push_back(row.key); });
+    }
+    CHECK(own.size() == 6);
+    CHECK(audit == std::vector<app::WallKey>{{4, 1}});
+    CHECK(app::own_key(head, audit.front()) == app::WallKey{1, 1});
+    head.levels[4].samples = 1;
+    CHECK_THAT(refusal(file, head),
+               Contains("has 2 walls of each stress pushed again more slowly, only 1 are"));
+    CHECK_THAT(refusal(file, store_head(4)), Contains("only 0 are wanted (uq.audit)"));
+
+    const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    REQUIRE(H5Ldelete(id, "/levels/slower", H5P_DEFAULT) >= 0);
+    REQUIRE(H5Fclose(id) >= 0);
+    CHECK(app::own_levels(app::read_head(file)) == 6);
+}
+
 TEST_CASE("store: heads that make no sense are refused", "[app][store_study]")
 {
     const scenes::MemoryFolder folder;
     app::StoreHead head = store_head(4);
     SECTION("name") { head.inputs[0].name = "a/b"; }
     SECTION("no name") { head.counts[0].name = ""; }
+    SECTION("audit of one level") { head.levels.push_back({0.15e6, 2, 4}); }
+    SECTION("audit of walls that are not there")
+    {
+        for (std::size_t l = 0; l < 3; ++l)
+            head.levels.push_back({head.levels[l].vertical_stress, 5, 4});
+    }
+    SECTION("no speed") { head.levels[0].slower = 0; }
     SECTION("dots") { head.cost[0].name = ".."; }
     SECTION("twice") { head.responses[0].name = head.responses[1].name; }
     SECTION("shard") { head.shard = 1; }

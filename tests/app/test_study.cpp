@@ -93,6 +93,7 @@ TEST_CASE("study: what the solver leaves open is as the solver has it", "[app][s
     CHECK(study.solver.damping == solver.damping);
     CHECK(study.solver.damping_factor == solver.damping_factor);
     CHECK(study.solver.step_fraction == solver.step_fraction);
+    CHECK(study.solver.accuracy == solver.accuracy);
     CHECK(study.solver.steps_per_mm == solver.steps_per_mm);
     CHECK(study.solver.preload_steps == solver.preload_steps);
     CHECK(study.solver.preload_unbalance == solver.preload_unbalance);

@@ -206,6 +206,25 @@ TEST_CASE("summary: the energy residual is the worst of the run, without its sig
     CHECK(summary(w).at("energy_residual").get<double>() == 0.2);
 }
 
+TEST_CASE("summary: the solver's error is there in percent, and above the accuracy a remark",
+          "[app][summary_json]")
+{
+    PushedWall w = good_wall();
+    w.result.solver_error = 0.023;
+    const app::Study study = study_texts::read_good({"solver.accuracy=2 %"});
+    const auto remarks = [&] {
+        return Json::parse(app::summary_json(study, w)).at("hand_checks").at("remarks").dump();
+    };
+    w.result.slowdowns = 2;
+    CHECK(summary(w).at("solver_error_percent").get<double>() == Approx(2.3));
+    CHECK(summary(w).at("slowdowns") == 2);
+    CHECK(
+        remarks().find("the peak force may be wrong by 2.3 % because of the speed of the push, "
+                       "more than the 2 % asked for (solver.accuracy)") != std::string::npos);
+    w.result.solver_error = 0.02;
+    CHECK(remarks().find("solver.accuracy") == std::string::npos);
+}
+
 TEST_CASE("summary: a wall whose numbers broke has null for every number of its run",
           "[app][summary_json]")
 {
@@ -218,7 +237,7 @@ TEST_CASE("summary: a wall whose numbers broke has null for every number of its 
           std::set<std::string>{"peak_force_kN", "displacement_at_peak_mm",
                                 "collapse_displacement_mm", "peak_is_last_point",
                                 "ultimate_displacement_mm", "mode", "stiffness_kN_per_mm",
-                                "settlement_mm", "energy_residual"});
+                                "settlement_mm", "energy_residual", "solver_error_percent"});
     CHECK(null_keys(j.at("energy")).size() == 7);
     CHECK(null_keys(j.at("mechanism")) ==
           std::set<std::string>{"rotation_share", "sliding_share"});
@@ -414,10 +433,13 @@ TEST_CASE("summary: what others read by name comes in a fixed order", "[app][sum
                                                "mechanism",
                                                "hand_checks",
                                                "energy_residual",
+                                               "solver_error_percent",
                                                "energy",
                                                "settled_before_push",
                                                "step_fraction",
                                                "step_reductions",
+                                               "slow_starts",
+                                               "slowdowns",
                                                "steps",
                                                "contact_updates",
                                                "solver_seconds",

@@ -1,10 +1,11 @@
 # What the benchmarks count and how they report it; their timings are no tests.
 drystone_tests(bench
     SOURCES
+        bench/test_accuracy.cpp
         bench/test_work_count.cpp
         scenes/paper_wall.cpp
         ../bench/work_count.cpp
-    LIBRARIES drystone_dem)
+    LIBRARIES drystone_dem drystone_accuracy)
 
 drystone_tests(validation
     SOURCES app/fragility_scenes.cpp bench/test_validation.cpp

@@ -36,7 +36,7 @@ inline dem::PushPlan to(double target)
 inline dem::SolverOptions quick()
 {
     dem::SolverOptions o;
-    o.steps_per_mm = 300;
+    o.accuracy = 0.05;
     return o;
 }
 
@@ -95,6 +95,7 @@ inline bool same(const dem::PushResult& a, const dem::PushResult& b)
                a.cost.contact_updates == b.cost.contact_updates && same(a.energy, b.energy) &&
                bits::same_number(a.residual, b.residual) &&
                a.step_fraction == b.step_fraction && a.step_reductions == b.step_reductions &&
+               a.slow_starts == b.slow_starts && a.slowdowns == b.slowdowns &&
                a.settled == b.settled && bits::same_number(a.settlement, b.settlement) &&
                a.snap_back_contacts == b.snap_back_contacts && same(a.at_peak, b.at_peak) &&
                same(a.at_end, b.at_end) && a.snapshots.size() == b.snapshots.size();

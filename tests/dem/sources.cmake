@@ -28,6 +28,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_mortar.cpp
     dem/test_model_elasticity.cpp
     dem/test_openings.cpp
+    dem/test_pace.cpp
     dem/test_pack.cpp
     dem/test_contact_operator.cpp
     dem/test_body_forces.cpp
@@ -41,11 +42,13 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_rigid_wall.cpp
     dem/test_rubble.cpp
     dem/test_rotation.cpp
+    dem/test_slower.cpp
     dem/test_run_outcomes.cpp
     dem/test_snapshot_reading.cpp
     dem/test_snapshot_vtu.cpp
     dem/test_stability_limit.cpp
     dem/test_static_start.cpp
+    dem/test_standing.cpp
     dem/test_step_tables.cpp
     dem/test_stop_rules.cpp
     dem/test_symmetry.cpp

@@ -36,7 +36,7 @@ scenes::Scene alone(double length, double course_height, int courses, double tan
     return s;
 }
 
-dem::PushResult pushed(const scenes::Scene& s, Kinematics k, double to, double steps_per_mm)
+dem::PushResult pushed(const scenes::Scene& s, Kinematics k, double to, double accuracy)
 {
     const dem::Model m = scenes::model_of(s, two_points());
     dem::PushPlan plan;
@@ -46,7 +46,7 @@ dem::PushResult pushed(const scenes::Scene& s, Kinematics k, double to, double s
     };
     dem::SolverOptions o;
     o.kinematics = k;
-    o.steps_per_mm = steps_per_mm;
+    o.accuracy = accuracy;
     return dem::push(m, scenes::uniform(s, m), plan, o);
 }
 
@@ -69,7 +69,7 @@ TEST_CASE(
     "[dem][body_forces]")
 {
     const double b = 0.2, h = 1.0, alpha = std::atan(b / h);
-    const dem::PushResult r = pushed(alone(b, h, 1, 10.0), Kinematics::finite, 0.12, 500);
+    const dem::PushResult r = pushed(alone(b, h, 1, 10.0), Kinematics::finite, 0.12, 0.01);
     CHECK(r.residual < 0.01);
     CHECK(peak_factor(r) == Approx(b / h).epsilon(5e-3));
     for (const double th : {0.02, 0.05, 0.1, 0.15}) {
@@ -86,7 +86,7 @@ TEST_CASE(
     "[dem][body_forces]")
 {
     const Kinematics k = GENERATE(Kinematics::small, Kinematics::finite);
-    const dem::PushResult r = pushed(alone(1.0, 0.5, 1, 0.3), k, 2e-3, 2000);
+    const dem::PushResult r = pushed(alone(1.0, 0.5, 1, 0.3), k, 2e-3, 0.001);
     CHECK(r.curve.back().force / r.weight == Approx(0.3).epsilon(2e-3));
     CHECK(r.curve.back().base_shear == Approx(r.curve.back().force).epsilon(2e-3));
     CHECK(r.curve.back().corner == Approx(2e-3).epsilon(0.03));
@@ -99,7 +99,7 @@ TEST_CASE("body forces: the beam moves with the wall and adds its own weight",
     scenes::Scene s = alone(1.0, 0.9, 1, 10.0);
     s.beam.present = true;
     s.beam.material.density = 3.0 * s.stone.density;
-    const dem::PushResult r = pushed(s, Kinematics::small, 4e-3, 8000);
+    const dem::PushResult r = pushed(s, Kinematics::small, 4e-3, 0.001);
     // The block of 0.9 m and the beam of 0.1 m weigh 3 : 1; together they rock about the toe.
     const double centre = (0.45 * 3.0 + 0.95) / 4.0;
     CHECK(r.weight == Approx(s.stone.density * 9.81 * 0.2 * 1.2).epsilon(1e-12));
@@ -131,7 +131,7 @@ TEST_CASE("body forces: wall 1 of Ferris and Tin-Loi loses its load as published
     s.wall.first_course = dem::FirstCourse::shifted;
     s.joint.kn = 2e9; // soft: fewer steps
     s.joint.ks = 8e8;
-    const dem::PushResult r = pushed(s, Kinematics::finite, 0.3, 4000);
+    const dem::PushResult r = pushed(s, Kinematics::finite, 0.3, 0.001);
     CHECK(r.residual < 0.01);
     INFO("peak " << peak_factor(r) << ", at 0.06, 0.10, 0.20, 0.30 m " << factor_at(r, 0.06)
                  << " " << factor_at(r, 0.10) << " " << factor_at(r, 0.20) << " "

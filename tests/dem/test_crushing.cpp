@@ -159,7 +159,7 @@ dem::PushResult row(int contact_points, const Crushing& crushing)
     plan.targets = {1.1e-3}; // of the mean of all blocks; the two move 2.9 mm
     plan.record_every = 2e-6;
     dem::SolverOptions slow;
-    slow.steps_per_mm = 100000;
+    slow.accuracy = 0.001;
     return dem::push(m, w, plan, slow);
 }
 
@@ -185,7 +185,7 @@ dem::PushResult toe(double strength, dem::Kinematics kinematics, double to)
     plan.targets = {to};
     dem::SolverOptions o;
     o.kinematics = kinematics;
-    o.steps_per_mm = 2000;
+    o.accuracy = 0.001;
     return dem::push(m, w, plan, o);
 }
 

@@ -178,8 +178,9 @@ TEST_CASE(
     for (std::size_t i = 0; i < kWalls; ++i) {
         INFO("wall " << i);
         anew += together[i].step_reductions > 0;
-        CHECK((together[i].step_reductions > 0) ==
-              (a.results[i].residual > o.energy_tolerance));
+        if (a.results[i].slowdowns == 0) // else a push of which no residual is left came first
+            CHECK((together[i].step_reductions > 0) ==
+                  (a.results[i].residual > o.energy_tolerance));
         CHECK(small_wall::same(together[i], dem::push(a.model, a.walls[i], a.plan, o)));
     }
     CHECK(anew > 0);

@@ -35,15 +35,13 @@ dem::Discretisation rigid(int contact_points)
     return d;
 }
 
-dem::PushResult pushed(const scenes::Scene& s, const dem::Discretisation& d, double to,
-                       double steps_per_mm = 500)
+dem::PushResult pushed(const scenes::Scene& s, const dem::Discretisation& d, double to)
 {
     const dem::Model m = scenes::model_of(s, d);
     dem::PushPlan plan;
     plan.targets = {to};
     dem::SolverOptions o;
     o.kinematics = dem::Kinematics::finite;
-    o.steps_per_mm = steps_per_mm;
     return dem::push(m, scenes::uniform(s, m), plan, o);
 }
 

@@ -76,7 +76,6 @@ TEST_CASE(
     scenes::Scene scene = small_wall::scene();
     const dem::Model m = small_wall::model(scene);
     dem::PushPlan plan = small_wall::to(0.02);
-    plan.energy_at_points = true;
     const auto material = [&](std::size_t i) -> dem::WallMaterials {
         dem::WallMaterials w = scenes::table5_sample(scene, m, i);
         for (auto& j : w.joints) j.tan_phi *= i % 2 == 0 ? 0.3 : 1.0;

@@ -53,7 +53,7 @@ double plateau(const scenes::Scene& s)
     dem::PushPlan plan;
     plan.targets = {2e-3};
     dem::SolverOptions slow; // stiff joints: the mechanism forms within microns
-    slow.steps_per_mm = 10000;
+    slow.accuracy = 0.001;
     return dem::push(m, scenes::uniform(s, m), plan, slow).curve.back().force;
 }
 

@@ -63,6 +63,7 @@ dem::Snapshot loaded(const scenes::Scene& s, const dem::Discretisation& d)
     options.preload_steps = 4000;
     options.preload_unbalance = 0.0; // all of them
     options.steps_per_mm = 1;
+    options.unbalance_limit = 0.0;
     dem::PushPlan plan;
     plan.targets = {1e-9};
     plan.snapshot_every = 1.0; // one, before the push

@@ -31,7 +31,7 @@ dem::PushResult pushed(const scenes::Scene& s, bool mortar, double to)
     plan.targets = {to};
     plan.record_every = to / 200;
     dem::SolverOptions o;
-    o.steps_per_mm = 20000;
+    o.accuracy = 0.001;
     return dem::push(m, scenes::uniform(s, m), plan, o);
 }
 

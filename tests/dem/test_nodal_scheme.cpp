@@ -36,11 +36,10 @@ bench::NodalOptions nodes(dem::Damping damping, double steps_per_mm, double max_
     return o;
 }
 
-dem::PushResult modes(const dem::Model& m, const dem::WallMaterials& w, double steps_per_mm,
-                      double max_displacement)
+dem::PushResult modes(const dem::Model& m, const dem::WallMaterials& w, double max_displacement)
 {
     dem::SolverOptions o;
-    o.steps_per_mm = steps_per_mm;
+    o.accuracy = 0.001;
     dem::PushPlan plan;
     plan.targets = {max_displacement};
     return dem::push(m, w, plan, o);
@@ -61,7 +60,7 @@ TEST_CASE("nodal scheme: before anything breaks it answers as dem::push does, to
     for (std::size_t i = 0; i < w.cracks.size(); i += 2) w.cracks[i].ks *= 0.3;
     const bench::NodalPush by_nodes =
         bench::push_nodes(m, w, nodes(dem::Damping::combined, 60000, 4e-4));
-    const dem::PushResult by_modes = modes(m, w, 30000, 4e-4);
+    const dem::PushResult by_modes = modes(m, w, 4e-4);
     REQUIRE(by_nodes.curve.size() == by_modes.curve.size());
     CHECK(by_nodes.curve.back().displacement ==
           Approx(by_modes.curve.back().displacement).epsilon(1e-3));
@@ -80,7 +79,7 @@ TEST_CASE("nodal scheme: a wall that slides reaches the force of dem::push to 0.
     const dem::WallMaterials w = mean_values(stress, m);
     const bench::NodalPush by_nodes =
         bench::push_nodes(m, w, nodes(dem::Damping::combined, 6000, way));
-    const dem::PushResult by_modes = modes(m, w, 3000, way);
+    const dem::PushResult by_modes = modes(m, w, way);
     CHECK(bench::peak_force(by_nodes) ==
           Approx(scenes::peak_force(by_modes)).epsilon(tolerance));
     CHECK(by_nodes.outcome == dem::Outcome::reached_target);

@@ -195,3 +195,55 @@ TEST_CASE("polygon block: an outline that crosses itself is refused", "[dem][pol
     const std::vector<Point> twice = {{0, 0}, {1, 0}, {1, 1}, {1, 0}};
     CHECK_THROWS_WITH(dem::triangle_mesh(twice, 0.1), "an outline visits a point twice");
 }
+
+TEST_CASE("polygon block: a joint that ends a micrometre off its side finds the same block",
+          "[dem][polygon]")
+{
+    // Two stones meet on the first side; the corner that they share lies off it.
+    const auto split = [](double off) {
+        BlockSpec s = spec_of(skew(), 5);
+        const Point a = s.edges[0].from, b = s.edges[0].to;
+        const double length = std::hypot(b.x - a.x, b.z - a.z);
+        const Point meet{0.6 * a.x + 0.4 * b.x - off * (b.z - a.z) / length,
+                         0.6 * a.z + 0.4 * b.z + off * (b.x - a.x) / length};
+        s.edges[0].to = meet;
+        s.edges.insert(s.edges.begin() + 1, s.edges[0]);
+        s.edges[1].from = meet;
+        s.edges[1].to = b;
+        return s;
+    };
+    const dem::BlockElement exact = dem::block_element(split(0.0));
+    for (const double off : {-2e-6, -1e-6, -3e-7, 1.2e-7, 5e-7, 2e-6}) {
+        INFO("off its side by " << off << " m");
+        const dem::BlockElement e = dem::block_element(split(off));
+        REQUIRE(e.points.size() == exact.points.size());
+        REQUIRE(e.lambda.size() == exact.lambda.size());
+        CHECK((e.lambda - exact.lambda).cwiseAbs().maxCoeff() < 1e-4 * exact.lambda.maxCoeff());
+        CHECK(e.lambda(3) == Approx(exact.lambda(3)).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("polygon block: two joints that end a micrometre apart at a corner share its point",
+          "[dem][polygon]")
+{
+    const dem::BlockElement exact = dem::block_element(spec_of(skew(), 5));
+    for (const Point off : {Point{1e-6, 0}, Point{-7e-7, 7e-7}, Point{3e-7, -9e-7}}) {
+        BlockSpec s = spec_of(skew(), 5);
+        s.edges[1].to.x += off.x; // the next edge begins at the corner itself
+        s.edges[1].to.z += off.z;
+        const dem::BlockElement e = dem::block_element(s);
+        REQUIRE(e.points.size() == exact.points.size());
+        CHECK(e.lambda(3) == Approx(exact.lambda(3)).epsilon(1e-4));
+        CHECK(e.lambda.maxCoeff() == Approx(exact.lambda.maxCoeff()).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("polygon block: a contact point that lies on no side is an error, not a point "
+          "without force",
+          "[dem][polygon]")
+{
+    BlockSpec s = spec_of(skew(), 5);
+    s.edges[0].to.z += 2e-5;
+    CHECK_THROWS_WITH(dem::block_element(s),
+                      Catch::StartsWith("no zone has a node at the contact point ("));
+}

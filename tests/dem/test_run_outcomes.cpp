@@ -65,6 +65,16 @@ bool same_answer(const PushResult& a, const PushResult& b)
     return all;
 }
 
+/// A constant speed, and no error that is too large: only the ledger asks for a second push.
+SolverOptions constant_speed()
+{
+    SolverOptions o;
+    o.steps_per_mm = 300;
+    o.unbalance_limit = 0.0;
+    o.accuracy = 0.5;
+    return o;
+}
+
 double largest_residual(const PushResult& r)
 {
     double most = 0.0;
@@ -98,12 +108,11 @@ TEST_CASE("wall run: a ledger that does not close halves the step and the wall s
           "[dem][wall_run]")
 {
     PushPlan plan = with_snapshots();
-    plan.energy_at_points = GENERATE(true, false);
     if (GENERATE(true, false)) // decided before the first look
         plan.decided = [](std::span<const dem::CurvePoint> curve) {
             return curve.back().displacement > 2.6e-4;
         };
-    SolverOptions o = small_wall::quick();
+    SolverOptions o = constant_speed();
     o.preload = GENERATE(dem::Preload::solved, dem::Preload::ramped);
     int reduced_once = 0;
     for (int sample = 0; sample < 6; ++sample) {
@@ -144,7 +153,7 @@ TEST_CASE(
                              forgotten += taken.size();
                              taken.clear();
                          }};
-    SolverOptions o = small_wall::quick();
+    SolverOptions o = constant_speed();
     for (int sample = 0; sample < 6 && forgotten == 0; ++sample) {
         const Weak wall(0.15, sample);
         o.energy_tolerance = 0.01;
@@ -265,28 +274,6 @@ TEST_CASE("wall run: what is never decided goes to its target", "[dem][wall_run]
     CHECK(small_wall::same(wall.pushed(plan, small_wall::quick()), full));
 }
 
-TEST_CASE("wall run: energies nobody asked for are zero, and the forces the same",
-          "[dem][wall_run]")
-{
-    const Weak wall;
-    PushPlan plan = with_snapshots();
-    const PushResult full = wall.pushed(plan, small_wall::quick());
-    plan.energy_at_points = false;
-    const PushResult r = wall.pushed(plan, small_wall::quick());
-    REQUIRE(r.curve.size() == full.curve.size());
-    for (std::size_t i = 0; i < r.curve.size(); ++i) {
-        CHECK(small_wall::same_forces(r.curve[i], full.curve[i]));
-        if (i > 0) CHECK(small_wall::same(r.curve[i].energy, {}));
-        CHECK(full.curve[i].energy.work > 0.0);
-    }
-    CHECK(small_wall::same(r.energy, full.curve.back().energy));
-    CHECK(small_wall::same(r.at_peak, full.at_peak));
-    CHECK(r.residual > 0.0); // still looked at, now and then
-    CHECK(r.residual <= full.residual);
-    CHECK(full.residual >= largest_residual(full));
-    CHECK(r.cost.steps == full.cost.steps);
-}
-
 TEST_CASE("wall run: snapshots nobody asked for are empty, and all else the same",
           "[dem][wall_run]")
 {
@@ -296,6 +283,7 @@ TEST_CASE("wall run: snapshots nobody asked for are empty, and all else the same
     plan.snapshot_at_peak = false;
     plan.snapshot_every = 0.0;
     PushResult r = wall.pushed(plan, small_wall::quick());
+    CHECK(full.residual >= largest_residual(full));
     CHECK(r.at_peak.blocks.empty());
     CHECK(r.at_peak.faces.empty());
     CHECK(r.snapshots.empty());

@@ -1,8 +1,10 @@
 /// What a run makes of a step that is too large, and of a wall that comes down.
 
 #include "dem/block/model.hpp"
+#include "dem/small_wall.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "dem/solver/stability_limit.hpp"
+#include "dem/solver/vertical_load.hpp"
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 namespace {
 
@@ -150,51 +151,63 @@ TEST_CASE("wall run: a wall has come down only if its ledger closes", "[dem][wal
     CHECK(pushed(low_wall(0.50), to(20.0), flying).outcome == dem::Outcome::energy_astray);
 }
 
-/// Pushed until no force is left, under a load that moves with the beam.
-dem::PushResult followed_to_its_end(double stress_mpa, double haste, int sample = 0)
-{
-    const scenes::Scene s = low_wall(stress_mpa);
-    const dem::Model m = scenes::model_of(s, coarse());
-    dem::PushPlan plan = to(0.9);
-    plan.record_every = 2e-4;
-    plan.drop = 0.8;
-    plan.decided = [](std::span<const dem::CurvePoint> curve) {
-        return curve.size() > 1 && curve.back().force <= 0.0;
-    };
-    dem::SolverOptions o;
-    o.kinematics = dem::Kinematics::finite;
-    o.steps_per_mm = 50;
-    o.haste_after_drop = haste;
-    return dem::push(m, scenes::table5_sample(s, m, sample), plan, o);
-}
-
 TEST_CASE("wall run: a wall that falls has come down before its blocks strike each other",
           "[dem][wall_run]")
 {
-    const dem::PushResult r = followed_to_its_end(1.25, 2.0, 5);
+    const scenes::Scene s = low_wall(0.75);
+    const dem::Model m = scenes::model_of(s, coarse());
+    dem::SolverOptions o;
+    o.kinematics = dem::Kinematics::finite;
+    o.steps_per_mm = 50;
+    o.accuracy = 0.1;
+    const dem::PushResult r = dem::push(m, scenes::table5_sample(s, m, 2), to(0.9), o);
     REQUIRE(r.outcome == dem::Outcome::lost_equilibrium);
     CHECK(r.step_reductions == 0);
-    CHECK(r.energy.kinetic > r.energy.elastic);
-    CHECK(r.energy.kinetic < 0.3 * r.energy.passed()); // it has only begun to
+    CHECK(r.energy.kinetic < 0.3 * r.energy.passed()); // it has only begun to fall
 }
 
-TEST_CASE("wall run: after the drop a wall is pushed in haste, before it as without",
+TEST_CASE("wall run: a wall that misses the accuracy is pushed again more slowly, and says how "
+          "often",
           "[dem][wall_run]")
 {
-    const dem::PushResult calm = followed_to_its_end(0.15, 1.0),
-                          hasty = followed_to_its_end(0.15, 2.0);
-    REQUIRE(calm.at_drop.has_value());
-    REQUIRE(hasty.at_drop.has_value());
-    CHECK(hasty.at_drop->displacement == calm.at_drop->displacement);
-    for (std::size_t i = 0; calm.curve[i].displacement < calm.at_drop->displacement; ++i)
-        CHECK(hasty.curve[i].force == calm.curve[i].force);
-    CHECK(hasty.cost.steps < calm.cost.steps);
-    CHECK(hasty.curve.back().displacement ==
-          Approx(calm.curve.back().displacement).epsilon(0.005));
+    const scenes::Scene s = small_wall::scene(0.15);
+    const dem::Model m = small_wall::model(s);
+    const dem::SolverOptions o;
+    bool again = false, at_once = false;
+    for (int sample = 0; sample < 4; ++sample) {
+        const dem::WallMaterials w = scenes::table5_sample(s, m, sample);
+        const dem::PushResult r = dem::push(m, w, small_wall::to(2e-3), o);
+        CHECK(r.outcome == dem::Outcome::reached_target);
+        CHECK(r.slowdowns >= 0);
+        CHECK(r.slowdowns <= 3);
+        CHECK((r.slowdowns == 3 || r.solver_error <= o.accuracy));
+        again = again || r.slowdowns > 0;
+        at_once = at_once || r.slowdowns == 0;
+    }
+    CHECK(again);
+    CHECK(at_once);
+}
 
-    // Under a larger stress the gain is larger.
-    CHECK(followed_to_its_end(0.75, 2.0).cost.steps <
-          0.96 * static_cast<double>(followed_to_its_end(0.75, 1.0).cost.steps));
+TEST_CASE("wall run: a stiff and slender wall is pushed no faster than it can follow",
+          "[dem][wall_run]")
+{
+    scenes::Scene s = scenes::paper_wall(0.50);
+    s.wall.length = 0.4;
+    s.wall.courses = 12;
+    s.wall.base = dem::Base::joint;
+    s.wall.toe = dem::Toe::free;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
+    s.loads.height = 1.2 + s.beam.height;
+    s.joint.kn = s.joint.ks = 1e12;
+    dem::Discretisation d;
+    d.contact_points = 2;
+    d.block_modes = d.beam_modes = 3;
+    const dem::Model m = scenes::model_of(s, d);
+    const dem::PushResult r = dem::push(m, scenes::uniform(s, m), to(2e-3), {});
+    const double limit =
+        dem::vertical_load(m, scenes::uniform(s, m)) * s.wall.length / (2.0 * s.loads.height);
+    INFO(scenes::peak_force(r) / limit);
+    CHECK(scenes::peak_force(r) < 1.01 * limit);
 }
 
 TEST_CASE("wall run: the ledger closes over a ramp of the load, however short",
@@ -217,7 +230,6 @@ TEST_CASE("wall run: the residual of a run covers the start of its curve", "[dem
     o.preload = dem::Preload::ramped;
     o.preload_steps = GENERATE(400, 420, 440, 460);
     dem::PushPlan plan = to(1e-5);
-    plan.energy_at_points = false;
     const dem::PushResult r = pushed(low_wall(0.50), plan, o);
     CHECK(std::abs(r.curve.front().energy.residual()) <= r.residual);
 }

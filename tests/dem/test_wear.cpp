@@ -102,6 +102,7 @@ TEST_CASE("wear: force and energy of every cycle of a sliding block are those of
     dem::PushPlan plan;
     plan.targets = {d, -d, d, -d, d, -d, 0.0};
     dem::SolverOptions options;
+    options.accuracy = 0.001;
     options.kinematics = GENERATE(dem::Kinematics::small, dem::Kinematics::finite);
     const dem::PushResult r = dem::push(s.model, s.materials, plan, options);
     double slip = 0.0, at = 0.0; // plastic

@@ -68,6 +68,25 @@ class StudyIsThatOfTheCommandLine(InFolder):
         self.check_drifts(theirs)
         self.check_frames(study, theirs)
 
+    def test_solver_error(self):
+        study = drystone.Study(QUICK, set={**STUDY, "uq.samples": 2, "uq.audit": 1, "solver.accuracy": "2 %"})
+        seen = []
+        results = study.run(self.folder / "audited.h5", progress=lambda *p: seen.append(p))
+        self.assertEqual((len(results), results.missing), (6, 0))
+        self.assertEqual(len(results.vertical_stress), 3)
+        self.assertEqual(seen[-1], (3, 0, 3))
+        self.same(results.solver_error, results.responses["solver_error"])
+        self.assertTrue((results.solver_error >= 0).all())
+        self.assertEqual(list(results.audit["level"]), [0, 1, 2])
+        self.assertEqual(list(results.audit["sample"]), [0, 0, 0])
+        self.assertTrue((results.audit["peak_force"] < 0.5).all())
+        self.assertIn("of 6 walls above the 2 % asked for", results.solver_error_text)
+        self.assertIn("3 of 6 walls pushed again 4 times slower", results.solver_error_text)
+        self.assertEqual(len(results.curves), 6)
+        wall, = study.push([1], level=2)
+        self.assertEqual(wall.solver_error, results.solver_error[5])
+        self.assertEqual(wall.summary["solver_error_percent"], as_written(100 * wall.solver_error))
+
     def check_chosen(self, study, theirs):
         """Draws and chosen walls."""
         self.assertEqual(study.samples, 6)

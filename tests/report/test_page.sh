@@ -32,7 +32,7 @@ if [[ $1 == pages ]]; then
         --set joint.stiffness_factor=1 --set unit.tensile_strength="3.7 MPa"
     page spatial --set uq.samples=4 --set uq.spatial=independent
     page crushing --set uq.samples=2 --set joint.compressive_strength="8 MPa" --set joint.crushing_energy="5000 N/m"
-    failing=1 page some_failed --set uq.samples=12 --set solver.most_steps=6600
+    failing=1 page some_failed --set uq.samples=12 --set solver.most_steps=5000
     failing=1 page all_failed --set uq.samples=3 --set solver.most_steps=500
     page many --set uq.samples=2200 --set load.max_displacement="0.5 mm"
     page layouts --set uq.samples=6 --set wall.bond=rubble --set wall.layouts=4

@@ -35,7 +35,7 @@ refused() { # $1: exit code; $2: part of what is said; then the command
 }
 
 claim_thirty_kills_and_as_many_resumes_change_no_bit() {
-    local kills=0 code size=(--set uq.samples=1500 --threads 2)
+    local kills=0 code size=(--set uq.samples=1500 --set uq.audit=50 --threads 2)
     study whole "${size[@]}"
     while ((kills < 30)); do
         "$program" study "$here/small.ini" --out "$work/killed.h5" --quiet "${size[@]}" >/dev/null &
@@ -57,13 +57,13 @@ claim_thirty_kills_and_as_many_resumes_change_no_bit() {
 }
 
 claim_threads_and_shards_change_no_bit() {
-    local n i files
-    study whole --threads 2
-    study one --threads 1
+    local n i files audit=(--set uq.audit=3)
+    study whole "${audit[@]}" --threads 2
+    study one "${audit[@]}" --threads 1
     same whole one
     for n in 1 4 16; do
         files=()
-        for ((i = 1; i <= n; ++i)); do study "s$n" --shard "$i/$n" >/dev/null; done
+        for ((i = 1; i <= n; ++i)); do study "s$n" "${audit[@]}" --shard "$i/$n" >/dev/null; done
         ((n > 1)) || { same whole s1; continue; }
         for i in "$work/s$n"_*_of_"$n".h5; do files+=("$i"); done
         "$program" merge "$work/m$n.h5" "${files[@]}"
@@ -106,7 +106,7 @@ claim_files_of_strangers_are_refused_by_name_and_nothing_is_written() {
 }
 
 claim_random_layouts_have_the_same_bits_by_threads_shards_resumes_and_alone() {
-    local layouts=(--set wall.bond=rubble --set wall.layouts=7) i size=(--set uq.samples=16)
+    local layouts=(--set wall.bond=rubble --set wall.layouts=7) i size=(--set uq.samples=16 --set uq.audit=2)
     study whole "${layouts[@]}" "${size[@]}" --threads 2
     study one "${layouts[@]}" "${size[@]}" --threads 1
     study more "${layouts[@]}" "${size[@]}" --threads 9

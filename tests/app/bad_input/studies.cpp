@@ -192,6 +192,10 @@ constexpr std::array kStudies = {
         "study.ini:23: solver.contact_points: makes 198 zones along a face; (contact_points - 1) x zones_per_interval must be at most 100"},
     BadStudy{"one contact point", "[load]", "[solver]\ncontact_points = 1\n[load]",
         "study.ini:23: solver.contact_points: \"1\" is out of range; must be in [2, 100]"},
+    BadStudy{"an accuracy that may be a percentage or a share", "[load]", "[solver]\naccuracy = 1\n[load]",
+        "study.ini:23: solver.accuracy: missing unit; write \"1 %\""},
+    BadStudy{"no error at all", "[load]", "[solver]\naccuracy = 0 %\n[load]",
+        "study.ini:23: solver.accuracy: \"0 %\" is out of range; must be in (0, 50] %"},
     BadStudy{"two block modes", "[load]", "[solver]\nblock_modes = 2\n[load]",
         "study.ini:23: solver.block_modes: \"2\" is out of range; must be in [3, 1000]"},
     BadStudy{"millimetres written as metres", "length = 1.00 m", "length = 1000 m",
@@ -265,7 +269,7 @@ constexpr std::array kStudies = {
     BadStudy{"ten thousand small cycles", "[load]", "[load]\namplitudes = 1 mm\nrepeats = 10000",
         "study.ini:25: output.record_every: makes more than 1000000 points; record fewer"},
     BadStudy{"more cycles than steps", "[load]", "[load]\namplitudes = 20 mm\nrepeats = 800\n[output]\nrecord_every = 1 mm\nsnapshot_every = 0 mm\n[load]",
-        "study.ini:29: solver.most_steps: is less than the 2.13e+07 steps that a path of 64 m needs; ask for fewer cycles, or allow more steps"},
+        "study.ini:29: solver.most_steps: is less than the 2.56e+07 steps that a path of 64 m needs at least; ask for fewer cycles, or allow more steps"},
     BadStudy{"an amplitude of another unit", "[load]", "[load]\namplitudes = 5, 10 kN",
         "study.ini:23: load.amplitudes: unit \"kN\" is not a length; use m, cm or mm"},
     BadStudy{"a protocol that does not exist", "[load]", "[load]\nprotocol = atc24",
@@ -274,6 +278,64 @@ constexpr std::array kStudies = {
         "study.ini:13: joint.wear_length: joints with mortar do not wear; remove it"},
     BadStudy{"wear in no time", "[joint]", "[joint]\nwear_length = 0 mm",
         "study.ini:12: joint.wear_length: \"0 mm\" is out of range; must be in (0, 10000] mm"},
+    BadStudy{"one stone that the base holds", "", R"([wall]
+length = 0.2 m
+courses = 1
+course_height = 0.1 m
+unit_length = 0.2 m
+thickness = 0.2 m
+base = fixed
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+friction_angle = 31.8 deg
+[unit]
+cracks = none
+[beam]
+present = no
+[load]
+pattern = body
+vertical_stress = 0 MPa
+)",
+        "study.ini:7: wall.base: fixed holds the block at (0.1, 0.05), which touches no other, so that nothing of it can move; write joint, or leave the block out"},
+    BadStudy{"a stone on its own that the base holds", "", R"([wall]
+outlines = 0 0, 1 0, 1 1, 0 1; 2 0, 3 0, 3 1, 2 1; 0 1, 1 1, 0.5 1.6
+thickness = 0.2 m
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+friction_angle = 31.8 deg
+[beam]
+present = no
+[load]
+pattern = body
+vertical_stress = 0 MPa
+)",
+        "study.ini:1: wall.base: fixed holds the block at (2.5, 0.5), which touches no other, so that nothing of it can move; write joint, or leave the block out"},
+    BadStudy{"a stone on an edge of 0.05 mm", "", R"([wall]
+outlines = 0 0, 1 0, 1 1, 0 1; 0.99995 1, 2 1, 2 2, 0.99995 2
+thickness = 0.2 m
+base = joint
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+friction_angle = 31.8 deg
+[beam]
+present = no
+[load]
+pattern = body
+vertical_stress = 0 MPa
+)",
+        "study.ini:2: wall.outlines: the block at (1.5, 1.5) lies against no other over more than 0.1 mm; draw it against its neighbours"},
     BadStudy{"a curve without points", "[load]", "[output]\nrecord_every = 31 mm\n[load]",
         "study.ini:23: output.record_every: must be at most the path of the push, 30 mm"},
     BadStudy{"a curve of too many points", "[load]", "[output]\nrecord_every = 1e-6 mm\n[load]",
