@@ -169,7 +169,7 @@ double elastic_way(const SceneDraw& s)
 
 constexpr double kSecondsPerStoneStep = 5e-7; // of small walls on one core, measured
 
-/// Of a way of one metre, 20 times slower than the drive for which the scenes were drawn first, some walls with pauses [s].
+/// A push of one metre costs so much, 20 times slower than with the drive for which the scenes were drawn first [s].
 /// Another estimate would draw other scenes.
 double cost_per_metre(const SceneDraw& s)
 {

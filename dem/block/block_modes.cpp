@@ -42,7 +42,8 @@ void extend_basis(const MatrixXd& c, const MatrixXd& candidates, Index wanted, M
     for (Index k = 0; k < candidates.cols() && basis.cols() < wanted; ++k) {
         VectorXd v = candidates.col(k);
         const double whole = v.dot(c * v);
-        if (!(whole > 0.0)) continue; // of a shear, where all contacts are at the bottom
+        if (!(whole > 0.0))
+            continue; // a shear moves none of them where all contacts are at the bottom
         v /= std::sqrt(whole);
         for (int twice = 0; twice < 2; ++twice)
             if (basis.cols() > 0) v -= basis * (basis.transpose() * (c * v));

@@ -18,7 +18,7 @@ constexpr double kRounding = 1e-7; // [m] of the coordinates of a level or verti
 
 bool same(double a, double b) { return std::abs(a - b) < kSamePlace; }
 
-/// Of an edge of a rectangle.
+/// Edges of a rectangle are either vertical or level, but for rounding.
 bool is_vertical(const BlockEdge& e)
 {
     return std::abs(e.to.x - e.from.x) < std::abs(e.to.z - e.from.z);

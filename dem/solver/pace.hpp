@@ -20,7 +20,7 @@ struct Felt {
     double fracture = 0.0;  ///< energy so far [J]
 };
 
-/// What is known of a wall before its push.
+/// Facts of a wall that are known before its push.
 struct PushStart {
     double way = 0.0;        ///< of the whole push [m]
     double stiffness = 0.0;  ///< while nothing opens, slips or cracks [N/m]; 0: not known

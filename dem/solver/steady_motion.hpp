@@ -1,5 +1,5 @@
 #pragma once
-/// How much of the motion of a wall goes on, and how much only rings.
+/// Tells how much of the motion of a wall goes on, and how much only rings.
 
 #include "dem/solver/wall_state.hpp"
 

@@ -48,8 +48,9 @@ constexpr double kChange =
 constexpr double kLeastError = 0.5;
 // Kinetic energy of a wall at rest under its vertical load, as a share of what it stores. Forces are in balance, too, in a
 // wall that comes down at a constant speed.
-constexpr double kAtRest = 1e-3;   // a free choice: walls at rest have 1e-6 at most
-constexpr double kRounding = 1e-9; // of ways that are sums of steps
+constexpr double kAtRest = 1e-3; // a free choice
+// A way that is a sum of steps may miss a mark by this share of it.
+constexpr double kWayRounding = 1e-9;
 constexpr double kMeasuredLimit =
     0.99; // largest share of the measured limit, which is known to 1e-3
 constexpr double kSmallestStep = 1.0 / 64.0; // smallest step, as a share of the proven limit
@@ -232,7 +233,7 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     if (task_->plan.drop > 0.0 && !result_.at_drop &&
         std::abs(p.force) <= task_->plan.drop * peak_)
         result_.at_drop = snapshot();
-    if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_ * (1.0 - kRounding)) {
+    if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_ * (1.0 - kWayRounding)) {
         keep(snapshot());
         next_snapshot_ += task_->plan.snapshot_every;
     }

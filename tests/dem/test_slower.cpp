@@ -1,10 +1,12 @@
 #include "dem/solver/slower.hpp"
 
 #include "dem/solver/push.hpp"
+#include "dem/solver/solver_error.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <limits>
+#include <vector>
 
 TEST_CASE("slower: twice two times slower is four times, and once is the same", "[dem][slower]")
 {
@@ -36,4 +38,49 @@ TEST_CASE("slower: an accuracy is more than nothing and at most a half", "[dem][
         CHECK_THROWS_WITH(dem::check(dem::PushPlan{}, o),
                           Catch::Contains("the accuracy must lie in (0, 0.5]"));
     }
+}
+
+namespace {
+
+/// A force that rises to 100 N over 10 mm and stays, while damping takes 2 N.
+std::vector<dem::CurvePoint> dragged()
+{
+    std::vector<dem::CurvePoint> curve(21);
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        curve[i].displacement = 1e-3 * static_cast<double>(i);
+        curve[i].force = curve[i].base_shear = i < 10 ? 10.0 * static_cast<double>(i) : 99.0;
+        curve[i].energy.damping = 2.0 * curve[i].displacement;
+    }
+    curve[10].force = curve[10].base_shear = 100.0;
+    return curve;
+}
+
+} // namespace
+
+TEST_CASE("solver error: what damping takes at the peak counts twice, of local damping by half",
+          "[dem][solver_error]")
+{
+    const std::vector<dem::CurvePoint> curve = dragged();
+    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(2.0 * 0.02));
+    CHECK(dem::force_error(curve, dem::Damping::local) == Approx(0.5 * 0.02));
+    CHECK(dem::force_error({}, dem::Damping::combined) == 0.0);
+}
+
+TEST_CASE("solver error: a gap between top and base counts by half, before it is doubled",
+          "[dem][solver_error]")
+{
+    std::vector<dem::CurvePoint> curve = dragged();
+    curve[10].base_shear = 97.0; // the point is the mean of both
+    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(2.0 * 0.05));
+}
+
+TEST_CASE(
+    "solver error: energy that one swing takes at the peak counts, that of a crack does not",
+    "[dem][solver_error]")
+{
+    std::vector<dem::CurvePoint> curve = dragged();
+    for (std::size_t i = 10; i < curve.size(); ++i) curve[i].energy.kinetic = 8e-3; // 8 N
+    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(0.10));
+    for (std::size_t i = 10; i < curve.size(); ++i) curve[i].energy.fracture = 1e-6;
+    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(0.04));
 }
