@@ -66,8 +66,11 @@ struct Layout {
     bool coursed = true;    ///< blocks are rectangles in level courses
     bool mortar =
         false; ///< joints between units follow the law of cracks, with their own materials
-    bool crushing = false;       ///< joints and cracks may crush, as their materials say
-    bool wear = false;           ///< dry joints may wear, as their materials say
+    bool crushing = false;             ///< joints and cracks may crush, as their materials say
+    bool wear = false;                 ///< dry joints may wear, as their materials say
+    Closure closure = Closure::linear; ///< of dry joints, as their materials say
+    /// Cracks follow the law of mixed modes, in place of that of the paper, as their materials say.
+    bool mixed_mode = false;
     std::vector<Elastic> stones; ///< of blocks that are not of the wall's stone
     int lintels = 0;      ///< Block::material of units that have no potential cracks; 0: none
     bool divided = false; ///< joints may fall into several faces, along pieces of units

@@ -23,6 +23,16 @@ Wear wear_of(const JointParameters& j, double friction_angle)
     return {std::tan(std::min(j.residual_friction_angle, friction_angle)), j.wear_length};
 }
 
+/// A factor on the stiffness of a joint makes it close by so much less under the same pressure.
+Closing closing_of(const JointParameters& j)
+{
+    Closing c = j.closing;
+    c.initial_stiffness *= j.stiffness_factor;
+    c.maximum /= j.stiffness_factor;
+    c.stiffest *= j.stiffness_factor;
+    return c;
+}
+
 } // namespace
 
 JointMaterial joint_material(const JointParameters& j)
@@ -34,7 +44,10 @@ JointMaterial joint_material(const JointParameters& j)
             j.cohesion,
             j.fracture_energy,
             j.crushing,
-            wear_of(j, j.friction_angle)};
+            wear_of(j, j.friction_angle),
+            closing_of(j),
+            j.envelope,
+            j.shear_fracture_energy};
 }
 
 namespace {
@@ -54,7 +67,9 @@ CrackMaterial of_stiffness(const CrackParameters& c, double kn, double ks)
             .tan_phi_res = std::tan(std::min(c.residual_friction_angle, c.friction_angle)),
             .fracture_energy = c.fracture_energy,
             .tension_reduces_shear = c.tension_reduces_shear,
-            .crushing = c.crushing};
+            .crushing = c.crushing,
+            .envelope = c.envelope,
+            .shear_fracture_energy = c.shear_fracture_energy};
 }
 
 } // namespace
@@ -84,7 +99,8 @@ WallMaterials wall_materials(const PaperMaterials& p, const Layout& layout)
                     .ks = p.joint.ks,
                     .tan_phi = std::tan(p.base_friction_angle),
                     .crushing = p.joint.crushing,
-                    .wear = wear_of(p.joint, p.base_friction_angle)};
+                    .wear = wear_of(p.joint, p.base_friction_angle),
+                    .closing = p.joint.closing};
     w.beam_joint = w.base_joint;
     w.beam_joint.tan_phi = std::tan(p.beam_friction_angle);
     w.beam_joint.wear = wear_of(p.joint, p.beam_friction_angle);

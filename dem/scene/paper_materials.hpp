@@ -18,16 +18,19 @@ namespace dem {
 
 /// The joints between units.
 struct JointParameters {
-    double kn = 0.0;                      ///< normal stiffness, before the factor [Pa/m], > 0
-    double ks = 0.0;                      ///< shear stiffness, before the factor [Pa/m], > 0
-    double stiffness_factor = 1.0;        ///< on both stiffnesses [-], > 0
-    double friction_angle = 0.0;          ///< [rad], in [0, pi/2)
-    double tensile_strength = 0.0;        ///< of mortar [Pa], >= 0
-    double cohesion = 0.0;                ///< of mortar [Pa], >= 0
-    double fracture_energy = 0.0;         ///< of mortar, mode I [J/m2], >= 0
-    Crushing crushing{};                  ///< of the faces, at the base and at the beam too
-    double residual_friction_angle = 0.0; ///< of worn joints [rad]; used with a wear length
-    double wear_length = 0.0;             ///< [m], >= 0; 0: no wear
+    double kn = 0.0;                       ///< normal stiffness, before the factor [Pa/m], > 0
+    double ks = 0.0;                       ///< shear stiffness, before the factor [Pa/m], > 0
+    double stiffness_factor = 1.0;         ///< on both stiffnesses [-], > 0
+    double friction_angle = 0.0;           ///< [rad], in [0, pi/2)
+    double tensile_strength = 0.0;         ///< of mortar [Pa], >= 0
+    double cohesion = 0.0;                 ///< of mortar [Pa], >= 0
+    double fracture_energy = 0.0;          ///< of mortar, mode I [J/m2], >= 0
+    Crushing crushing{};                   ///< of the faces, at the base and at the beam too
+    double residual_friction_angle = 0.0;  ///< of worn joints [rad]; used with a wear length
+    double wear_length = 0.0;              ///< [m], >= 0; 0: no wear
+    Closing closing{};                     ///< at the base and at the beam too
+    Envelope envelope = Envelope::coulomb; ///< of mortar
+    double shear_fracture_energy = 0.0;    ///< of mortar, mode II [J/m2], >= 0; 0: brittle
 };
 
 /// What becomes of a crack that snaps back, f_T > sqrt(2 G k_n), whose softening would end before it
@@ -50,6 +53,8 @@ struct CrackParameters {
     bool tension_reduces_shear = CrackMaterial{}.tension_reduces_shear;
     SnapBack snap_back = SnapBack::breaks;
     Crushing crushing{};
+    Envelope envelope = Envelope::coulomb;
+    double shear_fracture_energy = 0.0; ///< mode II [J/m2], >= 0; 0: brittle
 };
 
 /// The parameters of a wall whose joints are all alike, and whose cracks are.

@@ -96,17 +96,42 @@ struct Wear {
     double length = 0.0;      ///< slip that leaves 1/e of the asperities [m], >= 0; 0: no wear
 };
 
+/// How the stiffness of dry joints grows with the pressure p on them (dem/contact/closure.hpp).
+enum class Closure {
+    linear,     ///< it does not
+    hyperbolic, ///< p = k_0 w / (1 - w / V_m) of the closure w (Bandis, Lumsden and Barton 1983)
+    exponential ///< p = k_0 V_m (exp(w / V_m) - 1)
+};
+
+/// Of a dry joint; only where Layout::closure is not linear.
+struct Closing {
+    double initial_stiffness = 0.0; ///< k_0 [Pa/m], > 0
+    double maximum = 0.0;           ///< V_m [m], > 0
+    double loss =
+        0.0; ///< share of the closing work that a cycle of load and unload takes [-], in [0, 1)
+    double stiffest = 0.0; ///< normal stiffness that it does not exceed [Pa/m], >= k_0
+};
+
+/// The shear strength of a crack in tension.
+enum class Envelope {
+    coulomb,   ///< c - sigma tan(phi)
+    hyperbolic ///< a smooth curve from (0, c) to (f_t, 0) (dem/contact/mixed_crack.hpp)
+};
+
 /// A joint: no tension, Coulomb friction, no dilatancy. Mortar bonds it besides, until it is damaged as a crack is; only
 /// where Layout::mortar says so.
 struct JointMaterial {
-    double kn = 0.0;              ///< normal stiffness [Pa/m], > 0
-    double ks = 0.0;              ///< shear stiffness [Pa/m], > 0
+    /// Normal and shear stiffness [Pa/m], > 0. Where joints close, that at the vertical stress of the wall.
+    double kn = 0.0, ks = 0.0;
     double tan_phi = 0.0;         ///< friction coefficient [-], >= 0
     double ft = 0.0;              ///< tensile strength of the bond [Pa], >= 0
     double cohesion = 0.0;        ///< of the bond; nothing is left once it is broken [Pa], >= 0
     double fracture_energy = 0.0; ///< of the bond, mode I [J/m2], >= 0
     Crushing crushing{};
     Wear wear{};
+    Closing closing{};
+    Envelope envelope = Envelope::coulomb; ///< of the bond
+    double shear_fracture_energy = 0.0;    ///< of the bond, mode II [J/m2], >= 0; 0: brittle
 };
 
 /// A potential crack through a unit (paper, Table 4).
@@ -123,13 +148,23 @@ struct CrackMaterial {
     /// tension.
     bool tension_reduces_shear = true;
     Crushing crushing{};
+    Envelope envelope = Envelope::coulomb;
+    double shear_fracture_energy = 0.0; ///< mode II [J/m2], >= 0; 0: brittle
 };
 
 /// The law of a bonded joint.
 [[nodiscard]] inline CrackMaterial bond_of(const JointMaterial& j)
 {
-    return {j.kn, j.ks,      j.ft, j.cohesion, 0.0, j.tan_phi, j.tan_phi, j.fracture_energy,
-            true, j.crushing};
+    return {.kn = j.kn,
+            .ks = j.ks,
+            .ft = j.ft,
+            .cohesion = j.cohesion,
+            .tan_phi = j.tan_phi,
+            .tan_phi_res = j.tan_phi,
+            .fracture_energy = j.fracture_energy,
+            .crushing = j.crushing,
+            .envelope = j.envelope,
+            .shear_fracture_energy = j.shear_fracture_energy};
 }
 
 /// One realisation of everything that may be random: one sample of a study.
