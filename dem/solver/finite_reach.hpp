@@ -97,7 +97,7 @@ FurtherUpdate<Real> advance_further_closing(const ContactRun& run, int i, std::s
     const ClosingState<Real> last = closing_further(s, at);
     const ClosingUpdate<Real> u =
         advance_closing<kClosure, kLoses>(law, tan_phi, last, u_n - last.u_n, slip);
-    s.finite.further_u_n[at] = u.state.u_n;
+    s.finite.further_u_n[at] = select(touches, u.state.u_n, zero);
     s.finite.further_shear[at] = select(touches, u.state.shear, zero);
     s.finite.further_rest[at] = select(touches, u.state.rest, zero);
     return {u.sigma, u.tau, u.friction, stored_energy<kClosure>(law, u.state),

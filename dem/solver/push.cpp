@@ -1,6 +1,7 @@
 #include "dem/solver/push.hpp"
 
 #include "dem/block/model.hpp"
+#include "dem/contact/closure.hpp"
 #include "dem/solver/batch.hpp"
 
 #include <algorithm>
@@ -38,6 +39,20 @@ void check_wear(const Model& m, const std::string& name, const JointMaterial& j)
                 "the new one");
     require(m.layout.wear && !m.layout.mortar,
             name + ": wear needs a layout with wear and without mortar");
+}
+
+void check_closing(const Model& m, const std::string& name, const JointMaterial& j)
+{
+    if (m.layout.closure == Closure::linear) return;
+    const Closing& c = j.closing;
+    require(!m.layout.mortar, name + ": joints with mortar do not close further");
+    require(c.initial_stiffness > 0 && c.maximum > 0,
+            name + ": initial stiffness and maximum closure must be positive");
+    require(c.loss >= 0 && c.loss < 1, name + ": the closure loss must lie in [0, 1)");
+    require(c.stiffest >= c.initial_stiffness &&
+                c.stiffest <= kMostStiffening * c.initial_stiffness,
+            name +
+                ": the largest stiffness must lie between the initial one and 1e6 times that");
 }
 
 void check_crushing(const Model& m, const std::string& name, const Crushing& c)
@@ -100,6 +115,10 @@ void check(const Model& m, const WallMaterials& w)
         check_crushing(m, numbered("crack", i), w.cracks[i].crushing);
     for (std::size_t i = 0; i < w.joints.size(); ++i)
         check_wear(m, numbered("joint", i), w.joints[i]);
+    for (std::size_t i = 0; i < w.joints.size(); ++i)
+        check_closing(m, numbered("joint", i), w.joints[i]);
+    check_closing(m, "base joint", w.base_joint);
+    check_closing(m, "beam joint", w.beam_joint);
     check_wear(m, "base joint", w.base_joint);
     check_wear(m, "beam joint", w.beam_joint);
     check_joint("beam joint", w.beam_joint);

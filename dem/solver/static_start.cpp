@@ -15,6 +15,7 @@ using Vector = std::vector<double>;
 
 constexpr double kStartTolerance = 1e-8; // relative residual in the norm of the preconditioner
 constexpr int kMostStartIterations = 20000;
+constexpr double kNewtonTolerance = 1e-11; // the same
 constexpr int kMostNewtonSteps = 40;
 
 /// Solves K q = load by conjugate gradients, from q = 0.
@@ -96,7 +97,7 @@ double size_of(const WallState<double>& s, const Vector& r)
 /// Solves for the wall whose joints close, by Newton's method, from q = 0.
 template <Closure kClosure> bool close_joints(const StepTables& t, WallState<double>& s)
 {
-    const double enough = kStartTolerance * size_of(s, s.laws.load);
+    const double enough = kNewtonTolerance * size_of(s, s.laws.load);
     close_as_given<kClosure>(t, s);
     Vector left = s.laws.load, by(s.q.size());
     for (int i = 0; i < kMostNewtonSteps; ++i) {

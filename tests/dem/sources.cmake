@@ -10,6 +10,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_build_cost.cpp
     dem/test_condensation.cpp
     dem/test_crack_unloading.cpp
+    dem/test_closure.cpp
     dem/test_crushing.cpp
     dem/test_crushing_finite.cpp
     dem/test_crack_strength.cpp
