@@ -75,6 +75,17 @@ class Pack {
         return c;
 #endif
     }
+    friend Pack sqrt(Pack a)
+    {
+#if defined(__AVX512F__)
+        return Pack(root(a.v_));
+#elif defined(__AVX__)
+        return Pack(root(a.v_));
+#else
+        for (int i = 0; i < kLanes; ++i) a.v_[i] = std::sqrt(a.v_[i]);
+        return a;
+#endif
+    }
 
   private:
     explicit Pack(Vector v) : v_(v) {}
@@ -91,6 +102,12 @@ class Pack {
     }
 #endif
 #if defined(__AVX512F__)
+    /// (g++ 12 warns of _mm512_sqrt_pd.)
+    static __m512d root(__m512d a) { return _mm512_maskz_sqrt_pd(0xff, a); }
+#elif defined(__AVX__)
+    static __m256d root(__m256d a) { return _mm256_sqrt_pd(a); }
+#endif
+#if defined(__AVX512F__)
     static __m512d fused(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
 #elif defined(__FMA__)
     static __m256d fused(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
@@ -101,6 +118,7 @@ class Pack {
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
 inline bool any(bool mask) { return mask; }
 inline double multiply_add(double a, double b, double c) { return std::fma(a, b, c); }
+using std::sqrt; // exact to the last bit, as that of Pack
 
 /// b where it is smaller, else a.
 template <class Real> Real min(Real a, Real b) { return select(b < a, b, a); }
