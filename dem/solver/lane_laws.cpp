@@ -191,12 +191,16 @@ CrackLaw<double> crack_law(const CrackMaterial& c)
 
 MixedLaw<double> mixed_law(const CrackMaterial& c)
 {
-    const bool brittle = c.shear_fracture_energy == 0.0 || c.cohesion == c.cohesion_res;
+    // Of the energy that a crack stores when it breaks, so that rounding does not let it soften.
+    constexpr double kBitLess = 1.0 - 1e-9;
+    const double drop = c.cohesion - c.cohesion_res;
+    const double energy =
+        std::max(c.shear_fracture_energy, kBitLess * drop * drop / (2.0 * c.ks));
     const double u_ul =
         c.ft > 0.0 ? std::max(2.0 * c.fracture_energy / c.ft, c.ft / c.kn) : 0.0;
     MixedLaw<double> law;
-    law.inv_energy = brittle ? 0.0 : 0.5 / c.shear_fracture_energy;
-    law.brittle = brittle ? kBreaksInShear : 0.0;
+    law.inv_energy = drop > 0.0 ? 0.5 / energy : 0.0;
+    law.brittle = drop > 0.0 ? 0.0 : kBreaksInShear;
     law.inv_u_ul = u_ul > 0.0 ? 1.0 / u_ul : 0.0;
     law.kappa = c.cohesion > 0.0 ? std::min(1.0, c.ft * c.tan_phi / c.cohesion) : 1.0;
     law.hyperbolic = c.envelope == Envelope::hyperbolic ? 1.0 : 0.0;
