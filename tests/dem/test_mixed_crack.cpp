@@ -250,6 +250,36 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "mixed crack: what a single step loses pays for its damage, and its stresses are those "
+    "of the damaged crack",
+    "[dem][mixed_crack]")
+{
+    Crack closed(stone());
+    closed.move(-1e-5, 0.0, 1);
+    closed.move(-1e-5, 0.8 * closed.limit() / closed.law.ks, 1);
+    closed.move(-1e-5, 4e-5, 1);
+    REQUIRE(closed.damage() > 0.1);
+    REQUIRE(closed.damage() < 0.9);
+    CHECK(closed.damage() == Approx(closed.fracture / kG2).epsilon(1e-12));
+
+    Crack open(stone());
+    open.move(0.5 * open.law.u_el, 0.0, 1);
+    open.move(open.state.u_n, 1e-4, 1);
+    REQUIRE(open.damage() > 0.1);
+    REQUIRE(open.damage() < 0.9);
+    CHECK(open.state.sigma == Approx(0.5 * kFt * (1.0 - open.damage())).epsilon(1e-12));
+
+    CrackMaterial c = stone();
+    c.cohesion_res = 0.3e6;
+    Crack breaks(c);
+    breaks.move(0.5 * breaks.law.u_el, 0.0, 1);
+    breaks.move(breaks.state.u_n, 1e-3, 1);
+    CHECK(breaks.damage() == 1.0);
+    CHECK(breaks.state.sigma == 0.0);
+    CHECK(breaks.state.tau == 0.0);
+}
+
 TEST_CASE("mixed crack: the damage is the share of the fracture energies that is spent, on any "
           "path, and no path makes energy",
           "[dem][mixed_crack]")
