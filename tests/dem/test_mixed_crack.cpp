@@ -292,8 +292,8 @@ TEST_CASE("mixed crack: the damage is the share of the fracture energies that is
     for (int leg = 0; leg < 40; ++leg) { // there and back, and on
         const double to = (uniform(random) - 0.4) * 4e-5, by = (uniform(random) - 0.5) * 2e-4;
         const double from = crack.state.u_n;
-        crack.move(to, by);
-        if (random() % 2) crack.move(from, -by);
+        crack.move(to, by, 5000);
+        if (random() % 2) crack.move(from, -by, 5000);
         const double stored = 0.5 * (crack.state.sigma * crack.state.u_n +
                                      crack.state.tau * crack.state.tau * crack.law.inv_ks);
         const double put = crack.work_normal + crack.work_shear;
