@@ -20,6 +20,12 @@ constexpr int kRegisterBytes = 32;
 constexpr int kRegisterBytes = 16;
 #endif
 
+/// 1 / sqrt(a) to seven digits, for 1e-30 < a < 1e30. No processor's own estimate is used, so that all give the same bits.
+inline double rough_inverse_root(double a)
+{
+    return static_cast<double>(1.0F / std::sqrt(static_cast<float>(a)));
+}
+
 class Pack {
     using Vector = double __attribute__((vector_size(kRegisterBytes)));
     using Bits = std::int64_t __attribute__((vector_size(kRegisterBytes)));
@@ -86,6 +92,19 @@ class Pack {
         return a;
 #endif
     }
+    friend Pack rough_inverse_root(Pack a)
+    {
+#if defined(__AVX512F__)
+        const __m256 root = _mm256_sqrt_ps(_mm512_maskz_cvtpd_ps(0xff, a.v_));
+        return Pack(_mm512_maskz_cvtps_pd(0xff, _mm256_div_ps(_mm256_set1_ps(1.0F), root)));
+#elif defined(__AVX__)
+        return Pack(
+            _mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0F), _mm_sqrt_ps(_mm256_cvtpd_ps(a.v_)))));
+#else
+        for (int i = 0; i < kLanes; ++i) a.v_[i] = rough_inverse_root(a.v_[i]);
+        return a;
+#endif
+    }
 
   private:
     explicit Pack(Vector v) : v_(v) {}
@@ -124,6 +143,13 @@ using std::sqrt; // exact to the last bit, as that of Pack
 template <class Real> Real min(Real a, Real b) { return select(b < a, b, a); }
 template <class Real> Real max(Real a, Real b) { return select(a < b, b, a); }
 template <class Real> Real abs(Real a) { return max(a, -a); }
+
+/// 1 / sqrt(a) to some 1e-16, for 1e-30 < a < 1e30; quicker than a division and a root.
+template <class Real> Real inverse_root(Real a)
+{
+    const Real r = rough_inverse_root(a), missing = multiply_add(-(a * r), r, Real(1.0));
+    return multiply_add(r * missing, multiply_add(Real(0.375), missing, Real(0.5)), r);
+}
 
 /// Number of walls in one Real, and access to one of them.
 template <class Real> inline constexpr int lanes = 1;

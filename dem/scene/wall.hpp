@@ -2,6 +2,7 @@
 /// The wall as an engineer describes it: sizes, bond, supports, loads, and the material of every joint
 /// and crack.
 
+#include "dem/contact/contact_options.hpp"
 #include "dem/scene/crack_pattern.hpp"
 
 #include <optional>
@@ -96,13 +97,6 @@ struct Wear {
     double length = 0.0;      ///< slip that leaves 1/e of the asperities [m], >= 0; 0: no wear
 };
 
-/// How the stiffness of dry joints grows with the pressure p on them (dem/contact/closure.hpp).
-enum class Closure {
-    linear,     ///< it does not
-    hyperbolic, ///< p = k_0 w / (1 - w / V_m) of the closure w (Bandis, Lumsden and Barton 1983)
-    exponential ///< p = k_0 V_m (exp(w / V_m) - 1)
-};
-
 /// Of a dry joint; only where Layout::closure is not linear.
 struct Closing {
     double initial_stiffness = 0.0; ///< k_0 [Pa/m], > 0
@@ -110,12 +104,6 @@ struct Closing {
     double loss =
         0.0; ///< share of the closing work that a cycle of load and unload takes [-], in [0, 1)
     double stiffest = 0.0; ///< normal stiffness that it does not exceed [Pa/m], >= k_0
-};
-
-/// The shear strength of a crack in tension.
-enum class Envelope {
-    coulomb,   ///< c - sigma tan(phi)
-    hyperbolic ///< a smooth curve from (0, c) to (f_t, 0) (dem/contact/mixed_crack.hpp)
 };
 
 /// A joint: no tension, Coulomb friction, no dilatancy. Mortar bonds it besides, until it is damaged as a crack is; only

@@ -1,5 +1,7 @@
 #include "dem/solver/elastic_operator.hpp"
 
+#include "dem/solver/closing_joint.hpp"
+
 #include <cstddef>
 
 namespace dem {
@@ -22,7 +24,17 @@ void elastic_stress(const StepTables& t, const WallState<double>& s,
                 stress[2 * k + 1] = laws[run.law].ks * du[2 * k + 1];
             }
     };
-    fill(t.dry, s.laws.dry);
+    if (s.laws.closure == Closure::linear)
+        fill(t.dry, s.laws.dry);
+    else
+        with_closure(s.laws, [&]<Closure kClosure, bool>() {
+            for (const ContactRun& run : t.dry)
+                for (int k = run.first; k < run.first + run.count; ++k) {
+                    const auto [kn, ks] = stiffness_of<kClosure>(s, run.law, k);
+                    stress[2 * k] = kn * du[2 * k];
+                    stress[2 * k + 1] = ks * du[2 * k + 1];
+                }
+        });
     fill(t.tied, s.laws.tied);
     fill(t.cracks, s.laws.cracks);
 }

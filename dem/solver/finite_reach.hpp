@@ -2,6 +2,7 @@
 /// Blocks that slide beyond the blocks under them, onto the next ones.
 
 #include "dem/kinematics/overlap.hpp"
+#include "dem/solver/closing_joint.hpp"
 #include "dem/solver/wall_state.hpp"
 
 #include <cstddef>
@@ -31,18 +32,76 @@ template <class Real>
 /// what the contact crushes itself stays with it.
 /// @param at contact of `further`;  home: contact of the pair it came from
 /// @param u_n opening without what is crushed [m];  area of before this step, over which the energy counts [m2]
-template <class Real, class Mask>
-Real crushed_further(const CrushingLaw<Real>& law, std::size_t at, int home, Real u_n,
-                     Real area, Mask touches, WallState<Real>& s)
+/// @param crushed_by, pressure_at of the law of the contact, see crushing.hpp: of what is crushed and of the opening
+template <class Real, class Mask, class CrushedBy, class PressureAt>
+Real crushed_further(std::size_t at, int home, Real u_n, Real area, Mask touches,
+                     CrushedBy crushed_by, PressureAt pressure_at, WallState<Real>& s)
 {
     Real& crushed = s.finite.further_crushed[at];
     const Real before = crushed, known = max(before, s.crushed[home]);
-    const Real after = select(touches, known + crushed_by(law, known, u_n + known), before);
-    const Real pressure = max(Real(0.0), Real(0.0) - law.kn * s.finite.further_u_n[at]) +
-                          max(Real(0.0), Real(0.0) - law.kn * (u_n + after));
+    const Real after = select(touches, known + crushed_by(known, u_n + known), before);
+    const Real pressure = pressure_at(s.finite.further_u_n[at]) + pressure_at(u_n + after);
     s.crushing = multiply_add(area * (Real(0.5) * pressure), after - before, s.crushing);
     crushed = after;
     return after;
+}
+
+/// What one contact of `further` has after a step.
+template <class Real> struct FurtherUpdate {
+    Real sigma, tau;       ///< [Pa]
+    Real friction, stored; ///< per area [J/m2]
+    Real pressure;         ///< of a joint that closes [Pa]
+};
+
+/// @param u_n gap where the contact is [m];  before area of before this step [m2]
+template <class Real, class Mask>
+FurtherUpdate<Real> advance_further_contact(const ContactRun& run, int i, std::size_t at,
+                                            Real u_n, Real slip, Real before, Mask touches,
+                                            WallState<Real>& s)
+{
+    const DryLaw<Real>& law = s.laws.dry[run.law];
+    const Real zero(0.0);
+    if (!s.crushed.empty())
+        u_n += crushed_further(
+            at, run.first + i, u_n, before, touches,
+            [&](Real crushed, Real u_e) {
+                return crushed_by(s.laws.dry_crushing[run.law], crushed, u_e);
+            },
+            [&](Real u_e) { return max(zero, zero - law.kn * u_e); }, s);
+    const DryUpdate<Real> u =
+        advance(s.roughness.empty() ? law : worn_law(s, run.law, run.first + i),
+                {zero, s.finite.further_tau[at]}, u_n, slip);
+    s.finite.further_u_n[at] = u_n;
+    s.finite.further_tau[at] = select(touches, u.state.tau, zero);
+    return {u.sigma, u.state.tau, u.friction,
+            stored_energy(law, u.state.u_n, u.sigma, u.state.tau), zero};
+}
+
+/// The same where joints close.
+template <Closure kClosure, bool kLoses, class Real, class Mask>
+FurtherUpdate<Real> advance_further_closing(const ContactRun& run, int i, std::size_t at,
+                                            Real u_n, Real slip, Real before, Mask touches,
+                                            WallState<Real>& s)
+{
+    const ClosureLaw<Real>& law = s.laws.closing[run.law];
+    const Real zero(0.0);
+    if (!s.crushed.empty())
+        u_n += crushed_further(
+            at, run.first + i, u_n, before, touches,
+            [&](Real crushed, Real u_e) {
+                return crushed_by<kClosure>(s.laws.dry_crushing[run.law], law, crushed, u_e);
+            },
+            [&](Real u_e) { return pressure_of<kClosure>(law, max(zero, -u_e)); }, s);
+    const Real tan_phi = s.roughness.empty() ? s.laws.dry[run.law].tan_phi
+                                             : worn_law(s, run.law, run.first + i).tan_phi;
+    const ClosingState<Real> last = closing_further(s, at);
+    const ClosingUpdate<Real> u =
+        advance_closing<kClosure, kLoses>(law, tan_phi, last, u_n - last.u_n, slip);
+    s.finite.further_u_n[at] = u.state.u_n;
+    s.finite.further_shear[at] = select(touches, u.state.shear, zero);
+    s.finite.further_rest[at] = select(touches, u.state.rest, zero);
+    return {u.sigma, u.tau, u.friction, stored_energy<kClosure>(law, u.state),
+            select(touches, u.pressure, zero)};
 }
 
 /// A block and one onto which it slides. Both are felt as rigid: the elastic modes know the contacts of
@@ -52,7 +111,6 @@ template <class Real, class Mask>
 void advance_further(const StepTables& t, const ContactRun& run, int row, Mask active,
                      WallState<Real>& s)
 {
-    const DryLaw<Real> law = s.laws.dry[run.law];
     const FacePair& pair = t.finite.further[row];
     BlockFrame<Real>&a = s.finite.frames[pair.a], &b = s.finite.frames[pair.b];
     const Overlap<Real> o = overlap_of(pair, a, b, s.finite.further[row].centre);
@@ -62,23 +120,24 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
                slip = slip_of(o, a, b);
     const Real grown = share - before;
     StressSum<Real> sum;
-    Real friction(0.0), stored(0.0);
+    Real friction(0.0), stored(0.0), most(0.0); // [J], [J], [Pa]
     for (int i = 0; i < run.count; ++i) {
         const std::size_t at = static_cast<std::size_t>(row) * t.finite.most_points + i;
         const Real place(t.finite.place[run.first + i]), area(t.area[run.first + i]);
-        Real u_n = multiply_add(place, o.widening, o.gap);
-        if (!s.crushed.empty())
-            u_n += crushed_further(s.laws.dry_crushing[run.law], at, run.first + i, u_n,
-                                   before * area, share > Real(0.0), s);
-        const DryUpdate<Real> u =
-            advance(s.roughness.empty() ? law : worn_law(s, run.law, run.first + i),
-                    {Real(0.0), s.finite.further_tau[at]}, u_n, slip);
-        s.finite.further_u_n[at] = u_n;
-        s.finite.further_tau[at] = select(share > Real(0.0), u.state.tau, Real(0.0));
+        const Real u_n = multiply_add(place, o.widening, o.gap);
+        const auto touches = share > Real(0.0);
+        FurtherUpdate<Real> u;
+        if (s.laws.closure == Closure::linear)
+            u = advance_further_contact(run, i, at, u_n, slip, before * area, touches, s);
+        else
+            with_closure(s.laws, [&]<Closure kClosure, bool kLoses>() {
+                u = advance_further_closing<kClosure, kLoses>(run, i, at, u_n, slip,
+                                                              before * area, touches, s);
+            });
         friction = multiply_add(area, u.friction, friction);
-        stored =
-            multiply_add(area, stored_energy(law, u.state.u_n, u.sigma, u.state.tau), stored);
-        sum.add(place, area * u.sigma, area * u.state.tau);
+        stored = multiply_add(area, u.stored, stored);
+        sum.add(place, area * u.sigma, area * u.tau);
+        most = max(most, u.pressure);
     }
     s.friction += share * friction - grown * stored;
     auto& last = s.finite.further[row];
@@ -90,6 +149,11 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
             o.past_near,
             select(active, centre_of_pressure(o, sum), last.centre)};
     add_forces(o, sum.on(share), a, b);
+    if (s.laws.closure == Closure::linear) return;
+    const auto block = [&](int frame) { return frame == t.finite.ground ? kGround : frame; };
+    with_closure(s.laws, [&]<Closure kClosure, bool>() {
+        allow_for<kClosure>(t, run.law, {block(pair.a), block(pair.b)}, most, s);
+    });
 }
 
 /// Blocks that overhang the last block under them. Where no wall of the register has such a block

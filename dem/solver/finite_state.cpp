@@ -44,7 +44,8 @@ void copy(const FiniteState<double>::Pair& from, int lane, typename FiniteState<
 } // namespace
 
 template <class Real>
-FiniteState<Real> undeformed(const FiniteTables& t, int modes, int contacts, bool crushes)
+FiniteState<Real> undeformed(const FiniteTables& t, int modes, int contacts, bool crushes,
+                             bool closes)
 {
     FiniteState<Real> s;
     s.frames.resize(t.blocks.size() + 1);
@@ -56,6 +57,7 @@ FiniteState<Real> undeformed(const FiniteTables& t, int modes, int contacts, boo
     s.further_u_n.assign(t.further.size() * t.most_points, Real(0.0));
     s.further_tau = s.further_u_n;
     if (crushes) s.further_crushed = s.further_u_n;
+    if (closes) s.further_shear = s.further_rest = s.further_u_n;
     for (int i = 0; i < lanes<Real>; ++i) clear_lane(t, i, s);
     return s;
 }
@@ -73,8 +75,8 @@ template <class Real> void clear_lane(const FiniteTables& t, int lane, FiniteSta
         set_lane(s.weight[b], lane, 0.0);
     }
     copy(BlockFrame<double>{}, lane, s.frames[t.ground]);
-    for (auto* values :
-         {&s.sway, &s.acting, &s.further_u_n, &s.further_tau, &s.further_crushed})
+    for (auto* values : {&s.sway, &s.acting, &s.further_u_n, &s.further_tau, &s.further_crushed,
+                         &s.further_shear, &s.further_rest})
         for (Real& x : *values) set_lane(x, lane, 0.0);
     for (auto& p : s.pairs) copy<Real>(closed, lane, p);
     for (auto& p : s.further) copy<Real>(apart, lane, p);
@@ -109,6 +111,8 @@ void copy_to_lane(const FiniteState<double>& wall, int lane, FiniteState<Real>& 
     copy(wall.further_u_n, lane, s.further_u_n);
     copy(wall.further_tau, lane, s.further_tau);
     copy(wall.further_crushed, lane, s.further_crushed);
+    copy(wall.further_shear, lane, s.further_shear);
+    copy(wall.further_rest, lane, s.further_rest);
     for (std::size_t p = 0; p < wall.pairs.size(); ++p)
         copy<Real>(wall.pairs[p], lane, s.pairs[p]);
     for (std::size_t p = 0; p < wall.further.size(); ++p)
@@ -116,12 +120,12 @@ void copy_to_lane(const FiniteState<double>& wall, int lane, FiniteState<Real>& 
     set_lane(s.vertical, lane, wall.vertical);
 }
 
-template FiniteState<double> undeformed(const FiniteTables&, int, int, bool);
+template FiniteState<double> undeformed(const FiniteTables&, int, int, bool, bool);
 template void load_lane(const Model&, const FiniteTables&, const WallMaterials&, int,
                         FiniteState<double>&);
 template void clear_lane(const FiniteTables&, int, FiniteState<double>&);
 template void copy_to_lane(const FiniteState<double>&, int, FiniteState<double>&);
-template FiniteState<Pack> undeformed(const FiniteTables&, int, int, bool);
+template FiniteState<Pack> undeformed(const FiniteTables&, int, int, bool, bool);
 template void load_lane(const Model&, const FiniteTables&, const WallMaterials&, int,
                         FiniteState<Pack>&);
 template void clear_lane(const FiniteTables&, int, FiniteState<Pack>&);

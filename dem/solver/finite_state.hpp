@@ -29,14 +29,16 @@ template <class Real> struct FiniteState {
     std::vector<Real> further_u_n, further_tau; ///< by contact of `further`
     std::vector<Real>
         further_crushed; ///< the same: thickness [m]; empty where nothing can crush
-    Real vertical{0.0};  ///< load on the beam [N]
+    std::vector<Real> further_shear,
+        further_rest;   ///< see ClosingState; empty where closure is linear
+    Real vertical{0.0}; ///< load on the beam [N]
 };
 
 /// Frames at rest where the model has them.
-/// @param crushes whether anything can crush
+/// @param crushes, closes whether any joint can
 template <class Real>
 [[nodiscard]] FiniteState<Real> undeformed(const FiniteTables& tables, int modes, int contacts,
-                                           bool crushes);
+                                           bool crushes, bool closes);
 
 /// Loads of one wall into a lane that is at rest.
 template <class Real>

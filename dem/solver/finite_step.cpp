@@ -2,6 +2,7 @@
 
 #include "dem/kinematics/overlap.hpp"
 #include "dem/solver/body_step.hpp"
+#include "dem/solver/closing_joint.hpp"
 #include "dem/solver/crack_kernels.hpp"
 #include "dem/solver/finite_motion.hpp"
 #include "dem/solver/finite_reach.hpp"
@@ -106,15 +107,22 @@ template <class Real> struct PairStep {
     /// of its new state.
     [[nodiscard]] Real before() const { return share - grown; }
 
-    /// Sums up a contact that has its new stresses.
-    /// @param stretch whose energy is stored [m]
-    void add(const StepTables& t, int k, Real stretch, WallState<Real>& s)
+    /// Sums up the forces of a contact that has its new stresses.
+    void add(const StepTables& t, int k, WallState<Real>& s)
     {
         const Real sigma = s.stress[2 * k], tau = s.stress[2 * k + 1], area(t.area[k]);
         s.finite.acting[2 * k] = share * sigma;
         s.finite.acting[2 * k + 1] = share * tau;
-        const Real normal_force = area * sigma, shear = area * tau;
-        sum.add(Real(t.finite.place[k]), normal_force, shear);
+        sum.add(Real(t.finite.place[k]), area * sigma, area * tau);
+    }
+
+    /// And what it stores.
+    /// @param stretch whose energy is stored [m]
+    void add(const StepTables& t, int k, Real stretch, WallState<Real>& s)
+    {
+        add(t, k, s);
+        const Real tau = s.stress[2 * k + 1], area(t.area[k]);
+        const Real normal_force = area * s.stress[2 * k], shear = area * tau;
         stretched = multiply_add(normal_force, stretch, stretched);
         sheared = multiply_add(shear, tau, sheared);
     }
@@ -140,6 +148,30 @@ template <class Real> Real take(Real& du)
     const Real x = du;
     du = Real(0.0);
     return x;
+}
+
+template <Closure kClosure, bool kLoses, class Real>
+void advance_closing_joint(const StepTables& t, const ContactRun& run, int pair,
+                           WallState<Real>& s)
+{
+    PairStep<Real> step(t.finite, run, pair, s);
+    const bool grows = any((step.grown > Real(0.0)) | (step.grown < Real(0.0)));
+    Real friction(0.0), stored(0.0), most(0.0); // [J], [J], [Pa]
+    for (int k = run.first; k < run.first + run.count; ++k) {
+        const Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k])),
+                   du_s = step.tangential(take(s.du[2 * k + 1])), area(t.area[k]);
+        const auto u = advance_closing_contact<kClosure, kLoses>(run.law, k, du_n, du_s,
+                                                                 step.before() * area, s);
+        friction = multiply_add(area, u.friction, friction);
+        if (grows)
+            stored = multiply_add(
+                area, stored_energy<kClosure>(s.laws.closing[run.law], u.state), stored);
+        most = max(most, u.pressure);
+        step.add(t, k, s);
+    }
+    s.friction += step.share * friction - step.grown * stored;
+    step.act(t.finite, pair, s);
+    allow_for<kClosure>(t, run.law, t.dry_blocks[pair], most, s);
 }
 
 template <class Real>
@@ -210,7 +242,13 @@ void advance_contacts(const StepTables& t, const SolverOptions& options, WallSta
 {
     for (BlockFrame<Real>& f : s.finite.frames) f.fx = f.fz = f.moment = Real(0.0);
     int pair = 0;
-    for (const ContactRun& run : t.dry) advance_dry(t, run, pair++, s);
+    if (s.laws.closure == Closure::linear)
+        for (const ContactRun& run : t.dry) advance_dry(t, run, pair++, s);
+    else
+        with_closure(s.laws, [&]<Closure kClosure, bool kLoses>() {
+            for (const ContactRun& run : t.dry)
+                advance_closing_joint<kClosure, kLoses>(t, run, pair++, s);
+        });
     advance_reaches(t, s);
     for (const ContactRun& run : t.tied) advance_tied(t, run, pair++, s);
     with_crack_law(options.law, s.laws,

@@ -122,12 +122,32 @@ void set_wear(const Model& m, const WallMaterials& w, int lane,
     set_law(lane, w.beam_joint, laws[m.layout.n_joints + 1]);
 }
 
+/// By joint ID, then base and beam.
+template <class Real>
+void set_closing(const Model& m, const WallMaterials& w, int lane, LaneLaws<Real>& laws)
+{
+    const auto set = [&](const JointMaterial& j, std::size_t at) {
+        const Closing& c = j.closing;
+        const ClosureLaw<double> one = closure_law(m.layout.closure, c.initial_stiffness,
+                                                   c.maximum, c.stiffest, c.loss, j.ks / j.kn);
+        ClosureLaw<Real>& law = laws.closing[at];
+        for_each_number(one, law, [lane](double x, Real& to) { set_lane(to, lane, x); });
+        laws.loses = laws.loses || c.loss > 0.0;
+    };
+    for (int j = 0; j < m.layout.n_joints; ++j) set(w.joints[j], j);
+    set(w.base_joint, m.layout.n_joints);
+    set(w.beam_joint, m.layout.n_joints + 1);
+    laws.inv_reference_kn = Real(1.0 / m.reference.joint.kn);
+    laws.inv_reference_ks = Real(1.0 / m.reference.joint.ks);
+}
+
 /// Loads, elasticity and fictitious masses of one lane.
 template <class Real>
 void set_modes(const Model& m, const StepTables& t, const WallMaterials& w,
                const SolverOptions& options, int lane, LaneLaws<Real>& laws)
 {
     const std::vector<double> ratio = stiffness_ratio(m, w);
+    for (std::size_t b = 0; b < laws.ratio.size(); ++b) set_lane(laws.ratio[b], lane, ratio[b]);
     const double stress = w.vertical_stress.value_or(m.loads.vertical_stress);
     for (std::size_t b = 0; b < t.blocks.size(); ++b) {
         const bool is_beam = static_cast<int>(b) == m.layout.beam;
@@ -223,6 +243,11 @@ template <class Real> LaneLaws<Real> empty_laws(const Model& m, const StepTables
         laws.crack_crushing.resize(laws.cracks.size());
     }
     if (m.layout.wear) laws.dry_wear.resize(laws.dry.size());
+    laws.closure = m.layout.closure;
+    if (laws.closure != Closure::linear) {
+        laws.closing.resize(laws.dry.size());
+        laws.ratio.resize(m.layout.blocks.size());
+    }
     return laws;
 }
 
@@ -238,6 +263,7 @@ void set_laws(const Model& m, const StepTables& t, const WallMaterials& w,
     set_cracks(m, w, lane, laws);
     if (m.layout.crushing) set_crushing(m, w, lane, laws);
     if (m.layout.wear) set_wear(m, w, lane, laws.dry_wear);
+    if (laws.closure != Closure::linear) set_closing(m, w, lane, laws);
     set_modes(m, t, w, options, lane, laws);
     if (t.body_forces) set_weights(m, w, lane, laws);
 }

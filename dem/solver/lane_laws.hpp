@@ -1,6 +1,7 @@
 #pragma once
 /// What the walls of a batch are made of: one array per quantity, one lane per wall.
 
+#include "dem/contact/closure.hpp"
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/crushing.hpp"
 #include "dem/contact/mixed_crack.hpp"
@@ -13,7 +14,8 @@
 
 namespace dem {
 
-/// What walls are made of. It is set when a wall takes its lane and only read while the wall is pushed.
+/// What walls are made of. It is set when a wall takes its lane and only read while the wall is pushed, but for the
+/// fictitious masses of walls whose joints close (closing_joint.hpp).
 /// The paper's wall: 4600 numbers, 37 kB per lane.
 template <class Real> struct LaneLaws {
     std::vector<Real> inv_mass; ///< by mode: 1 / fictitious mass [1/step2]
@@ -28,8 +30,14 @@ template <class Real> struct LaneLaws {
     std::vector<MixedLaw<Real>>
         mixed; ///< as cracks; empty where they follow the law of the paper
     std::vector<CrushingLaw<Real>> dry_crushing,
-        crack_crushing;                      ///< as dry and cracks; or empty
-    std::vector<WearLaw<Real>> dry_wear;     ///< as dry; or empty
+        crack_crushing;                                ///< as dry and cracks; or empty
+    std::vector<WearLaw<Real>> dry_wear;               ///< as dry; or empty
+    std::vector<ClosureLaw<Real>> closing;             ///< as dry; or empty
+    Real inv_reference_kn{0.0}, inv_reference_ks{0.0}; ///< of joints that close [m/Pa]
+    /// By block: largest stiffness of its contacts over the reference for which its masses make the step stable [-].
+    std::vector<Real> ratio;
+    Closure closure = Closure::linear;
+    bool loses = false;                      ///< whether closing loses energy in any lane
     Unloading unloading = Unloading::secant; ///< of the cracks of all lanes
 };
 

@@ -1,7 +1,10 @@
 #include "dem/solver/static_start.hpp"
 
+#include "dem/solver/closing_joint.hpp"
 #include "dem/solver/elastic_operator.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace dem {
@@ -12,6 +15,7 @@ using Vector = std::vector<double>;
 
 constexpr double kStartTolerance = 1e-8; // relative residual in the norm of the preconditioner
 constexpr int kMostStartIterations = 20000;
+constexpr int kMostNewtonSteps = 40;
 
 /// Solves K q = load by conjugate gradients, from q = 0.
 bool solve(const StepTables& t, const Vector& load, WallState<double>& s, Vector& q)
@@ -40,9 +44,112 @@ bool solve(const StepTables& t, const Vector& load, WallState<double>& s, Vector
     return rz <= enough; // also false for NaN
 }
 
+/// Joints closed as by the vertical stress for which their k_n is given.
+template <Closure kClosure> void close_as_given(const StepTables& t, WallState<double>& s)
+{
+    for (const ContactRun& run : t.dry) {
+        const ClosureLaw<double>& c = s.laws.closing[run.law];
+        const double p = max(0.0, s.laws.dry[run.law].kn - c.k0) / c.inv_maximum;
+        for (int k = run.first; k < run.first + run.count; ++k)
+            s.u_n[k] = -closure_at<kClosure>(c, p);
+    }
+}
+
+/// Stresses of the displacements of contacts in s.du, of which the joints close, and are not cut back.
+template <Closure kClosure> void closing_stress(const StepTables& t, WallState<double>& s)
+{
+    elastic_stress(t, s, s.du, s.stress);
+    for (const ContactRun& run : t.dry) {
+        const ClosureLaw<double>& c = s.laws.closing[run.law];
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const double u_n = s.du[2 * k];
+            const auto [p, root, inverse] = closed_by<kClosure>(c, max(0.0, -u_n));
+            s.u_n[k] = u_n;
+            s.stress[2 * k] = u_n < 0.0 ? -p : c.k0 * u_n;
+            s.stress[2 * k + 1] = root * root * s.du[2 * k + 1];
+        }
+    }
+}
+
+/// load - K(q) [sqrt(J)], from the stresses.
+Vector residual_of(const StepTables& t, const WallState<double>& s)
+{
+    Vector r(s.q.size());
+    for (const auto& b : t.blocks) {
+        double* force = r.data() + b.first_mode;
+        gather(t.matrices[b.element], t.port_contact.data() + b.first_port, t.area.data(),
+               s.stress.data(), force);
+        for (int m = b.first_mode; m < b.first_mode + b.modes; ++m)
+            r[m] += s.laws.load[m] - s.laws.elasticity[m] * s.q[m];
+    }
+    return r;
+}
+
+/// In the norm of the preconditioner.
+double size_of(const WallState<double>& s, const Vector& r)
+{
+    double sum = 0.0;
+    for (std::size_t m = 0; m < r.size(); ++m) sum += r[m] * s.laws.inv_mass[m] * r[m];
+    return std::sqrt(sum);
+}
+
+/// Solves for the wall whose joints close, by Newton's method, from q = 0.
+template <Closure kClosure> bool close_joints(const StepTables& t, WallState<double>& s)
+{
+    const double enough = kStartTolerance * size_of(s, s.laws.load);
+    close_as_given<kClosure>(t, s);
+    Vector left = s.laws.load, by(s.q.size());
+    for (int i = 0; i < kMostNewtonSteps; ++i) {
+        by.assign(by.size(), 0.0);
+        if (!solve(t, left, s, by)) return false;
+        for (std::size_t m = 0; m < by.size(); ++m) s.q[m] += by[m];
+        stretch(t, s.q, s.du);
+        closing_stress<kClosure>(t, s);
+        left = residual_of(t, s);
+        if (size_of(s, left) <= enough) return true;
+    }
+    return false;
+}
+
+bool closes(const WallState<double>& s) { return s.laws.closure != Closure::linear; }
+
+bool solve_closed(const StepTables& t, WallState<double>& s)
+{
+    if (!closes(s)) return solve(t, s.laws.load, s, s.q);
+    bool solved = false;
+    with_closure(s.laws,
+                 [&]<Closure kClosure, bool>() { solved = close_joints<kClosure>(t, s); });
+    return solved;
+}
+
+/// Joints under the displacements in s.du, pressed for the first time, and the masses for it.
+template <Closure kClosure, bool kLoses>
+void cut_back_closing(const StepTables& t, WallState<double>& s)
+{
+    for (std::size_t r = 0; r < t.dry.size(); ++r) {
+        const ContactRun& run = t.dry[r];
+        double most = 0.0;
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const auto u = advance_closing<kClosure, kLoses>(
+                s.laws.closing[run.law], s.laws.dry[run.law].tan_phi, ClosingState<double>{},
+                s.du[2 * k], s.du[2 * k + 1]);
+            s.stress[2 * k] = u.sigma;
+            s.stress[2 * k + 1] = u.tau;
+            s.shear[k] = u.state.shear;
+            s.rest[k] = u.state.rest;
+            most = std::max(most, u.pressure);
+        }
+        allow_for<kClosure>(t, run.law, t.dry_blocks[r], most, s);
+    }
+}
+
 /// Dry joints carry no tension, and no more shear than friction allows.
 void cut_back(const StepTables& t, WallState<double>& s)
 {
+    if (closes(s))
+        return with_closure(s.laws, [&]<Closure kClosure, bool kLoses>() {
+            cut_back_closing<kClosure, kLoses>(t, s);
+        });
     for (const ContactRun& run : t.dry) {
         const DryLaw<double>& law = s.laws.dry[run.law];
         for (int k = run.first; k < run.first + run.count; ++k) {
@@ -58,7 +165,7 @@ void cut_back(const StepTables& t, WallState<double>& s)
 
 bool solve_preload(const StepTables& t, WallState<double>& s)
 {
-    const bool solved = solve(t, s.laws.load, s, s.q);
+    const bool solved = solve_closed(t, s);
     if (solved) {
         stretch(t, s.q, s.du);
         elastic_stress(t, s, s.du, s.stress);
@@ -66,6 +173,7 @@ bool solve_preload(const StepTables& t, WallState<double>& s)
         for (int k = 0; k < t.n_contacts; ++k) s.u_n[k] = s.du[2 * k];
     } else {
         s.q.assign(s.q.size(), 0.0);
+        s.u_n.assign(s.u_n.size(), 0.0);
         s.stress.assign(s.stress.size(), 0.0);
     }
     s.du.assign(s.du.size(), 0.0);
@@ -122,6 +230,10 @@ void copy_to_lane(const WallState<double>& wall, int lane, WallState<Real>& s)
     copy(wall.stress, s.stress);
     copy(wall.crushed, s.crushed);
     copy(wall.roughness, s.roughness);
+    copy(wall.shear, s.shear);
+    copy(wall.rest, s.rest);
+    copy(wall.laws.ratio, s.laws.ratio);
+    if (closes(wall)) copy(wall.laws.inv_mass, s.laws.inv_mass);
     for (std::size_t i = 0; i < wall.cracks.size(); ++i) {
         set_lane(s.cracks[i].u_max, lane, wall.cracks[i].u_max);
         set_lane(s.cracks[i].bond, lane, wall.cracks[i].bond);

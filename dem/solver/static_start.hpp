@@ -2,7 +2,8 @@
 /// Solves for the wall at rest under its vertical load, instead of stepping until it is at rest: conjugate
 /// gradients on closed, sticking, uncracked contacts, without a matrix, preconditioned by the fictitious
 /// masses. Inadmissible contact stresses (tension or too much shear in a dry joint) are then clipped to the
-/// friction law, and a few dynamic steps restore equilibrium (see Drive).
+/// friction law, and a few dynamic steps restore equilibrium (see Drive). Where joints close under pressure, Newton's method
+/// does so again and again with their tangents.
 
 #include "dem/solver/wall_state.hpp"
 
@@ -23,7 +24,7 @@ struct ElasticPush {
 };
 
 /// By conjugate gradients, as above. All zero and empty if the iteration did not converge.
-/// @param state one unloaded wall, which it leaves unloaded
+/// @param state one wall, whose joints are as stiff as it has closed them; it is left without stresses
 [[nodiscard]] ElasticPush elastic_push(const StepTables& tables, WallState<double>& state);
 
 /// Copies positions, contacts and energy of a wall at rest into a lane.

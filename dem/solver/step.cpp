@@ -1,11 +1,13 @@
 #include "dem/solver/step.hpp"
 
 #include "dem/solver/body_step.hpp"
+#include "dem/solver/closing_joint.hpp"
 #include "dem/solver/crack_kernels.hpp"
 #include "dem/solver/damping_force.hpp"
 #include "dem/solver/finite_step.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace dem {
@@ -85,6 +87,38 @@ template <bool kCrushes, class Real> void advance_dry(const StepTables& t, WallS
         advance_dry<kCrushes, true>(t, s);
 }
 
+template <Closure kClosure, bool kLoses, class Real>
+void advance_closing_joints(const StepTables& t, WallState<Real>& s)
+{
+    Real friction = s.friction;
+    for (std::size_t r = 0; r < t.dry.size(); ++r) {
+        const ContactRun& run = t.dry[r];
+        Real most(0.0); // pressure [Pa]
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            const Relative<Real> du(s, k);
+            const Real area(t.area[k]);
+            const auto u = advance_closing_contact<kClosure, kLoses>(run.law, k, du.normal,
+                                                                     du.tangential, area, s);
+            friction = multiply_add(area, u.friction, friction);
+            most = max(most, u.pressure);
+        }
+        allow_for<kClosure>(t, run.law, t.dry_blocks[r], most, s);
+    }
+    s.friction = friction;
+}
+
+template <class Real> void advance_dry_joints(const StepTables& t, WallState<Real>& s)
+{
+    if (s.laws.closure != Closure::linear)
+        with_closure(s.laws, [&]<Closure kClosure, bool kLoses>() {
+            advance_closing_joints<kClosure, kLoses>(t, s);
+        });
+    else if (s.crushed.empty())
+        advance_dry<false>(t, s);
+    else
+        advance_dry<true>(t, s);
+}
+
 template <class Real> void advance_tied(const StepTables& t, WallState<Real>& s)
 {
     for (const ContactRun& run : t.tied) {
@@ -135,10 +169,7 @@ void step(const StepTables& t, const SolverOptions& options, const StepInput<Rea
     else
         move_blocks<Damping::combined>(t, options.damping_factor, in, s);
 
-    if (s.crushed.empty())
-        advance_dry<false>(t, s);
-    else
-        advance_dry<true>(t, s);
+    advance_dry_joints(t, s);
     advance_tied(t, s);
     with_crack_law(options.law, s.laws,
                    [&]<class Law>() { advance_cracks<Law>(t, options.shortcuts, s); });

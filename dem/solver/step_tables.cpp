@@ -166,6 +166,10 @@ StepTables step_tables(const Model& m)
     t.dry = runs_of(m.dry, 0, [&m](const Contact& c) { return dry_law(m, c); });
     t.tied = runs_of(m.tied, t.first_tied, [](const Contact&) { return 0; });
     t.cracks = runs_of(m.cracks, t.first_crack, [](const Contact& c) { return c.material; });
+    for (const ContactRun& run : t.dry) {
+        const Face& face = m.layout.faces[m.dry[run.first].face];
+        t.dry_blocks.push_back({face.a, face.b});
+    }
     for (int k = 0; k < t.n_contacts; ++k) t.area.push_back(contact_of(m, t, k).area);
     tabulate_blocks(m, t);
     t.body_forces = m.loads.pattern == LoadPattern::body;

@@ -4,6 +4,7 @@
 #include "dem/contact/contact_operator.hpp"
 #include "dem/solver/finite_tables.hpp"
 
+#include <array>
 #include <vector>
 
 namespace dem {
@@ -35,6 +36,7 @@ struct StepTables {
     std::vector<double> lambda;            ///< by mode
     std::vector<double> area;              ///< by contact [m2]
     std::vector<ContactRun> dry, tied, cracks;
+    std::vector<std::array<int, 2>> dry_blocks; ///< by run of dry contacts: blocks, or kGround
     int first_tied = 0, first_crack = 0, n_contacts = 0;
     bool body_forces = false;            ///< push the wall, in place of a drive of the beam
     std::vector<HorizontalShare> beam;   ///< what moves with the drive

@@ -1,6 +1,7 @@
 #include "dem/solver/wall_state.hpp"
 
 #include "dem/block/model.hpp"
+#include "dem/solver/closing_joint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,8 @@ namespace dem {
 
 template <class Real> void clear_lane(const StepTables& t, int lane, WallState<Real>& s)
 {
-    for (auto* values : {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n, &s.crushed})
+    for (auto* values :
+         {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n, &s.crushed, &s.shear, &s.rest})
         for (Real& x : *values) set_lane(x, lane, 0.0);
     for (Real& r : s.roughness) set_lane(r, lane, 1.0);
     for (Real* x : {&s.work, &s.friction, &s.fracture, &s.crushing, &s.damping, &s.top_force,
@@ -59,8 +61,13 @@ WallState<Real> empty_lanes(const Model& m, const StepTables& t, Kinematics kine
     s.cracks.resize(m.cracks.size());
     if (m.layout.crushing) s.crushed.assign(t.n_contacts, Real(0.0));
     if (m.layout.wear) s.roughness.assign(m.dry.size(), Real(1.0));
+    if (m.layout.closure != Closure::linear) {
+        s.shear.assign(m.dry.size(), Real(0.0));
+        s.rest = s.shear;
+    }
     if (kinematics == Kinematics::finite)
-        s.finite = undeformed<Real>(t.finite, m.n_modes, t.n_contacts, m.layout.crushing);
+        s.finite = undeformed<Real>(t.finite, m.n_modes, t.n_contacts, m.layout.crushing,
+                                    m.layout.closure != Closure::linear);
     return s;
 }
 
@@ -74,6 +81,20 @@ WallState<Real> unloaded(const Model& m, const StepTables& t,
     return s;
 }
 
+/// Stored in a contact that closes, per area [J/m2].
+template <class Real>
+double stored_of(const WallState<Real>& s, int law, const ClosingState<Real>& state, int lane)
+{
+    ClosureLaw<double> one;
+    for_each_number(s.laws.closing[law], one,
+                    [lane](const Real& from, double& x) { x = dem::lane(from, lane); });
+    const ClosingState<double> contact{dem::lane(state.u_n, lane), dem::lane(state.shear, lane),
+                                       dem::lane(state.rest, lane)};
+    return s.laws.closure == Closure::hyperbolic
+               ? stored_energy<Closure::hyperbolic>(one, contact)
+               : stored_energy<Closure::exponential>(one, contact);
+}
+
 /// Energy in the contacts of blocks with those onto which they have slid.
 template <class Real>
 double stored_further(const StepTables& t, const FiniteTables::Reach& r,
@@ -82,6 +103,7 @@ double stored_further(const StepTables& t, const FiniteTables::Reach& r,
     const ContactRun& run = t.dry[r.run];
     const double kn = dem::lane(s.laws.dry[run.law].kn, lane),
                  inv_ks = dem::lane(s.laws.dry[run.law].inv_ks, lane);
+    const bool closes = s.laws.closure != Closure::linear;
     double sum = 0.0;
     for (int row = r.first; row < r.first + r.count; ++row) {
         const double share = dem::lane(s.finite.further[row].share, lane);
@@ -90,8 +112,9 @@ double stored_further(const StepTables& t, const FiniteTables::Reach& r,
             const auto at = static_cast<std::size_t>(row) * t.finite.most_points + i;
             const double u_n = std::min(0.0, dem::lane(s.finite.further_u_n[at], lane)),
                          tau = dem::lane(s.finite.further_tau[at], lane);
-            sum +=
-                0.5 * (share * t.area[run.first + i]) * (kn * u_n * u_n + tau * tau * inv_ks);
+            const double area = share * t.area[run.first + i];
+            sum += closes ? area * stored_of(s, run.law, closing_further(s, at), lane)
+                          : 0.5 * area * (kn * u_n * u_n + tau * tau * inv_ks);
         }
     }
     return sum;
@@ -105,13 +128,25 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
         e.kinetic += 0.5 * at(s.v[i]) * at(s.v[i]) / at(s.laws.inv_mass[i]);
         e.elastic += 0.5 * at(s.laws.elasticity[i]) * at(s.q[i]) * at(s.q[i]);
     }
-    // All of u_n springs back, or sigma / k_n where a crack stays propped open.
     std::size_t pair = 0;
+    const auto share_of_pair = [&] {
+        return s.finite.pairs.empty() ? 1.0 : at(s.finite.pairs[pair].share);
+    };
+    const auto closing = [&] {
+        for (const ContactRun& run : t.dry) {
+            const double share = share_of_pair();
+            ++pair;
+            for (int k = run.first; k < run.first + run.count; ++k)
+                e.elastic +=
+                    share * t.area[k] * stored_of(s, run.law, closing_state(s, k), lane);
+        }
+    };
+    // All of u_n springs back, or sigma / k_n where a crack stays propped open.
     const auto contacts = [&](const std::vector<ContactRun>& runs, const auto& laws,
                               bool propped) {
         for (const ContactRun& run : runs) {
             const double kn = at(laws[run.law].kn), inv_ks = at(laws[run.law].inv_ks);
-            const double share = s.finite.pairs.empty() ? 1.0 : at(s.finite.pairs[pair].share);
+            const double share = share_of_pair();
             ++pair;
             for (int k = run.first; k < run.first + run.count; ++k) {
                 const double sigma = at(s.stress[2 * k]), tau = at(s.stress[2 * k + 1]);
@@ -121,7 +156,10 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
             }
         }
     };
-    contacts(t.dry, s.laws.dry, false);
+    if (s.laws.closure == Closure::linear)
+        contacts(t.dry, s.laws.dry, false);
+    else
+        closing();
     contacts(t.tied, s.laws.tied, false);
     contacts(t.cracks, s.laws.cracks, s.laws.unloading == Unloading::elastic);
     for (const FiniteTables::Reach& r : t.finite.reaches)

@@ -27,6 +27,8 @@ template <class Real> struct WallState {
     std::vector<Real> crushed;  ///< by contact: thickness [m]; empty where nothing can crush
     std::vector<Real>
         roughness; ///< by dry contact: asperities left, 1 to 0; empty where nothing can wear
+    /// By dry contact, see ClosingState; empty where closure is linear.
+    std::vector<Real> shear, rest;
     Real work{0.0}, friction{0.0}, fracture{0.0}, crushing{0.0},
         damping{0.0}; ///< energy so far [J]
     /// Crack contacts that have ever lost a part of their strength but not all of it: in tension, in shear.

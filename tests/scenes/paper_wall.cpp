@@ -77,6 +77,7 @@ dem::Model model_of(const Scene& s, const dem::Discretisation& d)
 {
     dem::Model m = dem::discretise(s.wall, s.stone, s.beam, s.loads, {s.joint, s.crack}, d);
     m.layout.wear = s.joint.wear.length > 0.0;
+    m.layout.closure = s.closure;
     m.layout.crushing = s.joint.crushing.strength > 0.0 || s.crack.crushing.strength > 0.0;
     return m;
 }

@@ -1,0 +1,123 @@
+#pragma once
+/// Dry joints that close under pressure, in a step. Joints become stiffer than the masses allow for: where one does, both of
+/// its blocks get more mass, so that the step stays stable by the same proof, and no other block pays.
+
+#include "dem/scene/layout.hpp"
+#include "dem/solver/wall_state.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace dem {
+
+/// Calls `work.template operator()<closure, loses>()` of the closure of the walls, which is not linear.
+template <class Real, class Work> void with_closure(const LaneLaws<Real>& laws, Work&& work)
+{
+    if (laws.closure == Closure::hyperbolic)
+        laws.loses ? work.template operator()<Closure::hyperbolic, true>()
+                   : work.template operator()<Closure::hyperbolic, false>();
+    else
+        laws.loses ? work.template operator()<Closure::exponential, true>()
+                   : work.template operator()<Closure::exponential, false>();
+}
+
+/// State of one dry contact that closes.
+template <class Real>
+[[nodiscard]] ClosingState<Real> closing_state(const WallState<Real>& s, int k)
+{
+    return {s.u_n[k], s.shear[k], s.rest[k]};
+}
+
+/// The same of a contact of FiniteState::further.
+template <class Real>
+[[nodiscard]] ClosingState<Real> closing_further(const WallState<Real>& s, std::size_t at)
+{
+    return {s.finite.further_u_n[at], s.finite.further_shear[at], s.finite.further_rest[at]};
+}
+
+/// crush() of a contact that closes.
+template <Closure kClosure, class Real>
+[[nodiscard]] Real crush_closing(int law, int k, Real du_n, Real area, WallState<Real>& s)
+{
+    const ClosureLaw<Real>& closing = s.laws.closing[law];
+    const Real zero(0.0), u_e = s.u_n[k] + du_n;
+    const Real by = crushed_by<kClosure>(s.laws.dry_crushing[law], closing, s.crushed[k], u_e);
+    if (!any(by > zero)) return du_n;
+    const Real after = zero - pressure_of<kClosure>(closing, max(zero, -(u_e + by)));
+    const Real mean = Real(0.5) * (after - s.stress[2 * k]);
+    s.crushing = multiply_add(area, select(by > zero, mean * by, zero), s.crushing);
+    s.crushed[k] += by;
+    return du_n + by;
+}
+
+/// Advances one contact: crushing, closure, friction, wear.
+/// @param area of before this step, over which the energy of crushing counts [m2]
+template <Closure kClosure, bool kLoses, class Real>
+ClosingUpdate<Real> advance_closing_contact(int law, int k, Real du_n, Real du_s, Real area,
+                                            WallState<Real>& s)
+{
+    if (!s.crushed.empty()) du_n = crush_closing<kClosure>(law, k, du_n, area, s);
+    const bool wears = !s.roughness.empty();
+    const Real tan_phi = wears ? worn_law(s, law, k).tan_phi : s.laws.dry[law].tan_phi;
+    const ClosingUpdate<Real> u = advance_closing<kClosure, kLoses>(
+        s.laws.closing[law], tan_phi, closing_state(s, k), du_n, du_s);
+    if (wears)
+        s.roughness[k] = roughness_after(s.laws.dry_wear[law], s.roughness[k], u.slip, u.sigma);
+    set_contact(s, k, u.state.u_n, u.sigma, u.tau);
+    s.shear[k] = u.state.shear;
+    if constexpr (kLoses) s.rest[k] = u.state.rest;
+    return u;
+}
+
+/// Normal, under load, and tangential [Pa/m].
+struct JointStiffness {
+    double kn, ks;
+};
+
+/// Of a contact as far as it has closed.
+template <Closure kClosure>
+[[nodiscard]] JointStiffness stiffness_of(const WallState<double>& s, int law, int k)
+{
+    const ClosureLaw<double>& c = s.laws.closing[law];
+    const auto [p, root, inverse] = closed_by<kClosure>(c, max(0.0, -s.u_n[k]));
+    return {tangent_at<kClosure>(c, p), root * root};
+}
+
+/// Stiffness of a joint under pressure, over the reference [-].
+template <Closure kClosure, class Real>
+[[nodiscard]] Real stiffness_under(const LaneLaws<Real>& laws, int law, Real pressure)
+{
+    const ClosureLaw<Real>& c = laws.closing[law];
+    const Real normal = c.turning * tangent_at<kClosure>(c, pressure);
+    const Real shear = c.root_ks * c.root_ks * multiply_add(pressure, c.inv_rise, Real(1.0));
+    return max(normal * laws.inv_reference_kn, shear * laws.inv_reference_ks);
+}
+
+constexpr double kMassMargin = 1.1, kMassGrowth = 1.25; // free choices
+
+/// Gives the blocks of a joint the masses for its stiffness under the largest pressure on it. The momentum of a block
+/// stays, what that takes of its kinetic energy counts as damping. Called in every step, before the blocks move: a step
+/// adds less than the margin.
+template <Closure kClosure, class Real>
+void allow_for(const StepTables& t, int law, const std::array<int, 2>& blocks, Real pressure,
+               WallState<Real>& s)
+{
+    const Real needed = Real(kMassMargin) * stiffness_under<kClosure>(s.laws, law, pressure);
+    for (const int block : blocks) {
+        if (block == kGround || !any(needed > s.laws.ratio[block])) continue;
+        const Real before = s.laws.ratio[block];
+        const Real after = select(needed > before, Real(kMassGrowth) * needed, before);
+        const auto& b = t.blocks[block];
+        for (int m = b.first_mode; m < b.first_mode + b.modes; ++m) {
+            const Real own = s.laws.elasticity[m], two(2.0);
+            const Real lighter = multiply_add(two, before, own) / multiply_add(two, after, own);
+            const Real v = s.v[m], lost = Real(0.5) * v * v / s.laws.inv_mass[m];
+            s.damping = multiply_add(lost, Real(1.0) - lighter, s.damping);
+            s.v[m] = v * lighter;
+            s.laws.inv_mass[m] = s.laws.inv_mass[m] * lighter;
+        }
+        s.laws.ratio[block] = after;
+    }
+}
+
+} // namespace dem
