@@ -8,18 +8,17 @@
 
 namespace dem {
 
-int snap_back_contacts(const Model& m, const WallMaterials& w)
+namespace {
+
+template <class Breaks> int count_cracks(const Model& m, const WallMaterials& w, Breaks breaks)
 {
     int n = 0;
     for (const Contact& c : m.cracks) {
         const int joint = c.material - m.layout.n_cracks;
-        const CrackMaterial k = joint < 0 ? w.cracks[c.material] : bond_of(w.joints[joint]);
-        n += k.ft > std::sqrt(2.0 * k.fracture_energy * k.kn);
+        n += breaks(joint < 0 ? w.cracks[c.material] : bond_of(w.joints[joint]));
     }
     return n;
 }
-
-namespace {
 
 /// Normal stiffness of a dry joint under a pressure [Pa/m].
 double stiffness_under(Closure closure, const JointMaterial& j, double pressure)
@@ -33,6 +32,21 @@ double stiffness_under(Closure closure, const JointMaterial& j, double pressure)
 }
 
 } // namespace
+
+int snap_back_contacts(const Model& m, const WallMaterials& w)
+{
+    return count_cracks(m, w, [](const CrackMaterial& c) {
+        return c.ft > std::sqrt(2.0 * c.fracture_energy * c.kn);
+    });
+}
+
+int shear_snap_back_contacts(const Model& m, const WallMaterials& w)
+{
+    return count_cracks(m, w, [](const CrackMaterial& c) {
+        const double g = c.shear_fracture_energy;
+        return g > 0.0 && c.cohesion - c.cohesion_res > std::sqrt(2.0 * g * c.ks);
+    });
+}
 
 int brittle_crushing_contacts(const Model& m, const WallMaterials& w)
 {

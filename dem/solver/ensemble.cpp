@@ -19,6 +19,7 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
                    const SolverOptions& options, const Workers& workers)
 {
     check(plan, options);
+    check(model, options);
     const StepTables tables = step_tables(model);
     const Task task{model, tables, plan, options};
     std::atomic<std::size_t> waiting{0};

@@ -3,6 +3,7 @@
 #include "dem/kinematics/overlap.hpp"
 #include "dem/solver/body_step.hpp"
 #include "dem/solver/closing_joint.hpp"
+#include "dem/solver/crack_kernels.hpp"
 #include "dem/solver/finite_motion.hpp"
 #include "dem/solver/finite_reach.hpp"
 
@@ -215,46 +216,22 @@ void advance_tied(const StepTables& t, const ContactRun& run, int pair, WallStat
     step.act(t.finite, pair, s);
 }
 
-template <ContactLaw kLaw, Unloading kUnloading, class Real>
-void advance_crack(const StepTables& t, bool shortcuts, const ContactRun& run, int pair,
-                   WallState<Real>& s)
-{
-    const CrackLaw<Real>& law = s.laws.cracks[run.law];
-    PairStep<Real> step(t.finite, run, pair, s);
-    for (int k = run.first; k < run.first + run.count; ++k) {
-        Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
-        if (!s.crushed.empty())
-            du_n = crush_crack<kLaw, kUnloading>(t, run.law, k, du_n, step.before(), s);
-        const Real du_s = step.tangential(take(s.du[2 * k + 1]));
-        const CrackState<Real> before = crack_state(t, s, k);
-        const auto trial = try_elastic<kUnloading>(law, before, du_n, du_s);
-        if (trial.holds && shortcuts) {
-            set_contact(s, k, trial.u_n, trial.sigma, trial.tau);
-        } else {
-            const auto [c, loss] = advance<kLaw, kUnloading>(law, before, du_n, du_s);
-            set_contact(s, k, c.u_n, c.sigma, c.tau);
-            s.cracks[k - t.first_crack] = {c.u_max, c.bond, c.unloading, c.integrity};
-            const Real area = step.share * Real(t.area[k]);
-            s.friction = multiply_add(area, loss.friction, s.friction);
-            s.fracture = multiply_add(area, loss.fracture, s.fracture);
-        }
-        const Real propped = kUnloading == Unloading::elastic
-                                 ? s.cracks[k - t.first_crack].unloading
-                                 : Real(0.0);
-        step.add(t, k, s.u_n[k] - propped, s);
-    }
-    s.friction -= step.brought(law);
-    step.act(t.finite, pair, s);
-}
-
-template <ContactLaw kLaw, class Real>
+template <class Law, class Real>
 void advance_cracks(const StepTables& t, bool shortcuts, int pair, WallState<Real>& s)
 {
     for (const ContactRun& run : t.cracks) {
-        if (s.laws.unloading == Unloading::secant)
-            advance_crack<kLaw, Unloading::secant>(t, shortcuts, run, pair, s);
-        else
-            advance_crack<kLaw, Unloading::elastic>(t, shortcuts, run, pair, s);
+        const Law law(s.laws, run.law);
+        PairStep<Real> step(t.finite, run, pair, s);
+        for (int k = run.first; k < run.first + run.count; ++k) {
+            Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
+            if (!s.crushed.empty())
+                du_n = crush_crack<Law>(t, run.law, k, du_n, step.before(), s);
+            const Real du_s = step.tangential(take(s.du[2 * k + 1]));
+            move_crack(t, law, shortcuts, k, du_n, du_s, step.share * Real(t.area[k]), s);
+            step.add(t, k, s.u_n[k] - Law::propped(crack_state(t, s, k)), s);
+        }
+        s.friction -= step.brought(law.law);
+        step.act(t.finite, pair, s);
         ++pair;
     }
 }
@@ -274,9 +251,8 @@ void advance_contacts(const StepTables& t, const SolverOptions& options, WallSta
         });
     advance_reaches(t, s);
     for (const ContactRun& run : t.tied) advance_tied(t, run, pair++, s);
-    with_contact_law(options.law, [&]<ContactLaw kLaw>() {
-        advance_cracks<kLaw>(t, options.shortcuts, pair, s);
-    });
+    with_crack_law(options.law, s.laws,
+                   [&]<class Law>() { advance_cracks<Law>(t, options.shortcuts, pair, s); });
 }
 
 template <class Real> Real horizontal_force(const FiniteTables& t, const WallState<Real>& s)

@@ -55,6 +55,16 @@ template <class Real> void set_law(int i, const CrackMaterial& c, CrackLaw<Real>
     set_lane(law.tension_weight, i, one.tension_weight);
 }
 
+template <class Real> void set_law(int i, const CrackMaterial& c, MixedLaw<Real>& law)
+{
+    const MixedLaw<double> one = mixed_law(c);
+    set_lane(law.inv_energy, i, one.inv_energy);
+    set_lane(law.brittle, i, one.brittle);
+    set_lane(law.inv_u_ul, i, one.inv_u_ul);
+    set_lane(law.kappa, i, one.kappa);
+    set_lane(law.hyperbolic, i, one.hyperbolic);
+}
+
 template <class Real>
 void set_law(int i, double kn, const Crushing& crushing, CrushingLaw<Real>& law)
 {
@@ -70,6 +80,20 @@ template <class Real> void set_law(int i, const JointMaterial& j, WearLaw<Real>&
     const bool wears = j.wear.length > 0.0;
     set_lane(law.drop, i, wears ? j.tan_phi - j.wear.tan_phi_res : 0.0);
     set_lane(law.inv_length, i, wears ? 1.0 / j.wear.length : 0.0);
+}
+
+/// By crack ID, then joints with mortar.
+template <class Real>
+void set_cracks(const Model& m, const WallMaterials& w, int lane, LaneLaws<Real>& laws)
+{
+    const auto set = [&](int i, const CrackMaterial& c) {
+        set_law(lane, c, laws.cracks[i]);
+        if (!laws.mixed.empty()) set_law(lane, c, laws.mixed[i]);
+    };
+    for (int i = 0; i < m.layout.n_cracks; ++i) set(i, w.cracks[i]);
+    if (m.layout.mortar)
+        for (int j = 0; j < m.layout.n_joints; ++j)
+            set(m.layout.n_cracks + j, bond_of(w.joints[j]));
 }
 
 /// By joint ID, then base and beam; by crack ID, then joints with mortar.
@@ -185,6 +209,24 @@ CrackLaw<double> crack_law(const CrackMaterial& c)
     return law;
 }
 
+MixedLaw<double> mixed_law(const CrackMaterial& c)
+{
+    // Of the energy that a crack stores when it breaks, so that rounding does not let it soften.
+    constexpr double kBitLess = 1.0 - 1e-9;
+    const double drop = c.cohesion - c.cohesion_res;
+    const double energy =
+        std::max(c.shear_fracture_energy, kBitLess * drop * drop / (2.0 * c.ks));
+    const double u_ul =
+        c.ft > 0.0 ? std::max(2.0 * c.fracture_energy / c.ft, c.ft / c.kn) : 0.0;
+    MixedLaw<double> law;
+    law.inv_energy = drop > 0.0 ? 0.5 / energy : 0.0;
+    law.brittle = drop > 0.0 ? 0.0 : kBreaksInShear;
+    law.inv_u_ul = u_ul > 0.0 ? 1.0 / u_ul : 0.0;
+    law.kappa = c.cohesion > 0.0 ? std::min(1.0, c.ft * c.tan_phi / c.cohesion) : 1.0;
+    law.hyperbolic = c.envelope == Envelope::hyperbolic ? 1.0 : 0.0;
+    return law;
+}
+
 template <class Real> LaneLaws<Real> empty_laws(const Model& m, const StepTables& t)
 {
     LaneLaws<Real> laws;
@@ -195,6 +237,7 @@ template <class Real> LaneLaws<Real> empty_laws(const Model& m, const StepTables
     laws.dry.resize(m.layout.n_joints + 2);
     laws.tied.resize(1);
     laws.cracks.resize(m.layout.n_cracks + (m.layout.mortar ? m.layout.n_joints : 0));
+    if (m.layout.mixed_mode) laws.mixed.resize(laws.cracks.size());
     if (m.layout.crushing) {
         laws.dry_crushing.resize(laws.dry.size());
         laws.crack_crushing.resize(laws.cracks.size());
@@ -217,10 +260,7 @@ void set_laws(const Model& m, const StepTables& t, const WallMaterials& w,
     set_law(lane, w.base_joint, laws.dry[m.layout.n_joints]);
     set_law(lane, w.beam_joint, laws.dry[m.layout.n_joints + 1]);
     set_law(lane, w.beam_joint, laws.tied[0]);
-    for (int i = 0; i < m.layout.n_cracks; ++i) set_law(lane, w.cracks[i], laws.cracks[i]);
-    if (m.layout.mortar)
-        for (int j = 0; j < m.layout.n_joints; ++j)
-            set_law(lane, bond_of(w.joints[j]), laws.cracks[m.layout.n_cracks + j]);
+    set_cracks(m, w, lane, laws);
     if (m.layout.crushing) set_crushing(m, w, lane, laws);
     if (m.layout.wear) set_wear(m, w, lane, laws.dry_wear);
     if (laws.closure != Closure::linear) set_closing(m, w, lane, laws);

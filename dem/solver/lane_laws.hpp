@@ -4,6 +4,7 @@
 #include "dem/contact/closure.hpp"
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/crushing.hpp"
+#include "dem/contact/mixed_crack.hpp"
 #include "dem/contact/wear.hpp"
 #include "dem/scene/wall.hpp"
 #include "dem/solver/solver_options.hpp"
@@ -26,6 +27,8 @@ template <class Real> struct LaneLaws {
     std::vector<DryLaw<Real>> dry;      ///< by joint ID - 1, then the joints at base and beam
     std::vector<DryLaw<Real>> tied;     ///< one, of the beam
     std::vector<CrackLaw<Real>> cracks; ///< by crack ID - 1
+    std::vector<MixedLaw<Real>>
+        mixed; ///< as cracks; empty where they follow the law of the paper
     std::vector<CrushingLaw<Real>> dry_crushing,
         crack_crushing;                                ///< as dry and cracks; or empty
     std::vector<WearLaw<Real>> dry_wear;               ///< as dry; or empty
@@ -40,6 +43,8 @@ template <class Real> struct LaneLaws {
 
 /// The law of a potential crack, or of the bond of a joint with mortar.
 [[nodiscard]] CrackLaw<double> crack_law(const CrackMaterial& material);
+/// What the law of mixed modes needs besides.
+[[nodiscard]] MixedLaw<double> mixed_law(const CrackMaterial& material);
 
 /// Laws of a model, of no wall yet; set_laws() fills the lanes.
 template <class Real>

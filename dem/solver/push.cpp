@@ -63,6 +63,17 @@ void check_crushing(const Model& m, const std::string& name, const Crushing& c)
             name + ": a compressive strength needs a layout with crushing");
 }
 
+void check_mixed_mode(const Model& m, const std::string& name, Envelope envelope,
+                      double shear_fracture_energy)
+{
+    require(shear_fracture_energy >= 0,
+            name + ": the fracture energy in shear must not be negative");
+    require(m.layout.mixed_mode ||
+                (envelope == Envelope::coulomb && shear_fracture_energy == 0.0),
+            name + ": a hyperbolic envelope and a fracture energy in shear need a layout with "
+                   "mixed modes");
+}
+
 void check_crack(const std::string& name, const CrackMaterial& c)
 {
     require(c.kn > 0 && c.ks > 0, name + ": normal and shear stiffness must be positive");
@@ -110,6 +121,12 @@ void check(const Model& m, const WallMaterials& w)
     for (std::size_t i = 0; i < w.cracks.size(); ++i)
         check_crack(numbered("crack", i), w.cracks[i]);
     for (std::size_t i = 0; i < w.joints.size(); ++i)
+        check_mixed_mode(m, numbered("joint", i), w.joints[i].envelope,
+                         w.joints[i].shear_fracture_energy);
+    for (std::size_t i = 0; i < w.cracks.size(); ++i)
+        check_mixed_mode(m, numbered("crack", i), w.cracks[i].envelope,
+                         w.cracks[i].shear_fracture_energy);
+    for (std::size_t i = 0; i < w.joints.size(); ++i)
         check_crushing(m, numbered("joint", i), w.joints[i].crushing);
     for (std::size_t i = 0; i < w.cracks.size(); ++i)
         check_crushing(m, numbered("crack", i), w.cracks[i].crushing);
@@ -143,11 +160,19 @@ void check(const PushPlan& plan, const SolverOptions& o)
     require(o.energy_tolerance > 0, "the energy tolerance must be positive");
 }
 
+void check(const Model& m, const SolverOptions& o)
+{
+    require(!m.layout.mixed_mode ||
+                (o.law == ContactLaw::coupled && o.unloading == Unloading::secant),
+            "the law of mixed modes is coupled, and unloads in tension to the origin");
+}
+
 PushResult push(const Model& model, const WallMaterials& materials, const PushPlan& plan,
                 const SolverOptions& options)
 {
     check(model, materials);
     check(plan, options);
+    check(model, options);
     const StepTables tables = step_tables(model);
     PushResult result;
     bool waiting = true;

@@ -86,6 +86,12 @@ struct PushResult {
     double settlement = 0.0; ///< of the beam under vertical load alone [m], positive downwards
     /// Number of crack contacts with f_T > sqrt(2 G k_n), which break at once and release more than G.
     int snap_back_contacts = 0;
+    /// Number of crack contacts with c - c_res > sqrt(2 G_II k_s), which break at their first slip and release more than G_II.
+    int shear_snap_back_contacts = 0;
+    int crack_contacts = 0; ///< of cracks in units and of joints with mortar
+    /// Those of them that have ever lost a part of their strength but not all of it: in tension, 0 < d_t < 1 while their
+    /// bond lived, and in shear, 0 < d_s < 1.
+    int softened_in_tension = 0, softened_in_shear = 0;
     /// Number of contacts with f_c > sqrt(2 G_c k_n), which crush at once and release more than G_c.
     int brittle_crushing_contacts = 0;
     double weight =
@@ -121,6 +127,7 @@ struct PushPlan {
 /// @throws std::invalid_argument if the materials do not fit the model or a value is outside its range
 void check(const Model& model, const WallMaterials& materials);
 void check(const PushPlan& plan, const SolverOptions& options);
+void check(const Model& model, const SolverOptions& options);
 
 /// Pushes one wall, in plain doubles. push_ensemble gives the same bits.
 /// @throws std::invalid_argument as check() does

@@ -245,6 +245,8 @@ void copy_to_lane(const WallState<double>& wall, int lane, WallState<Real>& s)
     set_lane(s.friction, lane, wall.friction);
     set_lane(s.fracture, lane, wall.fracture);
     set_lane(s.crushing, lane, wall.crushing);
+    set_lane(s.softened_in_tension, lane, wall.softened_in_tension);
+    set_lane(s.softened_in_shear, lane, wall.softened_in_shear);
     if (!wall.finite.frames.empty()) copy_to_lane(wall.finite, lane, s.finite);
 }
 

@@ -2,6 +2,7 @@
 
 #include "dem/solver/body_step.hpp"
 #include "dem/solver/closing_joint.hpp"
+#include "dem/solver/crack_kernels.hpp"
 #include "dem/solver/damping_force.hpp"
 #include "dem/solver/finite_step.hpp"
 
@@ -131,39 +132,18 @@ template <class Real> void advance_tied(const StepTables& t, WallState<Real>& s)
     }
 }
 
-template <ContactLaw kLaw, Unloading kUnloading, class Real>
+template <class Law, class Real>
 void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
 {
     for (const ContactRun& run : t.cracks) {
-        const CrackLaw<Real>& law = s.laws.cracks[run.law];
+        const Law law(s.laws, run.law);
         for (int k = run.first; k < run.first + run.count; ++k) {
             Relative<Real> du(s, k);
             if (!s.crushed.empty())
-                du.normal =
-                    crush_crack<kLaw, kUnloading>(t, run.law, k, du.normal, Real(1.0), s);
-            const CrackState<Real> before = crack_state(t, s, k);
-            const auto trial = try_elastic<kUnloading>(law, before, du.normal, du.tangential);
-            if (trial.holds && shortcuts) {
-                set_contact(s, k, trial.u_n, trial.sigma, trial.tau);
-                continue;
-            }
-            const auto [c, loss] =
-                advance<kLaw, kUnloading>(law, before, du.normal, du.tangential);
-            set_contact(s, k, c.u_n, c.sigma, c.tau);
-            s.cracks[k - t.first_crack] = {c.u_max, c.bond, c.unloading, c.integrity};
-            s.friction = multiply_add(Real(t.area[k]), loss.friction, s.friction);
-            s.fracture = multiply_add(Real(t.area[k]), loss.fracture, s.fracture);
+                du.normal = crush_crack<Law>(t, run.law, k, du.normal, Real(1.0), s);
+            move_crack(t, law, shortcuts, k, du.normal, du.tangential, Real(t.area[k]), s);
         }
     }
-}
-
-template <ContactLaw kLaw, class Real>
-void advance_cracks(const StepTables& t, bool shortcuts, WallState<Real>& s)
-{
-    if (s.laws.unloading == Unloading::secant)
-        advance_cracks<kLaw, Unloading::secant>(t, shortcuts, s);
-    else
-        advance_cracks<kLaw, Unloading::elastic>(t, shortcuts, s);
 }
 
 template <class Real>
@@ -191,8 +171,8 @@ void step(const StepTables& t, const SolverOptions& options, const StepInput<Rea
 
     advance_dry_joints(t, s);
     advance_tied(t, s);
-    with_contact_law(options.law,
-                     [&]<ContactLaw kLaw>() { advance_cracks<kLaw>(t, options.shortcuts, s); });
+    with_crack_law(options.law, s.laws,
+                   [&]<class Law>() { advance_cracks<Law>(t, options.shortcuts, s); });
 
     if (t.body_forces) {
         s.base_shear = s.body_factor * s.laws.supported_weight - horizontal_force(t.ground, s);

@@ -90,6 +90,8 @@ WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
       drive_(task.plan.targets, options_), recorder_(task.plan.record_every, options_.accuracy)
 {
     result_.snap_back_contacts = snap_back_contacts(task.model, materials_);
+    result_.shear_snap_back_contacts = shear_snap_back_contacts(task.model, materials_);
+    result_.crack_contacts = static_cast<int>(task.model.cracks.size());
     result_.brittle_crushing_contacts = brittle_crushing_contacts(task.model, materials_);
 }
 
@@ -409,6 +411,8 @@ void WallRun::start_again()
 {
     PushResult fresh;
     fresh.snap_back_contacts = result_.snap_back_contacts;
+    fresh.shear_snap_back_contacts = result_.shear_snap_back_contacts;
+    fresh.crack_contacts = result_.crack_contacts;
     fresh.brittle_crushing_contacts = result_.brittle_crushing_contacts;
     fresh.step_reductions = result_.step_reductions;
     fresh.slow_starts = result_.slow_starts;
@@ -434,6 +438,8 @@ template <class Real> PushResult WallRun::finish(const WallState<Real>& state, i
                                              : r.curve.back().force);
     if (std::abs(r.at_end.displacement) >= farthest_) r.at_farthest.reset();
     r.weight = dem::lane(state.laws.whole_weight, lane);
+    r.softened_in_tension = static_cast<int>(dem::lane(state.softened_in_tension, lane));
+    r.softened_in_shear = static_cast<int>(dem::lane(state.softened_in_shear, lane));
     r.cost.contact_updates = r.cost.steps * task_->tables.n_contacts;
     return std::move(r);
 }

@@ -15,7 +15,8 @@ template <class Real> void clear_lane(const StepTables& t, int lane, WallState<R
         for (Real& x : *values) set_lane(x, lane, 0.0);
     for (Real& r : s.roughness) set_lane(r, lane, 1.0);
     for (Real* x : {&s.work, &s.friction, &s.fracture, &s.crushing, &s.damping, &s.top_force,
-                    &s.base_shear, &s.load_x, &s.body_factor})
+                    &s.base_shear, &s.load_x, &s.body_factor, &s.softened_in_tension,
+                    &s.softened_in_shear})
         set_lane(*x, lane, 0.0);
     if (!s.finite.frames.empty()) clear_lane(t.finite, lane, s.finite);
 }

@@ -30,7 +30,9 @@ template <class Real> struct WallState {
     /// By dry contact, see ClosingState; empty where closure is linear.
     std::vector<Real> shear, rest;
     Real work{0.0}, friction{0.0}, fracture{0.0}, crushing{0.0},
-        damping{0.0};      ///< energy so far [J]
+        damping{0.0}; ///< energy so far [J]
+    /// Crack contacts that have ever lost a part of their strength but not all of it: in tension, in shear.
+    Real softened_in_tension{0.0}, softened_in_shear{0.0};
     Real top_force{0.0};   ///< of the drive on the beam [N]
     Real base_shear{0.0};  ///< of the wall on the ground [N]
     Real load_x{0.0};      ///< horizontal part of the loads, beside the drive [N]
@@ -108,24 +110,6 @@ template <class Real>
     const auto& memory = s.cracks[contact - t.first_crack];
     return {s.u_n[contact], s.stress[2 * contact + 1], s.stress[2 * contact], memory.u_max,
             memory.bond,    memory.unloading,          memory.integrity};
-}
-
-/// crush() of a crack: where it has begun to crush, its bond is gone.
-/// @param share of its area that is in contact [-]
-template <ContactLaw kLaw, Unloading kUnloading, class Real>
-[[nodiscard]] Real crush_crack(const StepTables& t, int law, int k, Real du_n, Real share,
-                               WallState<Real>& s)
-{
-    const Real rest = crush(s.laws.crack_crushing[law], k, du_n, share * Real(t.area[k]), s);
-    const auto broken = s.crushed[k] > Real(0.0);
-    if (!any(broken)) return rest;
-    const CrackState<Real> after = without_bond<kLaw, kUnloading>(crack_state(t, s, k));
-    auto& memory = s.cracks[k - t.first_crack];
-    memory = {select(broken, after.u_max, memory.u_max),
-              select(broken, after.bond, memory.bond),
-              select(broken, after.unloading, memory.unloading),
-              select(broken, after.integrity, memory.integrity)};
-    return rest;
 }
 
 } // namespace dem

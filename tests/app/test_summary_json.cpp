@@ -47,6 +47,10 @@ PushedWall good_wall()
     w.result.settled = true;
     w.result.settlement = 0.7e-3;
     w.result.snap_back_contacts = 3;
+    w.result.shear_snap_back_contacts = 4;
+    w.result.crack_contacts = 225;
+    w.result.softened_in_tension = 5;
+    w.result.softened_in_shear = 6;
     w.result.cost = {1000, 500000, 0.25};
     w.mechanism = {0.9, 0.1, 2, 7};
     w.reading.mode = dem::FailureMode::mixed;
@@ -159,6 +163,10 @@ TEST_CASE("summary: a wall with readings says what it did", "[app][summary_json]
     CHECK(m.at("cracked_units") == 2);
     CHECK(m.at("cracked_contacts") == 7);
     CHECK(m.at("snap_back_contacts") == 3);
+    CHECK(m.at("shear_snap_back_contacts") == 4);
+    CHECK(m.at("crack_contacts") == 225);
+    CHECK(m.at("contacts_softened_in_tension") == 5);
+    CHECK(m.at("contacts_softened_in_shear") == 6);
 
     w.reading.mode = dem::FailureMode::rocking;
     w.reading.ultimate =

@@ -34,6 +34,7 @@ struct Counted {
     {
         return ++operations, m.set ? yes : no;
     }
+    friend Counted sqrt(Counted a) { return ++operations, std::sqrt(a.x); }
     friend Counted multiply_add(Counted a, Counted b, Counted c)
     {
         return ++operations, std::fma(a.x, b.x, c.x);

@@ -97,7 +97,9 @@ inline bool same(const dem::PushResult& a, const dem::PushResult& b)
                a.step_fraction == b.step_fraction && a.step_reductions == b.step_reductions &&
                a.slow_starts == b.slow_starts && a.slowdowns == b.slowdowns &&
                a.settled == b.settled && bits::same_number(a.settlement, b.settlement) &&
-               a.snap_back_contacts == b.snap_back_contacts && same(a.at_peak, b.at_peak) &&
+               a.snap_back_contacts == b.snap_back_contacts &&
+               a.softened_in_tension == b.softened_in_tension &&
+               a.softened_in_shear == b.softened_in_shear && same(a.at_peak, b.at_peak) &&
                same(a.at_end, b.at_end) && a.snapshots.size() == b.snapshots.size();
     for (std::size_t i = 0; all && i < a.snapshots.size(); ++i)
         all = same(a.snapshots[i], b.snapshots[i]);

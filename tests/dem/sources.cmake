@@ -25,6 +25,8 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_layout.cpp
     dem/test_polygon_block.cpp
     dem/test_mechanism.cpp
+    dem/test_mixed_crack.cpp
+    dem/test_mixed_wall.cpp
     dem/test_model.cpp
     dem/test_mortar.cpp
     dem/test_model_elasticity.cpp
