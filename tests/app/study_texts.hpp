@@ -165,19 +165,19 @@ inline app::Study read_good(const std::vector<std::string>& overrides = {})
 
 inline dem::JointMaterial joint_material(const app::Study& s, int level)
 {
-    return app::joint_material(s.parameters, s.wall.course_height, level);
+    return app::joint_material(s.parameters, s.wall.course_height, app::stress_level(s, level));
 }
 
 inline dem::CrackMaterial crack_material(const app::Study& s, int level)
 {
-    return app::crack_material(s.parameters, s.wall.course_height, level);
+    return app::crack_material(s.parameters, s.wall.course_height, app::stress_level(s, level));
 }
 
 /// All values as in the study, under its stress level `level`.
 inline dem::WallMaterials materials(const app::Study& s, int level)
 {
-    const double stress = s.load.vertical_stress.at(static_cast<std::size_t>(level));
-    return app::materials(s.parameters, s.wall.course_height, level, stress, app::layout_of(s));
+    return app::materials(s.parameters, s.wall.course_height, app::stress_level(s, level),
+                          app::layout_of(s));
 }
 
 } // namespace study_texts

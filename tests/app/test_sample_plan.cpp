@@ -165,10 +165,12 @@ TEST_CASE("sample plan: values that follow from random ones follow their draw",
         for (std::size_t k = 0; k < w.joints.size(); ++k) {
             const std::size_t at = k % d.values[0].size();
             CHECK(w.joints[k].tan_phi == std::tan(d.values[0][at]));
-            CHECK(w.joints[k].kn ==
-                  Approx(d.values[1][at] *
-                         app::joint_material(s.parameters, s.wall.course_height, 0).kn)
-                      .epsilon(1e-14));
+            CHECK(
+                w.joints[k].kn ==
+                Approx(d.values[1][at] * app::joint_material(s.parameters, s.wall.course_height,
+                                                             app::stress_level(s, 0))
+                                             .kn)
+                    .epsilon(1e-14));
         }
     }
 }
