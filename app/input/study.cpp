@@ -30,11 +30,9 @@ constexpr std::array<KeyPair, 2> kOneOfTwo = {
     {{"joint.wall_modulus", "joint.normal_stiffness"}, {"load.targets", "load.amplitudes"}}};
 
 /// The same where joints close, which wall moduli tell, or a law.
-constexpr std::array<KeyPair, 6> kOneOfTwoClosures = {
+constexpr std::array<KeyPair, 4> kOneOfTwoClosures = {
     {{"joint.wall_modulus", "joint.initial_stiffness"},
      {"joint.wall_modulus", "joint.maximum_closure"},
-     {"joint.wall_modulus_stress", "joint.initial_stiffness"},
-     {"joint.wall_modulus_stress", "joint.maximum_closure"},
      {"joint.normal_stiffness", "joint.initial_stiffness"},
      {"joint.normal_stiffness", "joint.maximum_closure"}}};
 
@@ -182,7 +180,7 @@ std::string effective_configuration(const Study& study)
         if (key.name == "load.max_displacement" && !study.load.scaled.empty())
             mark =
                 "ultimate displacement of the mean wall pushed one way: " + study.load.scaled;
-        if (fitted) mark += ", fitted to wall_modulus; residuals " + fit_residuals(study);
+        if (fitted) mark += ", fitted: residuals " + fit_residuals(study);
         mark += cut_text(key, study, mark.empty());
         if (!mark.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
         text += line + (mark.empty() ? "" : "# ") + mark + "\n";

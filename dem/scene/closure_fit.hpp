@@ -20,7 +20,7 @@ struct ClosureFit {
     std::vector<double> residuals; ///< stiffness by the law over the one given, less 1 [-]
 };
 
-/// k_0 and V_m of the least sum of squares of relative residuals.
+/// k_0 and V_m of the least sum of squares of the differences in stiffness.
 /// @param stiffness normal stiffness of a joint under each pressure [Pa/m], > 0
 /// @param pressure [Pa], as many, of which two at least differ
 [[nodiscard]] ClosureFit fit_closure(std::span<const double> stiffness,

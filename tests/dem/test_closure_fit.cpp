@@ -24,7 +24,7 @@ double sum_of_squares(const dem::Closing& c, const std::vector<double>& kn)
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < kn.size(); ++i)
-        sum += std::pow(dem::closed_stiffness(c, kStresses[i]) / kn[i] - 1.0, 2);
+        sum += std::pow(dem::closed_stiffness(c, kStresses[i]) - kn[i], 2);
     return sum;
 }
 
