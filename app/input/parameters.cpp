@@ -21,12 +21,13 @@ double normal_stiffness(const Parameters& p, double course_height, StressLevel l
                                 p.stone.young_modulus);
 }
 
-/// A draw may begin stiffer than the end that is given for all.
+/// A draw may begin stiffer than the end that is given for all, or far softer.
 dem::Closing closing_of(const JointInput& joint)
 {
     if (!closes(joint)) return {};
     dem::Closing c = joint.closing;
-    c.stiffest = std::max(c.stiffest, c.initial_stiffness);
+    c.stiffest =
+        std::clamp(c.stiffest, c.initial_stiffness, dem::kMostStiffening * c.initial_stiffness);
     return c;
 }
 

@@ -54,8 +54,8 @@ constexpr Condition kWithCrackLaw{
 constexpr Condition kTensileCracks{
     [](const Study& s) { return s.parameters.unit.tensile_strength > 0.0; },
     "unit.tensile_strength is 0"};
-constexpr Condition kCohesiveCracks{
-    [](const Study& s) { return s.parameters.unit.cohesion > 0.0; }, "unit.cohesion is 0"};
+constexpr Condition kCohesiveCracks{loses_cohesion,
+                                    "unit.cohesion is no more than unit.residual_cohesion"};
 constexpr Condition kCoulombCracks{
     [](const Study& s) { return s.parameters.unit.envelope == dem::Envelope::coulomb; },
     "unit.envelope is hyperbolic"};

@@ -13,6 +13,9 @@ namespace dem {
 /// @param pressure [Pa], >= 0
 [[nodiscard]] double closed_stiffness(const Closing& c, double pressure);
 
+/// Closing::stiffest over Closing::initial_stiffness, at most [-].
+constexpr double kMostStiffening = 1e3;
+
 struct ClosureFit {
     double initial_stiffness =
         0.0;              ///< k_0 [Pa/m]; <= 0 where no law of closure has these stiffnesses

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 using study_texts::kClosing;
@@ -82,6 +83,17 @@ TEST_CASE("joint laws: a given shear stiffness is that at the stress, a given li
     CHECK(study_texts::joint_material(s, 0).ks == 2e9);
     CHECK(study_texts::joint_material(s, 1).ks == 3e9);
     CHECK(study_texts::joint_material(s, 0).closing.stiffest == 60e9);
+}
+
+TEST_CASE("joint laws: a draw that begins above the limit, or far below it, moves the limit",
+          "[app][joint_laws]")
+{
+    app::Study s = read_good(with(kClosing, {"joint.largest_stiffness=60 GPa/m"}));
+    double& k0 = s.parameters.joint.closing.initial_stiffness;
+    for (const auto& [drawn, limit] : {std::pair{80e9, 80e9}, {5e9, 60e9}, {1e7, 1e10}}) {
+        k0 = drawn;
+        CHECK(study_texts::joint_material(s, 0).closing.stiffest == limit);
+    }
 }
 
 TEST_CASE("joint laws: the wall moduli of the paper give one law, which serves every stress",
@@ -166,7 +178,15 @@ TEST_CASE("joint laws: keys of a law that is not chosen are named as without eff
     CHECK(app::effect_notes(read_good({"unit.cohesion=0 MPa", "unit.tension_reduces_shear=no",
                                        "unit.shear_fracture_energy=1 N/m"}),
                             kPush) ==
-          "note: unit.shear_fracture_energy: no effect, because unit.cohesion is 0\n");
+          "note: unit.shear_fracture_energy: no effect, because unit.cohesion is no more than "
+          "unit.residual_cohesion\n");
+    for (const std::vector<std::string>& none :
+         {std::vector<std::string>{"unit.cohesion=1 MPa", "unit.residual_cohesion=1 MPa",
+                                   "unit.shear_fracture_energy=1 N/m"},
+          {"joint.tensile_strength=1 MPa", "joint.shear_fracture_energy=1 N/m"}}) {
+        CHECK_FALSE(app::layout_of(read_good(none)).mixed_mode);
+        CHECK_FALSE(app::effect_notes(read_good(none), kPush).empty());
+    }
 }
 
 TEST_CASE("joint laws: what friction takes of the tensile strength is told, where it does",

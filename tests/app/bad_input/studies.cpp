@@ -238,6 +238,8 @@ constexpr std::array kStudies = {
         "study.ini:12: joint.wall_modulus: no law of closure has these moduli: k_n by Eq. 2 grows by more than in proportion to the stress; write other moduli, or joint.initial_stiffness and joint.maximum_closure in place of wall_modulus"},
     BadStudy{"a limit below the first stiffness", "wall_modulus = 566, 768 MPa", "closure = hyperbolic\ninitial_stiffness = 5 GPa/m\nmaximum_closure = 0.1 mm\nlargest_stiffness = 4 GPa/m",
         "study.ini:15: joint.largest_stiffness: must be at least joint.initial_stiffness, 5 GPa/m"},
+    BadStudy{"a limit far above the first stiffness", "wall_modulus = 566, 768 MPa", "closure = hyperbolic\ninitial_stiffness = 5 GPa/m\nmaximum_closure = 0.1 mm\nlargest_stiffness = 5001 GPa/m",
+        "study.ini:15: joint.largest_stiffness: must be at most 1000 times joint.initial_stiffness, 5000 GPa/m"},
     BadStudy{"joints that hardly close", "wall_modulus = 566, 768 MPa", "closure = hyperbolic\ninitial_stiffness = 5 GPa/m\nmaximum_closure = 1e-7 mm",
         "study.ini:14: joint.maximum_closure: makes joints stiffer than 1e+06 GPa/m under 0.15 MPa; write a larger value"},
     BadStudy{"soft joints that close", "wall_modulus = 566, 768 MPa", "closure = hyperbolic\ninitial_stiffness = 1e-300 GPa/m\nmaximum_closure = 0.1 mm",
