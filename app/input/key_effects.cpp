@@ -1,5 +1,6 @@
 #include "app/input/key_effects.hpp"
 
+#include "app/input/joint_laws.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
@@ -92,6 +93,7 @@ std::string study_notes(const Study& study, const Command& command)
     if (command.verb == nullptr) return "";
     if (!reads(*command.verb, *find_key("uq.drawn"))) refuse_drawn(study);
     std::string notes = effect_notes(study, *command.verb);
+    if (reads(*command.verb, *find_key("joint.closure"))) notes += joint_law_notes(study);
     if (!study.load.scaled.empty())
         notes +=
             "note: load.protocol_scale: the protocol goes to " +

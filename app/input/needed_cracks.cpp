@@ -53,10 +53,11 @@ std::set<int> used_units(const Study& study, const dem::Model& model)
     plan.snapshot_every = push_way(study).length / kLooks;
     std::set<int> units;
     for (int level = 0; level < static_cast<int>(study.load.vertical_stress.size()); ++level) {
+        const StressLevel at = stress_level(study, level);
         const dem::CrackMaterial strength =
-            crack_material(study.parameters, study.wall.course_height, level);
-        dem::WallMaterials w = materials(study.parameters, study.wall.course_height, level,
-                                         study.load.vertical_stress[level], model.layout);
+            crack_material(study.parameters, study.wall.course_height, at);
+        dem::WallMaterials w =
+            materials(study.parameters, study.wall.course_height, at, model.layout);
         for (dem::CrackMaterial& c : w.cracks) c.ft = c.cohesion = kUnbreakable;
         const dem::PushResult r = dem::push(model, w, plan, study.solver);
         if (dem::failed(r.outcome))

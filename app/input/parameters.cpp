@@ -1,5 +1,6 @@
 #include "app/input/parameters.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace app {
@@ -11,16 +12,33 @@ double at_level(const std::vector<double>& values, int level)
     return values.size() == 1 ? values.front() : values.at(level);
 }
 
-dem::JointParameters joint_parameters(const Parameters& p, double course_height, int level)
+double normal_stiffness(const Parameters& p, double course_height, StressLevel level)
 {
     const JointInput& joint = p.joint;
-    const double kn =
-        joint.wall_modulus.empty()
-            ? at_level(joint.normal_stiffness, level)
-            : dem::joint_stiffness(course_height, at_level(joint.wall_modulus, level),
-                                   p.stone.young_modulus);
+    if (closes(joint)) return dem::closed_stiffness(joint.closing, level.stress);
+    if (joint.wall_modulus.empty()) return at_level(joint.normal_stiffness, level.index);
+    return dem::joint_stiffness(course_height, at_level(joint.wall_modulus, level.index),
+                                p.stone.young_modulus);
+}
+
+/// A draw may begin stiffer than the end that is given for all, or far softer.
+dem::Closing closing_of(const JointInput& joint)
+{
+    if (!closes(joint)) return {};
+    dem::Closing c = joint.closing;
+    c.stiffest =
+        std::clamp(c.stiffest, c.initial_stiffness, dem::kMostStiffening * c.initial_stiffness);
+    return c;
+}
+
+dem::JointParameters joint_parameters(const Parameters& p, double course_height,
+                                      StressLevel level)
+{
+    const JointInput& joint = p.joint;
+    const double kn = normal_stiffness(p, course_height, level);
     return {kn,
-            at_level(joint.shear_stiffness, level),
+            joint.shear_stiffness.empty() ? dem::shear_stiffness(kn, p.stone.poisson_ratio)
+                                          : at_level(joint.shear_stiffness, level.index),
             joint.stiffness_factor,
             joint.friction_angle,
             joint.tensile_strength,
@@ -28,17 +46,29 @@ dem::JointParameters joint_parameters(const Parameters& p, double course_height,
             joint.fracture_energy,
             joint.crushing,
             joint.residual_friction_angle,
-            joint.wear_length};
+            joint.wear_length,
+            closing_of(joint),
+            joint.envelope,
+            joint.shear_fracture_energy};
 }
 
 } // namespace
 
-dem::JointMaterial joint_material(const Parameters& p, double course_height, int level)
+dem::ClosureFit closure_fit(const Parameters& p, double course_height)
+{
+    std::vector<double> stiffness;
+    for (const double modulus : p.joint.wall_modulus)
+        stiffness.push_back(
+            dem::joint_stiffness(course_height, modulus, p.stone.young_modulus));
+    return dem::fit_closure(stiffness, p.joint.modulus_stress);
+}
+
+dem::JointMaterial joint_material(const Parameters& p, double course_height, StressLevel level)
 {
     return dem::joint_material(joint_parameters(p, course_height, level));
 }
 
-dem::CrackMaterial crack_material(const Parameters& p, double course_height, int level,
+dem::CrackMaterial crack_material(const Parameters& p, double course_height, StressLevel level,
                                   double own)
 {
     if (own > 0.0) return dem::crack_material(p.unit, own * p.stone.young_modulus);
@@ -46,14 +76,14 @@ dem::CrackMaterial crack_material(const Parameters& p, double course_height, int
                                p.stone.poisson_ratio);
 }
 
-dem::WallMaterials materials(const Parameters& p, double course_height, int level,
-                             double vertical_stress, const dem::Layout& layout)
+dem::WallMaterials materials(const Parameters& p, double course_height, StressLevel level,
+                             const dem::Layout& layout)
 {
     dem::WallMaterials all =
         dem::wall_materials({p.stone, joint_parameters(p, course_height, level), p.unit,
                              p.base_friction_angle, p.beam_friction_angle},
                             layout);
-    all.vertical_stress = vertical_stress;
+    all.vertical_stress = level.stress;
     return all;
 }
 

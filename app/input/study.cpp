@@ -1,5 +1,6 @@
 #include "app/input/study.hpp"
 
+#include "app/input/joint_laws.hpp"
 #include "app/input/key_reading.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/limit_state_text.hpp"
@@ -22,13 +23,26 @@
 namespace app {
 namespace {
 
+using KeyPair = std::array<std::string_view, 2>;
+
 /// Two keys that give one thing. The one that --set gives takes the place of the other in the file.
-constexpr std::array<std::array<std::string_view, 2>, 2> kOneOfTwo = {
+constexpr std::array<KeyPair, 2> kOneOfTwo = {
     {{"joint.wall_modulus", "joint.normal_stiffness"}, {"load.targets", "load.amplitudes"}}};
+
+/// The same where joints close, which wall moduli tell, or a law.
+constexpr std::array<KeyPair, 4> kOneOfTwoClosures = {
+    {{"joint.wall_modulus", "joint.initial_stiffness"},
+     {"joint.wall_modulus", "joint.maximum_closure"},
+     {"joint.normal_stiffness", "joint.initial_stiffness"},
+     {"joint.normal_stiffness", "joint.maximum_closure"}}};
 
 StudyFile without_replaced(StudyFile file)
 {
-    for (const auto& [a, b] : kOneOfTwo) {
+    std::vector<KeyPair> pairs(kOneOfTwo.begin(), kOneOfTwo.end());
+    const Entry* closure = find_entry(file, "joint.closure");
+    if (closure != nullptr && closure->value != "linear")
+        pairs.insert(pairs.end(), kOneOfTwoClosures.begin(), kOneOfTwoClosures.end());
+    for (const auto& [a, b] : pairs) {
         const Entry *const first = find_entry(file, a), *const second = find_entry(file, b);
         if (first == nullptr || second == nullptr) continue;
         if ((first->line == 0) == (second->line == 0)) continue; // a check refuses both
@@ -145,13 +159,17 @@ std::string effective_configuration(const Study& study)
         }
         // Read as given, a value that follows from others would no longer follow their draws.
         const bool follows = !study.random.empty() && is_derived(key, study);
+        // Nor may the law of closure stand beside the moduli to which it is fitted.
+        const bool fitted =
+            entry == nullptr && is_fitted_closure(study) &&
+            (key.name == "joint.initial_stiffness" || key.name == "joint.maximum_closure");
         // How results are read is no part of the walls: a later version reads them its own way.
         const bool reading =
             entry == nullptr && (section == "fragility" || section == "reliability");
         // The height of body forces is no choice: it would be refused.
         const bool told = entry == nullptr && key.name == "load.height" &&
                           study.load.pattern == dem::LoadPattern::body;
-        std::string line((follows || reading || told ? "# " : "") +
+        std::string line((follows || fitted || reading || told ? "# " : "") +
                          std::string(name_in_section(key.name)));
         line.resize(std::max<std::size_t>(line.size(), 24), ' ');
         line += "= " + value;
@@ -162,11 +180,17 @@ std::string effective_configuration(const Study& study)
         if (key.name == "load.max_displacement" && !study.load.scaled.empty())
             mark =
                 "ultimate displacement of the mean wall pushed one way: " + study.load.scaled;
+        if (fitted) mark += ", fitted: residuals " + fit_residuals(study);
         mark += cut_text(key, study, mark.empty());
         if (!mark.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
         text += line + (mark.empty() ? "" : "# ") + mark + "\n";
     }
     return text;
+}
+
+StressLevel stress_level(const Study& study, int level)
+{
+    return {level, study.load.vertical_stress.at(static_cast<std::size_t>(level))};
 }
 
 dem::Loads loads(const Study& study, int level)
@@ -183,9 +207,10 @@ dem::Model model_of(const Study& study)
 {
     const Parameters& p = study.parameters;
     const double h = study.wall.course_height;
+    const StressLevel first = stress_level(study, 0);
     return read_at(study.source, geometry_key(study), [&] {
         return dem::discretise(layout_of(study), p.stone, study.beam, loads(study, 0),
-                               {joint_material(p, h, 0), crack_material(p, h, 0)},
+                               {joint_material(p, h, first), crack_material(p, h, first)},
                                study.discretisation);
     });
 }

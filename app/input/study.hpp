@@ -227,6 +227,9 @@ enum class Purpose { push, drawing };
 [[nodiscard]] std::string effective_configuration(const Study& study);
 
 /// @param level index in study.load.vertical_stress
+[[nodiscard]] StressLevel stress_level(const Study& study, int level);
+
+/// @param level index in study.load.vertical_stress
 [[nodiscard]] dem::Loads loads(const Study& study, int level);
 
 /// One for all levels: modes and masses of the first level's stiffness, which sets the step, not the

@@ -1,4 +1,5 @@
 #include "app/input/study_checks.hpp"
+#include "app/input/joint_laws.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/slivers.hpp"
 #include "app/input/unit_cracks.hpp"
@@ -26,83 +27,19 @@ namespace {
     throw error_at(study.source, key, why);
 }
 
-/// With 12 digits, so that three courses of 0.4 m end at 1.2 m.
-std::string text(double si, std::string_view unit)
-{
-    return number(from_si(si, unit), 12) + " " + std::string(unit);
-}
-
-std::string level_text(const Study& study, std::size_t level)
-{
-    return "stress level " + std::to_string(level + 1) + " (" +
-           text(study.load.vertical_stress[level], "MPa") + ")";
-}
-
-/// A value may be the same under all stress levels.
-void check_count(const Study& study, std::string_view key, std::size_t values)
-{
-    if (values < 2) return;
-    const std::size_t levels = study.load.vertical_stress.size();
-    if (values < levels) {
-        refuse(study, key,
-               level_text(study, values) + " has no value; write " + std::to_string(levels) +
-                   " values, one for each of load.vertical_stress");
-    }
-    if (values > levels) {
-        refuse(study, key,
-               "has " + std::to_string(values) + " values, load.vertical_stress " +
-                   std::to_string(levels) + "; write one for each stress level");
-    }
-}
-
-void check_levels_differ(const Study& study)
-{
-    std::vector<double> levels = study.load.vertical_stress;
-    std::ranges::sort(levels);
-    const auto twice = std::ranges::adjacent_find(levels);
-    if (twice != levels.end()) {
-        refuse(study, "load.vertical_stress",
-               text(*twice, "MPa") + " is given twice; keep one of them");
-    }
-}
-
 constexpr double kMostPoints = 1e6; // of a curve
-
-constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
-
-void check_normal_stiffness(const Study& study, double kn)
-{
-    if (kn * study.parameters.joint.stiffness_factor < kSoftest)
-        refuse(study, "joint.normal_stiffness",
-               "times joint.stiffness_factor is below 1 Pa/m; write a larger value");
-}
-
-void check_wall_modulus(const Study& study, double modulus)
-{
-    const double e = study.parameters.stone.young_modulus;
-    if (modulus >= e) {
-        refuse(study, "joint.wall_modulus",
-               text(modulus, "MPa") + " is not below stone.young_modulus, " + text(e, "GPa") +
-                   "; a wall with joints is softer than its stone (Eq. 2)");
-    }
-    const double kn = dem::joint_stiffness(study.wall.course_height, modulus, e);
-    if (!(kn >= kSoftest && kn <= kStiffest)) {
-        refuse(study, "joint.wall_modulus",
-               text(modulus, "MPa") +
-                   " gives a joint stiffness by Eq. 2 outside 1 Pa/m to 1e+06 GPa/m");
-    }
-}
 
 void check_residuals(const Study& study)
 {
     const dem::CrackParameters& u = study.parameters.unit;
     if (u.residual_cohesion > u.cohesion) {
         refuse(study, "unit.residual_cohesion",
-               "must be at most unit.cohesion, " + text(u.cohesion, "MPa"));
+               "must be at most unit.cohesion, " + quantity_text(u.cohesion, "MPa"));
     }
     if (u.residual_friction_angle > u.friction_angle) {
         refuse(study, "unit.residual_friction_angle",
-               "must be at most unit.friction_angle, " + text(u.friction_angle, "deg"));
+               "must be at most unit.friction_angle, " +
+                   quantity_text(u.friction_angle, "deg"));
     }
 }
 
@@ -112,7 +49,7 @@ void check_bond(const Study& study)
     if (!in_courses(study)) return;
     if (wall.bond != dem::Bond::shifted && wall.header_length > wall.unit_length)
         refuse(study, "wall.header_length",
-               "must be at most wall.unit_length, " + text(wall.unit_length, "m"));
+               "must be at most wall.unit_length, " + quantity_text(wall.unit_length, "m"));
     if (wall.bond != dem::Bond::shifted || wall.length_cov == 0.0) return;
     const double most = dem::most_length_cov(wall);
     if (wall.length_cov > most)
@@ -140,7 +77,8 @@ void check_pieces(const Study& study)
     const dem::WallGeometry& wall = study.wall;
     if (!is_drawn(study) && wall.length < wall.unit_length) {
         refuse(study, "wall.length",
-               "must be at least one wall.unit_length, " + text(wall.unit_length, "m"));
+               "must be at least one wall.unit_length, " +
+                   quantity_text(wall.unit_length, "m"));
     }
     const std::string_view culprit =
         find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
@@ -219,7 +157,7 @@ void check_load(const Study& study)
     for (const double target : study.load.targets) {
         if (target == previous) {
             refuse(study, "load.targets",
-                   text(target, "mm") + " follows " + text(previous, "mm") +
+                   quantity_text(target, "mm") + " follows " + quantity_text(previous, "mm") +
                        "; each target must differ from the one before, the first from 0 mm");
         }
         previous = target;
@@ -253,7 +191,7 @@ void check_pattern(const Study& study)
     for (const double stress : study.load.vertical_stress)
         if (stress > 0.0)
             refuse(study, "load.vertical_stress",
-                   text(stress, "MPa") +
+                   quantity_text(stress, "MPa") +
                        " has no beam to act on; write 0 MPa, or beam.present = yes");
 }
 
@@ -296,7 +234,7 @@ void check_steps(const Study& study)
         return;
     refuse(study, "solver.most_steps",
            "is less than the " + number(least, 3) + " steps that a path of " +
-               text(way.length, "m") +
+               quantity_text(way.length, "m") +
                " needs at least; ask for fewer cycles, or allow more steps");
 }
 
@@ -308,7 +246,7 @@ void check_output(const Study& study)
     const OutputInput& out = study.output;
     if (out.record_every > path) {
         refuse(study, "output.record_every",
-               "must be at most the path of the push, " + text(path, "mm"));
+               "must be at most the path of the push, " + quantity_text(path, "mm"));
     }
     if (path / out.record_every + way.turns * dem::Recorder::kAfterTurn > kMostPoints) {
         refuse(study, "output.record_every", "makes more than 1000000 points; record fewer");
@@ -323,8 +261,9 @@ std::string unfit_height(const Study& study)
     const double top = wall_height(study), height = study.load.height;
     if (study.load.pattern == dem::LoadPattern::body || !study.beam.present) return "";
     if (height >= top - kRounding && height <= top + study.beam.height + kRounding) return "";
-    return "must lie within the loading beam, from " + text(top, "m") + " to " +
-           text(top + study.beam.height, "m") + "; without this key it is the top of the beam";
+    return "must lie within the loading beam, from " + quantity_text(top, "m") + " to " +
+           quantity_text(top + study.beam.height, "m") +
+           "; without this key it is the top of the beam";
 }
 
 void check_cycles(const Study& study)
@@ -340,29 +279,10 @@ void check_cycles(const Study& study)
                    fixed(kMostTurns, 0));
 }
 
-void check_stiffness(const Study& study)
-{
-    const JointInput& joint = study.parameters.joint;
-    if (joint.wall_modulus.empty() && joint.normal_stiffness.empty()) {
-        refuse(study, "joint.wall_modulus",
-               "missing; write e.g. \"wall_modulus = 768 MPa\" or \"normal_stiffness = 8.08 "
-               "GPa/m\" under [joint]");
-    }
-    if (!joint.wall_modulus.empty() && !joint.normal_stiffness.empty()) {
-        refuse(study, "joint.normal_stiffness",
-               "is given although joint.wall_modulus determines it by Eq. 2; keep one of them");
-    }
-    check_levels_differ(study);
-    check_count(study, "joint.wall_modulus", joint.wall_modulus.size());
-    check_count(study, "joint.normal_stiffness", joint.normal_stiffness.size());
-    check_count(study, "joint.shear_stiffness", joint.shear_stiffness.size());
-    for (const double modulus : joint.wall_modulus) check_wall_modulus(study, modulus);
-    for (const double kn : joint.normal_stiffness) check_normal_stiffness(study, kn);
-}
-
 void check_relations(const Study& study)
 {
     check_residuals(study);
+    check_joint_laws(study);
     check_bond(study);
     check_pieces(study);
     check_zones(study);

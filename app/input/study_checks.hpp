@@ -11,11 +11,6 @@ namespace app {
 /// @throws ConfigError at the value to change
 void check_cycles(const Study& study);
 
-/// Joint stiffness: where it comes from, and one value per stress level. Before defaults are
-/// derived from it.
-/// @throws ConfigError at the value to change
-void check_stiffness(const Study& study);
-
 /// Why load.height does not fit the wall; empty if it does.
 [[nodiscard]] std::string unfit_height(const Study& study);
 

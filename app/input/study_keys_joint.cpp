@@ -1,5 +1,6 @@
 /// Joints: keys of the study file.
 
+#include "app/input/joint_laws.hpp"
 #include "app/input/study_key_table.hpp"
 #include "app/input/wall_geometry.hpp"
 
@@ -9,8 +10,12 @@
 namespace app {
 namespace {
 
+using Closing = dem::Closing;
+
+/// That of joints that close is the share of their normal one under the stress of each wall.
 void derive_shear_stiffness(Parameters& p, double course_height)
 {
+    if (closes(p.joint)) return;
     std::vector<double> kn = p.joint.normal_stiffness;
     for (const double modulus : p.joint.wall_modulus)
         kn.push_back(dem::joint_stiffness(course_height, modulus, p.stone.young_modulus));
@@ -46,11 +51,39 @@ constexpr Condition kBondInTension{
     "joint.tensile_strength is 0"};
 constexpr Range kStiffness{'(', 0, 1e6, ']'}; // [GPa/m]
 
+constexpr std::array kClosures = {named("linear", dem::Closure::linear),
+                                  named("hyperbolic", dem::Closure::hyperbolic),
+                                  named("exponential", dem::Closure::exponential)};
+constexpr Condition kDryOrLinear{
+    [](const Study& s) { return !closes(s.parameters.joint) || !has_mortar(s); },
+    "joints with mortar do not close further; write linear, or remove it", true};
+constexpr Condition kJointsClose{[](const Study& s) { return closes(s.parameters.joint); },
+                                 "joint.closure is linear"};
+constexpr Condition kFittedClosure{is_fitted_closure,
+                                   "joint.wall_modulus gives no law of closure"};
+void derive_initial_stiffness(Parameters& p, double course_height)
+{
+    p.joint.closing.initial_stiffness = closure_fit(p, course_height).initial_stiffness;
+}
+void derive_maximum_closure(Parameters& p, double course_height)
+{
+    p.joint.closing.maximum = closure_fit(p, course_height).maximum;
+}
+void derive_largest_stiffness(Parameters& p, double)
+{
+    constexpr double kTimes = 100.0; // choice: a limit of numbers, not of joints
+    p.joint.closing.stiffest =
+        std::min(kTimes * p.joint.closing.initial_stiffness, 1e9 * kStiffness.high);
+}
+constexpr Condition kWithMortar{has_mortar, "joints have no mortar"};
+constexpr Condition kMortarSlides{
+    [](const Study& s) { return s.parameters.joint.cohesion > 0.0; }, "joint.cohesion is 0"};
+
 // clang-format off
 constexpr std::array kJointKeys = {
     Key{.name = "joint.wall_modulus", .kind = Kind::list, .unit = "MPa", .range = {'(', 0, 1e6, ']'},
         .derived = {"or normal_stiffness"},
-        .meaning = "one per stress level, gives k_n by Eq. 2 (paper, Table 3)",
+        .meaning = "one per stress level, gives k_n by Eq. 2 (paper, Table 3); where joints close: of two stresses or more, which give one law",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::wall_modulus>},
     Key{.name = "joint.normal_stiffness", .kind = Kind::list, .unit = "GPa/m", .range = kStiffness,
         .derived = {"from wall_modulus"},
@@ -69,6 +102,33 @@ constexpr std::array kJointKeys = {
         .meaning = "factor on k_n and k_s of the joints (paper, Table 5)",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::stiffness_factor>},
 
+    Key{.name = "joint.closure", .kind = Kind::word, .names = kClosures, .used = kDryOrLinear,
+        .meaning = "k_n of dry joints stays, or grows with pressure: p = k_0 w/(1 - w/V_m) (Bandis, Lumsden and Barton 1983), or k_0 V_m (exp(w/V_m) - 1)",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::closure>},
+    Key{.name = "joint.wall_modulus_stress", .kind = Kind::list, .unit = "MPa", .range = {'[', 0, 1000, ']'},
+        .used = kFittedClosure,
+        .derived = {"load.vertical_stress", [](Study& s) { s.parameters.joint.modulus_stress = s.load.vertical_stress; }},
+        .meaning = "vertical stress of each joint.wall_modulus to which one law of closure is fitted",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::modulus_stress>},
+    Key{.name = "joint.initial_stiffness", .unit = "GPa/m", .range = kStiffness, .used = kJointsClose,
+        .derived = {.rule = "fitted to wall_modulus", .follow = derive_initial_stiffness},
+        .varies = Varies::by_joint,
+        .meaning = "k_0 of closure: under a vertical stress sigma joints have k_n = k_0 + sigma/V_m; in place of wall_modulus",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::closing, &Closing::initial_stiffness>},
+    Key{.name = "joint.maximum_closure", .unit = "mm", .range = {'(', 0, 1000, ']'}, .used = kJointsClose,
+        .derived = {.rule = "fitted to wall_modulus", .follow = derive_maximum_closure},
+        .varies = Varies::by_joint,
+        .meaning = "V_m of closure; in place of wall_modulus",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::closing, &Closing::maximum>},
+    Key{.name = "joint.closure_loss", .range = {'[', 0, 1, ')'}, .used = kJointsClose,
+        .varies = Varies::by_joint,
+        .meaning = "share of the work of closing that a joint does not give back as it opens",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::closing, &Closing::loss>},
+    Key{.name = "joint.largest_stiffness", .unit = "GPa/m", .range = kStiffness, .used = kJointsClose,
+        .derived = {.rule = "100 initial_stiffness", .follow = derive_largest_stiffness},
+        .meaning = "k_n that a joint does not exceed as it closes; a numerical limit, which keeps steps long",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::closing, &Closing::stiffest>},
+
     Key{.name = "joint.tensile_strength", .unit = "MPa", .range = kStrength,
         .varies = Varies::by_joint,
         .meaning = "tensile strength of the mortar; 0: dry",
@@ -82,6 +142,14 @@ constexpr std::array kJointKeys = {
         .varies = Varies::by_joint,
         .meaning = "fracture energy of the mortar, mode I",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::fracture_energy>},
+    Key{.name = "joint.envelope", .kind = Kind::word, .names = kEnvelopes, .used = kWithMortar,
+        .meaning = "shear strength of the mortar in tension: coulomb, or hyperbolic, which keeps the tensile strength",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::envelope>},
+    Key{.name = "joint.shear_fracture_energy", .unit = "N/m", .range = kShearEnergy, .names = kNone,
+        .used = kWithMortar, .effect = kMortarSlides,
+        .varies = Varies::by_joint,
+        .meaning = "fracture energy of the mortar, mode II; none: brittle in shear",
+        .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::shear_fracture_energy>},
 
     Key{.name = "joint.compressive_strength", .unit = "MPa", .range = {'(', 0, 10000, ']'}, .names = kNone,
         .varies = Varies::by_joint,

@@ -54,6 +54,11 @@ constexpr Condition kWithCrackLaw{
 constexpr Condition kTensileCracks{
     [](const Study& s) { return s.parameters.unit.tensile_strength > 0.0; },
     "unit.tensile_strength is 0"};
+constexpr Condition kCohesiveCracks{loses_cohesion,
+                                    "unit.cohesion is no more than unit.residual_cohesion"};
+constexpr Condition kCoulombCracks{
+    [](const Study& s) { return s.parameters.unit.envelope == dem::Envelope::coulomb; },
+    "unit.envelope is hyperbolic"};
 constexpr Condition kUnitsCrush{
     [](const Study& s) { return s.parameters.unit.crushing.strength > 0.0; },
     "unit.compressive_strength is none"};
@@ -134,8 +139,16 @@ constexpr std::array kUnitKeys = {
     Key{.name = "unit.contact_law", .kind = Kind::word, .names = kLaws, .used = kWithCrackLaw,
         .meaning = "damage of tension and shear together (paper, Table 2) or apart (Fig. 7)",
         .field = kAt<&Study::solver, &SolverOptions::law>},
+    Key{.name = "unit.envelope", .kind = Kind::word, .names = kEnvelopes, .used = kWithCracks,
+        .meaning = "shear strength in tension: coulomb (paper, Table 2), or hyperbolic, a smooth curve from f_T to c, which keeps the tensile strength",
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::envelope>},
+    Key{.name = "unit.shear_fracture_energy", .unit = "N/m", .range = kShearEnergy, .names = kNone,
+        .used = kWithCracks, .effect = kCohesiveCracks,
+        .varies = Varies::by_crack,
+        .meaning = "fracture energy, mode II; none: brittle in shear (paper)",
+        .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::shear_fracture_energy>},
     Key{.name = "unit.tension_reduces_shear", .kind = Kind::word, .names = kYesNo,
-        .used = kWithCracks,
+        .used = kWithCracks, .effect = kCoulombCracks,
         .meaning = "tau_max = c - sigma tan(theta) in tension too (paper, Table 2, step 5), or c there",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::tension_reduces_shear>},
     Key{.name = "unit.snap_back", .kind = Kind::word, .names = kSnapBacks,

@@ -255,6 +255,11 @@ std::string_view si_unit(std::string_view unit)
 
 double to_si(double value, std::string_view unit) { return si_value(value, unit_named(unit)); }
 
+std::string quantity_text(double si, std::string_view unit)
+{
+    return number(from_si(si, unit), 12) + " " + std::string(unit);
+}
+
 std::string format_quantities(std::span<const double> si, std::string_view unit)
 {
     const Unit& wanted = unit_named(unit);

@@ -37,6 +37,9 @@ struct BadValue : std::invalid_argument {
 /// The SI unit of the same quantity: "Pa" of "MPa"; empty for an empty one.
 [[nodiscard]] std::string_view si_unit(std::string_view unit);
 
+/// A value for people, with 12 digits, so that three courses of 0.4 m end at 1.2 m.
+[[nodiscard]] std::string quantity_text(double si, std::string_view unit);
+
 /// The shortest text that parse_quantities reads back to the same bits; in SI where this unit
 /// has no such text.
 [[nodiscard]] std::string format_quantities(std::span<const double> si, std::string_view unit);

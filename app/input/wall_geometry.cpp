@@ -262,6 +262,25 @@ bool has_crushing(const Study& study)
            (has_cracks(study) && p.unit.crushing.strength > 0.0);
 }
 
+bool loses_cohesion(const Study& study)
+{
+    return study.parameters.unit.cohesion > study.parameters.unit.residual_cohesion;
+}
+
+std::string_view mixed_mode_key(const Study& study)
+{
+    const dem::CrackParameters& unit = study.parameters.unit;
+    const JointInput& joint = study.parameters.joint;
+    constexpr auto kHyperbolic = dem::Envelope::hyperbolic;
+    if (has_cracks(study) && unit.envelope == kHyperbolic) return "unit.envelope";
+    if (has_cracks(study) && unit.shear_fracture_energy > 0.0 && loses_cohesion(study))
+        return "unit.shear_fracture_energy";
+    if (has_mortar(study) && joint.envelope == kHyperbolic) return "joint.envelope";
+    if (has_mortar(study) && joint.shear_fracture_energy > 0.0 && joint.cohesion > 0.0)
+        return "joint.shear_fracture_energy";
+    return "";
+}
+
 bool is_full_rectangle(const Study& study)
 {
     if (!is_drawn(study)) return study.wall.openings.empty();
@@ -292,6 +311,8 @@ dem::Layout layout_of(const Study& study)
     layout.mortar = has_mortar(study);
     layout.crushing = has_crushing(study);
     layout.wear = study.parameters.joint.wear_length > 0.0;
+    layout.closure = study.parameters.joint.closure;
+    layout.mixed_mode = !mixed_mode_key(study).empty();
     return layout;
 }
 

@@ -83,24 +83,27 @@ dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout,
                                   const WallDraw& draw)
 {
     const double h = study.wall.course_height;
+    const StressLevel at = stress_level(study, level);
     Parameters p = study.parameters;
     for (std::size_t i = 0; i < draw.values.size(); ++i)
         if (is_single(draw.values[i])) study.random[i].place(p) = draw.values[i].front();
     for (const ParameterRule& rule : study.rules) rule.apply(p, h);
-    dem::WallMaterials wall =
-        materials(p, h, level, study.load.vertical_stress.at(level), layout);
+    dem::WallMaterials wall = materials(p, h, at, layout);
+    // Those of one joint say nothing about cracks.
+    const auto own = [&](Varies varies, std::size_t id) {
+        Parameters of = p;
+        set_values(study, draw, varies, id, of);
+        for (const ParameterRule& rule : study.rules)
+            if (rule.varies == varies) rule.apply(of, h);
+        return of;
+    };
     if (any_spatial(study, draw, Varies::by_joint))
-        for (std::size_t k = 0; k < wall.joints.size(); ++k) {
-            set_values(study, draw, Varies::by_joint, k, p);
-            wall.joints[k] = joint_material(p, h, level);
-        }
+        for (std::size_t k = 0; k < wall.joints.size(); ++k)
+            wall.joints[k] = joint_material(own(Varies::by_joint, k), h, at);
     if (any_spatial(study, draw, Varies::by_crack))
-        for (std::size_t k = 0; k < wall.cracks.size(); ++k) {
-            set_values(study, draw, Varies::by_crack, k, p);
-            for (const ParameterRule& rule : study.rules)
-                if (rule.varies == Varies::by_crack) rule.apply(p, h);
-            wall.cracks[k] = crack_material(p, h, level, dem::own_stiffness(layout, k));
-        }
+        for (std::size_t k = 0; k < wall.cracks.size(); ++k)
+            wall.cracks[k] =
+                crack_material(own(Varies::by_crack, k), h, at, dem::own_stiffness(layout, k));
     return wall;
 }
 

@@ -7,6 +7,7 @@ set(TEST_APP_INPUT_SOURCES
     app/test_command_line.cpp
     app/test_distribution_text.cpp
     app/test_docs.cpp
+    app/test_joint_laws.cpp
     app/test_needed_cracks.cpp
     app/test_protocol_scale.cpp
     app/test_study.cpp

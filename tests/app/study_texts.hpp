@@ -10,8 +10,7 @@
 
 namespace study_texts {
 
-/// A value for every key that can stand beside the others; all but unit_cracks differ from the
-/// default.
+/// A value for every key that can stand beside the others; it differs from the default where its law can stand beside theirs.
 inline const char* const kEverything = R"([wall]
 length = 120 cm
 courses = 8
@@ -41,9 +40,12 @@ normal_stiffness = 5.87, 8.08 GPa/m
 shear_stiffness = 2 N/mm3
 friction_angle = 30 deg
 stiffness_factor = 1.1
+closure = linear
 tensile_strength = 0.1 MPa
 cohesion = 0.2 MPa
 fracture_energy = 10 N/m
+envelope = coulomb
+shear_fracture_energy = none
 compressive_strength = 60 MPa
 crushing_energy = 20000 N/m
 [unit]
@@ -63,6 +65,8 @@ friction_angle = 0.7 rad
 residual_friction_angle = 33 deg
 stiffness_factor = 0.9
 contact_law = uncoupled
+envelope = coulomb
+shear_fracture_energy = none
 tension_reduces_shear = no
 snap_back = weakens
 unloading = elastic
@@ -165,19 +169,36 @@ inline app::Study read_good(const std::vector<std::string>& overrides = {})
 
 inline dem::JointMaterial joint_material(const app::Study& s, int level)
 {
-    return app::joint_material(s.parameters, s.wall.course_height, level);
+    return app::joint_material(s.parameters, s.wall.course_height, app::stress_level(s, level));
 }
 
 inline dem::CrackMaterial crack_material(const app::Study& s, int level)
 {
-    return app::crack_material(s.parameters, s.wall.course_height, level);
+    return app::crack_material(s.parameters, s.wall.course_height, app::stress_level(s, level));
 }
 
 /// All values as in the study, under its stress level `level`.
 inline dem::WallMaterials materials(const app::Study& s, int level)
 {
-    const double stress = s.load.vertical_stress.at(static_cast<std::size_t>(level));
-    return app::materials(s.parameters, s.wall.course_height, level, stress, app::layout_of(s));
+    return app::materials(s.parameters, s.wall.course_height, app::stress_level(s, level),
+                          app::layout_of(s));
+}
+
+/// Joints that close by one law, fitted to the four wall moduli of the paper.
+inline const std::vector<std::string> kFitted = {
+    "joint.closure=hyperbolic", "joint.wall_modulus=566, 768, 1057, 1202 MPa",
+    "joint.wall_modulus_stress=0.15, 0.50, 1.00, 1.25 MPa"};
+
+/// The same law as two numbers.
+inline const std::vector<std::string> kClosing = {"joint.closure=exponential",
+                                                  "joint.initial_stiffness=4.87 GPa/m",
+                                                  "joint.maximum_closure=0.154 mm"};
+
+inline std::vector<std::string> with(std::vector<std::string> keys,
+                                     const std::vector<std::string>& more)
+{
+    keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
 }
 
 } // namespace study_texts

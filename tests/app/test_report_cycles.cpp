@@ -53,8 +53,8 @@ TEST_CASE("report cycles: a film goes through every cycle, to both sides and bac
     const dem::Model model = app::model_of(study);
     const auto frames =
         app::frames_of(dem::push(model,
-                                 app::materials(study.parameters, study.wall.course_height, 0,
-                                                study.load.vertical_stress[0], model.layout),
+                                 app::materials(study.parameters, study.wall.course_height,
+                                                app::stress_level(study, 0), model.layout),
                                  app::filmed_plan(study), study.solver));
     CHECK(static_cast<int>(frames.size()) == app::film_frames(study) + 1);
     std::vector<double> turns = {0.0}; // displacements where it turns back

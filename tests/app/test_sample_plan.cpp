@@ -1,3 +1,4 @@
+#include "app/input/wall_geometry.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/sampling/wall_sites.hpp"
 #include "app/study/study_columns.hpp"
@@ -15,14 +16,13 @@
 #include <string>
 #include <vector>
 
+using app::layout_of;
 using app::SamplePlan;
 using app::Study;
 using app::WallDraw;
 using study_scenes::study;
 
 namespace {
-
-dem::Layout layout_of(const Study& s) { return dem::lay_out(s.wall, s.beam.height); }
 
 SamplePlan plan_of(const Study& s, std::vector<std::uint32_t> sizes = {})
 {
@@ -165,10 +165,12 @@ TEST_CASE("sample plan: values that follow from random ones follow their draw",
         for (std::size_t k = 0; k < w.joints.size(); ++k) {
             const std::size_t at = k % d.values[0].size();
             CHECK(w.joints[k].tan_phi == std::tan(d.values[0][at]));
-            CHECK(w.joints[k].kn ==
-                  Approx(d.values[1][at] *
-                         app::joint_material(s.parameters, s.wall.course_height, 0).kn)
-                      .epsilon(1e-14));
+            CHECK(
+                w.joints[k].kn ==
+                Approx(d.values[1][at] * app::joint_material(s.parameters, s.wall.course_height,
+                                                             app::stress_level(s, 0))
+                                             .kn)
+                    .epsilon(1e-14));
         }
     }
 }
@@ -283,4 +285,48 @@ TEST_CASE("sample plan: the configuration that a study keeps makes the same wall
         for (std::size_t k = 0; k < a.joints.size(); ++k)
             CHECK(a.joints[k].ks == b.joints[k].ks);
     }
+}
+
+TEST_CASE("sample plan: every joint closes by its own draw, cracks and supports by that of the "
+          "wall",
+          "[app][sample_plan]")
+{
+    std::string text = study_scenes::kSmall;
+    const std::string modulus = "wall_modulus = 768, 1057 MPa\n";
+    text.replace(text.find(modulus), modulus.size(),
+                 "closure = hyperbolic\nmaximum_closure = 0.15 mm\n"
+                 "initial_stiffness = lognormal(mean 4.87 GPa/m, cov 0.3)\n");
+    for (const char* spatial : {"none", "independent"}) {
+        const Study s = study(std::string("samples = 4\nspatial = ") + spatial, text);
+        REQUIRE(s.random[2].key == "joint.initial_stiffness");
+        const WallDraw d = app::draw(plan_of(s), 1, 2);
+        const dem::WallMaterials w = app::wall_materials(s, layout_of(s), 1, d);
+        const std::vector<double>& factor = d.values[1];
+        const std::vector<double>& first = d.values[2];
+        const double of_wall = first.size() == 1 ? first.front() : s.random[2].mean;
+        for (std::size_t k = 0; k < w.joints.size(); ++k) {
+            const double f = factor[k % factor.size()], k0 = first[k % first.size()];
+            CHECK(w.joints[k].closing.initial_stiffness == f * k0);
+            CHECK(w.joints[k].closing.stiffest == Approx(f * 100.0 * of_wall).epsilon(1e-14));
+            CHECK(w.joints[k].kn == Approx(f * (k0 + 1e6 / 0.15e-3)).epsilon(1e-14));
+            CHECK(w.joints[k].ks == Approx(w.joints[k].kn / 2.4).epsilon(1e-14));
+        }
+        CHECK(w.base_joint.kn == Approx(of_wall + 1e6 / 0.15e-3).epsilon(1e-14));
+        const std::vector<double>& crack = d.values.back(); // unit.stiffness_factor
+        for (std::size_t k = 0; k < w.cracks.size(); ++k)
+            CHECK(w.cracks[k].kn ==
+                  Approx(crack[k % crack.size()] * 10.0 * w.base_joint.kn).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("sample plan: a joint whose residual friction follows its own does not wear",
+          "[app][sample_plan]")
+{
+    std::string text = study_scenes::kSmall;
+    text.insert(text.find("[joint]\n") + 8, "wear_length = 5 mm\n");
+    const Study s = study("samples = 4\nspatial = independent", text);
+    const dem::WallMaterials w =
+        app::wall_materials(s, layout_of(s), 0, app::draw(plan_of(s), 0, 1));
+    for (const dem::JointMaterial& joint : w.joints)
+        CHECK(joint.wear.tan_phi_res == Approx(joint.tan_phi).epsilon(1e-14));
 }

@@ -42,6 +42,8 @@ TEST_CASE("study: the effective configuration reads back to the same study", "[a
         shipped("uncoupled.ini"), read_good({"wall.bond=english", "wall.header_length=9 cm"}),
         read_good({"wall.bond=rubble", "wall.seed=5"}),
         read(without_courses(), {"wall.course_heights=0.2, 0.3, 0.5 m"}),
+        read_good(study_texts::kFitted), read_good(study_texts::kClosing),
+        read_good({"unit.envelope=hyperbolic", "unit.shear_fracture_energy=900 N/m"}),
         read_good({"load.pattern=body", "wall.openings=0.4 m, 0 m, 0.2 m, 0.6 m"}),
         read_good({"wall.unit_cracks=no", "beam.interface=joint", "wall.base=joint"}),
         read_good({"joint.friction_angle=0.1234567890123 rad", "wall.courses=7"}));
@@ -132,6 +134,12 @@ TEST_CASE("study: one of two keys for one thing takes the place of the other in 
         read_good({"joint.normal_stiffness=6 GPa/m", "joint.wall_modulus=768 MPa"}),
         Catch::Contains("keep one of them"));
     CHECK(read_good({"load.amplitudes=1, 2 mm"}).load.amplitudes.size() == 2);
+    CHECK(read_good(study_texts::kClosing).parameters.joint.wall_modulus.empty());
+    const std::string text = app::effective_configuration(read_good(study_texts::kClosing));
+    CHECK(read(text, study_texts::kFitted).parameters.joint.wall_modulus.size() == 4);
+    CHECK_THROWS_WITH(
+        read_good(study_texts::with(study_texts::kFitted, {"joint.initial_stiffness=5 GPa/m"})),
+        Catch::Contains("joint.wall_modulus determines it; keep one of them"));
 }
 
 TEST_CASE("study: heights of courses give their number, their mean and the height of the load",

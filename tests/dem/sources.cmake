@@ -8,6 +8,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_bond.cpp
     dem/test_bond_indices.cpp
     dem/test_build_cost.cpp
+    dem/test_closure_fit.cpp
     dem/test_condensation.cpp
     dem/test_crack_unloading.cpp
     dem/test_closure.cpp
