@@ -25,9 +25,6 @@
 
 namespace dem {
 
-/// Largest tangent over k_0: exp_of() and log_of() are exact up to there.
-constexpr double kMostStiffening = 1e6;
-
 template <class Real> struct ClosureLaw {
     Real k0;             ///< [Pa/m]
     Real inv_maximum;    ///< 1 / V [1/m]

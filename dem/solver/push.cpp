@@ -1,7 +1,7 @@
 #include "dem/solver/push.hpp"
 
 #include "dem/block/model.hpp"
-#include "dem/contact/closure.hpp"
+#include "dem/scene/closure_fit.hpp"
 #include "dem/solver/batch.hpp"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void check_closing(const Model& m, const std::string& name, const JointMaterial&
     require(c.stiffest >= c.initial_stiffness &&
                 c.stiffest <= kMostStiffening * c.initial_stiffness,
             name +
-                ": the largest stiffness must lie between the initial one and 1e6 times that");
+                ": the largest stiffness must lie between the initial one and 1000 times that");
 }
 
 void check_crushing(const Model& m, const std::string& name, const Crushing& c)

@@ -14,6 +14,7 @@ inline long long operations = 0;
 struct Mask {
     bool set;
     friend Mask operator|(Mask a, Mask b) { return ++operations, Mask{a.set || b.set}; }
+    friend Mask operator&(Mask a, Mask b) { return ++operations, Mask{a.set && b.set}; }
     friend bool any(Mask m) { return ++operations, m.set; }
 };
 
@@ -35,6 +36,10 @@ struct Counted {
         return ++operations, m.set ? yes : no;
     }
     friend Counted sqrt(Counted a) { return ++operations, std::sqrt(a.x); }
+    friend Counted rough_inverse_root(Counted a)
+    {
+        return operations += 2, dem::rough_inverse_root(a.x);
+    }
     friend Counted multiply_add(Counted a, Counted b, Counted c)
     {
         return ++operations, std::fma(a.x, b.x, c.x);
