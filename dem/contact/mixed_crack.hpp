@@ -41,7 +41,7 @@ constexpr double kBreaksInShear = 1e300; // [Pa/m]
 
 /// What the law of mixed modes knows besides the CrackLaw.
 template <class Real> struct MixedLaw {
-    Real inv_energy; ///< 1 / (2 G_II) [m2/J]; 0 where slip costs no energy
+    Real inv_energy; ///< 1 / (2 G_II) [m2/J]; 0 where no cohesion can be lost
     Real
         brittle; ///< kBreaksInShear where the first slip of the closed crack breaks it, else 0 [Pa/m]
     Real brittle_open; ///< the same of the open crack [Pa/m]

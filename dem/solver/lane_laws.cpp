@@ -221,9 +221,8 @@ MixedLaw<double> mixed_law(const CrackMaterial& c)
         c.ft > 0.0 ? std::max(2.0 * c.fracture_energy / c.ft, c.ft / c.kn) : 0.0;
     MixedLaw<double> law;
     const bool as_printed = c.envelope == Envelope::coulomb && c.shear_fracture_energy == 0.0;
-    const bool costs = drop > 0.0 && !as_printed;
-    law.inv_energy = costs ? 0.5 / energy : 0.0;
-    law.brittle = costs ? 0.0 : kBreaksInShear;
+    law.inv_energy = drop > 0.0 ? 0.5 / energy : 0.0;
+    law.brittle = drop > 0.0 ? 0.0 : kBreaksInShear;
     law.brittle_open = as_printed ? kBreaksInShear : 0.0;
     law.inv_u_ul = u_ul > 0.0 ? 1.0 / u_ul : 0.0;
     law.kappa = c.cohesion > 0.0 ? std::min(1.0, c.ft * c.tan_phi / c.cohesion) : 1.0;
