@@ -25,10 +25,11 @@
 /// So D is the share of the fracture energy that is spent, and every path to D = 1 meets the linear criterion
 /// E_I / G_I + E_II / G_II = 1 (Camanho and Davila 2002 compare it with that of Benzeggagh and Kenane 1996). In pure shear
 /// y falls linearly with the slip, in pure tension the law is that of the paper. Friction is p tan(phi), and the residual
-/// cohesion. A crack cannot lose less in shear than it stores, c_drop^2 / (2 k_s). Where G_II is less, or none is given,
-/// that stands in its place, as f_T^2 / (2 k_n) does in tension: a closed crack then breaks at its first slip, and one
-/// that opens loses strength as it slips against what is left of g. A crack without cohesion to lose is broken by its
-/// first slip while it is closed.
+/// cohesion. A crack cannot lose less in shear than it stores, c_drop^2 / (2 k_s). Where G_II is less, that stands in its
+/// place, as f_T^2 / (2 k_n) does in tension: a closed crack then breaks at its first slip, and one that opens loses
+/// strength as it slips against what is left of g. The same holds of a hyperbolic envelope without G_II (0). Coulomb's
+/// without G_II is brittle as the paper's: its first slip breaks a crack, closed or open. A crack without cohesion to lose
+/// is broken by its first slip while it is closed.
 
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/pack.hpp"
@@ -41,10 +42,12 @@ constexpr double kBreaksInShear = 1e300; // [Pa/m]
 /// What the law of mixed modes knows besides the CrackLaw.
 template <class Real> struct MixedLaw {
     Real inv_energy; ///< 1 / (2 G_II) [m2/J]; 0 where no cohesion can be lost
-    Real brittle;    ///< kBreaksInShear where no cohesion can be lost, else 0 [Pa/m]
-    Real inv_u_ul;   ///< 1 / max(u_ul, u_el) [1/m]
-    Real kappa;      ///< of the hyperbolic envelope [-], in [0, 1]
-    Real hyperbolic; ///< 1, or 0 where the envelope is Coulomb's
+    Real
+        brittle; ///< kBreaksInShear where the first slip of the closed crack breaks it, else 0 [Pa/m]
+    Real brittle_open; ///< the same of the open crack [Pa/m]
+    Real inv_u_ul;     ///< 1 / max(u_ul, u_el) [1/m]
+    Real kappa;        ///< of the hyperbolic envelope [-], in [0, 1]
+    Real hyperbolic;   ///< 1, or 0 where the envelope is Coulomb's
 };
 
 /// x of a crack, in [0, 1].
@@ -140,7 +143,7 @@ return_to_limit(const CrackLaw<Real>& law, const MixedLaw<Real>& mixed,
     const Real cost = mixed.inv_energy / max(Real(kLeastShare), Real(1.0) - stored);
     const Real rate = limit.cohesive * cost;
     const Real softening =
-        multiply_add(rate, limit.slope, select(u_n > zero, zero, mixed.brittle));
+        multiply_add(rate, limit.slope, select(u_n > zero, mixed.brittle_open, mixed.brittle));
     const Real slip_by = (abs(trial) - limit.at(integrity)) / (law.ks - softening);
     const Real left = select(softening < law.ks, integrity - rate * slip_by, zero);
     const auto gradual = left > zero;

@@ -60,6 +60,7 @@ template <class Real> void set_law(int i, const CrackMaterial& c, MixedLaw<Real>
     const MixedLaw<double> one = mixed_law(c);
     set_lane(law.inv_energy, i, one.inv_energy);
     set_lane(law.brittle, i, one.brittle);
+    set_lane(law.brittle_open, i, one.brittle_open);
     set_lane(law.inv_u_ul, i, one.inv_u_ul);
     set_lane(law.kappa, i, one.kappa);
     set_lane(law.hyperbolic, i, one.hyperbolic);
@@ -219,8 +220,10 @@ MixedLaw<double> mixed_law(const CrackMaterial& c)
     const double u_ul =
         c.ft > 0.0 ? std::max(2.0 * c.fracture_energy / c.ft, c.ft / c.kn) : 0.0;
     MixedLaw<double> law;
+    const bool as_printed = c.envelope == Envelope::coulomb && c.shear_fracture_energy == 0.0;
     law.inv_energy = drop > 0.0 ? 0.5 / energy : 0.0;
     law.brittle = drop > 0.0 ? 0.0 : kBreaksInShear;
+    law.brittle_open = as_printed ? kBreaksInShear : 0.0;
     law.inv_u_ul = u_ul > 0.0 ? 1.0 / u_ul : 0.0;
     law.kappa = c.cohesion > 0.0 ? std::min(1.0, c.ft * c.tan_phi / c.cohesion) : 1.0;
     law.hyperbolic = c.envelope == Envelope::hyperbolic ? 1.0 : 0.0;

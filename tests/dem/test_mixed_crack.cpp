@@ -345,6 +345,33 @@ TEST_CASE("mixed crack: without G_II, without cohesion to lose, and below the st
     CHECK(crack.fracture >= 0.0);
 }
 
+TEST_CASE(
+    "mixed crack: without G_II an open crack breaks at its first slip with Coulomb's envelope, "
+    "as in the paper, and with the hyperbolic one as far as the slip costs",
+    "[dem][mixed_crack]")
+{
+    CrackMaterial c = stone();
+    c.shear_fracture_energy = 0.0;
+    c.envelope = GENERATE(Envelope::coulomb, Envelope::hyperbolic);
+    Crack crack(c);
+    CrackState<double> paper = dem::intact(crack.law);
+    const double du_n = 0.9 * crack.law.u_el, du_s = 1.02 * 0.1 * kC / c.ks;
+    crack.move(du_n, 0.0, 1);
+    paper = dem::advance<dem::ContactLaw::coupled>(crack.law, paper, du_n, 0.0).state;
+    for (int i = 0; i < 10; ++i) {
+        crack.move(du_n, du_s, 1);
+        paper = dem::advance<dem::ContactLaw::coupled>(crack.law, paper, 0.0, du_s).state;
+        if (c.envelope == Envelope::hyperbolic) continue;
+        CHECK(crack.state.tau == paper.tau);
+        CHECK(crack.state.sigma == paper.sigma);
+    }
+    REQUIRE(dem::damage(crack.law, paper) == 1.0);
+    if (c.envelope == Envelope::coulomb)
+        CHECK(crack.damage() == 1.0);
+    else
+        CHECK((crack.damage() > 0.0 && crack.damage() < 1.0));
+}
+
 TEST_CASE("mixed crack: reversing the slip reverses the shear stress and nothing else",
           "[dem][mixed_crack]")
 {
@@ -420,8 +447,9 @@ TEST_CASE("mixed crack: each lane of a pack is the scalar law, bit for bit",
             std::pair{&L::tan_phi_drop, &l::tan_phi_drop},
             std::pair{&L::tension_weight, &l::tension_weight});
         put(mixed, c.mixed, std::pair{&M::inv_energy, &m::inv_energy},
-            std::pair{&M::brittle, &m::brittle}, std::pair{&M::inv_u_ul, &m::inv_u_ul},
-            std::pair{&M::kappa, &m::kappa}, std::pair{&M::hyperbolic, &m::hyperbolic});
+            std::pair{&M::brittle, &m::brittle}, std::pair{&M::brittle_open, &m::brittle_open},
+            std::pair{&M::inv_u_ul, &m::inv_u_ul}, std::pair{&M::kappa, &m::kappa},
+            std::pair{&M::hyperbolic, &m::hyperbolic});
         alone.push_back(c);
     }
     CrackState<Pack> together = dem::intact(law);
