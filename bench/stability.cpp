@@ -31,6 +31,7 @@ struct Request {
     unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     std::optional<std::uint64_t> only;
     dem::Kinematics kinematics = dem::Kinematics::small;
+    bench::DrawnLaws laws = bench::DrawnLaws::linear;
 };
 
 Request read(int argc, char** argv)
@@ -52,6 +53,8 @@ Request read(int argc, char** argv)
             r.only = number();
         else if (word == "--finite")
             r.kinematics = dem::Kinematics::finite;
+        else if (word == "--laws")
+            r.laws = bench::DrawnLaws::all;
         else if (word.starts_with("-") || !r.out.empty())
             throw std::invalid_argument(word);
         else
@@ -107,7 +110,8 @@ std::vector<SceneReport> run_all(const Request& request)
         team.emplace_back([&, t] {
             for (std::uint64_t k = next++; k < request.scenes; k = next++) {
                 dog.begin(t, k);
-                reports[k] = bench::run_stress_scene(request.seed, k, request.kinematics);
+                reports[k] =
+                    bench::run_stress_scene(request.seed, k, request.kinematics, request.laws);
                 dog.end(t);
             }
             --working;
@@ -133,6 +137,9 @@ int show(const SceneReport& r)
                   << ", step halved " << w.step_reductions << " times, residual "
                   << app::number(100.0 * w.residual, 3) << " %, " << w.steps << " steps\n";
     }
+    if (r.on_the_way > 0.0)
+        std::cout << "on the way: step at most " << app::number(r.on_the_way, 3)
+                  << " of its limit\n";
     for (const std::string& rule : r.broken_rules) std::cout << "BROKEN: " << rule << '\n';
     std::cout << app::fixed(r.seconds, 2) << " s\n";
     return r.broken_rules.empty() ? 0 : 1;
@@ -219,7 +226,8 @@ int main(int argc, char** argv)
 try {
     const Request request = read(argc, argv);
     if (request.only)
-        return show(bench::run_stress_scene(request.seed, *request.only, request.kinematics));
+        return show(bench::run_stress_scene(request.seed, *request.only, request.kinematics,
+                                            request.laws));
     const std::vector<SceneReport> scenes = run_all(request);
     const bench::Report report = report_of(scenes, request);
     if (request.out.empty())
@@ -230,6 +238,6 @@ try {
 } catch (const std::invalid_argument& e) {
     std::cerr << e.what()
               << "\nusage: stability [OUT.md] [--scenes N] [--seed S] [--threads T] [--only K] "
-                 "[--finite]\n";
+                 "[--finite] [--laws]\n";
     return 2;
 }
