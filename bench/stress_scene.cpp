@@ -307,7 +307,8 @@ StressScene stress_scene(std::uint64_t seed, std::uint64_t number, DrawnLaws law
     draw_load(d, s.scene);
     s.discretisation = draw_discretisation(d);
     s.solver = draw_solver(d);
-    const double steps = std::clamp(40'000.0 / s.scene.wall.courses, 2'000.0, 10'000.0);
+    const double steps =
+        (all ? 0.5 : 1.0) * std::clamp(40'000.0 / s.scene.wall.courses, 2'000.0, 10'000.0);
     s.plan = draw_plan(d, s.scene.wall, steps, s.solver);
     s.solver.most_steps = static_cast<long long>((all ? 15.0 : 30.0) * steps);
     s.material_seed = static_cast<std::uint64_t>(d.uniform(0.0, 0x1p52));

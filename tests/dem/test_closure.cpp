@@ -299,7 +299,7 @@ TEST_CASE("closure: a contact that crushes at once gives back what it has stored
 TEST_CASE("closure: joints that close and crush keep the ledger", "[dem][closure]")
 {
     const Closure closure = GENERATE(Closure::hyperbolic, Closure::exponential);
-    const double energy = GENERATE(0.0, 2000.0, 5.0); // the last breaks at once
+    const double energy = GENERATE(0.0, 2e4, 5.0); // the last breaks at once
     scenes::Scene s = closing_wall(closure, GENERATE(0.0, 0.5));
     s.joint.crushing = {energy == 5.0 ? 3e6 : 1.5e6, energy};
     dem::SolverOptions options = small_wall::quick();
@@ -384,7 +384,7 @@ TEST_CASE("closure: a rocking block on a joint that closes, against quadrature",
           "[dem][closure]")
 {
     const Closure closure = GENERATE(Closure::hyperbolic, Closure::exponential);
-    const double to = GENERATE(0.2e-3, 0.7e-3);
+    const double to = GENERATE(0.2e-3, 1e-3);
     scenes::Scene s = scenes::monolith(1.0, 0.9, 1e6, 1e14);
     s.stone = {1e16, 0.0, 0.0};
     s.beam.material = s.stone;
@@ -392,7 +392,7 @@ TEST_CASE("closure: a rocking block on a joint that closes, against quadrature",
     s.closure = closure;
     s.joint.closing = {kInitial, kMaximum, 0.0, 1e3 * kInitial};
     dem::Discretisation d;
-    d.contact_points = 30;
+    d.contact_points = 40;
     d.block_modes = d.beam_modes = 3;
     d.zones_per_interval = 1;
     d.face_rule = dem::FaceRule::even;
