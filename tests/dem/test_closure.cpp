@@ -185,6 +185,22 @@ TEST_CASE("closure: a stack closes as its pressure says, from the first step", "
     CHECK(std::abs(dem::energy_of(t, wall, 0).residual()) < 1e-9);
 }
 
+TEST_CASE("closure: a wall is at rest from the first step however little its joints curve",
+          "[dem][closure]")
+{
+    const Closure closure = GENERATE(Closure::hyperbolic, Closure::exponential);
+    scenes::Scene s = closing_wall(closure);
+    s.joint.closing.maximum = 30.0; // [m]
+    s.crack.kn *= 300.0;
+    s.crack.ks *= 300.0;
+    const dem::Model m = small_wall::model(s);
+    const dem::WallMaterials w = scenes::uniform(s, m);
+    const dem::StepTables t = dem::step_tables(m);
+    dem::WallState<double> wall = dem::unloaded<double>(m, t, {&w, 1}, {});
+    CHECK(dem::solve_preload(t, wall));
+    CHECK(wall.work > 0.0);
+}
+
 TEST_CASE("closure: a cycle loses the share that is asked for", "[dem][closure]")
 {
     const double loss = GENERATE(0.0, 0.1, 0.3, 0.6, 0.9);
