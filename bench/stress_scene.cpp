@@ -199,6 +199,9 @@ void draw_laws(Draw& d, StressScene& s)
     if (s.scene.closure == dem::Closure::linear || d.chance(0.4)) draw_mixed_modes(d, s);
     s.solver.kinematics = d.one_of({dem::Kinematics::small, dem::Kinematics::finite});
     if (d.chance(0.1)) s.scene.loads.vertical_stress = 0.0;
+    double& strength = s.scene.joint.crushing.strength;
+    if (strength > 0.0 && d.chance(0.7)) // else most of these walls come down under their load
+        strength = std::max(strength, s.scene.loads.vertical_stress * d.log_uniform(2.0, 20.0));
     if (d.chance(0.15)) {
         s.scene.loads.pattern = dem::LoadPattern::body;
         s.scene.beam.rotation = dem::BeamRotation::free; // body forces know no other
