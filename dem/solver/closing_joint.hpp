@@ -154,7 +154,7 @@ template <Closure kClosure, class Real>
 [[gnu::always_inline]] inline void allow_for_run(const StepTables& t, std::size_t run,
                                                  Real pressure, WallState<Real>& s)
 {
-    constexpr double kSurely = 1.0 - 1e-9; // what it remembers is rounded down
+    constexpr double kSurely = 1.0 - 1e-9; // the pressure of hardly more than k_0 is rounding
     if (!any(pressure > s.borne[run])) return;
     const int law = t.dry[run].law;
     allow_for<kClosure>(t, law, t.dry_blocks[run], pressure, s);
@@ -162,8 +162,8 @@ template <Closure kClosure, class Real>
     Real least(1e300);
     for (const int block : t.dry_blocks[run])
         if (block != kGround) least = min(least, s.laws.ratio[block]);
-    s.borne[run] = Real(kSurely) * pressure_of_stiffness<kClosure>(
-                                       s.laws, law, least * Real(1.0 / kMassMargin));
+    s.borne[run] =
+        pressure_of_stiffness<kClosure>(s.laws, law, least * Real(kSurely / kMassMargin));
 }
 
 } // namespace dem
