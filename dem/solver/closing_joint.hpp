@@ -108,7 +108,8 @@ template <Closure kClosure, class Real>
     return max(normal * laws.inv_reference_kn, shear * laws.inv_reference_ks);
 }
 
-/// Largest pressure under which a joint has at most this stiffness, over the reference [Pa].
+/// Largest pressure under which a joint has at most this stiffness, over the reference [Pa]; kNothingBorne where it has
+/// more without pressure.
 template <Closure kClosure, class Real>
 [[nodiscard]] Real pressure_of_stiffness(const LaneLaws<Real>& laws, int law, Real stiffness)
 {
@@ -119,7 +120,8 @@ template <Closure kClosure, class Real>
     const Real by_normal = select(normal < c.stiffest, c.rise * (secant - one), Real(1e300));
     const Real by_shear =
         c.rise * (stiffness / (laws.inv_reference_ks * c.root_ks * c.root_ks) - one);
-    return max(zero, min(by_normal, by_shear));
+    const auto less = (normal < c.k0) | (by_shear < zero);
+    return select(less, Real(kNothingBorne), min(by_normal, by_shear));
 }
 
 constexpr double kMassMargin = 1.1, kMassGrowth = 1.25; // free choices
