@@ -448,6 +448,21 @@ TEST_CASE("closure: masses follow the stiffness, so that the step stays stable",
     CHECK(dem::step_over_limit(t, wall, options) > 1.0);
 }
 
+TEST_CASE("closure: a joint without pressure gets the masses for its first stiffness",
+          "[dem][closure]")
+{
+    scenes::Scene s = closing_wall(Closure::hyperbolic);
+    s.joint.kn = 0.1 * kInitial; // from which the first masses are
+    s.joint.ks = s.joint.kn / 2.4;
+    const dem::Model m = small_wall::model(s);
+    const dem::WallMaterials w = scenes::uniform(s, m);
+    const dem::StepTables t = dem::step_tables(m);
+    dem::WallState<double> wall = dem::unloaded<double>(m, t, {&w, 1}, {});
+    dem::allow_for_run<Closure::hyperbolic>(t, 0, 0.0, wall);
+    for (const int block : t.dry_blocks[0])
+        if (block != dem::kGround) CHECK(wall.laws.ratio[block] >= 10.0);
+}
+
 TEST_CASE("closure: the same bits alone and in any lane", "[dem][closure]")
 {
     const Closure closure = GENERATE(Closure::hyperbolic, Closure::exponential);
