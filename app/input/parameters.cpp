@@ -36,6 +36,7 @@ dem::JointParameters joint_parameters(const Parameters& p, double course_height,
 {
     const JointInput& joint = p.joint;
     const double kn = normal_stiffness(p, course_height, level);
+    const bool bonded = joint.tensile_strength > 0.0 || joint.cohesion > 0.0;
     return {kn,
             joint.shear_stiffness.empty() ? dem::shear_stiffness(kn, p.stone.poisson_ratio)
                                           : at_level(joint.shear_stiffness, level.index),
@@ -48,8 +49,8 @@ dem::JointParameters joint_parameters(const Parameters& p, double course_height,
             joint.residual_friction_angle,
             joint.wear_length,
             closing_of(joint),
-            joint.envelope,
-            joint.shear_fracture_energy};
+            bonded ? joint.envelope : dem::Envelope::coulomb,
+            bonded ? joint.shear_fracture_energy : 0.0};
 }
 
 } // namespace

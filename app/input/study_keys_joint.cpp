@@ -76,8 +76,6 @@ void derive_largest_stiffness(Parameters& p, double)
         std::min(kTimes * p.joint.closing.initial_stiffness, 1e9 * kStiffness.high);
 }
 constexpr Condition kWithMortar{has_mortar, "joints have no mortar"};
-constexpr Condition kMortarSlides{
-    [](const Study& s) { return s.parameters.joint.cohesion > 0.0; }, "joint.cohesion is 0"};
 
 // clang-format off
 constexpr std::array kJointKeys = {
@@ -146,7 +144,7 @@ constexpr std::array kJointKeys = {
         .meaning = "shear strength of the mortar in tension: coulomb, or hyperbolic, which keeps the tensile strength",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::envelope>},
     Key{.name = "joint.shear_fracture_energy", .unit = "N/m", .range = kShearEnergy, .names = kNone,
-        .used = kWithMortar, .effect = kMortarSlides,
+        .used = kWithMortar,
         .varies = Varies::by_joint,
         .meaning = "fracture energy of the mortar, mode II; none: brittle in shear",
         .field = kAt<&Study::parameters, &Parameters::joint, &JointInput::shear_fracture_energy>},

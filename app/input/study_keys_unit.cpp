@@ -54,8 +54,6 @@ constexpr Condition kWithCrackLaw{
 constexpr Condition kTensileCracks{
     [](const Study& s) { return s.parameters.unit.tensile_strength > 0.0; },
     "unit.tensile_strength is 0"};
-constexpr Condition kCohesiveCracks{loses_cohesion,
-                                    "unit.cohesion is no more than unit.residual_cohesion"};
 constexpr Condition kCoulombCracks{
     [](const Study& s) { return s.parameters.unit.envelope == dem::Envelope::coulomb; },
     "unit.envelope is hyperbolic"};
@@ -143,7 +141,7 @@ constexpr std::array kUnitKeys = {
         .meaning = "shear strength in tension: coulomb (paper, Table 2), or hyperbolic, a smooth curve from f_T to c, which keeps the tensile strength",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::envelope>},
     Key{.name = "unit.shear_fracture_energy", .unit = "N/m", .range = kShearEnergy, .names = kNone,
-        .used = kWithCracks, .effect = kCohesiveCracks,
+        .used = kWithCracks,
         .varies = Varies::by_crack,
         .meaning = "fracture energy, mode II; none: brittle in shear (paper)",
         .field = kAt<&Study::parameters, &Parameters::unit, &CrackParameters::shear_fracture_energy>},

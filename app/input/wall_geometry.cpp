@@ -262,21 +262,16 @@ bool has_crushing(const Study& study)
            (has_cracks(study) && p.unit.crushing.strength > 0.0);
 }
 
-bool loses_cohesion(const Study& study)
-{
-    return study.parameters.unit.cohesion > study.parameters.unit.residual_cohesion;
-}
-
 std::string_view mixed_mode_key(const Study& study)
 {
     const dem::CrackParameters& unit = study.parameters.unit;
     const JointInput& joint = study.parameters.joint;
     constexpr auto kHyperbolic = dem::Envelope::hyperbolic;
     if (has_cracks(study) && unit.envelope == kHyperbolic) return "unit.envelope";
-    if (has_cracks(study) && unit.shear_fracture_energy > 0.0 && loses_cohesion(study))
+    if (has_cracks(study) && unit.shear_fracture_energy > 0.0)
         return "unit.shear_fracture_energy";
     if (has_mortar(study) && joint.envelope == kHyperbolic) return "joint.envelope";
-    if (has_mortar(study) && joint.shear_fracture_energy > 0.0 && joint.cohesion > 0.0)
+    if (has_mortar(study) && joint.shear_fracture_energy > 0.0)
         return "joint.shear_fracture_energy";
     return "";
 }

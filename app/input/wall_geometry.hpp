@@ -33,9 +33,6 @@ void read_geometry(Study& study);
 /// Whether joints are bonded: their mean strength is not zero.
 [[nodiscard]] bool has_mortar(const Study& study);
 
-/// Whether units have cohesion that a crack takes.
-[[nodiscard]] bool loses_cohesion(const Study& study);
-
 /// The first key by which cracks follow the law of mixed modes; empty: they follow that of the paper.
 [[nodiscard]] std::string_view mixed_mode_key(const Study& study);
 

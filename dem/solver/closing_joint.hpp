@@ -52,15 +52,17 @@ template <Closure kClosure, class Real>
 
 /// Advances one contact: crushing, closure, friction, wear.
 /// @param area of before this step, over which the energy of crushing counts [m2]
+/// @param closing, tan_phi of that law; a copy of its own lets the numbers stay in registers
 template <Closure kClosure, bool kLoses, class Real>
-ClosingUpdate<Real> advance_closing_contact(int law, int k, Real du_n, Real du_s, Real area,
-                                            WallState<Real>& s)
+[[gnu::always_inline]] inline ClosingUpdate<Real>
+advance_closing_contact(int law, const ClosureLaw<Real>& closing, Real tan_phi, int k,
+                        Real du_n, Real du_s, Real area, WallState<Real>& s)
 {
     if (!s.crushed.empty()) du_n = crush_closing<kClosure>(law, k, du_n, area, s);
     const bool wears = !s.roughness.empty();
-    const Real tan_phi = wears ? worn_law(s, law, k).tan_phi : s.laws.dry[law].tan_phi;
-    const ClosingUpdate<Real> u = advance_closing<kClosure, kLoses>(
-        s.laws.closing[law], tan_phi, closing_state(s, k), du_n, du_s);
+    if (wears) tan_phi = worn_law(s, law, k).tan_phi;
+    const ClosingUpdate<Real> u =
+        advance_closing<kClosure, kLoses>(closing, tan_phi, closing_state(s, k), du_n, du_s);
     if (wears)
         s.roughness[k] = roughness_after(s.laws.dry_wear[law], s.roughness[k], u.slip, u.sigma);
     set_contact(s, k, u.state.u_n, u.sigma, u.tau);
@@ -93,6 +95,20 @@ template <Closure kClosure, class Real>
     return max(normal * laws.inv_reference_kn, shear * laws.inv_reference_ks);
 }
 
+/// Largest pressure under which a joint has at most this stiffness, over the reference [Pa].
+template <Closure kClosure, class Real>
+[[nodiscard]] Real pressure_of_stiffness(const LaneLaws<Real>& laws, int law, Real stiffness)
+{
+    const ClosureLaw<Real>& c = laws.closing[law];
+    const Real one(1.0), zero(0.0), normal = stiffness / (c.turning * laws.inv_reference_kn);
+    const Real over = max(one, normal / c.k0);
+    const Real secant = kClosure == Closure::hyperbolic ? sqrt(over) : over;
+    const Real by_normal = select(normal < c.stiffest, c.rise * (secant - one), Real(1e300));
+    const Real by_shear =
+        c.rise * (stiffness / (laws.inv_reference_ks * c.root_ks * c.root_ks) - one);
+    return max(zero, min(by_normal, by_shear));
+}
+
 constexpr double kMassMargin = 1.1, kMassGrowth = 1.25; // free choices
 
 /// Gives the blocks of a joint the masses for its stiffness under the largest pressure on it. The momentum of a block
@@ -118,6 +134,23 @@ void allow_for(const StepTables& t, int law, const std::array<int, 2>& blocks, R
         }
         s.laws.ratio[block] = after;
     }
+}
+
+/// The same of a run of dry contacts, which remembers up to which pressure there is nothing to do.
+template <Closure kClosure, class Real>
+[[gnu::always_inline]] inline void allow_for_run(const StepTables& t, std::size_t run,
+                                                 Real pressure, WallState<Real>& s)
+{
+    constexpr double kSurely = 1.0 - 1e-9; // what it remembers is rounded down
+    if (!any(pressure > s.borne[run])) return;
+    const int law = t.dry[run].law;
+    allow_for<kClosure>(t, law, t.dry_blocks[run], pressure, s);
+    // The stiffness grows with the pressure.
+    Real least(1e300);
+    for (const int block : t.dry_blocks[run])
+        if (block != kGround) least = min(least, s.laws.ratio[block]);
+    s.borne[run] = Real(kSurely) * pressure_of_stiffness<kClosure>(
+                                       s.laws, law, least * Real(1.0 / kMassMargin));
 }
 
 } // namespace dem

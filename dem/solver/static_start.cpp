@@ -140,7 +140,7 @@ void cut_back_closing(const StepTables& t, WallState<double>& s)
             s.rest[k] = u.state.rest;
             most = std::max(most, u.pressure);
         }
-        allow_for<kClosure>(t, run.law, t.dry_blocks[r], most, s);
+        allow_for_run<kClosure>(t, r, most, s);
     }
 }
 

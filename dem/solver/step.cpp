@@ -93,16 +93,18 @@ void advance_closing_joints(const StepTables& t, WallState<Real>& s)
     Real friction = s.friction;
     for (std::size_t r = 0; r < t.dry.size(); ++r) {
         const ContactRun& run = t.dry[r];
+        const ClosureLaw<Real> law = s.laws.closing[run.law];
+        const Real tan_phi = s.laws.dry[run.law].tan_phi;
         Real most(0.0); // pressure [Pa]
         for (int k = run.first; k < run.first + run.count; ++k) {
             const Relative<Real> du(s, k);
             const Real area(t.area[k]);
-            const auto u = advance_closing_contact<kClosure, kLoses>(run.law, k, du.normal,
-                                                                     du.tangential, area, s);
+            const auto u = advance_closing_contact<kClosure, kLoses>(
+                run.law, law, tan_phi, k, du.normal, du.tangential, area, s);
             friction = multiply_add(area, u.friction, friction);
             most = max(most, u.pressure);
         }
-        allow_for<kClosure>(t, run.law, t.dry_blocks[r], most, s);
+        allow_for_run<kClosure>(t, r, most, s);
     }
     s.friction = friction;
 }

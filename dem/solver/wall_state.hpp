@@ -29,6 +29,8 @@ template <class Real> struct WallState {
         roughness; ///< by dry contact: asperities left, 1 to 0; empty where nothing can wear
     /// By dry contact, see ClosingState; empty where closure is linear.
     std::vector<Real> shear, rest;
+    /// By run of dry contacts: pressure for which the masses of its blocks are known to be enough [Pa]; or empty.
+    std::vector<Real> borne;
     Real work{0.0}, friction{0.0}, fracture{0.0}, crushing{0.0},
         damping{0.0}; ///< energy so far [J]
     /// Crack contacts that have ever lost a part of their strength but not all of it: in tension, in shear.

@@ -6,8 +6,8 @@ set -euo pipefail
 cd -- "$1"
 
 declare -A knows=(
-    [dem/scene]=""
-    [dem/block]="dem/scene"
+    [dem/scene]="dem/contact"
+    [dem/block]="dem/scene dem/contact"
     [dem/contact]=""
     [dem/kinematics]="dem/scene dem/contact"
     [dem/solver]="dem/scene dem/block dem/contact dem/kinematics"
