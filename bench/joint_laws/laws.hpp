@@ -12,7 +12,7 @@ struct JointLaw {
     std::string_view what; ///< what differs from the paper's laws
 };
 
-/// The first is the paper's, the sixth that of configs/closure.ini.
+/// The sixth is that of configs/closure.ini.
 inline constexpr std::array kJointLaws = {
     JointLaw{"paper", "paper",
              "constant stiffness by the stress, Coulomb's line, units brittle in shear"},
@@ -24,6 +24,7 @@ inline constexpr std::array kJointLaws = {
              "the last two and hyperbolic closure: `configs/closure.ini`"},
     JointLaw{"all_exponential", "all, exponential", "the same with exponential closure"}};
 
-constexpr std::string_view kPaperLaw = kJointLaws[0].file, kAllLaws = kJointLaws[5].file;
+constexpr std::string_view kPaperLaw = kJointLaws[0].file, kAllLaws = kJointLaws[5].file,
+                           kAllExponential = kJointLaws[6].file;
 
 } // namespace bench

@@ -109,6 +109,11 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
     for (const char* share : {"0", "0.1", "0.3"})
         add(cycles, all, "closure, " + loss + share, std::string("cycles/loss_") + share);
 
+    const auto walls_of = [](const bench::NamedStudies& studies) {
+        return studies.empty() ? std::string("0")
+                               : std::to_string(studies.front().study.walls.study.uq.samples);
+    };
+
     std::string text = "# Joint laws\n\n";
     for (const std::string& sentence : bench::findings(runs, tests))
         text += "- " + sentence + "\n";
@@ -131,11 +136,13 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
         "own law takes one modulus a stress, interpolated at 0.75 MPa. The energy in shear is "
         "ten "
         "times that of mode I, a choice.\n\n";
-    text += "## 1. Random walls\n\nThe paper's walls, the same samples with every law, "
-            "`solver.fidelity = simple` and `solver.accuracy = 3 %` (section 3 has others). "
-            "Drift limits: where the force is down to 80 % of its peak, "
-            "by Kaplan and Meier, with 95 % intervals.\n\n" +
-            app::as_markdown(bench::random_walls(runs.random));
+    text +=
+        "## 1. Random walls\n\nThe paper's walls, " + walls_of(runs.random) +
+        " under each stress (the command runs 50 unless DRYSTONE_SAMPLES says otherwise), the "
+        "same samples with every law, `solver.fidelity = simple` and `solver.accuracy = 3 %` "
+        "(section 3 has others). Drift limits: where the force is down to 80 % of its peak, "
+        "by Kaplan and Meier, with 95 % intervals.\n\n" +
+        app::as_markdown(bench::random_walls(runs.random));
     if (runs.random.size() > 1)
         text +=
             "\nWall by wall against the paper's laws: geometric means of the ratios with "
@@ -150,8 +157,10 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
     text +=
         "## 3. Two speeds and two discretisations\n\nThe same walls at another "
         "`solver.accuracy`, and with `solver.fidelity = fine`. The wall with mean values:\n\n" +
-        number_tables(together(runs.mean_checks), {}, false) +
-        "Random walls, finer ones with an accuracy of 3 %:\n\n" +
+        number_tables(together(runs.mean_checks), {}, false) + "Random walls, " +
+        walls_of(random_checks) +
+        " under each stress, which are not those of "
+        "section 1 where their number differs; finer: `solver.fidelity = standard`:\n\n" +
         app::as_markdown(bench::random_walls(random_checks));
     text +=
         "\n## 4. Free choices of closure\n\nThe wall with mean values of "
