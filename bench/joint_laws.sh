@@ -77,7 +77,7 @@ done
 # Cycles of a wall that rocks.
 rocks=(wall.courses=12 "load.height=1.30 m" wall.unit_cracks=no "load.vertical_stress=0.50 MPa" load.stop_below=0
     "load.amplitudes=3, 6, 10, 15, 20, 30 mm" "solver.accuracy=3 %")
-law cycles paper "${means[@]}" "${rocks[@]}" "joint.wall_modulus=768 MPa"
+study cycles/paper "${coulomb[@]}" "${brittle[@]}" "${means[@]}" "${rocks[@]}" joint.closure=linear "joint.wall_modulus=768 MPa"
 for loss in 0 0.1 0.3; do
     law cycles all_hyperbolic:loss_$loss "${means[@]}" "${rocks[@]}" joint.closure_loss=$loss
 done

@@ -2,7 +2,6 @@
 
 #include "app/store/store_reader.hpp"
 #include "app/study/study_columns.hpp"
-#include "fragility/kaplan_meier.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +43,7 @@ std::optional<LawStudy> LawStudies::read(const std::string& name)
     return {};
 }
 
-std::optional<double> drift_quantile(const LawStudy& study, std::size_t level, double share)
+fragility::KaplanMeier limit_drifts(const LawStudy& study, std::size_t level)
 {
     std::vector<fragility::Observation> drifts;
     for (const app::StudyWall& w : study.walls.levels.at(level).walls) {
@@ -53,9 +52,26 @@ std::optional<double> drift_quantile(const LawStudy& study, std::size_t level, d
         drifts.push_back(is_observed(u) ? fragility::observed(drift)
                                         : fragility::right_censored(drift));
     }
-    for (const fragility::KaplanMeierStep& s : fragility::kaplan_meier(drifts).steps)
+    return fragility::kaplan_meier(drifts);
+}
+
+std::optional<double> quantile(const fragility::KaplanMeier& drifts, double share)
+{
+    for (const fragility::KaplanMeierStep& s : drifts.steps)
         if (s.probability >= share) return s.at;
     return {};
+}
+
+WallsWithin walls_within(const LawStudy& study, std::size_t level, double drift)
+{
+    WallsWithin within;
+    for (const app::StudyWall& w : study.walls.levels.at(level).walls) {
+        const auto& u = w.reading.ultimate;
+        const bool early = 100.0 * u.displacement / study.walls.height <= drift;
+        within.down += early && is_observed(u);
+        within.known += !early || is_observed(u);
+    }
+    return within;
 }
 
 double mean_peak(const LawStudy& study, std::size_t level)

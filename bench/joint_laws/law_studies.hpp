@@ -2,6 +2,7 @@
 /// Studies that bench/joint_laws.sh leaves, and what is read off their walls.
 
 #include "app/study/study_walls.hpp"
+#include "fragility/kaplan_meier.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -39,10 +40,18 @@ class LawStudies {
     std::vector<std::string> missing_;
 };
 
-/// Drift [%] at which the share of walls that came down to 80 % of their peak reaches `share` (Kaplan and Meier); nothing if
-/// it never does.
-[[nodiscard]] std::optional<double> drift_quantile(const LawStudy& study, std::size_t level,
-                                                   double share);
+/// Limit drifts [%] of the walls of a stress: where they came down to 80 % of their peak (Kaplan and Meier).
+[[nodiscard]] fragility::KaplanMeier limit_drifts(const LawStudy& study, std::size_t level);
+
+/// Drift [%] at which a share of walls has come down; nothing if it never does.
+[[nodiscard]] std::optional<double> quantile(const fragility::KaplanMeier& drifts,
+                                             double share);
+
+/// Walls that came down to 80 % of their peak within a drift [%], of those of which it is known.
+struct WallsWithin {
+    std::size_t down = 0, known = 0;
+};
+[[nodiscard]] WallsWithin walls_within(const LawStudy& study, std::size_t level, double drift);
 
 /// Mean peak force [kN]; NaN without walls.
 [[nodiscard]] double mean_peak(const LawStudy& study, std::size_t level);

@@ -3,6 +3,7 @@
 #include "app/output/cells.hpp"
 #include "app/text/number_text.hpp"
 #include "bench/limit_drifts.hpp"
+#include "bench/validation/cells.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <algorithm>
@@ -131,6 +132,7 @@ app::Table random_walls(const NamedStudies& studies)
     t.head = limit_head();
     t.head[1] = "laws";
     t.head[2] = {"mean peak [kN]", app::kInterval};
+    t.head.insert(t.head.begin() + 4, {"down within 1 % of drift [%]", app::kInterval});
     t.head.insert(t.head.end(),
                   {"walls", "solver error, worst [%]", "steps a wall", "core seconds a wall"});
     for (const double stress : stresses_of(studies))
@@ -141,6 +143,8 @@ app::Table random_walls(const NamedStudies& studies)
             const double n = static_cast<double>(l.walls.size() + l.failed_walls.size());
             app::Row row = limit_row(s.name, s.study.walls, *level);
             row[2] = mean_cell(peaks_of(l), 1);
+            const WallsWithin within = walls_within(s.study, *level, 1.0);
+            row.insert(row.begin() + 4, share_cell(within.down, within.known));
             row.insert(row.end(), {app::count(n), errors_text(s.study, *level),
                                    app::count(std::round(s.study.costs[*level].steps / n)),
                                    app::plain_number(s.study.costs[*level].seconds / n, 1)});
