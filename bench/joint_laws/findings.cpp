@@ -45,9 +45,8 @@ std::string listed(const std::vector<std::string>& parts)
 
 const NamedStudy* named(const NamedStudies& studies, std::string_view file)
 {
-    for (const JointLaw& law : kJointLaws)
-        for (const NamedStudy& s : studies)
-            if (law.file == file && s.name == law.name) return &s;
+    for (const NamedStudy& s : studies)
+        if (s.name == name_of(file)) return &s;
     return nullptr;
 }
 

@@ -27,4 +27,12 @@ inline constexpr std::array kJointLaws = {
 constexpr std::string_view kPaperLaw = kJointLaws[0].file, kAllLaws = kJointLaws[5].file,
                            kAllExponential = kJointLaws[6].file;
 
+/// Name in tables of a law; "" if there is none.
+[[nodiscard]] constexpr std::string_view name_of(std::string_view file)
+{
+    for (const JointLaw& law : kJointLaws)
+        if (law.file == file) return law.name;
+    return {};
+}
+
 } // namespace bench

@@ -34,17 +34,20 @@ bench::NamedStudies of_laws(bench::LawStudies& all, const std::string& folder)
     return studies;
 }
 
-/// The paper's laws and those of configs/closure.ini, each as it stands, more slowly, and finer.
+struct Check {
+    std::string name, file; ///< "0.3 %", "_slow"
+};
+
+/// The paper's laws and those of configs/closure.ini, each as it stands and with these changes.
 std::vector<bench::NamedStudies> checks(bench::LawStudies& all, const std::string& folder,
-                                        const std::string& usual, const std::string& slow)
+                                        const std::vector<Check>& changes)
 {
     std::vector<bench::NamedStudies> laws;
-    for (const bench::JointLaw& law : {bench::kJointLaws[0], bench::kJointLaws[5]}) {
-        const std::string name(law.name), file = folder + "/" + std::string(law.file);
+    for (const std::string_view file : {bench::kPaperLaw, bench::kAllLaws}) {
         bench::NamedStudies& studies = laws.emplace_back();
-        add(studies, all, name + ", " + usual, file);
-        add(studies, all, name + ", " + slow, file + "_slow");
-        add(studies, all, name + ", finer wall", file + "_fine");
+        for (const Check& c : changes)
+            add(studies, all, std::string(bench::name_of(file)) + ", " + c.name,
+                folder + "/" + std::string(file) + c.file);
     }
     return laws;
 }
@@ -94,7 +97,11 @@ std::string laws_text()
 std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> tests)
 {
     bench::LawRuns runs{of_laws(all, "random"), of_laws(all, "mean"), {}, {}, {}};
-    runs.mean_checks = checks(all, "mean", "as in section 2", "0.3 %");
+    runs.mean_checks = checks(all, "mean",
+                              {{"1 %, as in section 2", ""},
+                               {"0.3 %", "_slow"},
+                               {"3 %", "_fast"},
+                               {"3 %, fine", "_fine"}});
     const std::string limit = "joint.largest_stiffness = ", loss = "joint.closure_loss = ";
     runs.limits = choices(all, limit + "487 GPa/m (default: 100 k_0)",
                           {{limit + "60 GPa/m", "limit_60"},
@@ -103,7 +110,10 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
                            {limit + "1000 GPa/m", "limit_1000"}});
     runs.losses = choices(all, loss + "0 (default)",
                           {{loss + "0.1", "loss_0.1"}, {loss + "0.3", "loss_0.3"}});
-    const auto random_checks = together(checks(all, "checked", "as in section 1", "1 %"));
+    const auto random_checks = together(checks(all, "checked",
+                                               {{"3 %, simple, as in section 1", ""},
+                                                {"1 %, simple", "_slow"},
+                                                {"3 %, standard", "_fine"}}));
     bench::NamedStudies cycles;
     add(cycles, all, "paper", "cycles/paper");
     for (const char* share : {"0", "0.1", "0.3"})
@@ -154,14 +164,14 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
         "Lourenço et al. (2005), digitised by Vanin et al. (2017, doi "
         "10.5281/zenodo.812145); \">\": where the curve ends, before the drop.\n\n" +
         number_tables(runs.mean, tests, true);
-    text +=
-        "## 3. Two speeds and two discretisations\n\nThe same walls at another "
-        "`solver.accuracy`, and with `solver.fidelity = fine`. The wall with mean values:\n\n" +
-        number_tables(together(runs.mean_checks), {}, false) + "Random walls, " +
-        walls_of(random_checks) +
-        " under each stress, which are not those of "
-        "section 1 where their number differs; finer: `solver.fidelity = standard`:\n\n" +
-        app::as_markdown(bench::random_walls(random_checks));
+    text += "## 3. Other speeds and discretisations\n\nThe same walls at another "
+            "`solver.accuracy` and with another `solver.fidelity`. The wall with mean values, "
+            "`standard` unless it says fine:\n\n" +
+            number_tables(together(runs.mean_checks), {}, false) + "Random walls, " +
+            walls_of(random_checks) +
+            " under each stress, other walls than in section 1 where their number is "
+            "another:\n\n" +
+            app::as_markdown(bench::random_walls(random_checks));
     text +=
         "\n## 4. Free choices of closure\n\nThe wall with mean values of "
         "`configs/closure.ini`, one key at a time.\n\n" +

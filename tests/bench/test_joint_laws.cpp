@@ -28,13 +28,6 @@ bench::LawStudy study_of(const std::vector<double>& drops_mm, double peak_kN)
     return s;
 }
 
-std::string name_of(std::string_view file)
-{
-    for (const bench::JointLaw& law : bench::kJointLaws)
-        if (law.file == file) return std::string(law.name);
-    return {};
-}
-
 bool says(const std::vector<std::string>& sentences, const std::string& words)
 {
     for (const std::string& s : sentences)
@@ -94,8 +87,9 @@ TEST_CASE("joint laws: sentences follow the numbers, and wait for their runs",
     const auto tests = bench::tested_walls({});
     bench::LawRuns runs;
     CHECK(bench::findings(runs, tests).empty());
-    runs.random = {{name_of(bench::kPaperLaw), study_of({10.0, 10.0}, 40.0)},
-                   {name_of(bench::kAllLaws), study_of({22.0, 22.0}, 42.0)}};
+    runs.random = {
+        {std::string(bench::name_of(bench::kPaperLaw)), study_of({10.0, 10.0}, 40.0)},
+        {std::string(bench::name_of(bench::kAllLaws)), study_of({22.0, 22.0}, 42.0)}};
     const auto some = bench::findings(runs, tests);
     CHECK(some.size() == 2);
     CHECK(says(some, "+5.0 to +5.0 %"));
