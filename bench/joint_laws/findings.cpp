@@ -57,7 +57,8 @@ std::string forces(const LawRuns& runs)
     Extent ratios;
     for (const NamedStudy& s : runs.random)
         for (std::size_t l = 0; &s != paper && l < s.study.walls.levels.size(); ++l)
-            ratios.add(mean_peak(s.study, l) / mean_peak(paper->study, l));
+            if (const auto level = level_at(paper->study, s.study.walls.levels[l].stress))
+                ratios.add(mean_peak(s.study, l) / mean_peak(paper->study, *level));
     return "Forces: over all stresses and laws the mean peak of the random walls differs from "
            "that of "
            "the paper's laws by " +

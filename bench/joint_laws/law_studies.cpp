@@ -31,16 +31,25 @@ std::vector<LevelCost> costs_of(const std::filesystem::path& file, std::size_t l
 std::optional<LawStudy> LawStudies::read(const std::string& name)
 {
     const std::filesystem::path file = folder_ / (name + ".h5");
+    LawStudy study;
     if (std::filesystem::exists(file)) {
-        LawStudy study{app::read_study_walls(file, {}, app::Keep::everything), {}};
-        if (std::ranges::all_of(study.walls.levels,
-                                [](const auto& l) { return l.missing == 0; })) {
-            study.costs = costs_of(file, study.walls.levels.size());
-            return study;
+        study.walls = app::read_study_walls(file, {}, app::Keep::everything);
+        study.costs = costs_of(file, study.walls.levels.size());
+    } else
+        note_missing(name);
+    for (std::size_t l = study.walls.levels.size(); l-- > 0;)
+        if (study.walls.levels[l].missing > 0) {
+            note_missing(name + " (" + app::stress_text(study.walls.levels[l].stress) + ")");
+            study.walls.levels.erase(study.walls.levels.begin() +
+                                     static_cast<std::ptrdiff_t>(l));
+            study.costs.erase(study.costs.begin() + static_cast<std::ptrdiff_t>(l));
         }
-    }
-    if (std::ranges::find(missing_, name) == missing_.end()) missing_.push_back(name);
-    return {};
+    return study.walls.levels.empty() ? std::nullopt : std::optional(std::move(study));
+}
+
+void LawStudies::note_missing(const std::string& what)
+{
+    if (std::ranges::find(missing_, what) == missing_.end()) missing_.push_back(what);
 }
 
 fragility::KaplanMeier limit_drifts(const LawStudy& study, std::size_t level)

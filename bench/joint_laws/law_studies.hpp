@@ -23,12 +23,12 @@ struct LawStudy {
     std::vector<LevelCost> costs; ///< one per stress
 };
 
-/// Studies of a folder; those that are not there, or not run to the end, are noted.
+/// Studies of a folder. Those that are not there, and stresses that are not run to the end, are left out and noted.
 class LawStudies {
   public:
     explicit LawStudies(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Nothing: there is no such file, or walls of it are missing.
+    /// Nothing: there is no such file, or no stress of it is complete.
     /// @param name "mean/paper"
     /// @throws app::StoreError if the file cannot be read
     [[nodiscard]] std::optional<LawStudy> read(const std::string& name);
@@ -36,6 +36,8 @@ class LawStudies {
     [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
 
   private:
+    void note_missing(const std::string& what);
+
     std::filesystem::path folder_;
     std::vector<std::string> missing_;
 };

@@ -55,13 +55,13 @@ app::Number ratio_cell(std::vector<double> ratios)
                               std::exp(e.interval.upper), 2);
 }
 
-app::Row wall_by_wall_row(const LawStudy& first, const LawStudy& other, std::size_t level)
+app::Row wall_by_wall_row(const app::StudyLevel& first, const app::StudyLevel& other)
 {
     std::map<std::uint32_t, const app::StudyWall*> others;
-    for (const app::StudyWall& w : other.walls.levels[level].walls) others[w.key.sample] = &w;
+    for (const app::StudyWall& w : other.walls) others[w.key.sample] = &w;
     std::vector<double> peaks, drops;
     std::size_t farther = 0, nearer = 0;
-    for (const app::StudyWall& w : first.walls.levels[level].walls) {
+    for (const app::StudyWall& w : first.walls) {
         const auto found = others.find(w.key.sample);
         if (found == others.end()) continue;
         const app::WallReading &a = w.reading, &b = found->second->reading;
@@ -168,10 +168,11 @@ app::Table wall_by_wall(const NamedStudies& studies)
         for (std::size_t i = 1; i < studies.size(); ++i) {
             const auto a = level_at(studies.front().study, stress),
                        b = level_at(studies[i].study, stress);
-            if (!a || !b || *a != *b) continue;
+            if (!a || !b) continue;
             app::Row row = {app::fixed(stress * 1e-6, 2), studies[i].name};
             t.rows.push_back(app::joined(
-                std::move(row), wall_by_wall_row(studies.front().study, studies[i].study, *a)));
+                std::move(row), wall_by_wall_row(studies.front().study.walls.levels[*a],
+                                                 studies[i].study.walls.levels[*b])));
         }
     return t;
 }

@@ -130,8 +130,9 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
     text += "\nWritten by `./drystone joint_laws` on " + bench::machine_line() +
             "; every number is read from the studies that command runs. ";
     if (!all.missing().empty()) {
-        text += "Not run, or not to the end, when this was written:";
-        for (const std::string& name : all.missing()) text += " " + name;
+        text += "Not run, or not to the end, when this was written: ";
+        for (const std::string& name : all.missing())
+            text += (&name == &all.missing().front() ? "" : ", ") + name;
         text += ". ";
     }
     text +=
