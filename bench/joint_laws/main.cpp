@@ -163,7 +163,11 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
     text +=
         "\n## 2. The wall with mean values, and the tests\n\n`solver.accuracy = 1 %`. Tests: "
         "Lourenço et al. (2005), digitised by Vanin et al. (2017, doi "
-        "10.5281/zenodo.812145); \">\": where the curve ends, before the drop.\n\n" +
+        "10.5281/zenodo.812145); \">\": where the curve ends, before the drop. The hyperbola "
+        "takes the paper's moduli for secants from "
+        "the unloaded joint: a push, which begins under the vertical load, feels its steeper "
+        "tangent. The exponential "
+        "law takes them for tangents, as the paper's own law does.\n\n" +
         number_tables(runs.mean, tests, true);
     text += "## 3. Other speeds and discretisations\n\nThe same walls at another "
             "`solver.accuracy` and with another `solver.fidelity`. The wall with mean values, "
