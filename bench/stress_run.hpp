@@ -25,12 +25,16 @@ struct SceneReport {
     std::vector<WallReport> walls;
     std::vector<std::string> broken_rules; ///< empty: as it must be
     double seconds = 0.0;                  ///< of one core
+    bool alone = false;                    ///< whether a wall was pushed alone besides
+    double on_the_way = 0.0; ///< over_limit_on_the_way() of a wall whose joints close [-]
 };
 
 /// Pushes the walls of a scene side by side, on this thread. Where one wall is spoilt, once more
 /// without it: its neighbours must not notice.
+/// @param kinematics finite: of all scenes; small: as they are drawn
 [[nodiscard]] SceneReport run_stress_scene(std::uint64_t seed, std::uint64_t number,
-                                           dem::Kinematics kinematics = dem::Kinematics::small);
+                                           dem::Kinematics kinematics = dem::Kinematics::small,
+                                           DrawnLaws laws = DrawnLaws::linear);
 
 [[nodiscard]] const char* name_of(dem::Outcome outcome);
 

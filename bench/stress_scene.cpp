@@ -1,11 +1,13 @@
 #include "bench/stress_scene.hpp"
 
 #include "bench/draw.hpp"
+#include "dem/block/model.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace bench {
 
@@ -156,6 +158,80 @@ std::string describe(const StressScene& s)
     return text.str();
 }
 
+/// Initial stiffness and maximum closure over decades, straight on at once or as late as can be.
+void draw_closure(Draw& d, StressScene& s)
+{
+    dem::JointMaterial& j = s.scene.joint;
+    s.scene.closure = d.one_of({dem::Closure::hyperbolic, dem::Closure::exponential});
+    j.closing.initial_stiffness = j.kn * d.log_uniform(0.001, 1.0);
+    j.closing.maximum = d.chance(0.7) ? d.log_uniform(1e-6, 1e-3) : d.log_uniform(1e-3, 10.0);
+    j.closing.loss = d.chance(0.4) ? 0.0 : d.uniform(0.0, 0.9);
+    j.closing.stiffest =
+        j.closing.initial_stiffness * (d.chance(0.1) ? 1.0 : d.log_uniform(1.0, 1000.0));
+    if (s.solver.step_fraction > 1.0) s.solver.step_fraction = d.chance(0.5) ? 1.0 : 0.95;
+}
+
+void draw_mixed_modes(Draw& d, StressScene& s)
+{
+    const auto envelope = [&] {
+        return d.one_of({dem::Envelope::coulomb, dem::Envelope::hyperbolic});
+    };
+    const auto energy = [&] { return d.chance(0.25) ? 0.0 : d.log_uniform(0.1, 1e6); };
+    s.mixed_mode = true;
+    s.solver.law = dem::ContactLaw::coupled;
+    s.scene.crack.envelope = envelope();
+    s.scene.crack.shear_fracture_energy = energy();
+    s.mortar = s.scene.closure == dem::Closure::linear && d.chance(0.5);
+    if (!s.mortar) return;
+    dem::JointMaterial& j = s.scene.joint;
+    j.wear = {};
+    j.ft = d.log_uniform(1e3, 1e6);
+    j.cohesion = j.ft * d.log_uniform(0.3, 3.0);
+    j.fracture_energy = d.log_uniform(0.1, 1e3);
+    j.envelope = envelope();
+    j.shear_fracture_energy = energy();
+}
+
+/// Laws beyond those of the paper, and loads that are rare among the other scenes.
+void draw_laws(Draw& d, StressScene& s)
+{
+    if (d.chance(0.8)) draw_closure(d, s);
+    if (s.scene.closure == dem::Closure::linear || d.chance(0.4)) draw_mixed_modes(d, s);
+    s.solver.kinematics = d.one_of({dem::Kinematics::small, dem::Kinematics::finite});
+    if (d.chance(0.1)) s.scene.loads.vertical_stress = 0.0;
+    double& strength = s.scene.joint.crushing.strength;
+    if (strength > 0.0 && d.chance(0.7)) // else most of these walls come down under their load
+        strength = std::max(strength, s.scene.loads.vertical_stress * d.log_uniform(2.0, 20.0));
+    if (d.chance(0.15)) {
+        s.scene.loads.pattern = dem::LoadPattern::body;
+        s.scene.beam.rotation = dem::BeamRotation::free; // body forces know no other
+    } else if (d.chance(0.1))
+        s.scene.stone.density = s.scene.beam.material.density = 0.0;
+}
+
+std::string describe_laws(const StressScene& s)
+{
+    const dem::JointMaterial& j = s.scene.joint;
+    std::ostringstream text;
+    text.precision(3);
+    if (s.scene.closure != dem::Closure::linear)
+        text << (s.scene.closure == dem::Closure::hyperbolic ? ", hyperbolic" : ", exponential")
+             << " closure, k_0 " << j.closing.initial_stiffness * 1e-9 << " GPa/m, V_m "
+             << j.closing.maximum * 1e3 << " mm, loss " << j.closing.loss << ", stiffest "
+             << j.closing.stiffest / j.closing.initial_stiffness << " k_0";
+    const auto mixed = [&](const char* name, dem::Envelope envelope, double energy) {
+        text << name << (envelope == dem::Envelope::coulomb ? "coulomb" : "hyperbolic")
+             << ", G_II " << energy << " N/m";
+    };
+    if (s.mixed_mode)
+        mixed(", units ", s.scene.crack.envelope, s.scene.crack.shear_fracture_energy);
+    if (s.mortar) mixed(", bonds ", j.envelope, j.shear_fracture_energy);
+    if (s.solver.kinematics == dem::Kinematics::finite) text << ", finite";
+    if (s.scene.loads.pattern == dem::LoadPattern::body) text << ", body forces";
+    if (s.scene.stone.density == 0.0) text << ", weightless";
+    return text.str();
+}
+
 /// Absurd values that check() lets pass.
 void spoil(Draw& d, dem::WallMaterials& w)
 {
@@ -193,20 +269,51 @@ void spoil(Draw& d, dem::WallMaterials& w)
     }
 }
 
+void spoil_closing(Draw& d, dem::WallMaterials& w)
+{
+    const double absurd = d.one_of({1e300, 1e200, 1e60, 1e-300, 1e-310});
+    const int what = d.integer(0, 3);
+    for (dem::JointMaterial& j : w.joints) {
+        if (what == 0) j.closing.initial_stiffness = j.closing.stiffest = absurd;
+        if (what == 1) j.closing.maximum = absurd;
+        if (what == 2) j.closing.loss = 1.0 - 1e-16;
+        if (what == 3) j.ks = absurd;
+    }
+}
+
 } // namespace
 
-StressScene stress_scene(std::uint64_t seed, std::uint64_t number)
+dem::Model model_of(const StressScene& s)
+{
+    if (!s.mortar) {
+        dem::Model m = scenes::model_of(s.scene, s.discretisation);
+        m.layout.mixed_mode = s.mixed_mode;
+        return m;
+    }
+    const scenes::Scene& c = s.scene;
+    dem::Layout layout = dem::lay_out(c.wall, c.beam.height);
+    layout.mortar = true;
+    layout.mixed_mode = s.mixed_mode;
+    layout.crushing = c.joint.crushing.strength > 0.0 || c.crack.crushing.strength > 0.0;
+    return dem::discretise(std::move(layout), c.stone, c.beam, c.loads, {c.joint, c.crack},
+                           s.discretisation);
+}
+
+StressScene stress_scene(std::uint64_t seed, std::uint64_t number, DrawnLaws laws)
 {
     Draw d(seed, number);
     StressScene s;
     s.scene.wall = draw_geometry(d);
+    const bool all = laws == DrawnLaws::all;
+    if (all) s.scene.wall.courses = std::min(s.scene.wall.courses, 12); // for less time
     draw_materials(d, s.scene);
     draw_load(d, s.scene);
     s.discretisation = draw_discretisation(d);
     s.solver = draw_solver(d);
-    const double steps = std::clamp(40'000.0 / s.scene.wall.courses, 2'000.0, 10'000.0);
+    const double steps =
+        (all ? 0.5 : 1.0) * std::clamp(40'000.0 / s.scene.wall.courses, 2'000.0, 10'000.0);
     s.plan = draw_plan(d, s.scene.wall, steps, s.solver);
-    s.solver.most_steps = static_cast<long long>(30.0 * steps);
+    s.solver.most_steps = static_cast<long long>((all ? 15.0 : 30.0) * steps);
     s.material_seed = static_cast<std::uint64_t>(d.uniform(0.0, 0x1p52));
     s.walls = d.integer(4, 12);
     s.decades = d.chance(0.2) ? 0.0 : d.uniform(0.1, 2.0);
@@ -218,7 +325,9 @@ StressScene stress_scene(std::uint64_t seed, std::uint64_t number)
     if (d.chance(0.3))
         s.scene.joint.wear = {s.scene.joint.tan_phi * d.uniform(0.0, 1.0),
                               d.log_uniform(1e-5, 1e-1)};
-    s.text = describe(s);
+    s.laws = laws;
+    if (all) draw_laws(d, s);
+    s.text = describe(s) + describe_laws(s);
     return s;
 }
 
@@ -256,6 +365,22 @@ dem::WallMaterials stress_wall(const StressScene& s, const dem::Model& model, in
     w.stone.young_modulus *= std::pow(factor(), 0.2);
     w.vertical_stress = s.scene.loads.vertical_stress * d.uniform(0.5, 1.5);
     if (s.spoil == wall) spoil(d, w);
+    if (s.scene.closure == dem::Closure::linear) return w;
+    const auto scatter_closing = [&](dem::Closing& c) {
+        const double stiffer = factor();
+        c.initial_stiffness *= stiffer;
+        c.stiffest *= stiffer;
+        c.maximum *= factor();
+        if (d.chance(0.3)) c.loss = 0.0;
+    };
+    const dem::Closing one = [&] {
+        dem::Closing c = s.scene.joint.closing;
+        scatter_closing(c);
+        return c;
+    }();
+    for (dem::JointMaterial& j : w.joints)
+        s.by_joint ? scatter_closing(j.closing) : void(j.closing = one);
+    if (s.spoil == wall && d.chance(0.6)) spoil_closing(d, w);
     return w;
 }
 

@@ -33,9 +33,22 @@ template <class F> void for_each_wall(const std::vector<SceneReport>& scenes, F 
 
 constexpr double kTooFast = 100.0; // steps per mm; default: 400
 
-const char* group_of(const SceneReport& s, const WallReport& w)
+std::string laws_of(const StressScene& s)
+{
+    std::string text = s.scene.closure == dem::Closure::hyperbolic    ? "hyperbolic closure"
+                       : s.scene.closure == dem::Closure::exponential ? "exponential closure"
+                       : s.mortar                                     ? "bonds"
+                                                                      : "linear";
+    if (s.scene.joint.closing.loss > 0.0) text += ", loss";
+    if (s.scene.joint.crushing.strength > 0.0) text += ", crushing";
+    if (s.mixed_mode) text += ", mixed modes";
+    return text;
+}
+
+std::string group_of(const SceneReport& s, const WallReport& w)
 {
     if (w.spoilt) return "spoilt on purpose";
+    if (s.scene.laws == DrawnLaws::all) return laws_of(s.scene);
     const bool fast = s.scene.solver.steps_per_mm < kTooFast;
     if (s.scene.solver.step_fraction > 1.0)
         return fast ? "step beyond the bound, drive too fast" : "step beyond the bound";
@@ -73,6 +86,9 @@ CampaignSums sums_of(const std::vector<SceneReport>& scenes)
         sum.compared_scenes += s.scene.spoil.has_value();
         sum.slowest = std::max(sum.slowest, s.seconds);
         sum.seconds += s.seconds;
+        sum.alone += s.alone;
+        sum.on_the_way += s.on_the_way > 0.0;
+        sum.most_on_the_way = std::max(sum.most_on_the_way, s.on_the_way);
     }
     for_each_wall(scenes, [&](const SceneReport&, const WallReport& w) {
         ++sum.walls;

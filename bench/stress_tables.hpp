@@ -17,6 +17,9 @@ struct CampaignSums {
     double slowest = 0.0;    ///< scene [s] of one core
     double seconds = 0.0;    ///< of all scenes, of one core
     long long steps = 0;     ///< of all walls
+    int alone = 0;           ///< walls pushed alone besides
+    int on_the_way = 0;      ///< walls whose limit was measured on their way
+    double most_on_the_way = 0.0; ///< of these, the largest step over the measured limit [-]
 };
 [[nodiscard]] CampaignSums sums_of(const std::vector<SceneReport>& scenes);
 

@@ -19,11 +19,6 @@ namespace {
     throw error_at(study.source, key, why);
 }
 
-bool is_given(const Study& study, std::string_view key)
-{
-    return find_entry(study.source, key) != nullptr;
-}
-
 std::string level_text(const Study& study, std::size_t level)
 {
     return "stress level " + std::to_string(level + 1) + " (" +
@@ -115,10 +110,10 @@ void check_closure_given(const Study& study)
                    "is that of joints whose joint.closure is linear; write "
                    "joint.initial_stiffness and joint.maximum_closure in its place");
     for (const char* key : {"joint.initial_stiffness", "joint.maximum_closure"}) {
-        if (!joint.wall_modulus.empty() && is_given(study, key))
+        if (!joint.wall_modulus.empty() && is_given(study.source, key))
             refuse_law(study, key,
                        "is given although joint.wall_modulus determines it; keep one of them");
-        if (joint.wall_modulus.empty() && !is_given(study, key))
+        if (joint.wall_modulus.empty() && !is_given(study.source, key))
             refuse_law(
                 study, key,
                 "missing; write e.g. \"initial_stiffness = 4.87 GPa/m\" and "
@@ -131,7 +126,7 @@ void check_closure_given(const Study& study)
 Parameters with_modulus_stress(const Study& study)
 {
     Parameters p = study.parameters;
-    if (!is_given(study, "joint.wall_modulus_stress"))
+    if (!is_given(study.source, "joint.wall_modulus_stress"))
         p.joint.modulus_stress = study.load.vertical_stress;
     return p;
 }
@@ -140,7 +135,7 @@ void check_modulus_stress(const Study& study, const JointInput& joint)
 {
     const std::vector<double>& stress = joint.modulus_stress;
     const std::string values = "has " + std::to_string(joint.wall_modulus.size()) + " values, ";
-    const bool given = is_given(study, "joint.wall_modulus_stress");
+    const bool given = is_given(study.source, "joint.wall_modulus_stress");
     if (joint.wall_modulus.size() < 2)
         refuse_law(study, "joint.wall_modulus",
                    "one modulus does not tell how joints close; write those of two stresses or "

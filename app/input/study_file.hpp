@@ -46,6 +46,10 @@ struct StudyFile {
 
 /// nullptr if the key is not given.
 [[nodiscard]] const Entry* find_entry(const StudyFile& file, std::string_view key);
+[[nodiscard]] inline bool is_given(const StudyFile& file, std::string_view key)
+{
+    return find_entry(file, key) != nullptr;
+}
 
 /// nullptr if the section is not opened.
 [[nodiscard]] const SectionHeader* find_section(const StudyFile& file, std::string_view name);

@@ -59,11 +59,6 @@ void derive_block_modes(Study& s)
     s.discretisation.block_modes = dem::discretisation_of(s.fidelity).block_modes;
 }
 
-bool is_given(const Study& s, std::string_view key)
-{
-    return find_entry(s.source, key) != nullptr;
-}
-
 constexpr Condition kAlone{
     [](const Study& s) { return s.load.targets.empty() && s.load.amplitudes.empty(); },
     "load.targets or load.amplitudes is given"};
@@ -80,8 +75,8 @@ constexpr Condition kWithWeight{[](const Study& s) {
 constexpr Condition kWithSeries{[](const Study& s) { return s.output.paraview; },
                                 "output.paraview is no"};
 constexpr Condition kByFidelity{[](const Study& s) {
-                                    return !is_given(s, "solver.contact_points") ||
-                                           !is_given(s, "solver.block_modes");
+                                    return !is_given(s.source, "solver.contact_points") ||
+                                           !is_given(s.source, "solver.block_modes");
                                 },
                                 "solver.contact_points and solver.block_modes are given"};
 constexpr Condition kSlowingDrive{[](const Study& s) { return s.solver.unbalance_limit > 0.0; },

@@ -83,6 +83,26 @@ template <class Real> [[nodiscard]] Real log_of(Real r)
     return Real(16.0) * (z * sum);
 }
 
+/// -log(1 - x) - x, for 0 <= x < 1, within 1e-8 of itself, however small x is.
+template <class Real> [[nodiscard]] Real log_beyond(Real x)
+{
+    const Real y = x / (Real(2.0) - x), y2 = y * y; // -log(1 - x) = 2 artanh(y)
+    Real sum(1.0 / 15.0);
+    for (int n = 13; n >= 3; n -= 2) sum = multiply_add(sum, y2, Real(1.0 / n));
+    const Real near = multiply_add(Real(2.0) * y2 * y, sum, x * y);
+    const auto far = x > Real(0.5);
+    if (!any(far)) return near;
+    return select(far, Real(2.0) * log_of(inverse_root(Real(1.0) - x)) - x, near);
+}
+
+/// exp(x) - 1 - x, for 0 <= x <= 0.5, within 1e-12 of itself, however small x is.
+template <class Real> [[nodiscard]] Real exp_beyond(Real x)
+{
+    Real sum(1.0);
+    for (int n = 12; n >= 3; --n) sum = multiply_add(Real(1.0 / n) * x, sum, Real(1.0));
+    return Real(0.5) * x * x * sum;
+}
+
 /// What a joint is like that has closed.
 template <class Real> struct Closed {
     Real p;       ///< [Pa]
@@ -152,12 +172,13 @@ template <Closure kClosure, class Real>
 {
     const Real within = min(w, law.knee), at = min(p, law.knee_pressure), more = w - within;
     const Real beyond = more * multiply_add(Real(0.5) * law.stiffest, more, law.knee_pressure);
+    const Real unit = law.rise / law.inv_maximum, x = within * law.inv_maximum;
     if constexpr (kClosure == Closure::hyperbolic) {
-        const Real x = within * law.inv_maximum;
-        const Real log = Real(2.0) * log_of(inverse_root(Real(1.0) - x)); // -log(1 - x)
-        return law.rise / law.inv_maximum * (log - x) + beyond;
+        return multiply_add(unit, log_beyond(x), beyond);
     } else {
-        return (at - law.k0 * within) / law.inv_maximum + beyond;
+        const Real most(0.5);
+        const Real far = (at - law.k0 * within) / law.inv_maximum; // small x would leave noise
+        return select(x > most, far, unit * exp_beyond(min(x, most))) + beyond;
     }
 }
 
@@ -185,6 +206,7 @@ template <class Real> struct ClosingUpdate {
     ClosingState<Real> state;
     Real sigma, tau; ///< [Pa]
     Real friction;   ///< lost in slip and in closing, per area [J/m2]
+    Real closing;    ///< lost in closing alone, per area [J/m2], >= 0
     Real slip;       ///< plastic [m]
     Real pressure;   ///< p [Pa]
 };
@@ -215,8 +237,8 @@ template <Closure kClosure, bool kLoses, class Real>
             const Real w_before = max(zero, -s.u_n);
             const Real apart = (w - closure_at<kClosure>(law, moved)) +
                                (w_before - closure_at<kClosure>(law, rest));
-            lost = select(law.mu > zero, half * law.beta * law.elastic * apart * (moved - rest),
-                          zero);
+            lost = max(zero, half * law.beta * law.elastic * apart * (moved - rest));
+            lost = select(law.mu > zero, lost, zero);
         }
         rest = moved;
         acting = law.elastic * (p + f);
@@ -230,6 +252,7 @@ template <Closure kClosure, bool kLoses, class Real>
             zero - acting,
             tau,
             multiply_add(half * (s.shear + shear), slid, lost),
+            lost,
             slid * inverse,
             p};
 }
@@ -239,13 +262,12 @@ template <Closure kClosure, class Real>
 [[nodiscard]] Real crushed_by(const CrushingLaw<Real>& crushing, const ClosureLaw<Real>& law,
                               Real crushed, Real u_e)
 {
-    constexpr int kNewton =
-        4; // from above the root of a convex function; a step crushes little
+    constexpr int kNewton = 4; // from one side of the root of a convex function
     const Real zero(0.0), w = max(zero, -u_e);
     const Real left = max(zero, crushing.strength - crushing.softening * crushed);
     const auto crushes = pressure_of<kClosure>(law, w) > left;
     if (!any(crushes)) return zero;
-    Real by = zero;
+    Real by = max(zero, w - closure_at<kClosure>(law, left)); // enough where nothing softens
     for (int i = 0; i < kNewton; ++i) {
         const Real p = pressure_of<kClosure>(law, w - by);
         const Real steeper = tangent_at<kClosure>(law, p) - crushing.softening;

@@ -35,19 +35,21 @@ template <class Real>
     return {s.finite.further_u_n[at], s.finite.further_shear[at], s.finite.further_rest[at]};
 }
 
-/// crush() of a contact that closes.
+/// Work that crushing takes, per area [J/m2]. Where a contact crushes by more than it closes in a step it gives back what
+/// it has stored.
+/// @param before,sigma of before this step;  by what is crushed in it [m]
 template <Closure kClosure, class Real>
-[[nodiscard]] Real crush_closing(int law, int k, Real du_n, Real area, WallState<Real>& s)
+[[nodiscard]] Real work_of_crushing(const ClosureLaw<Real>& law,
+                                    const ClosingState<Real>& before, Real sigma, Real by,
+                                    const ClosingUpdate<Real>& u)
 {
-    const ClosureLaw<Real>& closing = s.laws.closing[law];
-    const Real zero(0.0), u_e = s.u_n[k] + du_n;
-    const Real by = crushed_by<kClosure>(s.laws.dry_crushing[law], closing, s.crushed[k], u_e);
-    if (!any(by > zero)) return du_n;
-    const Real after = zero - pressure_of<kClosure>(closing, max(zero, -(u_e + by)));
-    const Real mean = Real(0.5) * (after - s.stress[2 * k]);
-    s.crushing = multiply_add(area, select(by > zero, mean * by, zero), s.crushing);
-    s.crushed[k] += by;
-    return du_n + by;
+    const Real zero(0.0), mean = Real(-0.5) * (sigma + u.sigma); // [Pa]
+    const Real opens = max(zero, -before.u_n) - max(zero, -u.state.u_n);
+    const auto stored = [&](const ClosingState<Real>& s) {
+        return stored_energy<kClosure>(law, ClosingState<Real>{s.u_n, zero, s.rest});
+    };
+    const Real released = stored(before) - stored(u.state) - u.closing - mean * opens;
+    return mean * by + select(opens > zero, released, zero);
 }
 
 /// Advances one contact: crushing, closure, friction, wear.
@@ -58,11 +60,22 @@ template <Closure kClosure, bool kLoses, class Real>
 advance_closing_contact(int law, const ClosureLaw<Real>& closing, Real tan_phi, int k,
                         Real du_n, Real du_s, Real area, WallState<Real>& s)
 {
-    if (!s.crushed.empty()) du_n = crush_closing<kClosure>(law, k, du_n, area, s);
+    const ClosingState<Real> before = closing_state(s, k);
+    const Real sigma = s.stress[2 * k];
+    Real by(0.0);
+    if (!s.crushed.empty())
+        by = crushed_by<kClosure>(s.laws.dry_crushing[law], closing, s.crushed[k],
+                                  before.u_n + du_n);
     const bool wears = !s.roughness.empty();
     if (wears) tan_phi = worn_law(s, law, k).tan_phi;
     const ClosingUpdate<Real> u =
-        advance_closing<kClosure, kLoses>(closing, tan_phi, closing_state(s, k), du_n, du_s);
+        advance_closing<kClosure, kLoses>(closing, tan_phi, before, du_n + by, du_s);
+    const auto crushes = by > Real(0.0);
+    if (any(crushes)) [[unlikely]] {
+        const Real work = work_of_crushing<kClosure>(closing, before, sigma, by, u);
+        s.crushing = multiply_add(area, select(crushes, work, Real(0.0)), s.crushing);
+        s.crushed[k] += by;
+    }
     if (wears)
         s.roughness[k] = roughness_after(s.laws.dry_wear[law], s.roughness[k], u.slip, u.sigma);
     set_contact(s, k, u.state.u_n, u.sigma, u.tau);

@@ -4,6 +4,7 @@
 
 #include "dem/block/model.hpp"
 #include "dem/scene/paper_materials.hpp"
+#include "dem/solver/closing_joint.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "dem/solver/stability_limit.hpp"
 #include "dem/solver/static_start.hpp"
@@ -184,6 +185,22 @@ TEST_CASE("closure: a stack closes as its pressure says, from the first step", "
     CHECK(std::abs(dem::energy_of(t, wall, 0).residual()) < 1e-9);
 }
 
+TEST_CASE("closure: a wall is at rest from the first step however little its joints curve",
+          "[dem][closure]")
+{
+    const Closure closure = GENERATE(Closure::hyperbolic, Closure::exponential);
+    scenes::Scene s = closing_wall(closure);
+    s.joint.closing.maximum = 30.0; // [m]
+    s.crack.kn *= 300.0;
+    s.crack.ks *= 300.0;
+    const dem::Model m = small_wall::model(s);
+    const dem::WallMaterials w = scenes::uniform(s, m);
+    const dem::StepTables t = dem::step_tables(m);
+    dem::WallState<double> wall = dem::unloaded<double>(m, t, {&w, 1}, {});
+    CHECK(dem::solve_preload(t, wall));
+    CHECK(wall.work > 0.0);
+}
+
 TEST_CASE("closure: a cycle loses the share that is asked for", "[dem][closure]")
 {
     const double loss = GENERATE(0.0, 0.1, 0.3, 0.6, 0.9);
@@ -261,6 +278,85 @@ TEST_CASE("closure: crushing stops where the pressure is the strength that is le
         CHECK(dem::pressure_of<kClosure>(l, w + 1e-6 - by) ==
               Approx(crushing.strength - crushing.softening * (1e-5 + by)).epsilon(1e-9));
         CHECK(dem::crushed_by<kClosure>(crushing, l, 0.0, -0.999 * w) == 0.0);
+    });
+}
+
+TEST_CASE("closure: crushing stops there however far a step goes beyond", "[dem][closure]")
+{
+    const dem::CrushingLaw<double> crushing = dem::crushing_law(1e10, 0.1e6, 0.0);
+    for_both([&]<Closure kClosure>() {
+        const dem::ClosureLaw<double> l = law(kClosure);
+        const double w = 2.0 * l.knee, by = dem::crushed_by<kClosure>(crushing, l, 0.0, -w);
+        CHECK(dem::pressure_of<kClosure>(l, w - by) == Approx(0.1e6).epsilon(1e-6));
+    });
+}
+
+TEST_CASE("closure: a contact that crushes at once gives back what it has stored",
+          "[dem][closure]")
+{
+    const double loss = GENERATE(0.0, 0.4);
+    for_both([&]<Closure kClosure>() {
+        Contact<kClosure> c{law(kClosure, loss)};
+        c.go(-0.7 * kMaximum, 0.0, 2000);
+        const double stored = c.stored(), sigma = c.sigma;
+        const auto before = c.state;
+        const double by = 0.7 * kMaximum;
+        const auto u = dem::advance_closing<kClosure, true>(c.law, kTanPhi, before, by, 0.0);
+        CHECK(dem::work_of_crushing<kClosure>(c.law, before, sigma, by, u) ==
+              Approx(stored).epsilon(1e-9));
+        // A contact whose strength stays: pressure by what is crushed.
+        const auto same =
+            dem::advance_closing<kClosure, true>(c.law, kTanPhi, before, 0.0, 0.0);
+        CHECK(dem::work_of_crushing<kClosure>(c.law, before, sigma, 1e-6, same) ==
+              Approx(-1e-6 * sigma).epsilon(1e-9));
+    });
+}
+
+TEST_CASE("closure: joints that close and crush keep the ledger", "[dem][closure]")
+{
+    const Closure closure = GENERATE(Closure::hyperbolic, Closure::exponential);
+    const double energy = GENERATE(0.0, 2e4, 5.0); // the last breaks at once
+    scenes::Scene s = closing_wall(closure, GENERATE(0.0, 0.5));
+    s.joint.crushing = {energy == 5.0 ? 3e6 : 1.5e6, energy};
+    dem::SolverOptions options = small_wall::quick();
+    options.kinematics = GENERATE(dem::Kinematics::small, dem::Kinematics::finite);
+    const dem::Model m = small_wall::model(s);
+    const dem::PushResult r =
+        dem::push(m, scenes::uniform(s, m), small_wall::to(0.0008), options);
+    INFO("outcome " << static_cast<int>(r.outcome) << " residual " << r.residual << " crushing "
+                    << r.energy.crushing << " of " << r.energy.passed());
+    CHECK(r.step_reductions == 0);
+    CHECK(r.residual < (energy == 5.0 ? 0.01 : 1e-4));
+    CHECK(r.energy.crushing > (energy == 5.0 ? 0.0 : 0.2 * r.energy.passed()));
+}
+
+TEST_CASE("closure: the energy of joints that hardly curve is exact", "[dem][closure]")
+{
+    for (const double maximum : {1e-2, 1.0, 1e3}) { // [m]
+        const double w = 2e-5, x = w / maximum;
+        const auto l = [&](Closure closure) {
+            return dem::closure_law(closure, kInitial, maximum, 1e3 * kInitial, 0.0, 0.4);
+        };
+        const auto of = [&]<Closure kClosure>() {
+            const dem::ClosureLaw<double> one = l(kClosure);
+            return dem::closing_energy<kClosure>(one, dem::pressure_of<kClosure>(one, w), w);
+        };
+        const double unit = kInitial * w * w;
+        CHECK(of.operator()<Closure::hyperbolic>() ==
+              Approx(unit * (0.5 + x / 3.0 + x * x / 4.0)).epsilon(1e-8));
+        CHECK(of.operator()<Closure::exponential>() ==
+              Approx(unit * (0.5 + x / 6.0 + x * x / 24.0)).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("closure: a joint that opens within a step makes no energy in the ledger",
+          "[dem][closure]")
+{
+    for_both([]<Closure kClosure>() {
+        Contact<kClosure> c{law(kClosure, 0.6)};
+        c.go(-0.7 * kMaximum, 0.0, 2000);
+        c.go(1e-6, 0.0, 1);
+        CHECK(c.least_loss >= 0.0);
     });
 }
 
