@@ -5,10 +5,12 @@
 
 #include "app/output/atomic_output.hpp"
 #include "app/output/markup.hpp"
+#include "app/text/number_text.hpp"
 #include "bench/joint_laws/findings.hpp"
 #include "bench/joint_laws/laws.hpp"
 #include "bench/machine.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -86,6 +88,16 @@ std::string number_tables(const bench::NamedStudies& studies,
     return text;
 }
 
+/// The energy balance of all walls, failed ones too.
+std::string ledger_text(const bench::NamedStudies& studies)
+{
+    double worst = 0.0;
+    for (const bench::NamedStudy& s : studies)
+        for (const bench::LevelCost& c : s.study.costs) worst = std::fmax(worst, c.residual);
+    return "\nNo energy balance of these walls misses more than " +
+           app::never_rounded_away(100.0 * worst, 2) + " % of the work.\n";
+}
+
 std::string laws_text()
 {
     std::string text = "| laws | what differs from the paper's laws |\n|---|---|\n";
@@ -153,7 +165,7 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
         "same samples with every law, `solver.fidelity = simple` and `solver.accuracy = 3 %` "
         "(section 3 has others). Drift limits: where the force is down to 80 % of its peak, "
         "by Kaplan and Meier, with 95 % intervals.\n\n" +
-        app::as_markdown(bench::random_walls(runs.random));
+        app::as_markdown(bench::random_walls(runs.random)) + ledger_text(runs.random);
     if (runs.random.size() > 1)
         text +=
             "\nWall by wall against the paper's laws: geometric means of the ratios with "
