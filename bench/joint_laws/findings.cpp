@@ -67,7 +67,7 @@ std::string forces(const LawRuns& runs)
 
 constexpr double kDrift = 1.0; ///< [%]; codes give rocking piers that much
 
-/// "0.50 MPa from 0 % (energy in shear) to 40 % (hyperbolic closure)": least and most walls that are down within kDrift.
+/// "0 % (energy in shear) to 40 % (hyperbolic closure) under 0.50 MPa": least and most walls that are down within kDrift.
 std::string shares_at(const NamedStudies& studies, double stress)
 {
     std::vector<std::pair<double, std::string>> shares;
@@ -82,8 +82,10 @@ std::string shares_at(const NamedStudies& studies, double stress)
     const auto text = [](const auto& s) {
         return app::fixed(100.0 * s.first, 0) + " % (" + s.second + ")";
     };
-    if (most->first == 0.0) return app::fixed(stress * 1e-6, 2) + " MPa 0 % with every law";
-    return app::fixed(stress * 1e-6, 2) + " MPa from " + text(*least) + " to " + text(*most);
+    const std::string where = " under " + app::fixed(stress * 1e-6, 2) + " MPa";
+    if (least->first == most->first)
+        return app::fixed(100.0 * least->first, 0) + " % with every law" + where;
+    return text(*least) + " to " + text(*most) + where;
 }
 
 std::string drift_limits(const LawRuns& runs)
@@ -94,7 +96,7 @@ std::string drift_limits(const LawRuns& runs)
         parts.push_back(shares_at(runs.random, stress));
     return "Drift limits: by the law alone the share of random walls that are down to 80 % of "
            "their "
-           "peak within a drift of 1 % is under " +
+           "peak within a drift of 1 % is " +
            listed(parts) + ".";
 }
 
