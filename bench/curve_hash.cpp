@@ -1,5 +1,5 @@
 /// curve_hash: all bits of the curves of a fixed ensemble as one number, through packs and one wall at a
-/// time; then those of walls of rubble, in mortar and of many dry stones. The numbers must not depend on compiler, flags, register or threads
+/// time; then those of walls of rubble, in mortar and of many dry stones, and of joints that close between cracks of mixed modes. The numbers must not depend on compiler, flags, register or threads
 /// (tests/same_bits.sh).
 
 #include "dem/block/model.hpp"
@@ -138,6 +138,30 @@ void add_rubble(Hash& packs, Hash& scalar)
     for (const dem::PushResult& r : pushed(model, walls, c, 0.004, true)) add(r, scalar);
 }
 
+/// Joints that close and lose energy, cracks of mixed modes.
+void add_closing(Hash& packs, Hash& scalar)
+{
+    for (const dem::Closure closure : {dem::Closure::hyperbolic, dem::Closure::exponential}) {
+        scenes::Scene s = scenes::paper_wall(0.75);
+        s.closure = closure;
+        s.joint.closing = {4.87e9, 0.154e-3, 0.2, 487e9};
+        s.crack.envelope = dem::Envelope::hyperbolic;
+        s.crack.shear_fracture_energy = 1000.0;
+        dem::Model model = scenes::model_of(s, dem::discretisation_of(dem::Fidelity::simple));
+        model.layout.mixed_mode = true;
+        const std::vector<dem::WallMaterials> walls{scenes::table5_sample(s, model, 0),
+                                                    scenes::table5_sample(s, model, 1)};
+        for (const dem::Kinematics k : {dem::Kinematics::small, dem::Kinematics::finite}) {
+            const Case c{dem::Fidelity::simple, dem::ContactLaw::coupled,
+                         dem::Damping::combined, k};
+            for (const dem::PushResult& r : pushed(model, walls, c, 0.002, false))
+                add(r, packs);
+            for (const dem::PushResult& r : pushed(model, walls, c, 0.002, true))
+                add(r, scalar);
+        }
+    }
+}
+
 } // namespace
 
 int main()
@@ -155,6 +179,7 @@ try {
     Hash rubble_packs, rubble_scalar;
     add_rubble(rubble_packs, rubble_scalar);
     add_many_stones(rubble_packs, rubble_scalar);
+    add_closing(rubble_packs, rubble_scalar);
     std::printf("rubble %016llx\n", static_cast<unsigned long long>(rubble_packs.value()));
     const bool same =
         packs.value() == scalar.value() && rubble_packs.value() == rubble_scalar.value();

@@ -108,7 +108,8 @@ template <Closure kClosure, class Real>
     return max(normal * laws.inv_reference_kn, shear * laws.inv_reference_ks);
 }
 
-/// Largest pressure under which a joint has at most this stiffness, over the reference [Pa].
+/// Largest pressure under which a joint has at most this stiffness, over the reference [Pa]; kNothingBorne where it has
+/// more without pressure.
 template <Closure kClosure, class Real>
 [[nodiscard]] Real pressure_of_stiffness(const LaneLaws<Real>& laws, int law, Real stiffness)
 {
@@ -119,7 +120,8 @@ template <Closure kClosure, class Real>
     const Real by_normal = select(normal < c.stiffest, c.rise * (secant - one), Real(1e300));
     const Real by_shear =
         c.rise * (stiffness / (laws.inv_reference_ks * c.root_ks * c.root_ks) - one);
-    return max(zero, min(by_normal, by_shear));
+    const auto less = (normal < c.k0) | (by_shear < zero);
+    return select(less, Real(kNothingBorne), min(by_normal, by_shear));
 }
 
 constexpr double kMassMargin = 1.1, kMassGrowth = 1.25; // free choices
@@ -154,7 +156,7 @@ template <Closure kClosure, class Real>
 [[gnu::always_inline]] inline void allow_for_run(const StepTables& t, std::size_t run,
                                                  Real pressure, WallState<Real>& s)
 {
-    constexpr double kSurely = 1.0 - 1e-9; // what it remembers is rounded down
+    constexpr double kSurely = 1.0 - 1e-9; // the pressure of hardly more than k_0 is rounding
     if (!any(pressure > s.borne[run])) return;
     const int law = t.dry[run].law;
     allow_for<kClosure>(t, law, t.dry_blocks[run], pressure, s);
@@ -162,8 +164,8 @@ template <Closure kClosure, class Real>
     Real least(1e300);
     for (const int block : t.dry_blocks[run])
         if (block != kGround) least = min(least, s.laws.ratio[block]);
-    s.borne[run] = Real(kSurely) * pressure_of_stiffness<kClosure>(
-                                       s.laws, law, least * Real(1.0 / kMassMargin));
+    s.borne[run] =
+        pressure_of_stiffness<kClosure>(s.laws, law, least * Real(kSurely / kMassMargin));
 }
 
 } // namespace dem

@@ -11,9 +11,10 @@ namespace dem {
 template <class Real> void clear_lane(const StepTables& t, int lane, WallState<Real>& s)
 {
     for (auto* values :
-         {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n, &s.crushed, &s.shear, &s.rest, &s.borne})
+         {&s.q, &s.v, &s.last_force, &s.du, &s.stress, &s.u_n, &s.crushed, &s.shear, &s.rest})
         for (Real& x : *values) set_lane(x, lane, 0.0);
     for (Real& r : s.roughness) set_lane(r, lane, 1.0);
+    for (Real& p : s.borne) set_lane(p, lane, kNothingBorne);
     for (Real* x : {&s.work, &s.friction, &s.fracture, &s.crushing, &s.damping, &s.top_force,
                     &s.base_shear, &s.load_x, &s.body_factor, &s.softened_in_tension,
                     &s.softened_in_shear})
@@ -64,7 +65,7 @@ WallState<Real> empty_lanes(const Model& m, const StepTables& t, Kinematics kine
     if (m.layout.closure != Closure::linear) {
         s.shear.assign(m.dry.size(), Real(0.0));
         s.rest = s.shear;
-        s.borne.assign(t.dry.size(), Real(0.0));
+        s.borne.assign(t.dry.size(), Real(kNothingBorne));
     }
     if (kinematics == Kinematics::finite)
         s.finite = undeformed<Real>(t.finite, m.n_modes, t.n_contacts, m.layout.crushing,

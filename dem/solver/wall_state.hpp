@@ -10,6 +10,9 @@
 
 namespace dem {
 
+/// WallState::borne of masses that are not known to be enough even without pressure [Pa].
+constexpr double kNothingBorne = -1.0;
+
 /// Where walls are. A step reads and writes all of it.
 /// The paper's wall: 9200 numbers, 74 kB per lane.
 template <class Real> struct WallState {
