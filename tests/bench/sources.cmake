@@ -10,3 +10,8 @@ drystone_tests(bench
 drystone_tests(validation
     SOURCES app/fragility_scenes.cpp bench/test_validation.cpp
     LIBRARIES drystone_validation)
+
+drystone_tests(joint_laws
+    SOURCES app/fragility_scenes.cpp bench/test_joint_laws.cpp
+    LIBRARIES drystone_joint_laws
+    DEFINITIONS DRYSTONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -267,17 +267,21 @@ claim_an_unknown_preset_is_refused() {
     expect_text "$box/err" "drystone: configuring failed"
 }
 
-claim_validate_builds_first_and_hands_its_arguments_on() {
+claim_a_page_builds_first_and_hands_its_arguments_on() {
+    local verb
     mkdir "$checkout/bench"
-    cat >"$checkout/bench/validation.sh" <<'SCRIPT'
+    for verb in validate joint_laws; do
+        rm -rf -- "$checkout/build"
+        cat >"$checkout/bench/${verb/validate/validation}.sh" <<'SCRIPT'
 printf '<%s>\n' "$DRYSTONE_BENCH" "$@"
 "$DRYSTONE_PROGRAM" show built
 exit 3
 SCRIPT
-    drystone validate "my runs"
-    expect_equal "the exit code" "$code" 3
-    expect_equal "what the script saw" "$(cat "$box/out")" \
-        "$(printf '<%s>\n' "$checkout/build/release/bench" "my runs" built)"
+        drystone "$verb" "my runs"
+        expect_equal "the exit code of $verb" "$code" 3
+        expect_equal "what the script saw" "$(cat "$box/out")" \
+            "$(printf '<%s>\n' "$checkout/build/release/bench" "my runs" built)"
+    done
 }
 
 claim_test_ends_with_the_count() {

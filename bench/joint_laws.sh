@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# ./drystone joint_laws [WORK]   runs all walls behind docs/joint_laws.md and writes it anew
+#
+# About an hour and a half on two cores. WORK (default runs/joint_laws) keeps the files of the studies, so that a second run only
+# does what is missing.
+# DRYSTONE_SAMPLES: walls under each stress (default 50), DRYSTONE_CHECKED_SAMPLES: walls under each stress that are run again more
+# slowly and on a finer wall (default 10). DRYSTONE_TEST_CURVES: the folder of the measured curves (bench/measured_walls.hpp), if
+# given; else the page has the tests' numbers that bench/joint_laws/tested_walls.cpp keeps.
+set -euo pipefail
+cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
+work=${1:-runs/joint_laws}
+mkdir -p -- "$work"/{random,checked,mean,choice,cycles}
+
+study() { # $1: file; then key=value
+    local file=$work/$1.h5 set=() override
+    for override in "${@:2}"; do set+=(--set "$override"); done
+    "$DRYSTONE_PROGRAM" study configs/closure.ini --out "$file" "${set[@]}" >/dev/null
+}
+
+linear=(joint.closure=linear "joint.wall_modulus=566, 768, 912.5, 1057, 1202 MPa")
+coulomb=(unit.envelope=coulomb)
+brittle=(unit.shear_fracture_energy=none)
+exponential=(joint.closure=exponential)
+means=(uq.samples=1 "joint.friction_angle=31.8 deg" joint.stiffness_factor=1 "unit.tensile_strength=3.7 MPa"
+    "unit.friction_angle=35 deg" unit.stiffness_factor=1)
+
+# $1: folder; $2: law, and behind a colon the name of the file; then key=value
+law() {
+    local keys=()
+    case ${2%%:*} in
+    paper) keys=("${linear[@]}" "${coulomb[@]}" "${brittle[@]}") ;;
+    hyperbolic_closure) keys=("${coulomb[@]}" "${brittle[@]}") ;;
+    exponential_closure) keys=("${exponential[@]}" "${coulomb[@]}" "${brittle[@]}") ;;
+    envelope) keys=("${linear[@]}" "${brittle[@]}") ;;
+    shear_energy) keys=("${linear[@]}" "${coulomb[@]}") ;;
+    all_hyperbolic) ;;
+    all_exponential) keys=("${exponential[@]}") ;;
+    esac
+    study "$1/${2#*:}" "${keys[@]}" "${@:3}"
+}
+
+laws=(paper all_hyperbolic hyperbolic_closure exponential_closure envelope shear_energy all_exponential)
+
+# Each change alone and all together on random walls. Simply deformable blocks and an accuracy of 3 %: their scatter is much more.
+cheap=(solver.fidelity=simple "solver.accuracy=3 %")
+for name in "${laws[@]}"; do
+    law random "$name" "uq.samples=${DRYSTONE_SAMPLES:-50}" "${cheap[@]}"
+done
+
+# The wall with mean values.
+for name in "${laws[@]}"; do
+    law mean "$name" "${means[@]}"
+done
+
+# The same at other speeds and on a finer wall.
+for name in paper all_hyperbolic; do
+    law mean "$name:${name}_fast" "${means[@]}" "solver.accuracy=3 %"
+    law mean "$name:${name}_fine" "${means[@]}" "solver.accuracy=3 %" solver.fidelity=fine
+    law mean "$name:${name}_slow" "${means[@]}" "solver.accuracy=0.3 %"
+done
+
+# Two speeds and two discretisations of random walls.
+some="uq.samples=${DRYSTONE_CHECKED_SAMPLES:-10}"
+for name in paper all_hyperbolic; do
+    law checked "$name" "$some" "${cheap[@]}"
+    law checked "$name:${name}_slow" "$some" solver.fidelity=simple "solver.accuracy=1 %"
+    law checked "$name:${name}_fine" "$some" solver.fidelity=standard "solver.accuracy=3 %"
+done
+
+# The free choices of closure.
+tested=("load.vertical_stress=0.50, 1.00, 1.25 MPa")
+for limit in 60 120 240 1000; do
+    law choice all_hyperbolic:limit_$limit "${means[@]}" "${tested[@]}" "joint.largest_stiffness=$limit GPa/m"
+done
+for loss in 0.1 0.3; do
+    law choice all_hyperbolic:loss_$loss "${means[@]}" "${tested[@]}" joint.closure_loss=$loss
+done
+
+# Cycles of a wall that rocks.
+rocks=(wall.courses=12 "load.height=1.30 m" wall.unit_cracks=no "load.vertical_stress=0.50 MPa" load.stop_below=0
+    "load.amplitudes=3, 6, 10, 15, 20, 30 mm" "solver.accuracy=3 %")
+study cycles/paper "${coulomb[@]}" "${brittle[@]}" "${means[@]}" "${rocks[@]}" joint.closure=linear "joint.wall_modulus=768 MPa"
+for loss in 0 0.1 0.3; do
+    law cycles all_hyperbolic:loss_$loss "${means[@]}" "${rocks[@]}" joint.closure_loss=$loss
+done
+
+"$DRYSTONE_BENCH/joint_laws" "$work" docs

@@ -1,0 +1,25 @@
+#pragma once
+/// What docs/joint_laws.md says first: sentences made of the numbers of its tables.
+
+#include "bench/joint_laws/law_tables.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+/// Studies in the order of kJointLaws, without those that were not run.
+struct LawRuns {
+    NamedStudies random, mean;
+    /// Walls with mean values, one law each: as in `mean`, then more slowly and finer.
+    std::vector<NamedStudies> mean_checks;
+    NamedStudies limits,
+        losses; ///< walls with mean values, by largest stiffness and by closure loss
+};
+
+/// Sentences of which each needs its runs, else it is left out.
+[[nodiscard]] std::vector<std::string> findings(const LawRuns& runs,
+                                                std::span<const TestedWall> tests);
+
+} // namespace bench

@@ -1,0 +1,231 @@
+/// Joint laws: writes DOCS/joint_laws.md from the studies that bench/joint_laws.sh leaves in WORK.
+///
+///   ./drystone joint_laws     runs everything, then
+///   joint_laws WORK DOCS
+
+#include "app/output/atomic_output.hpp"
+#include "app/output/markup.hpp"
+#include "app/text/number_text.hpp"
+#include "bench/joint_laws/findings.hpp"
+#include "bench/joint_laws/laws.hpp"
+#include "bench/machine.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Adds a study where it was run.
+void add(bench::NamedStudies& studies, bench::LawStudies& all, const std::string& name,
+         const std::string& file)
+{
+    if (auto study = all.read(file)) studies.push_back({name, std::move(*study)});
+}
+
+bench::NamedStudies of_laws(bench::LawStudies& all, const std::string& folder)
+{
+    bench::NamedStudies studies;
+    for (const bench::JointLaw& law : bench::kJointLaws)
+        add(studies, all, std::string(law.name), folder + "/" + std::string(law.file));
+    return studies;
+}
+
+struct Check {
+    std::string name, file; ///< "0.3 %", "_slow"
+};
+
+/// The paper's laws and those of configs/closure.ini, each as it stands and with these changes.
+std::vector<bench::NamedStudies> checks(bench::LawStudies& all, const std::string& folder,
+                                        const std::vector<Check>& changes)
+{
+    std::vector<bench::NamedStudies> laws;
+    for (const std::string_view file : {bench::kPaperLaw, bench::kAllLaws}) {
+        bench::NamedStudies& studies = laws.emplace_back();
+        for (const Check& c : changes)
+            add(studies, all, std::string(bench::name_of(file)) + ", " + c.name,
+                folder + "/" + std::string(file) + c.file);
+    }
+    return laws;
+}
+
+bench::NamedStudies together(const std::vector<bench::NamedStudies>& parts)
+{
+    bench::NamedStudies all;
+    for (const bench::NamedStudies& p : parts) all.insert(all.end(), p.begin(), p.end());
+    return all;
+}
+
+/// The default first, which `mean/all_hyperbolic` is.
+bench::NamedStudies choices(bench::LawStudies& all, const std::string& usual,
+                            const std::vector<std::pair<std::string, std::string>>& others)
+{
+    bench::NamedStudies studies;
+    add(studies, all, usual, "mean/" + std::string(bench::kAllLaws));
+    for (const auto& [name, file] : others) add(studies, all, name, "choice/" + file);
+    return studies;
+}
+
+std::string number_tables(const bench::NamedStudies& studies,
+                          std::span<const bench::TestedWall> tests, bool secants)
+{
+    using enum bench::WallNumber;
+    const auto table = [&](const char* title, bench::WallNumber number) {
+        return std::string(title) + "\n\n" +
+               app::as_markdown(bench::mean_walls(studies, number, tests)) + "\n";
+    };
+    std::string text = table("Peak [kN]:", peak) + table("80 % drop [mm]:", drop);
+    if (secants)
+        text += table("Secant stiffness where 30 % of the peak is first reached [kN/mm]:",
+                      secant_30) +
+                table("Secant stiffness where 60 % of the peak is first reached [kN/mm]:",
+                      secant_60);
+    return text;
+}
+
+/// The energy balance of all walls, failed ones too.
+std::string ledger_text(const bench::NamedStudies& studies)
+{
+    double worst = 0.0;
+    for (const bench::NamedStudy& s : studies)
+        for (const bench::LevelCost& c : s.study.costs) worst = std::fmax(worst, c.residual);
+    return "\nNo energy balance of these walls misses more than " +
+           app::never_rounded_away(100.0 * worst, 2) + " % of the work.\n";
+}
+
+std::string laws_text()
+{
+    std::string text = "| laws | what differs from the paper's laws |\n|---|---|\n";
+    for (const bench::JointLaw& law : bench::kJointLaws)
+        text += "| " + std::string(law.name) + " | " + std::string(law.what) + " |\n";
+    return text;
+}
+
+std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> tests)
+{
+    bench::LawRuns runs{of_laws(all, "random"), of_laws(all, "mean"), {}, {}, {}};
+    runs.mean_checks = checks(all, "mean",
+                              {{"1 %, as in section 2", ""},
+                               {"0.3 %", "_slow"},
+                               {"3 %", "_fast"},
+                               {"3 %, fine", "_fine"}});
+    const std::string limit = "joint.largest_stiffness = ", loss = "joint.closure_loss = ";
+    runs.limits = choices(all, limit + "487 GPa/m (default: 100 k_0)",
+                          {{limit + "60 GPa/m", "limit_60"},
+                           {limit + "120 GPa/m", "limit_120"},
+                           {limit + "240 GPa/m", "limit_240"},
+                           {limit + "1000 GPa/m", "limit_1000"}});
+    runs.losses = choices(all, loss + "0 (default)",
+                          {{loss + "0.1", "loss_0.1"}, {loss + "0.3", "loss_0.3"}});
+    const auto random_checks = together(checks(all, "checked",
+                                               {{"3 %, simple, as in section 1", ""},
+                                                {"1 %, simple", "_slow"},
+                                                {"3 %, standard", "_fine"}}));
+    bench::NamedStudies cycles;
+    add(cycles, all, "paper", "cycles/paper");
+    for (const char* share : {"0", "0.1", "0.3"})
+        add(cycles, all, "closure, " + loss + share, std::string("cycles/loss_") + share);
+
+    const auto walls_of = [](const bench::NamedStudies& studies) {
+        return studies.empty() ? std::string("0")
+                               : std::to_string(studies.front().study.walls.study.uq.samples);
+    };
+
+    std::string text = "# Joint laws\n\n";
+    for (const std::string& sentence : bench::findings(runs, tests))
+        text += "- " + sentence + "\n";
+    text += "\nWritten by `./drystone joint_laws` on " + bench::machine_line() +
+            "; every number is read from the studies that command runs. ";
+    if (!all.missing().empty()) {
+        text += "Not run, or not to the end, when this was written: ";
+        for (const std::string& name : all.missing())
+            text += (&name == &all.missing().front() ? "" : ", ") + name;
+        text += ". ";
+    }
+    text +=
+        "What the laws are: [model.md](model.md), section 3. All walls move by finite "
+        "displacements and with the program's own damping, and are pushed until the force is "
+        "down to 70 % of its peak (`configs/closure.ini`): the drop to 80 % of a wall that "
+        "only "
+        "rocks is then seen too.\n\n" +
+        laws_text() +
+        "\nBoth closures are fitted by the program to the paper's four wall moduli; the "
+        "paper's "
+        "own law takes one modulus a stress, interpolated at 0.75 MPa. The energy in shear is "
+        "ten "
+        "times that of mode I, a choice.\n\n";
+    text +=
+        "## 1. Random walls\n\nThe paper's walls, " + walls_of(runs.random) +
+        " under each stress (the command runs 50 unless DRYSTONE_SAMPLES says otherwise), the "
+        "same samples with every law, `solver.fidelity = simple` and `solver.accuracy = 3 %` "
+        "(section 3 has others). Drift limits: where the force is down to 80 % of its peak, "
+        "by Kaplan and Meier, with 95 % intervals.\n\n" +
+        app::as_markdown(bench::random_walls(runs.random)) + ledger_text(runs.random);
+    if (runs.random.size() > 1)
+        text +=
+            "\nWall by wall against the paper's laws: geometric means of the ratios with "
+            "95 % intervals; nearer and farther: walls whose drop moved by more than a factor "
+            "of 1.2.\n\n" +
+            app::as_markdown(bench::wall_by_wall(runs.random));
+    text +=
+        "\n## 2. The wall with mean values, and the tests\n\n`solver.accuracy = 1 %`. Tests: "
+        "Lourenço et al. (2005), digitised by Vanin et al. (2017, doi "
+        "10.5281/zenodo.812145); \">\": where the curve ends, before the drop. The hyperbola "
+        "takes the paper's moduli for secants from "
+        "the unloaded joint: a push, which begins under the vertical load, feels its steeper "
+        "tangent. The exponential "
+        "law takes them for tangents, as the paper's own law does.\n\n" +
+        number_tables(runs.mean, tests, true);
+    text += "## 3. Other speeds and discretisations\n\nThe same walls at another "
+            "`solver.accuracy` and with another `solver.fidelity`. The wall with mean values, "
+            "`standard` unless it says fine:\n\n" +
+            number_tables(together(runs.mean_checks), {}, false) + "Random walls, " +
+            walls_of(random_checks) +
+            " under each stress, other walls than in section 1 where their number is "
+            "another:\n\n" +
+            app::as_markdown(bench::random_walls(random_checks));
+    text +=
+        "\n## 4. Free choices of closure\n\nThe wall with mean values of "
+        "`configs/closure.ini`, one key at a time.\n\n" +
+        number_tables(together({runs.limits, runs.losses}), {}, false) +
+        "Equivalent viscous damping of each cycle of a wall of 1.0 x 1.2 m whose stones do "
+        "not crack, under 0.50 MPa and with mean values, by the amplitude. Part of it is that "
+        "of the solver ([cyclic.md](cyclic.md)).\n\n" +
+        app::as_markdown(bench::damping_of_cycles(cycles));
+    return text;
+}
+
+int run(int argc, char** argv)
+{
+    if (argc != 3) {
+        std::cerr << "usage: joint_laws WORK DOCS\n";
+        return 2;
+    }
+    const fs::path docs = argv[2];
+    const char* curves = std::getenv("DRYSTONE_TEST_CURVES");
+    const auto tests = bench::tested_walls(
+        curves == nullptr || *curves == '\0' ? std::nullopt : std::optional<fs::path>(curves));
+    bench::LawStudies all{fs::path(argv[1])};
+    const std::string page =
+        page_of(all, tests); // everything is read before anything is written
+    app::write_file(docs / "joint_laws.md", page);
+    std::cerr << "wrote " << (docs / "joint_laws.md").string() << '\n';
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& e) {
+        std::cerr << "joint_laws: " << e.what() << '\n';
+        return 1;
+    }
+}
