@@ -20,7 +20,7 @@ study() { # $1: file; then key=value
 linear=(joint.closure=linear "joint.wall_modulus=566, 768, 912.5, 1057, 1202 MPa")
 coulomb=(unit.envelope=coulomb)
 brittle=(unit.shear_fracture_energy=none)
-exponential=(joint.closure=exponential)
+hyperbolic=(joint.closure=hyperbolic)
 means=(uq.samples=1 "joint.friction_angle=31.8 deg" joint.stiffness_factor=1 "unit.tensile_strength=3.7 MPa"
     "unit.friction_angle=35 deg" unit.stiffness_factor=1)
 
@@ -29,12 +29,12 @@ law() {
     local keys=()
     case ${2%%:*} in
     paper) keys=("${linear[@]}" "${coulomb[@]}" "${brittle[@]}") ;;
-    hyperbolic_closure) keys=("${coulomb[@]}" "${brittle[@]}") ;;
-    exponential_closure) keys=("${exponential[@]}" "${coulomb[@]}" "${brittle[@]}") ;;
+    hyperbolic_closure) keys=("${hyperbolic[@]}" "${coulomb[@]}" "${brittle[@]}") ;;
+    exponential_closure) keys=("${coulomb[@]}" "${brittle[@]}") ;;
     envelope) keys=("${linear[@]}" "${brittle[@]}") ;;
     shear_energy) keys=("${linear[@]}" "${coulomb[@]}") ;;
-    all_hyperbolic) ;;
-    all_exponential) keys=("${exponential[@]}") ;;
+    all_hyperbolic) keys=("${hyperbolic[@]}") ;;
+    all_exponential) ;;
     esac
     study "$1/${2#*:}" "${keys[@]}" "${@:3}"
 }

@@ -12,7 +12,7 @@ struct JointLaw {
     std::string_view what; ///< what differs from the paper's laws
 };
 
-/// The sixth is that of configs/closure.ini.
+/// The last is that of configs/closure.ini.
 inline constexpr std::array kJointLaws = {
     JointLaw{"paper", "paper",
              "constant stiffness by the stress, Coulomb's line, units brittle in shear"},
@@ -20,9 +20,9 @@ inline constexpr std::array kJointLaws = {
     JointLaw{"exponential_closure", "exponential closure", "`joint.closure = exponential`"},
     JointLaw{"envelope", "envelope", "`unit.envelope = hyperbolic`"},
     JointLaw{"shear_energy", "energy in shear", "`unit.shear_fracture_energy = 1100 N/m`"},
-    JointLaw{"all_hyperbolic", "all, hyperbolic",
-             "the last two and hyperbolic closure: `configs/closure.ini`"},
-    JointLaw{"all_exponential", "all, exponential", "the same with exponential closure"}};
+    JointLaw{"all_hyperbolic", "all, hyperbolic", "the last two and hyperbolic closure"},
+    JointLaw{"all_exponential", "all, exponential",
+             "the same with exponential closure: `configs/closure.ini`"}};
 
 constexpr std::string_view kPaperLaw = kJointLaws[0].file, kAllLaws = kJointLaws[5].file,
                            kAllExponential = kJointLaws[6].file;

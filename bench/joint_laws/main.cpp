@@ -40,7 +40,7 @@ struct Check {
     std::string name, file; ///< "0.3 %", "_slow"
 };
 
-/// The paper's laws and those of configs/closure.ini, each as it stands and with these changes.
+/// The paper's laws, and all others together with hyperbolic closure, each as it stands and with these changes.
 std::vector<bench::NamedStudies> checks(bench::LawStudies& all, const std::string& folder,
                                         const std::vector<Check>& changes)
 {
@@ -190,8 +190,8 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
             "another:\n\n" +
             app::as_markdown(bench::random_walls(random_checks));
     text +=
-        "\n## 4. Free choices of closure\n\nThe wall with mean values of "
-        "`configs/closure.ini`, one key at a time.\n\n" +
+        "\n## 4. Free choices of closure\n\nThe wall with mean values, all "
+        "laws and hyperbolic closure, one key at a time.\n\n" +
         number_tables(together({runs.limits, runs.losses}), {}, false) +
         "Equivalent viscous damping of each cycle of a wall of 1.0 x 1.2 m whose stones do "
         "not crack, under 0.50 MPa and with mean values, by the amplitude. Part of it is that "
