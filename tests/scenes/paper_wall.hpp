@@ -14,8 +14,8 @@ struct Scene {
     dem::Elastic stone;
     dem::Beam beam;
     dem::Loads loads;
-    dem::JointMaterial joint; ///< of every joint ID, base and beam
-    dem::CrackMaterial crack; ///< of every crack ID
+    dem::JointMaterial joint;                    ///< of every joint ID, base and beam
+    dem::CrackMaterial crack;                    ///< of every crack ID
     dem::Closure closure = dem::Closure::linear; ///< of dry joints
 };
 
