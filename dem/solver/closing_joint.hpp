@@ -52,6 +52,26 @@ template <Closure kClosure, class Real>
     return mean * by + select(opens > zero, released, zero);
 }
 
+/// Advances one contact that may crush as it closes.
+/// @param area of before this step, over which the energy of crushing counts [m2]
+template <Closure kClosure, bool kLoses, class Real>
+[[gnu::noinline]] ClosingUpdate<Real> crush_and_close(int law, const ClosureLaw<Real>& closing,
+                                                      Real tan_phi, int k, Real du_n, Real du_s,
+                                                      Real area, WallState<Real>& s)
+{
+    const ClosingState<Real> before = closing_state(s, k);
+    const Real by = crushed_by<kClosure>(s.laws.dry_crushing[law], closing, s.crushed[k],
+                                         before.u_n + du_n);
+    const ClosingUpdate<Real> u =
+        advance_closing<kClosure, kLoses>(closing, tan_phi, before, du_n + by, du_s);
+    const auto crushes = by > Real(0.0);
+    if (!any(crushes)) return u;
+    const Real work = work_of_crushing<kClosure>(closing, before, s.stress[2 * k], by, u);
+    s.crushing = multiply_add(area, select(crushes, work, Real(0.0)), s.crushing);
+    s.crushed[k] += by;
+    return u;
+}
+
 /// Advances one contact: crushing, closure, friction, wear.
 /// @param area of before this step, over which the energy of crushing counts [m2]
 /// @param closing, tan_phi of that law; a copy of its own lets the numbers stay in registers
@@ -60,22 +80,13 @@ template <Closure kClosure, bool kLoses, class Real>
 advance_closing_contact(int law, const ClosureLaw<Real>& closing, Real tan_phi, int k,
                         Real du_n, Real du_s, Real area, WallState<Real>& s)
 {
-    const ClosingState<Real> before = closing_state(s, k);
-    const Real sigma = s.stress[2 * k];
-    Real by(0.0);
-    if (!s.crushed.empty())
-        by = crushed_by<kClosure>(s.laws.dry_crushing[law], closing, s.crushed[k],
-                                  before.u_n + du_n);
     const bool wears = !s.roughness.empty();
     if (wears) tan_phi = worn_law(s, law, k).tan_phi;
     const ClosingUpdate<Real> u =
-        advance_closing<kClosure, kLoses>(closing, tan_phi, before, du_n + by, du_s);
-    const auto crushes = by > Real(0.0);
-    if (any(crushes)) [[unlikely]] {
-        const Real work = work_of_crushing<kClosure>(closing, before, sigma, by, u);
-        s.crushing = multiply_add(area, select(crushes, work, Real(0.0)), s.crushing);
-        s.crushed[k] += by;
-    }
+        s.crushed.empty()
+            ? advance_closing<kClosure, kLoses>(closing, tan_phi, closing_state(s, k), du_n,
+                                                du_s)
+            : crush_and_close<kClosure, kLoses>(law, closing, tan_phi, k, du_n, du_s, area, s);
     if (wears)
         s.roughness[k] = roughness_after(s.laws.dry_wear[law], s.roughness[k], u.slip, u.sigma);
     set_contact(s, k, u.state.u_n, u.sigma, u.tau);
