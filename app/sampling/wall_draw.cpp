@@ -89,7 +89,7 @@ dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout,
         if (is_single(draw.values[i])) study.random[i].place(p) = draw.values[i].front();
     for (const ParameterRule& rule : study.rules) rule.apply(p, h);
     dem::WallMaterials wall = materials(p, h, at, layout);
-    // Those of one joint say nothing about cracks.
+    // Keys of one joint say nothing about cracks.
     const auto own = [&](Varies varies, std::size_t id) {
         Parameters of = p;
         set_values(study, draw, varies, id, of);

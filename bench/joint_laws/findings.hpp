@@ -1,5 +1,5 @@
 #pragma once
-/// What docs/joint_laws.md says first: sentences made of the numbers of its tables.
+/// Sentences with which docs/joint_laws.md begins, made of the numbers of its tables.
 
 #include "bench/joint_laws/law_tables.hpp"
 

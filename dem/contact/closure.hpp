@@ -103,7 +103,7 @@ template <class Real> [[nodiscard]] Real exp_beyond(Real x)
     return Real(0.5) * x * x * sum;
 }
 
-/// What a joint is like that has closed.
+/// Pressure and shear stiffness of a joint that has closed.
 template <class Real> struct Closed {
     Real p;       ///< [Pa]
     Real root_ks; ///< sqrt(k_s) [sqrt(Pa/m)]
@@ -210,12 +210,6 @@ template <class Real> struct ClosingUpdate {
     Real slip;       ///< plastic [m]
     Real pressure;   ///< p [Pa]
 };
-
-/// p_r of a joint that is loaded for the first time.
-template <class Real> [[nodiscard]] Real rest_under_load(const ClosureLaw<Real>& law, Real p)
-{
-    return p - law.mu * p * law.inv_beta;
-}
 
 /// A dry joint that closes. |tau| <= P tan_phi
 /// @param kLoses whether any lane has mu > 0

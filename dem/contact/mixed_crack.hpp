@@ -39,7 +39,7 @@ namespace dem {
 /// Stands for a softening in shear steeper than any k_s.
 constexpr double kBreaksInShear = 1e300; // [Pa/m]
 
-/// What the law of mixed modes knows besides the CrackLaw.
+/// Constants of the law of mixed modes besides those of the CrackLaw.
 template <class Real> struct MixedLaw {
     Real inv_energy; ///< 1 / (2 G_II) [m2/J]; 0 where no cohesion can be lost
     Real
@@ -117,7 +117,7 @@ try_elastic(const CrackLaw<Real>& law, const MixedLaw<Real>& mixed, const CrackS
     return {u_n, tau, sigma, !any(leaves)};
 }
 
-/// What a slip does to the bond.
+/// The bond after a slip.
 template <class Real> struct ShearReturn {
     Real tau;       ///< [Pa]
     Real integrity; ///< after the slip [-]

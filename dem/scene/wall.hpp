@@ -97,7 +97,7 @@ struct Wear {
     double length = 0.0;      ///< slip that leaves 1/e of the asperities [m], >= 0; 0: no wear
 };
 
-/// Of a dry joint; only where Layout::closure is not linear.
+/// Constants of a dry joint that closes; used only where Layout::closure is not linear.
 struct Closing {
     double initial_stiffness = 0.0; ///< k_0 [Pa/m], > 0
     double maximum = 0.0;           ///< V_m [m], > 0

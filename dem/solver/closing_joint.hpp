@@ -100,7 +100,7 @@ struct JointStiffness {
     double kn, ks;
 };
 
-/// Of a contact as far as it has closed.
+/// The stiffness of a contact as far as it has closed.
 template <Closure kClosure>
 [[nodiscard]] JointStiffness stiffness_of(const WallState<double>& s, int law, int k)
 {

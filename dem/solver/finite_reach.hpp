@@ -46,7 +46,7 @@ Real crushed_further(std::size_t at, int home, Real u_n, Real area, Mask touches
     return after;
 }
 
-/// What one contact of `further` has after a step.
+/// Stresses and energies of one contact of `further` after a step.
 template <class Real> struct FurtherUpdate {
     Real sigma, tau;       ///< [Pa]
     Real friction, stored; ///< per area [J/m2]

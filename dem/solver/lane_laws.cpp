@@ -212,7 +212,7 @@ CrackLaw<double> crack_law(const CrackMaterial& c)
 
 MixedLaw<double> mixed_law(const CrackMaterial& c)
 {
-    // Of the energy that a crack stores when it breaks, so that rounding does not let it soften.
+    // A little less than the energy that a crack stores when it breaks, so that rounding does not let it soften.
     constexpr double kBitLess = 1.0 - 1e-9;
     const double drop = c.cohesion - c.cohesion_res;
     const double energy =

@@ -14,7 +14,7 @@
 
 namespace dem {
 
-/// What walls are made of. It is set when a wall takes its lane and only read while the wall is pushed, but for the
+/// The materials of walls. They are set when a wall takes its lane and only read while the wall is pushed, but for the
 /// fictitious masses of walls whose joints close (closing_joint.hpp).
 /// The paper's wall: 4600 numbers, 37 kB per lane.
 template <class Real> struct LaneLaws {
@@ -43,7 +43,7 @@ template <class Real> struct LaneLaws {
 
 /// The law of a potential crack, or of the bond of a joint with mortar.
 [[nodiscard]] CrackLaw<double> crack_law(const CrackMaterial& material);
-/// What the law of mixed modes needs besides.
+/// Further constants of a crack that follows the law of mixed modes.
 [[nodiscard]] MixedLaw<double> mixed_law(const CrackMaterial& material);
 
 /// Laws of a model, of no wall yet; set_laws() fills the lanes.

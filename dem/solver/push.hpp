@@ -89,7 +89,7 @@ struct PushResult {
     /// Number of crack contacts with c - c_res > sqrt(2 G_II k_s), which break at their first slip and release more than G_II.
     int shear_snap_back_contacts = 0;
     int crack_contacts = 0; ///< of cracks in units and of joints with mortar
-    /// Those of them that have ever lost a part of their strength but not all of it: in tension, 0 < d_t < 1 while their
+    /// Contacts of cracks that have ever lost a part of their strength but not all of it: in tension, 0 < d_t < 1 while their
     /// bond lived, and in shear, 0 < d_s < 1.
     int softened_in_tension = 0, softened_in_shear = 0;
     /// Number of contacts with f_c > sqrt(2 G_c k_n), which crush at once and release more than G_c.

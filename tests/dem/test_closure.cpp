@@ -205,7 +205,7 @@ TEST_CASE("closure: a cycle loses the share that is asked for", "[dem][closure]"
 {
     const double loss = GENERATE(0.0, 0.1, 0.3, 0.6, 0.9);
     for_both([&]<Closure kClosure>() {
-        // Of a small share of the maximum closure both laws are linear.
+        // Both laws are linear up to a small share of the maximum closure.
         for (const double w : {1e-4 * kMaximum, 0.6 * kMaximum}) {
             Contact<kClosure> c{law(kClosure, loss)};
             c.go(-w, 0.0, 4000);
