@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-constexpr std::array kVerbs = {kPushVerb, kSceneVerb, kHelpVerb, kVersionVerb};
+constexpr std::array kVerbs = {kPushVerb, kSceneVerb, kNewVerb, kHelpVerb, kVersionVerb};
 
 } // namespace
 

@@ -1,4 +1,5 @@
-/// drystone VERB STUDY.ini [options].  Exit codes: 0 done, 1 failed, 2 your input, 130 told to end.
+/// drystone VERB STUDY.ini [options].  Exit codes: 0 done, 1 failed, 2 your input, 130 told to
+/// end.
 
 #include "app/input/command_line.hpp"
 #include "app/store/store_error.hpp"
@@ -13,7 +14,8 @@
 
 int main(int argc, char** argv)
 {
-    // A full disk, a limit of file size or a closed pipe is an error with a message, not a death.
+    // A full disk, a limit of file size or a closed pipe is an error with a message, not a
+    // death.
     for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
     app::end_at_ctrl_c();
     try {

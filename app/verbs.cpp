@@ -1,8 +1,11 @@
 #include "app/verbs.hpp"
 
+#include "app/choices/choices_command.hpp"
 #include "app/commands.hpp"
+#include "app/compare/compare_command.hpp"
 #include "app/fragility/fragility_command.hpp"
 #include "app/report/report_command.hpp"
+#include "app/sheet/sheet_command.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/study_command.hpp"
 #include "app/wall_verbs.hpp"
@@ -14,8 +17,8 @@
 namespace app {
 namespace {
 
-/// Tables in the folder of the name of the file, the page beside it. Walls are filmed while they
-/// are pushed.
+/// Tables in the folder of the name of the file, the page beside it. Walls are filmed while
+/// they are pushed.
 int study_then_report(const Command& study)
 {
     const std::filesystem::path file = study.out;
@@ -52,10 +55,12 @@ int run_study(const Command& command)
 int run_report(const Command& command) { return report_command(command); }
 
 constexpr std::size_t kMany = 1'000'000;
+constexpr std::size_t kMostCompared = 12; // as many colours as a chart has
 
 constexpr std::array kVerbs = {
     kPushVerb,
     kSceneVerb,
+    kNewVerb,
     Verb{.name = "study",
          .words = "STUDY.ini",
          .meaning = "push samples x stress levels into one file; an interrupted study resumes",
@@ -64,6 +69,12 @@ constexpr std::array kVerbs = {
          .extension = ".h5",
          .sections = kWallSections,
          .run = run_study},
+    Verb{.name = "status",
+         .words = "FILE.h5",
+         .meaning = "what a file of results holds, how far it is, and since when",
+         .example = "drystone status runs/quick.h5",
+         .out = OutKind::none,
+         .run = status_command},
     Verb{.name = "sample",
          .words = "STUDY.ini",
          .meaning = "write the samples alone, as a table",
@@ -87,6 +98,15 @@ constexpr std::array kVerbs = {
          .example = "drystone fragility runs/quick.h5",
          .sections = "fragility",
          .run = fragility_command},
+    Verb{.name = "calibrate",
+         .words = "STUDY.ini|FILE.h5 TESTS.csv",
+         .meaning = "the error of the model from your own tests, as a factor for fragility",
+         .example = "drystone calibrate configs/quick.ini tests.csv",
+         .suffix = "_calibration",
+         .least = 2,
+         .most = 2,
+         .sections = kWallSections,
+         .run = calibrate_command},
     Verb{.name = "report",
          .words = "FILE.h5",
          .meaning = "one page for a browser from a study's file",
@@ -94,6 +114,37 @@ constexpr std::array kVerbs = {
          .out = OutKind::file,
          .extension = ".html",
          .run = run_report},
+    Verb{.name = "sheet",
+         .words = "STUDY.ini|FILE.h5",
+         .meaning = "one A4 page of a wall for a client: drawing, curve, limits, how sure",
+         .example = "drystone sheet configs/wall.ini",
+         .out = OutKind::file,
+         .extension = ".html",
+         .suffix = "_sheet",
+         .sections = kWallSections,
+         .run = sheet_command},
+    Verb{.name = "choices",
+         .words = "STUDY.ini",
+         .meaning = "change one choice of the model at a time: what matters for this wall",
+         .example = "drystone choices configs/wall.ini",
+         .suffix = "_choices",
+         .sections = kWallSections,
+         .run = choices_command},
+    Verb{.name = "compare",
+         .words = "A B...",
+         .meaning =
+             "studies (FILE.h5), folders of pushes and measured curves (.csv) side by side",
+         .example = "drystone compare runs/wall runs/other_wall",
+         .suffix = "_compare",
+         .least = 2,
+         .most = kMostCompared,
+         .run = compare_command},
+    Verb{.name = "surrogate",
+         .words = "FILE.h5",
+         .meaning = "learn a response from the walls of a study, and what it depends on",
+         .example = "drystone surrogate runs/quick.h5 --of peak_force",
+         .suffix = "_surrogate", // tables of the study have its name
+         .run = surrogate_command},
     Verb{.name = "curves",
          .words = "FILE.h5",
          .meaning = "all capacity curves of a study as one table",
@@ -101,6 +152,20 @@ constexpr std::array kVerbs = {
          .out = OutKind::file,
          .extension = ".csv",
          .run = curves_command},
+    Verb{.name = "record",
+         .words = "FILE|PULSE...",
+         .meaning =
+             "read records of strong motion: what was read, measures of intensity, pictures",
+         .example = "drystone record earthquake.at2",
+         .most = kMany,
+         .run = record_command},
+    Verb{.name = "shake",
+         .words = "STUDY.ini",
+         .meaning = "shake one wall with records of ground motion: largest and residual drift",
+         .example = "drystone shake configs/shaken.ini",
+         .suffix = "_shake",
+         .sections = "wall lintel stone joint unit beam base shaking load solver output uq",
+         .run = shake_command},
     Verb{.name = "serve",
          .words = "STUDY.ini",
          .meaning = "let other programs run walls over HTTP (UM-Bridge)",

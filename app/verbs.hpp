@@ -1,6 +1,6 @@
 #pragma once
-/// The verbs of the program: one row for each. Two programs have two tables: verbs.cpp has all, first_verbs.cpp those of one
-/// wall, which the launcher builds for a first curve.
+/// The verbs of the program: one row for each. Two programs have two tables: verbs.cpp has all,
+/// first_verbs.cpp those of one wall, which the launcher builds for a first curve.
 
 #include "app/input/verb.hpp"
 

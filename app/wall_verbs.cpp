@@ -1,6 +1,7 @@
 #include "app/wall_verbs.hpp"
 
 #include "app/input/command_line.hpp"
+#include "app/input/material_presets.hpp"
 #include "app/output/markup.hpp"
 #include "app/program_version.hpp"
 #include "app/verbs.hpp"
@@ -13,8 +14,9 @@ namespace app {
 
 int help_command(const Command& command)
 {
-    std::cout << hung(help_text(verbs(), command.words.empty() ? "" : command.words.front()),
-                      terminal_width());
+    const std::string topic = command.words.empty() ? "" : command.words.front();
+    std::cout << (topic == "materials" ? materials_page()
+                                       : hung(help_text(verbs(), topic), terminal_width()));
     return 0;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
-/// The verbs of one wall, and those that every program has. Rows of the table in app/verbs.cpp, and all rows of the
-/// program that the launcher builds first (app/first_verbs.cpp).
+/// The verbs of one wall, and those that every program has. Rows of the table in app/verbs.cpp,
+/// and all rows of the program that the launcher builds first (app/first_verbs.cpp).
 
 #include "app/commands.hpp"
 #include "app/input/verb.hpp"
 
 namespace app {
 
-/// Writes the help of the program, or of the verb, key or word that is its first word, as wide as the terminal.
+/// Writes the help of the program, or of the verb, key or word that is its first word, as wide
+/// as the terminal.
 int help_command(const Command& command);
 
 /// Writes name, version, commit and revision of the solver.
@@ -28,6 +29,16 @@ inline constexpr Verb kSceneVerb{
     .example = "drystone scene configs/wall.ini",
     .sections = "wall lintel stone joint unit beam base load solver",
     .run = scene_command};
+
+inline constexpr Verb kNewVerb{
+    .name = "new",
+    .words = "NEW.ini",
+    .meaning = "write a commented study of your own wall, from options or questions",
+    .example =
+        "drystone new house.ini --length \"3 m\" --height \"2.7 m\" --thickness \"0.5 m\" "
+        "--material roughly_squared --unit \"0.6 x 0.3 m\" --stress \"0.20 MPa\"",
+    .out = OutKind::first_word,
+    .run = new_command};
 
 inline constexpr Verb kHelpVerb{.name = "help",
                                 .words = "[VERB|KEY|WORD]",

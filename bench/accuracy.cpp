@@ -1,12 +1,14 @@
-/// accuracy [OUT.md] [--first N] [--count M] [--seed S] [--threads T] [--set section.key=value]... [--references FILE]
-///          [--any-references] [--answers FILE] [--before FILE] [--most-seconds S] [--csv FILE] [--print K]:
-/// scenes drawn far from the paper, pushed as asked and 20 times slower. What differs is the error of the drive.
-/// --set: changes scenes. What sets the speed of the drive is not changed for references.
-/// --references: a CSV file that keeps their answers. --any-references: also those of another revision of the solver.
-/// --answers: keeps those of the pushes as asked, too. --before: such a file of an earlier program, to be compared with the
-/// same references.
-/// --most-seconds: of one core, for one push; what takes longer is named as too dear.
-/// --print: the study file of one scene, for `drystone push`.
+/// accuracy [OUT.md] [--first N] [--count M] [--seed S] [--threads T] [--set
+/// section.key=value]... [--references FILE]
+///          [--any-references] [--answers FILE] [--before FILE] [--most-seconds S] [--csv FILE]
+///          [--print K]:
+/// scenes drawn far from the paper, pushed as asked and 20 times slower. What differs is the
+/// error of the drive. --set: changes scenes. What sets the speed of the drive is not changed
+/// for references. --references: a CSV file that keeps their answers. --any-references: also
+/// those of another revision of the solver. --answers: keeps those of the pushes as asked, too.
+/// --before: such a file of an earlier program, to be compared with the same references.
+/// --most-seconds: of one core, for one push; what takes longer is named as too dear. --print:
+/// the study file of one scene, for `drystone push`.
 
 #include "app/output/atomic_output.hpp"
 #include "app/text/number_text.hpp"
@@ -86,7 +88,7 @@ Request read(int argc, char** argv)
     return r;
 }
 
-/// Those of them that change the scene, and not only how fast it is pushed.
+/// Overrides that change the scene, and not only how fast it is pushed.
 std::vector<std::string> changes_of_scene(const std::vector<std::string>& overrides)
 {
     std::vector<std::string> changes;

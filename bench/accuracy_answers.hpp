@@ -1,6 +1,6 @@
 #pragma once
-/// Answers of the accuracy campaign in a file. References cost most, and serve as long as scene and solver stay; answers of
-/// an earlier program show what changed.
+/// Answers of the accuracy campaign in a file. References cost most, and serve as long as scene
+/// and solver stay; answers of an earlier program show what changed.
 
 #include "bench/accuracy_run.hpp"
 
@@ -12,17 +12,19 @@
 
 namespace bench {
 
-/// A CSV file to which each answer is added as it comes, so that a run that is stopped loses none.
+/// A CSV file to which each answer is added as it comes, so that a run that is stopped loses
+/// none.
 class AnswerFile {
   public:
     /// @param file empty: nothing is kept
-    /// @param any whether answers of other settings and other revisions of the solver serve too; the last in the file
+    /// @param any whether answers of other settings and other revisions of the solver serve
+    /// too; the last in the file
     /// then
     /// @throws app::ConfigError if the file is no such table
     AnswerFile(std::filesystem::path file, bool any);
 
-    /// Of a scene with this text (with the changes of --set to the wall itself) pushed with these settings. One that was
-    /// too dear is only as good as the time it had.
+    /// Answer of a scene with this text (with the changes of --set to the wall itself) pushed
+    /// with these settings. One that was too dear is only as good as the time it had.
     [[nodiscard]] std::optional<Answer>
     find(const std::string& text, const std::string& settings, double most_seconds) const;
     /// @throws std::runtime_error if the file cannot be written

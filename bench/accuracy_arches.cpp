@@ -34,8 +34,8 @@ std::vector<Corner> mirrored(const std::vector<Corner>& stone)
     return m;
 }
 
-/// The ring in joints along the radius. An odd number of stones has a key stone; the others of a pointed arch meet at the
-/// crown.
+/// The ring in joints along the radius. An odd number of stones has a key stone; the others of
+/// a pointed arch meet at the crown.
 void add_ring(std::vector<std::vector<Corner>>& stones, const HalfArch& a, int count)
 {
     const double end = a.crown(a.radius); // of the intrados

@@ -20,11 +20,11 @@ struct ComparedScene {
 
 /// Whether there is a reference to compare with: it was not too dear and did not fail.
 [[nodiscard]] bool has_reference(const ComparedScene& c);
-/// Of the peak force, signed [-]; nothing unless both have a peak.
+/// Error of the peak force, signed [-]; nothing unless both have a peak.
 [[nodiscard]] std::optional<double> peak_error(const ComparedScene& c);
 /// One of both has a peak and the other none.
 [[nodiscard]] bool is_lost(const ComparedScene& c);
-/// Of the first fall to 80 %, signed [-]; nothing unless both fall.
+/// Error of the first fall to 80 %, signed [-]; nothing unless both fall.
 [[nodiscard]] std::optional<double> drop_error(const ComparedScene& c);
 /// Both have a peak and only one of them falls to 80 % of it.
 [[nodiscard]] bool is_branch(const ComparedScene& c);
@@ -38,7 +38,7 @@ inline constexpr double kTooSmall = 5e-4; ///< [-]; the reference itself is not 
 /// The scenes that an earlier program answered, with its answers in place of those of this one.
 [[nodiscard]] std::vector<ComparedScene> as_before(const std::vector<ComparedScene>& scenes);
 
-/// What is to be said of a scene beside its numbers; empty: nothing.
+/// Remark on a scene beside its numbers; empty: nothing.
 [[nodiscard]] std::string remark_on(const ComparedScene& scene);
 
 } // namespace bench

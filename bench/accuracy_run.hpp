@@ -12,10 +12,10 @@ namespace bench {
 
 inline constexpr double kReferenceFactor = 20.0;
 
-/// What tells answers of one scene apart: the keys that set the speed of the drive.
+/// Settings that tell answers of one scene apart: the keys that set the speed of the drive.
 [[nodiscard]] std::string speed_settings(const dem::SolverOptions& options);
 
-/// What one push says.
+/// The answer of one push.
 struct Answer {
     std::string outcome;                 ///< dem::name, "came down at once", or "too dear"
     std::optional<double> peak, peak_at; ///< [N] [m]
@@ -32,7 +32,8 @@ inline constexpr const char* kTooDear = "too dear";
 [[nodiscard]] Answer push_answer(const app::Study& study, const dem::SolverOptions& options,
                                  double most_seconds);
 
-/// The study whose reference it is: what sets the speed of the drive is that of the scene, whatever --set says.
+/// The study whose reference it is: what sets the speed of the drive is that of the scene,
+/// whatever --set says.
 [[nodiscard]] dem::SolverOptions reference_options(const app::Study& asked,
                                                    const app::Study& as_drawn);
 

@@ -18,7 +18,7 @@ namespace {
 
 std::string value(double x) { return app::number(x, 4); }
 
-/// What the sections of a study share.
+/// Data that the sections of a study share.
 struct SceneDraw {
     WallForm form;
     DrawnWall wall;
@@ -36,7 +36,8 @@ struct SceneDraw {
     }
 };
 
-/// What stays while a scene is drawn again, so that refused draws shift none of it.
+/// Draws the part that stays while a scene is drawn again, so that refused draws shift none of
+/// it.
 SceneDraw draw_frame(Draw& d)
 {
     SceneDraw s;
@@ -157,7 +158,8 @@ std::string load_keys(SceneDraw& s, Draw& d, bool level)
     return keys;
 }
 
-/// Displacement of the wall as an elastic block under the force that turns it over [m]; roughly.
+/// Displacement of the wall as an elastic block under the force that turns it over [m];
+/// roughly.
 double elastic_way(const SceneDraw& s)
 {
     const DrawnWall& w = s.wall;
@@ -169,8 +171,8 @@ double elastic_way(const SceneDraw& s)
 
 constexpr double kSecondsPerStoneStep = 5e-7; // of small walls on one core, measured
 
-/// A push of one metre costs so much, 20 times slower than with the drive for which the scenes were drawn first [s].
-/// Another estimate would draw other scenes.
+/// A push of one metre costs so much, 20 times slower than with the drive for which the scenes
+/// were drawn first [s]. Another estimate would draw other scenes.
 double cost_per_metre(const SceneDraw& s)
 {
     const DrawnWall& w = s.wall;
@@ -182,8 +184,9 @@ double cost_per_metre(const SceneDraw& s)
            kSecondsPerStoneStep;
 }
 
-/// How far: a share of the height, or to where a block as large as the wall has lost a fifth of its force. Nothing where
-/// that costs a reference more than `seconds` of one core, unless less of it shows what a stiff wall does.
+/// How far: a share of the height, or to where a block as large as the wall has lost a fifth of
+/// its force. Nothing where that costs a reference more than `seconds` of one core, unless less
+/// of it shows what a stiff wall does.
 std::optional<double> draw_way(const SceneDraw& s, Draw& d, double seconds)
 {
     const DrawnWall& w = s.wall;

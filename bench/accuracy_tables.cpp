@@ -100,7 +100,7 @@ app::Table scene_table(const Scenes& scenes)
 
 namespace {
 
-/// Of a group of scenes that have a reference.
+/// Sums of a group of scenes that have a reference.
 struct GroupSums {
     std::vector<double> errors; ///< of the peak, without sign [%]
     std::size_t scenes = 0, lost = 0, within_1 = 0, within_3 = 0, held = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// What the accuracy campaign found, as tables.
+/// Findings of the accuracy campaign, as tables.
 
 #include "app/output/table.hpp"
 #include "bench/accuracy_errors.hpp"

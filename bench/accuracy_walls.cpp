@@ -74,7 +74,8 @@ std::string bond_keys(Draw& d)
     return keys + "first_course = " + d.one_of({"whole", "shifted"}) + "\n";
 }
 
-/// How many whole units make a length of `over` course heights: each 0.6 to 4 times as long as high. 0: none.
+/// How many whole units make a length of `over` course heights: each 0.6 to 4 times as long as
+/// high. 0: none.
 int draw_units(double over, int courses, Draw& d)
 {
     const int most = std::min(static_cast<int>(over / 0.6), (courses > 15 ? 60 : 30) / courses);
@@ -124,7 +125,8 @@ DrawnWall draw_opening(Draw& d)
     return w;
 }
 
-/// Courses whose bed joints slope and whose head joints lean, within straight or battered sides.
+/// Courses whose bed joints slope and whose head joints lean, within straight or battered
+/// sides.
 DrawnWall draw_sloping(Draw& d)
 {
     const int courses = d.integer(2, 5), units = d.integer(1, 3);

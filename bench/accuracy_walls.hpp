@@ -19,7 +19,7 @@ struct DrawnWall {
     int stones = 0;                    ///< roughly
 };
 
-/// What a wall is to be, whatever its size.
+/// Form that a wall is to have, whatever its size.
 struct WallForm {
     std::string kind;    ///< of DrawnWall; half of them are "courses"
     int courses = 0;     ///< of "courses", 1 to 40; most have few

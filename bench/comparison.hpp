@@ -29,7 +29,7 @@ struct PaperMeans {
 /// Mean peak of all walls of a level: both modes, weighted by their shares [kN].
 [[nodiscard]] double pooled_peak_kN(const PaperMeans& paper);
 
-/// What a table says about one curve.
+/// Facts that a table states about one curve.
 struct CurveFacts {
     std::string name;
     double peak_kN = 0.0;

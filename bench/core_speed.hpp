@@ -1,12 +1,12 @@
 #pragma once
-/// What one core can do at most: the roofs a kernel is held against.
+/// Highest speeds of one core: the roofs a kernel is held against.
 
 #include <cstddef>
 
 namespace bench {
 
-/// Multiply-adds per second in registers of doubles, all lanes counted: independent chains, best
-/// of many short repeats.
+/// Multiply-adds per second in registers of doubles, all lanes counted: independent chains,
+/// best of many short repeats.
 [[nodiscard]] double multiply_add_peak();
 
 /// Bytes per second read and written by x = a x over a working set, best of many sweeps.

@@ -1,6 +1,7 @@
-/// curve_hash: all bits of the curves of a fixed ensemble as one number, through packs and one wall at a
-/// time; then those of walls of rubble, in mortar and of many dry stones, and of joints that close between cracks of mixed modes. The numbers must not depend on compiler, flags, register or threads
-/// (tests/same_bits.sh).
+/// curve_hash: all bits of the curves of a fixed ensemble as one number, through packs and one
+/// wall at a time; then those of walls of rubble, in mortar and of many dry stones, and of
+/// joints that close between cracks of mixed modes. The numbers must not depend on compiler,
+/// flags, register or threads (tests/same_bits.sh).
 
 #include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"

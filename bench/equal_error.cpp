@@ -1,6 +1,6 @@
-/// equal_error OUT.md PICTURE.svg: what 1 % of the peak force costs, here and with the scheme of the paper and of most
-/// explicit codes (zones, nodal masses, local damping, constant speed; bench/nodal_scheme.hpp), and a chart of it.
-/// A quarter of an hour.
+/// equal_error OUT.md PICTURE.svg: what 1 % of the peak force costs, here and with the scheme
+/// of the paper and of most explicit codes (zones, nodal masses, local damping, constant speed;
+/// bench/nodal_scheme.hpp), and a chart of it. A quarter of an hour.
 
 #include "app/output/atomic_output.hpp"
 #include "app/output/svg_elements.hpp"

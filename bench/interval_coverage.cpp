@@ -34,7 +34,8 @@ struct Tally {
 };
 using Tallies = std::array<std::array<Tally, kKinds.size()>, kQuantities.size()>;
 
-/// The interval that the profile likelihood is compared with: 1.96 standard errors on the axis that suits the quantity.
+/// The interval that the profile likelihood is compared with: 1.96 standard errors on the axis
+/// that suits the quantity.
 Interval wald_interval(const Fit& fit, Quantity q)
 {
     constexpr double kHalf = 1.959963984540054; // of 95 %

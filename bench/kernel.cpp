@@ -1,5 +1,5 @@
-/// kernel [OUT.md]: what one step costs on one core, rung by rung of the fidelity ladder, against
-/// what the core could do, measured in the same run.
+/// kernel [OUT.md]: what one step costs on one core, rung by rung of the fidelity ladder,
+/// against what the core could do, measured in the same run.
 
 #include "app/text/number_text.hpp"
 #include "bench/core_speed.hpp"
@@ -167,7 +167,7 @@ constexpr const char* kRooflineText =
 (blocks, contacts) finds anything of the other in the first cache. Bandwidth: x = a x over as many bytes, both ways
 counted. Compute roof: all operations at the multiply-add peak.)";
 
-/// What each operation count is made of.
+/// Text that says what each operation count is made of.
 std::string counted()
 {
     const auto per = [](int n, const char* what) { return std::to_string(n) + " per " + what; };

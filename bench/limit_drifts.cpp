@@ -10,7 +10,8 @@ namespace bench {
 
 namespace {
 
-/// The smallest drift at which the share of walls reaches a probability; nothing: beyond the last wall.
+/// The smallest drift at which the share of walls reaches a probability; nothing: beyond the
+/// last wall.
 template <class Share>
 std::optional<double> quantile(const fragility::KaplanMeier& km, double p, Share share)
 {

@@ -1,6 +1,7 @@
 #pragma once
-/// Where walls have lost 20 % of their force, or all of it: quantiles of the drift by Kaplan and Meier with 95 % intervals, in
-/// which walls that stood longer than their push count as that.
+/// Where walls have lost 20 % of their force, or all of it: quantiles of the drift by Kaplan
+/// and Meier with 95 % intervals, in which walls that stood longer than their push count as
+/// that.
 
 #include "app/output/table.hpp"
 #include "app/study/study_walls.hpp"
@@ -17,7 +18,8 @@ namespace bench {
 [[nodiscard]] app::Row limit_row(const std::string& choice, const app::StudyWalls& study,
                                  std::size_t level);
 
-/// By stress and mode, of a study that was pushed until no force was left; modes of five walls or more.
+/// By stress and mode, of a study that was pushed until no force was left; modes of five walls
+/// or more.
 [[nodiscard]] app::Table limits_by_mode(const app::StudyWalls& study);
 
 } // namespace bench

@@ -1,4 +1,5 @@
-/// limits WORK OUT.md: what decides how far a wall can be pushed, from the studies of bench/limits.sh.
+/// limits WORK OUT.md: what decides how far a wall can be pushed, from the studies of
+/// bench/limits.sh.
 
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"

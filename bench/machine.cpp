@@ -25,7 +25,7 @@ constexpr const char* kRegisters = "AVX2";
 constexpr const char* kRegisters = "SSE2";
 #endif
 
-/// What stands after "key :" in a file of such lines; empty where there is none.
+/// Text after "key :" in a file of such lines; empty where there is none.
 std::string value_of(const char* file, std::string_view key)
 {
     std::ifstream in(file);

@@ -103,8 +103,8 @@ std::vector<ModeGroup> redrawn(const std::vector<ModeGroup>& modes, std::uint64_
     return drawn;
 }
 
-/// Percentiles of resampled mixtures, widened upwards by what is unknown of modes without a fit.
-/// Resamples that lack a fit which the data allow are left out.
+/// Percentiles of resampled mixtures, widened upwards by what is unknown of modes without a
+/// fit. Resamples that lack a fit which the data allow are left out.
 std::vector<Interval> bootstrap_bands(const std::vector<ModeGroup>& modes, const Mixture& whole,
                                       const std::vector<double>& drifts, std::uint64_t study,
                                       std::size_t replicates)

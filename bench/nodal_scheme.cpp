@@ -141,7 +141,7 @@ double unbalanced_ratio(const NodalWall& n)
     return acting > 0.0 ? unbalanced / acting : 0.0;
 }
 
-/// Of the drive on the beam [N].
+/// Force of the drive on the beam [N].
 double top_force(const NodalWall& n)
 {
     double sum = 0.0;

@@ -5,14 +5,13 @@
 /// The degrees of freedom of a block are the displacements of its contact points, with the
 /// zones condensed onto them: K u is dense per block. The paper's code also integrates the
 /// nodes between; the baseline is spared them. Nodal masses are scaled, as usual for static
-/// solutions: with a unit time step a mass of a quarter of the absolute row sum of the stiffness
-/// is stable (Gershgorin's bound on the highest frequency; Underwood 1983, Dynamic relaxation,
-/// in: Computational Methods for Transient Analysis; Papadrakakis 1981, Comput. Methods Appl.
-/// Mech. Eng. 25:35),
+/// solutions: with a unit time step a mass of a quarter of the absolute row sum of the
+/// stiffness is stable (Gershgorin's bound on the highest frequency; Underwood 1983, Dynamic
+/// relaxation, in: Computational Methods for Transient Analysis; Papadrakakis 1981, Comput.
+/// Methods Appl. Mech. Eng. 25:35),
 ///   m_i = (1 + gamma)/f^2 (sum_j |K_ij| + 2 sum_contacts k)/4.
-/// The bound is close: the paper's wall at 0.50 MPa is unstable at f = 1.2.
-/// The loading beam stays in its modes, as in dem/solver/step.hpp: its motion is prescribed along its
-/// load line.
+/// The bound is close: the paper's wall at 0.50 MPa is unstable at f = 1.2. The loading beam
+/// stays in its modes, as in dem/solver/step.hpp: its motion is prescribed along its load line.
 
 #include "dem/block/model.hpp"
 #include "dem/scene/wall.hpp"

@@ -1,5 +1,5 @@
-/// paper_walls OUT.md: the paper's 350 walls in one run; the error of drive and step, wall by wall;
-/// the error of the discretisation, on ensembles.
+/// paper_walls OUT.md: the paper's 350 walls in one run; the error of drive and step, wall by
+/// wall; the error of the discretisation, on ensembles.
 
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"
@@ -48,7 +48,7 @@ double quantile(std::vector<double> values, double p)
 
 std::string percent(double share, int digits = 2) { return app::fixed(100.0 * share, digits); }
 
-/// What an ensemble says.
+/// Readings of an ensemble.
 struct Reading {
     bench::Moments force, d80; ///< d80: of the walls that dropped
     int n = 0, mixed = 0, failed = 0;
@@ -114,7 +114,7 @@ double middle(double a, double b, double c)
     return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
-/// What three slow runs agree on.
+/// The middle answer of three slow runs.
 Answer middle(const Answer& a, const Answer& b, const Answer& c)
 {
     Answer m = a;

@@ -1,5 +1,6 @@
 #pragma once
-/// Walls at rest under their load, then pushed for a number of steps: what a kernel is timed on.
+/// Walls at rest under their load, then pushed for a number of steps: what a kernel is timed
+/// on.
 
 #include "dem/block/discretisation.hpp"
 #include "dem/block/model.hpp"
@@ -17,7 +18,8 @@ template <class Real> struct PushedWalls {
     dem::WallState<Real> state;
 };
 
-/// A register of random walls (samples of Table 5, one draw per joint), pushed at 1000 steps per mm.
+/// A register of random walls (samples of Table 5, one draw per joint), pushed at 1000 steps
+/// per mm.
 template <class Real>
 [[nodiscard]] PushedWalls<Real>
 pushed_walls(const scenes::Scene& scene, const dem::Discretisation& discretisation, int steps);

@@ -1,6 +1,6 @@
 #pragma once
-/// Measurements as committed: a Markdown file that says where its numbers come from, each of its
-/// tables as CSV next to it.
+/// Measurements as committed: a Markdown file that says where its numbers come from, each of
+/// its tables as CSV next to it.
 
 #include "app/output/table.hpp"
 

@@ -1,5 +1,5 @@
-/// scaling [OUT.md | samples | threads | blocks | stones]: what the cost does when samples, cores or blocks
-/// become more.
+/// scaling [OUT.md | samples | threads | blocks | stones]: what the cost does when samples,
+/// cores or blocks become more.
 
 #include "bench/machine.hpp"
 #include "bench/report.hpp"

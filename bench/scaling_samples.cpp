@@ -24,7 +24,7 @@ scenes::Scene tiny_wall()
     return s;
 }
 
-/// What a study keeps of a wall: its peak, as mean and number.
+/// The part that a study keeps of a wall: its peak, as mean and number.
 struct Reduced {
     double sum = 0.0;
     std::size_t n = 0;

@@ -1,5 +1,5 @@
-/// skipped OUT.md: what a scene does not need, what leaving it out saves, and what that does to the
-/// answer.
+/// skipped OUT.md: what a scene does not need, what leaving it out saves, and what that does to
+/// the answer.
 
 #include "app/output/atomic_output.hpp"
 #include "app/output/table.hpp"

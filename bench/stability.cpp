@@ -1,7 +1,7 @@
-/// stability [OUT.md] [--scenes N] [--seed S] [--threads T] [--only K] [--finite]: thousands of scenes drawn far
-/// outside the paper. Every wall must end as ok, collapsed, or failed with a reason; exit code 1
-/// if one does not. --only: one scene, wall by wall.
-/// --finite: with finite displacements. --laws: with joints that close, bonds and cracks of mixed modes.
+/// stability [OUT.md] [--scenes N] [--seed S] [--threads T] [--only K] [--finite]: thousands of
+/// scenes drawn far outside the paper. Every wall must end as ok, collapsed, or failed with a
+/// reason; exit code 1 if one does not. --only: one scene, wall by wall. --finite: with finite
+/// displacements. --laws: with joints that close, bonds and cracks of mixed modes.
 
 #include "app/text/number_text.hpp"
 #include "bench/report.hpp"
@@ -64,8 +64,8 @@ Request read(int argc, char** argv)
     return r;
 }
 
-/// Ends the program when a scene does not come back: by processor time, so that a machine with other
-/// work does not look like one.
+/// Ends the program when a scene does not come back: by processor time, so that a machine with
+/// other work does not look like one.
 class Watchdog {
   public:
     explicit Watchdog(unsigned threads) : at_(threads) {}

@@ -54,7 +54,7 @@ bool same_curve(const PushResult& a, const PushResult& b)
     return true;
 }
 
-/// What the outcome of one wall promises and does not keep; empty: nothing.
+/// Rule that the outcome of one wall promises and does not keep; empty: nothing.
 std::string broken_rule(const PushResult& r)
 {
     if (dem::failed(r.outcome)) return {};

@@ -29,8 +29,8 @@ struct SceneReport {
     double on_the_way = 0.0; ///< over_limit_on_the_way() of a wall whose joints close [-]
 };
 
-/// Pushes the walls of a scene side by side, on this thread. Where one wall is spoilt, once more
-/// without it: its neighbours must not notice.
+/// Pushes the walls of a scene side by side, on this thread. Where one wall is spoilt, once
+/// more without it: its neighbours must not notice.
 /// @param kinematics finite: of all scenes; small: as they are drawn
 [[nodiscard]] SceneReport run_stress_scene(std::uint64_t seed, std::uint64_t number,
                                            dem::Kinematics kinematics = dem::Kinematics::small,

@@ -115,7 +115,8 @@ dem::SolverOptions draw_solver(Draw& d)
     return o;
 }
 
-/// A way of at most some mm and about `steps` steps at full speed; few go on until the blocks part.
+/// A way of at most some mm and about `steps` steps at full speed; few go on until the blocks
+/// part.
 dem::PushPlan draw_plan(Draw& d, const dem::WallGeometry& wall, double steps,
                         dem::SolverOptions& o)
 {
@@ -158,7 +159,8 @@ std::string describe(const StressScene& s)
     return text.str();
 }
 
-/// Initial stiffness and maximum closure over decades, straight on at once or as late as can be.
+/// Initial stiffness and maximum closure over decades, straight on at once or as late as can
+/// be.
 void draw_closure(Draw& d, StressScene& s)
 {
     dem::JointMaterial& j = s.scene.joint;

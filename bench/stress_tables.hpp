@@ -1,5 +1,5 @@
 #pragma once
-/// What the stress campaign found, as tables.
+/// Findings of the stress campaign, as tables.
 
 #include "app/output/table.hpp"
 #include "bench/stress_run.hpp"
@@ -32,7 +32,8 @@ struct CampaignSums {
 /// Share of walls whose step was halved though it was within the bound, by damping and step.
 [[nodiscard]] app::Table within_bound_table(const std::vector<SceneReport>& scenes);
 
-/// Walls that failed, spoilt ones apart, and rules that were broken: how many, and the scenes to run again.
+/// Walls that failed, spoilt ones apart, and rules that were broken: how many, and the scenes
+/// to run again.
 [[nodiscard]] app::Table failed_table(const std::vector<SceneReport>& scenes);
 
 /// Step over the measured limit of the wall of the paper at default settings.

@@ -34,7 +34,7 @@ Answer read(const dem::PushResult& r, double load_height)
     a.ultimate = drop.displacement;
     a.at_30mm = f.back();
     a.cracked_units = m.cracked_units;
-    a.mixed = dem::failure_mode(m, !a.censored, {.modes = dem::ModeRule::two}) ==
+    a.mixed = dem::failure_mode(m, !a.censored, {.modes = dem::ModeRule::paper}) ==
               dem::FailureMode::mixed;
     return a;
 }

@@ -32,8 +32,8 @@ struct Answer {
     double seconds = 0.0; ///< of one core, solver alone
 };
 
-/// Answers in the order of the cases; cases that differ in materials and stress alone share a model
-/// and run side by side. Prints a line of progress to stderr.
+/// Answers in the order of the cases; cases that differ in materials and stress alone share a
+/// model and run side by side. Prints a line of progress to stderr.
 [[nodiscard]] std::vector<Answer> run_all(const std::vector<Case>& cases,
                                           const dem::Workers& workers = {});
 

@@ -81,7 +81,7 @@ struct Slope {
     double value, std_error;
 };
 
-/// Of ln rms over ln n, each point weighted by its own doubt.
+/// Slope of ln rms over ln n, each point weighted by its own doubt.
 Slope slope(const std::vector<ErrorPoint>& points)
 {
     double w = 0.0, wx = 0.0, wy = 0.0;

@@ -8,8 +8,8 @@
 
 namespace bench {
 
-/// Of a design on the unit cube: n x 5, columns kn_joint [-], kn_unit [-], ft_unit [MPa],
-/// phi_unit [deg], phi_joint [deg] with the distributions of Table 5, not cut.
+/// Inputs of Table 5 for a design on the unit cube: n x 5, columns kn_joint [-], kn_unit [-],
+/// ft_unit [MPa], phi_unit [deg], phi_joint [deg] with the distributions of Table 5, not cut.
 [[nodiscard]] Eigen::MatrixXd table5(const Eigen::MatrixXd& unit_cube);
 
 struct KnownResponse {

@@ -28,7 +28,7 @@ template <class F> [[nodiscard]] double cpu_ms(int repeats, F run)
     return best;
 }
 
-/// What another library takes for the same tasks [ms].
+/// Times of another library for the same tasks [ms].
 struct OtherTimes {
     std::string name; ///< empty: not installed
     double matrix, cholesky, build_and_one, coordinates, thousand;

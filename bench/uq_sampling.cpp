@@ -1,5 +1,5 @@
-/// uq_sampling [OUT.md]: what samples cost, side by side with OpenTURNS where it was found when this
-/// was built.
+/// uq_sampling [OUT.md]: what samples cost, side by side with OpenTURNS where it was found when
+/// this was built.
 
 #include "bench/uq_sampling.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What one step of one wall costs in arithmetic and in memory traffic, counted from the tables
+/// Cost of one step of one wall in arithmetic and in memory traffic, counted from the tables
 /// and the source, not measured.
 
 #include "dem/solver/step_tables.hpp"
@@ -8,10 +8,10 @@
 
 namespace bench {
 
-/// Operations on Reals of dem/solver/step.cpp and dem/contact/contact_law.hpp as written: sums, products,
-/// multiply-adds, signs, comparisons and selections, one each. The path taken by nearly all:
-/// combined damping, cracks that hold. tests/bench/test_work_count.cpp counts them with a number
-/// that counts.
+/// Operations on Reals of dem/solver/step.cpp and dem/contact/contact_law.hpp as written: sums,
+/// products, multiply-adds, signs, comparisons and selections, one each. The path taken by
+/// nearly all: combined damping, cracks that hold. tests/bench/test_work_count.cpp counts them
+/// with a number that counts.
 constexpr int kModeOperations = 29; ///< force, damping, motion and ledger of a mode
 constexpr int kPortOperations = 2;  ///< what scatter adds up
 constexpr int kDryOperations = 19;
@@ -33,8 +33,8 @@ struct StepWork {
 
 [[nodiscard]] StepWork work_of(const dem::StepTables& tables);
 
-/// Bytes that a step must move at least when each pass (blocks, then contacts) finds nothing of the
-/// pass before in the first cache.
+/// Bytes that a step must move at least when each pass (blocks, then contacts) finds nothing of
+/// the pass before in the first cache.
 struct Traffic {
     double state = 0.0; ///< size of all that a step touches, matrices included
     double read = 0.0, written = 0.0;

@@ -1,5 +1,5 @@
-/// work_precision FOLDER [WALLS]: cost against error of every setting, as work_precision.csv, .md and
-/// two pictures; the paper's own scheme in the same table.
+/// work_precision FOLDER [WALLS]: cost against error of every setting, as work_precision.csv,
+/// .md and two pictures; the paper's own scheme in the same table.
 
 #include "bench/work_precision.hpp"
 

@@ -19,6 +19,7 @@ set(DEM_PUBLIC_HEADERS
     scene/snapshot_reading.hpp
     scene/snapshot_vtu.hpp
     scene/wall.hpp
+    shaking/load_mass.hpp
     solver/curve_point.hpp
     solver/cyclic_protocol.hpp
     solver/energy.hpp

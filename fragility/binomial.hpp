@@ -11,8 +11,8 @@ enum class BinomialInterval {
     jeffreys         ///< quantiles of the posterior under a Beta(1/2, 1/2) prior
 };
 
-/// Of `count` among `n`. At 0 and n the Jeffreys interval is closed at 0 and 1 (Brown, Cai,
-/// DasGupta 2001, Statistical Science 16, 101-133).
+/// Interval of the share of `count` among `n`. At 0 and n the Jeffreys interval is closed at 0
+/// and 1 (Brown, Cai, DasGupta 2001, Statistical Science 16, 101-133).
 /// @throws std::invalid_argument unless 0 <= count <= n, n > 0, confidence in (0, 1)
 [[nodiscard]] Interval binomial_interval(BinomialInterval kind, double count, double n,
                                          double confidence = 0.95);
@@ -28,8 +28,8 @@ struct Share {
     Interval interval{}; ///< holds the probability whatever the failed walls would have been
 };
 
-/// The interval goes from the lower end of `count` to the upper end of `count + failed` among all walls, failed ones
-/// too. Without any result the share is anything: [0, 1].
+/// The interval goes from the lower end of `count` to the upper end of `count + failed` among
+/// all walls, failed ones too. Without any result the share is anything: [0, 1].
 /// @throws std::invalid_argument as binomial_interval, or if failed < 0
 [[nodiscard]] Share share(double count, double n, double failed = 0.0,
                           BinomialInterval kind = BinomialInterval::wilson,

@@ -6,8 +6,8 @@
 
 namespace fragility {
 
-/// 64 random bits: draw `draw` of replicate `replicate`. A pure function, so that replicates can
-/// run in any order.
+/// 64 random bits: draw `draw` of replicate `replicate`. A pure function, so that replicates
+/// can run in any order.
 using RandomBits = std::function<std::uint64_t(std::uint64_t replicate, std::uint64_t draw)>;
 
 /// In (0, 1), never 0 or 1: (k + 1/2) / 2^52.

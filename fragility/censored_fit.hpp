@@ -39,7 +39,8 @@ struct Refusal {
 };
 [[nodiscard]] std::optional<Refusal> screen(Law law, std::span<const Observation> data);
 
-/// A fitted law. Unless the outcome is `converged`, only outcome, reason and counts mean anything.
+/// A fitted law. Unless the outcome is `converged`, only outcome, reason and counts mean
+/// anything.
 struct Fit {
     FitOutcome outcome = FitOutcome::no_data;
     std::string reason; ///< empty if converged

@@ -8,8 +8,8 @@
 
 namespace fragility {
 
-/// Sums over a sample in delta = location / dispersion and gamma = 1 / dispersion, z = gamma y -
-/// delta: there the log-likelihood of a log-concave law is concave whatever the censoring
+/// Sums over a sample in delta = location / dispersion and gamma = 1 / dispersion, z = gamma y
+/// - delta: there the log-likelihood of a log-concave law is concave whatever the censoring
 /// (Burridge 1981, J. R. Statist. Soc. B 43, 41-45), so that Newton's method cannot go astray.
 struct ScaledSum {
     double value = 0.0, d = 0.0, g = 0.0, dd = 0.0, dg = 0.0, gg = 0.0;

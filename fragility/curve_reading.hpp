@@ -54,7 +54,7 @@ constexpr double kSecantShareDatabase = 0.15;
 [[nodiscard]] std::optional<double> secant_stiffness(const Curve& curve,
                                                      double share = kSecantShare);
 
-/// What a displacement read off a curve is worth.
+/// Worth of a displacement read off a curve.
 enum class Reading {
     observed,   ///< it happens at `displacement`
     censored,   ///< it has not happened up to `displacement` (right-censored)
@@ -95,7 +95,7 @@ enum class Crossing {
     last ///< the force comes down to the level for good; a curve that ends above it never does
 };
 
-/// Of the peak: the paper, section 4.2; Circolare 7/2019, C8.7.1.3.1.
+/// Share of the peak: the paper, section 4.2; Circolare 7/2019, C8.7.1.3.1.
 constexpr double kUltimateShare = 0.80;
 
 /// Displacement after the first peak at which the force comes down to `share` of it. Touching

@@ -24,9 +24,10 @@ double between(double x0, double y0, double x1, double y1, double x)
     return x1 == x0 ? y1 : y0 + (y1 - y0) * (x - x0) / (x1 - x0);
 }
 
-/// Where the force comes to zero after the point `from`, up to the point `last`, or on the way on to the next turn: what
-/// comes back the way it went has no force at zero displacement, to rounding, and may get there just beyond it. Where
-/// the way ends before, a force below kNoForce of that at `from` is none.
+/// Where the force comes to zero after the point `from`, up to the point `last`, or on the way
+/// on to the next turn: what comes back the way it went has no force at zero displacement, to
+/// rounding, and may get there just beyond it. Where the way ends before, a force below
+/// kNoForce of that at `from` is none.
 std::optional<double> zero_force(const Path& p, std::size_t from, std::size_t last)
 {
     constexpr double kNoForce = 0.005; // a free choice
@@ -93,7 +94,8 @@ Step forces_at(const Backbone& b, double x)
     return {f, f};
 }
 
-/// Takes out the points below the straight line from point `from` to the largest force after it.
+/// Takes out the points below the straight line from point `from` to the largest force after
+/// it.
 void bridge(Backbone& b, std::size_t from)
 {
     const auto largest = std::max_element(
@@ -112,10 +114,12 @@ void bridge(Backbone& b, std::size_t from)
     }
 }
 
-/// A path that is not the solver's may end this share of its width off zero. The solver's ends there exactly.
+/// A path that is not the solver's may end this share of its width off zero. The solver's ends
+/// there exactly.
 constexpr double kHome = 0.005;
 
-/// A part of the path on one side of zero displacement, with the points between which it leaves and comes back.
+/// A part of the path on one side of zero displacement, with the points between which it leaves
+/// and comes back.
 struct Excursion {
     int side = 0;
     std::size_t begin = 0, end = 0;

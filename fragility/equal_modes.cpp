@@ -58,7 +58,8 @@ Interval fieller(double u, double v, double uu, double uv, double vv, double z,
     return {(-b - root) / a, (-b + root) / a, confidence};
 }
 
-/// Columns 2, 3, ... of the reflection I - tau (1, v) (1, v)^T, which takes `a` onto the first axis.
+/// Columns 2, 3, ... of the reflection I - tau (1, v) (1, v)^T, which takes `a` onto the first
+/// axis.
 MatrixXd orthonormal_columns_across(const VectorXd& a)
 {
     const Eigen::Index n = a.size() - 1;

@@ -90,7 +90,8 @@ class Profile {
     }
 
   private:
-    /// Least value of a function with one minimum: goes downhill from the middle until it is bracketed.
+    /// Least value of a function with one minimum: goes downhill from the middle until it is
+    /// bracketed.
     template <class F> static double smallest(F f, double middle, double unit)
     {
         double lo = middle - unit;

@@ -27,10 +27,10 @@ struct ModeGroup {
     bool described = true; ///< by this law; false: counted like a mode without a fit
 };
 
-/// P = sum of shares times curves. Of a mode without a fit (too few of its walls, or none, reached
-/// the limit state) only so much is known: `least` counts the share of its walls that had, `most`
-/// as many as reached_at_most() allows at that drift, all of them where nobody stood. If no mode
-/// has a fit, that is said of all walls together.
+/// P = sum of shares times curves. Of a mode without a fit (too few of its walls, or none,
+/// reached the limit state) only so much is known: `least` counts the share of its walls that
+/// had, `most` as many as reached_at_most() allows at that drift, all of them where nobody
+/// stood. If no mode has a fit, that is said of all walls together.
 struct MixturePoint {
     double drift;
     double least, most; ///< [-], equal where all modes have fits
@@ -49,8 +49,23 @@ struct Mixture {
 /// Neither the curve nor its band falls: a band is cut where those at neighbouring drifts are
 /// sharper, as the delta method makes them in far tails.
 /// @param drifts ascending
-/// @throws std::invalid_argument without walls, for data that are not numbers or drifts that fall
+/// @throws std::invalid_argument without walls, for data that are not numbers or drifts that
+/// fall
 [[nodiscard]] Mixture mixture_curve(std::span<const ModeGroup> modes,
                                     std::span<const double> drifts, double confidence = 0.95);
+
+struct MixtureQuantile {
+    double value; ///< drift at which `least` reaches the share; infinite where it never does
+    Interval interval; ///< drifts at which the upper and the lower end of the band reach it
+};
+
+/// Quantiles of a mixture: its curve and its band turned round, with Student's quantile in
+/// place of the normal one. A mode without a law counts as observed (Kaplan and Meier's share,
+/// Greenwood's error), so that the quantiles hold as far as its walls were tested.
+/// @param shares in (0, 1)
+/// @throws std::invalid_argument as mixture_curve, and as kaplan_meier for a mode without a law
+[[nodiscard]] std::vector<MixtureQuantile> mixture_quantiles(std::span<const ModeGroup> modes,
+                                                             std::span<const double> shares,
+                                                             double confidence = 0.95);
 
 } // namespace fragility

@@ -1,14 +1,14 @@
 #pragma once
-/// Gauss-Legendre rules on [-1, 1] (Abramowitz and Stegun, table 25.4), as constants: to work them
-/// out at compile time takes a header of 100 000 lines.
+/// Gauss-Legendre rules on [-1, 1] (Abramowitz and Stegun, table 25.4), as constants: to work
+/// them out at compile time takes a header of 100 000 lines.
 
 #include <array>
 #include <cstddef>
 
 namespace fragility {
 
-/// The positive half of an even number of nodes, ascending; the other half mirrors it. The rule is
-/// exact for polynomials of a degree below four times as many as stand here.
+/// The positive half of an even number of nodes, ascending; the other half mirrors it. The rule
+/// is exact for polynomials of a degree below four times as many as stand here.
 template <std::size_t Half> struct GaussRule {
     std::array<double, Half> node;   ///< in (0, 1)
     std::array<double, Half> weight; ///< > 0; they sum to 1

@@ -2,6 +2,7 @@
 
 #include "fragility/kaplan_meier.hpp"
 #include "fragility/resampling.hpp"
+#include "fragility/two_heaps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,14 +64,15 @@ std::optional<Distances> distances(const Distribution& law, std::span<const Obse
     const double n = static_cast<double>(data.size());
     d.cramer_von_mises *= n;
     d.anderson_darling *= n;
+    d.two_heaps = two_heaps(data, positive(law.law));
     return d;
 }
 
 double least_p(const GoodnessOfFit& tests)
 {
     if (!tests.available) return 1.0;
-    return std::min(
-        {tests.p_kolmogorov_smirnov, tests.p_cramer_von_mises, tests.p_anderson_darling});
+    return std::min({tests.p_kolmogorov_smirnov, tests.p_cramer_von_mises,
+                     tests.p_anderson_darling, tests.p_two_heaps});
 }
 
 GoodnessOfFit goodness_of_fit(const Fit& f, std::span<const Observation> data,
@@ -90,7 +92,7 @@ GoodnessOfFit goodness_of_fit(const Fit& f, std::span<const Observation> data,
     g.distance = *found;
     const StoppingPoints stops(data);
     replicates = std::min(replicates, std::max(kFewestReplicates, kMostDraws / data.size()));
-    double further[3] = {1.0, 1.0, 1.0};
+    double further[4] = {1.0, 1.0, 1.0, 1.0};
     for (std::size_t r = 0; r < replicates; ++r) {
         if (seen) seen(static_cast<double>(r) / static_cast<double>(replicates));
         const auto sample = draw_law(f.law, stops, data.size(), bits, r);
@@ -105,6 +107,7 @@ GoodnessOfFit goodness_of_fit(const Fit& f, std::span<const Observation> data,
         further[0] += d->kolmogorov_smirnov >= found->kolmogorov_smirnov;
         further[1] += d->cramer_von_mises >= found->cramer_von_mises;
         further[2] += d->anderson_darling >= found->anderson_darling;
+        further[3] += d->two_heaps >= found->two_heaps;
     }
     const double n = static_cast<double>(g.replicates) + 1.0;
     g.available = g.replicates > 0;
@@ -112,6 +115,7 @@ GoodnessOfFit goodness_of_fit(const Fit& f, std::span<const Observation> data,
     g.p_kolmogorov_smirnov = further[0] / n;
     g.p_cramer_von_mises = further[1] / n;
     g.p_anderson_darling = further[2] / n;
+    g.p_two_heaps = found->two_heaps > 0.0 ? further[3] / n : 1.0;
     return g;
 }
 

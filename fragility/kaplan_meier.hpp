@@ -1,6 +1,6 @@
 #pragma once
-/// The share of walls that have reached a limit state, estimated without assuming a law. It is drawn
-/// beside fitted curves as a check.
+/// The share of walls that have reached a limit state, estimated without assuming a law. It is
+/// drawn beside fitted curves as a check.
 
 #include "fragility/interval.hpp"
 #include "fragility/observation.hpp"

@@ -13,7 +13,8 @@ struct LawParameter {
     double std_error = 0.0; ///< delta method, same unit as the value
 };
 
-/// Lognormal: ln median and dispersion. Normal: mean and standard deviation. Weibull and gamma: shape and scale.
+/// Lognormal: ln median and dispersion. Normal: mean and standard deviation. Weibull and gamma:
+/// shape and scale.
 struct LawParameters {
     LawParameter first, second;
     double correlation = 0.0; ///< of both estimates

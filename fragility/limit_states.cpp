@@ -9,7 +9,7 @@
 namespace fragility {
 namespace {
 
-/// What the three sets are made of.
+/// Parts that the three sets are made of.
 struct Parts {
     Peak top;
     LimitDisplacement ultimate, collapse;
@@ -33,7 +33,8 @@ std::string percent(double share)
     return std::string(text.data(), end.ptr) + " %";
 }
 
-/// Up to a censored ultimate displacement the yield is a bound that holds however the push goes on.
+/// Up to a censored ultimate displacement the yield is a bound that holds however the push goes
+/// on.
 LimitDisplacement yield_of(const Curve& curve, const LimitDisplacement& ultimate,
                            const LimitStateOptions& o)
 {
@@ -63,7 +64,7 @@ Parts read_parts(const Curve& curve, const LimitStateOptions& o)
                 " of the peak"};
 }
 
-/// What a curve is up to a displacement.
+/// The part of a curve up to a displacement.
 class CutCurve {
   public:
     CutCurve(const Curve& curve, double at)

@@ -1,6 +1,6 @@
 #pragma once
-/// Limit states of a wall, as sets of displacements read off its capacity curve. The sets ntc and ec8 also take the
-/// drift limits of their codes; behaviour-factor caps are not applied.
+/// Limit states of a wall, as sets of displacements read off its capacity curve. The sets ntc
+/// and ec8 also take the drift limits of their codes; behaviour-factor caps are not applied.
 
 #include "fragility/bilinear.hpp"
 #include "fragility/curve_reading.hpp"
@@ -13,13 +13,15 @@
 
 namespace fragility {
 
-/// Drifts of existing masonry at SLC: of a wall that rocks (flexure), and of one that slides or cracks (shear). Circolare
-/// 7/2019, C8.7.1.3.1.1; 0.004, of modern hollow blocks alone, is left out.
+/// Drifts of existing masonry at SLC: of a wall that rocks (flexure), and of one that slides or
+/// cracks (shear). Circolare 7/2019, C8.7.1.3.1.1; 0.004, of modern hollow blocks alone, is
+/// left out.
 constexpr double kNtcRockingDrift = 0.010, kNtcShearDrift = 0.005; ///< [-]
 
-/// Drifts of primary walls at SD: of a wall that bends, times H0 / D, and of one in shear. EN 1998-3:2005, Annex C, C.4.2
-/// and C.4.3. H0 is the distance from the section where the flexural capacity is attained to the contraflexure point, D
-/// the in-plane depth of the wall. Those of NC are 4/3 of these.
+/// Drifts of primary walls at SD: of a wall that bends, times H0 / D, and of one in shear. EN
+/// 1998-3:2005, Annex C, C.4.2 and C.4.3. H0 is the distance from the section where the
+/// flexural capacity is attained to the contraflexure point, D the in-plane depth of the wall.
+/// The drifts at NC are 4/3 of these.
 constexpr double kEc8FlexureDrift = 0.008, kEc8ShearDrift = 0.004; ///< [-]
 
 /// Drift limit at SLC.
@@ -65,19 +67,24 @@ struct LimitState {
 [[nodiscard]] std::span<const std::string_view> limit_state_sets();
 
 /// The limit states of a set, mildest first.
-///   paper  ultimate = displacement where the force falls to 80 % of the peak (the paper, section 4.2)
-///   ntc    SLC = min(ultimate, ntc_limit), SLV = 3/4 SLC, SLD = min(d_y, d at the peak), SLO = 2/3 SLD, on the
+///   paper  ultimate = displacement where the force falls to 80 % of the peak (the paper,
+///   section 4.2)
+///   ntc    SLC = min(ultimate, ntc_limit), SLV = 3/4 SLC, SLD = min(d_y, d at the peak), SLO =
+///   2/3 SLD, on the
 ///          curve up to SLC (Circolare 7/2019, C8.7.1.3.1, existing masonry)
-///   ec8    NC = min(ultimate, ec8_limit), SD = 3/4 NC, DL = d_y, on the curve up to NC (EN 1998-3:2005, Annex C)
+///   ec8    NC = min(ultimate, ec8_limit), SD = 3/4 NC, DL = d_y, on the curve up to NC (EN
+///   1998-3:2005, Annex C)
 ///   collapse  no force is left after the peak, or the wall came down
 /// with d_y the yield displacement of the equal-energy bilinear up to the ultimate
 /// displacement. The code's second condition for SLD, "all piers of a storey at their peak, not
 /// before 3/4 of the peak base shear", is the displacement at the peak for one wall.
 ///
-/// Where ultimate is censored, 3/4 of it is censored too, and so is d_y, which moves with where the push ends: however
-/// the push goes on, d_y is at least the smaller of that up to the end and ultimate_share of the peak over the stiffness.
-/// On a brittle curve SLD may come after SLV: they are reported as the rules give them.
-/// @throws std::invalid_argument as check(), for shares out of range and a set that is not known
+/// Where ultimate is censored, 3/4 of it is censored too, and so is d_y, which moves with where
+/// the push ends: however the push goes on, d_y is at least the smaller of that up to the end
+/// and ultimate_share of the peak over the stiffness. On a brittle curve SLD may come after
+/// SLV: they are reported as the rules give them.
+/// @throws std::invalid_argument as check(), for shares out of range and a set that is not
+/// known
 [[nodiscard]] std::vector<LimitState> read_limit_states(const Curve& curve,
                                                         std::string_view set,
                                                         const LimitStateOptions& options = {});
@@ -94,10 +101,11 @@ struct UserLimitState {
     std::optional<double> at_most; ///< [length], > 0
 };
 
-/// Only the weights, only `rise` or only `drop`, or none of them and `at_most`. A sum is censored
-/// where a part is: at the sum of what the parts are known to exceed.
+/// Only the weights, only `rise` or only `drop`, or none of them and `at_most`. A sum is
+/// censored where a part is: at the sum of what the parts are known to exceed.
 /// @return names refer to `states`
-/// @throws std::invalid_argument as check(), for shares out of range, and for a state without rule or
+/// @throws std::invalid_argument as check(), for shares out of range, and for a state without
+/// rule or
 /// with several, naming it
 [[nodiscard]] std::vector<LimitState> read_limit_states(const Curve& curve,
                                                         std::span<const UserLimitState> states,

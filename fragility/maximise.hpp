@@ -8,7 +8,8 @@
 
 namespace fragility {
 
-/// A log-likelihood and its derivatives at one point. Value -infinity: the point is not allowed.
+/// A log-likelihood and its derivatives at one point. Value -infinity: the point is not
+/// allowed.
 struct Local {
     double value;
     Eigen::VectorXd gradient;
@@ -17,8 +18,8 @@ struct Local {
 
 struct MaximiseOptions {
     int max_iterations = 200;
-    /// On the gain still to be had, against max(1, |value|) [-]; where rounding stops the search
-    /// before, that is the end too.
+    /// On the gain still to be had, against max(1, |value|) [-]; where rounding stops the
+    /// search before, that is the end too.
     double tolerance = 1e-26;
 };
 
@@ -34,7 +35,8 @@ struct Maximum {
 [[nodiscard]] Maximum maximise(const std::function<Local(const Eigen::VectorXd&)>& f,
                                Eigen::VectorXd start, const MaximiseOptions& options = {});
 
-/// Covariance of the estimates at a maximum: the inverse of the information, which is the negative hessian.
+/// Covariance of the estimates at a maximum: the inverse of the information, which is the
+/// negative hessian.
 /// @param hessian negative definite
 [[nodiscard]] Eigen::MatrixXd inverse_information(const Eigen::MatrixXd& hessian);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Bounds from walls that never reached the limit state, where no law can be fitted. The bounds come
-/// from exact binomial tails; no law is assumed.
+/// Bounds from walls that never reached the limit state, where no law can be fitted. The bounds
+/// come from exact binomial tails; no law is assumed.
 
 #include "fragility/observation.hpp"
 
@@ -8,9 +8,9 @@
 
 namespace fragility {
 
-/// A wall is informative at x if it is known either to have failed by x or to have survived x; a wall
-/// whose run stopped before x is not. (A wall that failed early counts even where its run would have
-/// been stopped before x; this makes the bound too high rather than too low.)
+/// A wall is informative at x if it is known either to have failed by x or to have survived x;
+/// a wall whose run stopped before x is not. (A wall that failed early counts even where its
+/// run would have been stopped before x; this makes the bound too high rather than too low.)
 struct ReachedBound {
     double walls = 0.0;   ///< informative walls
     double failed = 0.0;  ///< informative walls that have failed

@@ -11,8 +11,8 @@ struct LackOfFit {
     double p_value = 1.0; ///< chi-squared; good where groups expect some five walls of a mode
 };
 
-/// Residual deviance (McCullagh and Nelder 1989, Generalized Linear Models, 4.4.3). Rows of `data` are
-/// groups of walls with the same covariates; rows without walls do not count.
+/// Residual deviance (McCullagh and Nelder 1989, Generalized Linear Models, 4.4.3). Rows of
+/// `data` are groups of walls with the same covariates; rows without walls do not count.
 /// @throws std::invalid_argument if there is no model or it is of other covariates or modes
 [[nodiscard]] LackOfFit lack_of_fit(const ModeModel& model, const ModeData& data);
 

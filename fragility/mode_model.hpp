@@ -1,6 +1,6 @@
 #pragma once
-/// Failure mode against covariates (vertical stress, friction, ...): multinomial logit, with two
-/// modes the logistic regression.
+/// Failure mode against covariates (vertical stress, friction, ...): multinomial logit, with
+/// two modes the logistic regression.
 
 #include "fragility/interval.hpp"
 #include "fragility/maximise.hpp"

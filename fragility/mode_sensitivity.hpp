@@ -1,5 +1,6 @@
 #pragma once
-/// How the shares of the failure modes depend on the thresholds of the rule that defines the modes.
+/// How the shares of the failure modes depend on the thresholds of the rule that defines the
+/// modes.
 
 #include <functional>
 #include <span>
@@ -7,8 +8,8 @@
 
 namespace fragility {
 
-/// The mode, 0 .. modes - 1, of a wall with these figures (share of rotation, of sliding, energies,
-/// ...) under these thresholds.
+/// The mode, 0 .. modes - 1, of a wall with these figures (share of rotation, of sliding,
+/// energies, ...) under these thresholds.
 using ModeRule =
     std::function<int(std::span<const double> figures, std::span<const double> thresholds)>;
 

@@ -2,7 +2,8 @@
 
 namespace fragility {
 
-/// Outcome of a regression on counts. Anything but `converged` comes with a reason and no numbers.
+/// Outcome of a regression on counts. Anything but `converged` comes with a reason and no
+/// numbers.
 enum class ModelOutcome {
     converged,
     no_data,

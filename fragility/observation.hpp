@@ -1,5 +1,5 @@
 #pragma once
-/// What is known of one wall's limit displacement: a value, or that it lies between two.
+/// Knowledge of one wall's limit displacement: a value, or that it lies between two.
 
 #include "fragility/curve_reading.hpp"
 
@@ -22,7 +22,8 @@ struct Observation {
 [[nodiscard]] Observation right_censored(double lower); ///< above `lower`
 [[nodiscard]] Observation left_censored(double upper);  ///< below `upper`
 
-/// A reading times `scale` (1 / height makes it a drift), capped where it is a drift limit; nothing if it is not defined.
+/// A reading times `scale` (1 / height makes it a drift), capped where it is a drift limit;
+/// nothing if it is not defined.
 /// @throws std::invalid_argument if the scale is not positive
 [[nodiscard]] std::optional<Observation> observation(const LimitDisplacement& reading,
                                                      double scale = 1.0);
@@ -38,7 +39,8 @@ struct Counts {
 };
 [[nodiscard]] Counts count(std::span<const Observation> data, bool positive);
 
-/// Runs of one push end up to one interval of their curve apart: ends that differ by less are one [-].
+/// Runs of one push end up to one interval of their curve apart: ends that differ by less are
+/// one [-].
 constexpr double kEndsTogether = 2e-3;
 
 /// Limits that are a drift limit of a code or of the user.
@@ -50,8 +52,8 @@ struct Cap {
 /// Ascending, one for each value; empty where all limits are the walls' own.
 [[nodiscard]] std::vector<Cap> caps(std::span<const Observation> data);
 
-/// The largest value at which any of these walls reached the limit state or still stood: no wall was tested
-/// beyond it. 0 without walls.
+/// The largest value at which any of these walls reached the limit state or still stood: no
+/// wall was tested beyond it. 0 without walls.
 [[nodiscard]] double known_to(std::span<const Observation> data);
 
 /// Whether walls that are known to `end` are known at x.
@@ -60,8 +62,8 @@ struct Cap {
     return x <= end * (1.0 + kEndsTogether);
 }
 
-/// known_to, or where runs ended together there, the first of their ends: beyond it the few that went on
-/// would stand for all.
+/// known_to, or where runs ended together there, the first of their ends: beyond it the few
+/// that went on would stand for all.
 [[nodiscard]] double common_end(std::span<const Observation> data);
 
 } // namespace fragility

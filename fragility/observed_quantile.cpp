@@ -17,8 +17,8 @@ struct Piece {
     double least, most; ///< bounds of the share [-]
 };
 
-/// A share is a product of quotients, rounded: 12 of 24 walls may come out a few units of the last place below
-/// one half. Shares of different counts of walls differ by far more.
+/// A share is a product of quotients, rounded: 12 of 24 walls may come out a few units of the
+/// last place below one half. Shares of different counts of walls differ by far more.
 constexpr double kShareRounding = 1e-12;
 
 bool reaches(double share, double p) { return share >= p * (1.0 - kShareRounding); }

@@ -1,6 +1,6 @@
 #pragma once
-/// Quantiles of limit displacements without a law, with intervals that suppose none either: what the
-/// walls say where no law describes them.
+/// Quantiles of limit displacements without a law, with intervals that suppose none either:
+/// what the walls say where no law describes them.
 
 #include "fragility/interval.hpp"
 #include "fragility/observation.hpp"
@@ -18,11 +18,12 @@ struct ObservedQuantile {
     Interval interval; ///< 0 below and infinity above where the walls give no bound
 };
 
-/// One per share. The interval turns the beta product band of the share round, as moments give it
-/// (Fay, Brittain and Proschan 2013, Biostatistics 14, 723-736): without censoring it is that of
-/// Clopper and Pearson, so that an interval of ranks results.
+/// One per share. The interval turns the beta product band of the share round, as moments give
+/// it (Fay, Brittain and Proschan 2013, Biostatistics 14, 723-736): without censoring it is
+/// that of Clopper and Pearson, so that an interval of ranks results.
 /// @param shares in (0, 1)
-/// @throws std::invalid_argument for left- and interval-censored data, values that are not numbers,
+/// @throws std::invalid_argument for left- and interval-censored data, values that are not
+/// numbers,
 /// weights other than 1, shares or a confidence not in (0, 1)
 [[nodiscard]] std::vector<ObservedQuantile>
 observed_quantiles(std::span<const Observation> data, std::span<const double> shares,
@@ -32,8 +33,8 @@ struct ObservedShare {
     double share; ///< of walls at or below a value [-]
     Interval band;
 };
-/// The share at each value with its beta product band [-]. Beyond the last wall the share is not known:
-/// the band goes up to 1 there.
+/// The share at each value with its beta product band [-]. Beyond the last wall the share is
+/// not known: the band goes up to 1 there.
 /// @param values ascending
 /// @throws as observed_quantiles
 [[nodiscard]] std::vector<ObservedShare> observed_shares(std::span<const Observation> data,

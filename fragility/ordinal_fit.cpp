@@ -158,7 +158,8 @@ void complete(OrdinalFit& f, const Maximum& m, double middle)
     f.log_likelihood = m.local.value;
 }
 
-/// Compares with the observed shares, whose log-likelihood is the largest that any curves could have.
+/// Compares with the observed shares, whose log-likelihood is the largest that any curves could
+/// have.
 void compare_with_shares(OrdinalFit& f, std::span<const StateCounts> data)
 {
     double saturated = 0.0;

@@ -1,8 +1,8 @@
 #pragma once
 /// Fragility curves from counts: of the walls (or analyses, or buildings) at one intensity, how
 /// many were found in each of several ordered damage states. One state besides "none" is a
-/// multiple-stripe analysis (Baker 2015, Earthquake Spectra 31, 579-599, eq. 11). All states have
-/// one dispersion, so that their curves cannot cross.
+/// multiple-stripe analysis (Baker 2015, Earthquake Spectra 31, 579-599, eq. 11). All states
+/// have one dispersion, so that their curves cannot cross.
 
 #include "fragility/interval.hpp"
 #include "fragility/model_outcome.hpp"
@@ -37,8 +37,9 @@ struct OrdinalFit {
 /// Maximum likelihood.
 [[nodiscard]] OrdinalFit fit_ordinal(std::span<const StateCounts> data);
 
-/// P(a chi-squared variable > deviance): how often counts that were drawn from the curves would differ from
-/// them more than those that were fitted. Rough where few walls are expected in a state. NaN without freedom.
+/// P(a chi-squared variable > deviance): how often counts that were drawn from the curves would
+/// differ from them more than those that were fitted. Rough where few walls are expected in a
+/// state. NaN without freedom.
 [[nodiscard]] double p_value(const OrdinalFit& fit);
 
 /// A positive number with its doubt, by the delta method on its logarithm.

@@ -1,5 +1,7 @@
 #include "fragility/performance_limits.hpp"
 
+#include "fragility/small_sample.hpp"
+
 #include <cmath>
 
 namespace fragility {
@@ -16,7 +18,12 @@ PerformanceLimits performance_limits(Law law, std::span<const Observation> data,
     row.bound = median_bound(data, confidence);
     if (f.outcome != FitOutcome::converged) return row;
     row.fitted = true;
-    const auto interval = [&](Quantity q) { return profile_interval(f, data, q, confidence); };
+    const double inner = small_sample_profile(confidence, f.counts.n - f.counts.right);
+    const auto interval = [&](Quantity q) {
+        Interval found = profile_interval(f, data, q, inner);
+        found.confidence = confidence;
+        return found;
+    };
     for (std::size_t i = 0; i < kLimitShares.size(); ++i) {
         const Quantity q = quantile_of(kLimitShares[i]);
         row.drifts[i] = {kLimitShares[i], value(f.law, q), interval(q)};

@@ -36,7 +36,8 @@ struct PerformanceLimits {
     MedianBound bound; ///< without a law; of data with a fit too
 };
 
-/// Fits the law and reads its quantiles, with intervals by profile likelihood.
+/// Fits the law and reads its quantiles, with intervals by profile likelihood, widened for
+/// small samples (fragility/small_sample.hpp).
 /// @throws std::invalid_argument for a confidence not in (0, 1)
 [[nodiscard]] PerformanceLimits performance_limits(Law law, std::span<const Observation> data,
                                                    double confidence = 0.95);

@@ -5,22 +5,28 @@ set(FRAGILITY_PUBLIC_HEADERS
     bootstrap_random.hpp
     censored_fit.hpp
     censored_sample.hpp
+    cloud.hpp
+    crossed_design.hpp
     curve_reading.hpp
     cyclic_curve.hpp
     equal_modes.hpp
     fit_intervals.hpp
     fragility_curve.hpp
     goodness_of_fit.hpp
+    hierarchical_normal.hpp
+    ida.hpp
     interval.hpp
     kaplan_meier.hpp
     law.hpp
     law_parameters.hpp
+    limit_quantiles.hpp
     limit_states.hpp
     maximise.hpp
     median_bound.hpp
     mode_lack_of_fit.hpp
     mode_model.hpp
     mode_sensitivity.hpp
+    model_factor.hpp
     model_outcome.hpp
     observation.hpp
     ordinal_fit.hpp

@@ -8,8 +8,9 @@
 
 namespace fragility {
 
-/// Forces at 0, step, 2 step, ..., straight between the points of the curve and from the origin to the first;
-/// fewer than `points` where the curve ends before. Empty for a curve without points.
+/// Forces at 0, step, 2 step, ..., straight between the points of the curve and from the origin
+/// to the first; fewer than `points` where the curve ends before. Empty for a curve without
+/// points.
 /// @param curve as Curve, which is not checked here  @param step [length], > 0
 [[nodiscard]] std::vector<double> resampled(const Curve& curve, double step,
                                             std::size_t points);

@@ -11,8 +11,8 @@
 namespace fragility {
 
 /// Where the runs of resampled walls stop. A censored wall keeps its own stopping point. For an
-/// observed wall one is drawn from the Kaplan-Meier estimate of the stopping points beyond its value;
-/// it is infinite if there is none (Davison and Hinkley 1997, algorithm 3.2).
+/// observed wall one is drawn from the Kaplan-Meier estimate of the stopping points beyond its
+/// value; it is infinite if there is none (Davison and Hinkley 1997, algorithm 3.2).
 class StoppingPoints {
   public:
     explicit StoppingPoints(std::span<const Observation> walls);

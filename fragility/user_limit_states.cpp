@@ -29,7 +29,7 @@ void check_rule(const UserLimitState& s)
     if (rules == 0 && !s.at_most) refuse(s, "no rule");
 }
 
-/// What sums are made of.
+/// Parts that sums are made of.
 struct StateParts {
     LimitDisplacement yield, peak, ultimate;
 };

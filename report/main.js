@@ -53,7 +53,7 @@ function statistics(data) {
         add('cycles', 'cycles');
     }
     fragility(data, section('fragility', 'Fragility', note('Probability that a wall has reached a limit state: shares of the modes times the law fitted to each mode.')));
-    add('fragility', 'performance_limits');
+    add('fragility', 'limits_with_doubt', 'performance_limits', 'forces_with_doubt');
     document.getElementById('fragility').append(folded('For statisticians: the laws and their parameters',
         note('beta: standard deviation of ln(drift), in earthquake engineering the dispersion. AIC: Akaike\'s information criterion, lower is better; it compares laws on the same walls.'), table(data.tables.law_parameters)));
     modes(data, section('modes', 'Failure modes'));

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # bash tests/same_bits.sh [DIR]   one ensemble and walls of rubble, the same curves to the last bit: through packs and one
-# wall at a time, with every register width, g++ and clang++, optimised and not. Builds in a directory that it removes.
+# wall at a time, with every register width, g++ and clang++, optimised much and little. Builds in a directory that it removes.
 # DIR: the build directory of the Debian package, whose three solvers stand for three of the builds.
 set -uo pipefail
 package=${1:+$(readlink -f -- "$1")}
@@ -17,8 +17,8 @@ runs() { # $@: flags of /proc/cpuinfo; whether this processor has them all
 
 row() { table+=("$(printf '%-28s %5s  %-16s  %-16s  %-16s  %6s  %s' "$@")"); }
 
-# Without optimisation each file is compiled alone: that is quick, and shows that it includes what it uses.
-unity() { [[ $1 == *-O0* ]] && echo OFF || echo ON; }
+# With little optimisation each file is compiled alone: that is quick, and shows that it includes what it uses.
+unity() { [[ $1 == *-O1* ]] && echo OFF || echo ON; }
 
 build() { # $1: directory, $2: compiler, $3: flags
     cmake -S . -B "$1" -G Ninja -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_COMPILER="$2" \
@@ -69,7 +69,7 @@ row compiler lanes packs scalar rubble seconds ''
 try_or_shipped g++ '-O2 -march=x86-64' v1 # no multiply-add instruction
 if runs avx2 fma; then
     try_or_shipped g++ '-O3 -march=x86-64-v3' v3
-    try g++ '-O0 -march=x86-64-v3'
+    try g++ '-O1 -march=x86-64-v3'
     if command -v clang++ >/dev/null; then
         try clang++ '-O3 -march=x86-64-v3'
     else

@@ -12,9 +12,11 @@ set(UQ_PUBLIC_HEADERS
     designs/stream.hpp
     estimates/estimate.hpp
     estimates/estimate_critical.hpp
+    estimates/latin_error.hpp
     estimates/quantile_estimate.hpp
     estimates/running_mean.hpp
     estimates/stopping.hpp
+    estimates/two_heaps.hpp
     fields/field.hpp
     fields/field_basis.hpp
     fields/field_site.hpp
@@ -52,5 +54,13 @@ set(UQ_PUBLIC_HEADERS
     reliability/subset_simulation.hpp
     reliability/to_variables.hpp
     sensitivity/correlation_measures.hpp
+    sensitivity/delta_index.hpp
+    sensitivity/hsic.hpp
     sensitivity/regression.hpp
-    sensitivity/sobol_indices.hpp)
+    sensitivity/sobol_indices.hpp
+    surrogates/chaos_fit.hpp
+    surrogates/gaussian_process.hpp
+    surrogates/polynomial_chaos.hpp
+    surrogates/polynomials.hpp
+    surrogates/process_fit.hpp
+    surrogates/process_kernel.hpp)

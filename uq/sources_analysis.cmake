@@ -1,8 +1,12 @@
 set(UQ_ANALYSIS_SOURCES
     sensitivity/correlation_measures.cpp
+    sensitivity/delta_index.cpp
+    sensitivity/hsic.cpp
+    estimates/two_heaps.cpp
     estimates/estimate.cpp
     estimates/estimate_critical.cpp
     estimates/estimate_probability.cpp
+    estimates/latin_error.cpp
     estimates/quantile_estimate.cpp
     sensitivity/regression.cpp
     sensitivity/regression_bootstrap.cpp

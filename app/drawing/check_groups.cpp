@@ -7,8 +7,9 @@
 namespace app {
 namespace {
 
-/// Where no sides cross and the blocks at each corner lie one after the other, a block within another shares no corner
-/// with it, nor do the blocks that hang together with it: one corner of each such group tells.
+/// Where no sides cross and the blocks at each corner lie one after the other, a block within
+/// another shares no corner with it, nor do the blocks that hang together with it: one corner
+/// of each such group tells.
 void check_hidden(const OutlineNetwork& network, IndexSets& touching)
 {
     std::vector<std::vector<dem::Point>> outlines;

@@ -78,7 +78,7 @@ void check_shared_sides(const OutlineNetwork& network)
     }
 }
 
-/// What a block covers around one of its corners.
+/// Sector that a block covers around one of its corners.
 struct Sector {
     double begin = 0.0, width = 0.0; ///< [rad], counter-clockwise
     int ring = 0;

@@ -18,7 +18,7 @@ double length_of(const Chain& chain)
     return length;
 }
 
-/// What meets where, while chains are closed.
+/// Areas and chains that meet at each junction, while chains are closed.
 struct Meeting {
     std::vector<std::set<int>> areas;  ///< at each junction; kMortar is the surroundings
     std::vector<std::set<int>> chains; ///< at each junction

@@ -1,5 +1,6 @@
 #pragma once
-/// The formats of drawings, and what makes blocks that fit together of them. Each throws ConfigError.
+/// The formats of drawings, and what makes blocks that fit together of them. Each throws
+/// ConfigError.
 
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/raw_drawing.hpp"

@@ -25,7 +25,7 @@ void refuse_other_formats(const DrawingFrame& frame, std::string_view bytes)
     }
 }
 
-/// Those besides kLengthUnits that a DXF may state.
+/// Units besides kLengthUnits that a DXF may state.
 constexpr std::array<LengthUnit, 10> kRareUnits = {{{"mi", 1609.344, 3},
                                                     {"km", 1e3, 7},
                                                     {"microinch", 25.4e-9, 8},
@@ -37,7 +37,8 @@ constexpr std::array<LengthUnit, 10> kRareUnits = {{{"mi", 1609.344, 3},
                                                     {"hm", 100.0, 16},
                                                     {"US survey ft", 1200.0 / 3937.0, 21}}};
 
-/// Of the header variable $INSUNITS; without a name or length where the code states none.
+/// Unit of length for a code of the header variable $INSUNITS; without a name or length where
+/// the code states none.
 LengthUnit inserted_unit(int code)
 {
     const auto usual = std::ranges::find(kLengthUnits, code, &LengthUnit::dxf_code);

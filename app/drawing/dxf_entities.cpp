@@ -16,7 +16,7 @@ struct Remedy {
     std::string_view type, what;
 };
 
-// What can be a stone, but has no straight sides of its own.
+// Entities that can be a stone, but have no straight sides of their own.
 constexpr std::array kRefused = {
     Remedy{
         "ARC",
@@ -179,8 +179,8 @@ std::string upper_case(std::string_view name)
     return upper;
 }
 
-/// True for an entity that is invisible (group 60), or on a layer that is off or frozen; and for what follows a polyline that
-/// was passed over.
+/// True for an entity that is invisible (group 60), or on a layer that is off or frozen; and
+/// for what follows a polyline that was passed over.
 bool count_hidden(DxfContent& content, const DxfEntity& entity)
 {
     if (entity.type == "VERTEX" || entity.type == "SEQEND") return true;

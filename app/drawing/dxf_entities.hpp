@@ -1,5 +1,6 @@
 #pragma once
-/// The entities of a DXF file that are outlines, those that are passed over and those that are refused.
+/// The entities of a DXF file that are outlines, those that are passed over and those that are
+/// refused.
 
 #include "app/drawing/dxf_groups.hpp"
 #include "app/drawing/hidden_layers.hpp"
@@ -18,7 +19,7 @@ struct DxfEntity {
     std::vector<DxfGroup> groups;
 };
 
-/// Those read so far.
+/// Content of a DXF that was read so far.
 struct DxfContent {
     RawDrawing drawing;
     double snap = 0.0;                          ///< [m]

@@ -15,8 +15,9 @@ struct DxfGroup {
     int line = 0;           ///< of the value, from 1
 };
 
-/// Reads one pair after the other. A reader of our own: Debian's libdxflib keeps no line numbers, so that a message
-/// could not say where the mistake is, and passes over pairs that it cannot read.
+/// Reads one pair after the other. A reader of our own: Debian's libdxflib keeps no line
+/// numbers, so that a message could not say where the mistake is, and passes over pairs that it
+/// cannot read.
 class DxfGroups {
   public:
     /// @param text must outlive this

@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-// What counts as bright stones on dark mortar; docs/drawings.md tells the user.
+// Limits of what counts as bright stones on dark mortar; docs/drawings.md tells the user.
 constexpr int kGreyDifference = 24;     // between the colours of a grey pixel, of 255
 constexpr double kGreyShare = 0.98;     // of the pixels must be grey
 constexpr double kLeastContrast = 80.0; // between the two mean greys
@@ -44,7 +44,8 @@ struct TwoGreys {
     double dark = 0.0, bright = 0.0; ///< mean greys
 };
 
-/// Greys divided where the variance between the classes is largest (Otsu 1979, IEEE Trans. SMC 9, 62-66).
+/// Greys divided where the variance between the classes is largest (Otsu 1979, IEEE Trans. SMC
+/// 9, 62-66).
 TwoGreys two_greys(const Picture& picture, std::size_t pixels)
 {
     std::array<double, 256> histogram{};

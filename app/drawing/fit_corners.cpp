@@ -130,7 +130,8 @@ void refuse_thin(const OutlineNetwork& network)
     }
 }
 
-/// The last of the sorted heights that one of the first's level has: they follow each other within snap.
+/// The last of the sorted heights that one of the first's level has: they follow each other
+/// within snap.
 double end_of_level(const std::vector<double>& heights, double snap)
 {
     double end = heights.front();
@@ -192,8 +193,9 @@ bool put_on_sides(OutlineNetwork& network, Fitting& fitting)
     return true;
 }
 
-/// Moves the nodes on sides until the sides are straight again, to what the solver can see. A side may end at nodes that move
-/// too: the sweeps converge to a line through all of a bed joint.
+/// Moves the nodes on sides until the sides are straight again, to what the solver can see. A
+/// side may end at nodes that move too: the sweeps converge to a line through all of a bed
+/// joint.
 void straighten_sides(OutlineNetwork& network, const Fitting& fitting)
 {
     if (fitting.on_sides.empty()) return;

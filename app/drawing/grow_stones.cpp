@@ -41,8 +41,9 @@ struct Parabola {
     double from = 0.0;   ///< where it begins to be the lowest [columns]
 };
 
-/// The label of the nearest stone pixel for each pixel of a row: the lower envelope of the parabolas of all columns
-/// (Felzenszwalb and Huttenlocher 2012, Theory of Computing 8, 415-428). Of two equally near the left one.
+/// The label of the nearest stone pixel for each pixel of a row: the lower envelope of the
+/// parabolas of all columns (Felzenszwalb and Huttenlocher 2012, Theory of Computing 8,
+/// 415-428). Of two equally near the left one.
 void grow_row(Labels& labels, const InColumn& nearest, PixelSize size, int row,
               std::vector<Parabola>& envelope)
 {
@@ -71,7 +72,7 @@ void grow_row(Labels& labels, const InColumn& nearest, PixelSize size, int row,
     }
 }
 
-/// Of each stone the largest connected piece stays; the others become mortar.
+/// The largest connected piece of each stone stays; the others become mortar.
 void keep_largest_pieces(Labels& labels)
 {
     std::vector<char> seen(labels.label.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// What a drawing program does not show is no part of the wall.
+/// Layers that a drawing program does not show are no part of the wall.
 
 #include "app/drawing/raw_drawing.hpp"
 

@@ -200,7 +200,7 @@ bool add_object(JsonContent& content, const json& object, int line)
     return true;
 }
 
-/// What a list of blocks holds must be a block, or have one within.
+/// Each object in a list of blocks must be a block, or have one within.
 void refuse_no_block(const JsonContent& content, const json& object, const Begun& begun)
 {
     if (content.taken() > begun.taken) return;
@@ -209,7 +209,8 @@ void refuse_no_block(const JsonContent& content, const json& object, const Begun
                "); write {\"outline\": [[x, y], [x, y], ...], \"layer\": \"name\"}");
 }
 
-/// Called by the parser whenever something begins or ends. Objects are taken when they end, and then forgotten.
+/// Called by the parser whenever something begins or ends. Objects are taken when they end, and
+/// then forgotten.
 bool take(JsonContent& content, int depth, json::parse_event_t event, json& parsed)
 {
     const auto level = static_cast<std::size_t>(depth);

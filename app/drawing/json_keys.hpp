@@ -14,7 +14,8 @@
 
 namespace app {
 
-/// Of objects that follow docs/drawings.md; files of COMPAS have many other keys.
+/// Counts unknown keys of objects that follow docs/drawings.md; files of COMPAS have many other
+/// keys.
 class UnknownKeys {
   public:
     void count(const nlohmann::json& object, std::initializer_list<std::string_view> known);
@@ -26,7 +27,8 @@ class UnknownKeys {
     std::map<std::string, std::size_t> found_;
 };
 
-/// The keys of one object. The parser keeps the last of two values with the same key, and a list of blocks would be lost.
+/// The keys of one object. The parser keeps the last of two values with the same key, and a
+/// list of blocks would be lost.
 class DifferentKeys {
   public:
     /// @param line on which the key stands

@@ -52,23 +52,26 @@ struct NetworkSides {
 /// "the block of line 12", or of its first corner where the file has no lines.
 [[nodiscard]] std::string block_name(const OutlineNetwork& network, const Ring& ring);
 
-/// Joins corners that coincide within snap, puts corners within snap of another block's side onto it (the side gets that
-/// corner too), and those that follow the lowest or the highest corner within snap onto its level; leaves out corners on
-/// straight lines that no other block has.
+/// Joins corners that coincide within snap, puts corners within snap of another block's side
+/// onto it (the side gets that corner too), and those that follow the lowest or the highest
+/// corner within snap onto its level; leaves out corners on straight lines that no other block
+/// has.
 /// @throws ConfigError where an outline is smaller than snap, or comes within snap of itself
 void fit_corners(OutlineNetwork& network);
 
-/// Leaves out corners that lie within snap of the straight line between those beside them and that one block alone has.
-/// Returns how many.
+/// Leaves out corners that lie within snap of the straight line between those beside them and
+/// that one block alone has. Returns how many.
 std::size_t straighten(OutlineNetwork& network);
 
 /// Turns all rings counter-clockwise.
-/// @throws ConfigError for outlines that cross themselves, have no area, overlap, lie within each other, or stand on
+/// @throws ConfigError for outlines that cross themselves, have no area, overlap, lie within
+/// each other, or stand on
 /// nothing
 void check_outlines(OutlineNetwork& network);
 
-/// The part of it that looks at blocks as groups: what lies within another block, or hangs together with none on the
-/// floor. Takes for granted that no sides cross and that the blocks around each corner lie one after the other.
+/// The part of it that looks at blocks as groups: what lies within another block, or hangs
+/// together with none on the floor. Takes for granted that no sides cross and that the blocks
+/// around each corner lie one after the other.
 /// @throws ConfigError
 void check_groups(const OutlineNetwork& network);
 

@@ -51,7 +51,8 @@ void visit_neighbours(const Labels& labels, std::size_t p, const Visit& visit)
     if (p + columns < labels.label.size()) visit(p + columns);
 }
 
-/// The connected pixels of one kind that `first` is one of. Those that are seen are passed over, and these are seen then.
+/// The connected pixels of one kind that `first` is one of. Those that are seen are passed
+/// over, and these are seen then.
 /// @param kind of each pixel
 [[nodiscard]] std::vector<std::size_t> connected(const Labels& labels,
                                                  const std::vector<int>& kind,
@@ -62,9 +63,10 @@ struct PixelSize {
     double width = 0.0, height = 0.0; ///< [m]
 };
 
-/// The stones of a picture. A grey picture of two greys (docs/drawings.md) has bright stones on dark mortar; in any other,
-/// each connected area of one colour is a stone, and black and transparent pixels are mortar. Areas smaller than `dirt`
-/// become mortar. Notes say what was understood.
+/// The stones of a picture. A grey picture of two greys (docs/drawings.md) has bright stones on
+/// dark mortar; in any other, each connected area of one colour is a stone, and black and
+/// transparent pixels are mortar. Areas smaller than `dirt` become mortar. Notes say what was
+/// understood.
 /// @param dirt [m2]
 /// @throws ConfigError if there are no stones, or too many
 [[nodiscard]] Labels find_stones(const DrawingFrame& frame, const Picture& picture,
@@ -81,8 +83,8 @@ struct Painted {
 /// @param at from the lower left corner of the picture [m]
 [[nodiscard]] double distance_to_stone(const Painted& painted, PixelSize pixel, dem::Point at);
 
-/// Stones grow over the mortar: each pixel goes to the stone nearest to its centre. Each stone is one piece afterwards, its
-/// pixels connected through their sides.
+/// Stones grow over the mortar: each pixel goes to the stone nearest to its centre. Each stone
+/// is one piece afterwards, its pixels connected through their sides.
 /// @param labels with one stone at least
 [[nodiscard]] Labels grow_stones(Labels labels, PixelSize pixel);
 

@@ -12,8 +12,8 @@
 namespace app {
 namespace {
 
-// Borders shorter than this times simplify are closed to points. Their ends move by simplify at most then, so that the
-// borders that end there stay as straight as they were.
+// Borders shorter than this times simplify are closed to points. Their ends move by simplify at
+// most then, so that the borders that end there stay as straight as they were.
 constexpr double kShortest = 2.0;
 constexpr double kDirt = 2.0; // times simplify, squared: stones smaller than this are dirt
 

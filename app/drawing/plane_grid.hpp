@@ -23,7 +23,8 @@ class PlaneGrid {
         return column(p.x) * rows_ + row(p.z);
     }
 
-    /// Calls visit(cell) for the cells within `margin` of the segment from a to b, and for few more.
+    /// Calls visit(cell) for the cells within `margin` of the segment from a to b, and for few
+    /// more.
     template <class Visit>
     void visit_segment(dem::Point a, dem::Point b, double margin, const Visit& visit) const
     {

@@ -32,7 +32,8 @@ std::string raw_coordinates(const DrawingFrame& frame, dem::Point at)
 
 std::string coordinates(const DrawingFrame& frame, dem::Point at)
 {
-    // the conversion to metres and back must not turn 0.3 into 0.30000000000000004, nor 2 into 1.9999999
+    // the conversion to metres and back must not turn 0.3 into 0.30000000000000004, nor 2 into
+    // 1.9999999
     const auto back = [&](double metres, double origin) {
         const double value = metres / frame.unit + origin;
         return std::abs(value) < 1e-9 ? 0.0 : value;
@@ -58,7 +59,8 @@ dem::Point checked_point(const DrawingFrame& frame, int line, double x, double z
 
 namespace {
 
-/// Whether the corners from `from` on lie on the first sides of the outline, one after the other.
+/// Whether the corners from `from` on lie on the first sides of the outline, one after the
+/// other.
 bool runs_over_first_sides(const std::vector<dem::Point>& corners, std::size_t from,
                            double tolerance)
 {
@@ -73,7 +75,8 @@ bool runs_over_first_sides(const std::vector<dem::Point>& corners, std::size_t f
     return true;
 }
 
-/// The number of corners up to where an outline comes back to its first corner and runs on over its own first sides.
+/// The number of corners up to where an outline comes back to its first corner and runs on over
+/// its own first sides.
 std::size_t corners_without_rest(const std::vector<dem::Point>& corners, double tolerance)
 {
     for (std::size_t i = 3; i + 1 < corners.size(); ++i)

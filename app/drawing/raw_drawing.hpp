@@ -1,5 +1,6 @@
 #pragma once
-/// What a drawing holds before its outlines are fitted together, in its own unit, and how it is refused.
+/// Content of a drawing before its outlines are fitted together, in its own unit, and how it is
+/// refused.
 
 #include "app/text/words.hpp"
 #include "dem/scene/snapshot.hpp"
@@ -88,8 +89,9 @@ void state_unit(RawDrawing& drawing, double unit, std::string_view name);
 /// "0.4 mm" of a length in metres.
 [[nodiscard]] std::string millimetres(double length);
 
-/// Adds a chain of corners that is a closed outline: `closed`, or its ends coincide within `snap`, or it runs on over its
-/// own first sides once it is back at its first corner. An open one of four corners or more is closed if the frame says so.
+/// Adds a chain of corners that is a closed outline: `closed`, or its ends coincide within
+/// `snap`, or it runs on over its own first sides once it is back at its first corner. An open
+/// one of four corners or more is closed if the frame says so.
 /// @param snap [m]
 /// @throws ConfigError if it is open, or a coordinate is no finite number
 void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double snap);

@@ -25,7 +25,8 @@ struct Celled {
     friend auto operator<=>(const Celled&, const Celled&) = default;
 };
 
-/// Unites the points of one cell with those of the cell at this offset, where they are within snap.
+/// Unites the points of one cell with those of the cell at this offset, where they are within
+/// snap.
 void unite_neighbours(IndexSets& sets, std::span<const dem::Point> points,
                       std::span<const Celled> all, const Celled& from, std::int64_t right,
                       std::int64_t up, double snap, std::size_t& pairs)
@@ -40,7 +41,8 @@ void unite_neighbours(IndexSets& sets, std::span<const dem::Point> points,
     }
 }
 
-/// Indices of the points that differ from all points before them; the others are united with the first of their kind.
+/// Indices of the points that differ from all points before them; the others are united with
+/// the first of their kind.
 std::vector<int> distinct_points(IndexSets& sets, std::span<const dem::Point> points)
 {
     std::vector<int> order(points.size()), distinct;

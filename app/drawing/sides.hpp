@@ -1,5 +1,6 @@
 #pragma once
-/// Sides between corners that several blocks share: which corners are one, which lie on a side, which sides cross.
+/// Sides between corners that several blocks share: which corners are one, which lie on a side,
+/// which sides cross.
 
 #include "dem/scene/snapshot.hpp"
 
@@ -52,8 +53,8 @@ struct Welded {
     std::size_t moved = 0; ///< points more than 1e-9 m from their node
 };
 
-/// Points within `snap` of each other are one, and so are those that others connect; the first of them stays where it
-/// is. Nodes are more than `snap` apart afterwards.
+/// Points within `snap` of each other are one, and so are those that others connect; the first
+/// of them stays where it is. Nodes are more than `snap` apart afterwards.
 /// @throws TooCrowded
 [[nodiscard]] Welded weld(std::span<const dem::Point> points, double snap);
 
@@ -73,8 +74,8 @@ struct OnSegment {
 };
 [[nodiscard]] OnSegment nearest_on_segment(dem::Point p, dem::Point a, dem::Point b);
 
-/// For each side the nodes within `snap` of it that are not its ends, in the order from a to b. Only nodes that a side has
-/// are looked at.
+/// For each side the nodes within `snap` of it that are not its ends, in the order from a to b.
+/// Only nodes that a side has are looked at.
 /// @throws TooCrowded
 [[nodiscard]] std::vector<std::vector<int>>
 nodes_on_sides(std::span<const dem::Point> nodes, std::span<const Side> sides, double snap);

@@ -86,7 +86,8 @@ template <class Mix> bool is_mixed(int c, int a, int b, Mix mix)
 
 bool differ(int a, int b) { return apart(stored(a), stored(b)) >= kToldApart; }
 
-/// Whether c lies between the colours of areas beside it, or beyond one of them by as much as programs that sharpen make it.
+/// Whether c lies between the colours of areas beside it, or beyond one of them by as much as
+/// programs that sharpen make it.
 bool is_between_areas(int c, int a, int b)
 {
     const bool stones = a != kMortar && b != kMortar;
@@ -147,7 +148,8 @@ std::optional<Way> way_out(const Around& at, int right, int down)
     return way;
 }
 
-/// Whether the colour of a pixel lies between those on both sides, across a band that is narrow.
+/// Whether the colour of a pixel lies between those on both sides, across a band that is
+/// narrow.
 bool is_mixed_pixel(const Around& at)
 {
     const std::size_t p = *at.pixel(0, 0, 0);

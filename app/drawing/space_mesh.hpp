@@ -16,8 +16,9 @@ struct SpaceMesh {
     int line = 0; ///< of the file, from 1
 };
 
-/// A flat mesh in the x-z or the x-y plane: each face is a block. A prism along y, or else along z: its front is one
-/// block. All meshes of a file are taken the same way, and the drawing's notes say which.
+/// A flat mesh in the x-z or the x-y plane: each face is a block. A prism along y, or else
+/// along z: its front is one block. All meshes of a file are taken the same way, and the
+/// drawing's notes say which.
 /// @throws ConfigError if a mesh is neither
 void add_meshes(RawDrawing& drawing, const std::vector<SpaceMesh>& meshes, double snap);
 

@@ -13,7 +13,8 @@ struct ThinnedRing {
     std::size_t size = 0;                   ///< corners that stay
 };
 
-/// True if the corner, and all left out beside it, are within snap of the straight line between its neighbours.
+/// True if the corner, and all left out beside it, are within snap of the straight line between
+/// its neighbours.
 bool is_straight(const OutlineNetwork& network, const std::vector<int>& corners,
                  const ThinnedRing& thin, std::size_t i)
 {

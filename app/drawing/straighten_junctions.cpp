@@ -55,10 +55,12 @@ struct Leaving {
     }
 };
 
-// The middle of mortar that branches lies an eighth of its width off, a fifth of its distance from the stones.
+// The middle of mortar that branches lies an eighth of its width off, a fifth of its distance
+// from the stones.
 constexpr double kBend = 0.25; // of a zone
 
-/// Points of a chain between the zones of its two ends, in the order from junction j, up to the first corner.
+/// Points of a chain between the zones of its two ends, in the order from junction j, up to the
+/// first corner.
 std::vector<dem::Point> run_from(const Chain& chain, int j, const std::vector<double>& zones,
                                  double tolerance)
 {
@@ -82,7 +84,8 @@ std::vector<dem::Point> run_from(const Chain& chain, int j, const std::vector<do
     return points;
 }
 
-/// The line of two borders that are one straight line on both sides of the junction, as closely as the tolerance.
+/// The line of two borders that are one straight line on both sides of the junction, as closely
+/// as the tolerance.
 std::optional<FittedLine> common_line(const Leaving& one, const Leaving& other,
                                       double tolerance)
 {

@@ -128,7 +128,8 @@ void refuse_shape(const SvgContent& content, const SvgElement& element, const Sv
     }
 }
 
-/// Unit of the drawing from width="1000mm" and viewBox="0 0 1000 800". px are units of the drawing, not lengths.
+/// Unit of the drawing from width="1000mm" and viewBox="0 0 1000 800". px are units of the
+/// drawing, not lengths.
 void read_root(SvgContent& content, const SvgElement& element)
 {
     const char *width = element.find("width"), *box = element.find("viewBox");

@@ -5,7 +5,8 @@
 namespace app {
 namespace {
 
-/// What the element itself says: its attributes, replaced by style sheets and those by its style.
+/// Style that the element itself states: its attributes, replaced by style sheets and those by
+/// its style.
 SvgStyle style_of(const SvgStyleSheet& sheet, const SvgElement& element)
 {
     SvgStyle style;

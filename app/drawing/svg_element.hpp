@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// What an element hands down to those within it.
+/// Properties that an element hands down to those within it.
 struct SvgGroup {
     SvgTransform transform;
     std::string label, id; ///< of the innermost group that has one
@@ -39,7 +39,8 @@ struct SvgElement {
     }
 };
 
-/// What `around` hands down, with the transform of the element and whether it is shown.
+/// Properties that `around` hands down, with the transform of the element and whether it is
+/// shown.
 /// @throws ConfigError
 [[nodiscard]] SvgGroup group_within(SvgGroup around, const SvgStyleSheet& sheet,
                                     const SvgElement& element);

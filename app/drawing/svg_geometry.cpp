@@ -108,7 +108,8 @@ struct Pen {
     }
 };
 
-/// One command with one set of numbers. Upper-case letters take coordinates, lower-case ones distances.
+/// One command with one set of numbers. Upper-case letters take coordinates, lower-case ones
+/// distances.
 void follow(Pen& pen, SvgReader& reader, char command)
 {
     const bool relative = command >= 'a';

@@ -1,5 +1,6 @@
 #pragma once
-/// What the attributes of SVG elements say: transforms, points and paths. y points downwards.
+/// Geometry in the attributes of SVG elements: transforms, points and paths. y points
+/// downwards.
 
 #include "app/drawing/raw_drawing.hpp"
 

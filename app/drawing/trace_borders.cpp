@@ -23,7 +23,8 @@ struct CornerGrid {
                static_cast<std::size_t>(x);
     }
 
-    /// Labels on the left and on the right of the step from (x, y) in a direction, as the picture is seen.
+    /// Labels on the left and on the right of the step from (x, y) in a direction, as the
+    /// picture is seen.
     [[nodiscard]] std::pair<int, int> beside(int x, int y, int direction) const
     {
         switch (direction) {

@@ -12,7 +12,8 @@
 namespace app {
 namespace {
 
-/// As few digits as give back the same length, in a unit other than the metre to the last bit but one: 0.6 m are 600 mm.
+/// As few digits as give back the same length, in a unit other than the metre to the last bit
+/// but one: 0.6 m are 600 mm.
 std::string in_units(double metres, double unit)
 {
     constexpr double kLastBit = 2.3e-16; // of 1 [-]

@@ -8,8 +8,9 @@
 
 namespace app {
 
-/// {"blocks": [{"layer": ..., "outline": [[x, z], ...]}, ...]}, one block per line. Read again, the coordinates are the same to the
-/// bit in metres, and in other units to the last bit of the division and the multiplication.
+/// {"blocks": [{"layer": ..., "outline": [[x, z], ...]}, ...]}, one block per line. Read again,
+/// the coordinates are the same to the bit in metres, and in other units to the last bit of the
+/// division and the multiplication.
 /// @param unit length of one unit of the file [m]
 [[nodiscard]] std::string write_drawing_json(std::span<const DrawnBlock> blocks,
                                              double unit = 1.0);

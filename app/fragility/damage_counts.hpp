@@ -1,6 +1,6 @@
 #pragma once
-/// A table of counts: at each intensity, how many walls (or analyses, or buildings) there were and
-/// how many had reached each limit state.
+/// A table of counts: at each intensity, how many walls (or analyses, or buildings) there were
+/// and how many had reached each limit state.
 
 #include "app/text/csv.hpp"
 #include "fragility/ordinal_fit.hpp"
@@ -26,7 +26,8 @@ struct DamageCounts {
     std::vector<fragility::StateCounts> rows; ///< one for each intensity, ascending
 };
 
-/// @throws ConfigError naming row and column: no such column; an empty cell, a negative number, text;
+/// @throws ConfigError naming row and column: no such column; an empty cell, a negative number,
+/// text;
 /// an intensity of 0; more walls in a state than in total, or than reached a milder state
 [[nodiscard]] DamageCounts damage_counts(const Csv& csv, const CountColumns& columns);
 

@@ -1,6 +1,7 @@
 #include "app/fragility/drift_csv.hpp"
 
 #include "app/text/config_error.hpp"
+#include "app/text/text_file.hpp"
 #include "app/text/words.hpp"
 
 #include <boost/algorithm/string/case_conv.hpp>
@@ -14,14 +15,6 @@
 #include <map>
 
 namespace app {
-namespace {
-
-std::string unit_of(std::string_view head)
-{
-    const auto open = head.find_first_of("[("), close = head.find_first_of("])", open);
-    if (open == std::string_view::npos || close == std::string_view::npos) return {};
-    return std::string(trimmed(head.substr(open + 1, close - open - 1)));
-}
 
 bool read_censored(const Csv& csv, const CsvRow& row, std::size_t column)
 {
@@ -34,6 +27,22 @@ bool read_censored(const Csv& csv, const CsvRow& row, std::size_t column)
     refuse_cell(csv, row, column,
                 in_quotes(text) + " does not say whether the value is a bound; write 1, yes or "
                                   "censored, or 0, no or observed");
+}
+
+bool is_missing(std::string_view text)
+{
+    for (const char* const none : {"", "NA", "N/A", "na", "n/a", "-"})
+        if (text == none) return true;
+    return false;
+}
+
+namespace {
+
+std::string unit_of(std::string_view head)
+{
+    const auto open = head.find_first_of("[("), close = head.find_first_of("])", open);
+    if (open == std::string_view::npos || close == std::string_view::npos) return {};
+    return std::string(trimmed(head.substr(open + 1, close - open - 1)));
 }
 
 double percent_per_unit(const std::string& unit)
@@ -50,14 +59,6 @@ struct Indices {
     std::vector<std::size_t> censored; ///< none, one of all drifts, or one for each
     std::optional<std::size_t> group;
 };
-
-/// NA: not known.
-bool is_missing(std::string_view text)
-{
-    for (const char* const none : {"", "NA", "N/A", "na", "n/a", "-"})
-        if (text == none) return true;
-    return false;
-}
 
 /// "2.27", "> 2.27" or ">= 2.27" (a bound), or nothing.
 std::optional<fragility::Observation> drift_at(const Csv& csv, const CsvRow& row,
@@ -129,6 +130,20 @@ std::string all_of(const std::vector<std::string>& messages)
 }
 
 } // namespace
+
+Csv read_csv_file(const std::string& path)
+{
+    constexpr std::size_t kMostBytes = std::size_t{1} << 28;
+    const std::string text = read_bytes(
+        path, kMostBytes, "is larger than 256 MiB; give a table of walls", "give a file");
+    if (!is_text(text))
+        throw ConfigError(
+            path, 0, "",
+            "is not text in UTF-8; save it as \"CSV UTF-8\", or convert it: iconv "
+            "-f latin1 -t utf-8 (of a table from Windows), -f utf-16 (\"Unicode "
+            "text\")");
+    return parse_csv(path, text);
+}
 
 DriftData drift_data(const Csv& csv, const DriftColumns& columns)
 {

@@ -9,6 +9,17 @@
 
 namespace app {
 
+/// @throws ConfigError for a file that is not there, larger than 256 MiB or no text in UTF-8,
+/// and as parse_csv
+[[nodiscard]] Csv read_csv_file(const std::string& path);
+
+/// 1, yes, y, true, censored: the value is a bound; 0, no, n, false, observed: it is not.
+/// @throws ConfigError naming row and column
+[[nodiscard]] bool read_censored(const Csv& csv, const CsvRow& row, std::size_t column);
+
+/// Whether a cell says that its value is not known: empty, NA, N/A or -.
+[[nodiscard]] bool is_missing(std::string_view text);
+
 /// Columns of a table, by name: "drift" or, with its unit, "drift [%]".
 struct DriftColumns {
     std::vector<std::string> drift; ///< one or more limit states
@@ -17,11 +28,13 @@ struct DriftColumns {
     std::string group; ///< empty: one group
 };
 
-/// Drifts > 0; in the column of censoring 1, yes, y, true, censored: the wall had not reached the limit state
-/// at this drift; 0, no, n, false, observed: it did. "> 2.27" says so in the cell itself. Empty cells and NA:
-/// not known, left out and counted. With semicolons or tabs 1,5 is read as 1.5.
-/// Units: those in brackets in the head, [%], (%), [-], [rad], [permille], [mm], ...
-/// @throws ConfigError with all mistakes of the table, by row and column: no such column; a zero, infinite
+/// Drifts > 0; in the column of censoring 1, yes, y, true, censored: the wall had not reached
+/// the limit state at this drift; 0, no, n, false, observed: it did. "> 2.27" says so in the
+/// cell itself. Empty cells and NA: not known, left out and counted. With semicolons or tabs
+/// 1,5 is read as 1.5. Units: those in brackets in the head, [%], (%), [-], [rad], [permille],
+/// [mm], ...
+/// @throws ConfigError with all mistakes of the table, by row and column: no such column; a
+/// zero, infinite
 /// or negative value, no number
 [[nodiscard]] DriftData drift_data(const Csv& csv, const DriftColumns& columns);
 

@@ -1,6 +1,7 @@
 #pragma once
-/// The laws of limit drifts and whether the walls bear them out. One rule for every output: where a
-/// test of goodness of fit rejects a law at fragility::kRejected, the shares observed (Kaplan-Meier) are used instead.
+/// The laws of limit drifts and whether the walls bear them out. One rule for every output:
+/// where a test of goodness of fit rejects a law at fragility::kRejected, the shares observed
+/// (Kaplan-Meier) are used instead.
 
 #include "app/fragility/fragility_data.hpp"
 
@@ -23,7 +24,7 @@ using FitProgress = std::function<void(double done, const std::string& fit)>;
 /// Fits and tests all laws once; without it each table does so for itself.
 void judge(DriftData& data, const FitProgress& seen = {});
 
-/// Of one limit state: of all walls of a group, or of one mode.
+/// Fit of one limit state: of all walls of a group, or of one mode.
 [[nodiscard]] JudgedFit judged_fit(const DriftData& data, std::size_t group, std::size_t state,
                                    int mode = -1);
 

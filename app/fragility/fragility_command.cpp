@@ -1,5 +1,6 @@
 #include "app/fragility/fragility_command.hpp"
 
+#include "app/fragility/answer_table.hpp"
 #include "app/fragility/damage_curves.hpp"
 #include "app/fragility/drift_csv.hpp"
 #include "app/fragility/drift_fits.hpp"
@@ -11,6 +12,8 @@
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
 #include "app/fragility/measured_drifts.hpp"
+#include "app/fragility/model_doubt.hpp"
+#include "app/fragility/sampling_errors.hpp"
 #include "app/fragility/solver_error_table.hpp"
 #include "app/input/key_reading.hpp"
 #include "app/input/random_layouts.hpp"
@@ -44,7 +47,8 @@ void add_pictures(FragilityOutput& output, std::vector<NamedPicture> pictures)
     std::ranges::move(pictures, std::back_inserter(output.pictures));
 }
 
-/// Where fragility.ultimate_share was set anew: how walls of a finite push moved was stored at that of the study.
+/// Where fragility.ultimate_share was set anew: how walls of a finite push moved was stored at
+/// that of the study.
 std::string stored_share_text(const StudyWalls& walls)
 {
     if (walls.head.configuration.empty()) return {}; // no file was read
@@ -79,20 +83,6 @@ std::string remarks_of(const StudyWalls& walls)
             "All stresses share one design: walls of two stresses depend on each other, and "
             "errors of the model over all stresses are too small.\n";
     return text;
-}
-
-Csv read_csv(const std::string& path)
-{
-    constexpr std::size_t kMostBytes = std::size_t{1} << 28;
-    const std::string text = read_bytes(
-        path, kMostBytes, "is larger than 256 MiB; give a table of walls", "give a file");
-    if (!is_text(text))
-        throw ConfigError(
-            path, 0, "",
-            "is not text in UTF-8; save it as \"CSV UTF-8\", or convert it: iconv "
-            "-f latin1 -t utf-8 (of a table from Windows), -f utf-16 (\"Unicode "
-            "text\")");
-    return parse_csv(path, text);
 }
 
 /// fragility.key=value without a study; keys that need curves are refused.
@@ -215,7 +205,7 @@ FragilityOutput output_of(const Command& command, const FitProgress& seen)
         return study_output(read_study_walls(command.study, command.overrides), seen);
     }
     const DriftOptions options = options_of(command.overrides);
-    const Csv csv = read_csv(command.study);
+    const Csv csv = read_csv_file(command.study);
     check_columns(command, &csv);
     if (!command.intensity.empty()) {
         check_lognormal(command.overrides);
@@ -228,18 +218,20 @@ FragilityOutput output_of(const Command& command, const FitProgress& seen)
     return drift_output(std::move(data), seen);
 }
 
-} // namespace
-
-FragilityOutput drift_output(DriftData data, const FitProgress& seen)
+/// @param data judged
+FragilityOutput judged_output(const DriftData& data)
 {
-    judge(data, seen);
     FragilityOutput output;
     output.source = counts_text(data);
     Table limits = performance_table(data);
     auto main = severest_rows(data, limits);
-    output.tables = {{"performance_limits", std::move(limits), true, std::move(main)},
+    output.tables = {{"performance_limits", std::move(limits), true, main},
                      {"law_parameters", law_table(data)},
                      {"goodness_of_fit", fit_table(data)}};
+    if (!data.model_text.empty())
+        output.tables.insert(
+            output.tables.begin() + 1,
+            {"limits_with_doubt", drift_doubt_table(data), true, std::move(main)});
     if (Table model = stress_table(data); !model.rows.empty())
         output.tables.push_back({"stress_model", std::move(model)});
     for (NamedTable& t : curve_tables(data)) output.tables.push_back(std::move(t));
@@ -249,23 +241,36 @@ FragilityOutput drift_output(DriftData data, const FitProgress& seen)
     return output;
 }
 
+} // namespace
+
+FragilityOutput drift_output(DriftData data, const FitProgress& seen)
+{
+    judge(data, seen);
+    return judged_output(data);
+}
+
 FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
 {
-    FragilityOutput output = drift_output(drift_data(walls), seen);
+    DriftData data = drift_data(walls);
+    judge(data, seen);
+    FragilityOutput output = judged_output(data);
     output.remarks = study_remarks(walls);
     output.told_by_study = output.remarks.size();
     output.remarks += remarks_of(walls);
     std::vector<NamedTable> tables = {{"modes", mode_table(walls), true, {}, true},
+                                      {"forces_with_doubt", force_doubt_table(walls)},
                                       {"means_by_mode", mean_table(walls)},
                                       {"equal_modes", equal_modes_table(walls)},
                                       {"mode_thresholds", threshold_table(walls)},
                                       {"mean_curves", mean_curve_table(walls)},
                                       {"solver_error", solver_error_table(walls)},
+                                      {"sampling_errors", sampling_error_table(walls)},
                                       {"walls", wall_table(walls, all_walls(walls))}};
     if (!walls.inputs.empty()) tables.push_back({"inputs", input_table(walls)});
     if (!walls.pushed_one_way) tables.push_back({"cycles", cycle_table(walls)});
     tables.push_back({"measured_drifts", measured_drifts()});
-    output.tables.insert(output.tables.begin() + 1, tables.begin(), tables.end());
+    output.tables.insert(output.tables.begin() + 2, tables.begin(), tables.end());
+    output.tables.insert(output.tables.begin(), {"answer", answer_table(walls, data), true});
     add_pictures(output, mean_curve_pictures(walls));
     add_pictures(output, cycle_pictures(walls));
     add_pictures(output, input_pictures(walls));

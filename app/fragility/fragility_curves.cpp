@@ -1,6 +1,7 @@
 #include "app/fragility/fragility_curves.hpp"
 
 #include "app/fragility/drift_fits.hpp"
+#include "app/fragility/limit_drifts.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "fragility/fragility_curve.hpp"
@@ -42,7 +43,12 @@ void add_fit(const DriftData& data, std::size_t g, std::size_t state, int mode,
     if (fit.outcome != fragility::FitOutcome::converged)
         return add_row(t, start, "No curve: " + fit.reason + ".");
     const double end = known_to(limits);
-    if (!rejected(judged)) {
+    std::string note = rejected(judged) ? rejected_text(judged) : "";
+    if (mode < 0 && note.empty()) {
+        const LimitDrifts chosen = limit_drifts(data, g, state);
+        if (!of_one_law(chosen.quantiles)) note = source_note(chosen);
+    }
+    if (note.empty()) {
         for (const auto& p : fragility::fragility_curve(fit, drifts, data.options.confidence))
             add_row(t, joined(start, {drift_cell(p.drift, drifts, end),
                                       with_interval(p.probability, p.band, 4)}));
@@ -55,7 +61,7 @@ void add_fit(const DriftData& data, std::size_t g, std::size_t state, int mode,
                 joined(start,
                        {drift_cell(drifts[i], drifts, end),
                         known ? with_interval(shares[i].share, shares[i].band, 4) : Number{}}),
-                rejected_text(judged));
+                note);
     }
 }
 

@@ -21,18 +21,20 @@ namespace app {
 /// Steps without any law (Kaplan and Meier), with bands.
 [[nodiscard]] Table step_table(const DriftData& data, std::size_t state);
 
-/// Walls of one limit state by mode, without modes that do not occur; data without modes are one.
+/// Walls of one limit state by mode, without modes that do not occur; data without modes are
+/// one.
 [[nodiscard]] std::vector<fragility::ModeGroup>
 mode_groups(const DriftData& data, std::size_t group, std::size_t state);
 
-/// Why there is no mixture of these: values that their law does not have, or drift limits that are set and nothing of the
-/// walls' own. Empty if there is one.
+/// Why there is no mixture of these: values that their law does not have, or drift limits that
+/// are set and nothing of the walls' own. Empty if there is one.
 [[nodiscard]] std::string no_mixture(const std::vector<fragility::ModeGroup>& modes);
 
 /// Name of the files of a limit state: "ntc_SLV".
 [[nodiscard]] std::string state_file(const StateName& state);
 
-/// One chart with all groups of each limit state, and one with modes and bands of each group and limit state.
+/// One chart with all groups of each limit state, and one with modes and bands of each group
+/// and limit state.
 [[nodiscard]] std::vector<NamedPicture> curve_pictures(const DriftData& data);
 
 /// The tables, for all limit states.

@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-/// What walls have in one cycle.
+/// Values of the walls in one cycle.
 struct CycleValues {
     std::vector<double> drift, damping, stiffness, residual, energy;
 };

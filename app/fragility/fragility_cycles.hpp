@@ -1,5 +1,6 @@
 #pragma once
-/// Cycles of a study whose push turns back: damping and stiffness against drift, by stress and mode.
+/// Cycles of a study whose push turns back: damping and stiffness against drift, by stress and
+/// mode.
 
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_output.hpp"

@@ -31,11 +31,11 @@ bool is_inaccurate(const DriftWall& w, std::size_t state)
 } // namespace
 
 std::vector<fragility::Observation> limits_at(const DriftGroup& group, std::size_t state,
-                                              ErrorEnd end)
+                                              ErrorEnd end, int mode)
 {
     std::vector<fragility::Observation> limits;
     for (const DriftWall& w : group.walls) {
-        if (!w.limits[state]) continue;
+        if ((mode >= 0 && w.mode != mode) || !w.limits[state]) continue;
         limits.push_back(*w.limits[state]);
         if (!is_inaccurate(w, state)) continue;
         const double factor =
@@ -71,17 +71,11 @@ std::string limit_text(const DriftData& data, std::size_t group, std::size_t sta
         return fixed(x, decimals_for(x)) + (data.unit.empty() ? "" : " " + data.unit);
     };
     const std::string n = std::to_string(limits.size());
-    const std::string whose =
-        data.states[state].set == "user" ? "limit given" : "limit of the code";
-    std::string text;
-    if (caps.size() == 1) {
-        text = drift(caps[0].value) + " (" + whose + ", " + number(caps[0].walls, 12) + " of " +
-               n + " walls)";
-    } else {
-        for (const fragility::Cap& c : caps)
-            text += (text.empty() ? "" : ", ") + drift(c.value) + " of " + number(c.walls, 12);
-        text += " walls (" + whose + ")";
-    }
+    std::string text = data.states[state].set == "user" ? "limit given" : "cap of the code";
+    for (const fragility::Cap& c : caps)
+        text += (&c == &caps.front() ? " (" : ", (") + drift(c.value) +
+                "): " + number(100.0 * c.walls / static_cast<double>(limits.size()), 3) +
+                " % of walls";
     const auto fell = std::ranges::count_if(
         limits, [](const auto& o) { return o.lower == o.upper && !o.capped; });
     if (fell > 0) text += "; " + std::to_string(fell) + " of " + n + " fell before";
@@ -125,6 +119,7 @@ DriftData drift_data(const StudyWalls& walls)
     data.drift =
         "Drift: displacement of the load line / its height, " + number(walls.height, 6) + " m";
     data.no_limit = no_limit_remark(walls);
+    data.model_text = factor_text(walls.study, Answer::drift);
     if (const std::string piers = pier_remark(walls.study); !piers.empty())
         data.drift += "; " + piers;
     data.group_head = "stress [MPa]";
@@ -135,6 +130,7 @@ DriftData drift_data(const StudyWalls& walls)
     for (const StudyLevel& level : walls.levels) {
         DriftGroup group{stress_text(level.stress), level.stress / 1e6, {},
                          level.failed_walls.size(), level.missing,      {}};
+        group.model = applied_factor(walls.study, level.stress, Answer::drift);
         for (const StudyWall& w : level.walls) {
             const auto mode = std::ranges::find(modes, mode_of(w));
             DriftWall wall{static_cast<int>(mode - modes.begin()), {}};

@@ -2,6 +2,7 @@
 /// Limit drifts of walls in groups (vertical stresses, or groups of a table): what fragility is
 /// computed from, whoever ran the walls.
 
+#include "app/fragility/tested_walls.hpp"
 #include "app/output/table.hpp"
 #include "app/reading/wall_reading.hpp"
 #include "fragility/censored_fit.hpp"
@@ -24,7 +25,8 @@ struct DriftWall {
     int mode = -1; ///< index in DriftData::modes; -1: no modes
     /// One per limit state [unit of the data]; nothing: not defined on this curve.
     std::vector<std::optional<fragility::Observation>> limits;
-    /// Of a wall that misses the accuracy of its study: the error by the speed of the solver's drive [-]; else 0.
+    /// Error by the speed of the solver's drive [-] of a wall that misses the accuracy of its
+    /// study; else 0.
     double solver_error = 0.0;
 };
 
@@ -41,6 +43,7 @@ struct DriftGroup {
     std::size_t failed = 0;       ///< ran and gave none
     std::size_t missing = 0;      ///< of the study, not in this file
     std::vector<JudgedFit> fits;  ///< see app/fragility/drift_fits.hpp; empty: not judged yet
+    AppliedFactor model{}; ///< error of the model, on every limit drift of the walls' own
 };
 
 /// How numbers are made of the data.
@@ -56,6 +59,8 @@ struct DriftData {
     std::string source;   ///< of captions: "paper.h5, 250 walls"
     std::string drift;    ///< what the drift is
     std::string no_limit; ///< why walls have no drift limit: a sentence; empty where they have
+    std::string
+        model_text; ///< the factor of the model, in sentences; empty: no walls of this program
     std::string unit = "%"; ///< of the drifts; empty: not said
     double percent = 1.0;   ///< drift in % per unit; 0: unknown
     std::string group_head; ///< of the first column: "stress [MPa]"
@@ -70,20 +75,23 @@ struct DriftData {
                                                             std::size_t state, int mode = -1);
 
 enum class ErrorEnd { least, most };
-/// The same where the drift of every wall that misses the accuracy lies at this end of its error; a drift limit that is set
-/// has no error. Quantiles of the drifts lie between those of both ends.
-[[nodiscard]] std::vector<fragility::Observation> limits_at(const DriftGroup& group,
-                                                            std::size_t state, ErrorEnd end);
+/// The same where the drift of every wall that misses the accuracy lies at this end of its
+/// error; a drift limit that is set has no error. Quantiles of the drifts lie between those of
+/// both ends.
+[[nodiscard]] std::vector<fragility::Observation>
+limits_at(const DriftGroup& group, std::size_t state, ErrorEnd end, int mode = -1);
 
 /// Walls of `limits_of` that limits_at moves.
 [[nodiscard]] std::size_t inaccurate_walls(const DriftGroup& group, std::size_t state);
 
-/// Where a drift limit of a code or of the user comes first: "1.00 % (limit of the code, 20 of 20 walls)", "0.500 % of
-/// 10, 1.00 % of 40 walls (limit of the code)", with "; 3 of 53 fell before" where walls did. Empty where it never does.
+/// Where a drift limit of a code or of the user comes first: "cap of the code (1.00 %): 100 %
+/// of walls", "cap of the code (0.500 %): 20 % of walls, (1.00 %): 80 % of walls", with "; 3 of
+/// 53 fell before" where walls did. Empty where it never does.
 [[nodiscard]] std::string limit_text(const DriftData& data, std::size_t group,
                                      std::size_t state);
 
-/// Whether every wall that reached the limit state reached such a limit: a row without any number of the walls' own.
+/// Whether every wall that reached the limit state reached such a limit: a row without any
+/// number of the walls' own.
 [[nodiscard]] bool only_limits(const std::vector<fragility::Observation>& limits);
 
 /// "drift [%]", "drift" without unit

@@ -1,5 +1,5 @@
 #pragma once
-/// What peak force and ultimate displacement depend on (the paper, Fig. 12).
+/// Inputs that peak force and ultimate displacement depend on (the paper, Fig. 12).
 
 #include "app/fragility/fragility_output.hpp"
 #include "app/output/table.hpp"
@@ -16,7 +16,7 @@ namespace app {
 enum class Response { peak_force, ultimate };
 [[nodiscard]] const char* words(Response response); ///< "peak force", "ultimate displacement"
 
-/// What a response has to do with an input; nothing where that cannot be told.
+/// Influence of an input on a response; nothing where that cannot be told.
 struct Influence {
     std::string key;
     std::optional<uq::Estimate> pearson, spearman; ///< correlation of values, of ranks
@@ -33,12 +33,13 @@ struct Influences {
 [[nodiscard]] Influences influences(const StudyWalls& walls, const StudyLevel& level,
                                     Response response);
 
-/// Per vertical stress, response and input: correlations of values and of ranks, standardised rank
-/// regression, share explained. Ultimate displacement: of the walls on which it was observed.
+/// Per vertical stress, response and input: correlations of values and of ranks, standardised
+/// rank regression, share explained. Ultimate displacement: of the walls on which it was
+/// observed.
 [[nodiscard]] Table input_table(const StudyWalls& walls);
 
-/// Peak force over the joint friction angle, one dot per wall, one colour per mode; a chart of each level.
-/// Empty without that random input.
+/// Peak force over the joint friction angle, one dot per wall, one colour per mode; a chart of
+/// each level. Empty without that random input.
 [[nodiscard]] std::vector<NamedPicture> input_pictures(const StudyWalls& walls);
 
 } // namespace app

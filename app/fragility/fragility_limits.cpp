@@ -1,15 +1,14 @@
 #include "app/fragility/fragility_limits.hpp"
 
 #include "app/fragility/drift_fits.hpp"
+#include "app/fragility/limit_drifts.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/words.hpp"
-#include "fragility/observed_quantile.hpp"
 #include "fragility/performance_limits.hpp"
 #include "fragility/stress_model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -66,58 +65,8 @@ template <class Add> void add_rows(const DriftData& data, Add add, Table& t)
             if (!names_of(data, s).empty()) add(data, g, s, t);
 }
 
-constexpr std::array kErrorEnds = {ErrorEnd::least, ErrorEnd::most};
-
-void widen(fragility::Interval& interval, double lower, double upper)
-{
-    interval.lower = std::min(interval.lower, lower);
-    interval.upper = std::max(interval.upper, upper);
-}
-
-/// The limits by a law, in intervals that hold wherever the drifts of walls that miss the accuracy lie within their error.
-fragility::PerformanceLimits limits_by_law(const DriftData& data, const DriftGroup& group,
-                                           std::size_t state)
-{
-    const auto by_law = [&](const std::vector<Observation>& observations) {
-        return fragility::performance_limits(data.options.law, observations,
-                                             data.options.confidence);
-    };
-    fragility::PerformanceLimits limits = by_law(limits_of(group, state));
-    if (inaccurate_walls(group, state) == 0) return limits;
-    for (const ErrorEnd end : kErrorEnds) {
-        const fragility::PerformanceLimits other = by_law(limits_at(group, state, end));
-        if (end == ErrorEnd::least) limits.bound = other.bound;
-        for (std::size_t i = 0; i < limits.drifts.size() && limits.fitted; ++i)
-            widen(limits.drifts[i].interval,
-                  other.fitted ? other.drifts[i].interval.lower : 0.0,
-                  other.fitted ? other.drifts[i].interval.upper : fragility::kInfinity);
-        if (limits.fitted)
-            widen(limits.dispersion_interval,
-                  other.fitted ? other.dispersion_interval.lower : 0.0,
-                  other.fitted ? other.dispersion_interval.upper : fragility::kInfinity);
-    }
-    return limits;
-}
-
-/// The limits as observed, in such intervals.
-std::vector<fragility::ObservedQuantile>
-observed_limits(const DriftData& data, const DriftGroup& group, std::size_t state)
-{
-    const auto observed = [&](const std::vector<Observation>& observations) {
-        return fragility::observed_quantiles(observations, fragility::kLimitShares,
-                                             data.options.confidence);
-    };
-    auto limits = observed(limits_of(group, state));
-    if (inaccurate_walls(group, state) == 0) return limits;
-    for (const ErrorEnd end : kErrorEnds) {
-        const auto other = observed(limits_at(group, state, end));
-        for (std::size_t i = 0; i < limits.size(); ++i)
-            widen(limits[i].interval, other[i].interval.lower, other[i].interval.upper);
-    }
-    return limits;
-}
-
-/// " 2 of 50 walls miss the accuracy asked of the solver: the brackets hold whatever their drifts are within their error."
+/// " 2 of 50 walls miss the accuracy asked of the solver: the brackets hold whatever their
+/// drifts are within their error."
 std::string inaccurate_text(const DriftGroup& group, std::size_t state)
 {
     const std::size_t n = inaccurate_walls(group, state);
@@ -127,67 +76,65 @@ std::string inaccurate_text(const DriftGroup& group, std::size_t state)
            "walls lie within their error.";
 }
 
-/// Shares observed in place of a law. A drift limit is a plain number: it has no interval.
-void add_observed(const DriftData& data, const DriftGroup& group, std::size_t state, Row& row)
+/// The drifts; a drift limit that is set is a plain number: it has no interval.
+void add_quantiles(const LimitDrifts& limits, const std::vector<fragility::Cap>& caps, Row& row)
 {
-    const auto quantiles = observed_limits(data, group, state);
-    const std::vector<fragility::Cap> caps = fragility::caps(limits_of(group, state));
-    for (const auto& q : quantiles) {
+    for (const fragility::LimitQuantile& q : limits.quantiles.at) {
         const int d = decimals_for(q.value.value_or(q.interval.lower));
-        if (q.value && std::ranges::count(caps, *q.value, &fragility::Cap::value) > 0)
-            row.emplace_back(plain_number(*q.value, d));
-        else if (q.value)
-            row.emplace_back(with_interval(*q.value, q.interval, d));
-        else if (q.interval.lower > 0.0)
-            row.emplace_back(
-                Number{.lower = q.interval.lower, .decimals = d, .sense = Sense::at_least});
-        else
-            row.emplace_back();
+        const bool cap =
+            q.value && std::ranges::count(caps, *q.value, &fragility::Cap::value) > 0;
+        row.emplace_back(cap ? plain_number(*q.value, d) : quantile_cell(q, d));
     }
+}
+
+/// Dispersion, error of ln median, total dispersion with that of the model.
+Row dispersion_cells(const LimitDrifts& limits, const fragility::ModelFactor& factor)
+{
+    if (limits.quantiles.source == fragility::QuantileSource::law)
+        return {with_interval(limits.law.dispersion, limits.law.dispersion_interval, 2),
+                plain_number(limits.law.median_error, 3),
+                plain_number(std::hypot(limits.law.predictive_dispersion,
+                                        fragility::model_dispersion(factor)),
+                             2)};
+    const auto dispersion = dispersion_of(limits);
+    return {dispersion ? Cell(plain_number(*dispersion, 2)) : Cell()};
 }
 
 void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& t)
 {
     const DriftGroup& group = data.groups[g];
     const auto observations = limits_of(group, state);
-    const fragility::PerformanceLimits limits = limits_by_law(data, group, state);
+    const LimitDrifts limits = limit_drifts(data, g, state);
+    const fragility::PerformanceLimits& law = limits.law;
     const auto add = [&](const Row& cells, std::string note) {
         const std::string more = inaccurate_text(group, state);
         add_row(t, cells, note + (note.empty() || more.empty() ? "" : " ") + more);
     };
-    const JudgedFit law = judged_fit(data, g, state);
-    const double end = known_to(observations);
-    const bool any = limits.n > 0.0;
+    const double tested = limits.quantiles.tested_to;
+    const double end = std::isfinite(tested) ? tested : known_to(observations);
+    const bool any = law.n > 0.0;
     Row row = {group_cell(group),
                names_of(data, state),
-               count(limits.n),
-               any ? plain_number(100.0 * limits.censored_share, 0) : Number{},
+               count(law.n),
+               any ? plain_number(100.0 * law.censored_share, 0) : Number{},
                any ? plain_number(end, decimals_for(end)) : Number{},
-               limits.fitted ? Cell(describes(law) ? "law" : "observed") : Cell()};
+               source_text(limits.quantiles)};
     if (const std::string limit = limit_text(data, g, state); !limit.empty()) {
         const bool alone = only_limits(observations);
         row.back() = alone ? "limit" : "observed";
-        add_observed(data, group, state, row);
+        add_quantiles(limits, fragility::caps(observations), row);
         return add(
             row,
             limit + (alone ? "." : ": the drifts are those observed (Kaplan-Meier), no law."));
     }
-    if (!limits.fitted) {
-        const int d = decimals_for(limits.bound.median_above);
-        return add(joined(row, {{}, {}, median_bound(limits.bound, d)}),
-                   without_fit(limits, group));
+    const bool mixed = limits.quantiles.source == fragility::QuantileSource::mixture;
+    if (!law.fitted && !mixed) {
+        row.back() = Cell();
+        const int d = decimals_for(law.bound.median_above);
+        return add(joined(row, {{}, {}, median_bound(law.bound, d)}), without_fit(law, group));
     }
-    if (!describes(law)) {
-        add_observed(data, group, state, row);
-        return add(row, rejected_text(law));
-    }
-    const int d = decimals_for(limits.drifts[2].drift);
-    for (const fragility::DriftLimit& at : limits.drifts)
-        row.emplace_back(with_interval(at.drift, at.interval, d, end));
-    add(joined(row, {with_interval(limits.dispersion, limits.dispersion_interval, 2),
-                     plain_number(limits.median_error, 3),
-                     plain_number(limits.predictive_dispersion, 2)}),
-        {});
+    add_quantiles(limits, {}, row);
+    add(joined(row, dispersion_cells(limits, group.model.factor)), source_note(limits));
 }
 
 void add_tests(const DriftData& data, std::size_t g, std::size_t state, Table& t)
@@ -205,6 +152,7 @@ void add_tests(const DriftData& data, std::size_t g, std::size_t state, Table& t
          {d.kolmogorov_smirnov, f.tests.p_kolmogorov_smirnov, d.cramer_von_mises,
           f.tests.p_cramer_von_mises, d.anderson_darling, f.tests.p_anderson_darling})
         row.emplace_back(plain_number(x, 3));
+    row.emplace_back(d.two_heaps > 0.0 ? plain_number(f.tests.p_two_heaps, 3) : Number{});
     row.emplace_back(count(f.tests.replicates));
     add_row(t, row, rejected(f) ? rejected_text(f) : "");
 }
@@ -248,6 +196,19 @@ std::string rejected_stresses(const DriftData& data, std::size_t state)
     return text;
 }
 
+double tested_end(double upper, double end)
+{
+    return fragility::is_known(upper, end) ? upper : fragility::kInfinity;
+}
+
+/// "> 2.72" where the value lies beyond the drift tested.
+Number tested_cell(double value, const fragility::Interval& i, int decimals, double end)
+{
+    if (fragility::is_known(value, end))
+        return with_interval(value, i.lower, tested_end(i.upper, end), decimals);
+    return {.lower = std::min(i.lower, end), .decimals = decimals, .sense = Sense::above};
+}
+
 void add_model(const DriftData& data, std::size_t state, Table& t)
 {
     const std::string name = state_name(data.states[state]);
@@ -268,11 +229,10 @@ void add_model(const DriftData& data, std::size_t state, Table& t)
         const double end = known_near(data, state, stress);
         add_row(t, {name, given(stress), count(model.median_terms.size() - 1),
                     count(model.dispersion_terms.size() - 1),
-                    with_interval(p.median, p.confidence, d, end),
+                    tested_cell(p.median, p.confidence, d, end),
                     Number{.lower = p.prediction.lower,
-                           .upper = p.prediction.upper,
-                           .decimals = d,
-                           .known_to = end},
+                           .upper = tested_end(p.prediction.upper, end),
+                           .decimals = d},
                     plain_number(end, decimals_for(end)),
                     with_error(at.law.dispersion,
                                at.law.dispersion * std::sqrt(at.covariance(1, 1)), 2)});
@@ -296,7 +256,7 @@ Table performance_table(const DriftData& data)
          {"5 % drift", "16 % drift", "median drift", "84 % drift", "95 % drift"}) {
         const bool median = std::string_view(share) == "median drift";
         t.head.emplace_back(drift_head(data, share),
-                            kInterval | kExtrapolated | (median ? 0U : unsigned{kDetail}));
+                            kInterval | kCensored | (median ? 0U : unsigned{kDetail}));
     }
     t.head.insert(t.head.end(), {{"dispersion", kInterval},
                                  {"std error of ln median", kProgramsOnly},
@@ -304,6 +264,11 @@ Table performance_table(const DriftData& data)
                                  {"note", kNote}});
     add_rows(data, add_limits, t);
     return t;
+}
+
+std::string names_of_row(const DriftData& data, std::size_t state)
+{
+    return names_of(data, state);
 }
 
 std::vector<std::size_t> severest_rows(const DriftData& data, const Table& limits)
@@ -331,6 +296,7 @@ Table fit_table(const DriftData& data)
               "p of W2",
               "A2",
               "p of A2",
+              "p of two heaps",
               {"samples", kProgramsOnly},
               {"note", kNote}};
     add_rows(data, add_tests, t);
@@ -345,7 +311,7 @@ Table stress_table(const DriftData& data)
               "stress [MPa]",
               "degree of ln median",
               "degree of ln dispersion",
-              {drift_head(data, "median"), kInterval | kExtrapolated},
+              {drift_head(data, "median"), kInterval | kCensored},
               {drift_head(data, "prediction interval"), kRange},
               drift_head(data, "tested up to"),
               {"dispersion", kError},

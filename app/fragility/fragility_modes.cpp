@@ -37,7 +37,7 @@ void add_mode(const StudyWalls& walls, const StudyLevel& level, int mode, Table&
 {
     const double confidence = walls.study.fragility.confidence;
     const bool has_slid =
-        mode == kRocking && walls.study.fragility.mode.modes == dem::ModeRule::two;
+        mode == kRocking && walls.study.fragility.mode.modes == dem::ModeRule::paper;
     const Row start = {
         stress_cell(level.stress),
         mode_name(mode),

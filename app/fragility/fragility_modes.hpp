@@ -6,13 +6,13 @@
 
 namespace app {
 
-/// Share of each mode under each stress: Wilson, Clopper-Pearson and Jeffreys intervals, and bounds that
-/// count failed walls.
+/// Share of each mode under each stress: Wilson, Clopper-Pearson and Jeffreys intervals, and
+/// bounds that count failed walls.
 [[nodiscard]] Table mode_table(const StudyWalls& walls);
 
-/// Logistic regression of the mode on the joint friction angle: at which angle both modes are equally
-/// likely, per stress. A sentence where the study has no such random input or the mode does not depend
-/// on it.
+/// Logistic regression of the mode on the joint friction angle: at which angle both modes are
+/// equally likely, per stress. A sentence where the study has no such random input or the mode
+/// does not depend on it.
 [[nodiscard]] Table equal_modes_table(const StudyWalls& walls);
 
 /// Share of mixed mode for other thresholds of dem/scene/mechanism.hpp.

@@ -1,5 +1,5 @@
 #pragma once
-/// What the verb fragility writes: tables, pictures, one file with everything, and an index.
+/// Output of the verb fragility: tables, pictures, one file with everything, and an index.
 
 #include "app/output/table.hpp"
 
@@ -17,8 +17,8 @@ struct NamedTable {
     bool in_summary = false;         ///< the summary that the verb study prints has its numbers
 };
 
-/// The table as a terminal gets it unless it asks for all. It has no column of kDetail. A table of more than this many rows is cut to its
-/// main ones, at most so many.
+/// The table as a terminal gets it unless it asks for all. It has no column of kDetail. A table
+/// of more than this many rows is cut to its main ones, at most so many.
 constexpr std::size_t kShortRows = 10;
 [[nodiscard]] Table short_table(const NamedTable& named);
 
@@ -38,15 +38,16 @@ struct FragilityOutput {
     std::string pelicun; ///< CSV; empty: not written
 };
 
-/// All tables with their captions and rows as in the CSV, cells that are empty as null; one object.
+/// All tables with their captions and rows as in the CSV, cells that are empty as null; one
+/// object.
 [[nodiscard]] std::string fragility_json(const FragilityOutput& output);
 
 /// Gives tables, and pictures, unique names.
 void make_names_unique(FragilityOutput& output);
 
-/// README.md, which begins with the answers; fragility.json, pelicun_fragility.csv; <name>.csv, .md, .tex of
-/// every answer; all other tables in tables/, pictures as <name>.svg in pictures/. The CSV has no caption: it is
-/// in the .md beside it.
+/// README.md, which begins with the answers; fragility.json, pelicun_fragility.csv; <name>.csv,
+/// .md, .tex of every answer; all other tables in tables/, pictures as <name>.svg in pictures/.
+/// The CSV has no caption: it is in the .md beside it.
 /// @return how many files of an earlier run were removed
 /// @throws as write_results
 std::size_t write_output(const std::filesystem::path& folder, const FragilityOutput& output);

@@ -1,14 +1,18 @@
 #include "app/fragility/fragility_limits.hpp"
 
 #include "app/fragility/drift_fits.hpp"
+#include "app/fragility/limit_drifts.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/unique_names.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/number_text.hpp"
+#include "fragility/model_factor.hpp"
+#include "fragility/standard_law.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace app {
@@ -17,26 +21,88 @@ namespace {
 constexpr std::size_t kMostStates = 4;
 
 struct Parameters {
-    double median, dispersion;
+    double median; ///< with the factor of the model [rad]
+    fragility::Dispersions dispersion;
+    double factor;   ///< median of that factor [-]
+    bool doubted;    ///< else the dispersion is that from wall to wall alone
     double known_to; ///< drift up to which walls were seen [rad]
 };
 
-/// A lognormal fit of a limit state [rad]; nothing without.
+/// A lognormal law [unit of the data].
+struct WallLaw {
+    double median;
+    double dispersion;
+    double error; ///< of ln median; NaN: not known
+};
+
+/// The error of ln median that an interval of the confidence means; NaN where an end is open.
+double error_of(const fragility::Interval& median, double confidence)
+{
+    if (!(median.lower > 0.0) || !std::isfinite(median.upper))
+        return std::numeric_limits<double>::quiet_NaN();
+    const double deviates = 2.0 * fragility::StandardNormal::quantile(0.5 * (1.0 + confidence));
+    return std::log(median.upper / median.lower) / deviates;
+}
+
+/// A lognormal law that has the three drifts about the middle; nothing where one of them is not
+/// known.
+std::optional<WallLaw> middle_law(const LimitDrifts& limits, double confidence)
+{
+    if (limits.quantiles.at.size() != fragility::kLimitShares.size()) return {};
+    const auto& at = limits.quantiles.at;
+    if (!at[1].value || !at[2].value || !at[3].value || !(*at[1].value > 0.0)) return {};
+    constexpr double kDeviates = 2.0 * 0.994457883209753; // of 16 and 84 %
+    return WallLaw{*at[2].value, std::log(*at[3].value / *at[1].value) / kDeviates,
+                   error_of(at[2].interval, confidence)};
+}
+
+/// The lognormal law where one law describes all walls, and else a law through the middle of
+/// the mixture.
+std::optional<WallLaw> law_of(const DriftData& data, std::size_t g, std::size_t state,
+                              const LimitDrifts& limits)
+{
+    const auto source = limits.quantiles.source;
+    const auto middle = middle_law(limits, data.options.confidence);
+    if (source == fragility::QuantileSource::mixture) return middle;
+    const JudgedFit f = judged_lognormal(data, g, state);
+    if (source != fragility::QuantileSource::law || !middle || !describes(f)) return {};
+    if (std::ranges::any_of(limits.quantiles.at, &fragility::LimitQuantile::observed))
+        return middle;
+    return WallLaw{std::exp(f.fit.law.location), f.fit.law.dispersion, f.fit.location_error};
+}
+
+/// Median and dispersion of a limit state [rad]; nothing without.
+/// @param reasons why there is none
 std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::size_t state,
-                                     std::string& rejection)
+                                     std::string& reasons)
 {
     if (!(data.percent > 0.0)) return {};
-    const JudgedFit f = judged_lognormal(data, g, state);
-    if (rejected(f))
-        rejection += "; " + state_name(data.states[state]) +
-                     ": the tests reject the lognormal law (p = " +
-                     number(fragility::least_p(f.tests), 2) + ")";
-    if (const std::string limit = limit_text(data, g, state); !limit.empty())
-        rejection += "; " + state_name(data.states[state]) + ": " + limit;
-    if (!describes(f)) return {};
+    const LimitDrifts limits = limit_drifts(data, g, state);
+    const auto walls = limits_of(data.groups[g], state);
     const double radians = data.percent / 100.0;
-    return Parameters{std::exp(f.fit.law.location) * radians, f.fit.law.dispersion,
-                      known_to(limits_of(data.groups[g], state)) * radians};
+    const double tested = limits.quantiles.tested_to;
+    const double end = (std::isfinite(tested) ? tested : known_to(walls)) * radians;
+    const std::string name = "; " + state_name(data.states[state]) + ": ";
+    const bool mixed = limits.quantiles.source == fragility::QuantileSource::mixture;
+    const JudgedFit f = judged_lognormal(data, g, state);
+    if (rejected(f) && !mixed)
+        reasons += name + "the tests reject the lognormal law (p = " +
+                   number(fragility::least_p(f.tests), 2) + ")";
+    if (const std::string limit = limit_text(data, g, state); !limit.empty())
+        reasons += name + limit;
+    const auto found = law_of(data, g, state, limits);
+    if (!found) {
+        const auto& at = limits.quantiles.at;
+        if (!at.empty() && !at[3].value)
+            reasons += name + "84 % of the walls reach it beyond the drift tested, " +
+                       number(end, 4) + " rad";
+        return {};
+    }
+    if (mixed) reasons += name + "through the 16, 50 and 84 % drifts of the mixture of modes";
+    const fragility::ModelFactor& factor = data.groups[g].model.factor;
+    return Parameters{found->median * radians * factor.median,
+                      fragility::dispersions(found->dispersion, found->error, factor),
+                      factor.median, data.groups[g].model.source != "none", end};
 }
 
 std::vector<std::string> sets_of(const DriftData& data)
@@ -63,7 +129,17 @@ std::string head_line()
     return line + ",Notes\n";
 }
 
-/// "0.5 MPa: LS1 tested up to 0.002 rad; LS2 tested up to 0.027 rad (median extrapolated)"
+/// ", dispersion: material 0.5, sampling 0.07, model 0.4"; nothing without an error of the
+/// model
+std::string dispersion_text(const Parameters& p)
+{
+    if (!p.doubted) return {};
+    return ", dispersion: material " + number(p.dispersion.material, 3) + ", sampling " +
+           number(p.dispersion.sampling, 3) + ", model " + number(p.dispersion.model, 3) +
+           (p.factor == 1.0 ? "" : ", median times " + number(p.factor, 3));
+}
+
+/// "0.5 MPa: LS1 tested up to 0.002 rad; LS2 tested up to 0.027 rad"
 std::string notes(const DriftGroup& group, const std::vector<std::optional<Parameters>>& found)
 {
     std::string text = group.name + ":";
@@ -71,7 +147,7 @@ std::string notes(const DriftGroup& group, const std::vector<std::optional<Param
         if (!found[i]) continue;
         text += (text.back() == ':' ? " LS" : "; LS") + std::to_string(i + 1) +
                 " tested up to " + number(found[i]->known_to, 4) + " rad";
-        if (found[i]->median > found[i]->known_to) text += " (median extrapolated)";
+        text += dispersion_text(*found[i]);
     }
     return text;
 }
@@ -91,7 +167,10 @@ std::string line(const DriftData& data, std::size_t group, const std::string& id
             text += ",,,,";
         } else if (found[i]) {
             text += ",lognormal," + number(found[i]->median, 6) + "," +
-                    number(found[i]->dispersion, 6) + ",";
+                    number(found[i]->doubted ? found[i]->dispersion.total
+                                             : found[i]->dispersion.material,
+                           6) +
+                    ",";
         } else {
             text += ",lognormal,,,";
         }

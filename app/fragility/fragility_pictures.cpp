@@ -1,6 +1,7 @@
 #include "app/fragility/fragility_curves.hpp"
 
 #include "app/fragility/drift_fits.hpp"
+#include "app/fragility/limit_drifts.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/number_text.hpp"
@@ -68,6 +69,23 @@ Series fitted(const DriftData& data, const JudgedFit& law, const std::vector<dou
     return s;
 }
 
+/// The curve of the drifts of the tables: of one law or of the mixture of modes; empty where
+/// they are observed.
+Series chosen_curve(const DriftData& data, std::size_t group, std::size_t state,
+                    const LimitDrifts& chosen, const std::vector<double>& drifts)
+{
+    if (of_one_law(chosen.quantiles)) return fitted(data, chosen.judged, drifts);
+    Series s;
+    if (chosen.quantiles.source != fragility::QuantileSource::mixture) return s;
+    const auto modes = mode_groups(data, group, state);
+    for (const auto& p :
+         fragility::mixture_curve(modes, drifts, data.options.confidence).points) {
+        s.x.push_back(p.drift);
+        s.y.push_back(p.least);
+    }
+    return s;
+}
+
 Chart empty_chart(const DriftData& data, const std::string& title)
 {
     Chart c;
@@ -98,12 +116,12 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
                         data.groups[g].name;
             continue;
         }
-        Series line = fitted(data, judged_fit(data, g, state), drifts);
+        const LimitDrifts chosen = limit_drifts(data, g, state);
+        Series line = chosen_curve(data, g, state, chosen, drifts);
         const bool found = !line.x.empty();
         line.name = data.groups[g].name;
         line.colour = palette(g);
-        if (found)
-            for (const Series& part : parted(line, known_to(limits))) c.series.push_back(part);
+        if (found) c.series.push_back(parted(line, chosen.quantiles.tested_to).front());
         if (!limits.empty())
             c.series.push_back(
                 steps(limits, found ? "" : line.name + " (observed)", palette(g)));
@@ -112,7 +130,7 @@ NamedPicture all_groups(const DriftData& data, std::size_t state,
     return {file,
             "fragility curves of " + state_name(data.states[state]) + " (" +
                 data.states[state].rule +
-                "), all walls of a group; dashed where extrapolated, dotted: observed shares "
+                "), all walls of a group, as far as they were tested; dotted: observed shares "
                 "(Kaplan-Meier)" +
                 left_out,
             line_chart(c)};

@@ -6,8 +6,8 @@
 
 namespace app {
 
-/// One row per wall: mode, peak, ultimate displacement, every limit state, what moved, inputs. Failed walls
-/// have their reason.
+/// One row per wall: mode, peak, ultimate displacement, every limit state, what moved, inputs.
+/// Failed walls have their reason.
 /// @param walls of the study, all of them or some
 [[nodiscard]] Table wall_table(const StudyWalls& study, const WallList& walls);
 

@@ -8,8 +8,9 @@
 namespace app {
 namespace {
 
-/// Of walls without strengthening, the smaller of both directions; computed from the tables of Vanin, Zaganelli, Penna,
-/// Beyer (2017), doi 10.5281/zenodo.812145, at commit 6f340243 of github.com/eesd-epfl/StoneMasonryDatabase.
+/// Drifts measured on walls without strengthening, the smaller of both directions; computed
+/// from the tables of Vanin, Zaganelli, Penna, Beyer (2017), doi 10.5281/zenodo.812145, at
+/// commit 6f340243 of github.com/eesd-epfl/StoneMasonryDatabase.
 struct Measured {
     const char *typology, *mode;
     int tests;

@@ -1,5 +1,5 @@
 #pragma once
-/// What tests of stone masonry walls have shown, to set beside the walls of a study.
+/// Drifts that tests of stone masonry walls have shown, to set beside the walls of a study.
 
 #include "app/output/table.hpp"
 

@@ -6,8 +6,8 @@
 
 namespace app {
 
-/// One row per stress: errors that the pushes estimate, what they and the number of walls leave open of the mean peak
-/// force, and the differences of the audit.
+/// One row per stress: errors that the pushes estimate, what they and the number of walls leave
+/// open of the mean peak force, and the differences of the audit.
 [[nodiscard]] Table solver_error_table(const StudyWalls& walls);
 
 } // namespace app

@@ -88,7 +88,7 @@ Words words_of(const StudyWalls& walls)
     Words words = words_of(drift_data(walls));
     words["rule"] = mode_rule_text(walls.study.fragility);
     words["fall"] = percent_text(walls.study.fragility.ultimate_share);
-    words["fallen"] = walls.study.fragility.mode.modes == dem::ModeRule::two
+    words["fallen"] = walls.study.fragility.mode.modes == dem::ModeRule::paper
                           ? " A wall whose force fell to " + words["fall"] +
                                 " of its peak is mixed whatever the thresholds."
                           : "";

@@ -23,7 +23,8 @@ using Words = std::map<std::string, std::string, std::less<>>; ///< what stands 
 /// {counts}, {drift}, {law}, {confidence}, {states}, {bootstrap} of any data.
 [[nodiscard]] Words words_of(const DriftData& data);
 
-/// Also {rule} of the modes, {fall} (share of the peak) and {ultimate} of the ultimate displacement, {height}, {spatial}.
+/// Also {rule} of the modes, {fall} (share of the peak) and {ultimate} of the ultimate
+/// displacement, {height}, {spatial}.
 [[nodiscard]] Words words_of(const StudyWalls& walls);
 
 } // namespace app

@@ -1,5 +1,6 @@
 #pragma once
-/// The wall that the keys of a study describe, where no outlines are drawn: courses with openings, or rubble.
+/// The wall that the keys of a study describe, where no outlines are drawn: courses with
+/// openings, or rubble.
 
 #include "app/input/study.hpp"
 

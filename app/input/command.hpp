@@ -1,6 +1,7 @@
 #pragma once
-/// What one command line asks for.
+/// A command line as it was understood.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct Command {
     std::string script;                ///< a job array is written to this file, nothing is run
     bool rerun_failed = false;         ///< failed walls are run again
     bool report = false;               ///< tables and page follow the study
+    std::vector<std::string> beside;   ///< measured curves that pictures show
     bool film = false;                 ///< a moving picture of each wall that is pushed
     bool partial = false;              ///< shards are merged although walls are missing
     std::vector<std::string> drift;    ///< columns of a table
@@ -38,13 +40,16 @@ struct Command {
     std::string group;                 ///< column of a table; empty: none
     std::string intensity, of, state;  ///< columns of a table of counts; empty: none
     std::vector<std::string> failed;   ///< columns of a table of counts
+    std::vector<std::string> measures; ///< of a record, beside those that are always shown
+    std::string unit;                  ///< of the values of a record; empty: as the file says
     std::string address = "127.0.0.1"; ///< at which a server listens
     int port = 4242;                   ///< of a server; 0: any free one
     std::vector<std::string> hosts; ///< further names of a server, and of pages that may ask it
     std::vector<std::string> inputs; ///< keys that a server takes; empty: the random variables
-    std::vector<std::string> responses; ///< that a server gives; empty: the peak force
-    std::optional<int> walls;           ///< number of walls that a page shows, >= 0
-    std::string title;                  ///< of a page; empty: that of the study
+    std::vector<std::string> responses;         ///< that a server gives; empty: the peak force
+    std::optional<int> walls;                   ///< number of walls that a page shows, >= 0
+    std::string title;                          ///< of a page; empty: that of the study
+    std::map<std::string, std::string> answers; ///< of a new study, by option: "length", "3 m"
 };
 
 } // namespace app

@@ -192,13 +192,14 @@ void check_out_folder(const Command& command)
                             "overwritten; give another folder");
 }
 
-/// What is made of a file of results lies beside it, what is made of a study in runs/. A wall of a study has a folder
-/// of its own: paper_17_0.75.
+/// Output made of a file of results lies beside it, output made of a study in runs/. A wall of
+/// a study has a folder of its own: paper_17_0.75.
 std::string default_out(const Verb& verb, const Command& command)
 {
     const fs::path read = command.study;
     const bool results = read.extension() == ".h5";
     std::string name = read.stem().string();
+    if (verb.name == "record") name = name.substr(0, name.find('(')); // of a pulse
     if (results && verb.name == "push") {
         name += command.sample ? "_" + std::to_string(*command.sample) : "_mean";
         if (!command.level.empty())

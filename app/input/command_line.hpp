@@ -16,8 +16,8 @@ namespace app {
 [[nodiscard]] Command parse_command_line(std::span<const Verb> verbs,
                                          const std::vector<std::string>& arguments);
 
-/// The help of one verb (its options, and the keys of a study that it reads), of one key, or all verbs, keys and options that
-/// speak of a word.
+/// The help of one verb (its options, and the keys of a study that it reads), of one key, or
+/// all verbs, keys and options that speak of a word.
 /// @param topic a verb, a key with or without its section, or a word; empty: the program
 /// @throws ConfigError if nothing speaks of it
 [[nodiscard]] std::string help_text(std::span<const Verb> verbs, std::string_view topic);

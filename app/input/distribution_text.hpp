@@ -25,8 +25,8 @@ namespace app {
 /// @throws BadValue
 [[nodiscard]] uq::Marginal parse_distribution(std::string_view text, std::string_view unit);
 
-/// The same distribution in a fixed form: parameters by name, each number as short as it can be, in `unit`. However the
-/// numbers of a distribution were written, this text is the same.
+/// The same distribution in a fixed form: parameters by name, each number as short as it can
+/// be, in `unit`. However the numbers of a distribution were written, this text is the same.
 /// @param text of a distribution that parse_distribution takes
 [[nodiscard]] std::string canonical_distribution(std::string_view text, std::string_view unit);
 

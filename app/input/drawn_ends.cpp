@@ -26,7 +26,7 @@ double top_of(const std::vector<dem::Block>& blocks)
     return std::ranges::max_element(blocks, {}, &dem::Block::z1)->z1;
 }
 
-/// Of the sides that a beam lies on [m].
+/// Length of the sides that a beam lies on [m].
 double level_length(const std::vector<dem::Block>& blocks)
 {
     const double top = top_of(blocks);
@@ -56,7 +56,8 @@ bool stands(const dem::Block& block)
     });
 }
 
-/// Blocks that begin within a tenth of a block's height above the floor were meant to stand on it, as far as one can see.
+/// Blocks that begin within a tenth of a block's height above the floor were meant to stand on
+/// it, as far as one can see.
 void note_floor(const std::vector<dem::Block>& blocks, std::vector<std::string>& notes)
 {
     constexpr double kLowest = 0.1; // of the mean height of a block

@@ -1,5 +1,6 @@
 #pragma once
-/// Rules that tie the keys of joints and cracks to each other, and remarks on the laws that they choose.
+/// Rules that tie the keys of joints and cracks to each other, and remarks on the laws that
+/// they choose.
 
 #include "app/input/study.hpp"
 
@@ -19,11 +20,12 @@ void check_joint_laws(const Study& study);
 /// Whether the law of closure is fitted to wall moduli.
 [[nodiscard]] bool is_fitted_closure(const Study& study);
 
-/// "-0.55, +0.47 %": stiffness by the fitted law of closure, relative to that of each wall modulus.
+/// "-0.55, +0.47 %": stiffness by the fitted law of closure, relative to that of each wall
+/// modulus.
 [[nodiscard]] std::string fit_residuals(const Study& study);
 
-/// Lines for people: the fitted law of closure, and the tensile strength that friction takes from Coulomb's envelope at
-/// mean values; empty if there is neither.
+/// Lines for people: the fitted law of closure, and the tensile strength that friction takes
+/// from Coulomb's envelope at mean values; empty if there is neither.
 [[nodiscard]] std::string joint_law_notes(const Study& study);
 
 } // namespace app

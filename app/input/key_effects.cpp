@@ -2,6 +2,7 @@
 
 #include "app/input/joint_laws.hpp"
 #include "app/input/key_values.hpp"
+#include "app/input/material_presets.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/build_cost.hpp"
@@ -26,9 +27,11 @@ std::string effect_notes(const Study& study, const Verb& verb)
     const Study defaults;
     std::vector<std::pair<std::string_view, std::string>> reasons; // and their keys
     for (const Key& key : study_keys()) {
-        if (!reads(verb, key) || find_entry(study.source, key.name) == nullptr) continue;
+        const Entry* const entry = find_entry(study.source, key.name);
+        if (!reads(verb, key) || entry == nullptr || entry->preset) continue;
         const std::string_view why = why_no_effect(key, study);
-        // The study of a pushed wall writes out all defaults, and nothing is lost with one that plays no part.
+        // The study of a pushed wall writes out all defaults, and nothing is lost with one that
+        // plays no part.
         if (why.empty() || value_text(key, study) == value_text(key, defaults)) continue;
         const auto found =
             std::ranges::find_if(reasons, [&](const auto& r) { return r.first == why; });
@@ -93,6 +96,9 @@ std::string study_notes(const Study& study, const Command& command)
     if (command.verb == nullptr) return "";
     if (!reads(*command.verb, *find_key("uq.drawn"))) refuse_drawn(study);
     std::string notes = effect_notes(study, *command.verb);
+    const std::string material = material_text(study.source);
+    if (reads(*command.verb, *find_key("wall.material")) && !material.empty())
+        notes += "note: the wall is of " + material + ". Sources: drystone help materials\n";
     if (reads(*command.verb, *find_key("joint.closure"))) notes += joint_law_notes(study);
     if (!study.load.scaled.empty())
         notes +=

@@ -13,11 +13,11 @@ namespace app {
 
 /// One line for each reason why keys that are given have no effect on what the verb computes:
 /// "note: uq.kernel, uq.correlation_length: no effect, because uq.spatial is not correlated".
-/// Empty if every given key has an effect. Sections that the verb does not read are passed over,
-/// since one study file serves several verbs.
+/// Empty if every given key has an effect. Sections that the verb does not read are passed
+/// over, since one study file serves several verbs.
 [[nodiscard]] std::string effect_notes(const Study& study, const Verb& verb);
 
-/// What making the blocks will cost, where that is much: a line for people; else nothing.
+/// Cost of making the blocks, where that is much: a line for people; else nothing.
 /// @param purpose of a drawing nothing is refused
 /// @throws ConfigError where this machine has not the memory
 [[nodiscard]] std::string cost_note(const Study& study, Purpose purpose);
@@ -25,8 +25,8 @@ namespace app {
 /// @throws ConfigError where the study names one wall (uq.drawn)
 void refuse_drawn(const Study& study);
 
-/// All notes on a study before it is run, for people: these, and what was closed, simplified or ignored of a drawing. Nothing for
-/// a command without a verb, as other programs make them.
+/// All notes on a study before it is run, for people: these, and what was closed, simplified or
+/// ignored of a drawing. Nothing for a command without a verb, as other programs make them.
 /// @throws ConfigError where the study names one wall (uq.drawn) and the verb is not push
 [[nodiscard]] std::string study_notes(const Study& study, const Command& command);
 

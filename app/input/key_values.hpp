@@ -15,7 +15,8 @@ namespace app {
 [[nodiscard]] std::vector<double> parse_value(const Key& key, std::string_view text);
 
 /// The value as a distribution, cut off at the range of the key; nothing if it is a number.
-/// @throws BadValue if it is meant as one and is none, if the key takes none, or if the range of the
+/// @throws BadValue if it is meant as one and is none, if the key takes none, or if the range
+/// of the
 /// key holds less than half of it
 [[nodiscard]] std::optional<RandomInput> parse_random(const Key& key, std::string_view text);
 

@@ -89,8 +89,8 @@ UserState parse_state(std::string_view text)
     return user;
 }
 
-/// From the foot of the wall, where its flexural capacity is attained, to the contraflexure point [m]: half-way up where the
-/// beam does not turn.
+/// From the foot of the wall, where its flexural capacity is attained, to the contraflexure
+/// point [m]: half-way up where the beam does not turn.
 double shear_span(const Study& study)
 {
     const bool turns = !study.beam.present || study.beam.rotation == dem::BeamRotation::free;

@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// "slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate; crack: rise 0.33; half: drop 0.5; near: ultimate
-/// or 1.0 %; far: 2 %". A drift after `or` is a cap: whichever comes first.
+/// "slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate; crack: rise 0.33; half: drop 0.5; near:
+/// ultimate or 1.0 %; far: 2 %". A drift after `or` is a cap: whichever comes first.
 /// @throws std::invalid_argument naming the state and what is allowed
 [[nodiscard]] std::vector<UserState> parse_user_states(std::string_view text);
 

@@ -18,7 +18,8 @@ constexpr double kUnbreakable = 1e12; // [Pa]
 constexpr double kCoarse = 0.5;       // accuracy that is enough
 constexpr double kLooks = 40.0;       // at the wall, on the way of the push
 
-/// Parallel vertical cracks add to the stiffness, so that these are kept; in place of many pieces there are four.
+/// Parallel vertical cracks add to the stiffness, so that these are kept; in place of many
+/// pieces there are four.
 dem::CrackPattern coarse(const dem::CrackPattern& p)
 {
     if (!dem::shares_stiffness(p)) return p;

@@ -65,33 +65,47 @@ std::string host_name(const std::string& text)
 
 using Text = const std::string&;
 
+/// The name of an option as a template argument.
+template <std::size_t N> struct OptionName {
+    char text[N]{};
+    constexpr OptionName(const char (&name)[N]) { std::copy_n(name, N, text); } // NOLINT
+};
+
+/// An answer of a new study (app/new/new_answers.hpp).
+template <OptionName Name> void answer(Command& c, Text v)
+{
+    c.answers[Name.text] = some_text(v);
+}
+
 // clang-format off
 std::vector<Option> table()
 {
     return {
         {"out", "PATH", "output directory or file (default: runs/<name of the study>; beside a FILE.h5 that is read)",
-         "push scene study sample reliability fragility report curves", false,
+         "push scene study sample reliability fragility report sheet choices compare curves calibrate record surrogate shake", false,
          [](Command& c, Text v) { c.out = some_text(v); }},
         {"set", "section.key=value", "value in place of the one in the study file; an empty one takes the key out; may be repeated",
-         "push scene study sample reliability fragility serve", true,
+         "push scene study sample reliability fragility sheet choices serve calibrate shake", true,
          [](Command& c, Text v) { c.overrides.push_back(v); }},
         {"threads", "N", "number of threads (default: " + std::to_string(default_threads()) + ", all of this machine)",
-         "push study reliability report serve", false,
+         "push study reliability report sheet choices serve calibrate", false,
          [](Command& c, Text v) { c.threads = whole_number(v, 1, 1024); }},
         {"quiet", "", "no progress on stderr (default: progress)",
-         "push study sample reliability fragility report curves merge serve", false,
+         "push study sample reliability fragility report sheet choices compare curves merge serve calibrate record surrogate shake", false,
          [](Command& c, Text) { c.quiet = true; }},
         {"verbose", "", "print all rows and columns of the tables (default: ten rows, the main columns)",
          "study fragility", false,
          [](Command& c, Text) { c.verbose = true; }},
-        {"sample", "K", "wall K, from 0, of a study with distributions; or mean: the wall of their means", "push", false,
+        {"sample", "K", "wall K, from 0, of a study with distributions; or mean: the wall of their means", "push shake", false,
          [](Command& c, Text v) {
              c.mean_wall = v == "mean";
              if (!c.mean_wall) c.sample = whole_number(v, 0, 1e9);
          }},
         {"film", "", "write a moving picture of the push, film.svg, for a page or a talk", "push", false,
          [](Command& c, Text) { c.film = true; }},
-        {"level", "STRESS", "vertical stress, such as \"0.75 MPa\", where the study has several", "push reliability", false,
+        {"beside", "TEST.csv", "draw a measured curve (displacement_mm,force_kN) in the pictures of the curve; may be repeated", "push", true,
+         [](Command& c, Text v) { c.beside.push_back(some_text(v)); }},
+        {"level", "STRESS", "vertical stress, such as \"0.75 MPa\", where the study has several", "push reliability sheet choices shake", false,
          [](Command& c, Text v) { c.level = v; }},
         {"shard", "I/N", "part I of N, I from 1; each part is written to a file of its own", "study", false,
          [](Command& c, Text v) { c.shard = shard_of(v); }},
@@ -111,7 +125,7 @@ std::vector<Option> table()
          [](Command& c, Text v) { c.intensity = some_text(v); }},
         {"failed", "COLUMN", "column of the numbers that reached a limit state; may be repeated, mildest first", "fragility", true,
          [](Command& c, Text v) { c.failed.push_back(some_text(v)); }},
-        {"of", "COLUMN", "column of the total numbers of walls (analyses, buildings) in a table of counts", "fragility", false,
+        {"of", "NAME", "column of the total numbers of walls (analyses, buildings) in a table of counts; of a surrogate its response (default: peak_force)", "fragility surrogate", false,
          [](Command& c, Text v) { c.of = some_text(v); }},
         {"state", "COLUMN", "column of damage states (0 for none, 1, 2, ...) in place of --failed", "fragility", false,
          [](Command& c, Text v) { c.state = some_text(v); }},
@@ -119,8 +133,20 @@ std::vector<Option> table()
          [](Command& c, Text) { c.partial = true; }},
         {"walls", "N", "how many walls the page can show (default: all; a selection of large studies)", "report", false,
          [](Command& c, Text v) { c.walls = whole_number(v, 0, 1e6); }},
-        {"title", "TEXT", "title of the page (default: name of the study)", "report study", false,
+        {"title", "TEXT", "title of the page (default: name of the study)", "report study sheet", false,
          [](Command& c, Text v) { c.title = some_text(v); }},
+        {"measure", "NAME", "further measure of intensity, such as \"sa(0.5 s)\", \"avg_sa(0.5 s)\" or \"fiv3(0.5 s)\"; may be repeated", "record", true,
+         [](Command& c, Text v) { c.measures.push_back(some_text(v)); }},
+        {"acceleration-unit", "UNIT", "unit of the accelerations of a file, in place of the one that it states: g, m/s2, cm/s2, mm/s2 or g/10", "record", false,
+         [](Command& c, Text v) { c.unit = some_text(v); }},
+        {"length", "LENGTH", "length of the wall, along the push, such as \"3 m\"", "new", false, answer<"length">},
+        {"height", "LENGTH", "height of the wall", "new", false, answer<"height">},
+        {"thickness", "LENGTH", "thickness of the wall", "new", false, answer<"thickness">},
+        {"material", "NAME", "one of docs/materials.md, such as roughly_squared", "new", false, answer<"material">},
+        {"unit", "SIZE", "a usual stone, length x height, such as \"0.4 x 0.2 m\"", "new", false, answer<"unit">},
+        {"bond", "NAME", "running (default), stack, english, flemish, header or rubble", "new", false, answer<"bond">},
+        {"openings", "BOXES", "doors and windows, as wall.openings (default: none)", "new", false, answer<"openings">},
+        {"stress", "STRESS", "vertical stress on top of the wall, such as \"0.20 MPa\"", "new", false, answer<"stress">},
         {"port", "N", "port of a server, 0 for any free one (default: 4242)", "serve", false,
          [](Command& c, Text v) { c.port = whole_number(v, 0, 65535); }},
         {"address", "IP", "address at which a server listens (default: 127.0.0.1, this machine alone)", "serve", false,

@@ -50,7 +50,7 @@ struct Parameters {
 /// Where a parameter is kept.
 using ParameterPlace = double& (*)(Parameters&);
 
-/// What has a value of its own where the study is spatial.
+/// The part that has a value of its own where the study is spatial.
 enum class Varies {
     never,    ///< a number, never a distribution
     by_wall,  ///< one value per wall, in spatial studies too
@@ -74,11 +74,13 @@ struct StressLevel {
 /// @param course_height h of Eq. 2 [m]
 [[nodiscard]] dem::ClosureFit closure_fit(const Parameters& p, double course_height);
 
-/// The stiffness of the joints is that of Eq. 2, or as given; of joints that close, that at the vertical stress.
+/// The stiffness of the joints is that of Eq. 2, or as given; of joints that close, that at the
+/// vertical stress.
 /// @param course_height h of Eq. 2 [m]
 [[nodiscard]] dem::JointMaterial joint_material(const Parameters& p, double course_height,
                                                 StressLevel level);
-/// @param own stiffness of the crack over Young's modulus of the stone [1/m]; 0: that of the joints gives it
+/// @param own stiffness of the crack over Young's modulus of the stone [1/m]; 0: that of the
+/// joints gives it
 /// (dem::Layout::crack_stiffness)
 [[nodiscard]] dem::CrackMaterial crack_material(const Parameters& p, double course_height,
                                                 StressLevel level, double own = 0.0);

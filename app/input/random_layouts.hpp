@@ -1,6 +1,6 @@
 #pragma once
-/// Studies whose walls lie in several random layouts: a layout is drawn by its seed alone, so that any of them can
-/// be laid again by itself.
+/// Studies whose walls lie in several random layouts: a layout is drawn by its seed alone, so
+/// that any of them can be laid again by itself.
 
 #include "app/input/study.hpp"
 
@@ -21,7 +21,8 @@ namespace app {
 /// @throws ConfigError if the layout makes no wall
 [[nodiscard]] Study in_layout(const Study& study, std::uint32_t seed);
 
-/// What speaks of single joints or units has no meaning across layouts. @throws ConfigError
+/// Refuses keys that speak of single joints or units: they have no meaning across layouts.
+/// @throws ConfigError
 void check_layouts(const Study& study);
 
 /// For verbs that take the wall of the study as it is. @throws ConfigError

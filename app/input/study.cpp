@@ -4,6 +4,7 @@
 #include "app/input/key_reading.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/limit_state_text.hpp"
+#include "app/input/material_presets.hpp"
 #include "app/input/protocol_scale.hpp"
 #include "app/input/study_checks.hpp"
 #include "app/input/study_keys.hpp"
@@ -25,7 +26,8 @@ namespace {
 
 using KeyPair = std::array<std::string_view, 2>;
 
-/// Two keys that give one thing. The one that --set gives takes the place of the other in the file.
+/// Two keys that give one thing. The one that --set gives takes the place of the other in the
+/// file.
 constexpr std::array<KeyPair, 2> kOneOfTwo = {
     {{"joint.wall_modulus", "joint.normal_stiffness"}, {"load.targets", "load.amplitudes"}}};
 
@@ -94,7 +96,7 @@ Study read_study(const StudyFile& file, Purpose purpose)
                           "only the verb reliability takes a study of another program");
     refuse_unknown(file, study_keys());
     Study study;
-    study.source = without_replaced(file);
+    study.source = with_material(without_replaced(file));
     for (const Key& key : study_keys()) read_key(key, study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
     check_cycles(study);
@@ -175,6 +177,7 @@ std::string effective_configuration(const Study& study)
         line += "= " + value;
         std::string mark = follows            ? "default, follows the draws"
                            : entry == nullptr ? "default"
+                           : entry->preset    ? "wall.material"
                            : entry->line == 0 ? "--set"
                                               : "";
         if (key.name == "load.max_displacement" && !study.load.scaled.empty())
@@ -226,7 +229,8 @@ std::vector<double> targets_of(const LoadInput& load)
     return stages.empty() ? std::vector{load.max_displacement} : dem::cyclic_targets(stages);
 }
 
-/// True once the forces of a whole cycle are below a share of the largest so far, on both sides.
+/// True once the forces of a whole cycle are below a share of the largest so far, on both
+/// sides.
 dem::StopRule stop_both_below(double share)
 {
     return [share](std::span<const dem::CurvePoint> curve) {

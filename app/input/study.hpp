@@ -9,6 +9,7 @@
 #include "dem/scene/mechanism.hpp"
 #include "dem/scene/paper_materials.hpp"
 #include "dem/scene/wall.hpp"
+#include "dem/shaking/load_mass.hpp"
 #include "dem/solver/cyclic_protocol.hpp"
 #include "dem/solver/push.hpp"
 #include "dem/solver/solver_options.hpp"
@@ -35,6 +36,7 @@ namespace app {
 struct GeometryInput {
     bool rubble = false;              ///< random stones fill the wall
     int layouts = 1;                  ///< random ones, which the samples take in turn
+    int material = 0;                 ///< index in kMaterialNames; 0: none
     std::string file;                 ///< drawing or picture; empty: none
     std::string outlines;             ///< in place of a file, as outlines_text() writes them
     double length_unit = 1e-3;        ///< of the drawing [m]
@@ -66,7 +68,8 @@ struct LoadInput {
     std::vector<double> vertical_stress; ///< stress levels [Pa], >= 0, at least one
     double height =
         0.0; ///< of the horizontal load, or of the resultant of body forces, above the floor [m]
-    /// Why the height that was given cannot be, in a study read to be drawn: `height` is its default then.
+    /// Why the height that was given cannot be, in a study read to be drawn: `height` is its
+    /// default then.
     std::string unfit_height;
     double max_displacement = dem::PushPlan{}.targets.front(); ///< of the load line [m], > 0
     std::vector<double>
@@ -79,12 +82,13 @@ struct LoadInput {
     std::string
         scaled; ///< the ultimate displacements behind the scaled protocol, as text; empty: not scaled
     double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
-    /// Share of the peak that ends the push [-], in [0, 1). 0: zero force with finite displacements,
-    /// never with small ones.
+    /// Share of the peak that ends the push [-], in [0, 1). 0: zero force with finite
+    /// displacements, never with small ones.
     double stop_below = 0.0;
     dem::TopLoad top = dem::Loads{}.top;
     double link_length = dem::Loads{}.link_length; ///< [m], of TopLoad::link
     dem::LoadPattern pattern = dem::Loads{}.pattern;
+    dem::LoadMass mass = dem::LoadMass::none; ///< of a wall that is shaken
 };
 
 struct OutputInput {
@@ -122,7 +126,8 @@ enum class FieldKernel {
     all          ///< the same of the whole wall
 };
 
-/// What a stopping rule looks at: uq.samples alone, or a row of kWallResponses, or the share of mixed walls.
+/// Quantity that a stopping rule looks at: uq.samples alone, or a row of kWallResponses, or the
+/// share of mixed walls.
 constexpr int kNoStop = -1, kStopAtMixedShare = -2;
 
 struct UqInput {
@@ -171,6 +176,16 @@ struct ProgramInput {
     bool above = false;             ///< the event is to reach the demand, else to fall to it
 };
 
+/// Motions of the ground, as text: the verb shake reads them (app/shake/shaking_motions.hpp).
+struct ShakingInput {
+    std::string records;         ///< files and pulses, with commas between; empty: none
+    std::string intensities;     ///< of `measure`, with commas between; empty: motions as given
+    std::string measure = "pga"; ///< or pgv, sa(T)
+    std::string vertical = "none"; ///< a file or a pulse
+    double scale = 1.0;            ///< on all motions [-], > 0
+    double contact_damping = 0.0;  ///< zeta of dry joints [-], >= 0
+};
+
 /// How walls are read, by every verb. Moves no wall.
 struct FragilityInput {
     std::string limit_states = "paper, ntc"; ///< sets: paper, ntc, ec8, user
@@ -183,6 +198,8 @@ struct FragilityInput {
     double confidence = 0.95; ///< of intervals [-], in (0, 1)
     int bootstrap = 1000;     ///< samples behind p-values, >= 0; 0: none
     dem::ModeThresholds mode;
+    std::string model_factor = "tests"; ///< of limit drifts (app/input/model_factor_text.hpp)
+    std::string model_factor_force = "tests"; ///< of peak forces
 };
 
 struct Study {
@@ -202,10 +219,12 @@ struct Study {
     FragilityInput fragility;
     std::vector<RandomInput> random;  ///< in the order of the keys; the fields hold their means
     std::vector<ParameterRule> rules; ///< for parameters that were not given and follow others
-    StudyFile source;                 ///< what was given
+    ShakingInput shaking;
+    StudyFile source; ///< what was given
 };
 
-/// The reason for which a study is read. A drawing needs no load: a height that does not fit the wall is told, not refused.
+/// The reason for which a study is read. A drawing needs no load: a height that does not fit
+/// the wall is told, not refused.
 enum class Purpose { push, drawing };
 
 /// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at
@@ -218,7 +237,8 @@ enum class Purpose { push, drawing };
 /// Whether a file has a section [model]: a study of another program.
 [[nodiscard]] bool is_program_study(const StudyFile& file);
 
-/// A study of another program: `program`, `uq`, `reliability`, and `random` with its [variables].
+/// A study of another program: `program`, `uq`, `reliability`, and `random` with its
+/// [variables].
 /// @throws ConfigError as read_study
 [[nodiscard]] Study read_program_study(const StudyFile& file);
 
@@ -232,8 +252,8 @@ enum class Purpose { push, drawing };
 /// @param level index in study.load.vertical_stress
 [[nodiscard]] dem::Loads loads(const Study& study, int level);
 
-/// One for all levels: modes and masses of the first level's stiffness, which sets the step, not the
-/// answer. Each wall brings its own stress.
+/// One for all levels: modes and masses of the first level's stiffness, which sets the step,
+/// not the answer. Each wall brings its own stress.
 [[nodiscard]] dem::Model model_of(const Study& study);
 
 /// Without progress.

@@ -1,5 +1,6 @@
 #include "app/input/study_checks.hpp"
 #include "app/input/joint_laws.hpp"
+#include "app/input/model_factor_text.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/slivers.hpp"
 #include "app/input/unit_cracks.hpp"
@@ -111,7 +112,8 @@ void check_pieces(const Study& study)
     }
 }
 
-/// Pieces that share the stiffness of their unit with cracks take a larger Poisson's ratio than it has.
+/// Pieces that share the stiffness of their unit with cracks take a larger Poisson's ratio than
+/// it has.
 void check_poisson(const Study& study)
 {
     if (!any_pattern(study, dem::shares_stiffness)) return;
@@ -167,7 +169,7 @@ void check_load(const Study& study)
                "load.targets gives the displacements already; remove one of the two keys");
 }
 
-/// What pushes, and what there is to push.
+/// Checks what pushes, and what there is to push.
 void check_pattern(const Study& study)
 {
     const bool body = study.load.pattern == dem::LoadPattern::body;
@@ -238,7 +240,7 @@ void check_steps(const Study& study)
                " needs at least; ask for fewer cycles, or allow more steps");
 }
 
-/// What is kept must be more than nothing and fit into memory.
+/// The output that is kept must be more than nothing and fit into memory.
 void check_output(const Study& study)
 {
     const PushWay way = push_way(study);
@@ -295,6 +297,7 @@ void check_relations(const Study& study)
     check_layouts(study);
     check_steps(study);
     check_bootstrap(study);
+    check_model_factors(study);
 }
 
 void check_bootstrap(const Study& study)

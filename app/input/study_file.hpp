@@ -14,9 +14,10 @@ namespace app {
 
 /// One `key = value` of a study.
 struct Entry {
-    std::string key;   ///< section.key
-    std::string value; ///< as written, without comment; not empty
-    int line = 0;      ///< from 1; 0: given with --set
+    std::string key;     ///< section.key
+    std::string value;   ///< as written, without comment; not empty
+    int line = 0;        ///< from 1; 0: given with --set
+    bool preset = false; ///< of the material that `line` names, and not written in the file
 };
 
 struct SectionHeader {
@@ -39,8 +40,10 @@ struct StudyFile {
 /// The same from a text; path only names it.
 [[nodiscard]] StudyFile parse_study_text(const std::string& path, std::string_view text);
 
-/// The file with the values of `section.key=value` put in place of its own. An empty value takes the key out of the file.
-/// @throws ConfigError if an assignment is malformed or doubled, or takes out a key that is not there
+/// The file with the values of `section.key=value` put in place of its own. An empty value
+/// takes the key out of the file.
+/// @throws ConfigError if an assignment is malformed or doubled, or takes out a key that is not
+/// there
 [[nodiscard]] StudyFile with_overrides(StudyFile file,
                                        std::span<const std::string> assignments);
 
@@ -59,7 +62,8 @@ struct StudyFile {
 [[nodiscard]] ConfigError error_at(const StudyFile& file, std::string_view key,
                                    std::string_view why);
 
-/// What read() returns. If it throws std::invalid_argument, such as BadValue, that becomes an error about the key.
+/// Returns what read() returns. If that throws std::invalid_argument, such as BadValue, that
+/// becomes an error about the key.
 template <class Read>
 decltype(auto) read_at(const StudyFile& file, std::string_view key, Read read)
 {

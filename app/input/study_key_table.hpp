@@ -55,6 +55,7 @@ inline constexpr Range kShearEnergy{'(', 0, 1e6, ']'}; // [N/m]
 [[nodiscard]] std::span<const Key> joint_keys();   ///< joint
 [[nodiscard]] std::span<const Key> unit_keys();    ///< unit
 [[nodiscard]] std::span<const Key> support_keys(); ///< beam, base
+[[nodiscard]] std::span<const Key> shaking_keys(); ///< shaking
 [[nodiscard]] std::span<const Key> solver_keys();  ///< load, solver, output
 [[nodiscard]] std::span<const Key> random_keys();  ///< uq, reliability, fragility
 

@@ -45,7 +45,8 @@ struct Named {
 struct Derived {
     std::string_view rule;           ///< in words
     void (*apply)(Study&) = nullptr; ///< applied once, when the study is read
-    /// For parameters: applied anew to every draw. Without both, the rule says what else to give.
+    /// For parameters: applied anew to every draw. Without both, the rule says what else to
+    /// give.
     void (*follow)(Parameters&, double course_height) = nullptr;
 };
 

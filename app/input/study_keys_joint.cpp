@@ -30,7 +30,8 @@ constexpr Condition kDryJoints{[](const Study& s) { return !has_mortar(s); },
 constexpr Condition kJointsWear{
     [](const Study& s) { return s.parameters.joint.wear_length > 0.0; },
     "joint.wear_length is none"};
-/// Of any joint that may wear; a draw may be above the residual angle where the mean is not.
+/// Whether the friction of any joint that may wear can fall; a draw may be above the residual
+/// angle where the mean is not.
 bool friction_can_fall(const Study& s)
 {
     const Parameters& p = s.parameters;

@@ -51,8 +51,10 @@ constexpr std::array kBackbones = {named(fragility::kSideNames[0], fragility::Si
                                    named(fragility::kSideNames[1], fragility::Side::worse),
                                    named(fragility::kSideNames[2], fragility::Side::right),
                                    named(fragility::kSideNames[3], fragility::Side::left)};
-constexpr std::array kModeRules = {named("two", dem::ModeRule::two),
-                                   named("three", dem::ModeRule::three)};
+// Files of 0.2.0 say two and three.
+constexpr std::array kModeRules = {
+    named("mechanism", dem::ModeRule::mechanism), named("paper", dem::ModeRule::paper),
+    named("two", dem::ModeRule::paper), named("three", dem::ModeRule::mechanism)};
 constexpr std::array kDriftLaws = {
     named("lognormal", fragility::Law::lognormal), named("normal", fragility::Law::normal),
     named("weibull", fragility::Law::weibull), named("gamma", fragility::Law::gamma)};
@@ -226,7 +228,7 @@ constexpr std::array kRandomKeys = {
         .meaning = "samples behind the p-values of fits, 100 or more; 0: none",
         .field = kAt<&Study::fragility, &FragilityInput::bootstrap>},
     Key{.name = "fragility.modes", .kind = Kind::word, .names = kModeRules,
-        .meaning = "three: rocking, sliding, mixed; two (paper): walls that slide whole count as rocking, all that lose load as mixed",
+        .meaning = "mechanism: rocking, sliding or mixed, by what moves first and what cracks second; paper: walls that slide whole count as rocking, all that lose load as mixed (two and three are their names in older files)",
         .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::modes>},
     Key{.name = "fragility.rotation_share", .range = {'(', 0, 1, ')'},
         .meaning = "rotation / displacement below which a wall does not rock: it slides, or is of mixed mode where cracked",
@@ -234,6 +236,14 @@ constexpr std::array kRandomKeys = {
     Key{.name = "fragility.cracked_units", .kind = Kind::count, .range = {'[', 0, 1e6, ']'},
         .meaning = "units cracked through from which a wall counts as cracked; 0: sliding is enough",
         .field = kAt<&Study::fragility, &FragilityInput::mode, &Mode::cracked_units>},
+    Key{.name = "fragility.model_factor", .kind = Kind::text,
+        .verbs = "fragility report",
+        .meaning = "error of the model, test over prediction, on every limit drift: none, tests (docs/fragility.md), or lognormal(median 0.8, sigma_log 0.4)",
+        .field = kAt<&Study::fragility, &FragilityInput::model_factor>},
+    Key{.name = "fragility.model_factor_force", .kind = Kind::text,
+        .verbs = "fragility report",
+        .meaning = "the same on every peak force",
+        .field = kAt<&Study::fragility, &FragilityInput::model_factor_force>},
 };
 // clang-format on
 

@@ -4,6 +4,7 @@
 #include "app/input/wall_geometry.hpp"
 #include "dem/scene/rigid_wall.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -84,6 +85,15 @@ constexpr Condition kSlowingDrive{[](const Study& s) { return s.solver.unbalance
 
 constexpr Range kModeCount{'[', 3, 1000, ']'}; // [-]
 
+constexpr std::array kLoadMasses = {named("none", dem::LoadMass::none),
+                                    named("floor", dem::LoadMass::floor)};
+constexpr Condition kWithShakenLoad{
+    [](const Study& s) {
+        return !s.shaking.records.empty() &&
+               std::ranges::any_of(s.load.vertical_stress, [](double x) { return x > 0.0; });
+    },
+    "no ground moves, or there is no vertical load"};
+
 // clang-format off
 constexpr std::array kSolverKeys = {
     Key{.name = "load.vertical_stress", .kind = Kind::list, .unit = "MPa", .range = kStrength,
@@ -94,6 +104,10 @@ constexpr std::array kSolverKeys = {
         .derived = {"top of the beam; of body forces the centre of gravity", derive_load_height},
         .meaning = "height of the horizontal load above the floor, within the beam; drifts are displacements over it",
         .field = kAt<&Study::load, &LoadInput::height>},
+    Key{.name = "load.mass", .kind = Kind::word, .names = kLoadMasses, .used = kWithShakenLoad,
+        .verbs = "shake", .example = "floor",
+        .meaning = "of a wall that is shaken, the vertical load: floor, the weight of a mass that moves with the top; none, a force, as of a jack or a tendon",
+        .field = kAt<&Study::load, &LoadInput::mass>},
     Key{.name = "load.max_displacement", .unit = "mm", .range = {'(', 0, 1000, ']'},
         .effect = kAlone,
         .meaning = "largest displacement of the load line; targets and amplitudes replace it",

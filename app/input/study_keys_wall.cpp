@@ -2,6 +2,7 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/raw_drawing.hpp"
+#include "app/input/material_presets.hpp"
 #include "app/input/study_key_table.hpp"
 #include "app/input/wall_geometry.hpp"
 
@@ -60,7 +61,8 @@ constexpr Condition kInCourses{
 constexpr Condition kEqualCourses{
     [](const Study& s) { return kBuilt.holds(s) && s.wall.course_heights.empty(); },
     "the wall is drawn, or wall.course_heights has its courses; remove it", true};
-/// Of use to a drawing, but not needed: h of Eq. 2, and the length of whole units.
+/// Condition of keys that are of use to a drawing, but not needed: h of Eq. 2, and the length
+/// of whole units.
 constexpr Condition kEqualCoursesOrGiven{
     [](const Study& s) {
         return s.wall.course_heights.empty() &&
@@ -113,6 +115,16 @@ constexpr Condition kShiftedCourses{[](const Study& s) {
 constexpr Condition kMovingFirstCourse{
     [](const Study& s) { return s.wall.base == dem::Base::joint || !rigid_blocks(s); },
     "the first course is rigid and clamped"};
+constexpr auto kMaterials = [] {
+    std::array<Named, kMaterialNames.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = named(kMaterialNames[i], i);
+    return names;
+}();
+constexpr Condition kWithMaterial{[](const Study& s) { return s.geometry.material != 0; },
+                                  "wall.material is none"};
+constexpr Condition kGivesValues{
+    [](const Study& s) { return std::ranges::any_of(s.source.entries, &Entry::preset); },
+    "the study writes all values of the material itself"};
 // The ends of the ranges are beyond any wall: they catch a wrong power of ten.
 constexpr Range kLength{'[', 0.001, 100, ']'}; // [m]
 
@@ -206,6 +218,9 @@ constexpr std::array kWallKeys = {
         .used = kInCourses, .effect = kMovingFirstCourse,
         .meaning = "toe side of the first course held sideways (paper, section 3)",
         .field = kAt<&Study::wall, &WallGeometry::toe>},
+    Key{.name = "wall.material", .kind = Kind::word, .names = kMaterials, .used = kWithMaterial, .effect = kGivesValues,
+        .meaning = "values and scatter of stone, joint and unit by type; keys that the study writes itself win; listed in docs/materials.md",
+        .field = kAt<&Study::geometry, &GeometryInput::material>},
 
     Key{.name = "stone.young_modulus", .unit = "GPa", .range = kModulus,        .example = "15.5 GPa",
         .varies = Varies::by_wall,

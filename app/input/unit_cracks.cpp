@@ -30,7 +30,7 @@ constexpr double kSmallestCell = 1e-3, kLargestCell = 10.0; // [m]
         " is not a pattern; write none, mid, thirds, grid(4, 4), diagonals or voronoi(40 mm)");
 }
 
-/// What stands between the brackets of "NAME(...)"; nothing if the text does not begin with the name.
+/// Text between the brackets of "NAME(...)"; nothing if the text does not begin with the name.
 std::string_view arguments(std::string_view text, std::string_view name)
 {
     if (!text.starts_with(name) || !text.ends_with(")")) return {};

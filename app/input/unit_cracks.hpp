@@ -5,27 +5,29 @@
 
 namespace app {
 
-/// Reads `unit.cracks` and what belongs to it into Study::wall. The region `toe` is the lower 40 % of the half of the
-/// wall that it is pushed towards; of both halves where it is pushed to and fro.
+/// Reads `unit.cracks` and what belongs to it into Study::wall. The region `toe` is the lower
+/// 40 % of the half of the wall that it is pushed towards; of both halves where it is pushed to
+/// and fro.
 /// @throws ConfigError
 void read_unit_cracks(Study& study);
 
-/// Refuses patterns that make so many pieces that laying them would take minutes and gigabytes. Before they are laid.
+/// Refuses patterns that make so many pieces that laying them would take minutes and gigabytes.
+/// Before they are laid.
 /// @throws ConfigError
 void check_pieces_of_units(const Study& study);
 
-/// Puts boxes in the place of `unit.cracks_where = needed` (app/input/needed_cracks.hpp), in which form the study is
-/// kept. The study must be complete.
+/// Puts boxes in the place of `unit.cracks_where = needed` (app/input/needed_cracks.hpp), in
+/// which form the study is kept. The study must be complete.
 /// @throws ConfigError
 void find_needed_cracks(Study& study);
 
-/// Patterns of the units in the region of unit.cracks_where, and of the others, as the texts of the study say: they are
-/// there before the keys that depend on them are read.
+/// Patterns of the units in the region of unit.cracks_where, and of the others, as the texts of
+/// the study say: they are there before the keys that depend on them are read.
 struct CrackPatterns {
     dem::CrackPattern pattern, elsewhere;
 };
 
-/// Of a drawn wall that no pattern cuts: none.
+/// Patterns that units may crack in; none for a drawn wall that no pattern cuts.
 /// @throws ConfigError
 [[nodiscard]] CrackPatterns crack_patterns(const Study& study);
 

@@ -163,7 +163,8 @@ double in_si(const Parts& parts, const Unit& expected)
     return value;
 }
 
-/// The remedy for a comma before no blank: it may have been the point of a decimal number, or part of a list.
+/// The remedy for a comma before no blank: it may have been the point of a decimal number, or
+/// part of a list.
 std::string without_doubt(std::string_view text, std::size_t comma)
 {
     std::string point(text), list;

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// What --out names.
+/// Kind of place that --out names.
 enum class OutKind {
     folder, ///< a folder, by default runs/<name of the study>, or beside the FILE.h5 that is read
     file,   ///< a file, by default the same with the extension of the verb

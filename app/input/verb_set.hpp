@@ -1,5 +1,6 @@
 #pragma once
-/// Some of the verbs, written as their names between blanks. The compiler refuses a name that is no verb.
+/// Some of the verbs, written as their names between blanks. The compiler refuses a name that
+/// is no verb.
 
 #include <array>
 #include <cstddef>
@@ -9,9 +10,10 @@
 
 namespace app {
 
-inline constexpr std::array<std::string_view, 12> kVerbNames = {
-    "push",   "scene",  "study", "sample", "reliability", "fragility",
-    "report", "curves", "serve", "merge",  "help",        "version"};
+inline constexpr std::array<std::string_view, 21> kVerbNames = {
+    "push",      "scene",     "new",    "study", "status",  "sample",  "reliability",
+    "fragility", "calibrate", "report", "sheet", "choices", "compare", "surrogate",
+    "curves",    "record",    "shake",  "serve", "merge",   "help",    "version"};
 
 class VerbSet {
   public:

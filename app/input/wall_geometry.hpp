@@ -11,7 +11,8 @@
 
 namespace app {
 
-/// Reads the outlines of `wall.geometry` or `wall.outlines` into the study, and what follows from them.
+/// Reads the outlines of `wall.geometry` or `wall.outlines` into the study, and what follows
+/// from them.
 /// @throws ConfigError at the drawing, or at a key of the study
 void read_geometry(Study& study);
 
@@ -27,13 +28,14 @@ void read_geometry(Study& study);
 [[nodiscard]] double wall_length(const Study& study); ///< [m]
 [[nodiscard]] double wall_height(const Study& study); ///< above the floor, without the beam [m]
 
-/// Of the masonry, without the beam.
+/// Extent of the masonry, without the beam.
 [[nodiscard]] dem::Region wall_extent(const Study& study);
 
 /// Whether joints are bonded: their mean strength is not zero.
 [[nodiscard]] bool has_mortar(const Study& study);
 
-/// The first key by which cracks follow the law of mixed modes; empty: they follow that of the paper.
+/// The first key by which cracks follow the law of mixed modes; empty: they follow that of the
+/// paper.
 [[nodiscard]] std::string_view mixed_mode_key(const Study& study);
 
 /// Whether anything can crush: a mean strength is given.
@@ -42,14 +44,14 @@ void read_geometry(Study& study);
 /// Whether the masonry fills the rectangle around it with stones of one density.
 [[nodiscard]] bool is_full_rectangle(const Study& study);
 
-/// Of the wall with its beam.
+/// Layout of the wall with its beam.
 [[nodiscard]] dem::Layout layout_of(const Study& study);
 
 /// The same if no unit could crack.
 [[nodiscard]] dem::Layout whole_units(const Study& study);
 
-/// "0 0, 0.2 0, 0.2 0.1, 0 0.1; ...": corners in metres, to all digits, counter-clockwise. A layer that is not the
-/// wall's own stone stands in front: "lintel: 0 0, ...".
+/// "0 0, 0.2 0, 0.2 0.1, 0 0.1; ...": corners in metres, to all digits, counter-clockwise. A
+/// layer that is not the wall's own stone stands in front: "lintel: 0 0, ...".
 [[nodiscard]] std::string outlines_text(const Study& study);
 
 /// A short text that differs where outlines do.

@@ -10,7 +10,8 @@ namespace app {
 /// Throws std::runtime_error naming the folder and the reason.
 void make_folder(const std::filesystem::path& folder);
 
-/// A file that is written piece by piece and appears once all of it is there: complete, or not at all.
+/// A file that is written piece by piece and appears once all of it is there: complete, or not
+/// at all.
 class NewFile {
   public:
     /// Opens a temporary in the folder of `path`. Throws std::runtime_error as write_file.

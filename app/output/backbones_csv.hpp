@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// "side,displacement_mm,force_kN" and the points of both backbones, "right" and "left", displacements and forces
-/// positive on either side.
+/// "side,displacement_mm,force_kN" and the points of both backbones, "right" and "left",
+/// displacements and forces positive on either side.
 /// @param path displacements in [m], forces in [N]
 [[nodiscard]] std::string backbones_csv(const fragility::Path& path);
 

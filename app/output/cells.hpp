@@ -25,8 +25,8 @@ namespace app {
     return {.value = value, .error = std_error, .decimals = decimals};
 }
 
-/// "1.58 [1.40, 1.80]"; what lies beyond `known_to` is marked. Bounds of a value that is not known
-/// are dropped with it.
+/// "1.58 [1.40, 1.80]"; what lies beyond `known_to` is marked. Bounds of a value that is not
+/// known are dropped with it.
 [[nodiscard]] inline Number with_interval(double value, double lower, double upper,
                                           int decimals, double known_to = kNoEnd)
 {
@@ -69,7 +69,8 @@ template <class Interval>
 /// The cells of `start`, followed by those of `more`.
 [[nodiscard]] Row joined(Row start, Row more);
 
-/// Adds a row to a table whose last column is a note: cells that are missing before it are empty.
+/// Adds a row to a table whose last column is a note: cells that are missing before it are
+/// empty.
 void add_row(Table& table, Row cells, std::string note = {});
 
 } // namespace app

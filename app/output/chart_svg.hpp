@@ -20,7 +20,8 @@ struct Series {
     bool points = false; ///< a dot at each value
 };
 
-/// Colour i of the palette: the first seven can be told apart with any colour vision. After twelve it begins anew.
+/// Colour i of the palette: the first seven can be told apart with any colour vision. After
+/// twelve it begins anew.
 [[nodiscard]] const char* palette(std::size_t i);
 
 /// A line and the dotted ends of its band.

@@ -127,7 +127,8 @@ double mean_damage_of(const dem::FaceState& face)
     return face.contacts.empty() ? 0.0 : sum / static_cast<double>(face.contacts.size());
 }
 
-/// Potential cracks: in the colour of their stone, which hides the border of both halves, and red from where they crack.
+/// Potential cracks: in the colour of their stone, which hides the border of both halves, and
+/// red from where they crack.
 std::string cracks_of(const MovingWall& film, const StoneTints& tints)
 {
     std::string drawn, seams;

@@ -1,5 +1,6 @@
 #pragma once
-/// The moving parts of a film: stones, gaps and cracks as shapes whose corners go from frame to frame.
+/// The moving parts of a film: stones, gaps and cracks as shapes whose corners go from frame to
+/// frame.
 
 #include "app/output/wall_body.hpp"
 #include "app/output/wall_view.hpp"
@@ -20,7 +21,8 @@ struct MovingWall {
     std::string clock; ///< attributes that all motions share
 };
 
-/// Values of an attribute over the frames, with the last held; nothing where they are all the same.
+/// Values of an attribute over the frames, with the last held; nothing where they are all the
+/// same.
 [[nodiscard]] std::string svg_motion(const MovingWall& film, std::string_view name,
                                      const std::vector<std::string>& values,
                                      std::string_view how = {});

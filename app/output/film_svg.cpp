@@ -47,7 +47,8 @@ std::string captions(const MovingWall& film, Pixel at, double load_height)
     return svg_group("font-size=\"15\"", drawn);
 }
 
-/// The arrow of the horizontal load goes with the beam, or with the whole wall where there is none.
+/// The arrow of the horizontal load goes with the beam, or with the whole wall where there is
+/// none.
 std::string moving_arrow(const MovingWall& film, double load_height)
 {
     const auto tip = [&](const dem::Snapshot& wall) -> Pixel {
@@ -128,7 +129,8 @@ std::vector<const dem::Snapshot*> chosen(std::span<const dem::Snapshot> frames,
     return some;
 }
 
-/// The factor at which the frame that is farthest out is still a wall, and the place of all frames.
+/// The factor at which the frame that is farthest out is still a wall, and the place of all
+/// frames.
 WallView film_view(const std::vector<const dem::Snapshot*>& frames)
 {
     WallView view;

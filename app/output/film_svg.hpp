@@ -1,5 +1,6 @@
 #pragma once
-/// A moving picture of one push, for pages that take a picture and no script: the wall, and its capacity curve with a dot.
+/// A moving picture of one push, for pages that take a picture and no script: the wall, and its
+/// capacity curve with a dot.
 
 #include "app/output/wall_body.hpp"
 #include "dem/scene/snapshot.hpp"
@@ -18,8 +19,9 @@ struct FilmText {
     StoneTints tints = {};
 };
 
-/// Animated SVG (SMIL), without script: it plays for ever, and programs that play nothing show its last frame. Larger
-/// walls have fewer frames, so that the file stays below 0.4 MB up to some 700 blocks.
+/// Animated SVG (SMIL), without script: it plays for ever, and programs that play nothing show
+/// its last frame. Larger walls have fewer frames, so that the file stays below 0.4 MB up to
+/// some 700 blocks.
 /// @param frames of one wall, evenly along its push, two or more
 /// @param displacement, force of the whole push [m] [N], as many
 /// @throws std::invalid_argument for fewer frames, and as wall_picture() does

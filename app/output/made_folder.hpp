@@ -5,7 +5,8 @@
 
 namespace app {
 
-/// Makes the folder and its parents. A folder that was not there before, and is empty when this ends, is removed.
+/// Makes the folder and its parents. A folder that was not there before, and is empty when this
+/// ends, is removed.
 class MadeFolder {
   public:
     /// @throws std::runtime_error as make_folder

@@ -95,8 +95,8 @@ std::string wrapped(const std::string& text, std::size_t width)
 
 namespace {
 
-/// Column at which the words of a line that is too long go on: that of its last column, or a little to the right of
-/// its beginning.
+/// Column at which the words of a line that is too long go on: that of its last column, or a
+/// little to the right of its beginning.
 std::size_t hang_of(std::string_view line, std::size_t width)
 {
     const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());

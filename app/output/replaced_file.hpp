@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// A file of this name that is there must be one that the same verb wrote, as its mark tells; it is replaced. For folders of
-/// results: check_results.
+/// A file of this name that is there must be one that the same verb wrote, as its mark tells;
+/// it is replaced. For folders of results: check_results.
 /// @param mark that stands in the first 1000 bytes of every file of the verb
 /// @return a line for people where a file will be replaced, else nothing
 /// @throws ConfigError about --out if the file is another's

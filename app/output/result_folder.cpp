@@ -28,7 +28,8 @@ std::string content_of(const fs::path& path)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What the list has in place of a check sum for a file that was moved here: nobody needs to read it again.
+/// Entry of the list in place of a check sum for a file that was moved here: nobody needs to
+/// read it again.
 constexpr std::string_view kMoved = "moved";
 
 /// Names and check sums; a name that leads out of the folder is not ours.

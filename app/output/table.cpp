@@ -110,7 +110,10 @@ void add_plain(const Head& c, const Cell& cell, std::vector<PlainTable::Value>& 
     if ((c.holds & kRange) == 0)
         row.push_back(text && !text->empty() ? PlainTable::Value(*text) : finite(n, n.value));
     if (c.holds & kExtrapolated) row.push_back(flag(extrapolated(n, n.value)));
-    if (c.holds & kCensored) row.push_back(flag(n.sense != Sense::equal));
+    if (c.holds & kCensored)
+        row.push_back(value || std::isfinite(n.lower)
+                          ? PlainTable::Value(n.sense != Sense::equal ? 1.0 : 0.0)
+                          : PlainTable::Value());
     if (c.holds & kError) row.push_back(finite(n, n.error));
     if (c.holds & (kInterval | kRange)) {
         row.push_back(finite(n, n.lower));

@@ -1,6 +1,7 @@
 #pragma once
-/// A table whose numbers stay numbers until a writer turns them into text. People get rounded values
-/// with their doubt in one cell; programs get kAfterUnits digits, of inputs all, one number per column.
+/// A table whose numbers stay numbers until a writer turns them into text. People get rounded
+/// values with their doubt in one cell; programs get kAfterUnits digits, of inputs all, one
+/// number per column.
 
 #include <cstddef>
 #include <limits>
@@ -14,15 +15,15 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 constexpr int kShortest = -1; ///< decimals: as few digits as the value needs, at most 12
 
-/// What a value says about the quantity.
+/// Sense in which a value states the quantity.
 enum class Sense {
     equal,   ///< the quantity itself
     above,   ///< the quantity is larger; shown as "> 2.72"
     at_least ///< the quantity is as large or larger; shown as ">= 2.72"
 };
 
-/// A number with what is known of its error. NaN: not known. A number whose value and bounds are all
-/// NaN is an empty cell.
+/// A number with what is known of its error. NaN: not known. A number whose value and bounds
+/// are all NaN is an empty cell.
 struct Number {
     double value = kUnknown;
     double error = kUnknown;    ///< standard error, shown as "16.2 +- 0.3"
@@ -36,14 +37,15 @@ struct Number {
 /// Nothing (not defined), a text, or a number. A text is never read as a number.
 using Cell = std::variant<std::monostate, std::string, Number>;
 
-/// What a column holds beside its value: each gives columns of its own to programs, whatever the rows
-/// hold. Bits; of a head "median [%]":
+/// Parts that a column holds beside its value: each gives columns of its own to programs,
+/// whatever the rows hold. Bits; of a head "median [%]":
 enum : unsigned {
     kError = 1,        ///< "median std error [%]"
     kInterval = 2,     ///< "median lower [%]", "median upper [%]"
     kRange = 4,        ///< the same, and no column for a value
     kExtrapolated = 8, ///< "median extrapolated": 1 or 0
-    kCensored = 16,    ///< "median censored": 1 where the value is a lower bound, else 0
+    kCensored =
+        16, ///< "median censored": 1 where the value, or the lower end without one, is a lower bound, else 0
     kNote = 32, ///< sentences: a number in brackets for people, the sentence below the table
     kProgramsOnly = 64, ///< not shown to people
     kDetail = 128       ///< left out where a terminal is given the short of a table
@@ -67,10 +69,11 @@ struct Table {
     std::size_t keys = 1; ///< leading columns that name a row, repeated where a table is parted
 };
 
-/// What people read in a cell: "1.58 [1.40, 1.80]".
+/// Text that people read in a cell: "1.58 [1.40, 1.80]".
 [[nodiscard]] std::string cell_text(const Cell& cell);
 
-/// A table as programs get it: unique names, and cells that hold nothing, a text or a finite number.
+/// A table as programs get it: unique names, and cells that hold nothing, a text or a finite
+/// number.
 struct PlainTable {
     using Value = std::variant<std::monostate, std::string, double>;
     std::vector<std::string> head;
@@ -78,7 +81,8 @@ struct PlainTable {
 };
 [[nodiscard]] PlainTable plain(const Table& table);
 
-/// Aligned columns. A table wider than `width` is parted into blocks of columns, each with the keys.
+/// Aligned columns. A table wider than `width` is parted into blocks of columns, each with the
+/// keys.
 /// @param width of the terminal in characters; 0: no limit
 [[nodiscard]] std::string as_text(const Table& table, std::size_t width = 0);
 
@@ -87,11 +91,12 @@ struct PlainTable {
 [[nodiscard]] std::string
 as_csv(const Table& table); ///< RFC 4180, numbers as programs get them
 [[nodiscard]] std::string as_markdown(const Table& table);
-/// A table environment with booktabs rules, in \footnotesize; a table wider than an A4 page (16 cm of text) is parted into
-/// blocks of columns, each with the keys. Long tables are a longtable. Packages booktabs, graphicx, longtable.
+/// A table environment with booktabs rules, in \footnotesize; a table wider than an A4 page (16
+/// cm of text) is parted into blocks of columns, each with the keys. Long tables are a
+/// longtable. Packages booktabs, graphicx, longtable.
 [[nodiscard]] std::string as_latex(const Table& table);
 
-/// What people see: texts of the cells in their columns, and the sentences below.
+/// A table as people see it: texts of the cells in their columns, and the sentences below.
 struct ShownTable {
     std::vector<std::string> head;
     std::vector<std::vector<std::string>> rows;

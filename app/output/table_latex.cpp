@@ -10,7 +10,8 @@ namespace app {
 namespace {
 
 constexpr std::size_t kPageRows = 40; // of LaTeX tables on one page, all parts together
-/// [characters] on 16 cm, the text of an A4 page, in \footnotesize: a digit of Computer Modern at 8 pt is 4.25 pt wide, and
+/// [characters] on 16 cm, the text of an A4 page, in \footnotesize: a digit of Computer Modern
+/// at 8 pt is 4.25 pt wide, and
 /// \tabcolsep of 4 pt on both sides of a column is less than kColumnGap.
 constexpr std::size_t kLatexWidth = 105;
 constexpr std::size_t kHeadLine =

@@ -35,7 +35,8 @@ struct StoneTints {
 [[nodiscard]] std::string draw_blocks(const dem::Snapshot& wall, const WallView& view,
                                       const StoneTints& tints = {});
 
-/// Fill of a block: grey for the beam, shades of stone that change from unit to unit, or its kind.
+/// Fill of a block: grey for the beam, shades of stone that change from unit to unit, or its
+/// kind.
 [[nodiscard]] const char* block_tint(const dem::BlockState& block, const StoneTints& tints);
 
 /// Lines from the centre of each block to the compression resultants of its faces, as wide as

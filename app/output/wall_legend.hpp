@@ -1,5 +1,5 @@
 #pragma once
-/// What the marks on a wall mean, and how large they are.
+/// Legend of the marks on a wall: what they mean, and how large they are.
 
 #include "app/output/svg_elements.hpp"
 #include "app/output/wall_body.hpp"
@@ -12,8 +12,8 @@ namespace app {
 [[nodiscard]] double wall_legend_height(const MarkSizes& sizes,
                                         const StoneTints& tints); ///< [px]
 
-/// Two rows of three entries, each a sample and what it stands for; a third row where something has crushed, or units
-/// have other stone than the wall.
+/// Two rows of three entries, each a sample and what it stands for; a third row where something
+/// has crushed, or units have other stone than the wall.
 /// @param mark_size WallView::mark_size
 /// @param widest_force compression of one face drawn with kThrustWidest [N]; 0: none in the
 /// picture

@@ -1,6 +1,6 @@
 #pragma once
-/// What a push did to the joints and units of a wall, drawn on it: openings, slips, cracks.
-/// Each function gives SVG elements.
+/// Marks of what a push did to the joints and units of a wall, drawn on it: openings, slips,
+/// cracks. Each function gives SVG elements.
 
 #include "app/output/svg_elements.hpp"
 #include "app/output/wall_view.hpp"

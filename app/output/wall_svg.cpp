@@ -98,7 +98,8 @@ std::string draw_vertical_load(Pixel left, Pixel right, std::string_view label)
     return drawn + svg_text({(left.x + right.x) / 2, tip - 26.0}, label, kCentred);
 }
 
-/// The horizontal load of a panel [kN]; what is nothing beside the largest is written as nothing.
+/// The horizontal load of a panel [kN]; what is nothing beside the largest is written as
+/// nothing.
 std::string load_text(double force, const Page& page)
 {
     constexpr double kNothing = 1e-3; // of the largest
@@ -252,7 +253,8 @@ Page lay_out(const Panel& peak, const Panel& end, int panels, const WallPictureT
     return page;
 }
 
-/// Whether the push ends at its largest force, or so near to it that both pictures would be one.
+/// Whether the push ends at its largest force, or so near to it that both pictures would be
+/// one.
 bool same_picture(const dem::Snapshot& peak, const dem::Snapshot& end)
 {
     constexpr double kNear = 0.02;

@@ -20,10 +20,10 @@ struct WallPictureText {
     StoneTints tints = {};
 };
 
-/// SVG with two panels, or with one where the push ends at its largest force or within 2 % of it. Displacements are drawn larger by a round factor, the same for both
-/// panels unless the smaller would then not be seen; the factor is stated. Throws
-/// std::invalid_argument for a wall without blocks, a length that is not positive, or a
-/// displacement that is not finite.
+/// SVG with two panels, or with one where the push ends at its largest force or within 2 % of
+/// it. Displacements are drawn larger by a round factor, the same for both panels unless the
+/// smaller would then not be seen; the factor is stated. Throws std::invalid_argument for a
+/// wall without blocks, a length that is not positive, or a displacement that is not finite.
 [[nodiscard]] std::string wall_picture(const dem::Snapshot& at_peak,
                                        const dem::Snapshot& at_end,
                                        const WallPictureText& text);

@@ -1,7 +1,6 @@
 #include "app/push/capacity_svg.hpp"
 
 #include "app/input/limit_state_text.hpp"
-#include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
@@ -106,6 +105,20 @@ Chart empty_chart(const std::string& title, double height)
     return chart;
 }
 
+void add_tests(const std::vector<TestCurve>& tests, Chart& chart)
+{
+    for (const TestCurve& test : tests) {
+        Series line;
+        line.name = test.name + ", measured";
+        line.line = LineStyle::dashed;
+        for (std::size_t i = 0; i < test.force.size(); ++i) {
+            line.x.push_back(test.displacement[i] * 1e3);
+            line.y.push_back(test.force[i] * 1e-3);
+        }
+        chart.series.push_back(std::move(line));
+    }
+}
+
 Series curve_of(const PushedWall& w)
 {
     Series curve;
@@ -118,7 +131,7 @@ Series curve_of(const PushedWall& w)
 
 } // namespace
 
-std::string capacity_svg(const Study& study, const PushedWall& w)
+Chart capacity_chart(const Study& study, const PushedWall& w)
 {
     Chart chart = empty_chart(
         "Capacity curve, vertical stress " + stress_text(w.vertical_stress), w.loads.height);
@@ -140,10 +153,20 @@ std::string capacity_svg(const Study& study, const PushedWall& w)
     if (w.reading.peak)
         last = capacity_curve({w.displacement, w.force}, rules).displacement.back();
     add_marks(study, w.reading, way, last, chart);
+    return chart;
+}
+
+std::string capacity_svg(const Study& study, const PushedWall& w,
+                         const std::vector<TestCurve>& beside)
+{
+    Chart chart = capacity_chart(study, w);
+    if (!beside.empty() && chart.series.size() == 1) chart.series.front().name = "computed";
+    add_tests(beside, chart);
     return line_chart(chart);
 }
 
-std::string levels_svg(const Study& study, const std::vector<PushedWall>& walls)
+std::string levels_svg(const Study& study, const std::vector<PushedWall>& walls,
+                       const std::vector<TestCurve>& beside)
 {
     Chart chart = empty_chart("Capacity curves, by vertical stress", study.load.height);
     for (const PushedWall& w : walls) {
@@ -151,6 +174,7 @@ std::string levels_svg(const Study& study, const std::vector<PushedWall>& walls)
         chart.series.push_back(curve_of(w));
         chart.series.back().name = stress_text(w.vertical_stress);
     }
+    add_tests(beside, chart);
     return line_chart(chart);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 /// Picture of one capacity curve.
 
+#include "app/output/chart_svg.hpp"
+#include "app/push/test_curve.hpp"
 #include "app/study/pushed_wall.hpp"
 
 #include <string>
@@ -8,10 +10,16 @@
 
 namespace app {
 
+/// Force against displacement and drift, the peak and all limit displacements marked.
+[[nodiscard]] Chart capacity_chart(const Study& study, const PushedWall& wall);
+
 /// SVG: force against displacement and drift, the peak and the limit displacement marked.
-[[nodiscard]] std::string capacity_svg(const Study& study, const PushedWall& wall);
+/// @param beside measured curves, drawn dashed
+[[nodiscard]] std::string capacity_svg(const Study& study, const PushedWall& wall,
+                                       const std::vector<TestCurve>& beside = {});
 
 /// All stress levels in one picture.
-[[nodiscard]] std::string levels_svg(const Study& study, const std::vector<PushedWall>& walls);
+[[nodiscard]] std::string levels_svg(const Study& study, const std::vector<PushedWall>& walls,
+                                     const std::vector<TestCurve>& beside = {});
 
 } // namespace app

@@ -134,7 +134,8 @@ void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
             "higher; write a smaller output.record_every");
 }
 
-/// A wall that is drawn, has openings, or is bonded by mortar, has no closed form here: its loads alone.
+/// A wall that is drawn, has openings, or is bonded by mortar, has no closed form here: its
+/// loads alone.
 HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layout& layout)
 {
     const dem::Weights weights =

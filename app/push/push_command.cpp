@@ -20,6 +20,7 @@
 #include "app/push/pushed_picture.hpp"
 #include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
+#include "app/push/test_curve.hpp"
 #include "app/study/drawn_wall.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/interrupt.hpp"
@@ -61,7 +62,8 @@ Table drawn_table(const Study& study, const WallDraw& draw)
     return t;
 }
 
-/// The study as it was used. Of a study with distributions it names the wall that was pushed, and can be pushed as it is.
+/// The study as it was used. Of a study with distributions it names the wall that was pushed,
+/// and can be pushed as it is.
 std::string configuration(const Study& used, const Command& command)
 {
     if (used.random.empty())
@@ -82,7 +84,7 @@ constexpr const char* kInterruptedCurve = "capacity_interrupted.csv";
 
 /// The files of one wall, but for the series.
 std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
-                                   const Command& command)
+                                   const Command& command, const std::vector<TestCurve>& beside)
 {
     std::vector<OutputFile> files = {{"study.ini", configuration(used, command)},
                                      {"summary.json", summary_json(used, w)}};
@@ -95,7 +97,7 @@ std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
         files.push_back({"cycles.csv", cycles_csv(fragility::cycles(path), ledger)});
         files.push_back({"backbones.csv", backbones_csv(path)});
     }
-    files.push_back({"capacity.svg", capacity_svg(used, w)});
+    files.push_back({"capacity.svg", capacity_svg(used, w, beside)});
     files.push_back({"wall.svg", pushed_picture(used, w)});
     return files;
 }
@@ -139,7 +141,8 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
     return t;
 }
 
-/// "solver error of the peak force: at most 0.06 %, asked for: 1 %"; empty where no wall gave a result.
+/// "solver error of the peak force: at most 0.06 %, asked for: 1 %"; empty where no wall gave a
+/// result.
 std::string error_line(const Study& study, const std::vector<PushedWall>& walls)
 {
     double largest = -1.0;
@@ -175,13 +178,14 @@ std::vector<fs::path> wall_folders(const Study& study, const std::vector<WantedW
 
 void write_all(const Command& command, const Study& study,
                const std::vector<WantedWall>& wanted, const std::vector<PushedWall>& walls,
-               PushedSeries& series, const std::optional<PushFilm>& film)
+               PushedSeries& series, const std::optional<PushFilm>& film,
+               const std::vector<TestCurve>& beside)
 {
     std::vector<OutputFile> files, moved;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const fs::path folder = wall_folder(walls.size(), walls[i].vertical_stress);
         const Study used = study.random.empty() ? study : with_drawn(study, wanted[i]);
-        for (OutputFile& f : wall_files(used, walls[i], command))
+        for (OutputFile& f : wall_files(used, walls[i], command, beside))
             files.push_back({folder / f.name, std::move(f.content)});
         if (film && !dem::failed(walls[i].result.outcome))
             files.push_back({folder / "film.svg", film->film(used, i, walls[i])});
@@ -191,7 +195,7 @@ void write_all(const Command& command, const Study& study,
     }
     if (walls.size() > 1) {
         add_table(files, "levels", level_table(study, walls));
-        files.push_back({"levels.svg", levels_svg(study, walls)});
+        files.push_back({"levels.svg", levels_svg(study, walls, beside)});
     }
     add_table(files, "limit_states", limit_table(study, walls));
     if (!wanted.front().draw.values.empty())
@@ -254,6 +258,8 @@ int push_command(const Command& command)
 {
     const StudySource source = study_source(command);
     const std::vector<WantedWall> wanted = wanted_walls(source, command);
+    std::vector<TestCurve> beside;
+    for (const std::string& path : command.beside) beside.push_back(read_test_curve(path));
     std::cerr << study_notes(source.study, command);
     if (!source.other_revision.empty())
         std::cerr << wrapped("note: " + source.other_revision + "\n", terminal_width());
@@ -268,7 +274,7 @@ int push_command(const Command& command)
     const auto [walls, whole, other_way_left_out] =
         push_until_told(study, std::move(plan), wanted, command.threads, command.quiet);
     if (!whole) keep_curves(command, walls);
-    write_all(command, study, wanted, walls, series, film);
+    write_all(command, study, wanted, walls, series, film, beside);
     if (other_way_left_out)
         throw Interrupted{"all results of the push are in " + command.out +
                           "; only the push the other way was left out"};

@@ -13,8 +13,8 @@ namespace app {
 
 class PushFilm {
   public:
-    /// Sets how often `plan` takes snapshots where it takes none, and puts itself before its sink. Lives longer than the
-    /// push.
+    /// Sets how often `plan` takes snapshots where it takes none, and puts itself before its
+    /// sink. Lives longer than the push.
     PushFilm(const Study& study, std::size_t walls, dem::PushPlan& plan);
 
     /// film.svg of a wall whose push gave a result.

@@ -20,8 +20,8 @@
 namespace app {
 namespace {
 
-/// Once the program is told to end, walls that are begun end at their next curve point. While none has a curve, the run
-/// ends by Interrupted.
+/// Once the program is told to end, walls that are begun end at their next curve point. While
+/// none has a curve, the run ends by Interrupted.
 class EarlyEnd {
   public:
     /// @param plan is not used after this

@@ -1,5 +1,6 @@
 #pragma once
-/// The walls of `drystone push`, with one line that shows how far they are, until they are done or the program is told to end.
+/// The walls of `drystone push`, with one line that shows how far they are, until they are done
+/// or the program is told to end.
 
 #include "app/input/study.hpp"
 #include "app/study/pushed_wall.hpp"
@@ -17,10 +18,11 @@ struct Pushed {
         false; ///< the program was told to end when nothing else was left to push
 };
 
-/// The line is of all walls together: those that are done, and the one that spoke last. Walls that are not symmetric are
-/// pushed the other way at the same time.
+/// The line is of all walls together: those that are done, and the one that spoke last. Walls
+/// that are not symmetric are pushed the other way at the same time.
 /// @param plan where to push the walls
-/// @throws Interrupted (app/study/interrupt.hpp) where the program is told to end before any wall has a curve
+/// @throws Interrupted (app/study/interrupt.hpp) where the program is told to end before any
+/// wall has a curve
 [[nodiscard]] Pushed push_until_told(const Study& study, dem::PushPlan plan,
                                      const std::vector<WantedWall>& wanted, int threads,
                                      bool quiet);

@@ -8,7 +8,8 @@
 
 namespace app {
 
-/// @param wall with its snapshot at the peak (dem::PushPlan::snapshot_at_peak); one that came down under its vertical load
+/// @param wall with its snapshot at the peak (dem::PushPlan::snapshot_at_peak); one that came
+/// down under its vertical load
 /// has none
 /// @throws std::invalid_argument as wall_picture
 [[nodiscard]] std::string pushed_picture(const Study& study, const PushedWall& wall);

@@ -29,8 +29,8 @@ class PushedSeries {
     /// Takes the snapshots of each wall.
     [[nodiscard]] dem::SnapshotSink sink();
 
-    /// Of a wall whose push is over: its files, names below its folder. A wall without snapshots shows its peak and its
-    /// end.
+    /// Files of a wall whose push is over, with names below its folder. A wall without
+    /// snapshots shows its peak and its end.
     /// @throws as SeriesFolder::seal
     [[nodiscard]] std::vector<OutputFile> seal(std::size_t wall, const dem::PushResult& result);
 

@@ -41,7 +41,7 @@ Json limit_states(const WallReading& reading, const ReadingRules& rules)
     return list;
 }
 
-/// Of a push that turns back, by direction.
+/// Backbones of a push that turns back, by direction.
 Json backbones(const WallReading& reading, const ReadingRules& rules)
 {
     Json all = Json::object();
@@ -89,7 +89,7 @@ Json mechanism(const PushedWall& w, const FragilityInput& f)
             {"mode_thresholds",
              {{"rotation_share", t.rotation_share},
               {"cracked_units", t.cracked_units},
-              {"modes", t.modes == dem::ModeRule::two ? 2 : 3}}}};
+              {"modes", t.modes == dem::ModeRule::paper ? 2 : 3}}}};
 }
 
 Json checks(const HandChecks& h)

@@ -158,7 +158,8 @@ WallReading not_read(const ReadingRules& rules, std::string why)
 
 namespace {
 
-/// A wall that has settled stands; it was lost while it was pushed, which may be the solver's fault.
+/// A wall that has settled stands; it was lost while it was pushed, which may be the solver's
+/// fault.
 WallReading lost_at_once(const ReadingRules& rules, bool settled)
 {
     constexpr std::string_view kFell = "the wall came down under vertical load";
@@ -210,7 +211,7 @@ dem::FailureMode code_mode(const dem::Mechanism& mechanism, bool dropped,
                            const dem::ModeThresholds& thresholds)
 {
     dem::ModeThresholds three = thresholds;
-    three.modes = dem::ModeRule::three;
+    three.modes = dem::ModeRule::mechanism;
     return dem::failure_mode(mechanism, dropped, three);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-/// The one place where a wall is read: peak, ultimate displacement, limit states and failure mode, off
-/// the facts of a wall (its curve and what moved) and by the rules of [fragility]. Every table, picture,
-/// summary, page, stopping rule and reliability analysis takes these numbers. A push that turns back is read on its
-/// backbones.
+/// The one place where a wall is read: peak, ultimate displacement, limit states and failure
+/// mode, off the facts of a wall (its curve and what moved) and by the rules of [fragility].
+/// Every table, picture, summary, page, stopping rule and reliability analysis takes these
+/// numbers. A push that turns back is read on its backbones.
 
 #include "dem/scene/mechanism.hpp"
 #include "fragility/cyclic_curve.hpp"
@@ -15,7 +15,8 @@
 
 namespace app {
 
-/// A limit state of the user. Its cap is a drift, which becomes a displacement once the height is known.
+/// A limit state of the user. Its cap is a drift, which becomes a displacement once the height
+/// is known.
 struct UserState {
     fragility::UserLimitState state; ///< without cap
     double most_drift = 0.0;         ///< [-]; 0: no cap
@@ -43,7 +44,8 @@ struct StateName {
 [[nodiscard]] std::vector<StateName> state_names(const ReadingRules& rules);
 [[nodiscard]] std::string state_name(const StateName& state); ///< "ntc SLV"
 
-/// Displacements and forces count in the direction of the push: those of a push to the left are positive.
+/// Displacements and forces count in the direction of the push: those of a push to the left are
+/// positive.
 struct WallReading {
     std::string no_reading; ///< why nothing is read off the curve; empty where it is read
     std::optional<fragility::Peak> peak; ///< [N] [m]
@@ -51,8 +53,9 @@ struct WallReading {
     fragility::LimitDisplacement ultimate; ///< [m]
     fragility::LimitDisplacement collapse; ///< no force left, or the wall came down [m]
     std::vector<fragility::LimitDisplacement> limits; ///< [m], in the order of state_names
-    /// Of a push that turns back: what each backbone says, in the order of fragility::Side, without a mode. Mean and worse
-    /// of a push that never leaves one side are those of that side.
+    /// Readings of each backbone of a push that turns back, in the order of fragility::Side,
+    /// without a mode. Mean and worse of a push that never leaves one side are those of that
+    /// side.
     std::vector<WallReading> backbones;
     dem::FailureMode mode = dem::FailureMode::rocking;
     bool dropped = false; ///< the force fell to the ultimate share of the peak
@@ -65,19 +68,21 @@ struct WallReading {
 [[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                                const ReadingRules& rules, bool settled = false);
 
-/// The curve that limit states are read on, in its own direction: of a push that turns back a backbone, of
-/// fragility::Side::worse the mean of both.
+/// The curve that limit states are read on, in its own direction: of a push that turns back a
+/// backbone, of fragility::Side::worse the mean of both.
 [[nodiscard]] fragility::Backbone capacity_curve(const fragility::Curve& curve,
                                                  const ReadingRules& rules);
 
 /// A wall without a curve to read: nothing is defined.
 [[nodiscard]] WallReading not_read(const ReadingRules& rules, std::string why);
 
-/// A wall that neither overturned nor cracked nor lost load and counts as rocking (ModeRule::two).
+/// A wall that neither overturned nor cracked nor lost load and counts as rocking
+/// (ModeRule::paper).
 [[nodiscard]] bool slid_whole(const dem::Mechanism& mechanism, bool dropped,
                               const dem::ModeThresholds& thresholds);
 
-/// The mode by which drift limits of codes are chosen: one of three, whatever modes are counted.
+/// The mode by which drift limits of codes are chosen: one of three, whatever modes are
+/// counted.
 [[nodiscard]] dem::FailureMode code_mode(const dem::Mechanism& mechanism, bool dropped,
                                          const dem::ModeThresholds& thresholds);
 

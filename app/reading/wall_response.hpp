@@ -1,6 +1,6 @@
 #pragma once
-/// The numbers of a wall that a study can be judged by. A row of this table is a word of the keys
-/// reliability.response and uq.stop, and needs no other list.
+/// The numbers of a wall that a study can be judged by. A row of this table is a word of the
+/// keys reliability.response and uq.stop, and needs no other list.
 
 #include "app/reading/wall_reading.hpp"
 

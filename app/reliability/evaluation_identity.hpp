@@ -1,6 +1,7 @@
 #pragma once
-/// The identity of the evaluations of a reliability analysis: a text of all that their values depend on. Evaluations that an interrupted run
-/// has left serve an analysis with the same text.
+/// The identity of the evaluations of a reliability analysis: a text of all that their values
+/// depend on. Evaluations that an interrupted run has left serve an analysis with the same
+/// text.
 
 #include "app/input/command.hpp"
 #include "app/input/study.hpp"
@@ -9,8 +10,8 @@
 
 namespace app {
 
-/// Identity of the study, rules of reading and vertical stress, however they were written. Method, budget and demand are
-/// not among them.
+/// Identity of the study, rules of reading and vertical stress, however they were written.
+/// Method, budget and demand are not among them.
 [[nodiscard]] std::string wall_evaluations(const Study& study, const Command& command);
 
 /// Keys and names of the variables of another program.

@@ -1,5 +1,6 @@
 #pragma once
-/// The event whose probability is sought, ready for the methods of uq/, and how its numbers are shown.
+/// The event whose probability is sought, ready for the methods of uq/, and how its numbers are
+/// shown.
 
 #include "app/input/command.hpp"
 #include "app/input/study.hpp"
@@ -18,8 +19,10 @@ namespace app {
 /// @throws ConfigError
 [[nodiscard]] uq::ReliabilityProblem program_event(const Study& study, int threads);
 
-/// The part that both kinds of study share, still without its event: dimension, method, budget and seed.
-/// @throws ConfigError if the budget is too small for the method, or the method cannot have correlated inputs
+/// The part that both kinds of study share, still without its event: dimension, method, budget
+/// and seed.
+/// @throws ConfigError if the budget is too small for the method, or the method cannot have
+/// correlated inputs
 [[nodiscard]] uq::ReliabilityProblem asked_problem(const Study& study, Eigen::Index dimension);
 
 /// A number of a sample as people read it: shown value = scale x value of the model.

@@ -28,7 +28,8 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-/// Shown with four digits; a small probability with as many as it needs, since decimals would hide it.
+/// Shown with four digits; a small probability with as many as it needs, since decimals would
+/// hide it.
 Number cell(const std::optional<double>& x)
 {
     constexpr double kSmall = 1e-4;

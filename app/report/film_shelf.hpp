@@ -12,8 +12,8 @@
 
 namespace app {
 
-/// Of each stress and mode it keeps the films of the lowest sample numbers, as many as a page could
-/// have room for: those that walls_to_show can choose.
+/// Keeps the films of the lowest sample numbers of each stress and mode, as many as a page
+/// could have room for: those that walls_to_show can choose.
 class FilmShelf {
   public:
     /// Each wall once.

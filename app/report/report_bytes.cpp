@@ -9,8 +9,8 @@
 namespace app {
 namespace {
 
-// Films of the paper's walls, kB each and ms to deflate: level 4: 6.9, 0.5; 6: 6.7, 1.1; 9: 6.7, 5.1. Without
-// the fold of differences(): 4: 10.1, 0.8; 6: 9.5, 2.2; 9: 9.3, 24.
+// Films of the paper's walls, kB each and ms to deflate: level 4: 6.9, 0.5; 6: 6.7, 1.1; 9:
+// 6.7, 5.1. Without the fold of differences(): 4: 10.1, 0.8; 6: 9.5, 2.2; 9: 9.3, 24.
 constexpr int kLevel = 6;
 
 /// 0 -1 1 -2 2 ... become 0 1 2 3 4 ...

@@ -82,7 +82,8 @@ Replay films_of(const StudyWalls& study, const WallList& walls, const Command& c
     return all;
 }
 
-/// Leaves the films for which a page of kMostPageBytes has room. Layouts of one study are about as large.
+/// Leaves the films for which a page of kMostPageBytes has room. Layouts of one study are about
+/// as large.
 void keep_in_page(const Draft& draft, Replay& replay)
 {
     const Study& study = draft.study.study;

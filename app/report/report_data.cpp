@@ -7,6 +7,7 @@
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
+#include "app/fragility/model_doubt.hpp"
 #include "app/fragility/solver_error_table.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
@@ -110,6 +111,8 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
         {"results", summarise(study).table},
         {"means_by_mode", mean_table(study)},
         {"performance_limits", performance_table(data)},
+        {"limits_with_doubt", drift_doubt_table(data)},
+        {"forces_with_doubt", force_doubt_table(study)},
         {"law_parameters", law_table(data)},
         {"solver_error", solver_error_table(study)},
         {"modes", mode_table(study)},

@@ -18,8 +18,8 @@ namespace app {
 [[nodiscard]] nlohmann::ordered_json
 report_data(const StudyWalls& study, const WallList& listed, const FitProgress& seen = {});
 
-/// The walls that the page can show: {"note", "films": [{"wall", "geometry", "frames", "step", "data"}], "geometries"},
-/// without geometry where there are none.
+/// The walls that the page can show: {"note", "films": [{"wall", "geometry", "frames", "step",
+/// "data"}], "geometries"}, without geometry where there are none.
 /// @param replay walls pushed again, all of them listed; may be empty
 /// @param note which walls were chosen, or why there are none
 [[nodiscard]] nlohmann::ordered_json films_json(const StudyWalls& study, const WallList& listed,

@@ -112,7 +112,8 @@ std::vector<double> damages(std::span<const dem::Snapshot> frames)
     return series;
 }
 
-/// Of contacts in one half of a face: whether one has begun to crush, and how far the worst has come.
+/// State of crushing of the contacts in one half of a face: whether one has begun to crush, and
+/// how far the worst has come.
 double worst_crushing(std::span<const dem::ContactState> half)
 {
     double worst = 0.0;

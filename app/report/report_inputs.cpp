@@ -16,7 +16,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double six_digits(double x) { return std::isfinite(x) ? rounded(x, 6) : kNone; }
 
-/// Of all walls and joints, shown unit.
+/// Values of an input for all walls and joints, in its shown unit.
 std::vector<double> values_of(const StudyWalls& study, const StoredInput& input)
 {
     std::vector<double> values;

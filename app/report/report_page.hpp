@@ -14,8 +14,8 @@ constexpr std::string_view kPageMark = R"(<meta name="generator" content="drysto
 /// Text between tags, and in attributes in double quotes.
 [[nodiscard]] std::string html_text(std::string_view text);
 
-/// JSON that may stand inside <script>: no "<", numbers that are not finite become null, bytes that
-/// are not UTF-8 the replacement character.
+/// JSON that may stand inside <script>: no "<", numbers that are not finite become null, bytes
+/// that are not UTF-8 the replacement character.
 [[nodiscard]] std::string script_json(const nlohmann::ordered_json& data);
 
 /// The same, a third to a tenth as long: base64 of a zlib stream.

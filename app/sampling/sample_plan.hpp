@@ -25,7 +25,8 @@ struct SamplePlan {
     std::vector<uq::Site> joints, cracks; ///< where each ID is
 };
 
-/// Seed of the design of a stress level: it belongs to the stress, not to its place in the list.
+/// Seed of the design of a stress level: it belongs to the stress, not to its place in the
+/// list.
 [[nodiscard]] std::uint64_t level_seed(const UqInput& uq, double vertical_stress);
 
 /// @param sizes through which the design has grown, the last one study.uq.samples

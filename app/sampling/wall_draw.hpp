@@ -39,9 +39,9 @@ struct WantedWall {
 [[nodiscard]] WallDraw checked_draw(std::span<const RandomInput> inputs,
                                     std::span<const int> sites, std::span<const double> values);
 
-/// Builds the wall's materials from one draw. Parameters derived from random ones are recomputed
-/// for every wall or joint. Base and beam joints follow values drawn per wall, and the mean of
-/// values drawn per joint.
+/// Builds the wall's materials from one draw. Parameters derived from random ones are
+/// recomputed for every wall or joint. Base and beam joints follow values drawn per wall, and
+/// the mean of values drawn per joint.
 /// @param draw without values: the numbers of the study
 /// @param level index in study.load.vertical_stress
 [[nodiscard]] dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout,

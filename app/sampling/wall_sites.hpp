@@ -1,5 +1,6 @@
 #pragma once
-/// Where the joints and cracks of a wall are, by their IDs: the one place that says so, for random fields and for people.
+/// Where the joints and cracks of a wall are, by their IDs: the one place that says so, for
+/// random fields and for people.
 
 #include "dem/scene/layout.hpp"
 #include "uq/fields/field_site.hpp"
@@ -11,8 +12,8 @@ namespace app {
 
 struct JointPlace {
     dem::FaceKind kind = dem::FaceKind::bed_joint; ///< or head_joint, or unit_crack
-    /// Middle, the unit it lies on (bed joints) or ends (head joints: the left one), the course of that unit. A crack is in
-    /// its unit.
+    /// Middle, the unit it lies on (bed joints) or ends (head joints: the left one), the course
+    /// of that unit. A crack is in its unit.
     uq::Site site;
     double length = 0.0; ///< [m]
 };

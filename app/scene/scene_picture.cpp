@@ -181,7 +181,8 @@ struct LegendItem {
     std::string sample, text;
 };
 
-/// Joints and faces by kind. A joint between two blocks may have several faces, and counts once.
+/// Joints and faces by kind. A joint between two blocks may have several faces, and counts
+/// once.
 std::array<int, kStyles.size()> count_faces(const dem::Layout& layout)
 {
     std::array<int, kStyles.size()> n{};

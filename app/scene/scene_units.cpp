@@ -10,7 +10,8 @@
 namespace app {
 namespace {
 
-/// Of blocks without a layer. "wall", unless the drawing means another stone by that.
+/// Name of the layer of blocks without a layer: "wall", unless the drawing means another stone
+/// by that.
 std::string own_layer(const Study& study)
 {
     const bool taken =

@@ -1,6 +1,7 @@
 #pragma once
-/// One connection of the HTTP server, within its limits. The library's own has no bound on the lines of a request's head, gives
-/// no answer to a client that has shut its sending side, and waits for silent clients when the server ends.
+/// One connection of the HTTP server, within its limits. The library's own has no bound on the
+/// lines of a request's head, gives no answer to a client that has shut its sending side, and
+/// waits for silent clients when the server ends.
 
 #include <httplib.h>
 
@@ -27,10 +28,11 @@ class HttpConnection final : public httplib::Stream {
     /// Waits for a request, which begins with the next byte.
     /// @return false: there is none
     [[nodiscard]] bool next_request();
-    /// Whether what was asked for did not come, so that what follows on this connection is no request.
+    /// Whether what was asked for did not come, so that what follows on this connection is no
+    /// request.
     [[nodiscard]] bool is_broken() const { return broken_; }
-    /// Lets the client read what was sent before the socket is closed: closing it on bytes that were not read would
-    /// withdraw the answer.
+    /// Lets the client read what was sent before the socket is closed: closing it on bytes that
+    /// were not read would withdraw the answer.
     void say_goodbye();
 
     [[nodiscard]] bool is_readable() const override;

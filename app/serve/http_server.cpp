@@ -112,7 +112,8 @@ RequestHead head_of(const httplib::Request& request)
             sent(request, "Transfer-Encoding")};
 }
 
-/// What the library refuses by itself: unknown paths and methods, headers that are none.
+/// Reply to what the library refuses by itself: unknown paths and methods, headers that are
+/// none.
 HttpReply refused(int status)
 {
     if (status == 404) return umbridge_error(404, "InvalidInput", "no such path or method");

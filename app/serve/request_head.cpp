@@ -19,7 +19,8 @@ std::string lower(std::string text)
     return text;
 }
 
-/// "localhost:4242" is localhost, "[::1]:4242" is ::1; what has no port behind its colon is no name.
+/// "localhost:4242" is localhost, "[::1]:4242" is ::1; what has no port behind its colon is no
+/// name.
 std::string without_port(std::string_view authority)
 {
     const bool bracket = authority.starts_with('[');

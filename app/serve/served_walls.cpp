@@ -30,7 +30,8 @@ struct Output {
     std::function<double(const PushedWall&)> read;
 };
 
-/// By name: those of kWallResponses, and the columns that the file of a study has for each wall.
+/// By name: those of kWallResponses, and the columns that the file of a study has for each
+/// wall.
 std::map<std::string, Output> known_outputs()
 {
     std::map<std::string, Output> all;
@@ -55,7 +56,7 @@ std::map<std::string, Output> known_outputs()
     return all;
 }
 
-/// What all models of a server share.
+/// Data that all models of a server share.
 struct Shared {
     dem::Layout layout;
     std::vector<RandomInput> inputs;

@@ -1,5 +1,6 @@
 #pragma once
-/// The walls of a study as models of UM-Bridge: numbers of one wall in, numbers read off its push out, all in SI.
+/// The walls of a study as models of UM-Bridge: numbers of one wall in, numbers read off its
+/// push out, all in SI.
 
 #include "app/input/command.hpp"
 #include "app/input/study.hpp"
@@ -22,15 +23,17 @@ struct ServedStudy {
     bool distributions = false; ///< each input has one, with coordinates
 };
 
-/// @param inputs keys; the others keep their numbers, or the means of their distributions. Empty: the random variables
+/// @param inputs keys; the others keep their numbers, or the means of their distributions.
+/// Empty: the random variables
 /// of the study
 /// @throws ConfigError if there is none, or one cannot be an input
 [[nodiscard]] ServedStudy served_study(const Study& study,
                                        const std::vector<std::string>& inputs);
 
-/// Under each vertical stress the model NAME_normal, whose inputs are standard normal coordinates of the study's
-/// distributions, and the model NAME, whose inputs are the values themselves in SI, refused outside the range of their
-/// key. NAME_normal comes first: a client that knows nothing of a model sends zeros, which are its medians.
+/// Under each vertical stress the model NAME_normal, whose inputs are standard normal
+/// coordinates of the study's distributions, and the model NAME, whose inputs are the values
+/// themselves in SI, refused outside the range of their key. NAME_normal comes first: a client
+/// that knows nothing of a model sends zeros, which are its medians.
 /// @param name of the study; with several stresses it becomes NAME_0.50_MPa
 /// @param responses names of outputs, at least one
 /// @throws ConfigError if a response is unknown

@@ -1,6 +1,6 @@
 #pragma once
-/// The UM-Bridge 1.0 protocol (Seelinger et al. 2023, J. Open Source Softw. 8(83), 4748) without its transport: requests and
-/// answers are JSON texts.
+/// The UM-Bridge 1.0 protocol (Seelinger et al. 2023, J. Open Source Softw. 8(83), 4748)
+/// without its transport: requests and answers are JSON texts.
 
 #include <cstddef>
 #include <functional>
@@ -22,7 +22,8 @@ struct ServedModel {
     /// Called from any thread.
     /// @param x one number per input, finite
     /// @return one number per output, finite
-    /// @throws BadValue (app/input/units.hpp) if x is not an input of the model, std::runtime_error if there is no answer
+    /// @throws BadValue (app/input/units.hpp) if x is not an input of the model,
+    /// std::runtime_error if there is no answer
     std::function<std::vector<double>(std::span<const double> x)> evaluate;
 };
 
@@ -31,8 +32,8 @@ struct HttpReply {
     std::string body; ///< JSON
 };
 
-/// The paths that are answered with POST; "/Info" is answered with GET. "/Columns" is ours: names and units
-/// of a model's numbers, for which the protocol has no place.
+/// The paths that are answered with POST; "/Info" is answered with GET. "/Columns" is ours:
+/// names and units of a model's numbers, for which the protocol has no place.
 inline constexpr const char* kUmbridgePaths[] = {
     "/ModelInfo", "/InputSizes",    "/OutputSizes",  "/Evaluate",
     "/Gradient",  "/ApplyJacobian", "/ApplyHessian", "/Columns"};

@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Requests sent together arrive one by one; the first waits this long for the rest. A push takes a hundred times
-/// longer.
+/// Requests sent together arrive one by one; the first waits this long for the rest. A push
+/// takes a hundred times longer.
 constexpr auto kGather = 2ms; // choice
 constexpr auto kLook = 100ms; // between looks whether the program is told to end
 
@@ -87,7 +87,8 @@ std::optional<WallQueue::Asked> WallQueue::take()
     return first;
 }
 
-/// A wall alone is pushed in plain doubles. Several share a register, and those that come meanwhile take its free lanes.
+/// A wall alone is pushed in plain doubles. Several share a register, and those that come
+/// meanwhile take its free lanes.
 void WallQueue::push_waiting()
 {
     std::map<std::size_t, std::promise<PushedWall>> running; // touched by this thread alone

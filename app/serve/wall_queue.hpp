@@ -1,5 +1,6 @@
 #pragma once
-/// Walls that are asked for one by one, from many threads, and pushed side by side in the lanes of a register.
+/// Walls that are asked for one by one, from many threads, and pushed side by side in the lanes
+/// of a register.
 
 #include "app/study/push_walls.hpp"
 

@@ -13,7 +13,8 @@ namespace {
 
 using hdf5::Handle;
 
-/// A dimension that is not a variable: netCDF-4 knows it by this name, with the length in ten digits.
+/// A dimension that is not a variable: netCDF-4 knows it by this name, with the length in ten
+/// digits.
 std::string netcdf_name(std::uint64_t length)
 {
     char text[80];

@@ -1,6 +1,6 @@
 #pragma once
-/// Names for the dimensions of all datasets of a study's file, as HDF5's dimension scales and netCDF-4 have them, so that xarray,
-/// ncdf4 and others see tables with named axes.
+/// Names for the dimensions of all datasets of a study's file, as HDF5's dimension scales and
+/// netCDF-4 have them, so that xarray, ncdf4 and others see tables with named axes.
 
 #include "app/store/hdf5_file.hpp"
 #include "app/store/store_head.hpp"

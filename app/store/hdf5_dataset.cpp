@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::uint64_t kChunkBytes = 64 << 10;
 constexpr unsigned kDeflate = 1; ///< level 4 takes a third longer and saves 2 %
-/// The most that deflate makes of one byte: what a dataset declares beyond it is not in the file.
+/// The most that deflate makes of one byte: what a dataset declares beyond it is not in the
+/// file.
 constexpr std::uint64_t kMostInflation = 1032;
 constexpr std::uint64_t kMostChunkBytes = 64 << 20;
 constexpr std::uint64_t kMostTexts = 1'000'000;
@@ -64,7 +65,8 @@ Dataset::Dataset(const File& file, std::string name, int rank)
     check_size(list);
 }
 
-/// Values of other files (external storage, virtual datasets) and filters, which run code, are not followed.
+/// Values of other files (external storage, virtual datasets) and filters, which run code, are
+/// not followed.
 void Dataset::check_storage(const Handle& list) const
 {
     const H5D_layout_t layout = H5Pget_layout(list.get());
@@ -85,7 +87,8 @@ void Dataset::check_storage(const Handle& list) const
     }
 }
 
-/// Checks that the file holds as many bytes as the dataset and each of its chunks declare, since all of them are read into memory.
+/// Checks that the file holds as many bytes as the dataset and each of its chunks declare,
+/// since all of them are read into memory.
 void Dataset::check_size(const Handle& list) const
 {
     if (size_of(sizes_, value_bytes()) / kMostInflation > H5Dget_storage_size(id_.get()))

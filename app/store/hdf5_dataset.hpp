@@ -1,7 +1,7 @@
 #pragma once
-/// Datasets of numbers or texts, row by row, in chunks that are shuffled, deflated and end with HDF5's
-/// Fletcher-32 checksum. Files come from strangers: what is opened or read here is refused before the first value is read
-/// unless it is as this program writes it.
+/// Datasets of numbers or texts, row by row, in chunks that are shuffled, deflated and end with
+/// HDF5's Fletcher-32 checksum. Files come from strangers: what is opened or read here is
+/// refused before the first value is read unless it is as this program writes it.
 
 #include "app/store/hdf5_file.hpp"
 
@@ -13,7 +13,7 @@
 
 namespace app::hdf5 {
 
-/// What T is in memory.
+/// HDF5 type of T in memory.
 template <class T> [[nodiscard]] hid_t type_of()
 {
     if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
@@ -28,8 +28,9 @@ class Dataset {
   public:
     /// Makes a dataset of `sizes`: rows, and their width if it is a matrix.
     Dataset(const File& file, std::string name, hid_t type, std::vector<hsize_t> sizes);
-    /// Opens one of `rank` axes (1 or 2) that is there. Throws StoreError if it is not in the file itself, has another
-    /// rank, filters that this program does not use, or more values than the bytes stored for it can hold.
+    /// Opens one of `rank` axes (1 or 2) that is there. Throws StoreError if it is not in the
+    /// file itself, has another rank, filters that this program does not use, or more values
+    /// than the bytes stored for it can hold.
     Dataset(const File& file, std::string name, int rank = 1);
 
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -37,8 +38,8 @@ class Dataset {
     [[nodiscard]] std::uint64_t width() const { return sizes_.size() > 1 ? sizes_[1] : 1; }
     [[nodiscard]] std::size_t value_bytes() const; ///< in the file
 
-    /// Rows [first, first + n), `values` of n x width. Throw StoreError. Numbers are read as the type that they are stored
-    /// as, or float as double; texts of fixed length.
+    /// Rows [first, first + n), `values` of n x width. Throw StoreError. Numbers are read as
+    /// the type that they are stored as, or float as double; texts of fixed length.
     void write(std::uint64_t first, std::uint64_t n, hid_t type, const void* values);
     void read(std::uint64_t first, std::uint64_t n, hid_t type, void* values) const;
 
@@ -77,7 +78,8 @@ void put_texts(const File& file, const std::string& name,
 [[nodiscard]] std::vector<std::string> texts_of(const File& file, const std::string& name,
                                                 std::size_t most_bytes);
 
-/// Texts of rows [first, first + n), without padding, each of at most `most_bytes`. Throws StoreError.
+/// Texts of rows [first, first + n), without padding, each of at most `most_bytes`. Throws
+/// StoreError.
 [[nodiscard]] std::vector<std::string> read_texts(const File& file, const Dataset& from,
                                                   std::uint64_t first, std::uint64_t n,
                                                   std::size_t most_bytes);

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 bool set_up_library()
 {
     // After a full disk H5Fclose fails and leaves the file open inside the library, which then
-    // crashes when it cleans up at exit (HDFGroup/hdf5 pull request 2291). There is nothing to clean up.
+    // crashes when it cleans up at exit (HDFGroup/hdf5 pull request 2291). There is nothing to
+    // clean up.
     H5dont_atexit();
     H5open();
     return true;
@@ -167,7 +168,8 @@ struct OneValue {
     std::string name;
 };
 
-/// H5Aread writes as many values as the file has: nothing is read before their number is known to be one.
+/// H5Aread writes as many values as the file has: nothing is read before their number is known
+/// to be one.
 OneValue one_value(const File& file, const std::string& object, const std::string& name)
 {
     const std::string what = "the attribute " + name + " of " + object;

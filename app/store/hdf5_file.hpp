@@ -1,6 +1,6 @@
 #pragma once
-/// The HDF5 C library behind handles that close themselves. Failures are StoreError; HDF5 prints
-/// nothing.
+/// The HDF5 C library behind handles that close themselves. Failures are StoreError; HDF5
+/// prints nothing.
 ///
 /// Files are written in the format of HDF5 1.10, in which all metadata carry checksums.
 
@@ -36,7 +36,8 @@ struct File {
     bool is_new = false;        ///< being written; else only read
     Handle id;
 
-    /// Throws StoreError: `what` cannot be done, the reason of the disk or of HDF5, and what to do.
+    /// Throws StoreError: `what` cannot be done, the reason of the disk or of HDF5, and what to
+    /// do.
     [[noreturn]] void fail(const std::string& what) const;
     /// Handle of what HDF5 just returned; throws if it is none.
     [[nodiscard]] Handle owned(hid_t id, herr_t (*close)(hid_t), const std::string& what) const;
@@ -62,8 +63,8 @@ void close_file(File file);
 
 void make_group(const File& file, const std::string& name);
 
-/// The object of this absolute name. Files come from strangers: a name that leads over a soft or external
-/// link, which can name any file of the reader, is refused. Throws StoreError.
+/// The object of this absolute name. Files come from strangers: a name that leads over a soft
+/// or external link, which can name any file of the reader, is refused. Throws StoreError.
 [[nodiscard]] Handle opened_object(const File& file, const std::string& name);
 
 /// Attributes of groups and datasets. Throw StoreError.
@@ -71,8 +72,8 @@ void put_attribute(const File& file, const std::string& object, const std::strin
                    const std::string& text);
 void put_attribute(const File& file, const std::string& object, const std::string& name,
                    std::uint64_t number);
-/// One text of fixed length, at most 64 KiB; one unsigned number of 64 bits, at most `most`. Whatever else the
-/// file has there is refused before it is read.
+/// One text of fixed length, at most 64 KiB; one unsigned number of 64 bits, at most `most`.
+/// Whatever else the file has there is refused before it is read.
 [[nodiscard]] std::string text_attribute(const File& file, const std::string& object,
                                          const std::string& name);
 [[nodiscard]] std::uint64_t number_attribute(const File& file, const std::string& object,

@@ -97,7 +97,8 @@ void check_equal(const fs::path& first_path, const StoreHead& first, const fs::p
                          "Nothing was written. Merge shards of one study only.");
 }
 
-/// "runs/t_3_of_3.h5", beside "runs/t_1_of_3.h5", which is shard 1; empty where that has another name.
+/// "runs/t_3_of_3.h5", beside "runs/t_1_of_3.h5", which is shard 1; empty where that has
+/// another name.
 std::string shard_beside(const fs::path& path, std::uint32_t index, const StoreHead& head,
                          std::uint32_t wanted)
 {
@@ -114,7 +115,8 @@ std::string shard_beside(const fs::path& path, std::uint32_t index, const StoreH
     return (path.parent_path() / name).string();
 }
 
-/// "  shard 3 of 3 is missing: runs/t_3_of_3.h5", a line for each; empty where some are no shards, or all are there.
+/// "  shard 3 of 3 is missing: runs/t_3_of_3.h5", a line for each; empty where some are no
+/// shards, or all are there.
 std::string missing_shards(const std::vector<fs::path>& paths,
                            const std::vector<StoreReader>& shards)
 {

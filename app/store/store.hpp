@@ -1,8 +1,8 @@
 #pragma once
 /// The file of a study that is being run: FILE.h5, and beside it FILE.h5.parts with the walls
-/// finished since, one small file per append(). Every file is only ever written as a whole and then
-/// renamed, so that a kill at any moment loses at most the walls of the append() in flight. Layout
-/// and guarantees: docs/store.md.
+/// finished since, one small file per append(). Every file is only ever written as a whole and
+/// then renamed, so that a kill at any moment loses at most the walls of the append() in
+/// flight. Layout and guarantees: docs/store.md.
 
 #include "app/store/file_lock.hpp"
 #include "app/store/store_error.hpp"
@@ -31,10 +31,10 @@ struct StoreOptions {
 /// another thread uses a StoreReader. The destructor does not compact.
 class Store {
   public:
-    /// Creates FILE.h5 (without walls) or goes on with it and its parts, and removes what a killed
-    /// process left. See continued_head for what `wanted` may change.
-    /// Throws StoreError (in use: names the process; differences: shows them; damaged; disk full;
-    /// read-only folder), std::invalid_argument for a bad `wanted`. Then nothing was changed.
+    /// Creates FILE.h5 (without walls) or goes on with it and its parts, and removes what a
+    /// killed process left. See continued_head for what `wanted` may change. Throws StoreError
+    /// (in use: names the process; differences: shows them; damaged; disk full; read-only
+    /// folder), std::invalid_argument for a bad `wanted`. Then nothing was changed.
     Store(const std::filesystem::path& file, const StoreHead& wanted,
           const StoreOptions& options = {});
 
@@ -43,16 +43,17 @@ class Store {
     [[nodiscard]] std::optional<std::int32_t> status(WallKey key) const;
     [[nodiscard]] std::size_t size() const { return walls_.size(); } ///< walls there
 
-    /// Adds finished walls as one part: on return neither a kill nor a power cut loses them; before,
-    /// none of them is there. It takes some milliseconds, so call it with many. A failed wall may be
-    /// added again, it is replaced; a wall that is ok may not.
-    /// Throws std::invalid_argument (sizes unlike the head, key out of range, wall there already)
-    /// before anything is written; StoreError if the disk refuses: then none of `rows` is stored, all
-    /// earlier walls are, and append() may be tried again. If there is no room to merge the parts they
-    /// stay, and compact() says why.
+    /// Adds finished walls as one part: on return neither a kill nor a power cut loses them;
+    /// before, none of them is there. It takes some milliseconds, so call it with many. A
+    /// failed wall may be added again, it is replaced; a wall that is ok may not. Throws
+    /// std::invalid_argument (sizes unlike the head, key out of range, wall there already)
+    /// before anything is written; StoreError if the disk refuses: then none of `rows` is
+    /// stored, all earlier walls are, and append() may be tried again. If there is no room to
+    /// merge the parts they stay, and compact() says why.
     void append(std::span<const WallRow> rows);
-    /// Writes all walls, sorted by key, to a new FILE.h5 in bounded memory and removes the parts.
-    /// Nothing to do if there are none. Throws StoreError; all walls are there then as before.
+    /// Writes all walls, sorted by key, to a new FILE.h5 in bounded memory and removes the
+    /// parts. Nothing to do if there are none. Throws StoreError; all walls are there then as
+    /// before.
     void compact();
 
   private:

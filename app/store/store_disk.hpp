@@ -33,8 +33,8 @@ class OpenFile {
 /// Waits until the disk has the content of the file. Throws StoreError.
 void sync_file(const std::filesystem::path& path);
 
-/// Waits until the disk has the names in the folder of `path`, so that a rename or a removal there
-/// outlives a power cut. Throws StoreError.
+/// Waits until the disk has the names in the folder of `path`, so that a rename or a removal
+/// there outlives a power cut. Throws StoreError.
 void sync_folder_of(const std::filesystem::path& path);
 
 } // namespace app

@@ -51,7 +51,8 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
-/// A line as a message shows it: outlines of a drawing, or what a stranger wrote, can be megabytes.
+/// A line as a message shows it: outlines of a drawing, or what a stranger wrote, can be
+/// megabytes.
 std::string shortened(const std::string& line)
 {
     constexpr std::size_t most = 300;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a stored study is: inputs, columns, origin.
+/// Head of a stored study: inputs, columns, origin.
 
 #include "app/store/store_row.hpp"
 
@@ -19,8 +19,8 @@ constexpr double kMostSize = 1e30; ///< of an input or a point of a curve: produ
 
 constexpr std::uint32_t kStoreLayout = 2; ///< counts up when the layout of FILE.h5 changes
 
-/// Name, unit and meaning of one number of every wall. Names are unique in their list, not empty,
-/// of letters, digits and "_-.+()[]" only, not "." or "..". Texts hold no NUL.
+/// Name, unit and meaning of one number of every wall. Names are unique in their list, not
+/// empty, of letters, digits and "_-.+()[]" only, not "." or "..". Texts hold no NUL.
 struct Column {
     std::string name;
     std::string unit; ///< "-" if it has none
@@ -64,8 +64,8 @@ struct StoreHead {
     friend bool operator==(const StoreHead&, const StoreHead&) = default;
 };
 
-/// Number of the study's own levels. A study with an audit has as many again after them, in the same order: wall
-/// (own_levels + k, i) is wall (k, i) pushed again more slowly.
+/// Number of the study's own levels. A study with an audit has as many again after them, in the
+/// same order: wall (own_levels + k, i) is wall (k, i) pushed again more slowly.
 [[nodiscard]] std::uint32_t own_levels(const StoreHead& head);
 /// Whether a wall belongs to the audit.
 [[nodiscard]] bool is_audit(const StoreHead& head, WallKey key);
@@ -74,12 +74,12 @@ struct StoreHead {
 
 /// Throws std::invalid_argument naming the field and what is allowed.
 void check_head(const StoreHead& head);
-/// Throws std::invalid_argument naming the wall and what does not fit the head. Inputs, and the curve of a wall that is
-/// ok, hold finite numbers of at most kMostSize.
+/// Throws std::invalid_argument naming the wall and what does not fit the head. Inputs, and the
+/// curve of a wall that is ok, hold finite numbers of at most kMostSize.
 void check_row(const StoreHead& head, const WallRow& row);
 
-/// Lines in which two texts differ, `- ` only in `before`, `+ ` only in `after`, in order, at most
-/// `most` lines and then how many more; long lines are cut. Empty if equal.
+/// Lines in which two texts differ, `- ` only in `before`, `+ ` only in `after`, in order, at
+/// most `most` lines and then how many more; long lines are cut. Empty if equal.
 [[nodiscard]] std::string text_difference(const std::string& before, const std::string& after,
                                           std::size_t most = 40);
 
@@ -91,19 +91,20 @@ void check_row(const StoreHead& head, const WallRow& row);
 /// "revision 2 of the solver"; of an empty one "an earlier revision of the solver".
 [[nodiscard]] std::string revision_words(const std::string& revision);
 
-/// What makes two heads heads of one study, line by line: identity, seed, shard and columns.
+/// Text that is equal for two heads of one study, line by line: identity, seed, shard and
+/// columns.
 [[nodiscard]] std::string study_text(const StoreHead& head);
 
-/// Lines in which two studies differ, as text_difference: those of their inputs; of two with equal inputs those of
-/// study_text. A seed or a key that stands in both is then shown once.
+/// Lines in which two studies differ, as text_difference: those of their inputs; of two with
+/// equal inputs those of study_text. A seed or a key that stands in both is then shown once.
 [[nodiscard]] std::string study_difference(const StoreHead& before, const StoreHead& after);
 
-/// The head with which a stored study goes on, if it may. `wanted` may have more samples, further
-/// levels after the stored ones, another configuration text and other sessions; the largest number of
-/// samples is added to `design_sizes` if it exceeds the last, and sessions are added after the
-/// stored ones. Precision stays as stored.
-/// Throws StoreError(`file`: what differs, what to do) if revision, identity, seed, columns, shard or stored
-/// levels differ, or if fewer samples are wanted than before.
+/// The head with which a stored study goes on, if it may. `wanted` may have more samples,
+/// further levels after the stored ones, another configuration text and other sessions; the
+/// largest number of samples is added to `design_sizes` if it exceeds the last, and sessions
+/// are added after the stored ones. Precision stays as stored. Throws StoreError(`file`: what
+/// differs, what to do) if revision, identity, seed, columns, shard or stored levels differ, or
+/// if fewer samples are wanted than before.
 [[nodiscard]] StoreHead continued_head(const std::string& file, const StoreHead& stored,
                                        const StoreHead& wanted);
 

@@ -33,8 +33,8 @@ void check_study(const WallFile& whole, const WallFile& part)
             "Move it away, or restore its file.");
 }
 
-/// FILE.h5, then its parts. They are opened before it: what is merged into it meanwhile is then seen in
-/// both, and a part that is gone by now is in it.
+/// FILE.h5, then its parts. They are opened before it: what is merged into it meanwhile is then
+/// seen in both, and a part that is gone by now is in it.
 std::vector<WallFile> open_study(const fs::path& file)
 {
     std::vector<WallFile> files;

@@ -15,16 +15,17 @@
 
 namespace app {
 
-/// A snapshot: walls added later are not seen. Needs no lock and no write permission, works while
-/// a study runs. HDF5 is not called by several threads: use from one thread at a time, and not
-/// while another thread uses any other reader or Store.
+/// A snapshot: walls added later are not seen. Needs no lock and no write permission, works
+/// while a study runs. HDF5 is not called by several threads: use from one thread at a time,
+/// and not while another thread uses any other reader or Store.
 class StoreReader {
   public:
     /// Reads all keys. Of walls with one key the last part's counts.
     /// Throws StoreError if there is no such file, if it is damaged, of another layout or of
     /// something else, or if a part beside it belongs to another study.
     explicit StoreReader(const std::filesystem::path& file);
-    /// Several of one study as one, at least one. Of walls with one key the last reader's counts.
+    /// Several of one study as one, at least one. Of walls with one key the last reader's
+    /// counts.
     explicit StoreReader(std::vector<StoreReader> several);
 
     [[nodiscard]] const StoreHead& head() const;
@@ -37,7 +38,8 @@ class StoreReader {
     [[nodiscard]] const std::filesystem::path& file_of(std::size_t i) const;
     /// The wall of this key, if it is there.
     [[nodiscard]] std::optional<WallRow> row(WallKey key);
-    /// All walls of the study in the order of their keys, one in memory at a time; those of its audit are left out.
+    /// All walls of the study in the order of their keys, one in memory at a time; those of its
+    /// audit are left out.
     void for_each_row(const std::function<void(const WallRow&)>& visit);
     /// The same of its audit.
     void for_each_audit_row(const std::function<void(const WallRow&)>& visit);
@@ -62,7 +64,8 @@ class StoreReader {
 /// Head alone, at the cost of opening.
 [[nodiscard]] StoreHead read_head(const std::filesystem::path& file);
 
-/// Walls of `head` that are missing in `there`, which is in the order of keys; for a shard, of the whole study.
+/// Walls of `head` that are missing in `there`, which is in the order of keys; for a shard, of
+/// the whole study.
 [[nodiscard]] std::vector<WallKey> missing_walls(const StoreHead& head,
                                                  const std::vector<WallStatus>& there);
 

@@ -45,8 +45,8 @@ struct WallCurve {
 
 constexpr std::size_t kMaxReason = 500; ///< [bytes] kept of WallRow::reason
 
-/// Everything but `cost` is the same bit for bit whenever the wall is run again. Sizes are those
-/// of the columns of StoreHead; NaN: not defined.
+/// Everything but `cost` is the same bit for bit whenever the wall is run again. Sizes are
+/// those of the columns of StoreHead; NaN: not defined.
 struct WallRow {
     WallKey key;
     std::int32_t status = kWallOk;

@@ -13,7 +13,8 @@ namespace {
 
 using hdf5::Dataset;
 
-/// Calls `visit(name, field)` for every dataset of one number per wall; field(row) is that number.
+/// Calls `visit(name, field)` for every dataset of one number per wall; field(row) is that
+/// number.
 template <class Visit> void each_number(const StoreHead& head, const Visit& visit)
 {
     visit(

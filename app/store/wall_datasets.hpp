@@ -11,8 +11,8 @@
 
 namespace app {
 
-/// docs/store.md says what they hold. They are made for writing or opened for reading; the file and
-/// the head must outlive them.
+/// docs/store.md says what they hold. They are made for writing or opened for reading; the file
+/// and the head must outlive them.
 class WallDatasets {
   public:
     /// For this many walls, whose curves have `points` points together. Throws StoreError.
@@ -24,10 +24,12 @@ class WallDatasets {
     /// Keys and statuses of all walls and how long their curves are. Throws StoreError if they
     /// contradict each other or the head.
     [[nodiscard]] std::vector<StoredWall> index() const;
-    /// Writes rows from `first` on and their curves from `point` on. Returns where the next begins.
+    /// Writes rows from `first` on and their curves from `point` on. Returns where the next
+    /// begins.
     std::uint64_t write(std::uint64_t first, std::uint64_t point,
                         std::span<const WallRow> rows);
-    /// Reads rows from `first` on, whose index is known. Throws StoreError naming the wall whose numbers are none.
+    /// Reads rows from `first` on, whose index is known. Throws StoreError naming the wall
+    /// whose numbers are none.
     [[nodiscard]] std::vector<WallRow> read(std::uint64_t first,
                                             std::span<const StoredWall> walls) const;
 

@@ -25,16 +25,16 @@ struct RowSource {
 enum class StoreStage { rows_written, synced, renamed, parts_removed };
 using StageHook = std::function<void(StoreStage)>;
 
-/// Writes FILE.tmp, waits for the disk, renames it to `file`. Memory does not grow with the number of
-/// walls. Throws StoreError; `file` is then as it was and FILE.tmp is removed.
+/// Writes FILE.tmp, waits for the disk, renames it to `file`. Memory does not grow with the
+/// number of walls. Throws StoreError; `file` is then as it was and FILE.tmp is removed.
 void write_wall_file(const std::filesystem::path& file, const StoreHead& head,
                      const RowSource& source, const StageHook& reached = {});
 
 /// Open for reading. Not to be used by several threads, as HDF5 is not.
 class WallFile {
   public:
-    /// None if there is no such file. Throws StoreError if it is damaged, of another layout or of
-    /// something else.
+    /// None if there is no such file. Throws StoreError if it is damaged, of another layout or
+    /// of something else.
     [[nodiscard]] static std::optional<WallFile> open(const std::filesystem::path& file);
     ~WallFile();
     WallFile(WallFile&&) noexcept;

@@ -1,5 +1,6 @@
 #pragma once
-/// uq.drawn: one wall of a study, written down so that it can be pushed again with the same bits.
+/// uq.drawn: one wall of a study, written down so that it can be pushed again with the same
+/// bits.
 
 #include "app/sampling/wall_draw.hpp"
 
@@ -11,8 +12,9 @@ namespace app {
 /// @throws BadValue (app/input/units.hpp)
 [[nodiscard]] int level_at(const Study& study, std::string_view text);
 
-/// "0.4 MPa; joint.friction_angle = 25.82 deg; ...": the stress and every value drawn, one for the wall or one for each
-/// joint or crack. A wall without values is that of the means: "0.4 MPa; mean".
+/// "0.4 MPa; joint.friction_angle = 25.82 deg; ...": the stress and every value drawn, one for
+/// the wall or one for each joint or crack. A wall without values is that of the means: "0.4
+/// MPa; mean".
 [[nodiscard]] std::string drawn_text(const Study& study, const WantedWall& wall);
 
 /// The wall that study.uq.drawn names.

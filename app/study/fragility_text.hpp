@@ -10,11 +10,12 @@
 
 namespace app {
 
-/// "> 2.72" or ">= 4.00", as the lower bound of a value that is not known; nothing without a bound.
+/// "> 2.72" or ">= 4.00", as the lower bound of a value that is not known; nothing without a
+/// bound.
 [[nodiscard]] Number median_bound(const fragility::MedianBound& bound, int decimals);
 
-/// A displacement [m] times `scale`; ">" where the wall had not reached it when its push ended; nothing where it
-/// is not defined.
+/// A displacement [m] times `scale`; ">" where the wall had not reached it when its push ended;
+/// nothing where it is not defined.
 [[nodiscard]] Number limit_cell(const fragility::LimitDisplacement& limit, double scale,
                                 int decimals);
 

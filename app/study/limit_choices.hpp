@@ -1,5 +1,6 @@
 #pragma once
-/// Choices of the model that move a drift limit, and where one of them leaves none. Every output takes its sentences from here.
+/// Choices of the model that move a drift limit, and where one of them leaves none. Every
+/// output takes its sentences from here.
 
 #include "app/study/study_walls.hpp"
 
@@ -9,11 +10,12 @@
 
 namespace app {
 
-/// The remark on a wall whose small displacements leave it no drift limit, without a full stop; empty where there is a limit,
-/// or another reason.
+/// The remark on a wall whose small displacements leave it no drift limit, without a full stop;
+/// empty where there is a limit, or another reason.
 [[nodiscard]] std::string no_limit_remark(const Study& study, const WallReading& wall);
 
-/// The same of the walls of a study, with their number, as a sentence; empty where every wall has a limit.
+/// The same of the walls of a study, with their number, as a sentence; empty where every wall
+/// has a limit.
 [[nodiscard]] std::string no_limit_remark(const StudyWalls& walls);
 
 /// A key whose value moves a drift limit, and how.
@@ -25,7 +27,8 @@ struct LimitChoice {
 /// The choices that play a part in the study, the one that matters most first.
 [[nodiscard]] std::vector<LimitChoice> limit_choices(const Study& study);
 
-/// "Choices that move a drift limit: solver.kinematics = small, wall.base = fixed, ...": one sentence.
+/// "Choices that move a drift limit: solver.kinematics = small, wall.base = fixed, ...": one
+/// sentence.
 [[nodiscard]] std::string limit_choices_text(const Study& study);
 
 } // namespace app

@@ -12,8 +12,9 @@ namespace app {
 [[nodiscard]] Number mean_cell(std::span<const double> values, int decimals,
                                double scale = 1.0);
 
-/// Median without a law (Kaplan and Meier) with its interval (observed_quantile.hpp). Where less than half of the
-/// walls got there, ">=" the largest value that was tested, and the interval's lower end where it lies below.
+/// Median without a law (Kaplan and Meier) with its interval (observed_quantile.hpp). Where
+/// less than half of the walls got there, ">=" the largest value that was tested, and the
+/// interval's lower end where it lies below.
 /// @param data observed or right-censored, of weight 1
 [[nodiscard]] Number median_cell(std::span<const fragility::Observation> data,
                                  double confidence, int decimals);

@@ -39,13 +39,19 @@ std::string backbone_text(const Study& study)
 std::string mode_rule_text(const FragilityInput& f)
 {
     const dem::ModeThresholds& t = f.mode;
-    if (t.modes == dem::ModeRule::three) {
+    if (t.modes == dem::ModeRule::mechanism) {
         const std::string share = number(t.rotation_share, 6);
-        return "Mixed: " + units_text(t.cracked_units) + ", and the " + ultimate_text(f) +
-               " or less than " + share +
-               " of the movement is rotation of the beam. Otherwise rocking, or sliding if "
-               "less than " +
-               share + " of the movement is rotation of the stones";
+        const std::string rocking = "Rocking: at least " + share +
+                                    " of the movement is rotation of the beam, whatever "
+                                    "cracked. Otherwise mixed";
+        const std::string sliding =
+            t.cracked_units == 0 ? std::string()
+                                 : ": " + units_text(t.cracked_units) +
+                                       ". Otherwise rocking, or sliding if less than " + share +
+                                       " of the movement is rotation of the stones";
+        return rocking + sliding +
+               ". With finite displacements the movement is that to where the " +
+               ultimate_text(f) + ", or that since half of the way of a wall that stands";
     }
     const std::string dropped = "Mixed: the " + ultimate_text(f) + ", or ";
     const std::string overturns =

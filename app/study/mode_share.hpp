@@ -1,13 +1,14 @@
 #pragma once
-/// How often a mode of failure occurs. Every output reads its shares here, so that all have one interval.
+/// How often a mode of failure occurs. Every output reads its shares here, so that all have one
+/// interval.
 
 #include "app/study/study_walls.hpp"
 #include "fragility/binomial.hpp"
 
 namespace app {
 
-/// Share of a mode, or of kAllModes, among the walls of a stress. The interval holds the probability whatever the failed
-/// walls would have been.
+/// Share of a mode, or of kAllModes, among the walls of a stress. The interval holds the
+/// probability whatever the failed walls would have been.
 /// @param confidence in (0, 1)
 [[nodiscard]] fragility::Share
 mode_share(const StudyLevel& level, int mode, double confidence,

@@ -45,8 +45,9 @@ std::string compared(const WallReading& other, const WallReading& first)
            (change < 0.0 ? "less" : "more") + ")";
 }
 
-/// Steps that a push is likely to take: those of its fastest drive, and more the less error it bears. The walls of the paper
-/// take 1.5 to 3 times those of the fastest at 1 %, 7 to 26 times at 0.1 %.
+/// Steps that a push is likely to take: those of its fastest drive, and more the less error it
+/// bears. The walls of the paper take 1.5 to 3 times those of the fastest at 1 %, 7 to 26 times
+/// at 0.1 %.
 double expected_steps(const Study& study)
 {
     constexpr double kTwice = 0.015; // accuracy that takes twice the steps of the fastest drive

@@ -1,5 +1,6 @@
 #pragma once
-/// Walls that are not symmetric carry less when they are pushed the other way, or more. What outputs say of it stands here.
+/// Walls that are not symmetric carry less when they are pushed the other way, or more. What
+/// outputs say of it stands here.
 
 #include "app/sampling/wall_draw.hpp"
 #include "app/study/pushed_wall.hpp"
@@ -19,12 +20,14 @@ namespace app {
 /// The same study, pushed as far the other way.
 [[nodiscard]] Study turned_round(Study study);
 
-/// Walls that are not symmetric, pushed the other way beside their own push where that costs little: as much as the push
-/// itself, on half of the threads. Other walls, and dear ones, are left alone.
+/// Walls that are not symmetric, pushed the other way beside their own push where that costs
+/// little: as much as the push itself, on half of the threads. Other walls, and dear ones, are
+/// left alone.
 class OtherWay {
   public:
     /// @param study, model, wanted must outlive this
-    /// @param look is called every few hundred steps from any thread; what it throws ends this push. May be empty
+    /// @param look is called every few hundred steps from any thread; what it throws ends this
+    /// push. May be empty
     OtherWay(const Study& study, const dem::Model& model, const std::vector<WantedWall>& wanted,
              int threads, std::function<void()> look = {});
 
@@ -40,7 +43,8 @@ class OtherWay {
     std::future<std::vector<WallReading>> readings_; ///< not valid where nothing is pushed
 };
 
-/// Says what a wall carries each way, or how to find out, without a full stop. Empty where there is no other way.
+/// Says what a wall carries each way, or how to find out, without a full stop. Empty where
+/// there is no other way.
 [[nodiscard]] std::string other_way_remark(const Study& study, const dem::Layout& layout,
                                            const PushedWall& wall);
 

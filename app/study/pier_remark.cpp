@@ -16,13 +16,15 @@ namespace {
 /// Share of the length of the wall. A gap that is narrower is a joint, not an opening.
 constexpr double kOpening = 0.05;
 
-/// The side of a pier leans by less than this [m/m], over more than a third of the height of the opening. The inside of
-/// a half circle does so up to a tenth of its height, or to a fifth where it is made of straight stones.
+/// The side of a pier leans by less than this [m/m], over more than a third of the height of
+/// the opening. The inside of a half circle does so up to a tenth of its height, or to a fifth
+/// where it is made of straight stones.
 constexpr double kBatter = 0.1;
 
 using Piece = std::pair<double, double>; ///< from x to x
 
-/// Where the line at height z crosses an outline, as the extent of the outline along it; empty where it does not.
+/// Where the line at height z crosses an outline, as the extent of the outline along it; empty
+/// where it does not.
 Piece crossed(const std::vector<dem::Point>& outline, double z)
 {
     Piece piece{0.0, 0.0};
@@ -37,7 +39,8 @@ Piece crossed(const std::vector<dem::Point>& outline, double z)
     return piece;
 }
 
-/// The widest opening that the stones leave at height z; nothing where none is wider than `least`.
+/// The widest opening that the stones leave at height z; nothing where none is wider than
+/// `least`.
 std::optional<Piece> opening_at(const std::vector<dem::DrawnUnit>& units, double z,
                                 double least)
 {

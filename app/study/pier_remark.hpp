@@ -1,5 +1,6 @@
 #pragma once
-/// Codes limit the drift of a pier. A wall of several piers has one drift and one mode here, which is said.
+/// Codes limit the drift of a pier. A wall of several piers has one drift and one mode here,
+/// which is said.
 
 #include "app/input/study.hpp"
 
@@ -7,12 +8,13 @@
 
 namespace app {
 
-/// Whether openings divide the masonry into pieces that stand upright beside each other: walls with doors or windows,
-/// portals, arches on piers. A bare arch leans all the way from its springing, and has none.
+/// Whether openings divide the masonry into pieces that stand upright beside each other: walls
+/// with doors or windows, portals, arches on piers. A bare arch leans all the way from its
+/// springing, and has none.
 [[nodiscard]] bool has_piers(const Study& study);
 
-/// "the drift limits of ntc are those of one pier: ..."; empty without a code among the limit states, and of a wall
-/// that is one pier. No full stop.
+/// "the drift limits of ntc are those of one pier: ..."; empty without a code among the limit
+/// states, and of a wall that is one pier. No full stop.
 [[nodiscard]] std::string pier_remark(const Study& study);
 
 /// The same as a sentence.

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// Of this process, now. @param threads as used
+/// Session of this process, now. @param threads as used
 [[nodiscard]] StoreSession this_session(int threads);
 
 } // namespace app

@@ -35,7 +35,8 @@ std::vector<Group> groups_of(const Study& study, std::size_t size, const SampleO
     return groups;
 }
 
-/// State shared by the threads of one call. The first exception stops them all, each at its next wall.
+/// State shared by the threads of one call. The first exception stops them all, each at its
+/// next wall.
 class LayoutRun {
   public:
     LayoutRun(const Study& study, const dem::PushPlan& plan, const PushList& list,
@@ -76,7 +77,8 @@ class LayoutRun {
         ended_ = true;
     }
 
-    /// Hands a wall on. The run has ended before another thread can hand on the next one, if this fails.
+    /// Hands a wall on. The run has ended before another thread can hand on the next one, if
+    /// this fails.
     void hand_on(std::size_t i, const WallDraw& draw, PushedWall&& wall)
     {
         const std::lock_guard lock(mutex_);

@@ -1,5 +1,6 @@
 #pragma once
-/// Walls of a study whose samples lie in layouts of their own: those of one layout are pushed together.
+/// Walls of a study whose samples lie in layouts of their own: those of one layout are pushed
+/// together.
 
 #include "app/study/push_walls.hpp"
 
@@ -12,7 +13,8 @@ namespace app {
 /// The sample of wall i of a list.
 using SampleOf = std::function<std::uint32_t(std::size_t i)>;
 
-/// As push_walls, of walls each in the layout of its sample. A layout that makes no wall is the failure of its walls.
+/// As push_walls, of walls each in the layout of its sample. A layout that makes no wall is the
+/// failure of its walls.
 /// @param list a closed one
 void push_in_layouts(const Study& study, const dem::PushPlan& plan, const PushList& list,
                      const SampleOf& sample, int threads);

@@ -8,7 +8,7 @@ namespace app {
 
 namespace {
 
-/// Of an outcome that is a failure: what went wrong.
+/// Reason for an outcome that is a failure: what went wrong.
 std::string why_failed(dem::Outcome outcome)
 {
     switch (outcome) {
@@ -21,10 +21,13 @@ std::string why_failed(dem::Outcome outcome)
     }
 }
 
-/// What broke is read at the end, how the wall has moved where the force came down or, of a push that turns back, where
-/// it was farthest out.
+/// The breaks are read at the end, the movement of the wall where the force came down or, of a
+/// push that turns back, where it was farthest out. What stands at the end of a finite push is
+/// read by its movement since half of its way: walls that slide at first may overturn in the
+/// end.
 dem::Mechanism mechanism_of(const dem::PushResult& r, double height)
 {
+    if (r.at_half) return dem::mechanism(dem::movement_since(*r.at_half, r.at_end), height);
     if (!r.at_farthest) return dem::mechanism(r.at_drop.value_or(r.at_end), height);
     dem::Mechanism m = dem::mechanism(r.at_end, height);
     const dem::Mechanism out = dem::mechanism(*r.at_farthest, height);

@@ -17,7 +17,8 @@ struct PushedWall {
     double vertical_stress = 0.0; ///< [Pa]
     dem::Loads loads;
     dem::PushResult result;
-    /// The curve as the file of a study keeps it [m] [N]: of single precision where output.curves says so.
+    /// The curve as the file of a study keeps it [m] [N]: of single precision where
+    /// output.curves says so.
     std::vector<double> displacement, force;
     dem::Mechanism mechanism;
     WallReading reading; ///< by the rules of the study; without a mode where the run failed
@@ -32,14 +33,16 @@ struct PushedWall {
 /// A draw that makes no wall: nothing was pushed, and the wall counts as failed.
 [[nodiscard]] PushedWall no_wall(const Study& study, int level, const std::string& why);
 
-/// Largest share of the work that the energy ledger misses, wherever it was read [-]; NaN where the numbers
-/// of the run broke.
+/// Largest share of the work that the energy ledger misses, wherever it was read [-]; NaN where
+/// the numbers of the run broke.
 [[nodiscard]] double energy_residual(const PushedWall& wall);
 
-/// Estimated error of the peak force by the speed of the drive [-], >= 0; NaN where the run gave no result.
+/// Estimated error of the peak force by the speed of the drive [-], >= 0; NaN where the run
+/// gave no result.
 [[nodiscard]] double solver_error(const PushedWall& wall);
 
-/// Whether a wall was lost under its vertical load, or before its curve had a second point: it has no mode.
+/// Whether a wall was lost under its vertical load, or before its curve had a second point: it
+/// has no mode.
 [[nodiscard]] bool came_down_at_once(const PushedWall& wall);
 
 } // namespace app

@@ -42,7 +42,8 @@ void run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan
               last.audit ? FrameTaker() : run.frames, start);
 }
 
-/// A shard that was begun when walls were divided otherwise would continue with walls that another shard has.
+/// A shard that was begun when walls were divided otherwise would continue with walls that
+/// another shard has.
 void refuse_other_deal(const Study& study, const StudyRun& run)
 {
     std::error_code ignored;

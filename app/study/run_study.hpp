@@ -19,8 +19,9 @@ struct StudyRun {
     Shard shard;
     int threads = 1; ///< >= 1
     bool rerun_failed = false;
-    /// Told before the first wall of a round and after each wall, one at a time, from any thread. A study with a stopping rule
-    /// may have several rounds; an audit is a round of its own. It may throw Interrupted, which ends the run as a signal does.
+    /// Told before the first wall of a round and after each wall, one at a time, from any
+    /// thread. A study with a stopping rule may have several rounds; an audit is a round of its
+    /// own. It may throw Interrupted, which ends the run as a signal does.
     std::function<void(const RunProgress&)> seen;
     FrameTaker frames; ///< of the walls that this run pushes
 };
@@ -32,7 +33,8 @@ struct StudyRunEnd {
 };
 
 /// Adds samples until the rule of the study is content, if it has one.
-/// @throws ConfigError, StoreError, and what `seen` throws but Interrupted; walls that are finished are kept
+/// @throws ConfigError, StoreError, and what `seen` throws but Interrupted; walls that are
+/// finished are kept
 [[nodiscard]] StudyRunEnd run_study(const Study& study, const StudyRun& run);
 
 /// Asks before a run what study_summary would replace.

@@ -34,7 +34,7 @@ set -euo pipefail
 
 )sh";
 
-/// What follows the values of the variables.
+/// Part of the script that follows the values of the variables.
 constexpr std::string_view kScript = R"sh(
 if [[ -z ${SLURM_JOB_ID-} ]]; then # on the login node
     mkdir -p -- "$logs"
@@ -137,7 +137,8 @@ double seconds_per_wall(const Study& study)
     return seconds / static_cast<double>(pilot.size);
 }
 
-/// A bash script; run, it submits two jobs: the array, and a merge that waits for all of its tasks.
+/// A bash script; run, it submits two jobs: the array, and a merge that waits for all of its
+/// tasks.
 /// @param minutes expected for one shard
 std::string slurm_script(const Command& command, int shards, double minutes)
 {

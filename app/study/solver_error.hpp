@@ -1,6 +1,7 @@
 #pragma once
-/// What the speed of the solver's drive does to the numbers of a study: the error that each push estimates of itself, and
-/// the differences of an audit. Tables, remarks, page and bounds take it from here.
+/// Effect of the speed of the solver's drive on the numbers of a study: the error that each
+/// push estimates of itself, and the differences of an audit. Tables, remarks, page and bounds
+/// take it from here.
 
 #include "app/input/study.hpp"
 #include "app/study/study_walls.hpp"
@@ -12,7 +13,8 @@
 
 namespace app {
 
-/// Whether the error of a wall is larger than the study asks for; an error that is not known is not.
+/// Whether the error of a wall is larger than the study asks for; an error that is not known is
+/// not.
 [[nodiscard]] inline bool misses_accuracy(double solver_error, const Study& study)
 {
     return solver_error > study.solver.accuracy;
@@ -59,8 +61,9 @@ struct AuditDifferences {
 /// Middle of the errors [-]; NaN without any.
 [[nodiscard]] double median_error(const std::vector<double>& sorted);
 
-/// "Solver error: median 0.1 %, 95 % of walls below 0.6 %, 2 of 50 walls above the 1 % asked for (0.50 MPa sample 3, ...)."
-/// and, of an audit, a second sentence. Says so where the error is not known; empty where no wall gave a result.
+/// "Solver error: median 0.1 %, 95 % of walls below 0.6 %, 2 of 50 walls above the 1 % asked
+/// for (0.50 MPa sample 3, ...)." and, of an audit, a second sentence. Says so where the error
+/// is not known; empty where no wall gave a result.
 [[nodiscard]] std::string solver_error_text(const StudyWalls& walls);
 
 } // namespace app

@@ -23,7 +23,7 @@ struct StoredInput {
 /// Columns "key", or "key.1", "key.2", ... side by side, as one input.
 [[nodiscard]] std::vector<StoredInput> stored_inputs(const std::vector<Column>& columns);
 
-/// Of one value per joint, their mean.
+/// Value of the input as it is shown; the mean where there is one value per joint.
 [[nodiscard]] double shown_value(const StoredInput& input, const WallRow& wall);
 
 } // namespace app

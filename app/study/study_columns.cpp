@@ -28,8 +28,8 @@ struct Count {
     std::int64_t (*read)(const PushedWall&);
 };
 
-/// The curve of a wall as read for the file: of a push that turns back always the mean backbone, so that facts do not
-/// follow fragility.backbone.
+/// The curve of a wall as read for the file: of a push that turns back always the mean
+/// backbone, so that facts do not follow fragility.backbone.
 const WallReading& fact_reading(const PushedWall& w)
 {
     const auto& backbones = w.reading.backbones;
@@ -49,7 +49,7 @@ constexpr std::array kResponses = {
         [](const PushedWall& w) { return w.displacement.empty() ? kNotDefined : w.displacement.back(); }},
     Response{"settlement", "m", "of the beam under vertical load alone, positive down",
         [](const PushedWall& w) { return w.result.settlement; }},
-    Response{"rotation_share", "-", "rotation of the beam x height / displacement: 1 for pure rocking; like the two columns of cracks at the end, with finite displacements where the force came down to fragility.ultimate_share",
+    Response{"rotation_share", "-", "rotation of the beam x height / displacement: 1 for pure rocking; like the two columns of cracks at the end; with finite displacements where the force came down to fragility.ultimate_share, or, where it did not, of the movement since half of the way",
         [](const PushedWall& w) { return w.mechanism.rotation_share; }},
     Response{"sliding_share", "-", "slip of the closed bed joints, summed over the courses / displacement",
         [](const PushedWall& w) { return w.mechanism.sliding_share; }},

@@ -1,5 +1,5 @@
 #pragma once
-/// What a study keeps of a wall: names of the numbers, and the row of one wall.
+/// Columns that a study keeps of a wall: names of the numbers, and the row of one wall.
 
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_head.hpp"

@@ -33,7 +33,8 @@ fs::path shard_file(const fs::path& out, Shard shard)
     return file;
 }
 
-/// "16 of 120 walls"; of a study that goes on "120 of 120 walls (104 before, 16 now)"; of an audit "4 of 8 walls of the audit"
+/// "16 of 120 walls"; of a study that goes on "120 of 120 walls (104 before, 16 now)"; of an
+/// audit "4 of 8 walls of the audit"
 std::string progress_text(const RunProgress& p, double seconds)
 {
     std::string text = std::to_string(p.before + p.done) + " of " +
@@ -46,7 +47,7 @@ std::string progress_text(const RunProgress& p, double seconds)
            fixed(static_cast<double>(p.done) / std::max(seconds, 1e-9), 1) + " walls/s";
 }
 
-/// What a study that went on has now; empty if it had no wall before.
+/// Text on what a study that went on has now; empty if it had no wall before.
 std::string resumed_text(const StudyRunEnd& end)
 {
     if (end.before == 0) return "";

@@ -11,13 +11,15 @@
 
 namespace app {
 
-/// How many times slower an audit pushes. The error of a wall is about 4/3 of the difference where it falls with the speed.
+/// How many times slower an audit pushes. The error of a wall is about 4/3 of the difference
+/// where it falls with the speed.
 constexpr std::uint32_t kAuditSlower = 4; // choice
 
 /// Walls per stress level: 1 where nothing is random.
 [[nodiscard]] std::uint32_t samples_of(const Study& study);
 
-/// Sizes through which the design has grown: those in the file, if there is one, and the study's.
+/// Sizes through which the design has grown: those in the file, if there is one, and the
+/// study's.
 /// @throws StoreError
 [[nodiscard]] std::vector<std::uint32_t> design_sizes(const Study& study,
                                                       const std::filesystem::path& file);
@@ -25,7 +27,8 @@ constexpr std::uint32_t kAuditSlower = 4; // choice
 /// @throws ConfigError for a file that is there and no HDF5 file
 void check_is_study(const std::filesystem::path& file);
 
-/// Sentence about walls that another revision of the solver pushed; empty where it was this one.
+/// Sentence about walls that another revision of the solver pushed; empty where it was this
+/// one.
 [[nodiscard]] std::string other_revision_text(const StoreHead& head);
 
 [[nodiscard]] StoreHead head_of(const Study& study, const SamplePlan& plan,

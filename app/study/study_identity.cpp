@@ -15,13 +15,18 @@
 namespace app {
 namespace {
 
-/// Of no consequence for a wall.
-constexpr std::array<std::string_view, 7> kFree = {"uq.samples",      "uq.audit",
-                                                   "uq.stop",         "uq.stop_half_width",
-                                                   "uq.most_samples", "output.snapshot_every",
+/// Keys of no consequence for a wall; what a material gives stands at its own keys.
+constexpr std::array<std::string_view, 8> kFree = {"wall.material",
+                                                   "uq.samples",
+                                                   "uq.audit",
+                                                   "uq.stop",
+                                                   "uq.stop_half_width",
+                                                   "uq.most_samples",
+                                                   "output.snapshot_every",
                                                    "output.paraview"};
 
-/// The text with numbers as short as they can be and without blanks beside commas, semicolons and brackets.
+/// The text with numbers as short as they can be and without blanks beside commas, semicolons
+/// and brackets.
 std::string with_short_numbers(const std::string& text)
 {
     constexpr std::string_view kDivides = ",;()";

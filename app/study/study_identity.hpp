@@ -7,8 +7,9 @@
 
 namespace app {
 
-/// Revision of the solver and all values that move a result, one `key = value` per line, in a fixed form: how numbers
-/// were written, and whether they are defaults, makes no difference. The number of samples is not among them.
+/// Revision of the solver and all values that move a result, one `key = value` per line, in a
+/// fixed form: how numbers were written, and whether they are defaults, makes no difference.
+/// The number of samples is not among them.
 [[nodiscard]] std::string identity_text(const Study& study);
 
 } // namespace app

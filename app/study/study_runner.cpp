@@ -47,8 +47,8 @@ bool is_of(Shard shard, const StoreHead& head, WallKey key, Deal deal)
     const std::size_t levels = own_levels(head);
     key = own_key(head, key);
     const auto count = static_cast<std::size_t>(shard.count);
-    // Levels begin at shards far apart: where the samples are not a multiple of the shards, those
-    // that are left over are spread.
+    // Levels begin at shards far apart: where the samples are not a multiple of the shards,
+    // those that are left over are spread.
     const std::size_t begin = deal == Deal::samples ? 0 : key.level * count / levels;
     return (key.sample + begin) % count == static_cast<std::size_t>(shard.index);
 }

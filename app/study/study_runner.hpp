@@ -13,27 +13,28 @@
 
 namespace app {
 
-/// What is dealt out to the shards of a study, in turns.
+/// Portions that are dealt out to the shards of a study, in turns.
 enum class Deal {
     walls,  ///< of each level every N-th, from another shard on for each level
     samples ///< with the walls under all stresses, which lie in one layout
 };
 [[nodiscard]] Deal deal_of(const Study& study);
 
-/// Walls of a part of a study, sample by sample under all levels, so that a study that is stopped
-/// has about as many of each. Samples that are added later change nothing for those before. A shard
-/// has walls under every level unless there are fewer samples than shards.
-/// @param audit the walls of the audit in place of the study's own; a shard has those whose own walls it has
+/// Walls of a part of a study, sample by sample under all levels, so that a study that is
+/// stopped has about as many of each. Samples that are added later change nothing for those
+/// before. A shard has walls under every level unless there are fewer samples than shards.
+/// @param audit the walls of the audit in place of the study's own; a shard has those whose own
+/// walls it has
 [[nodiscard]] std::vector<WallKey> walls_of(const StoreHead& head, Shard shard,
                                             Deal deal = Deal::walls, bool audit = false);
 
-/// Walls that a file has although they do not belong to a shard of this number: another version of the program
-/// divided them. A whole study has none.
+/// Walls that a file has although they do not belong to a shard of this number: another version
+/// of the program divided them. A whole study has none.
 [[nodiscard]] std::vector<WallKey> foreign_walls(const StoreHead& head,
                                                  const std::vector<WallStatus>& there,
                                                  Deal deal = Deal::walls);
 
-/// Those that the store does not have, and failed ones too if asked for.
+/// Walls that the store does not have, and failed ones too if asked for.
 [[nodiscard]] std::vector<WallKey> pending_walls(const Store& store, Shard shard,
                                                  bool rerun_failed, Deal deal = Deal::walls,
                                                  bool audit = false);
@@ -48,7 +49,8 @@ struct RunProgress {
 };
 
 /// @param walls of the study itself, or of its audit with audit_study
-/// @param start `before` walls that need not be pushed, and whether it is the audit: for RunProgress
+/// @param start `before` walls that need not be pushed, and whether it is the audit: for
+/// RunProgress
 /// Finished walls are stored every three seconds, whatever happens then.
 /// @param seen after each wall
 /// @param frames of each wall that gives a result, in no order

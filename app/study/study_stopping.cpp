@@ -31,7 +31,8 @@ uq::StoppingRule rule_of(const UqInput& uq)
     return rule;
 }
 
-/// Value of a wall that gave a result: of the response, or whether it failed in another mode than mixed.
+/// Value of a wall that gave a result: of the response, or whether it failed in another mode
+/// than mixed.
 double value_of(const WallReading& wall, const Study& study)
 {
     if (study.uq.stop == kStopAtMixedShare)
@@ -39,8 +40,8 @@ double value_of(const WallReading& wall, const Study& study)
     return kWallResponses.at(study.uq.stop).read(wall, study.load.height);
 }
 
-/// A response that walls outlast is judged by its median of Kaplan and Meier: the mean of the walls that the push
-/// was long enough for would be too small, and its interval too narrow.
+/// A response that walls outlast is judged by its median of Kaplan and Meier: the mean of the
+/// walls that the push was long enough for would be too small, and its interval too narrow.
 bool stops_at_median(const Study& study)
 {
     return study.uq.stop != kStopAtMixedShare &&

@@ -14,8 +14,8 @@ struct StoppingState {
         remark; ///< one line per stress level: how narrow its interval is, and why it stops
 };
 
-/// What the walls in the file say, level by level; the level that needs most decides. A shard cannot know:
-/// the rule is for whole studies.
+/// State of stopping by the walls in the file, level by level; the level that needs most
+/// decides. A shard cannot know: the rule is for whole studies.
 [[nodiscard]] StoppingState stopping_state(const StudyWalls& walls);
 
 } // namespace app

@@ -1,5 +1,5 @@
 #pragma once
-/// What a study found, at a glance: one row per stress level.
+/// Findings of a study, at a glance: one row per stress level.
 
 #include "app/output/table.hpp"
 #include "app/study/study_walls.hpp"
@@ -19,8 +19,8 @@ struct StudySummary {
 
 [[nodiscard]] StudySummary summarise(const StudyWalls& walls);
 
-/// The remarks on a study wherever it is summed up, one sentence a line: walls that failed and why, walls still to run, and
-/// what leaves its walls without a limit of their own.
+/// The remarks on a study wherever it is summed up, one sentence a line: walls that failed and
+/// why, walls still to run, and what leaves its walls without a limit of their own.
 [[nodiscard]] std::string study_remarks(const StudyWalls& walls);
 
 } // namespace app

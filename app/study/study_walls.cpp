@@ -18,7 +18,8 @@
 namespace app {
 namespace {
 
-/// Columns of the facts that a reading needs, looked up once. Files of earlier versions have not all.
+/// Columns of the facts that a reading needs, looked up once. Files of earlier versions have
+/// not all.
 struct Columns {
     std::size_t rotation, sliding, cracked, outcome;
     std::optional<std::size_t> spalled, crushed_area, turning, settled, solver_error;
@@ -90,7 +91,8 @@ StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row,
     return w;
 }
 
-/// Throws BadStoredStudy naming file and wall if its curve is none: a push one way that turns back.
+/// Throws BadStoredStudy naming file and wall if its curve is none: a push one way that turns
+/// back.
 StudyWall wall_of(const StudyWalls& all, const Columns& c, const std::filesystem::path& file,
                   const WallRow& row, Keep keep)
 {
@@ -244,7 +246,7 @@ std::optional<std::size_t> input_of(const StudyWalls& study, std::string_view ke
 
 std::vector<int> modes_of(const StudyWalls& study)
 {
-    if (study.study.fragility.mode.modes == dem::ModeRule::two) return {kRocking, kMixed};
+    if (study.study.fragility.mode.modes == dem::ModeRule::paper) return {kRocking, kMixed};
     return {kRocking, kSliding, kMixed};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A stored study: its walls, each read once by the rules of [fragility]. Summary, stopping rule, tables and
-/// page are made of this and nothing else.
+/// A stored study: its walls, each read once by the rules of [fragility]. Summary, stopping
+/// rule, tables and page are made of this and nothing else.
 
 #include "app/input/study.hpp"
 #include "app/reading/wall_reading.hpp"
@@ -42,7 +42,7 @@ struct StudyWall {
     std::vector<double>
         forces;                ///< [N] at 0, 1, ... kCurveSteps steps, as far as the curve goes
     std::vector<double> drawn; ///< inputs as they are stored, in SI (Keep::everything)
-    /// Of a push that turns back (Keep::means); displacements in [m], forces in [N].
+    /// Cycles of a push that turns back (Keep::means); displacements in [m], forces in [N].
     std::vector<fragility::Cycle> cycles;
     WallCurve curve; ///< as it was stored (Keep::everything)
 };
@@ -86,7 +86,7 @@ struct StudyWalls {
 /// The modes that the study tells apart (fragility.modes).
 [[nodiscard]] std::vector<int> modes_of(const StudyWalls& study);
 
-/// What is kept of each wall beside its reading.
+/// Data kept of each wall beside its reading.
 enum class Keep {
     readings,  ///< nothing
     means,     ///< inputs, and forces for mean curves
@@ -99,7 +99,8 @@ enum class Keep {
                                           std::span<const std::string> overrides = {},
                                           Keep keep = Keep::means);
 
-/// Tells of every wall of the study of `file` whether it can be read: throws BadStoredStudy naming the file that it is in and the wall.
+/// Tells of every wall of the study of `file` whether it can be read: throws BadStoredStudy
+/// naming the file that it is in and the wall.
 /// @throws StoreError, ConfigError
 [[nodiscard]] WallCheck readable_walls(const std::filesystem::path& file);
 

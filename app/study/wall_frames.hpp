@@ -12,7 +12,8 @@
 namespace app {
 
 constexpr int kFilmFrames = 60; ///< evenly over the way, and the wall before the push
-/// Of a push that turns back: so many for each way between two turns, and at most kMostFilmFrames.
+/// Numbers of frames of a push that turns back: so many for each way between two turns, and at
+/// most kMostFilmFrames.
 constexpr int kFramesOfAWay = 8, kMostFilmFrames = 240;
 
 /// Frames of a film after the wall before the push, and the way between two of them [m].
@@ -25,7 +26,7 @@ constexpr int kFramesOfAWay = 8, kMostFilmFrames = 240;
 /// The same with the frames of a film: the numbers are the same, to the bit.
 [[nodiscard]] dem::PushPlan filmed_plan(const Study& study);
 
-/// Of a filmed push: the snapshots, and the end where none is there.
+/// Frames of a filmed push: the snapshots, and the end where none is there.
 [[nodiscard]] std::vector<dem::Snapshot> frames_of(dem::PushResult&& result);
 
 /// Takes the frames of a wall that gave a result.

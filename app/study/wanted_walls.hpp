@@ -18,8 +18,8 @@ struct StudySource {
         other_revision; ///< sentence, where another revision of the solver pushed the walls of the file
 };
 
-/// From a study file, or from the file of its results: the walls of a study that has grown can only be
-/// drawn again with the sizes that the latter keeps.
+/// From a study file, or from the file of its results: the walls of a study that has grown can
+/// only be drawn again with the sizes that the latter keeps.
 /// @throws ConfigError, StoreError
 [[nodiscard]] StudySource study_source(const Command& command, Purpose purpose = Purpose::push);
 
@@ -27,8 +27,9 @@ struct StudySource {
 /// @throws ConfigError about --level
 [[nodiscard]] int level_of(const Study& study, const std::string& text);
 
-/// With uq.drawn, the wall that it names. With --sample N and --level, that wall of a study with distributions. Otherwise the
-/// wall of the study's numbers under all its levels or that of --level; with --sample mean, each distribution stands for its mean.
+/// With uq.drawn, the wall that it names. With --sample N and --level, that wall of a study
+/// with distributions. Otherwise the wall of the study's numbers under all its levels or that
+/// of --level; with --sample mean, each distribution stands for its mean.
 /// @throws ConfigError
 [[nodiscard]] std::vector<WantedWall> wanted_walls(const StudySource& source,
                                                    const Command& command);

@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 /// @throws Json::exception
 [[nodiscard]] Json json_of(const std::string& text);
 
-/// `x` times `scale`, to kAfterUnits digits; null where it is not known or not finite, for which JSON has no number.
+/// `x` times `scale`, to kAfterUnits digits; null where it is not known or not finite, for
+/// which JSON has no number.
 [[nodiscard]] Json or_null(std::optional<double> x, double scale = 1.0);
 
 /// Bytes that are not UTF-8 become the replacement character.

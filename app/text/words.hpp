@@ -12,7 +12,7 @@ namespace app {
 /// Without blanks, tabs and carriage returns at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// What stands between occurrences of `by`, trimmed; empty parts are kept.
+/// Parts of the text between occurrences of `by`, trimmed; empty parts are kept.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, std::string_view by);
 
 /// In double quotes, on one line: control characters become '?', a long text is cut.
@@ -24,7 +24,8 @@ namespace app {
 /// "1 block", "2 blocks".
 [[nodiscard]] std::string counted(std::size_t n, std::string_view one, std::string_view more);
 
-/// Fewest letters to insert, delete or replace, or neighbours to swap (optimal string alignment).
+/// Fewest letters to insert, delete or replace, or neighbours to swap (optimal string
+/// alignment).
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
 /// The word fewest edits away, if at most a third of its letters differ; otherwise empty.

@@ -1,5 +1,5 @@
-/// Cyclic pushes: writes DOCS/cyclic.md and its pictures from the studies that bench/cyclic.sh leaves in WORK, and from
-/// single walls that it pushes itself.
+/// Cyclic pushes: writes DOCS/cyclic.md and its pictures from the studies that bench/cyclic.sh
+/// leaves in WORK, and from single walls that it pushes itself.
 ///
 ///   ./drystone cyclic     runs everything, then
 ///   cyclic WORK DOCS

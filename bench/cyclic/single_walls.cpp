@@ -18,7 +18,7 @@ struct Loops {
     dem::PushResult result;
     std::vector<fragility::Cycle> cycles;
 
-    /// Of one part of the ledger in one cycle [J].
+    /// Energy lost to one part of the ledger in one cycle [J].
     [[nodiscard]] double lost(std::size_t cycle, double dem::Energy::*part) const
     {
         const fragility::Cycle& c = cycles.at(cycle);

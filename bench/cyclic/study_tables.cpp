@@ -42,7 +42,8 @@ std::map<std::uint32_t, const app::StudyWall*> by_sample(const app::StudyLevel& 
     return walls;
 }
 
-/// Geometric mean of the drifts under cycles over those one way, of the walls on which both were observed.
+/// Geometric mean of the drifts under cycles over those one way, of the walls on which both
+/// were observed.
 app::Row ratio_cells(const app::StudyLevel& one, const app::StudyLevel& cyclic,
                      std::size_t state)
 {
@@ -86,7 +87,11 @@ app::Table limit_table(const TwoStudies& both)
                 "the limit state. Ratio: geometric "
                 "mean of the drift under cycles over that of the same wall pushed one way, of "
                 "the walls on which both were "
-                "seen, with its 95 % interval.";
+                "seen, with its 95 % interval. Ratios of SLO and SLD are those of this "
+                "protocol: where its first amplitude lies beyond "
+                "yield, the way back begins with most of the peak against it, and the yield of "
+                "the mean backbone is halved; "
+                "with a first amplitude of 0.5 mm the ratio of SLD is 0.88 in place of 0.45.";
     t.keys = 2;
     t.head = {"stress [MPa]",
               "limit state",

@@ -11,7 +11,8 @@ struct TwoStudies {
     app::StudyWalls one_way, cyclic;
 };
 
-/// Median drift of each limit state, with intervals, and the ratio of the drifts of the same wall.
+/// Median drift of each limit state, with intervals, and the ratio of the drifts of the same
+/// wall.
 [[nodiscard]] app::Table limit_table(const TwoStudies& both);
 
 /// Shares of the modes with Wilson's intervals, and mean peak forces.

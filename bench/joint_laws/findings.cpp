@@ -67,7 +67,8 @@ std::string forces(const LawRuns& runs)
 
 constexpr double kDrift = 1.0; ///< [%]; codes give rocking piers that much
 
-/// "0 % (energy in shear) to 40 % (hyperbolic closure) under 0.50 MPa": least and most walls that are down within kDrift.
+/// "0 % (energy in shear) to 40 % (hyperbolic closure) under 0.50 MPa": least and most walls
+/// that are down within kDrift.
 std::string shares_at(const NamedStudies& studies, double stress)
 {
     std::vector<std::pair<double, std::string>> shares;

@@ -23,7 +23,8 @@ struct LawStudy {
     std::vector<LevelCost> costs; ///< one per stress
 };
 
-/// Studies of a folder. Those that are not there, and stresses that are not run to the end, are left out and noted.
+/// Studies of a folder. Those that are not there, and stresses that are not run to the end, are
+/// left out and noted.
 class LawStudies {
   public:
     explicit LawStudies(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -42,14 +43,16 @@ class LawStudies {
     std::vector<std::string> missing_;
 };
 
-/// Limit drifts [%] of the walls of a stress: where they came down to 80 % of their peak (Kaplan and Meier).
+/// Limit drifts [%] of the walls of a stress: where they came down to 80 % of their peak
+/// (Kaplan and Meier).
 [[nodiscard]] fragility::KaplanMeier limit_drifts(const LawStudy& study, std::size_t level);
 
 /// Drift [%] at which a share of walls has come down; nothing if it never does.
 [[nodiscard]] std::optional<double> quantile(const fragility::KaplanMeier& drifts,
                                              double share);
 
-/// Walls that came down to 80 % of their peak within a drift [%], of those of which it is known.
+/// Walls that came down to 80 % of their peak within a drift [%], of those of which it is
+/// known.
 struct WallsWithin {
     std::size_t down = 0, known = 0;
 };

@@ -24,14 +24,17 @@ enum class WallNumber { peak, drop, secant_30, secant_60 };
 /// Random walls: forces, modes, drift limits and cost, by stress and study.
 [[nodiscard]] app::Table random_walls(const NamedStudies& studies);
 
-/// Each random wall against the same wall with the first study's laws: ratios of peaks and of 80 % drops.
+/// Each random wall against the same wall with the first study's laws: ratios of peaks and of
+/// 80 % drops.
 [[nodiscard]] app::Table wall_by_wall(const NamedStudies& studies);
 
-/// One number of walls with mean values, a row per study and a column per stress; above them the tests, if given.
+/// One number of walls with mean values, a row per study and a column per stress; above them
+/// the tests, if given.
 [[nodiscard]] app::Table mean_walls(const NamedStudies& studies, WallNumber number,
                                     std::span<const TestedWall> tests = {});
 
-/// Equivalent viscous damping [%] of each cycle of the first wall of each study, and its peak force.
+/// Equivalent viscous damping [%] of each cycle of the first wall of each study, and its peak
+/// force.
 [[nodiscard]] app::Table damping_of_cycles(const NamedStudies& studies);
 
 /// Stresses of the studies [Pa], ascending.

@@ -1,5 +1,6 @@
 #pragma once
-/// The laws of joints and units that docs/joint_laws.md compares: names of the files that bench/joint_laws.sh writes, and words.
+/// The laws of joints and units that docs/joint_laws.md compares: names of the files that
+/// bench/joint_laws.sh writes, and words.
 
 #include <array>
 #include <string_view>

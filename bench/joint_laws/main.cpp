@@ -1,4 +1,5 @@
-/// Joint laws: writes DOCS/joint_laws.md from the studies that bench/joint_laws.sh leaves in WORK.
+/// Joint laws: writes DOCS/joint_laws.md from the studies that bench/joint_laws.sh leaves in
+/// WORK.
 ///
 ///   ./drystone joint_laws     runs everything, then
 ///   joint_laws WORK DOCS
@@ -40,7 +41,8 @@ struct Check {
     std::string name, file; ///< "0.3 %", "_slow"
 };
 
-/// The paper's laws, and all others together with hyperbolic closure, each as it stands and with these changes.
+/// The paper's laws, and all others together with hyperbolic closure, each as it stands and
+/// with these changes.
 std::vector<bench::NamedStudies> checks(bench::LawStudies& all, const std::string& folder,
                                         const std::vector<Check>& changes)
 {

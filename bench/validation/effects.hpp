@@ -1,5 +1,5 @@
 #pragma once
-/// What the paper leaves open: one choice changed at a time, the same samples.
+/// Effects of what the paper leaves open: one choice changed at a time, the same samples.
 
 #include "app/output/table.hpp"
 #include "bench/validation/level_statistics.hpp"
@@ -8,8 +8,8 @@
 
 namespace bench {
 
-/// A row per choice whose study is in `folder` (bench/validation.sh), changes against the study with our
-/// choices; then the thresholds of the mode rule, read again from that study.
+/// A row per choice whose study is in `folder` (bench/validation.sh), changes against the study
+/// with our choices; then the thresholds of the mode rule, read again from that study.
 /// @throws std::runtime_error naming a study that is missing
 [[nodiscard]] app::Table effects_table(const app::StudyWalls& base,
                                        const std::filesystem::path& folder);

@@ -8,8 +8,8 @@
 
 namespace bench {
 
-/// Walls under 0.75 MPa with values per joint (bench/validation.sh): of one input each, the others at
-/// their means.
+/// Walls under 0.75 MPa with values per joint (bench/validation.sh): of one input each, the
+/// others at their means.
 struct JointInputs {
     LevelStatistics none; ///< one wall of mean values
     LevelStatistics joint_friction, joint_stiffness, unit_strength, unit_friction,

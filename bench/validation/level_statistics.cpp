@@ -37,7 +37,7 @@ LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level
                                  const dem::ModeThresholds& thresholds)
 {
     dem::ModeThresholds mode = thresholds;
-    mode.modes = dem::ModeRule::two; // the paper's
+    mode.modes = dem::ModeRule::paper; // the paper's
     const app::StudyLevel& l = walls.levels.at(level);
     const auto friction = app::input_of(walls, "joint.friction_angle"),
                strength = app::input_of(walls, "unit.tensile_strength");

@@ -1,5 +1,5 @@
 #pragma once
-/// What the paper's tables show of one stress level, from our walls.
+/// Statistics that the paper's tables show of one stress level, from our walls.
 
 #include "app/study/study_walls.hpp"
 
@@ -36,7 +36,8 @@ struct LevelStatistics {
 [[nodiscard]] LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level,
                                                const dem::ModeThresholds& mode);
 
-/// Last fall to 80 % of the peak, for good, of the walls of mixed mode; else the end of their run.
+/// Last fall to 80 % of the peak, for good, of the walls of mixed mode; else the end of their
+/// run.
 /// @param walls read with fragility.crossing = last and fragility.limit_states = paper
 [[nodiscard]] Sample last_falls_mm(const app::StudyWalls& walls, std::size_t level);
 

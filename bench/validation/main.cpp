@@ -1,9 +1,10 @@
-/// The paper and the tests against our walls: writes DOCS/validation.md and its pictures from the files
-/// that bench/validation.sh leaves in WORK.
+/// The paper and the tests against our walls: writes DOCS/validation.md and its pictures from
+/// the files that bench/validation.sh leaves in WORK.
 ///
 ///   ./drystone validate           runs everything, then
 ///   validation WORK DOCS
-///   ./drystone validate --end     runs the walls of the last section, then writes that section anew
+///   ./drystone validate --end     runs the walls of the last section, then writes that section
+///   anew
 ///   validation WORK DOCS --end
 
 #include "app/fragility/fragility_means.hpp"
@@ -71,7 +72,7 @@ std::vector<bench::Sample> last_falls(const fs::path& work)
 
 constexpr const char* kPushedToTheEnd = "## 8. Pushed to the end"; // the last section
 
-/// What the paper's walls do when they are pushed on, with blocks that turn.
+/// Page on the paper's walls when they are pushed on, with blocks that turn.
 Page pushed_to_the_end(const fs::path& work)
 {
     const app::StudyWalls paper = app::read_study_walls(work / "paper.h5", {}),

@@ -155,7 +155,10 @@ std::string per_joint(const LevelStatistics& wall, const LevelStatistics& joint,
            app::fixed(wall.peak_kN.cov(), 3) + " to " + app::fixed(joint.peak_kN.cov(), 3) +
            ". The mean peak changes by " + percent(joint.peak_kN.mean / wall.peak_kN.mean) +
            ", in the paper by " + percent(paper) + ". " + joint_inputs_in_words(wall, inputs) +
-           "What makes the paper's fall larger is not known to us. More walls of mixed mode "
+           "What makes the paper's fall larger cannot be told from its text; the force of the "
+           "equal-energy bilinear of our spatial walls, 57.2 kN (mixed) and 57.6 kN (all), is "
+           "within 1 % of its 57.3 and 58.0 kN. "
+           "More walls of mixed mode "
            "keep 80 "
            "% of their peak to the end of the run, which lifts their mean displacement; of "
            "those that fell it is " +

@@ -1,5 +1,5 @@
 #pragma once
-/// What the tables of the validation mean, in words, with their numbers.
+/// Meaning of the tables of the validation, in words, with their numbers.
 
 #include "bench/validation/joint_inputs.hpp"
 #include "bench/validation/paper_comparison.hpp"

@@ -63,8 +63,9 @@ Eigen::Index rigid_modes(const BlockSpec& spec)
     }
 }
 
-/// Translation and rotation of the pivot in each of the first modes, by least squares. The normal equations serve: each
-/// point gives both translations, so that only the size of the block against its distance from the pivot enters.
+/// Translation and rotation of the pivot in each of the first modes, by least squares. The
+/// normal equations serve: each point gives both translations, so that only the size of the
+/// block against its distance from the pivot enters.
 Eigen::MatrixXd rigid_motions(const BlockElement& e, Eigen::Index modes)
 {
     if (modes == 0) return Eigen::MatrixXd(3, 0); // a held block; Eigen solves for at least one

@@ -1,8 +1,8 @@
 #pragma once
 /// A deformable block, condensed to its contact points and written in its own modes.
 ///
-/// The zones of a block are eliminated statically onto the contact points of its faces, which leaves
-/// K u_c. Between its points the edge runs as face_rule.hpp says. The modes solve
+/// The zones of a block are eliminated statically onto the contact points of its faces, which
+/// leaves K u_c. Between its points the edge runs as face_rule.hpp says. The modes solve
 ///   K phi = lambda C phi,   phi^T C phi = 1,   phi^T K phi = lambda,
 /// where C is the stiffness of the block's own contacts while their other side is held.
 ///
@@ -19,8 +19,9 @@
 
 namespace dem {
 
-/// What the solver and the pictures need to know about a block. Blocks with equal specifications share
-/// one element. The rows of phi are x and z of each contact point in turn, its columns are the modes.
+/// Data of a block that the solver and the pictures need. Blocks with equal specifications
+/// share one element. The rows of phi are x and z of each contact point in turn, its columns
+/// are the modes.
 struct BlockElement {
     std::vector<Point> points; ///< contact points [m]
     Eigen::MatrixXd phi;       ///< 2 points x modes [m per sqrt(J)]

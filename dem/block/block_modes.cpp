@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Displacements (u_x, u_z) at the contact points of the linear field u = a + b x + c z, where x and z
-/// are measured from `centre`.
+/// Displacements (u_x, u_z) at the contact points of the linear field u = a + b x + c z, where
+/// x and z are measured from `centre`.
 VectorXd linear_field(const std::vector<Point>& points, Point centre, Point a, Point b, Point c)
 {
     VectorXd u(2 * static_cast<Index>(points.size()));
@@ -35,8 +35,8 @@ MatrixXd columns(std::initializer_list<VectorXd> list)
     return m;
 }
 
-/// Appends the candidates to `basis`, made C-orthonormal to it, until it has `wanted` columns. Candidates
-/// that the basis nearly spans are left out, and those that move no contact point.
+/// Appends the candidates to `basis`, made C-orthonormal to it, until it has `wanted` columns.
+/// Candidates that the basis nearly spans are left out, and those that move no contact point.
 void extend_basis(const MatrixXd& c, const MatrixXd& candidates, Index wanted, MatrixXd& basis)
 {
     for (Index k = 0; k < candidates.cols() && basis.cols() < wanted; ++k) {
@@ -98,7 +98,8 @@ MatrixXd strains(const BlockSpec& spec, const std::vector<Point>& points)
                     linear_field(points, centre, {}, {0, 1}, {1, 0})});
 }
 
-/// The displacements of pure bending in plane stress, sigma_z = E x and sigma_x = E z about the centre of the extent.
+/// The displacements of pure bending in plane stress, sigma_z = E x and sigma_x = E z about the
+/// centre of the extent.
 MatrixXd bendings(const BlockSpec& spec, const std::vector<Point>& points)
 {
     const double nu = spec.material.poisson_ratio;
@@ -112,7 +113,7 @@ MatrixXd bendings(const BlockSpec& spec, const std::vector<Point>& points)
     return u;
 }
 
-/// What the elastic modes of a floating block begin with.
+/// Strains that the elastic modes of a floating block begin with.
 MatrixXd first_strains(const BlockSpec& spec, const std::vector<Point>& points)
 {
     if (!spec.begins_with_bending) return strains(spec, points);
@@ -121,8 +122,8 @@ MatrixXd first_strains(const BlockSpec& spec, const std::vector<Point>& points)
     return both;
 }
 
-/// Modes of a block that no support touches. Rigid motions and deformations are kept apart, so that
-/// rigid motions have no elastic force at all.
+/// Modes of a block that no support touches. Rigid motions and deformations are kept apart, so
+/// that rigid motions have no elastic force at all.
 BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const MatrixXd& c)
 {
     const MatrixXd& k = con.stiffness;
@@ -179,7 +180,8 @@ BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const Ma
     return full;
 }
 
-/// Of the contacts of a block with these points; entries (row, column, value) of 2 x 2 blocks.
+/// Calls `add` for each of the contacts of a block with these points; entries (row, column,
+/// value) of 2 x 2 blocks.
 template <class Add>
 void each_contact(const BlockSpec& spec, const std::vector<Point>& points, Add add)
 {

@@ -1,5 +1,6 @@
 #pragma once
-/// The specification of one block: size, stone, contact faces, support, and how finely it is resolved.
+/// The specification of one block: size, stone, contact faces, support, and how finely it is
+/// resolved.
 
 #include "dem/block/face_rule.hpp"
 #include "dem/scene/layout.hpp"
@@ -33,7 +34,7 @@ struct BlockSpec {
     bool begins_with_bending =
         false; ///< pure bending follows the constant strains (block_modes)
 
-    /// Of the triangles inside an outline, whose strains vary [m].
+    /// Size of the triangles inside an outline, whose strains vary [m].
     [[nodiscard]] double size_inside() const { return 2.0 * zone_size; }
 };
 

@@ -12,7 +12,8 @@ namespace dem {
 
 namespace {
 
-// Fitted to walls of three courses with up to 40 points to a half unit and courses of up to 10 m, AMD EPYC.
+// Fitted to walls of three courses with up to 40 points to a half unit and courses of up to 10
+// m, AMD EPYC.
 constexpr double kDenseRate = 1.5e9; // [operations/s]
 constexpr double kDenseCopies = 4.7; // of the displacements of all nodes by those of the points
 constexpr double kEigen = 25.0;      // operations / n^3 of a generalised eigenvalue problem
@@ -21,7 +22,7 @@ constexpr double kEntryBytes = 30.0, kDouble = 8.0;
 constexpr double kFactorSeconds = 1.5e-7,
                  kFactorBytes = 20.0; // of a dense one, before its points are condensed
 
-/// What the cost of a block depends on.
+/// Size of a block that its cost depends on.
 struct Size {
     double dofs = 0.0;         ///< of its zones
     double narrow = 0.0;       ///< of the shorter way through them

@@ -1,12 +1,14 @@
 #pragma once
-/// What the blocks of a scene cost before the first step: a wall of few but finely resolved blocks can take minutes.
+/// Cost of the blocks of a scene before the first step: a wall of few but finely resolved
+/// blocks can take minutes.
 
 #include "dem/block/discretisation.hpp"
 #include "dem/scene/layout.hpp"
 
 namespace dem {
 
-/// Of one core of about 3 GHz; within a factor of about three (tests/dem/test_build_cost.cpp has the measurements).
+/// Cost on one core of about 3 GHz, within a factor of about three
+/// (tests/dem/test_build_cost.cpp has the measurements).
 struct BuildCost {
     double seconds = 0.0;
     double bytes = 0.0; ///< at most at a time

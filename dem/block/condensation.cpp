@@ -29,8 +29,8 @@ Point along(const BlockEdge& e, double s)
     return {e.from.x + s * (e.to.x - e.from.x), e.from.z + s * (e.to.z - e.from.z)};
 }
 
-/// Zone lines in one direction. They run through the zone corners of the edges; where there are no edges
-/// they are evenly spaced.
+/// Zone lines in one direction. They run through the zone corners of the edges; where there are
+/// no edges they are evenly spaced.
 std::vector<double> grid_lines(const BlockSpec& spec, bool vertical)
 {
     const double size = vertical ? spec.height : spec.width;
@@ -93,8 +93,9 @@ struct Trace {
     Eigen::MatrixXd n; ///< the same of all nodes, once the inside is solved
 };
 
-/// Shapes at s of an edge that is straight between its own zone corners. Grid lines that come from other
-/// edges must not bend it, or its areas would no longer be the integrals of its shapes.
+/// Shapes at s of an edge that is straight between its own zone corners. Grid lines that come
+/// from other edges must not bend it, or its areas would no longer be the integrals of its
+/// shapes.
 std::vector<double> straight_shapes(const BlockSpec& spec, const BlockEdge& e, double s)
 {
     const std::vector<double> nodes = edge_nodes(e.points, spec.zones_per_interval);
@@ -181,7 +182,8 @@ std::vector<Point> corners_of(const BlockSpec& spec)
     return {{0.0, 0.0}, {spec.width, 0.0}, {spec.width, spec.height}, {0.0, spec.height}};
 }
 
-/// Corners and zone corners along the outline. Where there are no contacts they are evenly spaced.
+/// Corners and zone corners along the outline. Where there are no contacts they are evenly
+/// spaced.
 std::vector<Point> ring_of(const BlockSpec& spec)
 {
     std::vector<Point> ring;

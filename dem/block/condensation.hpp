@@ -11,8 +11,8 @@
 
 namespace dem {
 
-/// A block reduced to its contact points. Nodes on an edge follow the contact points of that edge,
-/// clamped nodes do not move, and all other nodes are in equilibrium.
+/// A block reduced to its contact points. Nodes on an edge follow the contact points of that
+/// edge, clamped nodes do not move, and all other nodes are in equilibrium.
 struct Condensed {
     Mesh mesh;
     std::vector<Point> points; ///< contact points [m]
@@ -25,11 +25,13 @@ struct Condensed {
     Eigen::MatrixXd outline_from_points; ///< 2 outline points x 2 points
 };
 
-/// @throws std::invalid_argument if the outline crosses itself, or no zone has a node at a contact point
+/// @throws std::invalid_argument if the outline crosses itself, or no zone has a node at a
+/// contact point
 [[nodiscard]] Condensed condense(const BlockSpec& spec);
 
-/// The same block before its inside is eliminated: unknowns are the points, then the inside nodes. Nothing
-/// in it is dense, so that a loading beam of 1000 points costs no more than its zones.
+/// The same block before its inside is eliminated: unknowns are the points, then the inside
+/// nodes. Nothing in it is dense, so that a loading beam of 1000 points costs no more than its
+/// zones.
 struct SparseBlock {
     Mesh mesh;
     std::vector<Point> points;             ///< contact points [m]

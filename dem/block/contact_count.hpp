@@ -8,7 +8,8 @@
 
 namespace dem {
 
-/// Over all faces, those at the base and at the beam included. Costs nothing: no block is meshed.
+/// Over all faces, those at the base and at the beam included. Costs nothing: no block is
+/// meshed.
 [[nodiscard]] std::size_t contact_count(const Layout& layout, const Discretisation& d);
 
 /// Number of contact points on one face, which are as dense as on the face of a half unit.

@@ -1,6 +1,6 @@
 #pragma once
-/// Dense symmetric eigenvalue problems of blocks. One file solves all of them, because a compiler takes seconds for each
-/// file that does.
+/// Dense symmetric eigenvalue problems of blocks. One file solves all of them, because a
+/// compiler takes seconds for each file that does.
 
 #include <Eigen/Dense>
 
@@ -15,7 +15,8 @@ struct EigenPairs {
 /// Solves K v = lambda v. K is symmetric and has at least one row.
 [[nodiscard]] EigenPairs eigen_pairs(const Eigen::MatrixXd& k);
 
-/// Solves K v = lambda C v. K is symmetric, C symmetric and positive definite; both have the same size, at least one row.
+/// Solves K v = lambda C v. K is symmetric, C symmetric and positive definite; both have the
+/// same size, at least one row.
 [[nodiscard]] EigenPairs eigen_pairs(const Eigen::MatrixXd& k, const Eigen::MatrixXd& c);
 
 } // namespace dem

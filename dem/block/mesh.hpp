@@ -1,6 +1,6 @@
 #pragma once
-/// The zones of a block: four-node rectangles on a grid, or six-node triangles where the outline is not a
-/// rectangle.
+/// The zones of a block: four-node rectangles on a grid, or six-node triangles where the
+/// outline is not a rectangle.
 
 #include "dem/block/zones.hpp"
 #include "dem/scene/snapshot.hpp"
@@ -25,8 +25,10 @@ struct Mesh {
 
 [[nodiscard]] Mesh grid_mesh(const ZoneGrid& grid);
 
-/// Triangles inside an outline, whose sides have nodes at the given places and in the middle between them.
-/// @param ring corners and further points of a simple outline, counter-clockwise [m], at least three
+/// Triangles inside an outline, whose sides have nodes at the given places and in the middle
+/// between them.
+/// @param ring corners and further points of a simple outline, counter-clockwise [m], at least
+/// three
 /// @param size of the triangles inside [m], > 0
 /// @throws std::invalid_argument if the outline crosses itself
 [[nodiscard]] Mesh triangle_mesh(std::span<const Point> ring, double size);

@@ -24,7 +24,8 @@ Motion motion_of(const Layout& layout, LoadPattern pattern, int block)
     return driven ? Motion::driven : layout.blocks[block].motion;
 }
 
-/// Everything that a block's element depends on, as numbers. Blocks with equal keys share one element.
+/// Everything that a block's element depends on, as numbers. Blocks with equal keys share one
+/// element.
 std::vector<double> key_of(const BlockSpec& s)
 {
     const auto micron = [](double x) { return std::round(x * 1e6); };
@@ -41,7 +42,8 @@ std::vector<double> key_of(const BlockSpec& s)
 
 std::string name_of(int block) { return "block " + std::to_string(block + 1); }
 
-/// @throws std::invalid_argument if its outline or its joints make no zones, with the name of the block
+/// @throws std::invalid_argument if its outline or its joints make no zones, with the name of
+/// the block
 BlockElement element_of(int block, const BlockSpec& spec)
 {
     try {
@@ -61,9 +63,9 @@ std::vector<std::vector<int>> faces_by_block(const Layout& layout)
     return faces;
 }
 
-/// Blocks longer or higher than this many half units begin their modes with pure bending [-]: whole units and stones do,
-/// the halves of a cracked unit do not where they are no higher than long. Why, and what it does to walls: docs/model.md,
-/// section 2.
+/// Blocks longer or higher than this many half units begin their modes with pure bending [-]:
+/// whole units and stones do, the halves of a cracked unit do not where they are no higher than
+/// long. Why, and what it does to walls: docs/model.md, section 2.
 constexpr double kBendsFrom = 1.25;
 
 bool begins_with_bending(const Block& b, const Layout& layout)

@@ -1,5 +1,6 @@
 #pragma once
-/// The discretised wall, which all samples of a study share. It is built once and read by every push.
+/// The discretised wall, which all samples of a study share. It is built once and read by every
+/// push.
 
 #include "dem/block/block_element.hpp"
 #include "dem/block/discretisation.hpp"
@@ -25,13 +26,14 @@ struct Contact {
     int a = 0, b = 0;
     double nx = 0.0, nz = 0.0; ///< unit normal from a to b; the tangent is (nz, -nx)
     double area = 0.0;         ///< [m2]
-    /// Joint or crack ID - 1, kBaseMaterial or kBeamMaterial; of a joint with mortar n_cracks + joint ID - 1.
+    /// Joint or crack ID - 1, kBaseMaterial or kBeamMaterial; of a joint with mortar n_cracks +
+    /// joint ID - 1.
     int material = 0;
     int face = 0; ///< index in Layout::faces
 };
 
-/// A typical stiffness of the contacts over the samples of a study, > 0. It sets the modes that are kept
-/// and the fictitious masses.
+/// A typical stiffness of the contacts over the samples of a study, > 0. It sets the modes that
+/// are kept and the fictitious masses.
 struct ReferenceStiffness {
     JointMaterial joint;
     CrackMaterial crack;
@@ -58,7 +60,8 @@ struct Model {
     int ground_point = 0; ///< equal to n_points; it never moves
 };
 
-/// @throws std::invalid_argument if a value is outside its range, a block touches no other, or the load line is
+/// @throws std::invalid_argument if a value is outside its range, a block touches no other, or
+/// the load line is
 /// outside the beam
 [[nodiscard]] Model discretise(Layout layout, const Elastic& stone, const Beam& beam,
                                const Loads& loads, const ReferenceStiffness& reference,

@@ -21,11 +21,12 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 /// Smallest share of the amplitude of a field that must be new, as in block_modes.
 constexpr double kNew = 0.01;
-/// Of the contact stiffness, added so that rigid motions can be factorised [-]. Modes softer than this are
-/// as good as rigid.
+/// Share of the contact stiffness, added so that rigid motions can be factorised [-]. Modes
+/// softer than this are as good as rigid.
 constexpr double kShift = 1e-7;
 
-/// Share of the square of a vector below which what is new in it is rounding [-]; then Lanczos begins anew.
+/// Share of the square of a vector below which what is new in it is rounding [-]; then Lanczos
+/// begins anew.
 constexpr double kResidual = 1e-14;
 constexpr int kRestarts = 40;
 
@@ -64,7 +65,8 @@ bool append(const Sparse& c, VectorXd v, double least, MatrixXd& basis)
     return true;
 }
 
-/// A field at the points, with the inside in equilibrium: nearly all stiffness is on the points.
+/// A field at the points, with the inside in equilibrium: nearly all stiffness is on the
+/// points.
 MatrixXd with_inside(const Problem& p, const MatrixXd& at_points)
 {
     MatrixXd all = MatrixXd::Zero(p.k.cols(), at_points.cols());
@@ -95,7 +97,8 @@ MatrixXd softest(const Problem& p, const MatrixXd& known, Index wanted)
     MatrixXd basis = known;
     const Index start = known.cols();
     const Index most = std::min<Index>(start + 6 * wanted + 40, p.c.nonZeros());
-    // without what is known, or the solution would be a rigid motion 1e7 times as large as the rest
+    // without what is known, or the solution would be a rigid motion 1e7 times as large as the
+    // rest
     const auto fresh = [&](int which) -> VectorXd {
         const VectorXd v = irregular(p.k.cols(), which);
         return v - basis * (basis.transpose() * (p.c * v));

@@ -1,6 +1,7 @@
 #pragma once
-/// Six-node triangle in plane stress: strains vary linearly, so that bending needs few of them. Zienkiewicz, Taylor (2000),
-/// The Finite Element Method, vol. 1, section 8.8. With straight sides three points integrate its stiffness exactly.
+/// Six-node triangle in plane stress: strains vary linearly, so that bending needs few of them.
+/// Zienkiewicz, Taylor (2000), The Finite Element Method, vol. 1, section 8.8. With straight
+/// sides three points integrate its stiffness exactly.
 
 #include "dem/scene/snapshot.hpp"
 #include "dem/scene/wall.hpp"

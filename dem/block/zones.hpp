@@ -1,8 +1,8 @@
 #pragma once
 /// Plane-stress zones of a rectangular block: four-node elements with incompatible bending
 /// modes. Taylor, Beresford, Wilson (1976), Int. J. Numer. Meth. Eng. 10:1211 (QM6). On
-/// rectangles they pass the patch test and bend exactly, so few zones are enough. The constant-strain
-/// tetrahedra of the paper need many more.
+/// rectangles they pass the patch test and bend exactly, so few zones are enough. The
+/// constant-strain tetrahedra of the paper need many more.
 
 #include "dem/scene/wall.hpp"
 

@@ -6,8 +6,9 @@ namespace dem {
 
 namespace {
 
-/// Unloading down to `low` times the pressure under load, which is reached by a line `turning` times as steep as that
-/// under load: share of the closing work that is lost where closure is linear.
+/// Unloading down to `low` times the pressure under load, which is reached by a line `turning`
+/// times as steep as that under load: share of the closing work that is lost where closure is
+/// linear.
 double lost_share(double turning, double low)
 {
     const double turned = (turning - 1.0) / (turning - low); // closure, over the largest

@@ -1,22 +1,29 @@
 #pragma once
-/// Closure of dry joints under pressure, as pure functions over Real = double or Pack (pack.hpp).
+/// Closure of dry joints under pressure, as pure functions over Real = double or Pack
+/// (pack.hpp).
 ///   w = max(0, -u_n)   closure [m]
-///   hyperbolic         p = k_0 w / (1 - w / V)       secant  k_0 + p / V   (Bandis, Lumsden and Barton 1983)
-///   exponential        p = k_0 V (exp(w / V) - 1)    tangent k_0 + p / V   (Malama and Kulatilake 2003)
+///   hyperbolic         p = k_0 w / (1 - w / V)       secant  k_0 + p / V   (Bandis, Lumsden
+///   and Barton 1983)
+///   exponential        p = k_0 V (exp(w / V) - 1)    tangent k_0 + p / V   (Malama and
+///   Kulatilake 2003)
 /// Where the tangent reaches `stiffest` the law goes straight on with it.
 ///
-/// Shear. The stiffness follows the pressure: k_s = r (k_0 + p / V). The stress is tau = sqrt(k_s) z, where
-/// dz = sqrt(k_s) du_s, so that tau du_s = d(z^2 / 2) on every path: what is stored is a function of the state, nothing can
-/// be taken out that was not put in, and pressure that goes up and down by a little leaves all as it was. (tau kept while
-/// k_s falls would make energy, the elastic slip kept while k_s falls loses some with every ripple.)
+/// Shear. The stiffness follows the pressure: k_s = r (k_0 + p / V). The stress is tau =
+/// sqrt(k_s) z, where dz = sqrt(k_s) du_s, so that tau du_s = d(z^2 / 2) on every path: what is
+/// stored is a function of the state, nothing can be taken out that was not put in, and
+/// pressure that goes up and down by a little leaves all as it was. (tau kept while k_s falls
+/// would make energy, the elastic slip kept while k_s falls loses some with every ripple.)
 ///
 /// Loss. Asperities rub on one another as they close: the pressure is
 ///   P = (p + f) / (1 + mu),   f = beta (p - p_r), held within -mu p and mu p,
-/// where p_r moves so that f stays within. Load follows p, unloading goes down to (1 - mu) / (1 + mu) of it. Stored is
-///   (1 + beta) Phi(w) - beta (Phi(w_r) + p_r (w - w_r)), over 1 + mu, with Phi the integral of p, and p_r = p(w_r);
-/// it is convex, and lost is beta (w - w_r) dp_r / (1 + mu), which is never negative. Nothing depends on rates, and ripples
-/// within 2 mu / (beta + mu) of the pressure lose nothing. A joint that turns is 2 / (1 - h) times as stiff as under load, a
-/// free choice; mu is then such that a cycle from nothing to any pressure and back loses the share h of the closing work
+/// where p_r moves so that f stays within. Load follows p, unloading goes down to (1 - mu) / (1
+/// + mu) of it. Stored is
+///   (1 + beta) Phi(w) - beta (Phi(w_r) + p_r (w - w_r)), over 1 + mu, with Phi the integral of
+///   p, and p_r = p(w_r);
+/// it is convex, and lost is beta (w - w_r) dp_r / (1 + mu), which is never negative. Nothing
+/// depends on rates, and ripples within 2 mu / (beta + mu) of the pressure lose nothing. A
+/// joint that turns is 2 / (1 - h) times as stiff as under load, a free choice; mu is then such
+/// that a cycle from nothing to any pressure and back loses the share h of the closing work
 /// where closure is linear, and nearly that where it is not.
 
 #include "dem/contact/contact_options.hpp"

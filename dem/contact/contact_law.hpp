@@ -1,21 +1,29 @@
 #pragma once
-/// The contact laws of the paper (Tables 1 and 2) as pure functions over Real = double or Pack: they take
-/// a state and return a state.
+/// The contact laws of the paper (Tables 1 and 2) as pure functions over Real = double or Pack:
+/// they take a state and return a state.
 ///
-/// Tension and opening are positive. The normal stress is a function of the total opening u_n and of the
-/// damage; the shear stress is advanced by increments. Where the paper is silent or misprinted, we chose:
+/// Tension and opening are positive. The normal stress is a function of the total opening u_n
+/// and of the damage; the shear stress is advanced by increments. Where the paper is silent or
+/// misprinted, we chose:
 ///   - u_el = f_T / k_n. Table 2 prints f_T / u_n.
-///   - Unloading in tension is secant to the origin, so that an open crack is in contact again when it
-///     closes to u_n = 0. The plain increments of Table 1 would leave it propped open, in contact at
+///   - Unloading in tension is secant to the origin, so that an open crack is in contact again
+///     when it
+///     closes to u_n = 0. The plain increments of Table 1 would leave it propped open, in
+///     contact at
 ///     u_p = u_max - (1 - D) f_T/k_n. That is an option (Unloading).
-///   - Where u_ul = 2 G / f_T <= u_el, that is f_T > sqrt(2 G k_n), the contact breaks at u_el and
+///   - Where u_ul = 2 G / f_T <= u_el, that is f_T > sqrt(2 G k_n), the contact breaks at u_el
+///     and
 ///     releases f_T^2/(2 k_n) > G.
-///   - The shear limit is checked with the damage known so far. A contact that reaches it falls to its
+///   - The shear limit is checked with the damage known so far. A contact that reaches it falls
+///     to its
 ///     residual strength in the same step.
-///   - Tension lowers the shear strength, as Table 2 (step 5) says. The other reading, a shear strength
-///     c under any tension, is an option. It decides whether units crack at all at moderate stress
+///   - Tension lowers the shear strength, as Table 2 (step 5) says. The other reading, a shear
+///     strength
+///     c under any tension, is an option. It decides whether units crack at all at moderate
+///     stress
 ///     (docs/model.md).
-///   - Between initial and residual friction, tan(theta) is interpolated and not theta. In the paper the
+///   - Between initial and residual friction, tan(theta) is interpolated and not theta. In the
+///     paper the
 ///     two are equal, so that this makes no difference there.
 
 #include "dem/contact/contact_options.hpp"
@@ -68,7 +76,8 @@ template <class Real>
     return {{u_n, tau}, sigma, Real(0.5) * (s.tau + tau) * slip, slip};
 }
 
-/// Stands for 1/(u_ul - u_el) of a contact that snaps back: any opening beyond u_el is full damage.
+/// Stands for 1/(u_ul - u_el) of a contact that snaps back: any opening beyond u_el is full
+/// damage.
 constexpr double kBreaksAtOnce = 1e30; // [1/m]
 
 template <class Real> struct CrackLaw {
@@ -111,8 +120,8 @@ template <class Real> [[nodiscard]] Real tension_left(const CrackLaw<Real>& law,
     return Real(1.0) - min(Real(1.0), (u_max - law.u_el) * law.inv_softening);
 }
 
-/// Whether damage in tension and damage in shear weaken each other. A further law has to answer, or it does
-/// not compile.
+/// Whether damage in tension and damage in shear weaken each other. A further law has to
+/// answer, or it does not compile.
 [[nodiscard]] constexpr bool is_coupled(ContactLaw law)
 {
     switch (law) {
@@ -160,7 +169,8 @@ template <Unloading kUnloading, class Real>
         return law.kn * (u_n - unloading);
 }
 
-/// CrackState::unloading of a crack that has opened to u_max and has the share 1 - D of its strength left.
+/// CrackState::unloading of a crack that has opened to u_max and has the share 1 - D of its
+/// strength left.
 ///   secant    (1 - D) f_T / u_max        elastic   u_p = u_max - (1 - D) f_T / k_n
 template <Unloading kUnloading, class Real>
 [[nodiscard]] Real unloading_from(const CrackLaw<Real>& law, Real u_max, Real left)
@@ -196,9 +206,9 @@ template <class Real> struct CrackUpdate {
     ContactLoss<Real> loss;
 };
 
-/// The state of a crack that opens no further than before and stays below its shear limit. Most cracks
-/// do so most of the time. `holds` says whether this one does, in every lane; if it does not, advance()
-/// has to be called instead, for all lanes.
+/// The state of a crack that opens no further than before and stays below its shear limit. Most
+/// cracks do so most of the time. `holds` says whether this one does, in every lane; if it does
+/// not, advance() has to be called instead, for all lanes.
 template <class Real> struct ElasticTrial {
     Real u_n, tau, sigma;
     bool holds;
@@ -217,7 +227,8 @@ try_elastic(const CrackLaw<Real>& law, const CrackState<Real>& s, Real du_n, Rea
 }
 
 /// Energy lost in tension on the way from s to sigma and u_n.
-///   secant    the work of sigma minus the change of sigma u_n / 2, which is zero as long as sigma is
+///   secant    the work of sigma minus the change of sigma u_n / 2, which is zero as long as
+///   sigma is
 ///             proportional to u_n
 ///   elastic   the work of sigma on the change of u_p, because sigma^2 / (2 k_n) is stored
 template <Unloading kUnloading, class Real, class Mask>
@@ -264,8 +275,8 @@ template <ContactLaw kLaw, Unloading kUnloading = Unloading::secant, class Real>
 
     const Real slip = select(yields, du_s - (tau - s.tau) * law.inv_ks, zero);
     const Real shear_loss = Real(0.5) * (s.tau + tau) * slip;
-    // In the step that breaks the bond, the work against the residual strength counts as friction and
-    // the rest as fracture.
+    // In the step that breaks the bond, the work against the residual strength counts as
+    // friction and the rest as fracture.
     const Real friction = select(bond < s.bond, min(shear_loss, abs(tau * slip)), shear_loss);
     const Real opening = opening_loss<kUnloading>(s, u_n, sigma, unloading, opens);
     // A propped crack that is broken in shear opens from u_p on; its d_t no longer matters.

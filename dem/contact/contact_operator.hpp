@@ -1,7 +1,7 @@
 #pragma once
-/// The linear map between the modes of a block and its contacts; all lanes share one matrix. A port is
-/// a contact as one of its two blocks sees it. It has two rows, normal and tangential, and an index tells
-/// where its contact stands in the arrays of contacts.
+/// The linear map between the modes of a block and its contacts; all lanes share one matrix. A
+/// port is a contact as one of its two blocks sees it. It has two rows, normal and tangential,
+/// and an index tells where its contact stands in the arrays of contacts.
 ///   modal force += sum over ports of to_modes x (sigma, tau)
 ///   relative displacement (du_n, du_s) of the contact += to_contacts x modal velocity
 
@@ -32,8 +32,8 @@ struct ContactOperator {
 
 namespace detail {
 
-/// Forms kBlock sums at a time, so that they stay in registers. The terms of each sum are added in the
-/// same order whatever kBlock is.
+/// Forms kBlock sums at a time, so that they stay in registers. The terms of each sum are added
+/// in the same order whatever kBlock is.
 template <int kBlock, class Real>
 void gather_block(const ContactOperator& a, const int* contact, const Real* stress, int first,
                   Real* modal)
@@ -89,7 +89,8 @@ void gather(const ContactOperator& a, const int* contact, const double* area,
 {
     if (!a.own.empty())
         return detail::gather_own(a.own.data(), a.modes, a.ports, contact, area, stress, modal);
-    // A few sums at a time would wait for one another: each of these passes takes as many as there are.
+    // A few sums at a time would wait for one another: each of these passes takes as many as
+    // there are.
     int j = 0;
     for (; j + 16 <= a.modes; j += 16) detail::gather_block<16>(a, contact, stress, j, modal);
     for (; j + 12 <= a.modes; j += 12) detail::gather_block<12>(a, contact, stress, j, modal);

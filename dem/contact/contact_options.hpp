@@ -1,5 +1,6 @@
 #pragma once
-/// The choices that the paper leaves open in its contact laws (contact_law.hpp), and those beside them.
+/// The choices that the paper leaves open in its contact laws (contact_law.hpp), and those
+/// beside them.
 
 namespace dem {
 

@@ -1,11 +1,14 @@
 #pragma once
-/// Crushing of a contact: a plastic part in series with the law of the contact, so that every law stays as it is.
-///   u_n = u_e + u_p     u_e is what the law sees; -u_p is the crushed thickness, which only grows
+/// Crushing of a contact: a plastic part in series with the law of the contact, so that every
+/// law stays as it is.
+///   u_n = u_e + u_p     u_e is what the law sees; -u_p is the crushed thickness, which only
+///   grows
 ///   strength left f = f_c (1 - crushed / u_cu), not below zero;  u_cu = 2 G_c / f_c
 ///   -k_n u_e > f        crushes until -k_n u_e = f
-/// What is crushed costs G_c per area, and nothing of it is paid back: the contact unloads with k_n, and a gap of the
-/// crushed thickness stays. Where f_c / u_cu >= k_n, that is f_c > sqrt(2 G_c k_n), the contact breaks at once and
-/// releases f_c^2 / (2 k_n) > G_c. Without an energy the strength stays.
+/// Crushing costs G_c per area, and nothing of it is paid back: the contact unloads with
+/// k_n, and a gap of the crushed thickness stays. Where f_c / u_cu >= k_n, that is f_c > sqrt(2
+/// G_c k_n), the contact breaks at once and releases f_c^2 / (2 k_n) > G_c. Without an energy
+/// the strength stays.
 
 #include "dem/contact/pack.hpp"
 

@@ -1,34 +1,41 @@
 #pragma once
-/// The law of mixed modes for cracks in units and for joints with mortar, beside that of the paper (contact_law.hpp):
-/// every loss of strength costs energy, in tension G_I, in shear G_II. Its functions and states are those of the paper's
-/// law; CrackState means the same but for `integrity`.
+/// The law of mixed modes for cracks in units and for joints with mortar, beside that of the
+/// paper (contact_law.hpp): every loss of strength costs energy, in tension G_I, in shear G_II.
+/// Its functions and states are those of the paper's law; CrackState means the same but for
+/// `integrity`.
 ///
 /// Tension as in the paper, x = u_n / u_max in [0, 1]:
-///   u_n <= 0: sigma = k_n u_n        u_n > 0: sigma = (1 - D) f_T x        1 - D = (1 - d_t)(1 - d_s)
+///   u_n <= 0: sigma = k_n u_n        u_n > 0: sigma = (1 - D) f_T x        1 - D = (1 - d_t)(1
+///   - d_s)
 ///   d_t = (u_max - u_el) / (u_ul - u_el),   u_ul = 2 G_I / f_T
 /// Shear, elastic with k_s and plastic beyond the limit, with the pressure p = max(0, -sigma):
 ///   y = sqrt(1 - D), CrackState::integrity, is the share of the cohesion that is left
 ///   |tau| <= g (c_res + y c_drop) + p (tan_phi_res + y tan_phi_drop)
 ///   g = 1 where the crack is closed. Where it is open,
 ///     coulomb      max(0, 1 - sigma tan(phi) / c)
-///     hyperbolic   sqrt((1 - x)(1 + x - 2 kappa x)),   kappa = min(1, f_T tan(phi) / c) of the intact crack
+///     hyperbolic   sqrt((1 - x)(1 + x - 2 kappa x)),   kappa = min(1, f_T tan(phi) / c) of the
+///     intact crack
 ///     and 0 once D = 1: a broken crack that is open carries nothing.
-/// The hyperbolic curve is the conic tau^2 = c^2 - 2 c t sigma - (c^2 - 2 c t f_T)(sigma / f_T)^2 with t = tan(phi): it
-/// meets Coulomb's line in (0, c) with its slope -t and goes through (f_T, 0), so that compression is as it was and no
-/// tensile strength is lost. For c < f_T t it is the chord between these points. The hyperbola of Carol, Prat and Lopez
-/// (1997), tau^2 = (c - sigma t)^2 - (c - f_T t)^2, goes through (f_T, 0) but not through (0, c).
-/// Slip costs more than friction takes: d_s grows so that
+/// The hyperbolic curve is the conic tau^2 = c^2 - 2 c t sigma - (c^2 - 2 c t f_T)(sigma /
+/// f_T)^2 with t = tan(phi): it meets Coulomb's line in (0, c) with its slope -t and goes
+/// through (f_T, 0), so that compression is as it was and no tensile strength is lost. For c <
+/// f_T t it is the chord between these points. The hyperbola of Carol, Prat and Lopez (1997),
+/// tau^2 = (c - sigma t)^2 - (c - f_T t)^2, goes through (f_T, 0) but not through (0, c). Slip
+/// costs more than friction takes: d_s grows so that
 ///   dD = dE_I / G_I + dE_II / G_II
-/// on any path, with the energies that are lost through sigma and through tau less friction. A crack that slips by ds
-/// while it is open also loses what is stored in tension; hence, with u = x u_max,
+/// on any path, with the energies that are lost through sigma and through tau less friction. A
+/// crack that slips by ds while it is open also loses what is stored in tension; hence, with u
+/// = x u_max,
 ///   dD = (|tau| - friction) ds / (G_II k),   k = 1 - u^2 / (u_max u_ul).
-/// So D is the share of the fracture energy that is spent, and every path to D = 1 meets the linear criterion
-/// E_I / G_I + E_II / G_II = 1 (Camanho and Davila 2002 compare it with that of Benzeggagh and Kenane 1996). In pure shear
-/// y falls linearly with the slip, in pure tension the law is that of the paper. Friction is p tan(phi), and the residual
-/// cohesion. A crack cannot lose less in shear than it stores, c_drop^2 / (2 k_s). Where G_II is less, that stands in its
-/// place, as f_T^2 / (2 k_n) does in tension: a closed crack then breaks at its first slip, and one that opens loses
-/// strength as it slips against what is left of g. The same holds of a hyperbolic envelope without G_II (0). Coulomb's
-/// without G_II is brittle as the paper's: its first slip breaks a crack, closed or open. A crack without cohesion to lose
+/// So D is the share of the fracture energy that is spent, and every path to D = 1 meets the
+/// linear criterion E_I / G_I + E_II / G_II = 1 (Camanho and Davila 2002 compare it with that
+/// of Benzeggagh and Kenane 1996). In pure shear y falls linearly with the slip, in pure
+/// tension the law is that of the paper. Friction is p tan(phi), and the residual cohesion. A
+/// crack cannot lose less in shear than it stores, c_drop^2 / (2 k_s). Where G_II is less, that
+/// stands in its place, as f_T^2 / (2 k_n) does in tension: a closed crack then breaks at its
+/// first slip, and one that opens loses strength as it slips against what is left of g. The
+/// same holds of a hyperbolic envelope without G_II (0). Coulomb's without G_II is brittle as
+/// the paper's: its first slip breaks a crack, closed or open. A crack without cohesion to lose
 /// is broken by its first slip while it is closed.
 
 #include "dem/contact/contact_law.hpp"

@@ -1,11 +1,14 @@
 #pragma once
-/// The products of ContactOperator with a matrix that is stored once. Stones of all shapes have one each, and some
-/// hundred of them do not fit the second cache: to fetch their numbers then takes longer than to compute with
-/// them. Blocks that share a matrix store it twice, in the order of either product.
+/// The products of ContactOperator with a matrix that is stored once. Stones of all shapes have
+/// one each, and some hundred of them do not fit the second cache: to fetch their numbers then
+/// takes longer than to compute with them. Blocks that share a matrix store it twice, in the
+/// order of either product.
 ///
-/// Two ports make a tile of four rows, which fills a register where a wall is alone. The matrix is
+/// Two ports make a tile of four rows, which fills a register where a wall is alone. The matrix
+/// is
 ///   tiles x modes x 4 rows [m/sqrt(J)],
-/// with zeros for the rows that an odd last port lacks. Sums over the rows are taken in four parts, whatever the register.
+/// with zeros for the rows that an odd last port lacks. Sums over the rows are taken in four
+/// parts, whatever the register.
 
 #include "dem/contact/pack.hpp"
 
@@ -34,7 +37,7 @@ template <class Real> class TileRows {
 };
 
 #if defined(__AVX__) && defined(__FMA__)
-/// Of one wall: a register.
+/// One register holds the rows of one wall.
 template <> class TileRows<double> {
   public:
     TileRows() : rows_(_mm256_setzero_pd()) {}

@@ -1,7 +1,8 @@
 #pragma once
-/// A processor register of doubles, one wall per lane. The laws and the solver are written once, over
-/// Real = double or Pack. The build uses -ffp-contract=off, so multiply_add is the only place where a
-/// product and a sum are rounded once, and every register width and compiler gives the same bits.
+/// A processor register of doubles, one wall per lane. The laws and the solver are written
+/// once, over Real = double or Pack. The build uses -ffp-contract=off, so multiply_add is the
+/// only place where a product and a sum are rounded once, and every register width and compiler
+/// gives the same bits.
 
 #include <cmath>
 #include <cstdint>
@@ -20,7 +21,8 @@ constexpr int kRegisterBytes = 32;
 constexpr int kRegisterBytes = 16;
 #endif
 
-/// 1 / sqrt(a) to seven digits, for 1e-30 < a < 1e30. No processor's own estimate is used, so that all give the same bits.
+/// 1 / sqrt(a) to seven digits, for 1e-30 < a < 1e30. No processor's own estimate is used, so
+/// that all give the same bits.
 inline double rough_inverse_root(double a)
 {
     return static_cast<double>(1.0F / std::sqrt(static_cast<float>(a)));

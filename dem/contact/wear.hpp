@@ -1,10 +1,12 @@
 #pragma once
-/// Wear of a dry joint: its asperities are ground off by slip under pressure, and the friction they give goes with them.
+/// Wear of a dry joint: its asperities are ground off by slip under pressure, and the friction
+/// they give goes with them.
 ///   tan phi = tan phi_r + (tan phi_0 - tan phi_r) r,   r = exp(-s / s_w)
 ///   s   slip travelled to and fro under pressure        s_w   wear length
-/// Plesha (1987) lets the slope of the asperities of a rock joint fall as exp(-c W), with the work W of the shear stress
-/// in slip; Hutson and Dowding (1990) measured it in cyclic tests. Under one normal stress W is proportional to s. There
-/// is no dilatancy here, so that the slope counts as friction alone.
+/// Plesha (1987) lets the slope of the asperities of a rock joint fall as exp(-c W), with the
+/// work W of the shear stress in slip; Hutson and Dowding (1990) measured it in cyclic tests.
+/// Under one normal stress W is proportional to s. There is no dilatancy here, so that the
+/// slope counts as friction alone.
 
 #include "dem/contact/pack.hpp"
 

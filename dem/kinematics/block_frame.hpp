@@ -1,6 +1,6 @@
 #pragma once
-/// Where a block is, without its deformation: a point of it, its pivot, and its rotation. The elastic
-/// modes live in the frame that turns with the block.
+/// Where a block is, without its deformation: a point of it, its pivot, and its rotation. The
+/// elastic modes live in the frame that turns with the block.
 
 #include "dem/kinematics/rotation.hpp"
 

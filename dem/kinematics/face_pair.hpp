@@ -3,8 +3,8 @@
 
 namespace dem {
 
-/// A side of a block in the frame of the block, from its pivot, along the tangent and the normal of
-/// the undeformed face [m].
+/// A side of a block in the frame of the block, from its pivot, along the tangent and the
+/// normal of the undeformed face [m].
 struct Side {
     double from = 0.0, to = 0.0; ///< ends along the tangent
     double normal = 0.0;         ///< along the normal

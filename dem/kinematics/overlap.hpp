@@ -1,26 +1,29 @@
 #pragma once
-/// Two blocks that face each other, wherever they have moved: how far their sides overlap, how wide
-/// the gap is along the overlap, how fast they slide, and what the stresses between them do to both.
+/// Two blocks that face each other, wherever they have moved: how far their sides overlap, how
+/// wide the gap is along the overlap, how fast they slide, and what the stresses between them
+/// do to both.
 ///
-/// Contact points belong to the overlap and to neither block: the points and weights of the face rule
-/// are laid on the part of the two sides that lies opposite now. So a point slides along its partner
-/// with the overlap, both ends of the overlap are points (a block turns about the corner that is
-/// really there), the area goes to zero with the overlap, and whatever passes an edge does so without
-/// a jump. Forces are equal and opposite at one and the same point of space.
+/// Contact points belong to the overlap and to neither block: the points and weights of the
+/// face rule are laid on the part of the two sides that lies opposite now. So a point slides
+/// along its partner with the overlap, both ends of the overlap are points (a block turns about
+/// the corner that is really there), the area goes to zero with the overlap, and whatever
+/// passes an edge does so without a jump. Forces are equal and opposite at one and the same
+/// point of space.
 ///
-/// Direction: gap and overlap are measured in the mean direction of the two sides, which is symmetric
-/// in the blocks and sees no slip where they turn about a common corner. Stresses act along the normal
-/// of the side on whose plane the other's corner stands; corners that meet have the mean direction. In
-/// between the direction changes linearly, as the gap of a point does that slides with the overlap, so
-/// that the work of the stresses is what contacts store and lose; all take that of the centre of pressure.
+/// Direction: gap and overlap are measured in the mean direction of the two sides, which is
+/// symmetric in the blocks and sees no slip where they turn about a common corner. Stresses act
+/// along the normal of the side on whose plane the other's corner stands; corners that meet
+/// have the mean direction. In between the direction changes linearly, as the gap of a point
+/// does that slides with the overlap, so that the work of the stresses is what contacts store
+/// and lose; all take that of the centre of pressure.
 
 #include "dem/kinematics/block_frame.hpp"
 #include "dem/kinematics/face_pair.hpp"
 
 namespace dem {
 
-/// What of the two sides lies opposite, in the mean direction of the two blocks; positions from the
-/// pivot of block a.
+/// Part of the two sides that lies opposite, in the mean direction of the two blocks; positions
+/// from the pivot of block a.
 template <class Real> struct Overlap {
     Real nx, nz;       ///< mean normal
     Real from, length; ///< along the tangent [m]; length >= 0
@@ -93,15 +96,17 @@ template <class Real>
     return o;
 }
 
-/// By how much the sides may come closer at both ends of an overlap because what was there is crushed [m].
+/// By how much the sides may come closer at both ends of an overlap because what was there is
+/// crushed [m].
 template <class Real> struct EndDepths {
     Real from{0.0}, to{0.0};
 };
 
-/// Area of the overlap over that of the undeformed face [-]; zero where blocks have passed through
-/// each other. Sides that face each other along all of their face may be pressed together deeply where the joint is soft,
-/// others in proportion to their overlap. Sides that come to overlap from beside must lie nearly outside each other: a
-/// block that fell beside another, and swings back below its side, would be thrown out of it.
+/// Area of the overlap over that of the undeformed face [-]; zero where blocks have passed
+/// through each other. Sides that face each other along all of their face may be pressed
+/// together deeply where the joint is soft, others in proportion to their overlap. Sides that
+/// come to overlap from beside must lie nearly outside each other: a block that fell beside
+/// another, and swings back below its side, would be thrown out of it.
 /// @param before the share one step earlier
 template <class Real>
 [[nodiscard]] Real share_of(const FacePair& p, const Overlap<Real>& o, Real before,
@@ -151,7 +156,8 @@ template <class Real> struct StressSum {
     }
 };
 
-/// Where along the overlap the stresses press, 0 to 1; where none do, the end that closes as the blocks turn.
+/// Where along the overlap the stresses press, 0 to 1; where none do, the end that closes as
+/// the blocks turn.
 template <class Real>
 [[nodiscard]] Real centre_of_pressure(const Overlap<Real>& o, const StressSum<Real>& s)
 {

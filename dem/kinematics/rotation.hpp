@@ -1,16 +1,16 @@
 #pragma once
 /// Turning by any angle, for one wall or a register of walls.
 ///
-/// The sine of the C library differs between platforms and takes no register. These polynomials are
-/// those of fdlibm's kernels on [-pi/4, pi/4] (errors below 1e-16), so that every width and compiler
-/// gives the same bits.
+/// The sine of the C library differs between platforms and takes no register. These polynomials
+/// are those of fdlibm's kernels on [-pi/4, pi/4] (errors below 1e-16), so that every width and
+/// compiler gives the same bits.
 
 #include "dem/contact/pack.hpp"
 
 namespace dem {
 
-/// Cosine and sine of HALF an angle. The mean direction of two blocks and half the angle between them
-/// are then products of theirs: no further sine is needed for a pair.
+/// Cosine and sine of HALF an angle. The mean direction of two blocks and half the angle
+/// between them are then products of theirs: no further sine is needed for a pair.
 template <class Real> struct HalfTurn {
     Real c{1.0}, s{0.0};
 };

@@ -18,8 +18,8 @@ struct LoadPoint {
 
 namespace detail {
 
-/// A force along the link: a strut pushes away from its hinge above, a tendon pulls to its hinge
-/// below. One square root for each wall in each step.
+/// A force along the link: a strut pushes away from its hinge above, a tendon pulls to its
+/// hinge below. One square root for each wall in each step.
 template <class Real>
 void along_link(const LoadPoint& p, Real rx, Real rz, Real size, Real& fx, Real& fz)
 {

@@ -5,7 +5,8 @@
 
 namespace dem {
 
-/// Displacement of block `block` (-1, the ground: none) at the outline point nearest to `at` [m].
+/// Displacement of block `block` (-1, the ground: none) at the outline point nearest to `at`
+/// [m].
 /// @throws std::out_of_range if there is no such block
 [[nodiscard]] Point displacement_at(const Snapshot& wall, int block, Point at);
 

@@ -14,7 +14,8 @@ bool is_shifted(const WallGeometry& wall, int course)
     return (course % 2 == 0) == (wall.first_course == FirstCourse::whole);
 }
 
-/// x of the ends of the units where one follows the other from `start` on, both ends of the wall included.
+/// x of the ends of the units where one follows the other from `start` on, both ends of the
+/// wall included.
 std::vector<double> ends_of_equal_units(const WallGeometry& wall, double start)
 {
     std::vector<double> x{0.0};
@@ -52,8 +53,8 @@ std::vector<double> ends_of_row(const WallGeometry& wall, const Row& row)
     return x;
 }
 
-/// A piece shorter than a header at an end of a course changes places with the header beside it: masons lay
-/// such a closer behind the header of the corner.
+/// A piece shorter than a header at an end of a course changes places with the header beside
+/// it: masons lay such a closer behind the header of the corner.
 void move_closers(const WallGeometry& wall, std::vector<double>& x)
 {
     const auto closes = [&](double piece, double beside) {
@@ -77,8 +78,8 @@ std::vector<double> regular_ends(const WallGeometry& wall, int course)
     return x;
 }
 
-/// How far a head joint moves at most [m]: a length between two joints that move evenly within it has a
-/// variance of two thirds of its square.
+/// How far a head joint moves at most [m]: a length between two joints that move evenly within
+/// it has a variance of two thirds of its square.
 double most_move(const WallGeometry& wall)
 {
     return std::sqrt(1.5) * wall.length_cov * wall.unit_length;

@@ -49,7 +49,8 @@ struct Way {
 };
 
 /// Dijkstra's shortest way through joints.
-/// @param begins, arrives what a way that begins or ends at a point has to go besides [m]; kNoEnd where it cannot
+/// @param begins, arrives what a way that begins or ends at a point has to go besides [m];
+/// kNoEnd where it cannot
 template <class Begins, class Arrives>
 double least_trace(const Layout& layout, Begins begins, Arrives arrives)
 {
@@ -99,8 +100,9 @@ bool covered(const Layout& layout, Point p, bool above)
     return false;
 }
 
-/// What a joint that ends at p lacks to a level where walls end, their floor or their top [m]. Where that is uneven, joints
-/// end a little before it: less than half a unit from it, with nothing between on one side. The ends of the wall are no such side.
+/// Way that a joint that ends at p lacks to a level where walls end, their floor or their top
+/// [m]. Where that is uneven, joints end a little before it: less than half a unit from it,
+/// with nothing between on one side. The ends of the wall are no such side.
 /// @param first, last ends of the wall [m]
 double way_to_end(const Layout& layout, Point p, double level, double half_unit, double first,
                   double last)

@@ -15,7 +15,8 @@ struct HalfPlane {
 };
 
 /// Several outlines where the line cuts an outline that is not convex into more than two parts.
-/// @param outline simple, counter-clockwise; so are the results. Parts below 1e-10 m2 are left out
+/// @param outline simple, counter-clockwise; so are the results. Parts below 1e-10 m2 are left
+/// out
 [[nodiscard]] std::vector<Outline> clip(const Outline& outline, const HalfPlane& kept);
 [[nodiscard]] std::vector<Outline> clip(const std::vector<Outline>& outlines,
                                         const HalfPlane& kept);

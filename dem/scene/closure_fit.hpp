@@ -8,8 +8,8 @@
 
 namespace dem {
 
-/// Normal stiffness of a closing joint under a pressure, k_0 + p / V_m [Pa/m]. Of the hyperbola it is the secant from no
-/// pressure, of the exponential the tangent.
+/// Normal stiffness of a closing joint under a pressure, k_0 + p / V_m [Pa/m]. Of the hyperbola
+/// it is the secant from no pressure, of the exponential the tangent.
 /// @param pressure [Pa], >= 0
 [[nodiscard]] double closed_stiffness(const Closing& c, double pressure);
 

@@ -26,7 +26,8 @@ struct UnitCracks {
     std::vector<Region> where{}; ///< of units whose middle lies in one of them; none: of all
     CrackPattern elsewhere{};    ///< of the other units
     unsigned seed = 1;           ///< of voronoi sites
-    /// Stiffness of a crack over that of the stone between two cracks, where they share that of the unit [-], > 1.
+    /// Stiffness of a crack over that of the stone between two cracks, where they share that of
+    /// the unit [-], > 1.
     double rigidity = 50.0;
     friend bool operator==(const UnitCracks&, const UnitCracks&) = default;
 };
@@ -34,11 +35,13 @@ struct UnitCracks {
 /// @param middle of a unit
 [[nodiscard]] const CrackPattern& pattern_at(const UnitCracks& cracks, Point middle);
 
-/// Whether pieces have cracks on all sides, so that pieces and cracks share the stiffness of their unit
-/// (Layout::crack_rigidity). The others, parallel vertical lines, follow the paper: they add to it.
+/// Whether pieces have cracks on all sides, so that pieces and cracks share the stiffness of
+/// their unit (Layout::crack_rigidity). The others, parallel vertical lines, follow the paper:
+/// they add to it.
 [[nodiscard]] bool shares_stiffness(const CrackPattern& pattern);
 
-/// The pieces of a unit, counter-clockwise, from the bottom to the top and from left to right; one: it is not divided.
+/// The pieces of a unit, counter-clockwise, from the bottom to the top and from left to right;
+/// one: it is not divided.
 /// @param outline simple, counter-clockwise
 /// @param unit_length of a whole unit [m]; 0: this is one
 /// @param seed of voronoi sites

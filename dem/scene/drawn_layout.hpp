@@ -18,7 +18,8 @@ struct DrawnWall {
     std::vector<DrawnUnit> units; ///< they touch and do not overlap; the floor is at z = 0
     double thickness = 0.20;      ///< > 0 [m]
     Base base = Base::fixed;      ///< of the units with a side on the floor
-    /// Of a whole unit [m], which is what Discretisation::contact_points is for; 0: the mean extent of the units.
+    /// Length of a whole unit [m], which is what Discretisation::contact_points is for; 0: the
+    /// mean extent of the units.
     double unit_length = 0.0;
     UnitCracks cracks{.pattern = {CrackPattern::Kind::none}};
     std::vector<Elastic> stones; ///< as Layout::stones
@@ -27,7 +28,8 @@ struct DrawnWall {
 
 /// A beam lies on the sides at the highest level, from the first to the last of them.
 /// @param beam_height [m]; 0: no beam
-/// @throws std::invalid_argument if there is no unit, no unit stands on the floor, or a size is not positive
+/// @throws std::invalid_argument if there is no unit, no unit stands on the floor, or a size is
+/// not positive
 [[nodiscard]] Layout drawn_layout(const DrawnWall& wall, double beam_height);
 
 } // namespace dem

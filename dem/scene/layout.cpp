@@ -167,7 +167,8 @@ void add_bed_faces(int a0, int a1, int b0, int b1, FaceKind kind, Layout& layout
     }
 }
 
-/// Whether an outline is the upright rectangle of its extent. Its sides may have the corners of neighbours on them.
+/// Whether an outline is the upright rectangle of its extent. Its sides may have the corners of
+/// neighbours on them.
 bool is_rectangle(const std::vector<Point>& outline, const Block& b)
 {
     const auto near = [](double p, double q) { return std::abs(p - q) < kTouching; };

@@ -1,7 +1,7 @@
 #pragma once
-/// The scene that the solver takes: blocks with their outlines, the faces where they touch, the IDs of joints
-/// and cracks, supports, and what the vertical load acts on. lay_out() makes it of a wall in courses,
-/// drawn_layout() of outlines from anywhere.
+/// The scene that the solver takes: blocks with their outlines, the faces where they touch, the
+/// IDs of joints and cracks, supports, and what the vertical load acts on. lay_out() makes it
+/// of a wall in courses, drawn_layout() of outlines from anywhere.
 
 #include "dem/scene/snapshot.hpp"
 #include "dem/scene/wall.hpp"
@@ -21,8 +21,8 @@ enum class Motion {
     driven ///< the loading beam: the horizontal displacement of its load line is prescribed
 };
 
-/// A block between joints and potential cracks. A whole unit of a wall in courses consists of two blocks
-/// with a potential crack between them.
+/// A block between joints and potential cracks. A whole unit of a wall in courses consists of
+/// two blocks with a potential crack between them.
 struct Block {
     double x0 = 0.0, x1 = 0.0; ///< extent [m]; the block's own frame begins at (x0, z0)
     double z0 = 0.0, z1 = 0.0; ///< extent [m]
@@ -46,10 +46,11 @@ struct Face {
     Point normal;    ///< unit vector from a to b; the tangent is (nz, -nx)
 };
 
-/// Joint IDs of a wall in courses run course by course from the bottom: first the head joints of a course from
-/// left to right, then the pieces of bed joint above it from left to right. Crack IDs run in the same
-/// order. Without courses joint IDs run from the bottom to the top and from left to right, by the middle of the face.
-/// The faces at the base and at the beam have no ID.
+/// Joint IDs of a wall in courses run course by course from the bottom: first the head joints
+/// of a course from left to right, then the pieces of bed joint above it from left to right.
+/// Crack IDs run in the same order. Without courses joint IDs run from the bottom to the top
+/// and from left to right, by the middle of the face. The faces at the base and at the beam
+/// have no ID.
 struct Layout {
     std::vector<Block>
         blocks; ///< course by course from the bottom, each from left to right; a beam is the last
@@ -69,15 +70,18 @@ struct Layout {
     bool crushing = false;             ///< joints and cracks may crush, as their materials say
     bool wear = false;                 ///< dry joints may wear, as their materials say
     Closure closure = Closure::linear; ///< of dry joints, as their materials say
-    /// Cracks follow the law of mixed modes, in place of that of the paper, as their materials say.
+    /// Cracks follow the law of mixed modes, in place of that of the paper, as their materials
+    /// say.
     bool mixed_mode = false;
     std::vector<Elastic> stones; ///< of blocks that are not of the wall's stone
     int lintels = 0;      ///< Block::material of units that have no potential cracks; 0: none
     bool divided = false; ///< joints may fall into several faces, along pieces of units
-    /// By crack ID: k_n over Young's modulus of the stone [1/m]; 0: as the paper, by the joints' k_n. Or empty: all 0.
+    /// By crack ID: k_n over Young's modulus of the stone [1/m]; 0: as the paper, by the
+    /// joints' k_n. Or empty: all 0.
     std::vector<double> crack_stiffness;
-    /// r of units that share their stiffness with cracks: the cracks have r E / spacing, and the pieces r / (r - 1)
-    /// times the modulus and Poisson's ratio of the stone, so that together they deform as the unit does.
+    /// r of units that share their stiffness with cracks: the cracks have r E / spacing, and
+    /// the pieces r / (r - 1) times the modulus and Poisson's ratio of the stone, so that
+    /// together they deform as the unit does.
     double crack_rigidity = 50.0;
 };
 
@@ -93,7 +97,8 @@ struct Layout {
 /// Layout::crack_stiffness of a crack [1/m]. @param crack its ID - 1
 [[nodiscard]] double own_stiffness(const Layout& layout, std::size_t crack);
 
-/// The stone of the pieces of a unit that share its stiffness with cracks, from that of the unit.
+/// The stone of the pieces of a unit that share its stiffness with cracks, from that of the
+/// unit.
 [[nodiscard]] Elastic between_cracks(const Elastic& unit, double rigidity);
 
 /// A block of this outline; a rectangle keeps none.

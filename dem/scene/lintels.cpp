@@ -52,7 +52,8 @@ bool goes_on(const Span& below, const std::vector<Span>& through)
     return !is_shorter(reached, below.x1);
 }
 
-/// What one lintel spans: openings with piers between them that are too narrow for two bearings.
+/// Spans of one lintel each: openings with piers between them that are too narrow for two
+/// bearings.
 std::vector<Span> spanned_by_one(const WallGeometry& wall, const Openings& at)
 {
     const double least = 2.0 * kLeastBearing * wall.lintel_bearing;

@@ -110,6 +110,20 @@ Mechanism mechanism(const Snapshot& wall, double height)
     return m;
 }
 
+Snapshot movement_since(const Snapshot& from, Snapshot to)
+{
+    to.displacement -= from.displacement;
+    for (std::size_t b = 0; b < to.blocks.size(); ++b)
+        for (std::size_t p = 0; p < to.blocks[b].displacement.size(); ++p) {
+            to.blocks[b].displacement[p].x -= from.blocks[b].displacement[p].x;
+            to.blocks[b].displacement[p].z -= from.blocks[b].displacement[p].z;
+        }
+    for (std::size_t f = 0; f < to.faces.size(); ++f)
+        for (std::size_t c = 0; c < to.faces[f].contacts.size(); ++c)
+            to.faces[f].contacts[c].slip -= from.faces[f].contacts[c].slip;
+    return to;
+}
+
 bool rocks(const Mechanism& m, const ModeThresholds& t)
 {
     return std::max(m.rotation_share, m.turning_share) >= t.rotation_share;
@@ -119,8 +133,9 @@ FailureMode failure_mode(const Mechanism& m, bool load_dropped, const ModeThresh
 {
     const bool cracked = m.cracked_units >= t.cracked_units;
     const bool overturns = m.rotation_share >= t.rotation_share;
-    if (t.modes == ModeRule::three) {
-        if (cracked && (load_dropped || !overturns)) return FailureMode::mixed;
+    if (t.modes == ModeRule::mechanism) {
+        if (overturns) return FailureMode::rocking;
+        if (cracked) return FailureMode::mixed;
         return rocks(m, t) ? FailureMode::rocking : FailureMode::sliding;
     }
     return load_dropped || (cracked && !overturns) ? FailureMode::mixed : FailureMode::rocking;

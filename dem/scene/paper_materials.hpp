@@ -1,7 +1,8 @@
 #pragma once
-/// The materials of a wall from the parameters that the paper gives: the stiffness of the joints from
-/// the elastic modulus of the wall (Eq. 2), cracks that are xi times as stiff as the joints (Table 4),
-/// and factors on both stiffnesses that vary from sample to sample (Table 5).
+/// The materials of a wall from the parameters that the paper gives: the stiffness of the
+/// joints from the elastic modulus of the wall (Eq. 2), cracks that are xi times as stiff as
+/// the joints (Table 4), and factors on both stiffnesses that vary from sample to sample (Table
+/// 5).
 
 #include "dem/scene/layout.hpp"
 #include "dem/scene/wall.hpp"
@@ -33,8 +34,8 @@ struct JointParameters {
     double shear_fracture_energy = 0.0;    ///< of mortar, mode II [J/m2], >= 0; 0: brittle
 };
 
-/// What becomes of a crack that snaps back, f_T > sqrt(2 G k_n), whose softening would end before it
-/// begins.
+/// Behaviour of a crack that snaps back, f_T > sqrt(2 G k_n), whose softening would end before
+/// it begins.
 enum class SnapBack {
     breaks, ///< it breaks at f_T, at once, and releases f_T^2/(2 k_n) > G
     weakens ///< it breaks at sqrt(2 G k_n), at once, and releases G
@@ -69,19 +70,20 @@ struct PaperMaterials {
 /// A residual friction angle above the initial one counts as that.
 [[nodiscard]] JointMaterial joint_material(const JointParameters& joint);
 
-/// A residual cohesion or friction angle above the initial one, where random draws make it so, counts
-/// as the initial one. The two stiffness factors are independent (Table 5): that of the joint does not
-/// change the crack.
+/// A residual cohesion or friction angle above the initial one, where random draws make it so,
+/// counts as the initial one. The two stiffness factors are independent (Table 5): that of the
+/// joint does not change the crack.
 /// @param joint_kn normal stiffness of a joint before its factor [Pa/m], > 0
 [[nodiscard]] CrackMaterial crack_material(const CrackParameters& crack, double joint_kn,
                                            double poisson_ratio);
 
-/// A crack that shares the stiffness of its unit with the pieces on its sides: k_n = k_s = factor x stiffness.
+/// A crack that shares the stiffness of its unit with the pieces on its sides: k_n = k_s =
+/// factor x stiffness.
 /// @param stiffness [Pa/m], > 0
 [[nodiscard]] CrackMaterial crack_material(const CrackParameters& crack, double stiffness);
 
-/// One realisation: the same material for every joint ID and for every crack ID. The joints at the
-/// base and at the beam have the stiffness of the others without the factor.
+/// One realisation: the same material for every joint ID and for every crack ID. The joints at
+/// the base and at the beam have the stiffness of the others without the factor.
 [[nodiscard]] WallMaterials wall_materials(const PaperMaterials& paper, const Layout& layout);
 
 } // namespace dem

@@ -22,7 +22,7 @@ struct Region {
 /// Positive where the corners run counter-clockwise [m2].
 [[nodiscard]] double polygon_area(std::span<const Point> outline);
 
-/// Of the area [m]; the outline must not have area zero.
+/// Centre of the area [m]; the outline must not have area zero.
 [[nodiscard]] Point polygon_centre(std::span<const Point> outline);
 
 /// Points on the outline may count as either.

@@ -1,9 +1,10 @@
 #pragma once
-/// What an elevation tells of the masonry quality index, MQI = SM (SD + SS + WC + HJ + VJ + MM) of Borri, Corradi, Castori,
-/// De Maria (2015), Bull. Earthquake Eng. 13:2647. Limits of SD and VJ: its Tables 2 and 6, as transcribed in rapidMQI
-/// (G. Castellazzi, University of Bologna); VJ there is of a trace between points about 1 m apart, at least 0.5 m. Stone (SM),
-/// leaves (WC) and mortar (MM) cannot be seen in an elevation; shape (SS) and level beds (HJ) are judged by eye there and
-/// measured here.
+/// An elevation's terms of the masonry quality index, MQI = SM (SD + SS + WC + HJ + VJ + MM) of
+/// Borri, Corradi, Castori, De Maria (2015), Bull. Earthquake Eng. 13:2647. Limits of SD and
+/// VJ: its Tables 2 and 6, as transcribed in rapidMQI (G. Castellazzi, University of Bologna);
+/// VJ there is of a trace between points about 1 m apart, at least 0.5 m. Stone (SM), leaves
+/// (WC) and mortar (MM) cannot be seen in an elevation; shape (SS) and level beds (HJ) are
+/// judged by eye there and measured here.
 
 #include "dem/scene/bond_indices.hpp"
 

@@ -12,7 +12,7 @@ namespace {
 
 bool is_beam(const BlockState& block) { return block.unit == 0; }
 
-/// What counts of a block at each level that it reaches.
+/// The part of a block that counts at each level that it reaches.
 struct Turning {
     double z0 = 0.0, z1 = 0.0; ///< extent [m]
     double weight = 0.0;       ///< mean width x horizontal displacement [m2]
@@ -40,7 +40,8 @@ Turning turning_of(const BlockState& block)
     return {low.z, high.z, width * std::abs(moved.x), turn / squares};
 }
 
-/// Heights between which every block reaches through or does not, up to that of the load line [m].
+/// Heights between which every block reaches through or does not, up to that of the load line
+/// [m].
 std::vector<double> levels_of(const std::vector<Turning>& blocks, double height)
 {
     std::vector<double> levels{0.0, height};

@@ -63,7 +63,8 @@ class Groups {
 
 using Cell = std::vector<std::size_t>; ///< numbers of its corners
 
-/// The middle of the corners of each group; on the border of the wall where one of them lies there.
+/// The middle of the corners of each group; on the border of the wall where one of them lies
+/// there.
 std::vector<Point> places_of(const Rubble& wall, const std::vector<Point>& corners,
                              Groups& groups)
 {

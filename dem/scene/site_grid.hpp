@@ -9,7 +9,8 @@
 
 namespace dem {
 
-/// Cells as many as sites. The sites themselves stay where they are, in a list that every question brings along.
+/// Cells as many as sites. The sites themselves stay where they are, in a list that every
+/// question brings along.
 class SiteGrid {
   public:
     /// @param extent of the sites
@@ -24,7 +25,8 @@ class SiteGrid {
     /// Distance of the nearest site that was added [m]; infinite without sites.
     [[nodiscard]] double nearest(Point at, const std::vector<Point>& sites) const;
 
-    /// Distances [m] and indices of the sites further than `from` and at most `to` away, the nearest first.
+    /// Distances [m] and indices of the sites further than `from` and at most `to` away, the
+    /// nearest first.
     /// @param self the site from which they are measured; it is none of them
     [[nodiscard]] std::vector<std::pair<double, std::size_t>>
     between(double from, double to, std::size_t self, const std::vector<Point>& sites) const;

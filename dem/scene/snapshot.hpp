@@ -1,6 +1,6 @@
 #pragma once
-/// What a wall looks like at one instant: blocks with their displacements, joints with their openings
-/// and slips. Pictures, ParaView series and the failure-mode rule read it; the solver never does.
+/// A wall at one instant: blocks with their displacements, joints with their openings and
+/// slips. Pictures, ParaView series and the failure-mode rule read it; the solver never does.
 
 #include <vector>
 

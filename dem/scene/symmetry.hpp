@@ -5,8 +5,8 @@
 
 namespace dem {
 
-/// Whether every block, with its stone, and every potential crack has its like on the other side of the wall's middle. The beam,
-/// supports and materials of joints are not looked at.
+/// Whether every block, with its stone, and every potential crack has its like on the other
+/// side of the wall's middle. The beam, supports and materials of joints are not looked at.
 [[nodiscard]] bool is_symmetric(const Layout& layout);
 
 } // namespace dem

@@ -37,7 +37,8 @@ struct Piece {
     std::vector<Point> between; ///< where it was joined of others
 };
 
-/// The common piece of side p of one block and side q of another: both run counter-clockwise, so against each other.
+/// The common piece of side p of one block and side q of another: both run counter-clockwise,
+/// so against each other.
 std::optional<Piece> common(const Line& p, Point p_to, const Line& q, Point q_to)
 {
     if (p.along.x * q.along.x + p.along.z * q.along.z > 0.0) return std::nullopt;

@@ -8,8 +8,9 @@
 
 namespace dem {
 
-/// Points closer than this, in x and in z, are one to a block, and a point closer than this to a side is on it [m]. A
-/// touch lies within kTouching of the corners that it passes, and they within kTouching of the sides of both blocks.
+/// Points closer than this, in x and in z, are one to a block, and a point closer than this to
+/// a side is on it [m]. A touch lies within kTouching of the corners that it passes, and they
+/// within kTouching of the sides of both blocks.
 constexpr double kSamePlace = 3.0 * kTouching;
 
 /// A common straight piece of the outlines of two blocks, a below or left of b.

@@ -1,6 +1,6 @@
 #pragma once
-/// The wall as an engineer describes it: sizes, bond, supports, loads, and the material of every joint
-/// and crack.
+/// The wall as an engineer describes it: sizes, bond, supports, loads, and the material of
+/// every joint and crack.
 
 #include "dem/contact/contact_options.hpp"
 #include "dem/scene/crack_pattern.hpp"
@@ -14,7 +14,8 @@ enum class FirstCourse {
     whole,  ///< the bottom course starts with a whole unit
     shifted ///< the bottom course starts with the shorter piece
 };
-/// How the head joints of a course lie above those of the course below. A header is a unit that lies across the wall.
+/// How the head joints of a course lie above those of the course below. A header is a unit that
+/// lies across the wall.
 enum class Bond {
     shifted, ///< whole units, every second course shifted by bond_offset
     english, ///< courses of whole units and courses of headers by turns
@@ -62,7 +63,8 @@ struct WallGeometry {
     /// Shift of every second course in unit lengths, in [0, 1); 0 makes a stack bond.
     double bond_offset = 0.5;
     double header_length = 0.10; ///< of a header along the wall, > 0
-    /// Of whole units of Bond::shifted [-], at most most_length_cov(): their head joints move to either side.
+    /// Coefficient of variation of the length of whole units of Bond::shifted [-], at most
+    /// most_length_cov(): their head joints move to either side.
     double length_cov = 0.0;
     unsigned seed = 1; ///< of these moves
     FirstCourse first_course = FirstCourse::whole;
@@ -70,7 +72,8 @@ struct WallGeometry {
     Base base = Base::fixed;
     Toe toe = Toe::held;
     std::vector<Opening> openings; ///< apart, and below the top course
-    /// How far the lintel over an opening, one course high, reaches over either side [m], >= 0; 0: no lintels.
+    /// How far the lintel over an opening, one course high, reaches over either side [m], >= 0;
+    /// 0: no lintels.
     double lintel_bearing = 0.0;
     Elastic lintel; ///< of these lintels
     friend bool operator==(const WallGeometry&, const WallGeometry&) = default;
@@ -85,13 +88,13 @@ struct Beam {
     friend bool operator==(const Beam&, const Beam&) = default;
 };
 
-/// Of a contact under compression; only where Layout::crushing says so.
+/// Crushing of a contact under compression; only where Layout::crushing says so.
 struct Crushing {
     double strength = 0.0; ///< f_c [Pa], >= 0; 0: never crushes
     double energy = 0.0;   ///< G_c [J/m2], >= 0; 0: keeps its strength
 };
 
-/// Of a dry joint that slips; only where Layout::wear says so.
+/// Wear of a dry joint that slips; only where Layout::wear says so.
 struct Wear {
     double tan_phi_res = 0.0; ///< friction coefficient that is left [-], in [0, tan_phi]
     double length = 0.0;      ///< slip that leaves 1/e of the asperities [m], >= 0; 0: no wear
@@ -106,10 +109,11 @@ struct Closing {
     double stiffest = 0.0; ///< normal stiffness that it does not exceed [Pa/m], >= k_0
 };
 
-/// A joint: no tension, Coulomb friction, no dilatancy. Mortar bonds it besides, until it is damaged as a crack is; only
-/// where Layout::mortar says so.
+/// A joint: no tension, Coulomb friction, no dilatancy. Mortar bonds it besides, until it is
+/// damaged as a crack is; only where Layout::mortar says so.
 struct JointMaterial {
-    /// Normal and shear stiffness [Pa/m], > 0. Where joints close, that at the vertical stress of the wall.
+    /// Normal and shear stiffness [Pa/m], > 0. Where joints close, that at the vertical stress
+    /// of the wall.
     double kn = 0.0, ks = 0.0;
     double tan_phi = 0.0;         ///< friction coefficient [-], >= 0
     double ft = 0.0;              ///< tensile strength of the bond [Pa], >= 0
@@ -132,8 +136,8 @@ struct CrackMaterial {
     double tan_phi = 0.0;         ///< initial friction coefficient [-], >= 0
     double tan_phi_res = 0.0;     ///< residual friction coefficient [-], >= 0
     double fracture_energy = 0.0; ///< mode I, G [J/m2], >= 0
-    /// tau_max = c - sigma tan(theta) in tension too (Table 2, step 5). If false, tau_max = c in
-    /// tension.
+    /// tau_max = c - sigma tan(theta) in tension too (Table 2, step 5). If false, tau_max = c
+    /// in tension.
     bool tension_reduces_shear = true;
     Crushing crushing{};
     Envelope envelope = Envelope::coulomb;
@@ -176,7 +180,7 @@ enum class TopLoad {
     link        ///< along a strut to a hinge above, or a tendon to one below
 };
 
-/// What pushes the wall.
+/// Load that pushes the wall.
 enum class LoadPattern {
     beam, ///< the horizontal displacement of the load line in the beam is prescribed
     body  ///< horizontal forces on all blocks, in proportion to their weight; their conjugate

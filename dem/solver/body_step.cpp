@@ -129,8 +129,9 @@ template <class Real> void finite_motion(const StepTables& t, int block, WallSta
     advance(frame);
 }
 
-/// Adds a change of the body force to all modes, and damping to the sums. Damping sees the forces that
-/// are left once the constraint holds: it would drag the wall by what only balances the constraint.
+/// Adds a change of the body force to all modes, and damping to the sums. Damping sees the
+/// forces that are left once the constraint holds: it would drag the wall by what only balances
+/// the constraint.
 template <Damping kDamping, class Real>
 Conjugate<Real> damped(Real gamma, Real change, WallState<Real>& s)
 {

@@ -1,6 +1,7 @@
 #pragma once
-/// Dry joints that close under pressure, in a step. Joints become stiffer than the masses allow for: where one does, both of
-/// its blocks get more mass, so that the step stays stable by the same proof, and no other block pays.
+/// Dry joints that close under pressure, in a step. Joints become stiffer than the masses allow
+/// for: where one does, both of its blocks get more mass, so that the step stays stable by the
+/// same proof, and no other block pays.
 
 #include "dem/scene/layout.hpp"
 #include "dem/solver/wall_state.hpp"
@@ -10,7 +11,8 @@
 
 namespace dem {
 
-/// Calls `work.template operator()<closure, loses>()` of the closure of the walls, which is not linear.
+/// Calls `work.template operator()<closure, loses>()` of the closure of the walls, which is not
+/// linear.
 template <class Real, class Work> void with_closure(const LaneLaws<Real>& laws, Work&& work)
 {
     if (laws.closure == Closure::hyperbolic)
@@ -35,8 +37,8 @@ template <class Real>
     return {s.finite.further_u_n[at], s.finite.further_shear[at], s.finite.further_rest[at]};
 }
 
-/// Work that crushing takes, per area [J/m2]. Where a contact crushes by more than it closes in a step it gives back what
-/// it has stored.
+/// Work that crushing takes, per area [J/m2]. Where a contact crushes by more than it closes in
+/// a step it gives back what it has stored.
 /// @param before,sigma of before this step;  by what is crushed in it [m]
 template <Closure kClosure, class Real>
 [[nodiscard]] Real work_of_crushing(const ClosureLaw<Real>& law,
@@ -119,8 +121,8 @@ template <Closure kClosure, class Real>
     return max(normal * laws.inv_reference_kn, shear * laws.inv_reference_ks);
 }
 
-/// Largest pressure under which a joint has at most this stiffness, over the reference [Pa]; kNothingBorne where it has
-/// more without pressure.
+/// Largest pressure under which a joint has at most this stiffness, over the reference [Pa];
+/// kNothingBorne where it has more without pressure.
 template <Closure kClosure, class Real>
 [[nodiscard]] Real pressure_of_stiffness(const LaneLaws<Real>& laws, int law, Real stiffness)
 {
@@ -137,9 +139,9 @@ template <Closure kClosure, class Real>
 
 constexpr double kMassMargin = 1.1, kMassGrowth = 1.25; // free choices
 
-/// Gives the blocks of a joint the masses for its stiffness under the largest pressure on it. The momentum of a block
-/// stays, what that takes of its kinetic energy counts as damping. Called in every step, before the blocks move: a step
-/// adds less than the margin.
+/// Gives the blocks of a joint the masses for its stiffness under the largest pressure on it.
+/// The momentum of a block stays, what that takes of its kinetic energy counts as damping.
+/// Called in every step, before the blocks move: a step adds less than the margin.
 template <Closure kClosure, class Real>
 void allow_for(const StepTables& t, int law, const std::array<int, 2>& blocks, Real pressure,
                WallState<Real>& s)
@@ -162,7 +164,8 @@ void allow_for(const StepTables& t, int law, const std::array<int, 2>& blocks, R
     }
 }
 
-/// The same of a run of dry contacts, which remembers up to which pressure there is nothing to do.
+/// The same of a run of dry contacts, which remembers up to which pressure there is nothing to
+/// do.
 template <Closure kClosure, class Real>
 [[gnu::always_inline]] inline void allow_for_run(const StepTables& t, std::size_t run,
                                                  Real pressure, WallState<Real>& s)

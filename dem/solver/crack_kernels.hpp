@@ -88,8 +88,9 @@ template <class Law, class Real>
     return rest;
 }
 
-/// Counts a crack that in this step for the first time has lost a part of its strength in tension, or in shear, but not
-/// all. Where a shear failure ends tension, its opening after that is no damage.
+/// Counts a crack that in this step for the first time has lost a part of its strength in
+/// tension, or in shear, but not all. Where a shear failure ends tension, its opening after
+/// that is no damage.
 template <class Law, class Real>
 void count_softened(const Law& law, const CrackState<Real>& before,
                     const CrackState<Real>& after, WallState<Real>& s)

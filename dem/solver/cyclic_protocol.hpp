@@ -18,12 +18,13 @@ struct CyclicStage {
 };
 
 /// The stages of a protocol; none of Protocol::none.
-/// @param largest amplitude of the last stage [m], > 0; ISO's ultimate displacement. ISO's last stage of 120 % is left
+/// @param largest amplitude of the last stage [m], > 0; ISO's ultimate displacement. ISO's last
+/// stage of 120 % is left
 /// out: it is for tests that have not failed.
 [[nodiscard]] std::vector<CyclicStage> stages_of(Protocol protocol, double largest);
 
-/// The displacements that a push visits in order [m]: to the right, to the left, and so on, and zero at the end. Empty
-/// without stages.
+/// The displacements that a push visits in order [m]: to the right, to the left, and so on, and
+/// zero at the end. Empty without stages.
 [[nodiscard]] std::vector<double> cyclic_targets(const std::vector<CyclicStage>& stages);
 
 } // namespace dem

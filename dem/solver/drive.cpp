@@ -40,8 +40,9 @@ double Drive::left_to_mark() const
     return towards_zero() ? std::min(left(), std::abs(position_)) : left();
 }
 
-/// A push that turns back steps on zero, where its cycles end, and not across: some steps before, it takes as many
-/// equal ones as are needed, or more if it must slow down. A short last step would ring through the wall.
+/// A push that turns back steps on zero, where its cycles end, and not across: some steps
+/// before, it takes as many equal ones as are needed, or more if it must slow down. A short
+/// last step would ring through the wall.
 void Drive::land_on_zero()
 {
     constexpr double kLandingSteps = 100;

@@ -1,5 +1,6 @@
 #pragma once
-/// The clock of one wall: the vertical load first, then the load line visits the target displacements.
+/// The clock of one wall: the vertical load first, then the load line visits the target
+/// displacements.
 
 #include "dem/solver/pace.hpp"
 
@@ -15,8 +16,8 @@ class Drive {
     /// Share of the vertical load that acts in the next step.
     [[nodiscard]] double load_factor() const;
 
-    /// Advances by one step and returns the displacement of the load line in it [m], which is zero while
-    /// the wall settles under vertical load.
+    /// Advances by one step and returns the displacement of the load line in it [m], which is
+    /// zero while the wall settles under vertical load.
     double advance();
 
     /// To be called after each step under vertical load.
@@ -28,12 +29,8 @@ class Drive {
         settling_ = !settled_ && step_ < options_.preload_steps;
     }
 
-    /// Begins the push: see Pace::begin. The way is known here.
-    double begin(PushStart start)
-    {
-        start.way = path_;
-        return speed_ = pace_.begin(start);
-    }
+    /// Begins the push: see Pace::begin.
+    double begin(const PushStart& start) { return speed_ = pace_.begin(start); }
 
     /// Feels each step of the push.
     [[nodiscard]] Pace& pace() { return pace_; }
@@ -49,7 +46,8 @@ class Drive {
     [[nodiscard]] double left() const { return turns_[turn_] - travelled_; }
     /// Whether the last step arrived where the drive turns back.
     [[nodiscard]] bool turned() const { return turned_; }
-    /// Whether the last step of a push that turns back arrived at zero displacement, which it never steps across.
+    /// Whether the last step of a push that turns back arrived at zero displacement, which it
+    /// never steps across.
     [[nodiscard]] bool passed_zero() const { return passed_zero_; }
     /// Whether a push that turns back is at its end, which is a point like its turns.
     [[nodiscard]] bool came_to_its_end() const { return turns_back() && finished(); }

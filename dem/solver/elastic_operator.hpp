@@ -1,5 +1,6 @@
 #pragma once
-/// The stiffness of a wall in which nothing opens, slips or cracks, applied without forming a matrix.
+/// The stiffness of a wall in which nothing opens, slips or cracks, applied without forming a
+/// matrix.
 
 #include "dem/solver/wall_state.hpp"
 
@@ -14,7 +15,8 @@ void stretch(const StepTables& tables, const std::vector<double>& q, std::vector
 void elastic_stress(const StepTables& tables, const WallState<double>& state,
                     const std::vector<double>& du, std::vector<double>& stress);
 
-/// K q of blocks and contacts. The displacements and stresses of the contacts remain in the state.
+/// K q of blocks and contacts. The displacements and stresses of the contacts remain in the
+/// state.
 void apply_stiffness(const StepTables& tables, const std::vector<double>& q,
                      WallState<double>& state, std::vector<double>& kq);
 

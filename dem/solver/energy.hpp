@@ -13,8 +13,8 @@ struct Energy {
     double fracture = 0.0; ///< tension softening, and cohesion lost in shear
     double crushing = 0.0; ///< of contacts under compression
     double damping = 0.0;
-    /// Of the push: what the drive has put into weight and vertical load, which rise as a wall rocks, >= 0. It
-    /// is in `work` already, with the opposite sign.
+    /// Energy that the drive of the push has put into weight and vertical load, which rise as a
+    /// wall rocks, >= 0. It is in `work` already, with the opposite sign.
     double lifted = 0.0;
     [[nodiscard]] double passed() const; ///< all energy that passed through the wall
     /// The part of the work that is not accounted for, as a share of passed() [-].

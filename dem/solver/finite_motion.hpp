@@ -8,7 +8,7 @@
 
 namespace dem {
 
-/// What one mode gains in a step; sums the work of the loads and of damping.
+/// Step of one mode: what it gains; sums the work of the loads and of damping.
 template <Damping kDamping, class Real> struct ModeStep {
     WallState<Real>& s;
     Real gamma, lost, work;

@@ -9,8 +9,9 @@
 
 namespace dem {
 
-/// Per area [J/m2]. Area that comes into contact while a block slides brings this along, area that
-/// leaves takes it away; neither is work of a force, so the ledger has it with the friction.
+/// Per area [J/m2]. Area that comes into contact while a block slides brings this along, area
+/// that leaves takes it away; neither is work of a force, so the ledger has it with the
+/// friction.
 template <class Law, class Real>
 [[nodiscard]] Real stored_energy(const Law& law, Real stretch, Real sigma, Real tau)
 {
@@ -28,11 +29,13 @@ template <class Real>
     return {s.crushed[forward ? first : last], s.crushed[forward ? last : first]};
 }
 
-/// Thickness that is crushed of a contact onto which a block slides. The block brings the crushed face of its home along;
-/// what the contact crushes itself stays with it.
+/// Thickness that is crushed of a contact onto which a block slides. The block brings the
+/// crushed face of its home along; what the contact crushes itself stays with it.
 /// @param at contact of `further`;  home: contact of the pair it came from
-/// @param u_n opening without what is crushed [m];  area of before this step, over which the energy counts [m2]
-/// @param crushed_by, pressure_at of the law of the contact, see crushing.hpp: of what is crushed and of the opening
+/// @param u_n opening without what is crushed [m];  area of before this step, over which the
+/// energy counts [m2]
+/// @param crushed_by, pressure_at of the law of the contact, see crushing.hpp: of what is
+/// crushed and of the opening
 template <class Real, class Mask, class CrushedBy, class PressureAt>
 Real crushed_further(std::size_t at, int home, Real u_n, Real area, Mask touches,
                      CrushedBy crushed_by, PressureAt pressure_at, WallState<Real>& s)
@@ -104,8 +107,8 @@ FurtherUpdate<Real> advance_further_closing(const ContactRun& run, int i, std::s
             select(touches, u.pressure, zero)};
 }
 
-/// A block and one onto which it slides. Both are felt as rigid: the elastic modes know the contacts of
-/// the undeformed wall. It brings its worn and crushed face along.
+/// A block and one onto which it slides. Both are felt as rigid: the elastic modes know the
+/// contacts of the undeformed wall. It brings its worn and crushed face along.
 /// @param active walls whose blocks have come that far
 template <class Real, class Mask>
 void advance_further(const StepTables& t, const ContactRun& run, int row, Mask active,
@@ -156,8 +159,8 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
     });
 }
 
-/// Blocks that overhang the last block under them. Where no wall of the register has such a block
-/// nothing is done; a wall without one is not changed by its neighbours'.
+/// Blocks that overhang the last block under them. Where no wall of the register has such a
+/// block nothing is done; a wall without one is not changed by its neighbours'.
 template <class Real> void advance_reaches(const StepTables& t, WallState<Real>& s)
 {
     for (const FiniteTables::Reach& r : t.finite.reaches) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What walls with finite displacements have besides their WallState.
+/// State of walls with finite displacements besides their WallState.
 
 #include "dem/kinematics/block_frame.hpp"
 #include "dem/scene/wall.hpp"
@@ -16,7 +16,7 @@ template <class Real> struct FiniteState {
     std::vector<Real> sway;   ///< by mode: load of the weight acting to the right
     std::vector<Real>
         acting; ///< (sigma, tau) by contact, on the undeformed area: what blocks feel [Pa]
-    /// Of a pair of faces, after the last step.
+    /// State of a pair of faces, after the last step.
     struct Pair {
         Real gap{0.0}, widening{0.0};       ///< see Overlap [m]
         Real share{1.0};                    ///< of the undeformed area that overlaps [-]
@@ -32,6 +32,10 @@ template <class Real> struct FiniteState {
     std::vector<Real> further_shear,
         further_rest;   ///< see ClosingState; empty where closure is linear
     Real vertical{0.0}; ///< load on the beam [N]
+    /// Dashpots of walls that are shaken with damping of contacts, else empty. By run of dry
+    /// contacts: stress of the dashpots over stiffness times displacement in a step [-]. By dry
+    /// contact: their stresses (normal, tangential) [Pa].
+    std::vector<Real> dashpots, dashed;
 };
 
 /// Frames at rest where the model has them.

@@ -103,8 +103,8 @@ template <class Real> struct PairStep {
     }
     [[nodiscard]] Real tangential(Real elastic) const { return slip + elastic; }
 
-    /// Share of before this step: it has lost what its contacts lose. Area that comes or goes does so with the energy
-    /// of its new state.
+    /// Share of before this step: it has lost what its contacts lose. Area that comes or goes
+    /// does so with the energy of its new state.
     [[nodiscard]] Real before() const { return share - grown; }
 
     /// Sums up the forces of a contact that has its new stresses.
@@ -114,6 +114,16 @@ template <class Real> struct PairStep {
         s.finite.acting[2 * k] = share * sigma;
         s.finite.acting[2 * k + 1] = share * tau;
         sum.add(Real(t.finite.place[k]), area * sigma, area * tau);
+    }
+
+    /// Adds stresses besides those of the law.
+    void add_stress(const StepTables& t, int k, Real normal, Real tangential,
+                    WallState<Real>& s)
+    {
+        s.finite.acting[2 * k] += share * normal;
+        s.finite.acting[2 * k + 1] += share * tangential;
+        const Real area(t.area[k]);
+        sum.add(Real(t.finite.place[k]), area * normal, area * tangential);
     }
 
     /// And what it stores.
@@ -127,8 +137,8 @@ template <class Real> struct PairStep {
         sheared = multiply_add(shear, tau, sheared);
     }
 
-    /// Energy that the area brings which came into contact in this step [J]. It is not work of a force, so the
-    /// ledger has it with the friction.
+    /// Energy that the area brings which came into contact in this step [J]. It is not work of
+    /// a force, so the ledger has it with the friction.
     template <class Law> [[nodiscard]] Real brought(const Law& law) const
     {
         return grown * (Real(0.5) * multiply_add(sheared, law.inv_ks, stretched));
@@ -142,7 +152,8 @@ template <class Real> struct PairStep {
     }
 };
 
-/// Takes the elastic part of a contact's relative displacement and leaves zero for the next step.
+/// Takes the elastic part of a contact's relative displacement and leaves zero for the next
+/// step.
 template <class Real> Real take(Real& du)
 {
     const Real x = du;
@@ -174,11 +185,31 @@ void advance_closing_joint(const StepTables& t, const ContactRun& run, int pair,
     allow_for_run<kClosure>(t, pair, most, s);
 }
 
+/// Stresses of the dashpots of a closed contact, which never pull and never exceed friction
+/// together with the others.
+/// @param share of the stiffness: stress for the displacement in this step
+template <class Real>
+void add_dashpot(const StepTables& t, const DryLaw<Real>& law, Real share, int k, Real du_n,
+                 Real du_s, PairStep<Real>& step, WallState<Real>& s)
+{
+    const Real half(0.5), area(t.area[k]);
+    Real &normal = s.finite.dashed[2 * k], &tangential = s.finite.dashed[2 * k + 1];
+    const Real sigma = s.stress[2 * k], tau = s.stress[2 * k + 1];
+    // A force works on the mean of the velocities before and after it.
+    s.damping += half * (step.before() * area) * (normal * du_n + tangential * du_s);
+    normal = min(-sigma, select(sigma < Real(0.0), share * law.kn * du_n, Real(0.0)));
+    const Real limit = -((sigma + normal) * law.tan_phi);
+    tangential = max(-limit, min(limit, tau + share * law.ks * du_s)) - tau;
+    s.damping += half * (step.share * area) * (normal * du_n + tangential * du_s);
+    step.add_stress(t, k, normal, tangential, s);
+}
+
 template <class Real>
 void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState<Real>& s)
 {
     const DryLaw<Real> law = s.laws.dry[run.law];
     const bool wears = !s.roughness.empty();
+    const bool damps = !s.finite.dashpots.empty();
     PairStep<Real> step(t.finite, run, pair, s);
     Real friction(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
@@ -195,6 +226,7 @@ void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState
         set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
         friction = multiply_add(Real(t.area[k]), u.friction, friction);
         step.add(t, k, u.state.u_n, s);
+        if (damps) add_dashpot(t, law, s.finite.dashpots[pair], k, du_n, du_s, step, s);
     }
     s.friction += step.share * friction - step.brought(law);
     step.act(t.finite, pair, s);
@@ -236,7 +268,15 @@ void advance_cracks(const StepTables& t, bool shortcuts, int pair, WallState<Rea
     }
 }
 
-/// New gaps, slips, stresses, and the forces on all frames.
+template <class Real> Real horizontal_force(const FiniteTables& t, const WallState<Real>& s)
+{
+    Real sum(0.0);
+    for (const int frame : t.supported) sum += s.finite.frames[frame].fx;
+    return sum;
+}
+
+} // namespace
+
 template <class Real>
 void advance_contacts(const StepTables& t, const SolverOptions& options, WallState<Real>& s)
 {
@@ -254,15 +294,6 @@ void advance_contacts(const StepTables& t, const SolverOptions& options, WallSta
     with_crack_law(options.law, s.laws,
                    [&]<class Law>() { advance_cracks<Law>(t, options.shortcuts, pair, s); });
 }
-
-template <class Real> Real horizontal_force(const FiniteTables& t, const WallState<Real>& s)
-{
-    Real sum(0.0);
-    for (const int frame : t.supported) sum += s.finite.frames[frame].fx;
-    return sum;
-}
-
-} // namespace
 
 template <class Real>
 void finite_step(const StepTables& t, const SolverOptions& options, const StepInput<Real>& in,
@@ -312,6 +343,8 @@ void take_up_frames(const StepTables& t, const SolverOptions& options, WallState
     advance_contacts(t, options, s);
 }
 
+template void advance_contacts(const StepTables&, const SolverOptions&, WallState<double>&);
+template void advance_contacts(const StepTables&, const SolverOptions&, WallState<Pack>&);
 template void finite_step(const StepTables&, const SolverOptions&, const StepInput<double>&,
                           WallState<double>&);
 template void finite_step(const StepTables&, const SolverOptions&, const StepInput<Pack>&,

@@ -12,11 +12,11 @@ namespace dem {
 
 namespace {
 
-/// Share of the thickness of the thinner block across a joint to which it may be pressed together. A free choice;
-/// docs/model.md, *Joints that close far*, has its effect.
+/// Share of the thickness of the thinner block across a joint to which it may be pressed
+/// together. A free choice; docs/model.md, *Joints that close far*, has its effect.
 constexpr double kDeepest = 0.5;
-/// Share of a face, or of half a unit where that is longer, by which sides that come to overlap from beside may lie
-/// within each other.
+/// Share of a face, or of half a unit where that is longer, by which sides that come to overlap
+/// from beside may lie within each other.
 constexpr double kShallow = 0.05;
 
 constexpr double kFar = 1e3; // [m], half the length of the ground
@@ -104,8 +104,8 @@ Point undeformed(const Model& m, const Contact& c, const Face& f)
     return {m.layout.blocks[f.b].x0 + local.x, m.layout.blocks[f.b].z0 + local.z};
 }
 
-/// How far a block reaches from a face, along its normal to one side (+1 or -1) [m]. The ground and the loading beam stand
-/// for more than is drawn of them.
+/// How far a block reaches from a face, along its normal to one side (+1 or -1) [m]. The ground
+/// and the loading beam stand for more than is drawn of them.
 double thickness_behind(const Model& m, int block, const Contact& c, const Face& f, double way)
 {
     if (block == kGround || block == m.layout.beam) return kFar;
@@ -189,8 +189,8 @@ const Ledge* ledge_of(const Face& f, const std::vector<Ledge>& ledges)
     return nullptr;
 }
 
-/// The pair of an upper block with a block that does not lie under it yet. The corner at which the
-/// upper block arrives is rounded off, so that no elastic slip reaches it.
+/// The pair of an upper block with a block that does not lie under it yet. The corner at which
+/// the upper block arrives is rounded off, so that no elastic slip reaches it.
 FacePair further_pair(const Model& m, const FiniteTables& t, const FacePair& home, bool far,
                       const Ledge& ledge)
 {

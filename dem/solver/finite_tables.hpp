@@ -1,5 +1,6 @@
 #pragma once
-/// What a step with finite displacements needs to know of the model besides the step's own tables.
+/// Tables of the model that a step with finite displacements needs besides the step's own
+/// tables.
 
 #include "dem/contact/contact_operator.hpp"
 #include "dem/kinematics/face_pair.hpp"
@@ -13,7 +14,8 @@ struct Model;
 struct StepTables;
 
 struct FiniteTables {
-    /// The first modes of a block are its rigid motions; the others live in the frame of the block.
+    /// The first modes of a block are its rigid motions; the others live in the frame of the
+    /// block.
     struct BlockRow {
         int rigid = 0;           ///< rigid modes, 0 to 3
         double motion[3][3]{};   ///< x, z [m] and rotation [rad] of the pivot, by rigid mode
@@ -26,7 +28,8 @@ struct FiniteTables {
     std::vector<ContactOperator> elastic; ///< by element: without rigid modes
     std::vector<FacePair> pairs;          ///< by run of contacts: dry, tied, cracks
     std::vector<double> place;            ///< by contact: along the overlap, 0 to 1
-    /// Blocks on which a block comes to lie as it slides, outwards from the last of those under it.
+    /// Blocks on which a block comes to lie as it slides, outwards from the last of those under
+    /// it.
     struct Reach {
         int home = 0;    ///< pair over whose end the upper block slides
         bool far = true; ///< end along the tangent, or against it

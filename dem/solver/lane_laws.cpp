@@ -7,9 +7,6 @@
 
 namespace dem {
 
-namespace {
-
-/// By block: the largest ratio of the stiffness of its contacts to the reference stiffness [-].
 std::vector<double> stiffness_ratio(const Model& m, const WallMaterials& w)
 {
     std::vector<double> ratio(m.layout.blocks.size(), 0.0);
@@ -30,6 +27,8 @@ std::vector<double> stiffness_ratio(const Model& m, const WallMaterials& w)
     }
     return ratio;
 }
+
+namespace {
 
 template <class Real> void set_law(int i, const JointMaterial& j, DryLaw<Real>& law)
 {
@@ -212,7 +211,8 @@ CrackLaw<double> crack_law(const CrackMaterial& c)
 
 MixedLaw<double> mixed_law(const CrackMaterial& c)
 {
-    // A little less than the energy that a crack stores when it breaks, so that rounding does not let it soften.
+    // A little less than the energy that a crack stores when it breaks, so that rounding does
+    // not let it soften.
     constexpr double kBitLess = 1.0 - 1e-9;
     const double drop = c.cohesion - c.cohesion_res;
     const double energy =

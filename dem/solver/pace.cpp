@@ -8,26 +8,33 @@ namespace dem {
 
 namespace {
 
-// Inertia and damping may take these shares of the accuracy. Both are free choices; docs/bench/accuracy.md has what they hold.
+// Inertia and damping may take these shares of the accuracy. Both are free choices;
+// docs/bench/accuracy.md has what they hold.
 constexpr double kInertia = 0.1, kDamping = 0.25;
 // Local damping takes most of what rings, and drags the wall less than it takes.
 constexpr double kLocalDamping = 1.5;
-// Damping of blocks that only ring counts so much: where joints slide, it takes in place of friction.
+// Damping of blocks that only ring counts so much: where joints slide, it takes in place of
+// friction.
 constexpr double kRinging = 0.35;
 // A wall whose first force is not known yet has this share of what it can carry.
 constexpr double kFirstForce = 0.02;
-// Change of the force in a period of the wall, as a share of the largest so far, or of kFirstRise of what it can carry: kRise
-// times the root of the accuracy. Faster, a wall swings beyond the force at which a mechanism forms.
+// Change of the force in a period of the wall, as a share of the largest so far, or of
+// kFirstRise of what it can carry: kRise times the root of the accuracy. Faster, a wall swings
+// beyond the force at which a mechanism forms.
 constexpr double kRise = 1.5, kFirstRise = 0.1;
 constexpr double kUnknownStart = 1e-4; // of the fastest speed, where stiffness is not known
 // Steps over which unbalance and force are smoothed.
 constexpr double kUnbalanceSteps = 50.0, kForceSteps = 200.0;
 // Change of the cruising speed from one window to the next.
 constexpr double kFaster = 1.5, kSlower = 0.5;
-// The cruising speed is at least this share of the one at the start: slower, a wall that moves by itself would seem to be
-// dragged. And it is so fast that the whole way takes so many steps, over the accuracy, at most.
+// The cruising speed is at least this share of the one at the start: slower, a wall that moves
+// by itself would seem to be dragged. And it is so fast that the first way takes so many steps,
+// over the accuracy, at most, and each e-fold of it after that as many: a push does not know
+// where it will end.
 constexpr double kSlowest = 0.3, kMostSteps = 4e3;
-// A wall that moves by itself may seem to be heavy; at most so many times as in its elastic motion.
+constexpr double kFirstWay = 0.03; // [m], to which the walls of the paper are pushed
+// A wall that moves by itself may seem to be heavy; at most so many times as in its elastic
+// motion.
 constexpr double kMostMass = 100.0;
 
 } // namespace
@@ -43,7 +50,7 @@ double Pace::begin(const PushStart& start)
     scale_ = kFirstForce * start.most_force;
     least_mass_ = mass_ = start.mass;
     if (constant()) return fastest_;
-    least_ = start.way * options_.accuracy / kMostSteps;
+    way_ = 0.0;
     if (!(start.stiffness > 0.0 && start.mass > 0.0 && start.most_force > 0.0)) {
         cruise_ = kUnknownStart * fastest_;
         return 0.0;
@@ -53,8 +60,14 @@ double Pace::begin(const PushStart& start)
     rise_ = kRise * std::sqrt(options_.accuracy) / period;
     first_rise_ = kFirstRise * start.most_force;
     cruise_ = std::min(fastest_, rise_ * first_rise_ / start.stiffness);
-    least_ = std::min(fastest_, std::max(least_, kSlowest * cruise_));
+    least_ = kSlowest * cruise_;
     return cruise_;
+}
+
+double Pace::slowest_cruise() const
+{
+    const double by_way = std::max(kFirstWay, way_) * options_.accuracy / kMostSteps;
+    return std::min(fastest_, std::max(by_way, least_));
 }
 
 double Pace::acceleration() const
@@ -87,6 +100,7 @@ void Pace::feel(const Felt& felt, const Kinetic& kinetic)
     window_.way += felt.way;
     last_ = felt;
     if (++window_.steps < kWindow) return;
+    way_ += window_.way;
     if (window_.way > 0.0) {
         const double speed = window_.way / kWindow;
         const double mass =
@@ -97,7 +111,8 @@ void Pace::feel(const Felt& felt, const Kinetic& kinetic)
     window_ = {0, 0.0, felt.damping, felt.fracture, force_};
 }
 
-/// Damping per displacement is what the drive takes, unless something has broken and set energy free.
+/// Damping per displacement is what the drive takes, unless something has broken and set energy
+/// free.
 void Pace::change_cruise(const Kinetic& kinetic)
 {
     const double steady = kinetic.all > 0.0 ? kinetic.steady / kinetic.all : 1.0;
@@ -111,7 +126,7 @@ void Pace::change_cruise(const Kinetic& kinetic)
                  may_rise = rise_ * kWindow * std::max(scale_, first_rise_);
     if (rise_ > 0.0 && risen > may_rise)
         cruise_ *= std::max(kSlower, may_rise / risen) / kFaster;
-    cruise_ = std::clamp(cruise_, least_, fastest_);
+    cruise_ = std::clamp(cruise_, slowest_cruise(), fastest_);
 }
 
 } // namespace dem

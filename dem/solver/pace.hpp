@@ -1,9 +1,12 @@
 #pragma once
-/// How fast a wall is pushed, so that the drive takes no more than the accuracy allows. What the solver adds to the force
-/// of the wall itself is felt in three ways, each as a share of the largest force so far:
+/// How fast a wall is pushed, so that the drive takes no more than the accuracy allows. What
+/// the solver adds to the force of the wall itself is felt in three ways, each as a share of
+/// the largest force so far:
 ///   inertia    the wall is accelerated no faster than kInertia of the accuracy allows;
-///   damping    its energy per displacement is held at kDamping of the accuracy, by the cruising speed;
-///   unbalance  |top force - base shear|, where something breaks: above unbalance_limit of the accuracy the drive waits.
+///   damping    its energy per displacement is held at kDamping of the accuracy, by the
+///   cruising speed;
+///   unbalance  |top force - base shear|, where something breaks: above unbalance_limit of the
+///   accuracy the drive waits.
 /// docs/theory.md, section 4, Speed.
 
 #include "dem/solver/solver_options.hpp"
@@ -11,7 +14,7 @@
 
 namespace dem {
 
-/// What a wall does in one step of its push.
+/// Response of a wall in one step of its push.
 struct Felt {
     double way = 0.0;       ///< of the drive in the step [m], >= 0
     double force = 0.0;     ///< of the drive [N]
@@ -22,7 +25,6 @@ struct Felt {
 
 /// Facts of a wall that are known before its push.
 struct PushStart {
-    double way = 0.0;        ///< of the whole push [m]
     double stiffness = 0.0;  ///< while nothing opens, slips or cracks [N/m]; 0: not known
     double mass = 0.0;       ///< 2 kinetic energy / speed^2 of that motion [N step2/m]
     double most_force = 0.0; ///< size of what it can carry [N]
@@ -75,13 +77,15 @@ class Pace {
     {
         return options_.unbalance_limit * error_allowed();
     }
-    [[nodiscard]] double acceleration() const; ///< largest [m/step2]
+    [[nodiscard]] double acceleration() const;   ///< largest [m/step2]
+    [[nodiscard]] double slowest_cruise() const; ///< of the way so far [m/step]
     void change_cruise(const Kinetic& kinetic);
 
     SolverOptions options_;
     double fastest_;          ///< [m/step]
     double cruise_;           ///< speed of a wall in balance [m/step]
-    double least_ = 0.0;      ///< cruising speed [m/step]
+    double least_ = 0.0;      ///< cruising speed that the start of the push allows [m/step]
+    double way_ = 0.0;        ///< of the push, in whole windows [m]
     double scale_ = 0.0;      ///< largest force so far [N]
     double force_ = 0.0;      ///< smoothed [N]
     double unbalance_ = 0.0;  ///< smoothed [N]

@@ -1,6 +1,6 @@
 #pragma once
-/// One wall: loaded vertically, then pushed to a list of target displacements. The result says how far it
-/// can be trusted (outcome, energy balance, unbalance).
+/// One wall: loaded vertically, then pushed to a list of target displacements. The result says
+/// how far it can be trusted (outcome, energy balance, unbalance).
 
 #include "dem/scene/snapshot.hpp"
 #include "dem/scene/wall.hpp"
@@ -40,71 +40,83 @@ inline constexpr std::array<std::string_view, 7> kOutcomeNames = {
     return kOutcomeNames[static_cast<int>(outcome)];
 }
 
-/// Whether a run says nothing about the wall, or not enough. Such runs are kept and counted, but never
-/// averaged.
+/// Whether a run says nothing about the wall, or not enough. Such runs are kept and counted,
+/// but never averaged.
 [[nodiscard]] constexpr bool failed(Outcome o)
 {
     return o == Outcome::not_finite || o == Outcome::energy_astray ||
            o == Outcome::out_of_steps || o == Outcome::no_wall;
 }
 
-/// What a run cost.
+/// Cost of a run.
 struct RunCost {
     long long steps = 0;
     long long contact_updates = 0;
-    /// Of one core (thread_time.hpp) [s]. Walls that share a register share its time.
+    /// Time of one core (thread_time.hpp) [s]. Walls that share a register share its time.
     double seconds = 0.0;
 };
 
 struct PushResult {
     Outcome outcome = Outcome::reached_target;
-    /// The first point is the wall before the push. Where the push turns back a point stands at the turn.
+    /// The first point is the wall before the push. Where the push turns back a point stands at
+    /// the turn.
     std::vector<CurvePoint> curve;
-    /// As PushPlan::snapshot_every asks, in the order of the push; the first is before the push. Empty where
-    /// PushPlan::sink takes them.
+    /// As PushPlan::snapshot_every asks, in the order of the push; the first is before the
+    /// push. Empty where PushPlan::sink takes them.
     std::vector<Snapshot> snapshots;
     Snapshot at_peak;                ///< at the curve point with the largest force
     std::optional<Snapshot> at_drop; ///< where the force first came down to PushPlan::drop
-    /// At the farthest turn, the last of equals; none where the push ends farther out, or goes one way.
+    /// Snapshot of a push for which PushPlan::drop was asked, and whose force had not come down
+    /// to it: between 0.45 and 0.5 of the way to the end.
+    std::optional<Snapshot> at_half;
+    /// At the farthest turn, the last of equals; none where the push ends farther out, or goes
+    /// one way.
     std::optional<Snapshot> at_farthest;
     Snapshot at_end;
     Energy energy;         ///< at the end
     double residual = 0.0; ///< largest |energy residual| wherever it was read [-]
-    /// The step that was used, as a fraction of the proven stability limit (block_element.hpp) [-]. It
-    /// is smaller than asked for where that step made energy or exceeded the measured limit: it is then
-    /// halved, and the wall is pushed again from the start.
+    /// The step that was used, as a fraction of the proven stability limit (block_element.hpp)
+    /// [-]. It is smaller than asked for where that step made energy or exceeded the measured
+    /// limit: it is then halved, and the wall is pushed again from the start.
     double step_fraction = 0.0;
     int step_reductions = 0;
-    /// Number of starts in ten times the steps or more, because the wall seemed to come down under its vertical load: 0 or 1.
+    /// Number of starts in ten times the steps or more, because the wall seemed to come down
+    /// under its vertical load: 0 or 1.
     int slow_starts = 0;
-    /// How often the wall was pushed again, twice as slowly, because its error was larger than the accuracy: 0 to 3.
+    /// How often the wall was pushed again, twice as slowly, because its error was larger than
+    /// the accuracy: 0 to 3.
     int slowdowns = 0;
     /// Estimated error of the peak force by the speed of the drive [-], >= 0.
     double solver_error = 0.0;
     bool settled =
         false; ///< whether the wall was at rest under the vertical load before the push
     double settlement = 0.0; ///< of the beam under vertical load alone [m], positive downwards
-    /// Number of crack contacts with f_T > sqrt(2 G k_n), which break at once and release more than G.
+    /// Number of crack contacts with f_T > sqrt(2 G k_n), which break at once and release more
+    /// than G.
     int snap_back_contacts = 0;
-    /// Number of crack contacts with c - c_res > sqrt(2 G_II k_s), which break at their first slip and release more than G_II.
+    /// Number of crack contacts with c - c_res > sqrt(2 G_II k_s), which break at their first
+    /// slip and release more than G_II.
     int shear_snap_back_contacts = 0;
     int crack_contacts = 0; ///< of cracks in units and of joints with mortar
-    /// Contacts of cracks that have ever lost a part of their strength but not all of it: in tension, 0 < d_t < 1 while their
-    /// bond lived, and in shear, 0 < d_s < 1.
+    /// Contacts of cracks that have ever lost a part of their strength but not all of it: in
+    /// tension, 0 < d_t < 1 while their bond lived, and in shear, 0 < d_s < 1.
     int softened_in_tension = 0, softened_in_shear = 0;
-    /// Number of contacts with f_c > sqrt(2 G_c k_n), which crush at once and release more than G_c.
+    /// Number of contacts with f_c > sqrt(2 G_c k_n), which crush at once and release more than
+    /// G_c.
     int brittle_crushing_contacts = 0;
     double weight =
         0.0; ///< of all blocks, with body forces [N]: force over it is the load factor
     RunCost cost;
 };
 
-/// Takes the snapshots of walls as they come, so that none is kept in memory. Both functions are called from the
-/// thread that pushes the wall, for several walls at the same time; what they throw ends the push.
+/// Takes the snapshots of walls as they come, so that none is kept in memory. Both functions
+/// are called from the thread that pushes the wall, for several walls at the same time; what
+/// they throw ends the push.
 struct SnapshotSink {
     std::function<void(std::size_t wall, Snapshot&&)>
         take; ///< empty: PushResult::snapshots keeps them
-    /// The push of this wall starts anew: what was taken of it so far is void. Not empty where `take` is not.
+    /// The push of this wall starts anew: what was taken of it so far is void. Not empty where
+    /// `take` is not.
     std::function<void(std::size_t wall)> forget;
 };
 
@@ -116,7 +128,8 @@ struct PushPlan {
     double snapshot_every = 0.0; ///< travelled displacement between snapshots [m]; 0 takes none
     SnapshotSink sink;           ///< of these snapshots; `push` calls its wall 0
     bool snapshot_at_peak = true;
-    /// A snapshot is taken where the force first comes down to this share of its peak [-], in [0, 1); 0: none.
+    /// A snapshot is taken where the force first comes down to this share of its peak [-], in
+    /// [0, 1); 0: none.
     double drop = 0.0;
     /// Is asked at each curve point and ends the push by returning true. May be empty.
     std::function<bool(std::span<const CurvePoint>)> decided;
@@ -124,7 +137,8 @@ struct PushPlan {
     std::function<void(double done, double displacement, double force)> progress;
 };
 
-/// @throws std::invalid_argument if the materials do not fit the model or a value is outside its range
+/// @throws std::invalid_argument if the materials do not fit the model or a value is outside
+/// its range
 void check(const Model& model, const WallMaterials& materials);
 void check(const PushPlan& plan, const SolverOptions& options);
 void check(const Model& model, const SolverOptions& options);

@@ -10,12 +10,14 @@
 
 namespace dem {
 
-/// Sums up the steps since the last point. What rings in a wall moves the forces at its top and at its base apart, one up and
-/// one down, so that a point has the mean of both; and it has the mean over some steps more than its own interval, as long
-/// as the force stood still there and points stay in order.
+/// Sums up the steps since the last point. What rings in a wall moves the forces at its top and
+/// at its base apart, one up and one down, so that a point has the mean of both; and it has the
+/// mean over some steps more than its own interval, as long as the force stood still there and
+/// points stay in order.
 class Recorder {
   public:
-    /// Points that are closer after a turn, where the force changes fast: they reach as far as two others.
+    /// Points that are closer after a turn, where the force changes fast: they reach as far as
+    /// two others.
     static constexpr int kAfterTurn = 32;
     /// Steps over which a point is a mean, if it may be.
     static constexpr int kSteps = 100;
@@ -25,7 +27,8 @@ class Recorder {
     Recorder(double every, double still) : every_(every), still_(still) {}
 
     /// @param drive signed displacement of the step [m]
-    /// @param force_before, force_after of the drive [N];  base of the ground, less what the loads give it [N]
+    /// @param force_before, force_after of the drive [N];  base of the ground, less what the
+    /// loads give it [N]
     void add(double drive, double force_before, double force_after, double base)
     {
         const double way = drive < 0.0 ? -drive : drive;

@@ -5,7 +5,8 @@
 
 namespace dem {
 
-/// Options of a drive that goes `factor` times slower, > 0, once, and holds that many times the accuracy.
+/// Options of a drive that goes `factor` times slower, > 0, once, and holds that many times the
+/// accuracy.
 [[nodiscard]] inline SolverOptions slower(SolverOptions options, double factor)
 {
     options.accuracy /= factor;

@@ -10,9 +10,11 @@ namespace dem {
 namespace {
 
 constexpr std::size_t kPoints = 5; // over which a peak is read
-// The slope at the peak is too small for what happened before it. The factor is chosen so that nine of ten scenes are held.
+// The slope at the peak is too small for what happened before it. The factor is chosen so that
+// nine of ten scenes are held.
 constexpr double kWider = 2.0;
-// Local damping takes more from what rings, and so less from the force, than combined damping does.
+// Local damping takes more from what rings, and so less from the force, than combined damping
+// does.
 constexpr double kWiderLocal = 0.5;
 
 double median(std::vector<double> all)

@@ -57,7 +57,8 @@ template <Closure kClosure> void close_as_given(const StepTables& t, WallState<d
     }
 }
 
-/// Stresses of the displacements of contacts in s.du, of which the joints close, and are not cut back.
+/// Stresses of the displacements of contacts in s.du, of which the joints close, and are not
+/// cut back.
 template <Closure kClosure> void closing_stress(const StepTables& t, WallState<double>& s)
 {
     elastic_stress(t, s, s.du, s.stress);

@@ -1,9 +1,10 @@
 #pragma once
-/// Solves for the wall at rest under its vertical load, instead of stepping until it is at rest: conjugate
-/// gradients on closed, sticking, uncracked contacts, without a matrix, preconditioned by the fictitious
-/// masses. Inadmissible contact stresses (tension or too much shear in a dry joint) are then clipped to the
-/// friction law, and a few dynamic steps restore equilibrium (see Drive). Where joints close under pressure, Newton's method
-/// does so again and again with their tangents.
+/// Solves for the wall at rest under its vertical load, instead of stepping until it is at
+/// rest: conjugate gradients on closed, sticking, uncracked contacts, without a matrix,
+/// preconditioned by the fictitious masses. Inadmissible contact stresses (tension or too much
+/// shear in a dry joint) are then clipped to the friction law, and a few dynamic steps restore
+/// equilibrium (see Drive). Where joints close under pressure, Newton's method does so again
+/// and again with their tangents.
 
 #include "dem/solver/wall_state.hpp"
 
@@ -11,7 +12,8 @@
 
 namespace dem {
 
-/// @param state one unloaded wall. On success it is at rest under its full load, and its energy balance
+/// @param state one unloaded wall. On success it is at rest under its full load, and its energy
+/// balance
 /// starts with the energy stored.
 /// @return false if the iteration did not converge; the state is then unchanged
 [[nodiscard]] bool solve_preload(const StepTables& tables, WallState<double>& state);
@@ -24,7 +26,8 @@ struct ElasticPush {
 };
 
 /// By conjugate gradients, as above. All zero and empty if the iteration did not converge.
-/// @param state one wall, whose joints are as stiff as it has closed them; it is left without stresses
+/// @param state one wall, whose joints are as stiff as it has closed them; it is left without
+/// stresses
 [[nodiscard]] ElasticPush elastic_push(const StepTables& tables, WallState<double>& state);
 
 /// Copies positions, contacts and energy of a wall at rest into a lane.

@@ -31,7 +31,8 @@ class SteadyMotion {
         ++samples_;
     }
 
-    /// Returns the energy of the samples since the last call, and starts again. Call it after add().
+    /// Returns the energy of the samples since the last call, and starts again. Call it after
+    /// add().
     [[nodiscard]] Kinetic take()
     {
         const double n = samples_;

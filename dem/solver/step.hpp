@@ -1,13 +1,13 @@
 #pragma once
-/// One explicit step of a batch of walls: contact forces move the blocks, blocks move the contacts, and
-/// the contact laws give the new forces.
+/// One explicit step of a batch of walls: contact forces move the blocks, blocks move the
+/// contacts, and the contact laws give the new forces.
 
 #include "dem/solver/solver_options.hpp"
 #include "dem/solver/wall_state.hpp"
 
 namespace dem {
 
-/// What the outside does to each wall during a step.
+/// Action of the outside on each wall during a step.
 template <class Real> struct StepInput {
     Real load_factor{1.0}; ///< share of self-weight and vertical load acting [-]
     Real drive{0.0};       ///< prescribed displacement in this step [m]
@@ -18,7 +18,8 @@ template <class Real>
 void step(const StepTables& tables, const SolverOptions& options, const StepInput<Real>& input,
           WallState<Real>& state);
 
-/// sqrt(sum of squared modal forces / sum of squared modal loads) of one lane in the last step [-].
+/// sqrt(sum of squared modal forces / sum of squared modal loads) of one lane in the last step
+/// [-].
 template <class Real>
 [[nodiscard]] double unbalanced_ratio(const WallState<Real>& state, int lane);
 

@@ -9,7 +9,8 @@ namespace dem {
 
 namespace {
 
-/// Matrices of all blocks that are larger together do not fit the second cache of today's processors: a free choice.
+/// Matrices of all blocks that are larger together do not fit the second cache of today's
+/// processors: a free choice.
 constexpr std::size_t kManyMatrices = 1 << 20; // [bytes]
 
 /// Index of a dry contact's law in LaneLaws::dry.
@@ -58,8 +59,8 @@ std::vector<int> counts(const Model& m, const StepTables& t)
     return count;
 }
 
-/// Contacts of each block, face by face in the order of the layout, which is the same for all blocks of
-/// an element.
+/// Contacts of each block, face by face in the order of the layout, which is the same for all
+/// blocks of an element.
 std::vector<std::vector<int>> ports_by_block(const Model& m, const StepTables& t)
 {
     std::vector<std::vector<int>> ports(m.layout.blocks.size());

@@ -1,5 +1,6 @@
 #pragma once
-/// What a step needs to know about the model. The tables are made once and shared by all walls.
+/// Tables with what a step needs to know about the model. They are made once and shared by all
+/// walls.
 
 #include "dem/contact/contact_operator.hpp"
 #include "dem/solver/finite_tables.hpp"
@@ -17,15 +18,16 @@ struct ContactRun {
     int law = 0; ///< index in the arrays of laws
 };
 
-/// The share of a row of the contacts in a horizontal motion, and in the force that belongs to it.
+/// The share of a row of the contacts in a horizontal motion, and in the force that belongs to
+/// it.
 struct HorizontalShare {
     int row = 0;         ///< 2 contact + (0 normal, 1 tangential)
     double factor = 0.0; ///< of the horizontal displacement that is relative displacement [-]
     double area = 0.0;   ///< [m2]
 };
 
-/// Contacts are numbered: first the dry ones, then the tied ones, then the cracks, each in the order of
-/// the model.
+/// Contacts are numbered: first the dry ones, then the tied ones, then the cracks, each in the
+/// order of the model.
 struct StepTables {
     struct BlockRow {
         int element, first_port, first_mode, modes;

@@ -10,8 +10,8 @@ namespace dem {
 
 using StopRule = std::function<bool(std::span<const CurvePoint>)>;
 
-/// True once the force is below a share of the largest so far. A wall that is not symmetric may begin with a force against
-/// the push.
+/// True once the force is below a share of the largest so far. A wall that is not symmetric may
+/// begin with a force against the push.
 /// @param share [-], in (0, 1)
 /// @param direction of the push, 1 or -1
 [[nodiscard]] StopRule stop_below(double share, int direction = 1);

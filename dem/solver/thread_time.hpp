@@ -1,6 +1,6 @@
 #pragma once
-/// The processor time of the calling thread, which measures the cost of a run whatever else the machine
-/// does.
+/// The processor time of the calling thread, which measures the cost of a run whatever else the
+/// machine does.
 
 #include <ctime>
 

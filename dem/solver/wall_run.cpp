@@ -21,34 +21,43 @@ namespace {
 
 constexpr long long kLookEvery = 500; // steps between looks at the whole wall
 constexpr long long kWatchEvery = 50; // steps between them while a wall may be falling
-// Share of kinetic in all energy that passed through a wall above which it falls, if it stores less. On its way in
-// balance a wall has some 1e-4 of it; the ledger of one that falls breaks at 0.2 to 0.5, where blocks strike each other.
+// Share of kinetic in all energy that passed through a wall above which it falls, if it stores
+// less. On its way in balance a wall has some 1e-4 of it; the ledger of one that falls breaks
+// at 0.2 to 0.5, where blocks strike each other.
 constexpr double kFalling = 0.1; // a free choice between the two
-// Share of the kinetic energy of a wall that falls that weight and vertical load have given it on its way down. What
-// moves because it is pushed has its energy from the drive: on joints as stiff as stone that is more than they store.
+// Share of the kinetic energy of a wall that falls that weight and vertical load have given it
+// on its way down. What moves because it is pushed has its energy from the drive: on joints as
+// stiff as stone that is more than they store.
 constexpr double kOfTheLoad = 0.5; // a free choice: elastic energy may have given the rest
-// Way down of all that presses, as a share of the height, before which no wall has fallen, however little its joints give.
+// Way down of all that presses, as a share of the height, before which no wall has fallen,
+// however little its joints give.
 constexpr double kFallen = 1e-5; // a free choice, less than an ordinary wall settles
-// Start of a wall that seems to come down under its vertical load: so many times the steps, and kSlowSteps at least. The
-// load grows over a quarter of them. Before kSlowLook nothing is said of blocks that are hardly loaded yet. Both are
-// steps of fraction 1.
+// Start of a wall that seems to come down under its vertical load: so many times the steps, and
+// kSlowSteps at least. The load grows over a quarter of them. Before kSlowLook nothing is said
+// of blocks that are hardly loaded yet. Both are steps of fraction 1.
 constexpr double kSlowStart = 10.0, kSlowSteps = 30'000.0, kSlowLook = 2000.0;
-// Work that the load still does in the second half of a first start, as a share of the energy stored, from which a slow
-// start follows. Standing walls that have not come to rest have 0.02 or less.
+// Work that the load still does in the second half of a first start, as a share of the energy
+// stored, from which a slow start follows. Standing walls that have not come to rest have 0.02
+// or less.
 constexpr double kStillGives = 0.05;
-// Kinetic energy that no wall with an equilibrium has, as a multiple of the energy that it stores with closed joints: where
-// joints open it stores more, and at most that moves it on its way there. Soft stones between stiff joints sway slowly.
+// Kinetic energy that no wall with an equilibrium has, as a multiple of the energy that it
+// stores with closed joints: where joints open it stores more, and at most that moves it on its
+// way there. Soft stones between stiff joints sway slowly.
 constexpr double kNeverMore = 2.0; // a free choice
 // A wall that misses the accuracy is pushed again so many times slower.
 constexpr double kSlowdown = 2.0;
 // Error of the slower of two pushes, as a multiple of the change of its peak.
 constexpr double kChange =
     2.0; // a free choice: 1, if errors fall with the accuracy asked; 2.4, with its root
-// Error that no push claims to be below, as a share of the accuracy: a push does not feel at its peak what it did before.
+// Error that no push claims to be below, as a share of the accuracy: a push does not feel at
+// its peak what it did before.
 constexpr double kLeastError = 0.5;
-// Kinetic energy of a wall at rest under its vertical load, as a share of what it stores. Forces are in balance, too, in a
-// wall that comes down at a constant speed.
+// Kinetic energy of a wall at rest under its vertical load, as a share of what it stores.
+// Forces are in balance, too, in a wall that comes down at a constant speed.
 constexpr double kAtRest = 1e-3; // a free choice
+// Ratio of the ways at which a wall is looked at, so that about half of the way is known
+// wherever it ends.
+constexpr double kTrail = 1.1;
 // A way that is a sum of steps may miss a mark by this share of it.
 constexpr double kWayRounding = 1e-9;
 constexpr double kMeasuredLimit =
@@ -69,8 +78,8 @@ double settlement_of(const Snapshot& s)
     return sum / n;
 }
 
-/// How far blocks that were in contact are apart, have sunk through a joint that is crushed, or have passed through each
-/// other [m].
+/// How far blocks that were in contact are apart, have sunk through a joint that is crushed, or
+/// have passed through each other [m].
 template <class Real> double farthest_apart(const WallState<Real>& s, int lane)
 {
     double worst = 0.0;
@@ -95,10 +104,11 @@ WallRun::WallRun(const Task& task, std::size_t number, WallMaterials materials)
     result_.brittle_crushing_contacts = brittle_crushing_contacts(task.model, materials_);
 }
 
-/// This wall alone, unloaded, with a step that is stable as long as nothing opens, slips or cracks. Up to
-/// a step fraction of 1 this is proven. Above 1 the limit is measured, because the energy balance does not
-/// find every step that is too large: it misses a joint that chatters a little while it slides
-/// (bench/stability: 16 of 2400 walls). Where joints close nothing is measured: their stiffness is yet to come.
+/// This wall alone, unloaded, with a step that is stable as long as nothing opens, slips or
+/// cracks. Up to a step fraction of 1 this is proven. Above 1 the limit is measured, because
+/// the energy balance does not find every step that is too large: it misses a joint that
+/// chatters a little while it slides (bench/stability: 16 of 2400 walls). Where joints close
+/// nothing is measured: their stiffness is yet to come.
 WallState<double> WallRun::with_stable_step()
 {
     for (;;) {
@@ -156,8 +166,8 @@ template <class Real> void WallRun::begin_push(const WallState<Real>& state, int
     next_snapshot_ = task_->plan.snapshot_every;
 }
 
-/// All blocks begin with the velocities that they have in a wall in which nothing opens, slips or cracks: no wave has to
-/// pass through it first. The energy for that comes from the drive.
+/// All blocks begin with the velocities that they have in a wall in which nothing opens, slips
+/// or cracks: no wave has to pass through it first. The energy for that comes from the drive.
 template <class Real> void WallRun::set_moving(WallState<Real>& state, int lane)
 {
     const double speed = drive_.begin({.stiffness = elastic_.stiffness,
@@ -195,8 +205,9 @@ void WallRun::keep(Snapshot&& snapshot)
     spend(before - thread_seconds());
 }
 
-/// Means over intervals do not reach the turn, nor the end of a push that turns back. The last two of this way tell the
-/// point there; the forces of the moment itself ring with the drive that stops.
+/// Means over intervals do not reach the turn, nor the end of a push that turns back. The last
+/// two of this way tell the point there; the forces of the moment itself ring with the drive
+/// that stops.
 template <class Real> void WallRun::take_turn(const WallState<Real>& state, int lane)
 {
     const CurvePoint last = result_.curve.back(),
@@ -214,6 +225,15 @@ template <class Real> void WallRun::take_turn(const WallState<Real>& state, int 
     farthest_ = std::abs(p.displacement);
     result_.at_farthest =
         take_snapshot(task_->model, task_->tables, state, lane, p.displacement, p.force);
+}
+
+template <class Take> void WallRun::keep_trail(Take take)
+{
+    const double way = std::abs(drive_.position());
+    if (!trail_.empty() && way < kTrail * std::abs(trail_.back().displacement)) return;
+    trail_.push_back(take());
+    while (trail_.size() > 1 && std::abs(trail_[1].displacement) <= 0.5 * way)
+        trail_.pop_front();
 }
 
 template <class Real> void WallRun::take_point(const WallState<Real>& state, int lane)
@@ -237,6 +257,7 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     if (task_->plan.drop > 0.0 && !result_.at_drop &&
         std::abs(p.force) <= task_->plan.drop * peak_)
         result_.at_drop = snapshot();
+    if (task_->plan.drop > 0.0) keep_trail(snapshot);
     if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_ * (1.0 - kWayRounding)) {
         keep(snapshot());
         next_snapshot_ += task_->plan.snapshot_every;
@@ -244,9 +265,9 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     decided_ = task_->plan.decided && task_->plan.decided(result_.curve);
 }
 
-/// A step counts the work of the load that it began with. If the load has grown by the end of the step,
-/// half of the growth has acted as well. Without that, the energy balance would miss about one part in
-/// the number of steps of the ramp.
+/// A step counts the work of the load that it began with. If the load has grown by the end of
+/// the step, half of the growth has acted as well. Without that, the energy balance would miss
+/// about one part in the number of steps of the ramp.
 template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int lane) const
 {
     const double growth = drive_.load_factor() - load_factor_;
@@ -257,8 +278,9 @@ template <class Real> void WallRun::add_ramp_work(WallState<Real>& state, int la
     set_lane(state.work, lane, dem::lane(state.work, lane) + 0.5 * growth * work);
 }
 
-/// After a step under vertical load alone. A wall that is not at rest when the steps for it are spent seems to come down
-/// where more energy moves it than it stores, or where the load goes on doing work. A slow start follows (look), and tells.
+/// After a step under vertical load alone. A wall that is not at rest when the steps for it are
+/// spent seems to come down where more energy moves it than it stores, or where the load goes
+/// on doing work. A slow start follows (look), and tells.
 template <class Real> void WallRun::settle(WallState<Real>& state, int lane)
 {
     add_ramp_work(state, lane);
@@ -315,8 +337,9 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     recorder_.begin_way();
 }
 
-/// Whether the run can go on. The energy is looked at first, because a wall that too large a step has torn
-/// apart has not lost its equilibrium. Its balance is not finite if any number of the wall is not.
+/// Whether the run can go on. The energy is looked at first, because a wall that too large a
+/// step has torn apart has not lost its equilibrium. Its balance is not finite if any number of
+/// the wall is not.
 template <class Real> Outcome WallRun::judge(const WallState<Real>& state, int lane)
 {
     const Energy e = energy(state, lane);
@@ -368,8 +391,8 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
     return !over && result_.outcome == Outcome::reached_target;
 }
 
-/// Starts again from the unloaded wall with half the step, because the step was above the measured limit,
-/// made energy, or left a number that is not finite.
+/// Starts again from the unloaded wall with half the step, because the step was above the
+/// measured limit, made energy, or left a number that is not finite.
 void WallRun::reduce_step()
 {
     options_.step_fraction *= 0.5;
@@ -379,8 +402,8 @@ void WallRun::reduce_step()
     start_again();
 }
 
-/// Starts again from the unloaded wall under a load that grows slowly, because blocks that a quick start sets moving may
-/// go on to fall where the wall has an equilibrium.
+/// Starts again from the unloaded wall under a load that grows slowly, because blocks that a
+/// quick start sets moving may go on to fall where the wall has an equilibrium.
 void WallRun::start_slowly()
 {
     options_.preload = Preload::ramped;
@@ -391,7 +414,8 @@ void WallRun::start_slowly()
     start_again();
 }
 
-/// Reads the error of a push that is over. A slower push than another knows how much that has changed.
+/// Reads the error of a push that is over. A slower push than another knows how much that has
+/// changed.
 /// @return whether it misses the accuracy, and pushes that are left could reach it
 bool WallRun::wants_slowdown()
 {
@@ -424,6 +448,7 @@ void WallRun::start_again()
     recorder_ = Recorder(task_->plan.record_every, options_.accuracy);
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
     work_half_way_ = least_given_ = 0.0;
+    trail_.clear();
     steps_ = 0;
     decided_ = came_down_ = false;
 }
@@ -437,6 +462,7 @@ template <class Real> PushResult WallRun::finish(const WallState<Real>& state, i
                              r.curve.empty() ? dem::lane(state.top_force, lane)
                                              : r.curve.back().force);
     if (std::abs(r.at_end.displacement) >= farthest_) r.at_farthest.reset();
+    if (!r.at_drop && trail_.size() > 1) r.at_half = std::move(trail_.front());
     r.weight = dem::lane(state.laws.whole_weight, lane);
     r.softened_in_tension = static_cast<int>(dem::lane(state.softened_in_tension, lane));
     r.softened_in_shear = static_cast<int>(dem::lane(state.softened_in_shear, lane));

@@ -1,6 +1,6 @@
 #pragma once
-/// The push of one wall: its clock, its curve, its verdict. The state of the wall itself is in a lane of
-/// a batch.
+/// The push of one wall: its clock, its curve, its verdict. The state of the wall itself is in
+/// a lane of a batch.
 
 #include "dem/solver/drive.hpp"
 #include "dem/solver/push.hpp"
@@ -10,11 +10,12 @@
 #include "dem/solver/step.hpp"
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 
 namespace dem {
 
-/// What all walls of an ensemble share.
+/// Data that all walls of an ensemble share.
 struct Task {
     const Model& model;
     const StepTables& tables;
@@ -29,7 +30,7 @@ class WallRun {
     /// Puts the wall, unloaded, into its lane.
     template <class Real> void load(WallState<Real>& state, int lane);
 
-    /// What the outside does to the wall in the next step.
+    /// Action of the outside on the wall in the next step.
     struct Input {
         double load_factor, drive, held;
     };
@@ -51,6 +52,7 @@ class WallRun {
     template <class Real> void go_on(const WallState<Real>& state, int lane);
     template <class Real> void take_point(const WallState<Real>& state, int lane);
     void keep(Snapshot&& snapshot);
+    template <class Take> void keep_trail(Take take);
     template <class Real> void take_turn(const WallState<Real>& state, int lane);
     template <class Real>
     [[nodiscard]] Energy energy(const WallState<Real>& state, int lane) const;
@@ -61,7 +63,8 @@ class WallRun {
     {
         return options_.kinematics == Kinematics::finite && !drive_.settling();
     }
-    /// Whether more of the energy that the wall has taken up moves it than it stores, and weight and load gave it that.
+    /// Whether more of the energy that the wall has taken up moves it than it stores, and
+    /// weight and load gave it that.
     [[nodiscard]] bool falls(const Energy& e);
     [[nodiscard]] WallState<double> with_stable_step();
     void reduce_step();
@@ -89,14 +92,17 @@ class WallRun {
     double drive_work_ = 0.0;       ///< since the start of the push [J]
     double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]
     double next_snapshot_ = 0.0;    ///< travelled displacement at which it is due [m]
+    /// Snapshots of the wall, from 0.45 to 0.5 of its way on; each is kTrail times as far as
+    /// the one before.
+    std::deque<Snapshot> trail_;
     double least_given_ =
         0.0; ///< least work of the vertical load and self-weight in the push [J]
     double solved_energy_ =
         0.0; ///< stored under vertical load with closed joints; 0: not known [J]
     double work_half_way_ = 0.0; ///< after half the steps under vertical load [J]
     bool came_down_ = false;     ///< under its vertical load, before the push
-    /// Steps since the last restart, so that checks fall on the same steps as in a run that used the
-    /// smaller step from the beginning.
+    /// Steps since the last restart, so that checks fall on the same steps as in a run that
+    /// used the smaller step from the beginning.
     long long steps_ = 0;
     bool decided_ = false;
 };

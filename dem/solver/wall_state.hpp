@@ -1,5 +1,6 @@
 #pragma once
-/// Where the walls of a batch are and what they are made of: one array per quantity, one lane per wall.
+/// Where the walls of a batch are and what they are made of: one array per quantity, one lane
+/// per wall.
 
 #include "dem/solver/energy.hpp"
 #include "dem/solver/finite_state.hpp"
@@ -22,7 +23,7 @@ template <class Real> struct WallState {
     std::vector<Real> du;          ///< (normal, tangential) by contact; zero between steps [m]
     std::vector<Real> stress;      ///< (sigma, tau) by contact [Pa]
     std::vector<Real> u_n;         ///< by contact: opening, without what is crushed [m]
-    /// What a crack remembers besides (see CrackState).
+    /// Values that a crack remembers besides (see CrackState).
     struct Memory {
         Real u_max, bond, unloading, integrity;
     };
@@ -32,18 +33,20 @@ template <class Real> struct WallState {
         roughness; ///< by dry contact: asperities left, 1 to 0; empty where nothing can wear
     /// By dry contact, see ClosingState; empty where closure is linear.
     std::vector<Real> shear, rest;
-    /// By run of dry contacts: pressure for which the masses of its blocks are known to be enough [Pa]; or empty.
+    /// By run of dry contacts: pressure for which the masses of its blocks are known to be
+    /// enough [Pa]; or empty.
     std::vector<Real> borne;
     Real work{0.0}, friction{0.0}, fracture{0.0}, crushing{0.0},
         damping{0.0}; ///< energy so far [J]
-    /// Crack contacts that have ever lost a part of their strength but not all of it: in tension, in shear.
+    /// Crack contacts that have ever lost a part of their strength but not all of it: in
+    /// tension, in shear.
     Real softened_in_tension{0.0}, softened_in_shear{0.0};
     Real top_force{0.0};   ///< of the drive on the beam [N]
     Real base_shear{0.0};  ///< of the wall on the ground [N]
     Real load_x{0.0};      ///< horizontal part of the loads, beside the drive [N]
     Real body_factor{0.0}; ///< body force over weight [-]
-    /// By mode: forces, vertical loads, and what a body force of the weight does [sqrt(J)]; of body
-    /// forces, else empty.
+    /// By mode: forces, vertical loads, and what a body force of the weight does [sqrt(J)]; of
+    /// body forces, else empty.
     std::vector<Real> total, loaded, pull;
     FiniteState<Real> finite; ///< empty where displacements are small
     LaneLaws<Real> laws;
@@ -82,8 +85,8 @@ void set_contact(WallState<Real>& s, int k, Real u_n, Real sigma, Real tau)
     s.stress[2 * k + 1] = tau;
 }
 
-/// Crushes a contact as far as its relative displacement in this step makes it, and gives what is left of that to its
-/// law. A crack that has begun to crush has no bond left.
+/// Crushes a contact as far as its relative displacement in this step makes it, and gives what
+/// is left of that to its law. A crack that has begun to crush has no bond left.
 /// @param area over which the energy counts [m2]
 template <class Real>
 [[nodiscard]] Real crush(const CrushingLaw<Real>& law, int k, Real du_n, Real area,

@@ -76,12 +76,15 @@ def kaplan_meier(values: ArrayLike, censored: ArrayLike | None = None, confidenc
 
 @dataclass(frozen=True)
 class PerformanceLimits:
-    """Drifts that 5, 16, 50, 84 and 95 % of the walls reach, with intervals by profile likelihood. An infinite end: the data give none."""
+    """Drifts that 5, 16, 50, 84 and 95 % of the walls reach, with their intervals. An infinite end: the data give none."""
     share: numpy.ndarray
     """Of walls that have reached the limit state [-]."""
     drift: numpy.ndarray
+    """Infinite where it lies beyond the drift tested: only `lower` is known."""
     lower: numpy.ndarray
     upper: numpy.ndarray
+    tested_to: float
+    """Drift to which enough walls were tested; infinite: all of them reached the limit state."""
     dispersion: float
     """From wall to wall."""
     dispersion_interval: tuple[float, float]
@@ -97,7 +100,9 @@ class PerformanceLimits:
 
 def performance_limits(values: ArrayLike, censored: ArrayLike | None = None, law: str = "lognormal",
                        confidence: float = 0.95) -> PerformanceLimits:
-    """The row of performance_limits.csv of these walls, of the law alone: no test of fit is made.
+    """The row of performance_limits.csv of these walls, without modes and without a test of fit.
+
+    Where some of them are censored, shares above half of those reached are read from the shares observed.
 
     :raises NoFit: the walls determine no law; the text says why
     """

@@ -1,5 +1,6 @@
 #pragma once
-/// Long work beside the interpreter: other threads of Python run meanwhile, and Ctrl-C ends the work.
+/// Long work beside the interpreter: other threads of Python run meanwhile, and Ctrl-C ends the
+/// work.
 
 #include <atomic>
 #include <condition_variable>
@@ -9,12 +10,14 @@
 
 namespace bindings {
 
-/// What the work knows of the interpreter. All functions may be called from any thread.
+/// The interpreter as the work knows it. All functions may be called from any thread.
 class Caller {
   public:
-    /// Throws app::Interrupted once Python wants the work to end: Ctrl-C, or an exception in a visit.
+    /// Throws app::Interrupted once Python wants the work to end: Ctrl-C, or an exception in a
+    /// visit.
     void end_if_asked() const;
-    /// Runs `visit` in the thread that called the work, with the interpreter's lock; waits for it.
+    /// Runs `visit` in the thread that called the work, with the interpreter's lock; waits for
+    /// it.
     /// @throws app::Interrupted if Python wants the work to end
     void visit(const std::function<void()>& visit);
 
@@ -32,8 +35,8 @@ class Caller {
     std::exception_ptr error_; ///< of Python
 };
 
-/// Runs the work in a thread of its own, without the interpreter's lock. The calling thread, which has the
-/// lock before and after, looks for signals meanwhile.
+/// Runs the work in a thread of its own, without the interpreter's lock. The calling thread,
+/// which has the lock before and after, looks for signals meanwhile.
 /// @throws what Python wants to raise, such as KeyboardInterrupt; else what the work throws
 void beside_python(const std::function<void(Caller&)>& work);
 

@@ -3,6 +3,7 @@
 #include "fragility/censored_fit.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/kaplan_meier.hpp"
+#include "fragility/limit_quantiles.hpp"
 #include "fragility/observed_quantile.hpp"
 #include "fragility/performance_limits.hpp"
 #include "python/src/arrays.hpp"
@@ -41,7 +42,8 @@ fragility::Law law_named(const std::string& name)
                         " is none of lognormal, normal, weibull, gamma");
 }
 
-/// @param censored empty: all are observed; else true where the wall had not reached the limit state at its value
+/// @param censored empty: all are observed; else true where the wall had not reached the limit
+/// state at its value
 std::vector<Observation> observations(const GivenNumbers& values, const GivenFlags& censored)
 {
     if (values.ndim() != 1) throw app::BadValue("values: must have one axis");
@@ -192,17 +194,21 @@ py::dict performance_limits(const GivenNumbers& values, const GivenFlags& censor
     const std::vector<Observation> data = observations(values, censored);
     const auto limits = fragility::performance_limits(law_named(law), data, confidence);
     if (!limits.fitted) throw NoFit(limits.reason);
+    const fragility::ModeGroup walls{data, law_named(law), true};
+    const auto chosen = fragility::limit_quantiles({{walls}, true}, limits, confidence);
     const auto column = [&](auto read) {
         std::vector<double> numbers;
-        for (const fragility::DriftLimit& d : limits.drifts) numbers.push_back(read(d));
+        for (const fragility::LimitQuantile& q : chosen.at) numbers.push_back(read(q));
         return array_of(std::move(numbers));
     };
-    using Limit = fragility::DriftLimit;
+    using Limit = fragility::LimitQuantile;
     py::dict table;
-    table["share"] = column([](const Limit& d) { return d.share; });
-    table["drift"] = column([](const Limit& d) { return d.drift; });
-    table["lower"] = column([](const Limit& d) { return d.interval.lower; });
-    table["upper"] = column([](const Limit& d) { return d.interval.upper; });
+    table["share"] = column([](const Limit& q) { return q.share; });
+    table["drift"] =
+        column([](const Limit& q) { return q.value.value_or(fragility::kInfinity); });
+    table["lower"] = column([](const Limit& q) { return q.interval.lower; });
+    table["upper"] = column([](const Limit& q) { return q.interval.upper; });
+    table["tested_to"] = chosen.tested_to;
     table["dispersion"] = limits.dispersion;
     table["dispersion_interval"] =
         py::make_tuple(limits.dispersion_interval.lower, limits.dispersion_interval.upper);

@@ -33,7 +33,8 @@ struct LoadedStudy {
 
 /// @param path study file, or file of results; empty: all values are given
 /// @param overrides section.key=value
-/// @param wall wall.key=value, in the place of all that the study file says of the wall; empty: its own
+/// @param wall wall.key=value, in the place of all that the study file says of the wall; empty:
+/// its own
 /// @throws app::ConfigError, app::StoreError
 [[nodiscard]] std::shared_ptr<LoadedStudy> load_study(const std::string& path,
                                                       const std::vector<std::string>& overrides,

@@ -5,8 +5,9 @@
 
 namespace bindings {
 
-/// Python cannot make an object of this class, not even by __new__ alone: such an object would be memory in which nothing was
-/// ever put, and the first call of a method would end the process. Copies of an object are the object, which never changes.
+/// Python cannot make an object of this class, not even by __new__ alone: such an object would
+/// be memory in which nothing was ever put, and the first call of a method would end the
+/// process. Copies of an object are the object, which never changes.
 template <class Class> void make_here_alone(Class& type)
 {
     auto* const python = reinterpret_cast<PyTypeObject*>(type.ptr());

@@ -121,8 +121,9 @@ py::list read_curves(const std::string& path, const std::string& stamp)
     return curves;
 }
 
-/// Limit drifts as `drystone fragility` takes them: names of the limit states, and of each level and each
-/// state the drifts [%], those that are lower bounds, those that are drift limits, and what these are in words.
+/// Limit drifts as `drystone fragility` takes them: names of the limit states, and of each
+/// level and each state the drifts [%], those that are lower bounds, those that are drift
+/// limits, and what these are in words.
 py::tuple read_drifts(const std::string& path, const std::string& stamp,
                       const std::vector<std::string>& overrides)
 {
@@ -151,8 +152,9 @@ py::tuple read_drifts(const std::string& path, const std::string& stamp,
     return py::make_tuple(states, levels);
 }
 
-/// The walls of the audit: level, sample, |value / value of the slower push - 1| of peak force and ultimate displacement. NaN:
-/// not defined on one of both. And the study's solver error in words.
+/// The walls of the audit: level, sample, |value / value of the slower push - 1| of peak force
+/// and ultimate displacement. NaN: not defined on one of both. And the study's solver error in
+/// words.
 py::tuple read_audit(const std::string& path, const std::string& stamp)
 {
     const Hdf5Turn turn;
@@ -189,8 +191,8 @@ struct ReadingColumn {
     py::tuple taken() { return py::make_tuple(array_of(std::move(values)), censored); }
 };
 
-/// How each wall is read, in the order of read_walls: modes, ultimate displacements [m], and of each limit state the name
-/// and the drifts [%].
+/// How each wall is read, in the order of read_walls: modes, ultimate displacements [m], and of
+/// each limit state the name and the drifts [%].
 py::tuple read_readings(const std::string& path, const std::string& stamp,
                         const std::vector<std::string>& overrides)
 {

@@ -130,7 +130,7 @@ std::vector<WallOfStudy> with_study(const StudyPointer& study,
     return all;
 }
 
-/// What `drystone push` pushes, under one stress.
+/// Pushes the wall that `drystone push` pushes, under one stress.
 /// @param mean the wall of the mean values
 WallOfStudy push(const StudyPointer& study, std::optional<int> sample, bool mean,
                  const std::string& level, int threads, bool frames)

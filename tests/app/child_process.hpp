@@ -10,7 +10,8 @@
 
 namespace scenes {
 
-/// Runs `work` in a fork and never comes back from there; 0 as exit code unless it throws (1) or says so.
+/// Runs `work` in a fork and never comes back from there; 0 as exit code unless it throws (1)
+/// or says so.
 inline pid_t start_child(const std::function<int()>& work)
 {
     const pid_t child = ::fork();

@@ -27,6 +27,8 @@ inline std::vector<std::string> changed(const app::Key& key)
     case app::Kind::count:
         return {name + "=" + app::number(value > 100 ? 0.5 * value : value + 2, 6)};
     default:
+        if (name.starts_with("fragility.model_factor"))
+            return {name + "=lognormal(median 0.8, sigma_log 0.4)"};
         if (name == "fragility.limit_states") return {name + "=ec8, paper"};
         if (name == "fragility.user_states")
             return {name + "=mine: 0.5 ultimate; far: 0.6 %",

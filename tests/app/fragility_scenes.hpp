@@ -13,8 +13,8 @@ namespace scenes {
 /// One group per list of drifts; negative values: right-censored at their magnitude.
 [[nodiscard]] app::DriftData drifts(const std::vector<std::vector<double>>& groups);
 
-/// n walls of each of two stresses; friction angle 20 to 44 deg in turns, mixed below 32 deg with a drop at
-/// 15 mm and more, rocking above, stopped at 28 mm.
+/// n walls of each of two stresses; friction angle 20 to 44 deg in turns, mixed below 32 deg
+/// with a drop at 15 mm and more, rocking above, stopped at 28 mm.
 [[nodiscard]] app::StudyWalls study_walls(std::size_t n);
 
 /// Place of a column by its name.

@@ -10,7 +10,8 @@ namespace scenes {
 
 constexpr double kPagePoints = 455.24; ///< 16 cm: text of an A4 page with margins of 2.5 cm
 
-/// Signs on paper of a text: \% is one, \\ ends a line of \shortstack. @return of its longest line
+/// Signs on paper of a text: \% is one, \\ ends a line of \shortstack. @return of its longest
+/// line
 inline std::size_t latex_signs(const std::string& text)
 {
     std::string t = text;
@@ -32,7 +33,8 @@ inline std::size_t latex_signs(const std::string& text)
     return longest;
 }
 
-/// Of the widest tabular or longtable in `text` [pt], every sign as wide as a digit of 8 pt, 8 pt beside each column.
+/// Width of the widest tabular or longtable in `text` [pt], every sign as wide as a digit of 8
+/// pt, 8 pt beside each column.
 inline double widest_latex(const std::string& text)
 {
     double widest = 0.0;

@@ -1,6 +1,7 @@
 #pragma once
-/// A folder of its own in memory where there is such a thing: a test that replaces files a thousand times
-/// need not wait for the disk each time. A kill does not ask whether the disk has it either.
+/// A folder of its own in memory where there is such a thing: a test that replaces files a
+/// thousand times need not wait for the disk each time. A kill does not ask whether the disk
+/// has it either.
 
 #include <filesystem>
 #include <stdexcept>

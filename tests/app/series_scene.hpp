@@ -5,7 +5,8 @@
 
 namespace scenes {
 
-/// With a list of its files in the folder around `folder`. @throws as SeriesFolder and write_results
+/// With a list of its files in the folder around `folder`. @throws as SeriesFolder and
+/// write_results
 inline void write_series(const std::filesystem::path& folder,
                          const std::vector<dem::Snapshot>& walls)
 {

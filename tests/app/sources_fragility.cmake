@@ -1,6 +1,7 @@
 drystone_tests(app_fragility
     SOURCES
         app/fragility_scenes.cpp
+        app/test_calibration.cpp
         app/test_damage_counts.cpp
         app/test_drift_csv.cpp
         app/test_drift_limits.cpp
@@ -13,6 +14,7 @@ drystone_tests(app_fragility
         app/test_fragility_states.cpp
         app/test_fragility_study.cpp
         app/test_fragility_text.cpp
+        app/test_model_doubt.cpp
         app/test_solver_error.cpp
         fragility/test_user_limit_states.cpp
     LIBRARIES drystone_app_fragility drystone_app_verbs nlohmann_json::nlohmann_json)

@@ -4,12 +4,17 @@ set(TEST_APP_INPUT_SOURCES
     app/bad_input/studies.cpp
     app/test_bad_input.cpp
     app/test_bad_study.cpp
+    app/test_choices.cpp
     app/test_command_line.cpp
+    app/test_compare.cpp
     app/test_distribution_text.cpp
     app/test_docs.cpp
     app/test_joint_laws.cpp
+    app/test_material_presets.cpp
     app/test_needed_cracks.cpp
+    app/test_new_study.cpp
     app/test_protocol_scale.cpp
+    app/test_sheet.cpp
     app/test_study.cpp
     app/test_study_file.cpp
     app/test_study_keys.cpp

@@ -1,9 +1,11 @@
 set(TEST_APP_STUDY_SOURCES
     app/test_audit.cpp
     app/test_key_effects.cpp
+    app/store_scene.cpp
     app/test_reliability.cpp
     app/test_sample_plan.cpp
     app/test_stored_study.cpp
+    app/test_status_command.cpp
     app/test_study_identity.cpp
     app/test_study_runner.cpp
     app/test_study_stopping.cpp

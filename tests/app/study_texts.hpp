@@ -10,7 +10,41 @@
 
 namespace study_texts {
 
-/// A value for every key that can stand beside the others; it differs from the default where its law can stand beside theirs.
+/// A wall that is pushed in no time: rigid stones on a base joint, random friction, one stress.
+inline const char* const kSmallWall = R"([wall]
+length = 0.60 m
+courses = 3
+course_height = 0.10 m
+unit_length = 0.20 m
+thickness = 0.20 m
+base = joint
+unit_cracks = no
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+wall_modulus = 768 MPa
+friction_angle = normal(mean 30 deg, cov 0.1)
+[unit]
+tensile_strength = 3.7 MPa
+fracture_energy = 110 N/m
+friction_angle = 35 deg
+[beam]
+height = 0.10 m
+young_modulus = 30 GPa
+density = 2400 kg/m3
+[load]
+vertical_stress = 0.50 MPa
+max_displacement = 1 mm
+[solver]
+fidelity = rigid
+steps_per_mm = 100
+accuracy = 50 %
+)";
+
+/// A value for every key that can stand beside the others; it differs from the default where
+/// its law can stand beside theirs.
 inline const char* const kEverything = R"([wall]
 length = 120 cm
 courses = 8
@@ -154,6 +188,8 @@ bootstrap = 200
 modes = two
 rotation_share = 0.4
 cracked_units = 2
+model_factor = lognormal(median 0.8, sigma_log 0.4)
+model_factor_force = none
 )";
 
 inline app::Study read(const std::string& text, const std::vector<std::string>& overrides = {})

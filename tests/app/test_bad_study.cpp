@@ -12,7 +12,7 @@
 
 namespace {
 
-/// What reading a study text complains about; empty: nothing.
+/// Complaint on reading a study text; empty: nothing.
 std::string complaint(const std::string& text)
 {
     try {

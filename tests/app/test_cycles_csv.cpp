@@ -40,7 +40,8 @@ TEST_CASE("cycles.csv: every column in its unit and place", "[app][cyclic]")
     ledger[1] = {.friction = 2.0, .fracture = 0.5, .crushing = 0.25, .damping = 0.125};
     ledger[2] = {.friction = 5.0, .fracture = 1.5, .crushing = 1.25, .damping = 1.125};
     const std::string table = cycles_csv({a, b}, ledger);
-    // Amplitude 3 mm; damping 3 J / (pi (6 kN 4 mm + 3 kN 2 mm)) = 3.18 %; stiffness 9 kN / 6 mm, then half of it.
+    // Amplitude 3 mm; damping 3 J / (pi (6 kN 4 mm + 3 kN 2 mm)) = 3.18 %; stiffness 9 kN / 6
+    // mm, then half of it.
     CHECK(table.find("\n1,3,9,-8,3,3.18309886,1,-0.5,1.5,1,0.75,0.25,4,-2,1,2,0.5,0.25,0.125\n"
                      "2,3,9,-8,3,6.36619772,1,-0.5,0.75,0.5,0.75,0.25,4,-2,1,3,1,1,1\n") !=
           std::string::npos);

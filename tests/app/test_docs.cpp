@@ -81,7 +81,8 @@ std::vector<std::string> commands(const fs::path& page)
     return found;
 }
 
-/// What links to the headings of a page look like: lower case, blanks as hyphens, no other signs.
+/// Anchors of the headings of a page as links name them: lower case, blanks as hyphens, no
+/// other signs.
 std::set<std::string> anchors(const fs::path& page)
 {
     std::set<std::string> all;

@@ -29,7 +29,8 @@ void disturb(std::vector<Outline>& blocks, double most)
 
 constexpr app::DrawingOptions kMillimetres{.unit = 1e-3, .snap = 5e-4};
 
-/// Two stones side by side on one with a sloping top, 0.1 m from the left; the corner between them lies off it.
+/// Two stones side by side on one with a sloping top, 0.1 m from the left; the corner between
+/// them lies off it.
 std::vector<app::DrawnBlock> on_a_slope(double off)
 {
     const auto top = [](double x) { return 0.1 + 0.07 * x; };

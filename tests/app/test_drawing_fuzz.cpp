@@ -94,7 +94,7 @@ void mutate(std::string& bytes, std::mt19937& random)
     }
 }
 
-/// What every drawing that was read promises.
+/// Checks the promises of every drawing that was read.
 void check_promises(const app::Drawing& drawing)
 {
     double left = 1e9, bottom = 1e9;

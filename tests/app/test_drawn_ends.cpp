@@ -67,7 +67,7 @@ bool has_note(const app::Study& study, const std::string& text)
     return false;
 }
 
-/// What is said of a study of one block with these lines more in [wall].
+/// Refusal of a study of one block with these lines more in [wall].
 std::string refusal_of(const std::string& wall, const std::string& file = "w.json")
 {
     const scenes::TemporaryFolder folder;

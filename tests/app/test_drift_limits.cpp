@@ -16,7 +16,8 @@ namespace {
 
 const char* const kMedian = "median drift [%]";
 
-/// Walls of one stress: this many at each drift limit, and others with drifts of their own (negative: stopped there).
+/// Walls of one stress: this many at each drift limit, and others with drifts of their own
+/// (negative: stopped there).
 app::DriftData limited(const std::vector<std::pair<double, int>>& limits,
                        const std::vector<double>& others = {})
 {
@@ -35,7 +36,7 @@ TEST_CASE("drift limits: a drift limit of the code is a plain number in every ou
 {
     const app::DriftData data = limited({{1.0, 20}});
     const app::Table t = app::performance_table(data);
-    CHECK(cell(t, 0, "note") == "1.00 % (limit of the code, 20 of 20 walls).");
+    CHECK(cell(t, 0, "note") == "cap of the code (1.00 %): 100 % of walls.");
     CHECK(cell(t, 0, "drifts from") == "limit");
     for (const char* const share : {"5 % drift [%]", kMedian, "95 % drift [%]"})
         CHECK(cell(t, 0, share) == "1.00");
@@ -50,7 +51,7 @@ TEST_CASE("drift limits: a drift limit of the code is a plain number in every ou
         CHECK(scenes::sound(other));
     }
     CHECK(cell(app::stress_table(data), 0, "note").starts_with("No model: a drift limit"));
-    CHECK(app::pelicun_csv(data).find("ntc SLC: 1.00 % (limit of the code, 20 of 20 walls)") !=
+    CHECK(app::pelicun_csv(data).find("ntc SLC: cap of the code (1.00 %): 100 % of walls") !=
           std::string::npos);
 }
 
@@ -64,7 +65,8 @@ TEST_CASE("drift limits: two limits of the code have their counts, and no interv
     REQUIRE(pictures.size() == 2);
     CHECK(pictures[0].title.ends_with("left out, since it reached drift limits alone: " +
                                       both.groups[0].name));
-    CHECK(cell(t, 0, "note") == "0.500 % of 10, 1.00 % of 40 walls (limit of the code).");
+    CHECK(cell(t, 0, "note") ==
+          "cap of the code (0.500 %): 20 % of walls, (1.00 %): 80 % of walls.");
     CHECK(cell(t, 0, "5 % drift [%]") == "0.500");
     CHECK(cell(t, 0, kMedian) == "1.00");
     CHECK(cell(t, 0, "95 % drift [%]") == "1.00");
@@ -76,9 +78,8 @@ TEST_CASE("drift limits: where some walls fell before the limit of the code, dri
 {
     const app::DriftData data = limited({{1.0, 12}}, {0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9});
     const app::Table t = app::performance_table(data);
-    CHECK(cell(t, 0, "note") ==
-          "1.00 % (limit of the code, 12 of 20 walls); 8 of 20 fell before: "
-          "the drifts are those observed (Kaplan-Meier), no law.");
+    CHECK(cell(t, 0, "note") == "cap of the code (1.00 %): 60 % of walls; 8 of 20 fell before: "
+                                "the drifts are those observed (Kaplan-Meier), no law.");
     CHECK(cell(t, 0, "drifts from") == "observed");
     CHECK(cell(t, 0, "16 % drift [%]").starts_with("0.600 [")); // fourth of twenty
     CHECK(cell(t, 0, kMedian) == "1.00");
@@ -90,7 +91,7 @@ TEST_CASE("drift limits: a wall pushed too little for the limit of the code has 
           "[app][drift_limits]")
 {
     const app::Table t = app::performance_table(limited({{1.0, 3}}, {-0.6, -0.6}));
-    CHECK(cell(t, 0, "note") == "1.00 % (limit of the code, 3 of 5 walls).");
+    CHECK(cell(t, 0, "note") == "cap of the code (1.00 %): 60 % of walls.");
     CHECK(cell(t, 0, "censored [%]") == "40");
     CHECK(cell(t, 0, kMedian) == "1.00");
 }
@@ -100,7 +101,7 @@ TEST_CASE("drift limits: the user's limit is not called the code's", "[app][drif
     app::DriftData data = limited({{2.0, 4}});
     data.states[0] = {"user", "far", "at most 2 % drift"};
     CHECK(cell(app::performance_table(data), 0, "note") ==
-          "2.00 % (limit given, 4 of 4 walls).");
+          "limit given (2.00 %): 100 % of walls.");
 }
 
 TEST_CASE(

@@ -84,7 +84,8 @@ TEST_CASE("dxf drawing: an entity seen from behind is mirrored", "[app][dxf_draw
 
 TEST_CASE("dxf drawing: a portal drawn by others reads unedited", "[app][dxf_drawing]")
 {
-    // Drawings of other programs are not part of this repository: their folder is named by the environment.
+    // Drawings of other programs are not part of this repository: their folder is named by the
+    // environment.
     const char* folder = std::getenv("DRYSTONE_DRAWINGS");
     if (folder == nullptr) return;
     const app::Drawing drawing =

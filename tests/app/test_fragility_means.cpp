@@ -153,7 +153,8 @@ TEST_CASE(
 {
     std::vector<fragility::Observation> walls;
     for (int i = 1; i <= 20; ++i) walls.push_back(fragility::observed(i));
-    // ranks 6 and 15 of 20 hold the median in 95.9 of 100 samples (Conover, Practical Nonparametric Statistics, table A3)
+    // ranks 6 and 15 of 20 hold the median in 95.9 of 100 samples (Conover, Practical
+    // Nonparametric Statistics, table A3)
     CHECK(app::cell_text(app::median_cell(walls, 0.95, 1)) == "10.0 [6.0, 15.0]");
     CHECK(app::cell_text(app::median_cell({}, 0.95, 1)).empty());
     // pushes to one target end a rounding apart

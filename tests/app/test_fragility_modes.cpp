@@ -37,7 +37,7 @@ TEST_CASE(
 {
     const std::size_t failed = GENERATE(std::size_t{0}, std::size_t{3});
     app::StudyWalls walls = scenes::study_walls(8);
-    walls.study.fragility.mode.modes = dem::ModeRule::three;
+    walls.study.fragility.mode.modes = dem::ModeRule::mechanism;
     walls.levels[0].failed_walls.resize(failed);
     const app::Table modes = app::mode_table(walls), means = app::mean_table(walls),
                      summary = app::summarise(walls).table;
@@ -171,10 +171,10 @@ TEST_CASE("fragility modes: walls that slid whole count as rocking and are told 
     CHECK(t.caption.find(
               "a stone cracked through and less than 0.5 of the movement is rotation") !=
           std::string::npos);
-    walls.study.fragility.mode = {0.4, 0, dem::ModeRule::two};
+    walls.study.fragility.mode = {0.4, 0, dem::ModeRule::paper};
     CHECK(app::mode_table(walls).caption.find("80 % of the peak, or less than 0.4") !=
           std::string::npos);
-    walls.study.fragility.mode = {0.4, 3, dem::ModeRule::two};
+    walls.study.fragility.mode = {0.4, 3, dem::ModeRule::paper};
     CHECK(app::mode_table(walls).caption.find("3 stones cracked through") != std::string::npos);
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("fragility modes: three modes have their shares, their angles and thei
           "[app][fragility_modes]")
 {
     app::StudyWalls walls = scenes::study_walls(20);
-    walls.study.fragility.mode.modes = dem::ModeRule::three;
+    walls.study.fragility.mode.modes = dem::ModeRule::mechanism;
     for (app::StudyLevel& level : walls.levels)
         for (app::StudyWall& w : level.walls) {
             w.reading.dropped = false;

@@ -62,23 +62,26 @@ TEST_CASE("fragility output: no table in LaTeX is wider than an A4 page",
     }
 }
 
-TEST_CASE(
-    "fragility output: README.md begins with the performance limits and the shares of modes, "
-    "which alone stand beside it",
-    "[app][fragility_output]")
+TEST_CASE("fragility output: README.md begins with the answer, then the drift limits and the "
+          "shares of "
+          "modes, which alone stand beside it",
+          "[app][fragility_output]")
 {
     const scenes::TemporaryFolder folder;
     app::write_output(folder.path, app::study_output(scenes::study_walls(30)));
     const std::string text = scenes::read_text(folder.path / "README.md");
-    const auto limits = text.find("| stress [MPa] |"), modes = text.find("Shares of the modes"),
-               files = text.find("## Files");
+    const auto answer = text.find("## The answer: "), first = text.find("## "),
+               limits = text.find("Drifts at which 5 to 95 %"),
+               modes = text.find("Shares of the modes"), files = text.find("## Files");
     REQUIRE(limits != std::string::npos);
+    CHECK(answer == first);
+    CHECK(answer < limits);
     CHECK(limits < modes);
     CHECK(modes < files);
     std::size_t top = 0;
     for (const auto& entry : fs::directory_iterator(folder.path))
         top += entry.is_regular_file() ? 1 : 0;
-    CHECK(top == 10); // README.md, two tables in three forms, JSON, pelicun, list of files
+    CHECK(top == 16); // README.md, four tables in three forms, JSON, pelicun, list of files
 }
 
 TEST_CASE("fragility output: a full disk leaves no index of tables that are not there",

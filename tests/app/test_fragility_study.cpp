@@ -33,8 +33,8 @@ struct File {
     fs::path path = folder.path / "study.h5";
 };
 
-/// A study of 3 walls under each of two stresses, or the first of its shards, of which `walls` were
-/// run, or as many as there are.
+/// A study of 3 walls under each of two stresses, or the first of its shards, of which `walls`
+/// were run, or as many as there are.
 void run_study(const fs::path& path, std::size_t walls, std::uint32_t shards = 1)
 {
     const app::Study s = study_scenes::study("samples = 3");

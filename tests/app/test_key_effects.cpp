@@ -191,7 +191,8 @@ Study read(const std::string& text, const std::vector<std::string>& overrides = 
         app::with_overrides(app::parse_study_text("study.ini", text), overrides));
 }
 
-/// Every number that a push of the first sample gives, under all stress levels, and how the stones of the second lie.
+/// Every number that a push of the first sample gives, under all stress levels, and how the
+/// stones of the second lie.
 std::vector<double> outputs(const Study& s)
 {
     const dem::Model model = app::model_of(s);
@@ -264,8 +265,8 @@ const std::map<std::string_view, std::string> kOthers = {
     {"uq.pearson", "joint.friction_angle joint.stiffness_factor 0.5"},
 };
 
-/// Limits act once they are reached, which no study can tell before its push: they must change one of
-/// the scenes, and need not be named where they change nothing.
+/// Limits act once they are reached, which no study can tell before its push: they must change
+/// one of the scenes, and need not be named where they change nothing.
 const std::set<std::string_view> kLimits = {"load.stop_below",          "solver.preload_steps",
                                             "solver.preload_unbalance", "solver.steps_per_mm",
                                             "solver.unbalance_limit",   "solver.min_speed"};

@@ -1,4 +1,5 @@
-/// Units that need no cracks, because a coarse push shows that they stay far below their strength.
+/// Units that need no cracks, because a coarse push shows that they stay far below their
+/// strength.
 
 #include "app/input/needed_cracks.hpp"
 #include "app/input/unit_cracks.hpp"

@@ -24,7 +24,8 @@ constexpr int kWhite = 0xffffff;
 
 using SideKey = std::tuple<double, double, double, double>;
 
-/// Every side is a side of another block too, to the bit, or lies on the frame: all there is of it.
+/// Every side is a side of another block too, to the bit, or lies on the frame: all there is of
+/// it.
 void check_fills(const app::Drawing& drawing, double width, double height)
 {
     std::map<SideKey, int> sides;
@@ -325,7 +326,8 @@ TEST_CASE("picture drawing: pictures of no wall are refused", "[app][picture_dra
 TEST_CASE("picture drawing: a rubble wall drawn by others becomes a wall",
           "[app][picture_drawing]")
 {
-    // Drawings of other programs are not part of this repository: their folder is named by the environment.
+    // Drawings of other programs are not part of this repository: their folder is named by the
+    // environment.
     const char* folder = std::getenv("DRYSTONE_DRAWINGS");
     if (folder == nullptr) return;
     const app::Drawing wall = app::read_drawing(std::filesystem::path(folder) / "WR1_100.png",
@@ -340,7 +342,8 @@ TEST_CASE("picture drawing: bed joints are level where head joints meet them, ho
           "[app][picture_drawing]")
 {
     constexpr int kLength = 100, kHeight = 50; // of a stone [pixels]
-    // the last course has its head joints 15 pixels beside those below, within the width of the mortar
+    // the last course has its head joints 15 pixels beside those below, within the width of the
+    // mortar
     for (const int mortar : {2, 4, 8, 20}) {
         INFO(mortar);
         Pixels picture = pixels(300, 200);
@@ -406,7 +409,8 @@ TEST_CASE("picture drawing: rubble in wide mortar fills the picture, and nothing
 
 namespace {
 
-/// How a program makes one pixel of two: weights of the six around the middle, and whether it mixes light.
+/// How a program makes one pixel of two: weights of the six around the middle, and whether it
+/// mixes light.
 struct Halving {
     std::array<double, 3> weights; ///< from the middle outwards, of either side
     bool light = false;
@@ -442,8 +446,8 @@ Pixels halved(const Pixels& large, const Halving& by)
     return small;
 }
 
-/// Stones in courses, each in a colour of its own, twice as large as the picture will be: their edges at even and at odd
-/// pixels. @param mortar [pixels]
+/// Stones in courses, each in a colour of its own, twice as large as the picture will be: their
+/// edges at even and at odd pixels. @param mortar [pixels]
 Pixels coloured_courses(int mortar)
 {
     constexpr int kHeights[] = {61, 58, 63, 60, 58};
@@ -484,7 +488,8 @@ TEST_CASE("picture drawing: smooth edges of coloured stones are no stones",
             INFO(mortar << ' ' << halving.weights[0] << ' ' << halving.light);
             const std::string bytes = png_bytes(halved(large, halving));
             if (mortar == 1 && halving.weights[0] == kSharpened.weights[0]) {
-                // mortar of half a pixel, darker and brighter than it is: what it is nobody can tell
+                // mortar of half a pixel, darker and brighter than it is: what it is nobody can
+                // tell
                 CHECK(scenes::refusal("w.png", bytes, options)
                           .find("paint them without smooth edges") != std::string::npos);
                 continue;

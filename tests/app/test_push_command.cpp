@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 
 #include "scenes/temporary_folder.hpp"
+#include "scenes/terminal.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -24,19 +25,7 @@ struct Written {
     std::string terminal;
 };
 
-/// What is written to std::cout meanwhile.
-class Terminal {
-  public:
-    Terminal() : screen_(std::cout.rdbuf(text_.rdbuf())) {}
-    ~Terminal() { std::cout.rdbuf(screen_); }
-    Terminal(const Terminal&) = delete;
-    Terminal& operator=(const Terminal&) = delete;
-    [[nodiscard]] std::string text() const { return text_.str(); }
-
-  private:
-    std::ostringstream text_;
-    std::streambuf* screen_;
-};
+using scenes::Terminal;
 
 Written push(const std::string& study, const fs::path& out, std::vector<std::string> overrides,
              int threads = 1, bool film = false)

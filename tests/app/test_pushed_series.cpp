@@ -34,7 +34,7 @@ const Overrides kSmall = {"wall.length=0.6 m",         "wall.courses=3",
                           "solver.contact_points=2",   "solver.steps_per_mm=500",
                           "load.max_displacement=2 mm"};
 
-/// Those of `base`, but for keys that `more` has.
+/// Overrides of `base`, but for keys that `more` has.
 Overrides with(Overrides more, const Overrides& base = kSmall)
 {
     const auto key = [](const std::string& text) { return text.substr(0, text.find('=')); };

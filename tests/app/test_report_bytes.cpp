@@ -19,7 +19,7 @@ std::string base64_of(const std::string& text)
     return app::base64(bytes);
 }
 
-/// What the page does.
+/// Sums the bytes as the page does.
 std::vector<int> sums(const std::vector<std::uint8_t>& bytes, std::size_t length, int order)
 {
     const std::size_t n = bytes.size() / 2;

@@ -70,7 +70,7 @@ TEST_CASE("report fragility: a drift limit of the code is said in words and has 
     for (int i = 0; i < 20; ++i)
         data.groups[0].walls.push_back({-1, {fragility::Observation{1.0, 1.0, 1.0, true}}});
     const auto curve = app::fragility_json(data)[0]["curves"][0];
-    CHECK(curve["limit"] == "1.00 % (limit of the code, 20 of 20 walls)");
+    CHECK(curve["limit"] == "cap of the code (1.00 %): 100 % of walls");
     CHECK(curve["steps"].empty());
     CHECK_FALSE(curve.contains("least"));
     CHECK(curve["fitted"] == false);

@@ -1,6 +1,10 @@
+#include "app/fragility/answer_table.hpp"
+#include "app/fragility/model_doubt.hpp"
+#include "app/fragility_scenes.hpp"
 #include "app/input/limit_state_text.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/study_scenes.hpp"
+#include "app/text/number_text.hpp"
 #include "app/wall_scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -45,8 +49,10 @@ TEST_CASE("report overview: the lowest and the highest stress are set side by si
 {
     const app::Overview six = app::overview(two_stresses(6));
     REQUIRE(six.found.size() == 3);
-    CHECK(six.found[2].starts_with("How a wall failed: Mixed: a stone cracked through, and the "
-                                   "force first comes down to 80 % of the peak "));
+    CHECK(
+        six.found[2].starts_with("How a wall failed: Rocking: at least 0.5 of the movement is "
+                                 "rotation of the beam, whatever cracked. Otherwise mixed: a "
+                                 "stone cracked through. "));
     CHECK(six.lead ==
           "From 0.50 MPa to 1.00 MPa, the mean peak force goes from 40.0 to 80.0 kN, "
           "the share of walls that rocked from 100 to 0 %, and the share that lost 20 % of "
@@ -73,34 +79,84 @@ TEST_CASE("report overview: walls that still stood are told once", "[app][report
     }
 }
 
-TEST_CASE("report answers: medians of the observed shares, codes' limits as plain numbers",
-          "[app][report_overview]")
+TEST_CASE("report answers: drift limits of one further wall, codes' caps in words",
+          "[app][report_overview][answer_table]")
 {
     app::StudyWalls study = one_stress();
     study.height = 1.0;
-    const auto cell = [&] {
-        return app::answers_json(study, app::drift_data(study))["rows"][0][2]
-            .get<std::string>();
+    study.study.fragility.model_factor = "lognormal(median 1, sigma_log 0.4)";
+    const auto row = [&] {
+        return app::answers_json(study, app::drift_data(study))["rows"][0]
+            .get<std::vector<std::string>>();
     };
     auto& walls = study.levels[0].walls;
     for (std::uint32_t i = 0; i < 9; ++i) // 1.0, 1.1, ... 1.8 %
         walls.push_back(scenes::read_wall({0, i}, 80e3, 0.010 + 0.001 * i, false));
-    CHECK(cell().starts_with("1.40 [1."));
-    for (app::StudyWall& w : walls) w.reading.limits[0].displacement = 0.01;
-    CHECK(cell().starts_with("1.00 [")); // bit-equal drifts are no limit of a code
+    REQUIRE(row().size() == 5);
+    CHECK(row()[0] == "1");
+    CHECK(row()[1].starts_with("80.0"));
+    CHECK(row()[2] == "mixed");
+    // ln drift: sd 0.189, its mean 0.189 / 3 = 0.063, model 0.4: in all 0.447
+    CHECK(row()[3] == "1.38 (0.88 to 2.15)"); // 1.376 exp(-+ 0.9945 0.447)
+    CHECK(row()[4] ==
+          "only 9 walls; factor 1.6 either way: model 0.40, material 0.19, sampling 0.06");
     const auto limit = [](app::StudyWall& w, double at) {
         w.reading.limits[0] = {at, fragility::Reading::observed, fragility::kNtcLimitGoverns};
     };
     for (app::StudyWall& w : walls) limit(w, 0.01);
-    CHECK(cell() == "1.00 (9 of 9)");
+    CHECK(row()[3] == "cap of the code (1.00 %): 100 % of walls");
+    CHECK(row()[4] == "only 9 walls");
     for (std::size_t i = 0; i < 3; ++i) limit(walls[i], 0.005);
-    CHECK(cell() == "0.50 (3), 1.00 (6 of 9)");
+    CHECK(row()[3] == "cap of the code (0.500 %): 33.3 % of walls, (1.00 %): 66.7 % of walls");
     for (std::size_t i = 0; i < 5; ++i)
         walls[i].reading.limits[0] = {0.0272, fragility::Reading::censored, {}};
-    CHECK(cell() == "> 2.72");
-    const auto row = app::answers_json(study, app::drift_data(study))["rows"][0];
-    CHECK(row.front() == "1.00 MPa");
-    CHECK(row.back() == "mixed");
+    // 4 of 9 fell there: the lower end of the interval
+    CHECK(row()[3] == "> 1.00; cap of the code (1.00 %): 44.4 % of walls");
+    CHECK(row()[4] == "only 9 walls; 5 of 9 walls stood to the end of the push");
+    walls[0].reading.mode = dem::FailureMode::rocking;
+    CHECK(row()[2] == "mixed 89 %, rocking 11 %");
+}
+
+TEST_CASE("answer table: beyond the drift tested there is a bound", "[app][answer_table]")
+{
+    app::StudyWalls study = one_stress();
+    study.height = 1.0;
+    study.study.fragility.model_factor = "none";
+    auto& walls = study.levels[0].walls;
+    for (std::uint32_t i = 0; i < 20; ++i) // 2 fell, 18 stood at 2.72 %
+        walls.push_back(scenes::read_wall({0, i}, 80e3, 0.020, false));
+    for (std::size_t i = 2; i < 20; ++i)
+        walls[i].reading.limits[0] = {0.0272, fragility::Reading::censored, {}};
+    study.levels[0].missing = 3;
+    const app::Table t = app::answer_table(study, app::drift_data(study));
+    CHECK(scenes::cell(t, 0, "paper ultimate drift [%]") == "> 2.72");
+    CHECK(scenes::cell(t, 0, "how sure") ==
+          "18 of 20 walls stood to the end of the push; 3 walls not run");
+}
+
+TEST_CASE("answer table: a drift that hangs on what lies beyond stands between its bounds",
+          "[app][answer_table][model_doubt]")
+{
+    app::StudyWalls study = one_stress();
+    study.height = 1.0;
+    study.study.fragility.model_factor = "lognormal(median 1, sigma_log 0.4)";
+    auto& walls = study.levels[0].walls;
+    for (std::uint32_t i = 0; i < 20; ++i) // 16 fell at 1.00, 1.05, ... %, 4 stood at 2.72 %
+        walls.push_back(scenes::read_wall({0, i}, 80e3, 0.010 + 0.0005 * i, false));
+    for (std::size_t i = 16; i < 20; ++i)
+        walls[i].reading.limits[0] = {0.0272, fragility::Reading::censored, {}};
+    const app::DriftData data = app::drift_data(study);
+    const auto limit = app::doubted_limit(data, 0, 0);
+    REQUIRE(limit);
+    const auto& median = limit->quantiles[1];
+    REQUIRE(std::isfinite(median.upper));
+    REQUIRE(median.upper > median.lower + 0.01);
+    const std::string cell =
+        scenes::cell(app::answer_table(study, data), 0, "paper ultimate drift [%]");
+    CHECK(cell.starts_with(app::fixed(median.lower, 2) + "–" + app::fixed(median.upper, 2)));
+    const app::Table table = app::drift_doubt_table(data);
+    CHECK(scenes::cell(table, 0, "median drift [%]") ==
+          app::fixed(median.lower, 2) + " to " + app::fixed(median.upper, 2));
 }
 
 TEST_CASE("report overview: walls that slid whole are counted apart", "[app][report_overview]")

@@ -23,7 +23,7 @@ using scenes::read_text;
 
 const std::string kWall = std::string(DRYSTONE_SOURCE_DIR) + "/configs/wall.ini";
 
-/// What a command writes on a stream.
+/// Text that a command writes on a stream.
 template <class Run> std::string said(std::ostream& stream, Run run)
 {
     std::ostringstream text;

@@ -32,7 +32,8 @@ app::StudyWalls with_errors(std::size_t n)
     return walls;
 }
 
-/// The first `n` walls of each level were pushed again: their force is lower by 1 %, and they fell 2 % earlier.
+/// The first `n` walls of each level were pushed again: their force is lower by 1 %, and they
+/// fell 2 % earlier.
 void add_audit(app::StudyWalls& walls, std::size_t n)
 {
     walls.head.levels = {{0.5e6, 50}, {1e6, 50}, {0.5e6, 8, 4}, {1e6, 8, 4}};

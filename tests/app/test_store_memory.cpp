@@ -39,7 +39,8 @@ void add_walls(Store& store, std::uint32_t first, std::uint32_t last)
 
 } // namespace
 
-// A known defect since layout 2: some 165 MB instead of 25 (docs/store.md). Whoever mends it takes the mark away.
+// A known defect since layout 2: some 165 MB instead of 25 (docs/store.md). Whoever mends it
+// takes the mark away.
 TEST_CASE("store: 100 000 walls are written, compacted several times and read in flat memory",
           "[app][store_memory][slow][!shouldfail]")
 {

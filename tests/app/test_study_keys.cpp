@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
@@ -74,7 +75,8 @@ TEST_CASE("study keys: examples and defaults are values of their keys", "[app][s
     }
 }
 
-TEST_CASE("study keys: a named value is read and written by its name", "[app][study_keys]")
+TEST_CASE("study keys: a named value is read and written by its name, one of two by the first",
+          "[app][study_keys]")
 {
     for (const Key& key : study_keys()) {
         for (const app::Named& name : key.names) {
@@ -82,7 +84,8 @@ TEST_CASE("study keys: a named value is read and written by its name", "[app][st
             app::Study study;
             key.field.set(study, app::parse_value(key, name.word));
             CHECK(key.field.get(study).front() == name.value);
-            CHECK(app::value_text(key, study) == name.word);
+            const auto first = std::ranges::find(key.names, name.value, &app::Named::value);
+            CHECK(app::value_text(key, study) == first->word);
         }
     }
 }

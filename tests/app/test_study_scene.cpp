@@ -1,4 +1,4 @@
-/// What a study hands to the solver.
+/// Tests of the scene that a study hands to the solver.
 
 #include "app/input/study.hpp"
 #include "app/study_texts.hpp"
@@ -253,7 +253,8 @@ TEST_CASE(
 
 TEST_CASE("study: body forces of a gable push at its own centre of gravity", "[app][study]")
 {
-    // a square of 1 m under a triangle of 1 m x 0.6 m: 1 m2 around 0.5 m and 0.3 m2 around 1.2 m
+    // a square of 1 m under a triangle of 1 m x 0.6 m: 1 m2 around 0.5 m and 0.3 m2 around 1.2
+    // m
     const app::Study gable = read(R"([wall]
 outlines = 0 0, 1 0, 1 1, 0 1; 0 1, 1 1, 0.5 1.6
 thickness = 0.2 m

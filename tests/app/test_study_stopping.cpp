@@ -11,7 +11,8 @@
 
 namespace {
 
-/// Walls that fall at 10.0, 10.1, ... mm, and walls that stand at the end of the push, at 30 mm.
+/// Walls that fall at 10.0, 10.1, ... mm, and walls that stand at the end of the push, at 30
+/// mm.
 app::StudyWalls walls_of(int fell, int stood, std::string_view response, double half_width)
 {
     app::StudyWalls study;

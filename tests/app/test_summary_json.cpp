@@ -318,7 +318,8 @@ TEST_CASE("summary: hand checks of body forces are those of a rigid wall",
     w.loads.gravity = 10.0;
     w.result.weight = 4.5e3;
     const Json j = Json::parse(app::summary_json(study, w)).at("hand_checks");
-    // Nine courses of 0.4 kN that can turn, and a beam of 0.5 kN: f = 4.1 * 0.5 / (3.6 * 0.45 + 0.5 * 0.95)
+    // Nine courses of 0.4 kN that can turn, and a beam of 0.5 kN: f = 4.1 * 0.5 / (3.6 * 0.45 +
+    // 0.5 * 0.95)
     const double f = 2.05 / (3.6 * 0.45 + 0.5 * 0.95);
     CHECK(j.at("rigid_rocking_limit_kN").get<double>() == Approx(4.5 * f));
     CHECK(j.at("sliding_limit_kN").get<double>() ==

@@ -19,7 +19,7 @@ namespace {
 const std::vector<double> kAt = {0.0, 0.005, 0.010, 0.020};
 const std::vector<double> kForce = {0.0, 40e3, 50e3, 30e3};
 
-/// Of a small study with some keys changed.
+/// Reading rules of a small study with some keys changed.
 app::ReadingRules rules(const std::vector<std::string>& overrides = {})
 {
     return app::reading_rules(app::read_study(app::with_overrides(
@@ -135,7 +135,8 @@ TEST_CASE("wall reading: a push to the left is read like one to the right",
 TEST_CASE("wall reading: a push that turns back is read on its backbones, by direction",
           "[app][wall_reading]")
 {
-    // right: 50 kN at 2 mm, 45 when it is there again, 38 at 4 (below 80 %); left: 40 kN at 2, 36 at 4, where it ends
+    // right: 50 kN at 2 mm, 45 when it is there again, 38 at 4 (below 80 %); left: 40 kN at 2,
+    // 36 at 4, where it ends
     const std::vector<double> at = {0,     0.001, 0.002, 0,      -0.001, -0.002, 0,
                                     0.002, 0.004, 0,     -0.002, -0.004, 0},
                               force = {0,    40e3, 50e3, -9e3,  -35e3, -40e3, 9e3,

@@ -1,6 +1,6 @@
 #pragma once
-/// A number that counts what is done with it: the laws and the step written for it do what they do
-/// for doubles, and say how much that was.
+/// A number that counts what is done with it: the laws and the step written for it do what they
+/// do for doubles, and say how much that was.
 
 #include "dem/contact/pack.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace counting {
 
-/// Of everything done since the start.
+/// Number of operations done since the start.
 inline long long operations = 0;
 
 struct Mask {

@@ -43,7 +43,8 @@ TEST_CASE(
         CHECK(bench::accuracy_scene(1, k).text == scene.text);
         CHECK(bench::accuracy_scene(2, k).text != scene.text);
     }
-    // Of g++ on x86-64, where it was drawn first: references in files are found by such sums.
+    // The sum of g++ on x86-64, where the scenes were drawn first: references in files are
+    // found by such sums.
     CHECK(app::check_sum(all) == "d7ceaa0d847dbd59");
 }
 

@@ -12,7 +12,8 @@
 
 namespace {
 
-/// Walls under 0.5 and 1.0 MPa that come down to 80 % at these displacements [mm]; negative: that stood there.
+/// Walls under 0.5 and 1.0 MPa that come down to 80 % at these displacements [mm]; negative:
+/// that stood there.
 bench::LawStudy study_of(const std::vector<double>& drops_mm, double peak_kN)
 {
     bench::LawStudy s{scenes::study_walls(drops_mm.size()),

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-/// What is counted here is the step of small displacements under a load on the beam.
+/// Only the step of small displacements under a load on the beam is counted here.
 template <>
 void dem::finite_step(const StepTables&, const SolverOptions&,
                       const StepInput<counting::Counted>&, WallState<counting::Counted>&)
@@ -77,7 +77,7 @@ dem::WallState<Counted> counted(const dem::WallState<double>& s)
     return c;
 }
 
-/// What a step does, counted while it is done.
+/// Operations of a step, counted while it is done.
 long long operations_of_a_step(const scenes::Scene& scene, const dem::Discretisation& d)
 {
     const dem::Model model = scenes::model_of(scene, d);

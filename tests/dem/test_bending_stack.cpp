@@ -32,7 +32,8 @@ scenes::Scene stack(double kn)
     return s;
 }
 
-/// Force for a unit displacement of the load line [N/m]: a cantilever after Timoshenko with a spring in each joint.
+/// Force for a unit displacement of the load line [N/m]: a cantilever after Timoshenko with a
+/// spring in each joint.
 double closed_form(const scenes::Scene& s)
 {
     const double length = s.wall.length, area = length * s.wall.thickness,

@@ -186,7 +186,8 @@ TEST_CASE("block modes: without a dense matrix the same modes are found as with 
         REQUIRE(sparse.phi.cols() == dense.phi.cols());
         CHECK(largest(sparse.lambda - dense.lambda) <
               1e-7 * std::max(1.0, largest(dense.lambda)));
-        // equal up to the signs and the turning of modes of one stiffness: what they span is the same
+        // equal up to the signs and the turning of modes of one stiffness: what they span is
+        // the same
         const MatrixXd metric = dem::contact_metric(spec, c);
         const MatrixXd across = dense.phi.transpose() * metric * sparse.phi;
         CHECK(largest(across * across.transpose() -

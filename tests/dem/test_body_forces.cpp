@@ -1,5 +1,5 @@
-/// Walls that horizontal forces in proportion to their weight push, against closed forms and published
-/// values.
+/// Walls that horizontal forces in proportion to their weight push, against closed forms and
+/// published values.
 
 #include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
@@ -118,9 +118,9 @@ TEST_CASE("body forces: what has no weight cannot be pushed by them", "[dem][bod
                       Catch::Contains("density and gravity"));
 }
 
-// Portioli (2020) and Portioli et al. (2021), read off a figure: 0.64 at 0, 0.56 at 0.06 m, 0.49 at 0.10 m,
-// zero at 0.37 m. tests/dem/sequential_limit.py, rigid blocks by linear programming in steps of 0.1 mm: 0.643,
-// 0.556, 0.505, at 0.20 m 0.359, zero at 0.404 m.
+// Portioli (2020) and Portioli et al. (2021), read off a figure: 0.64 at 0, 0.56 at 0.06 m,
+// 0.49 at 0.10 m, zero at 0.37 m. tests/dem/sequential_limit.py, rigid blocks by linear
+// programming in steps of 0.1 mm: 0.643, 0.556, 0.505, at 0.20 m 0.359, zero at 0.404 m.
 TEST_CASE("body forces: wall 1 of Ferris and Tin-Loi loses its load as published up to 0.1 m, "
           "and beyond as rigid blocks do",
           "[dem][body_forces][slow]")

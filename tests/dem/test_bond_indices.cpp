@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Of the paper's wall, with whole units.
+/// Bond indices of the paper's wall, with whole units.
 dem::BondIndices indices_of(double bond_offset, int courses = 10)
 {
     dem::WallGeometry wall;

@@ -60,7 +60,8 @@ TEST_CASE("build cost: ordinary walls cost next to nothing, and finer blocks mor
 TEST_CASE("build cost: a high beam on a short wall is told, and that it is the beam",
           "[dem][build_cost]")
 {
-    // core seconds and MB of a push of 0.01 mm of one course of units of 10 mm under a beam of 5 m
+    // core seconds and MB of a push of 0.01 mm of one course of units of 10 mm under a beam of
+    // 5 m
     const auto [length, seconds, megabytes] =
         GENERATE(table<double, double, double>({{0.01, 1.6, 560.0}, {0.02, 5.8, 1300.0}}));
     dem::WallGeometry wall;

@@ -1,4 +1,5 @@
-/// Joints that close under pressure: the law, stacks, a rocking block, masses, and the same bits in every lane.
+/// Joints that close under pressure: the law, stacks, a rocking block, masses, and the same
+/// bits in every lane.
 
 #include "dem/contact/closure.hpp"
 
@@ -371,7 +372,8 @@ double straightened(Closure closure, double w)
     return exact_pressure(closure, within) + 1e3 * kInitial * (w - within);
 }
 
-/// Force on a rigid block of 1 m x 1 m on a joint, from its rotation: moment of the pressures over the height.
+/// Force on a rigid block of 1 m x 1 m on a joint, from its rotation: moment of the pressures
+/// over the height.
 double rocking_force(Closure closure, double load, double rotation)
 {
     constexpr int kPoints = 20000;

@@ -10,7 +10,8 @@
 
 namespace {
 
-/// Joint stiffnesses of the paper's walls through Eq. 2 (Table 3) [Pa/m], and their stresses [Pa].
+/// Joint stiffnesses of the paper's walls through Eq. 2 (Table 3) [Pa/m], and their stresses
+/// [Pa].
 const std::vector<double> kStresses = {0.15e6, 0.50e6, 1.00e6, 1.25e6};
 std::vector<double> stiffnesses()
 {

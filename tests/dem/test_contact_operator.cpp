@@ -57,7 +57,7 @@ std::vector<Real> gathered(const Block<Real>& b, const std::vector<Real>& stress
     return modal;
 }
 
-/// What scatter adds to du: each row is summed on its own, in the order of the modes.
+/// Terms that scatter adds to du: each row is summed on its own, in the order of the modes.
 template <class Real>
 std::vector<Real> scattered(const Block<Real>& b, const std::vector<Real>& velocity,
                             std::vector<Real> du)

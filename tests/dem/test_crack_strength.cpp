@@ -1,5 +1,5 @@
-/// What a unit with potential cracks carries and what it takes to break it: a disc that splits, a beam, a bar that is
-/// torn off; and the stiffness of a wall that does not crack.
+/// Strength of a unit with potential cracks, and what it takes to break it: a disc that splits,
+/// a beam, a bar that is torn off; and the stiffness of a wall that does not crack.
 
 #include "dem/block/model.hpp"
 #include "dem/scene/drawn_layout.hpp"
@@ -27,8 +27,8 @@ constexpr double kThickness = 0.1; // [m]
 constexpr double kStrength = 1e6;  // f_T [Pa]
 constexpr double kEnergy = 1.0;    // G [J/m2]
 
-/// How fast parts fly off once a unit breaks under a dead load. A contact that passes all of its softening in one step takes
-/// more than G: the energies are those of small steps.
+/// How fast parts fly off once a unit breaks under a dead load. A contact that passes all of
+/// its softening in one step takes more than G: the energies are those of small steps.
 enum class Steps { usual, small };
 
 /// One drawn unit, its materials and what is on it.
@@ -54,7 +54,8 @@ struct Unit {
         zones = dem::discretisation_of(dem::Fidelity::zones);
     }
 
-    /// Under its vertical load, which alone matters: the push is a micrometre at constant speed.
+    /// Under its vertical load, which alone matters: the push is a micrometre at constant
+    /// speed.
     [[nodiscard]] dem::PushResult stand(double steps_per_mm, Steps steps) const
     {
         dem::PushPlan plan;
@@ -121,8 +122,8 @@ std::vector<Point> box(double x, double z, double width, double height)
     return {{x, z}, {x + width, z}, {x + width, z + height}, {x, z + height}};
 }
 
-/// Elastic peak over 2 f_T t d^2 / (3 s): the force flattens the stress below it (Timoshenko and Goodier, Theory of
-/// elasticity, section 40).
+/// Elastic peak over 2 f_T t d^2 / (3 s): the force flattens the stress below it (Timoshenko
+/// and Goodier, Theory of elasticity, section 40).
 const double kFlattened = 1.0 / (1.0 - 4.0 / (3.0 * std::numbers::pi) * kDepth / kSpan);
 
 /// A beam on two blocks under a force on a third one, P = ratio times its elastic peak.
@@ -149,7 +150,7 @@ dem::PushResult bent(const CrackPattern& pattern, double ratio, int points = 33,
     return u.stand(1e6, steps);
 }
 
-/// Of cracks [m2].
+/// Areas of cracks [m2].
 struct Broken {
     double all = 0.0, through = 0.0; ///< of those with D = 1
     double damage = 0.0;             ///< integral of D over the area
@@ -168,8 +169,9 @@ Broken broken(const dem::Snapshot& s)
     return b;
 }
 
-/// In tension a contact with linear softening and secant unloading has lost D G per area: f_T u_max / 2 under the curve less
-/// sigma u_el / 2 that comes back, with u_max = u_el + D (u_ul - u_el).
+/// In tension a contact with linear softening and secant unloading has lost D G per area: f_T
+/// u_max / 2 under the curve less sigma u_el / 2 that comes back, with u_max = u_el + D (u_ul -
+/// u_el).
 void check_energy(const dem::PushResult& r)
 {
     CHECK(r.energy.fracture == Approx(kEnergy * broken(r.at_end).damage).epsilon(0.01));
@@ -196,7 +198,7 @@ TEST_CASE("crack strength: a beam breaks at three points at its elastic peak", "
 }
 
 TEST_CASE("crack strength: what breaks takes G times the damage of its area, in any grid",
-          "[dem][cracks]")
+          "[dem][cracks][slow]")
 {
     for (const CrackPattern& pattern :
          {CrackPattern{Kind::grid, 2, 2}, CrackPattern{Kind::grid, 4, 4}}) {
@@ -252,7 +254,8 @@ TEST_CASE("crack strength: a bar is torn off at f_T A, and takes G A", "[dem][cr
 
 namespace {
 
-/// Force on the beam over its displacement, of the wall at rest in which nothing opens, slips or cracks [N/m].
+/// Force on the beam over its displacement, of the wall at rest in which nothing opens, slips
+/// or cracks [N/m].
 /// @param joints stiffness over that of the paper's
 double elastic_stiffness(const CrackPattern& pattern, double joints)
 {

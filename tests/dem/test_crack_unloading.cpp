@@ -1,5 +1,5 @@
-/// Cracks that unload with k_n and stay propped (Unloading::elastic): closed-form paths, and the
-/// energy of each. The default, secant, is in test_contact_law.
+/// Cracks that unload with k_n and stay propped (Unloading::elastic): closed-form paths, and
+/// the energy of each. The default, secant, is in test_contact_law.
 
 #include "crack_path.hpp"
 #include "dem/block/model.hpp"

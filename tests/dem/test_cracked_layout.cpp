@@ -1,4 +1,5 @@
-/// Units divided into pieces: their areas and cracks, the joints' IDs, the stiffness that they share.
+/// Units divided into pieces: their areas and cracks, the joints' IDs, the stiffness that they
+/// share.
 
 #include "dem/scene/clip.hpp"
 #include "dem/scene/crack_pattern.hpp"
@@ -171,7 +172,8 @@ TEST_CASE("cracked layout: a region has its own pattern, the rest another", "[de
         middle[l.blocks[b].unit] = dem::centre_of(l.blocks[b]);
     }
     const Layout plain = dem::lay_out(dem::WallGeometry{}, 0.1);
-    // 2 whole units and the middle one's right half in odd courses; 2 and a half unit in even ones.
+    // 2 whole units and the middle one's right half in odd courses; 2 and a half unit in even
+    // ones.
     CHECK(l.n_joints == plain.n_joints);
     int fours = 0;
     for (const auto& [unit, n] : pieces) {

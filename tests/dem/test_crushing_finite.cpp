@@ -1,5 +1,6 @@
-/// Joints that crush, with finite displacements: what the load crushes before the push, joints that are crushed deeper
-/// than blocks may pass into each other, and blocks that slide on with a crushed face.
+/// Joints that crush, with finite displacements: what the load crushes before the push, joints
+/// that are crushed deeper than blocks may pass into each other, and blocks that slide on with
+/// a crushed face.
 
 #include "dem/block/model.hpp"
 #include "dem/scene/drawn_layout.hpp"
@@ -101,7 +102,8 @@ TEST_CASE("crushing: a lane gets all that was lost as the frames were taken up",
 TEST_CASE("crushing: a joint is crushed as deep with finite displacements as with small ones",
           "[dem][crushing]")
 {
-    // 4.9 kJ are 54 mm of all bed joints together, on 0.6 m x 0.2 m under 0.76 MPa; blocks have passed each other at 5 mm.
+    // 4.9 kJ are 54 mm of all bed joints together, on 0.6 m x 0.2 m under 0.76 MPa; blocks have
+    // passed each other at 5 mm.
     const dem::PushResult small = pushed(0.76e6, 1.0, Kinematics::small),
                           finite = pushed(0.76e6, 1.0, Kinematics::finite);
     CHECK(small.energy.crushing > 4e3);
@@ -120,7 +122,8 @@ TEST_CASE("crushing: a wall that sinks through its joints has come down", "[dem]
 
 TEST_CASE("crushing: the ledger holds where area is lost while it crushes", "[dem][crushing]")
 {
-    // The static solution has these joints pressed together by more than blocks may be, with more than they carry.
+    // The static solution has these joints pressed together by more than blocks may be, with
+    // more than they carry.
     scenes::Scene s = small_wall::scene();
     s.joint.kn = s.joint.ks = 5e6;
     const dem::Model m = crushing_model(s);
@@ -145,8 +148,8 @@ namespace {
 constexpr double kWidth = 0.2, kHigh = 0.1, kDeep = 0.1; // of the three blocks [m]
 constexpr double kLoad = 0.5e6, kFriction = 0.5;         // [Pa], [-]
 
-/// Two blocks side by side and one on the first, which slides half onto the second. What is between it and the first has
-/// been crushed before.
+/// Two blocks side by side and one on the first, which slides half onto the second. What is
+/// between it and the first has been crushed before.
 struct Slide {
     double force = 0.0;
     dem::Energy energy;

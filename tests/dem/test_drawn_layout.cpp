@@ -104,8 +104,9 @@ dem::DrawnWall of_courses(const std::vector<Course>& courses)
     return w;
 }
 
-/// A semicircular arch of mean radius 1 m, as voussoirs between radial joints at the given angles from the left
-/// springing [rad]. They are straight between their corners: so finely cut that the thrust line sees a circle.
+/// A semicircular arch of mean radius 1 m, as voussoirs between radial joints at the given
+/// angles from the left springing [rad]. They are straight between their corners: so finely cut
+/// that the thrust line sees a circle.
 dem::DrawnWall arch(double thickness, int voussoirs)
 {
     dem::DrawnWall w;
@@ -127,7 +128,8 @@ dem::DrawnWall arch(double thickness, int voussoirs)
     return w;
 }
 
-/// Two courses of two stones that meet on sloping beds, and a corner that lies off the side under it.
+/// Two courses of two stones that meet on sloping beds, and a corner that lies off the side
+/// under it.
 dem::DrawnWall sloping(Point off)
 {
     const auto bed = [](double x) { return 0.10 + 0.0825 * x; };
@@ -177,7 +179,7 @@ TEST_CASE("drawn layout: the paper's wall drawn unit by unit has the joints and 
 }
 
 TEST_CASE("drawn layout: drawn, and of triangles, the paper's wall carries the same",
-          "[dem][drawn_layout]")
+          "[dem][drawn_layout][slow]")
 {
     const scenes::Scene s = scenes::paper_wall(0.50);
     dem::DrawnWall wall = drawn(s.wall);
@@ -200,7 +202,8 @@ TEST_CASE("drawn layout: sides that touch become joints, whatever corners they h
 {
     dem::DrawnWall w;
     w.base = dem::Base::joint;
-    // A block of 1 m with a needless corner under two; the right one leans on the left with a slanted joint.
+    // A block of 1 m with a needless corner under two; the right one leans on the left with a
+    // slanted joint.
     w.units = {{{{0, 0}, {1, 0}, {1, 0.5}, {0.7, 0.5}, {0, 0.5}}},
                {{{0, 0.5}, {0.5, 0.5}, {0.3, 1.0}, {0, 1.0}}},
                {{{0.5, 0.5}, {1, 0.5}, {1, 1}, {0.3, 1}}}};
@@ -238,9 +241,9 @@ TEST_CASE("drawn layout: stones of one shape between like neighbours share an el
     for (std::size_t b = 2; b < 7; ++b) CHECK(m.places[b].element == m.places[1].element);
 }
 
-// Ferris and Tin-Loi (2001), Int. J. Solids Struct. 38:3835: walls with openings, friction 0.65, all blocks pushed
-// in proportion to their weight. Associated: linear programming over the corners of all faces. Friction without
-// dilatancy lies below.
+// Ferris and Tin-Loi (2001), Int. J. Solids Struct. 38:3835: walls with openings, friction
+// 0.65, all blocks pushed in proportion to their weight. Associated: linear programming over
+// the corners of all faces. Friction without dilatancy lies below.
 TEST_CASE(
     "drawn layout: wall 3 of Ferris and Tin-Loi, with a door, carries what limit analysis says",
     "[dem][drawn_layout]")
@@ -257,8 +260,8 @@ TEST_CASE(
 TEST_CASE("drawn layout: a semicircular arch stands from a thickness of 0.1075 radii on",
           "[dem][drawn_layout]")
 {
-    // Milankovitch (1907); Heyman's approximation is 0.1059. The load factor that it can carry falls to zero
-    // there, linearly.
+    // Milankovitch (1907); Heyman's approximation is 0.1059. The load factor that it can carry
+    // falls to zero there, linearly.
     const double thick = peak_factor(arch(0.114, 36), 10.0, 1e-4),
                  thin = peak_factor(arch(0.111, 36), 10.0, 1e-4);
     INFO("load factors " << thick << ", " << thin);
@@ -269,8 +272,9 @@ TEST_CASE("drawn layout: an arch of least thickness hinges at its crown, its hau
           "springings",
           "[dem][drawn_layout]")
 {
-    // Milankovitch's thrust line touches the back at the crown and the springings, and the belly 54.48 degrees from the
-    // crown. Pushed, the arch needs four of these five hinges: that of the haunch behind stays shut.
+    // Milankovitch's thrust line touches the back at the crown and the springings, and the
+    // belly 54.48 degrees from the crown. Pushed, the arch needs four of these five hinges:
+    // that of the haunch behind stays shut.
     constexpr double kThickness = 0.109;
     const dem::PushResult r = pushed(arch(kThickness, 90), 10.0, 3e-5);
     struct Hinge {
@@ -391,7 +395,8 @@ TEST_CASE(
 TEST_CASE("drawn layout: sides that bend a little at each of many corners are not one joint",
           "[dem][drawn_layout]")
 {
-    // Each corner lies within a micrometre of the line between those beside it, the middle 0.3 mm off the whole.
+    // Each corner lies within a micrometre of the line between those beside it, the middle 0.3
+    // mm off the whole.
     std::vector<Point> below{{0, 0}, {0.4, 0}}, arc;
     constexpr int kSides = 40;
     const auto at = [](int i) {

@@ -26,8 +26,8 @@ double uniform(std::mt19937_64& random)
     return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Strong and weak, with and without snap-back, residual cohesion, friction that drops, and both
-/// readings of the shear strength in tension.
+/// Strong and weak, with and without snap-back, residual cohesion, friction that drops, and
+/// both readings of the shear strength in tension.
 CrackLaw<double> some_crack(std::mt19937_64& random)
 {
     CrackLaw<double> law{};
@@ -46,7 +46,8 @@ CrackLaw<double> some_crack(std::mt19937_64& random)
     return law;
 }
 
-/// Displacements of one step [m]: to and fro, now and then far. It opens a little more than it closes.
+/// Displacements of one step [m]: to and fro, now and then far. It opens a little more than it
+/// closes.
 struct Move {
     double du_n, du_s;
 };

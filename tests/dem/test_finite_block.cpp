@@ -164,9 +164,9 @@ TEST_CASE("finite block: under dead load it has no force left at tan(th) = (L/2)
     CHECK(past->displacement == Approx(0.510854).epsilon(5e-3));
 }
 
-/// A rigid block on an elastic joint without tension, stiffness kn on a thickness of 0.2 m, under dead
-/// load: the resultant of the joint lies c/3 from the toe, c = sqrt(2 N / (k t th)) its compressed
-/// length.
+/// A rigid block on an elastic joint without tension, stiffness kn on a thickness of 0.2 m,
+/// under dead load: the resultant of the joint lies c/3 from the toe, c = sqrt(2 N / (k t th))
+/// its compressed length.
 struct OnElasticJoint {
     double load, kn;
     [[nodiscard]] double force(double th) const

@@ -12,8 +12,8 @@
 
 namespace {
 
-/// A clamped block and n more on it, 0.2 m long, each a share of its harmonic place further out than
-/// the one under it; the beam hangs out of reach. The largest rotation after a while.
+/// A clamped block and n more on it, 0.2 m long, each a share of its harmonic place further out
+/// than the one under it; the beam hangs out of reach. The largest rotation after a while.
 double largest_turn(int n, double share)
 {
     scenes::Scene s = scenes::paper_wall(0.50);

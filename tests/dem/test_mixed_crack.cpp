@@ -1,4 +1,5 @@
-/// The law of mixed modes at one contact: closed forms, energies on any path, and its two readings.
+/// The law of mixed modes at one contact: closed forms, energies on any path, and its two
+/// readings.
 
 #include "bits.hpp"
 #include "dem/solver/lane_laws.hpp"
@@ -87,7 +88,8 @@ double uniform(std::mt19937_64& random)
     return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Both envelopes, gradual and brittle, with and without residual cohesion and friction that drops.
+/// Both envelopes, gradual and brittle, with and without residual cohesion and friction that
+/// drops.
 CrackMaterial some_material(std::mt19937_64& random)
 {
     CrackMaterial c = stone();
@@ -236,7 +238,8 @@ TEST_CASE(
         for (const auto& [to_n, by_s] : stages) crack.move(to_n, by_s);
         return crack;
     };
-    // Opening first, slip first, both at once, in stages, and with a crack that closes in between.
+    // Opening first, slip first, both at once, in stages, and with a crack that closes in
+    // between.
     for (const Crack& crack :
          {along({{end, 0.0}, {end, end}}), along({{0.0, end}, {end, 0.0}}), along({{end, end}}),
           along({{0.0, 0.3 * end}, {0.3 * end, 0.0}, {0.3 * end, 0.7 * end}, {end, 0.0}}),

@@ -66,7 +66,8 @@ double drop(const PushResult& r)
     return at;
 }
 
-/// Walls of all kinds for the lanes of a register: weak, strong, brittle and tough units, both envelopes.
+/// Walls of all kinds for the lanes of a register: weak, strong, brittle and tough units, both
+/// envelopes.
 std::vector<WallMaterials> some_walls(const scenes::Scene& s, const dem::Model& m)
 {
     std::vector<WallMaterials> walls;

@@ -55,7 +55,8 @@ TEST_CASE("mortar: a bed joint shears where its end has c + sigma tan(phi), then
     s.joint.cohesion = 0.2e6;
     const dem::PushResult r = pushed(s, true, 1e-3);
     const double bond = s.joint.cohesion * area(s), slides = vertical(s) * s.joint.tan_phi;
-    // The moment of V about the joint, 0.1 m below, relieves one end: V/A = c + (N/A - 6 V h/(t L^2)) tan(phi).
+    // The moment of V about the joint, 0.1 m below, relieves one end: V/A = c + (N/A - 6 V h/(t
+    // L^2)) tan(phi).
     const double shears = (bond + slides) / (1.0 + 6.0 * 0.1 * s.joint.tan_phi / s.wall.length);
     CHECK(r.residual < 0.01);
     CHECK(scenes::peak_force(r) == Approx(shears).epsilon(0.01));

@@ -71,8 +71,8 @@ TEST_CASE("nodal scheme: a wall that slides reaches the force of dem::push to 0.
           "cracks to 1 %",
           "[bench][nodal_scheme][slow]")
 {
-    // As far as the walls do not branch: a unit of the second one breaks before 9 mm. With other
-    // masses it breaks along another way: 85.6 against 85.0 kN, both converged in speed.
+    // As far as the walls do not branch: a unit of the second one breaks before 9 mm. With
+    // other masses it breaks along another way: 85.6 against 85.0 kN, both converged in speed.
     const auto [stress, way, tolerance] =
         GENERATE(std::tuple{0.50, 0.011, 0.005}, std::tuple{1.00, 0.009, 0.01});
     const dem::Model m = coarse_wall(stress);

@@ -25,7 +25,7 @@ struct Wall {
     explicit Wall(const dem::SolverOptions& options, double stiffness = kStiffness)
         : pace(options)
     {
-        speed = pace.begin({0.0, stiffness, stiffness > 0.0 ? kMass : 0.0, kForce, 0.0});
+        speed = pace.begin({stiffness, stiffness > 0.0 ? kMass : 0.0, kForce, 0.0});
         felt.force = kForce;
     }
 
@@ -131,6 +131,26 @@ TEST_CASE("pace: it goes so fast that damping takes its share, and no faster tha
     const double slow = speed_at(0.01, 0.03 * kForce / cap);
     CHECK(slow > 0.05 * cap); // all of the accuracy would let it go at 0.33
     CHECK(speed_at(0.02, 0.03 * kForce / cap) == Approx(2.0 * slow).epsilon(0.01));
+}
+
+TEST_CASE(
+    "pace: the slowest cruise gives the first 30 mm 4000 steps over the accuracy, and each "
+    "e-fold of the way after them as many",
+    "[dem][pace]")
+{
+    constexpr double kFirst = 0.03, kMost = 4000.0 / 0.05; // [m], [steps]
+    Wall wall(with_accuracy(0.05), 0.0);                   // no stiffness: only the way counts
+    wall.drag = kForce;
+    double way = 0.0, steps = 0.0, start = 0.0, first = 0.0;
+    while (way < 4.0 * kFirst && steps < 1e6) {
+        wall.step();
+        way += wall.speed;
+        ++steps;
+        if (way <= 0.1 * kFirst) start = steps; // by then it has got its speed
+        if (way <= kFirst) first = steps;
+    }
+    CHECK(first - start == Approx(0.9 * kMost).epsilon(0.01));
+    CHECK(steps - first == Approx(std::log(4.0) * kMost).epsilon(0.01));
 }
 
 TEST_CASE("pace: it gets its speed back once damping takes less", "[dem][pace]")

@@ -15,7 +15,8 @@ using dem::multiply_add;
 using dem::Pack;
 using dem::select;
 
-/// Zeros of both signs, NaNs of both signs, infinities, the ends of the range, and plain numbers.
+/// Zeros of both signs, NaNs of both signs, infinities, the ends of the range, and plain
+/// numbers.
 std::vector<double> values()
 {
     using limits = std::numeric_limits<double>;

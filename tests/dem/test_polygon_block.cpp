@@ -59,7 +59,8 @@ VectorXd linear_field(const std::vector<Point>& points, const Eigen::Vector3d& e
     return u;
 }
 
-/// Forces of a uniform stress on the points: stress times normal times area. Sides run counter-clockwise.
+/// Forces of a uniform stress on the points: stress times normal times area. Sides run
+/// counter-clockwise.
 VectorXd tractions(const BlockSpec& s, const dem::Condensed& c, const Eigen::Vector3d& stress)
 {
     VectorXd f = VectorXd::Zero(2 * static_cast<Eigen::Index>(c.points.size()));

@@ -119,6 +119,51 @@ TEST_CASE("push: the same wall twice gives the same bits", "[dem][push]")
     }
 }
 
+TEST_CASE("push: a wall moves by the same bits wherever its push is to end", "[dem][push]")
+{
+    dem::SolverOptions o;
+    o.kinematics = dem::Kinematics::finite;
+    o.accuracy = 0.03;
+    const auto first_of_a_push_to = [&](double target) {
+        dem::PushPlan plan = to({target});
+        plan.decided = [](std::span<const dem::CurvePoint> curve) {
+            return curve.back().displacement > 0.012;
+        };
+        return pushed(scenes::paper_wall(1.00), plan, o);
+    };
+    const dem::PushResult near = first_of_a_push_to(0.06), far = first_of_a_push_to(0.15);
+    REQUIRE(near.curve.size() == far.curve.size());
+    CHECK(near.curve.size() > 100);
+    CHECK(near.cost.steps == far.cost.steps);
+    for (std::size_t i = 0; i < near.curve.size(); ++i) {
+        CHECK(near.curve[i].displacement == far.curve[i].displacement);
+        CHECK(near.curve[i].force == far.curve[i].force);
+    }
+}
+
+TEST_CASE(
+    "push: what stands at the end of a push is known at half of its way, and what dropped is "
+    "not",
+    "[dem][push]")
+{
+    dem::SolverOptions o;
+    o.kinematics = dem::Kinematics::finite;
+    o.accuracy = 0.05;
+    const double target = GENERATE(4e-3, 5.1e-3, -7e-3);
+    dem::PushPlan plan = to({target});
+    CHECK_FALSE(pushed(scenes::paper_wall(0.15), plan, o).at_half); // not asked for
+    plan.drop = 0.8;
+    const dem::PushResult r = pushed(scenes::paper_wall(0.15), plan, o);
+    REQUIRE_FALSE(r.at_drop);
+    REQUIRE(r.at_half);
+    CHECK(r.at_half->displacement / target > 0.44);
+    CHECK(r.at_half->displacement / target <= 0.5);
+    CHECK(r.at_half->blocks.back().displacement[0].x / target > 0.4);
+    plan.drop = 0.999999; // the curve is not smooth
+    const dem::PushResult dropped = pushed(scenes::paper_wall(0.15), plan, o);
+    CHECK(dropped.at_drop.has_value() != dropped.at_half.has_value());
+}
+
 TEST_CASE("push: a wall in a lane of a pack moves as it does alone, bit for bit",
           "[dem][push][pack]")
 {

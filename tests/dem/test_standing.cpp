@@ -1,4 +1,5 @@
-/// What is said of walls under their vertical load: rest where there is an equilibrium, a fall where there is none.
+/// Verdicts on walls under their vertical load: rest where there is an equilibrium, a fall
+/// where there is none.
 
 #include "dem/block/model.hpp"
 #include "dem/scene/drawn_layout.hpp"
@@ -20,7 +21,8 @@ dem::Discretisation rigid()
     return d;
 }
 
-/// Blocks of a stack without beam, on beds that are inclined, on a wedge; pushed by body forces.
+/// Blocks of a stack without beam, on beds that are inclined, on a wedge; pushed by body
+/// forces.
 dem::PushResult inclined(double slope, double tan_phi, int blocks, dem::SolverOptions o)
 {
     scenes::Scene s = scenes::monolith(1.0, 1.0, 0.0, 1e11);

@@ -25,7 +25,8 @@ WallState<double> unloaded(const Model& m, const StepTables& t, const WallMateri
     return dem::unloaded<double>(m, t, {&w, 1}, {});
 }
 
-/// Adds area k b b^T of a list of contacts to the stiffness of all modes, from the model itself.
+/// Adds area k b b^T of a list of contacts to the stiffness of all modes, from the model
+/// itself.
 template <class Stiffness>
 void add_contacts(const Model& m, const std::vector<dem::Contact>& contacts,
                   Stiffness stiffness_of, MatrixXd& k)

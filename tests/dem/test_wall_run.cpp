@@ -1,4 +1,4 @@
-/// What a run makes of a step that is too large, and of a wall that comes down.
+/// Tests of what a run makes of a step that is too large, and of a wall that comes down.
 
 #include "dem/block/model.hpp"
 #include "dem/small_wall.hpp"

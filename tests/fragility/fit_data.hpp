@@ -9,8 +9,8 @@
 
 namespace fit_data {
 
-/// 350 made-up drifts [-]. Their fits were computed with R: fitdistr (MASS), survreg (survival),
-/// lillie.test and ad.test (nortest).
+/// 350 made-up drifts [-]. Their fits were computed with R: fitdistr (MASS), survreg
+/// (survival), lillie.test and ad.test (nortest).
 inline const std::vector<double> lognormal350{
     0.010358126, 0.007740489, 0.014991316, 0.014529079, 0.009839039, 0.011473645, 0.005329434,
     0.008067436, 0.01322847,  0.015688109, 0.011951634, 0.008286842, 0.010227777, 0.015200054,
@@ -71,7 +71,7 @@ inline std::vector<fragility::Observation> all_observed(const std::vector<double
     return data;
 }
 
-/// What exceeds `limit` is only known to do so.
+/// Observations of values; one that exceeds `limit` is only known to do so.
 inline std::vector<fragility::Observation> stopped_at(const std::vector<double>& values,
                                                       double limit)
 {

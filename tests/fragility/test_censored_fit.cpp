@@ -18,7 +18,7 @@ auto near(double value, double tolerance = 1e-9)
     return Approx(value).epsilon(tolerance).margin(0.0);
 }
 
-/// Of every kind, under any of the laws.
+/// Observations of every kind, under any of the laws.
 std::vector<Observation> mixed_data()
 {
     std::vector<Observation> data = fit_data::all_observed({3.1, 4.6, 5.0, 6.2, 7.7, 9.4});
@@ -243,7 +243,8 @@ TEST_CASE("censored fit: what cannot be fitted is named and gives no number",
 TEST_CASE("censored fit: the tail of a gamma law far beyond its mean is that of its asymptote",
           "[fragility][censored_fit]")
 {
-    // Gamma(a, x) = x^(a - 1) e^-x (1 + (a - 1) / x + ...): steps in s = ln x are far below its rounding
+    // Gamma(a, x) = x^(a - 1) e^-x (1 + (a - 1) / x + ...): steps in s = ln x are far below its
+    // rounding
     for (const double a : {0.01, 1.0, 50.0})
         for (const double s : {30.0, 36.0, 60.0, 100.0}) {
             const LogGammaMoments m =

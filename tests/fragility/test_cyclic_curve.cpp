@@ -18,7 +18,8 @@ struct OwnedPath {
     operator Path() const { return {displacement, force}; } // NOLINT: a view, as in scenes
 };
 
-/// A sliding joint of stiffness k and strength s, driven through the targets, with points where it begins to slide.
+/// A sliding joint of stiffness k and strength s, driven through the targets, with points where
+/// it begins to slide.
 OwnedPath sliding(double k, double s, const std::vector<double>& targets)
 {
     OwnedPath p{{0.0}, {0.0}};

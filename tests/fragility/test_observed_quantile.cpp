@@ -73,8 +73,8 @@ TEST_CASE("observed quantiles: of walls in two heaps, some stopped between them,
           "95 of 100 samples or more",
           "[fragility][observed_quantile]")
 {
-    // quarters of the distribution: 1 + u / 10 for 60 % of the walls, 3 + u for the others; a run stops
-    // anywhere in 0.5 to 5
+    // quarters of the distribution: 1 + u / 10 for 60 % of the walls, 3 + u for the others; a
+    // run stops anywhere in 0.5 to 5
     const std::array shares = {0.16, 0.5};
     const std::array truth = {1.0 + 0.1 * 0.16 / 0.6, 1.0 + 0.1 * 0.5 / 0.6};
     std::array<int, 2> held{};

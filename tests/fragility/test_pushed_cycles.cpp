@@ -53,7 +53,7 @@ Pushed pushed(const dem::Model& m, const dem::WallMaterials& w, std::vector<doub
     return p;
 }
 
-/// What the ledger lost in friction in one cycle [J].
+/// Energy that the ledger lost in friction in one cycle [J].
 double friction(const Pushed& p, const fragility::Cycle& c)
 {
     return p.result.curve[c.end].energy.friction - p.result.curve[c.begin].energy.friction;

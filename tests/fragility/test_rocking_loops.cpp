@@ -1,4 +1,5 @@
-/// What a block loses that rocks to and fro: the friction of its joint, and nothing to the solver.
+/// Losses of a block that rocks to and fro: the friction of its joint, and nothing to the
+/// solver.
 
 #include "fragility/cyclic_curve.hpp"
 

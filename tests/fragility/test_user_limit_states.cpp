@@ -12,8 +12,8 @@ using fragility::UserLimitState;
 
 namespace {
 
-/// Up to 10 at 1, level to 4, down to 2 at 8: d_y = 1 (straight up to the peak), peak at 1, drop to
-/// 80 % at 5.
+/// Up to 10 at 1, level to 4, down to 2 at 8: d_y = 1 (straight up to the peak), peak at 1,
+/// drop to 80 % at 5.
 constexpr std::array kX{0.0, 1.0, 4.0, 8.0}, kF{0.0, 10.0, 10.0, 2.0};
 
 fragility::LimitDisplacement read(const UserLimitState& s, double end = 8.0)

@@ -154,7 +154,8 @@ Handle odd_type(uq::Stream& random)
     }
 }
 
-/// Bytes of a few values changed: to random bits, NaN, the largest number, zero, or those of another.
+/// Bytes of a few values changed: to random bits, NaN, the largest number, zero, or those of
+/// another.
 void change_values(Stored& s, uq::Stream& random)
 {
     const std::size_t size = H5Tget_size(s.type.get());

@@ -23,7 +23,8 @@ struct CraftedOutcome {
     int refused = 0, read = 0, wrong = 0;
 };
 
-/// Reads all walls: those that come have sound curves, or an error names the file and what to do.
+/// Reads all walls: those that come have sound curves, or an error names the file and what to
+/// do.
 void read_crafted(const fs::path& file, const std::string& what, CraftedOutcome& outcome)
 {
     try {

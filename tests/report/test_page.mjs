@@ -123,7 +123,7 @@ claims['the answer stands first, with a picture on the first screen, on a desk a
             const [answer, picture] = [await top('#overview table'), await top('svg.wall')];
             assert.ok(answer < picture && picture < 0.75 * screen.height, `answer at ${answer}, picture at ${picture} of ${screen.height} px`);
             const heads = await page.evaluate(`[...document.querySelectorAll('#overview th')].map((h) => h.textContent)`);
-            for (const state of ['ntc SLC [%]', 'ntc SLV [%]', 'paper ultimate [%]']) assert.ok(heads.includes(state), `${heads}`);
+            for (const head of ['how it fails', 'ntc SLC drift [%]', 'paper ultimate drift [%]', 'how sure']) assert.ok(heads.includes(head), `${heads}`);
         });
 };
 

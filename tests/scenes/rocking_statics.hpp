@@ -1,6 +1,7 @@
 #pragma once
-/// A rigid block that rocks on a dry joint, in balance at every moment: no masses, no damping, no speed. What its loops
-/// lose is friction and belongs to the wall; what a push loses beyond it belongs to the solver.
+/// A rigid block that rocks on a dry joint, in balance at every moment: no masses, no damping,
+/// no speed. What its loops lose is friction and belongs to the wall; what a push loses beyond
+/// it belongs to the solver.
 
 #include "dem/solver/push.hpp"
 #include "scenes/paper_wall.hpp"

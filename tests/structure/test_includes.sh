@@ -10,13 +10,16 @@ declare -A knows=(
     [dem/block]="dem/scene dem/contact"
     [dem/contact]=""
     [dem/kinematics]="dem/scene dem/contact"
+    [dem/shaking]="dem/scene dem/block dem/contact dem/kinematics dem/solver"
     [dem/solver]="dem/scene dem/block dem/contact dem/kinematics"
     [fragility]=""
+    [ground]=""
     [uq/marginals]=""
     [uq/designs]="uq/marginals"
     [uq/fields]="uq/marginals uq/designs"
     [uq/estimates]="uq/marginals uq/designs"
     [uq/sensitivity]="uq/marginals uq/designs uq/estimates"
+    [uq/surrogates]="uq/marginals uq/designs uq/estimates uq/sensitivity"
     [uq/reliability]="uq/marginals uq/designs uq/estimates uq/sensitivity"
     [app/store]=""
     [app/reading]="dem/ fragility"
@@ -29,14 +32,21 @@ declare -A knows=(
     [app/reliability]="app/text dem/ fragility uq/ app app/reading app/input app/output app/store app/sampling app/study"
     [app/serve]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/reliability"
     [app/scene]="app/text app/drawing dem/ app app/input app/output app/sampling app/study"
+    [app/record]="app/text app/input app/output app ground"
+    [app/shake]="app/text dem/ ground app app/input app/output app/sampling app/study"
+    [app/new]="app/text app app/input app/output"
+    [app/choices]="app/text dem/ fragility app/reading app/input app/output app/sampling app/study"
+    [app/compare]="app/text fragility app/reading app/input app/output app/study app/push"
+    [app/sheet]="app/text app/drawing fragility app app/reading app/input app/output app/sampling app/scene app/study app/push"
     [app/push]="app/text dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
     [app/report]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
+    [app/surrogate]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
     [app/fragility]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
     [python/src]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/study app/push app/fragility"
 )
 
 broken=0
-for folder in dem dem/*/ fragility uq uq/*/ app/*/ python/src; do
+for folder in dem dem/*/ fragility ground uq uq/*/ app/*/ python/src; do
     folder=${folder%/}
     compgen -G "$folder/*.?pp" >/dev/null || continue
     if [[ -z ${knows[$folder]+listed} ]]; then
@@ -56,7 +66,7 @@ for folder in dem dem/*/ fragility uq uq/*/ app/*/ python/src; do
 done
 
 # Only commands speak to people; everything below them returns what there is to say.
-for folder in dem/*/ fragility uq/*/ app/text app/store app/reading app/input app/drawing app/output app/sampling; do
+for folder in dem/*/ fragility ground uq/*/ app/text app/store app/reading app/input app/drawing app/output app/sampling; do
     if grep -nE 'std::c(out|err|log) *<<' "${folder%/}"/*.?pp; then
         echo "${folder%/} must not print: return the text, and let the command print it"
         broken=1

@@ -1,5 +1,6 @@
-/// compare_stores A.h5 B.h5 [first N samples]: 0 if both hold the same walls with the same results, bit for
-/// bit; costs aside. With N: the walls of samples 0 .. N - 1 of A are those of B.
+/// compare_stores A.h5 B.h5 [first N samples]: 0 if both hold the same walls with the same
+/// results, bit for bit; costs aside. With N: the walls of samples 0 .. N - 1 of A are those of
+/// B.
 
 #include "app/store/store_reader.hpp"
 #include "tests/scenes/same_results.hpp"

@@ -11,7 +11,8 @@
 
 namespace scenes {
 
-/// nx x nz sites, `dx` and `dz` apart; two sites beside each other are one unit, a row a course.
+/// nx x nz sites, `dx` and `dz` apart; two sites beside each other are one unit, a row a
+/// course.
 inline std::vector<uq::Site> grid(int nx, int nz, double dx, double dz)
 {
     std::vector<uq::Site> sites;

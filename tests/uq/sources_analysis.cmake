@@ -4,6 +4,7 @@ set(TEST_UQ_ANALYSIS_SOURCES
     uq/test_field.cpp
     uq/test_field_basis.cpp
     uq/test_kernel.cpp
+    uq/test_latin_error.cpp
     uq/test_quantile_estimate.cpp
     uq/test_regression.cpp
     uq/test_running_mean.cpp

@@ -12,8 +12,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Normal values of unit variance and mean 1 (expensive), 2, 3 ...; correlation with the expensive one as
-/// given; non-linear parts of nobody's. Sizes n.
+/// Normal values of unit variance and mean 1 (expensive), 2, 3 ...; correlation with the
+/// expensive one as given; non-linear parts of nobody's. Sizes n.
 NestedValues normal_values(std::uint64_t seed, const std::vector<double>& rho,
                            const std::vector<Eigen::Index>& n)
 {

@@ -276,7 +276,8 @@ DesignPoint point_of(const VectorXd& a, const Map& map)
 TEST_CASE("form: importance of correlated inputs is (a sd)^2 whatever their order",
           "[uq][form]")
 {
-    // g = 3 + a x: gamma_i is proportional to a_i sd_i, alpha to nothing that belongs to one input
+    // g = 3 + a x: gamma_i is proportional to a_i sd_i, alpha to nothing that belongs to one
+    // input
     const VectorXd a{{1.0, 2.0, -1.0}}, sd{{1.0, 2.0, 3.0}};
     const Eigen::MatrixXd r{{1.0, 0.5, -0.3}, {0.5, 1.0, 0.2}, {-0.3, 0.2, 1.0}};
     const VectorXd share{{1.0 / 26.0, 16.0 / 26.0, 9.0 / 26.0}};

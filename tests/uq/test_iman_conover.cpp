@@ -13,8 +13,8 @@ using namespace uq;
 namespace {
 
 // S. J. Mildenhall, "The Report of the Research Working Party on Correlations and Dependencies
-// Among All Risk Sources, Part 1: Correlation and Aggregate Loss Distributions", CAS Forum, Winter
-// 2006: the worked example, X, scores M, target S, reordered X.
+// Among All Risk Sources, Part 1: Correlation and Aggregate Loss Distributions", CAS Forum,
+// Winter 2006: the worked example, X, scores M, target S, reordered X.
 // clang-format off
 Eigen::MatrixXd example_x()
 {

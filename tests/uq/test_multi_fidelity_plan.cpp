@@ -32,7 +32,7 @@ TEST_CASE("multi-fidelity plan: one cheap model, in closed form", "[uq][multi_fi
     const double n0 = 1000.0 / (1.0 + w * r);
     CHECK(p.samples[0] == static_cast<std::size_t>(n0));
     CHECK(p.samples[1] == static_cast<std::size_t>(n0 * r));
-    // What is planned has the variance predicted, at the cost allowed.
+    // The plan has the variance predicted, at the cost allowed.
     const std::vector<double> n{static_cast<double>(p.samples[0]),
                                 static_cast<double>(p.samples[1])};
     CHECK(variance(n, {rho}) == Approx(p.variance_ratio / 1000.0).epsilon(2e-3));

@@ -34,8 +34,8 @@ const std::vector<Point> kPoints = {
     {1.0 - 0.125, 1.1503493803760081783},   {1.0 - 0x1p-7, 2.4175590162365050618},
     {1.0 - 0x1p-40, 7.0477002566644087254}, {1.0 - 0x1p-53, 8.2095361516013868556}};
 
-/// Smallest step of the quantile against its size as p grows by the factor 1 + `step` at a time,
-/// 200 times from below to above `joint`.
+/// Smallest step of the quantile against its size as p grows by the factor 1 + `step` at a
+/// time, 200 times from below to above `joint`.
 double least_step(double joint, double step)
 {
     double least = 1.0;

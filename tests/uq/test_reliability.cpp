@@ -154,7 +154,8 @@ TEST_CASE("reliability: subset simulation spends its budget, or says what would 
 TEST_CASE("reliability: Sobol' indices are shares, and a first one above its total is said",
           "[uq][reliability]")
 {
-    // a sum: first and total are equal, so that their errors cross; the third input does nothing
+    // a sum: first and total are equal, so that their errors cross; the third input does
+    // nothing
     uq::ReliabilityProblem p =
         by(uq::ReliabilityMethod::sobol, problems::limit_state(3, [](const Eigen::VectorXd& x) {
                return 4.0 - 3.0 * x(0) - x(1);

@@ -23,8 +23,8 @@ std::vector<double> friction(const Eigen::MatrixXd& u)
     return y;
 }
 
-/// Of the mean of n standard normal values, one in each of n strata: sqrt(sum of the variances
-/// inside the strata) / n.
+/// Standard error of the mean of n standard normal values, one in each of n strata: sqrt(sum of
+/// the variances inside the strata) / n.
 double error_within_strata(int n)
 {
     double sum = 0.0;

@@ -1,6 +1,6 @@
 #pragma once
-/// Eigenvalues of symmetric matrices. One file solves all of them, because a compiler takes seconds for each file that
-/// does.
+/// Eigenvalues of symmetric matrices. One file solves all of them, because a compiler takes
+/// seconds for each file that does.
 
 #include <Eigen/Core>
 

@@ -26,7 +26,8 @@ double place_from(std::uint64_t bits)
     return (static_cast<double>(bits >> 34) + 0.5) * 0x1p-30;
 }
 
-/// From strata (as doubles in u) to places in them; rows of u are rows `first` .. of the design.
+/// From strata (as doubles in u) to places in them; rows of u are rows `first` .. of the
+/// design.
 void set_places(Eigen::Ref<Eigen::MatrixXd> u, std::int64_t n, std::uint64_t seed, Place place,
                 std::int64_t first)
 {

@@ -56,7 +56,8 @@ class Arrangement {
             }
     }
 
-    /// Sum of the terms after the exchange, at least kLost of what it is; which is then ready to be done.
+    /// Sum of the terms after the exchange, at least kLost of what it is; which is then ready
+    /// to be done.
     double after(const Exchange& e)
     {
         const double xa = u_(e.a, e.j), xb = u_(e.b, e.j);

@@ -1,6 +1,6 @@
 #pragma once
-/// Random numbers keyed by (seed, sample, purpose): sample 17 is the same alone, in a batch, in a
-/// shard, or when 50 samples grow to 500.
+/// Random numbers keyed by (seed, sample, purpose): sample 17 is the same alone, in a batch, in
+/// a shard, or when 50 samples grow to 500.
 ///
 /// Philox 4x64-10 (Salmon, Moraes, Dror, Shaw 2011, Random123): a counter is enciphered, so any
 /// draw of any stream is reached at once and no two streams overlap.
@@ -11,8 +11,8 @@
 
 namespace uq {
 
-/// Purpose of random numbers. Each has a stream of its own, so that adding draws for one purpose
-/// moves no other. Values are part of stored results: never renumber.
+/// Purpose of random numbers. Each has a stream of its own, so that adding draws for one
+/// purpose moves no other. Values are part of stored results: never renumber.
 enum class Purpose : std::uint64_t {
     monte_carlo = 1,      ///< coordinates of independent samples
     strata = 2,           ///< order of the strata of a Latin hypercube; sample = variable
@@ -39,7 +39,8 @@ class Stream {
     Stream(std::uint64_t seed, std::uint64_t sample, Purpose purpose);
     /// 64 random bits; draw i is bits(seed, sample, purpose, i).
     std::uint64_t bits();
-    /// In (0, 1), never 0 or 1: (k + 1/2) / 2^52, k = 0 .. 2^52 - 1, so that 1 - u is exact too.
+    /// In (0, 1), never 0 or 1: (k + 1/2) / 2^52, k = 0 .. 2^52 - 1, so that 1 - u is exact
+    /// too.
     double uniform();
     /// In 0 .. n - 1, without bias (Lemire 2019); n >= 1.
     std::uint64_t below(std::uint64_t n);

@@ -1,9 +1,9 @@
 #pragma once
 /// Estimates with their standard error and interval.
 ///
-/// A value that is NaN is a sample that failed. It is left out of the estimate and counted; where
-/// its possible values are known, the interval is widened to hold them.
-/// Intervals assume independent samples; for Latin hypercubes and sequences they are conservative.
+/// A value that is NaN is a sample that failed. It is left out of the estimate and counted;
+/// where its possible values are known, the interval is widened to hold them. Intervals assume
+/// independent samples; for Latin hypercubes and sequences they are conservative.
 
 #include <cstddef>
 #include <span>
@@ -48,8 +48,8 @@ struct Moments {
 [[nodiscard]] Estimate estimate_mean(std::span<const double> y,
                                      double confidence = kConfidence);
 
-/// The mean of answers that are known to lie in [lower, upper]. The interval holds the mean of all
-/// samples, whatever the failed ones would have answered.
+/// The mean of answers that are known to lie in [lower, upper]. The interval holds the mean of
+/// all samples, whatever the failed ones would have answered.
 [[nodiscard]] Estimate estimate_mean(std::span<const double> y, double lower, double upper,
                                      double confidence = kConfidence);
 

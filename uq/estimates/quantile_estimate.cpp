@@ -62,8 +62,8 @@ double interpolated(const std::vector<double>& sorted, double p)
            (place - static_cast<double>(below)) * (sorted[below] - sorted[below - 1]);
 }
 
-/// Weights of n sorted values: increments of the beta distribution with (n + 1) p and (n + 1) (1 - p),
-/// the law of the probability below the order statistic at the quantile.
+/// Weights of n sorted values: increments of the beta distribution with (n + 1) p and (n + 1)
+/// (1 - p), the law of the probability below the order statistic at the quantile.
 std::vector<double> beta_weights(std::size_t n, double p)
 {
     const auto real = static_cast<double>(n);

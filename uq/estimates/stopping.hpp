@@ -1,9 +1,9 @@
 #pragma once
 /// Stopping rule: samples are added until an interval is narrow enough.
 ///
-/// Stopping at a narrow interval favours samples whose spread came out small, so that the coverage
-/// of the last interval is a little below its confidence (tests/uq/test_stopping.cpp measures it).
-/// A larger `min_n` and growth in large steps keep this effect small.
+/// Stopping at a narrow interval favours samples whose spread came out small, so that the
+/// coverage of the last interval is a little below its confidence (tests/uq/test_stopping.cpp
+/// measures it). A larger `min_n` and growth in large steps keep this effect small.
 
 #include "uq/estimates/estimate.hpp"
 
@@ -44,7 +44,8 @@ void check(const StoppingRule& rule);
 /// Judges the samples taken so far. NaN is a failed sample.
 [[nodiscard]] StoppingDecision judge(const StoppingRule& rule, std::span<const double> y);
 
-/// Judges an estimate that was made elsewhere, as of censored samples; the rule's target plays no part.
+/// Judges an estimate that was made elsewhere, as of censored samples; the rule's target plays
+/// no part.
 /// @param n samples taken so far, failed ones included
 [[nodiscard]] StoppingDecision judge(const StoppingRule& rule, std::size_t n,
                                      const std::optional<Estimate>& estimate);

@@ -1,8 +1,8 @@
 #pragma once
 /// Random fields over sites: coordinates of a sample in, one value per site out.
 ///
-/// A sample is one row of independent standard normal coordinates, which the caller draws. A row
-/// gives the same field alone and among others, to the bit.
+/// A sample is one row of independent standard normal coordinates, which the caller draws. A
+/// row gives the same field alone and among others, to the bit.
 
 #include "uq/fields/field_basis.hpp"
 

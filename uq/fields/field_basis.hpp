@@ -17,9 +17,9 @@ struct FieldBasis {
 /// Largest nugget that passes for rounding.
 constexpr double kLargestNugget = 1e-8;
 
-/// Lower triangular factor of the correlation. Sites of correlation exactly 1 share one row and one
-/// coordinate. A field with one value for all sites therefore has one coordinate and returns it
-/// unchanged; independent sites return their coordinates unchanged.
+/// Lower triangular factor of the correlation. Sites of correlation exactly 1 share one row and
+/// one coordinate. A field with one value for all sites therefore has one coordinate and
+/// returns it unchanged; independent sites return their coordinates unchanged.
 /// @param correlation symmetric, ones on the diagonal, entries in [-1, 1]
 /// @throws std::invalid_argument if it is not, or if it is indefinite beyond kLargestNugget
 [[nodiscard]] FieldBasis cholesky_basis(const Eigen::MatrixXd& correlation);

@@ -1,11 +1,11 @@
 #pragma once
 /// Samples of inputs that have one value each, or one value at each of many sites.
 ///
-/// An input has coordinates on the standard normal axis: one for a single value, one for each site
-/// if the sites are independent, as many as its random field needs, or none if it is stratified
-/// inside the sample. A design has one column for each coordinate: first the first coordinates of
-/// all inputs, then their second ones, and so on. Inputs of one value each therefore have the first
-/// columns of the same inputs over sites.
+/// An input has coordinates on the standard normal axis: one for a single value, one for each
+/// site if the sites are independent, as many as its random field needs, or none if it is
+/// stratified inside the sample. A design has one column for each coordinate: first the first
+/// coordinates of all inputs, then their second ones, and so on. Inputs of one value each
+/// therefore have the first columns of the same inputs over sites.
 
 #include "uq/designs/normal_copula.hpp"
 #include "uq/designs/stream.hpp"
@@ -43,14 +43,16 @@ struct SpatialPlan {
     int n_columns = 0;
 };
 
-/// @param latin whether the design is a Latin hypercube. If it is and every input has one value,
-/// its rows are reordered to the dependence, so that it stays Latin; else coordinates are mixed.
+/// @param latin whether the design is a Latin hypercube. If it is and every input has one
+/// value,
+/// its rows are reordered to the dependence, so that it stays Latin; else coordinates are
+/// mixed.
 [[nodiscard]] SpatialPlan spatial_plan(std::vector<SpatialInput> inputs,
                                        std::vector<FieldBasis> fields,
                                        std::optional<NormalCopula> dependence, bool latin);
 
-/// Reorders a Latin hypercube to the correlation of its normal scores (Iman and Conover 1982). Rows
-/// of each size are reordered among themselves, so that rows of smaller sizes stay.
+/// Reorders a Latin hypercube to the correlation of its normal scores (Iman and Conover 1982).
+/// Rows of each size are reordered among themselves, so that rows of smaller sizes stay.
 /// @param u rows of the last size x variables, in (0, 1)  @param sizes ascending
 /// @throws std::invalid_argument if a size adds no more rows than there are variables
 void reorder(Eigen::MatrixXd& u, const Eigen::MatrixXd& rho_z,

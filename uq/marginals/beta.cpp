@@ -26,8 +26,8 @@ double log_beta(double alpha, double beta)
     return bm::lgamma(alpha) + bm::lgamma(beta) - bm::lgamma(alpha + beta);
 }
 
-/// Below kFar, Boost 1.74 finds no root or throws: from t^alpha / (alpha B(alpha, beta)) instead,
-/// the leading term of P, from where Newton does not turn back.
+/// Below kFar, Boost 1.74 finds no root or throws: from t^alpha / (alpha B(alpha, beta))
+/// instead, the leading term of P, from where Newton does not turn back.
 constexpr double kFar = 1e-6;
 
 Split split_quantile(double alpha, double beta, double p)

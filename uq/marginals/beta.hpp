@@ -15,7 +15,7 @@ void check(const Beta&);
 /// @param mean between the ends  @param cov coefficient of variation [-], > 0
 [[nodiscard]] Beta beta_from_moments(double mean, double cov, double lower, double upper);
 
-// What each of these means: uq/marginals/shape.hpp.
+// The meaning of each function is in uq/marginals/shape.hpp.
 [[nodiscard]] Range support(const Beta&);
 [[nodiscard]] double density(const Beta&, double x);
 [[nodiscard]] double lower_tail(const Beta&, double x);

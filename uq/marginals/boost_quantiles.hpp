@@ -1,6 +1,6 @@
 #pragma once
-/// The beta distribution over (0, 1) and Student's, by Boost.Math. One file has them for all, because a compiler takes
-/// seconds for each file that does.
+/// The beta distribution over (0, 1) and Student's, by Boost.Math. One file has them for all,
+/// because a compiler takes seconds for each file that does.
 
 namespace uq {
 

@@ -15,7 +15,7 @@ void check(const Gamma&);
 /// @param mean > 0  @param cov coefficient of variation [-], > 0
 [[nodiscard]] Gamma gamma_from_moments(double mean, double cov);
 
-// What each of these means: uq/marginals/shape.hpp.
+// The meaning of each function is in uq/marginals/shape.hpp.
 [[nodiscard]] Range support(const Gamma&);
 [[nodiscard]] double density(const Gamma&, double x);
 [[nodiscard]] double lower_tail(const Gamma&, double x);

@@ -15,7 +15,7 @@ void check(const Gumbel&);
 /// @param cov coefficient of variation = sd / |mean| [-], > 0
 [[nodiscard]] Gumbel gumbel_from_moments(double mean, double cov);
 
-// What each of these means: uq/marginals/shape.hpp.
+// The meaning of each function is in uq/marginals/shape.hpp.
 [[nodiscard]] Range support(const Gumbel&);
 [[nodiscard]] double density(const Gumbel&, double x);
 [[nodiscard]] double lower_tail(const Gumbel&, double x);

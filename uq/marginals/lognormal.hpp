@@ -15,7 +15,7 @@ void check(const Lognormal&);
 /// @param mean > 0  @param cov coefficient of variation [-], > 0
 [[nodiscard]] Lognormal lognormal_from_moments(double mean, double cov);
 
-// What each of these means: uq/marginals/shape.hpp.
+// The meaning of each function is in uq/marginals/shape.hpp.
 [[nodiscard]] Range support(const Lognormal&);
 [[nodiscard]] double density(const Lognormal&, double x);
 [[nodiscard]] double lower_tail(const Lognormal&, double x);

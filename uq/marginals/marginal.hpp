@@ -16,11 +16,13 @@ struct Marginal {
     double upper = std::numeric_limits<double>::infinity();
 };
 
-/// @throws std::invalid_argument naming the parameter that is out of range, or a cut that leaves
+/// @throws std::invalid_argument naming the parameter that is out of range, or a cut that
+/// leaves
 /// nothing. Every function below is for marginals that pass.
 void check(const Marginal& m);
 
-/// @throws std::invalid_argument for x = nan, p or q outside (0, 1), and from pdf for a variable
+/// @throws std::invalid_argument for x = nan, p or q outside (0, 1), and from pdf for a
+/// variable
 /// of separate values: it has no density.
 [[nodiscard]] double pdf(const Marginal& m, double x);
 [[nodiscard]] double cdf(const Marginal& m, double x);
@@ -33,8 +35,8 @@ void check(const Marginal& m);
 
 /// The same probability on the standard normal axis, from whichever tail is the smaller:
 ///   cdf(x) = Phi(z).
-/// For separate values to_normal gives the middle of the step. Except where the map is a line or
-/// an exponential, |z| > 37.5 is taken as 37.5, beyond which double has no probabilities.
+/// For separate values to_normal gives the middle of the step. Except where the map is a line
+/// or an exponential, |z| > 37.5 is taken as 37.5, beyond which double has no probabilities.
 [[nodiscard]] double from_normal(const Marginal& m, double z);
 [[nodiscard]] double to_normal(const Marginal& m, double x);
 

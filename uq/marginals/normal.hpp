@@ -17,7 +17,7 @@ void check(const Normal&);
 /// phi(z)
 [[nodiscard]] double standard_normal_density(double z);
 
-// What each of these means: uq/marginals/shape.hpp.
+// The meaning of each function is in uq/marginals/shape.hpp.
 [[nodiscard]] Range support(const Normal&);
 [[nodiscard]] double density(const Normal&, double x);
 [[nodiscard]] double lower_tail(const Normal&, double x);

@@ -1,7 +1,7 @@
 #pragma once
-/// Quantile of the standard normal distribution: algorithm AS 241, PPND16 (Wichura 1988, Applied
-/// Statistics 37, 477-484). Within 1e-15 of the value, relative, for probabilities from 1e-300 to
-/// 1 - 1e-16; finite from the smallest double to the largest below 1.
+/// Quantile of the standard normal distribution: algorithm AS 241, PPND16 (Wichura 1988,
+/// Applied Statistics 37, 477-484). Within 1e-15 of the value, relative, for probabilities from
+/// 1e-300 to 1 - 1e-16; finite from the smallest double to the largest below 1.
 
 #include <span>
 

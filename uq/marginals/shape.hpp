@@ -1,6 +1,7 @@
 #pragma once
-/// The table of distributions of one variable. A new one is a pair of files beside this one, its
-/// include and its row in Shape; input files, help and every function of a marginal then know it.
+/// The table of distributions of one variable. A new one is a pair of files beside this one,
+/// its include and its row in Shape; input files, help and every function of a marginal then
+/// know it.
 ///
 /// Functions of a distribution with a density, all of them accurate relative to their own size,
 /// so that 1e-300 is a probability like any other:

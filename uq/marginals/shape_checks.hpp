@@ -3,7 +3,8 @@
 
 namespace uq {
 
-/// All functions below throw std::invalid_argument: "normal: mean is nan; allowed: a finite number".
+/// All functions below throw std::invalid_argument: "normal: mean is nan; allowed: a finite
+/// number".
 [[noreturn]] void refuse(const char* what, double value, const char* allowed);
 
 void require_finite(const char* what, double value);

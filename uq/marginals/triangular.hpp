@@ -12,13 +12,13 @@ struct Triangular {
 
 /// @throws std::invalid_argument naming the parameter that is out of range
 void check(const Triangular&);
-/// Probability between x and y, x <= y, both inside the support: the density is made of straight
-/// lines.
+/// Probability between x and y, x <= y, both inside the support: the density is made of
+/// straight lines.
 [[nodiscard]] double between(const Triangular& s, double x, double y);
 /// Where the density has a kink: the mode.
 [[nodiscard]] double kink(const Triangular& s);
 
-// What each of these means: uq/marginals/shape.hpp.
+// The meaning of each function is in uq/marginals/shape.hpp.
 [[nodiscard]] Range support(const Triangular&);
 [[nodiscard]] double density(const Triangular&, double x);
 [[nodiscard]] double lower_tail(const Triangular&, double x);

@@ -1,6 +1,6 @@
 #pragma once
-/// A shape cut off outside [lower, upper] and scaled up to one, accurate in what is left: deep in
-/// a tail of the shape as well as close to a cut.
+/// A shape cut off outside [lower, upper] and scaled up to one, accurate in what is left: deep
+/// in a tail of the shape as well as close to a cut.
 
 #include "uq/marginals/gauss_legendre.hpp"
 #include "uq/marginals/shape_form.hpp"
@@ -12,8 +12,8 @@
 
 namespace uq::truncated {
 
-/// Integral of the density from x to y, where it changes little except as a power of the distance to an
-/// end of the support: Gauss-Legendre, on stretches that double this distance.
+/// Integral of the density from x to y, where it changes little except as a power of the
+/// distance to an end of the support: Gauss-Legendre, on stretches that double this distance.
 template <class S> [[nodiscard]] double integral(const S& s, double x, double y)
 {
     const Range ends = support(s);
@@ -32,8 +32,8 @@ template <class S> [[nodiscard]] double integral(const S& s, double x, double y)
     return half * sum;
 }
 
-/// Probability between x and y, x <= y, both inside the support. Tails are subtracted where that
-/// keeps the digits, otherwise the density is integrated.
+/// Probability between x and y, x <= y, both inside the support. Tails are subtracted where
+/// that keeps the digits, otherwise the density is integrated.
 template <class S> [[nodiscard]] double between(const S& s, double x, double y)
 {
     constexpr double kShare =
@@ -103,8 +103,8 @@ template <class S> [[nodiscard]] double complement(const S& s, const Cut& c, dou
     return std::min(1.0, between(s, x, c.upper) / c.mass);
 }
 
-/// The step h > 0 from `edge` in `direction` (1 or -1) that spans the probability `t`, where the
-/// density hardly changes: Newton for ln P(h) = ln t over ln h.
+/// The step h > 0 from `edge` in `direction` (1 or -1) that spans the probability `t`, where
+/// the density hardly changes: Newton for ln P(h) = ln t over ln h.
 template <class S>
 [[nodiscard]] double step_from(const S& s, double edge, double direction, double t)
 {

@@ -13,7 +13,7 @@ struct Uniform {
 /// @throws std::invalid_argument naming the parameter that is out of range
 void check(const Uniform&);
 
-// What each of these means: uq/marginals/shape.hpp.
+// The meaning of each function is in uq/marginals/shape.hpp.
 [[nodiscard]] Range support(const Uniform&);
 [[nodiscard]] double density(const Uniform&, double x);
 [[nodiscard]] double lower_tail(const Uniform&, double x);

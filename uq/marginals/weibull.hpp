@@ -15,7 +15,7 @@ void check(const Weibull&);
 /// @param mean > 0  @param cov coefficient of variation [-], in [0.001, 100]
 [[nodiscard]] Weibull weibull_from_moments(double mean, double cov);
 
-// What each of these means: uq/marginals/shape.hpp.
+// The meaning of each function is in uq/marginals/shape.hpp.
 [[nodiscard]] Range support(const Weibull&);
 [[nodiscard]] double density(const Weibull&, double x);
 [[nodiscard]] double lower_tail(const Weibull&, double x);

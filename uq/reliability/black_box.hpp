@@ -16,8 +16,8 @@ struct Samples {
     std::vector<std::uint64_t> id; ///< n, number of the sample in its study
 };
 
-/// Row i of `y` answers row i of the samples. A sample that fails is kept: its row of `y` is NaN
-/// and must not be used, its reason says what went wrong.
+/// Row i of `y` answers row i of the samples. A sample that fails is kept: its row of `y` is
+/// NaN and must not be used, its reason says what went wrong.
 struct Responses {
     Eigen::MatrixXd y;                ///< n x m
     std::vector<std::string> failure; ///< n, empty where the row is sound

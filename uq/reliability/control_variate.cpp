@@ -94,8 +94,8 @@ struct Centred {
     }
 };
 
-/// Variance from the samples that only model b and the cheaper ones have. Each enters the estimate as a
-/// sum over the models, with a weight that differs by model.
+/// Variance from the samples that only model b and the cheaper ones have. Each enters the
+/// estimate as a sum over the models, with a weight that differs by model.
 double block_variance(const NestedValues& y, const Eigen::VectorXd& a, std::size_t b)
 {
     const Eigen::Index first = y[b - 1].size(), n = y[b].size() - first;

@@ -1,6 +1,6 @@
 #pragma once
-/// Mean of an expensive quantity, helped by cheap ones of unknown mean: multi-fidelity Monte Carlo
-/// (Peherstorfer, Willcox, Gunzburger 2016, eq. 3.4).
+/// Mean of an expensive quantity, helped by cheap ones of unknown mean: multi-fidelity Monte
+/// Carlo (Peherstorfer, Willcox, Gunzburger 2016, eq. 3.4).
 
 #include "uq/estimates/estimate.hpp"
 
@@ -10,8 +10,8 @@
 
 namespace uq {
 
-/// y[0] holds the expensive values of samples 0 .. n_0 - 1, y[i] those of cheap model i of samples
-/// 0 .. n_i - 1, n_0 <= n_1 <= ... All finite.
+/// y[0] holds the expensive values of samples 0 .. n_0 - 1, y[i] those of cheap model i of
+/// samples 0 .. n_i - 1, n_0 <= n_1 <= ... All finite.
 using NestedValues = std::vector<Eigen::VectorXd>;
 
 struct ControlledMean {

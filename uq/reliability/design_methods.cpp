@@ -22,7 +22,8 @@ std::string words(const FormResult& r)
     return r.points.size() == 1 ? "two searches found the same point" : "";
 }
 
-/// Shares by FORM: of the coordinates where each input has one of its own, else of dependent inputs.
+/// Shares by FORM: of the coordinates where each input has one of its own, else of dependent
+/// inputs.
 Sensitivity importance_of(const DesignPoint& point, const ReliabilityProblem& p)
 {
     const auto dependent = dependent_importance(point, p.event.to_physical);
@@ -45,9 +46,9 @@ void take(const FormResult& r, const ReliabilityProblem& p, ReliabilityAnswer& a
     if (!r.points.empty()) a.sensitivities.push_back(importance_of(r.points.front(), p));
 }
 
-/// The searches of a model that scatters. A wall's answer scatters by about 0.2 % of its force, which is
-/// some hundredths of a standard deviation of u: differences over 0.3 give a direction good to about 5
-/// degrees, and a point that far off its axis is wrong in beta by 0.5 %.
+/// The searches of a model that scatters. A wall's answer scatters by about 0.2 % of its force,
+/// which is some hundredths of a standard deviation of u: differences over 0.3 give a direction
+/// good to about 5 degrees, and a point that far off its axis is wrong in beta by 0.5 %.
 void loosen(FormOptions& o)
 {
     o.search.step = 0.3;

@@ -17,8 +17,9 @@ void second_order(const ReliabilityProblem& p, const FormResult& first, Reliabil
 /// Importance sampling about all points, with what the budget leaves.
 void important(const ReliabilityProblem& p, const FormResult& first, ReliabilityAnswer& a);
 
-/// Does the event begin elsewhere at about the same distance? Asks in directions at right angles to the
-/// design points or beyond, 1.2 beta away, with what the budget leaves, 100 evaluations at most.
+/// Does the event begin elsewhere at about the same distance? Asks in directions at right
+/// angles to the design points or beyond, 1.2 beta away, with what the budget leaves, 100
+/// evaluations at most.
 void look_elsewhere(const ReliabilityProblem& p, const FormResult& found, ReliabilityAnswer& a);
 
 } // namespace uq

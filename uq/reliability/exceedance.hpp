@@ -33,8 +33,8 @@ struct Exceedance {
 [[nodiscard]] Interval binomial_interval(std::size_t successes, std::size_t n,
                                          double confidence);
 
-/// The estimate from counts of independent samples; the caller fills in the ledger. If all samples
-/// failed, the value is 0, its interval [0, 1] and the outcome no_answer.
+/// The estimate from counts of independent samples; the caller fills in the ledger. If all
+/// samples failed, the value is 0, its interval [0, 1] and the outcome no_answer.
 [[nodiscard]] Exceedance count_exceedance(std::size_t passed, std::size_t failed, std::size_t n,
                                           double confidence);
 

@@ -29,8 +29,8 @@ struct ExternalProgram {
     std::filesystem::path directory; ///< where the runs have theirs; empty: the system's, for
                                      ///< temporary files
     Keep keep = Keep::none;
-    /// Called again and again while runs are awaited. What it throws ends the batch: its runs are
-    /// killed and their directories removed, unless all are kept.
+    /// Called again and again while runs are awaited. What it throws ends the batch: its runs
+    /// are killed and their directories removed, unless all are kept.
     std::function<void()> while_waiting;
 };
 

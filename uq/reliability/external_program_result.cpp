@@ -26,8 +26,8 @@ struct Text {
     std::string failure; ///< why there is none
 };
 
-/// At most the last `most` bytes of a regular file. A program may leave anything in its place: a
-/// pipe would be waited for without end, a device never ends.
+/// At most the last `most` bytes of a regular file. A program may leave anything in its place:
+/// a pipe would be waited for without end, a device never ends.
 Text end_of(const std::filesystem::path& file, std::size_t most)
 {
     const int fd = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);

@@ -102,7 +102,8 @@ void compare(FormResult& r, const FormOptions& o)
     }
 }
 
-/// "the searches did not end within 200 evaluations: 197 were made, and the next step needs more than the 3 left"
+/// "the searches did not end within 200 evaluations: 197 were made, and the next step needs
+/// more than the 3 left"
 std::string ended_by_budget(const Ledger& ledger)
 {
     const std::size_t left = ledger.limit - ledger.evaluations;

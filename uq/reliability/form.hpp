@@ -44,12 +44,15 @@ struct FormResult {
 /// 1.
 [[nodiscard]] Eigen::VectorXd importance_factors(const DesignPoint& p);
 
-/// gamma_i^2 of inputs that depend on each other, one per column of x; they add up to 1 and do not change with
-/// the order of the inputs:
-///   gamma = D J^-T alpha / |D J^-T alpha|,   J = dx/du at the design point,   D^2 = diag(J J^T)
-/// (Der Kiureghian 2005, First- and second-order reliability methods, in: Engineering Design Reliability
-/// Handbook). Of independent inputs it is alpha^2. The map is differentiated; the model is not asked.
-/// @return nothing if every input has a coordinate of its own (then importance_factors says it), or if the
+/// gamma_i^2 of inputs that depend on each other, one per column of x; they add up to 1 and do
+/// not change with the order of the inputs:
+///   gamma = D J^-T alpha / |D J^-T alpha|,   J = dx/du at the design point,   D^2 = diag(J
+///   J^T)
+/// (Der Kiureghian 2005, First- and second-order reliability methods, in: Engineering Design
+/// Reliability Handbook). Of independent inputs it is alpha^2. The map is differentiated; the
+/// model is not asked.
+/// @return nothing if every input has a coordinate of its own (then importance_factors says
+/// it), or if the
 /// inputs do not fix the coordinates
 [[nodiscard]] std::optional<Eigen::VectorXd> dependent_importance(const DesignPoint& p,
                                                                   const Map& to_physical);

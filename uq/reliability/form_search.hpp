@@ -69,7 +69,8 @@ void judge(const LinearLimit& l, const SearchOptions& o, Search& search);
 /// Ends a search without a point.
 void give_up(Search& search, SearchOutcome outcome, std::string reason);
 
-/// Ends a search that has no value at a point: the model failed there, or no evaluation was left.
+/// Ends a search that has no value at a point: the model failed there, or no evaluation was
+/// left.
 /// @param where "at the start"
 void give_up_without_value(Search& search, const Ledger& ledger, const std::string& where);
 

@@ -13,9 +13,9 @@ struct LinearLimit {
     Eigen::VectorXd gradient; ///< dg/du
 };
 
-/// Evaluates g at `u` and at u +/- step along each axis, 2 d + 1 evaluations in one batch. The error
-/// of the gradient is step^2 / 6 times the third derivative plus the roughness of g over step.
-/// Nothing is returned if an evaluation failed.
+/// Evaluates g at `u` and at u +/- step along each axis, 2 d + 1 evaluations in one batch. The
+/// error of the gradient is step^2 / 6 times the third derivative plus the roughness of g over
+/// step. Nothing is returned if an evaluation failed.
 [[nodiscard]] std::optional<LinearLimit>
 linearise(const LimitState& s, const Eigen::VectorXd& u, double step, Ledger& ledger);
 

@@ -26,8 +26,8 @@ struct ImportanceResult {
     double unexplained_share = 0.0;
 };
 
-/// With fewer effective samples the standard error itself is uncertain, and a warning says so. Tuned,
-/// see tests.
+/// With fewer effective samples the standard error itself is uncertain, and a warning says so.
+/// Tuned, see tests.
 constexpr double kFewEffective = 50.0;
 /// A larger share of the sum in one weight causes a warning.
 constexpr double kLargeShare = 0.1;

@@ -1,8 +1,10 @@
 #pragma once
-/// Evaluations on disk while an analysis runs, so that the next one continues with them after Ctrl-C or a kill.
+/// Evaluations on disk while an analysis runs, so that the next one continues with them after
+/// Ctrl-C or a kill.
 ///
-/// The file has a line of JSON for each evaluation, after one that says what the model is. Remove it when the
-/// answer is there: what another program answers today need not be what it answers tomorrow.
+/// The file has a line of JSON for each evaluation, after one that says what the model is.
+/// Remove it when the answer is there: what another program answers today need not be what it
+/// answers tomorrow.
 
 #include "uq/reliability/black_box.hpp"
 
@@ -29,12 +31,13 @@ class KeptEvaluations {
 
     /// Reads what an interrupted run has left. A last line that a kill has cut off is dropped.
     /// @param model what the answers depend on, in words
-    /// @throws OtherModel if the file is that of another model; std::runtime_error if it is damaged or
+    /// @throws OtherModel if the file is that of another model; std::runtime_error if it is
+    /// damaged or
     /// cannot be written
     KeptEvaluations(std::filesystem::path file, const std::string& model);
 
-    /// Thrown by the model of around() where the disk takes no more. It is not a std::exception, because that
-    /// would be a failed sample.
+    /// Thrown by the model of around() where the disk takes no more. It is not a
+    /// std::exception, because that would be a failed sample.
     struct NotKept {
         std::string what; ///< names the file
     };
@@ -42,7 +45,8 @@ class KeptEvaluations {
     /// Evaluations that were there at the start.
     [[nodiscard]] std::size_t found() const { return found_; }
 
-    /// Wraps the model: evaluates only unknown samples, in small batches, and stores each batch.
+    /// Wraps the model: evaluates only unknown samples, in small batches, and stores each
+    /// batch.
     /// @param response the column that is kept; the only one of the answers
     /// The model that is returned must not outlive this.
     [[nodiscard]] BlackBox around(BlackBox model, Eigen::Index response);

@@ -15,7 +15,8 @@ namespace uq {
 /// Counts evaluations and failed samples.
 void take(const Ledger& ledger, ReliabilityAnswer& a);
 
-/// A probability from samples, its warnings and its evaluations. Where all or none passed it is a bound.
+/// A probability from samples, its warnings and its evaluations. Where all or none passed it is
+/// a bound.
 void add(const std::string& method, const Exceedance& e, ReliabilityAnswer& a);
 
 } // namespace uq

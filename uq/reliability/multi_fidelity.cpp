@@ -97,8 +97,8 @@ Eigen::VectorXd filled(const Eigen::VectorXd& y, double value)
     return y.array().isNaN().select(Eigen::VectorXd::Constant(y.size(), value), y);
 }
 
-/// Values of the expensive model where it has one, and those of `use`: samples where the expensive one
-/// failed are among the further samples of the cheap ones.
+/// Values of the expensive model where it has one, and those of `use`: samples where the
+/// expensive one failed are among the further samples of the cheap ones.
 NestedValues nested(const std::vector<Asked>& all, const Eigen::VectorXd& expensive,
                     const std::vector<std::size_t>& use, const MultiFidelityOptions& o)
 {

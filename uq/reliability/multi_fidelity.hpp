@@ -1,6 +1,6 @@
 #pragma once
-/// Mean of a response, or probability of a limit state, of an expensive model with the help of cheap
-/// ones.
+/// Mean of a response, or probability of a limit state, of an expensive model with the help of
+/// cheap ones.
 
 #include "uq/reliability/control_variate.hpp"
 #include "uq/reliability/limit_state.hpp"
@@ -37,7 +37,8 @@ struct MultiFidelityOptions {
 
 struct MultiFidelityResult {
     Estimate estimate{};
-    /// Probability: if every failed expensive sample is safe, or passes. Mean: the value, twice.
+    /// Probability: if every failed expensive sample is safe, or passes. Mean: the value,
+    /// twice.
     double lower = 0.0, upper = 0.0;
     EffortPlan plan;
     std::string reason;                    ///< why the cheap models do not pay
@@ -57,8 +58,8 @@ struct MultiFidelityResult {
 /// the expensive model is imputed from samples with similar responses of the cheap models.
 /// @param s expensive limit state; for a mean its threshold is not used
 /// @throws std::invalid_argument naming what is missing or out of range, or a budget that does
-/// not reach for the pilot; std::runtime_error if fewer than 3 expensive samples of the pilot are
-/// sound
+/// not reach for the pilot; std::runtime_error if fewer than 3 expensive samples of the pilot
+/// are sound
 [[nodiscard]] MultiFidelityResult multi_fidelity(const LimitState& s,
                                                  const std::vector<CheapModel>& cheap,
                                                  const MultiFidelityOptions& o);

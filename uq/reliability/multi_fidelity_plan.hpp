@@ -1,6 +1,6 @@
 #pragma once
-/// How to split effort between an expensive model and cheap ones (Peherstorfer, Willcox, Gunzburger
-/// 2016, section 3).
+/// How to split effort between an expensive model and cheap ones (Peherstorfer, Willcox,
+/// Gunzburger 2016, section 3).
 
 #include <cstddef>
 #include <span>

@@ -84,7 +84,8 @@ InputShare share_of(const std::string& input, const Estimate& e)
             share(e.interval.upper)};
 }
 
-/// A first-order index is never above the total one: where an estimate is, their errors hide what lies between.
+/// A first-order index is never above the total one: where an estimate is, their errors hide
+/// what lies between.
 void tell_not_told_apart(const SobolIndices& s, const std::vector<std::string>& names,
                          ReliabilityAnswer& a)
 {
@@ -163,8 +164,8 @@ void rank_correlations(const ReliabilityProblem& p, const std::vector<Evaluated>
     a.sensitivities.push_back(std::move(s));
 }
 
-/// The model, with a note of what it was asked and what it said. Samples that the model throws on
-/// are failed samples here already, so that they are noted too.
+/// The model, with a note of what it was asked and what it said. Samples that the model throws
+/// on are failed samples here already, so that they are noted too.
 BlackBox noting(const LimitState& s, std::vector<Evaluated>& seen, const OnBatch& on_batch)
 {
     return [model = s.model, response = s.response, &seen, on_batch](const Samples& samples) {

@@ -79,15 +79,17 @@ struct Evaluated {
 [[nodiscard]] std::string budget_too_small(ReliabilityMethod method, int budget,
                                            Eigen::Index dimension);
 
-/// Called after every batch with what was evaluated in it, in order. What it throws ends the analysis, but for a
-/// std::exception, which would be the failure of the batch.
+/// Called after every batch with what was evaluated in it, in order. What it throws ends the
+/// analysis, but for a std::exception, which would be the failure of the batch.
 using OnBatch = std::function<void(std::span<const Evaluated>)>;
 
-/// The probability of the event by the method asked for, and what the response depends on, where the method shows it.
-/// A sample that fails stays alone with its fault, which is among the warnings and the failed samples.
-/// @throws std::invalid_argument naming what is missing or out of range: of the event, of its names, of the
-/// budget, or no cheap model for multi_fidelity; std::runtime_error if too few samples are sound for
-/// multi_fidelity
+/// The probability of the event by the method asked for, and what the response depends on,
+/// where the method shows it. A sample that fails stays alone with its fault, which is among
+/// the warnings and the failed samples.
+/// @throws std::invalid_argument naming what is missing or out of range: of the event, of its
+/// names, of the
+/// budget, or no cheap model for multi_fidelity; std::runtime_error if too few samples are
+/// sound for multi_fidelity
 [[nodiscard]] ReliabilityAnswer reliability(const ReliabilityProblem& problem,
                                             const OnBatch& on_batch = {});
 

@@ -13,7 +13,8 @@ struct SubsetOptions {
     /// Share of a level that seeds the next: 1 / length of the chains. [1 / samples, 1/2]
     double level_share = 0.1;
     int max_levels = 20; ///< including the first, >= 1
-    /// No level, and no further run, is begun that would need more evaluations than this in all.
+    /// No level, and no further run, is begun that would need more evaluations than this in
+    /// all.
     std::size_t max_evaluations = std::numeric_limits<std::size_t>::max();
     /// Coefficient of variation [-], > 0. Independent runs are added until their mean has it.
     double target_cov = std::numeric_limits<double>::infinity();
@@ -35,7 +36,8 @@ struct SubsetResult {
     std::size_t runs = 1; ///< of which the answer is the mean
 };
 
-/// With fewer ancestors the standard error is uncertain, and a warning says so. Tuned, see tests.
+/// With fewer ancestors the standard error is uncertain, and a warning says so. Tuned, see
+/// tests.
 constexpr std::size_t kFewAncestors = 10;
 
 /// The standard error is that of the numbers of passed descendants of the first level's
@@ -43,17 +45,19 @@ constexpr std::size_t kFewAncestors = 10;
 /// between levels is all in it. (Of generalised splitting: Botev and Kroese 2012; for particle
 /// filters: Lee and Whiteley 2018.)
 ///
-/// Where a run ends with evaluations left and the target_cov is not reached, as many are begun as fit by the
-/// evaluations of the longest so far; they are independent, and the answer is their mean. A run has a
-/// bias of the order of its squared coefficient of variation (Au and Beck 2001), which the mean keeps; stopping on the
-/// result adds one of the order of target_cov^2.
+/// Where a run ends with evaluations left and the target_cov is not reached, as many are begun
+/// as fit by the evaluations of the longest so far; they are independent, and the answer is
+/// their mean. A run has a bias of the order of its squared coefficient of variation (Au and
+/// Beck 2001), which the mean keeps; stopping on the result adds one of the order of
+/// target_cov^2.
 ///
-/// A failed evaluation is a rejected move. If there is any, no run is added for the target, and the analysis is
-/// run once more with failed samples passed, for the upper bound; where the evaluations allowed do not suffice for
-/// that, the upper bound is 1. If the limit state cannot be reached (max_levels,
-/// max_evaluations, or g takes one value over a whole level) and nothing has passed, the outcome
-/// is none_passed and the upper end of the interval is that of the last level reached. The
-/// outcome is target_reached if the estimate has the target_cov, else limit_reached.
+/// A failed evaluation is a rejected move. If there is any, no run is added for the target, and
+/// the analysis is run once more with failed samples passed, for the upper bound; where the
+/// evaluations allowed do not suffice for that, the upper bound is 1. If the limit state cannot
+/// be reached (max_levels, max_evaluations, or g takes one value over a whole level) and
+/// nothing has passed, the outcome is none_passed and the upper end of the interval is that of
+/// the last level reached. The outcome is target_reached if the estimate has the target_cov,
+/// else limit_reached.
 /// @throws std::invalid_argument naming the option that is out of range
 [[nodiscard]] SubsetResult subset_simulation(const LimitState& s, const SubsetOptions& o = {});
 

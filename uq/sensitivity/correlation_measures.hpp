@@ -23,15 +23,15 @@ struct SoundRows {
 /// 1 .. n in ascending order, equal values share the mean of their ranks.
 [[nodiscard]] Eigen::VectorXd ranks(const Eigen::VectorXd& y);
 
-/// Linear correlation (Pearson). The interval is that of Fisher's z, for normal pairs. Nothing is
-/// returned if x or y does not vary.
+/// Linear correlation (Pearson). The interval is that of Fisher's z, for normal pairs. Nothing
+/// is returned if x or y does not vary.
 /// @throws std::invalid_argument as sound_rows, for fewer than 4 sound rows or a confidence
 /// outside (0, 1)
 [[nodiscard]] std::optional<Estimate>
 pearson(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double confidence = kConfidence);
 
-/// Monotonic correlation (Spearman): the Pearson correlation of the ranks. Interval by Fisher's z with the variance
-/// (1 + r^2 / 2) / (n - 3) (Bonett and Wright 2000).
+/// Monotonic correlation (Spearman): the Pearson correlation of the ranks. Interval by Fisher's
+/// z with the variance (1 + r^2 / 2) / (n - 3) (Bonett and Wright 2000).
 [[nodiscard]] std::optional<Estimate>
 spearman(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double confidence = kConfidence);
 

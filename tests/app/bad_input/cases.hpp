@@ -1,6 +1,6 @@
 #pragma once
-/// What people get wrong, and the exact message it earns. Read by the tests of the library and
-/// of the program.
+/// Mistakes that people make, and the exact message that each earns. Read by the tests of the
+/// library and of the program.
 
 #include <span>
 #include <string>

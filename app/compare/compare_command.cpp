@@ -1,0 +1,71 @@
+#include "app/compare/compare_command.hpp"
+
+#include "app/compare/compared.hpp"
+#include "app/output/markup.hpp"
+#include "app/output/result_folder.hpp"
+#include "app/output/svg_elements.hpp"
+#include "app/output/table_files.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace app {
+namespace {
+
+constexpr std::string_view kCompareList = "drystone_compare_files.txt";
+
+std::string html_table(const Table& table)
+{
+    const ShownTable t = shown(table);
+    std::string body = "<table>\n<tr>";
+    for (const std::string& h : t.head) body += "<th>" + xml_escape(h) + "</th>";
+    for (const std::vector<std::string>& row : t.rows) {
+        body += "</tr>\n<tr>";
+        for (const std::string& cell : row) body += "<td>" + xml_escape(cell) + "</td>";
+    }
+    return body + "</tr>\n</table>\n";
+}
+
+std::string page(const Table& table, const std::string& chart)
+{
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+           "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+           "<title>Walls side by side</title>\n<style>\n"
+           "body { font: 15px/1.4 sans-serif; max-width: 1100px; margin: 1em auto; padding: 0 "
+           "1em; color: #222 }\n"
+           "div { overflow-x: auto }\ntable { border-collapse: collapse }\n"
+           "th, td { text-align: left; padding: 3px 10px 3px 0; border-bottom: 1px solid #ccc; "
+           "white-space: nowrap }\n"
+           "svg { max-width: 100%; height: auto }\np { color: #555 "
+           "}\n</style>\n</head>\n<body>\n<h1>" +
+           xml_escape(table.title) + "</h1>\n" + chart + "<div>\n" + html_table(table) +
+           "</div>\n<p>" + xml_escape(table.caption) + "</p>\n</body>\n</html>\n";
+}
+
+} // namespace
+
+int compare_command(const Command& command)
+{
+    std::vector<std::filesystem::path> names = {"compare.svg", "compare.html"};
+    for (const char* const ending : kTableEndings)
+        names.push_back(std::string("compare") + ending);
+    if (const std::string note = check_results(command.out, names, kCompareList);
+        !command.quiet)
+        std::cerr << note;
+    std::vector<Compared> all;
+    for (const std::string& path : command.words)
+        for (Compared& c : read_compared(path)) all.push_back(std::move(c));
+    const Table table = compared_table(all);
+    const std::string chart = compared_chart(all);
+    std::vector<OutputFile> files;
+    add_table(files, "compare", table);
+    files.push_back({"compare.svg", chart});
+    files.push_back({"compare.html", page(table, chart)});
+    write_results(command.out, files, kCompareList);
+    std::cout << as_text(table, terminal_width()) << "written to " << command.out << '\n';
+    return 0;
+}
+
+} // namespace app

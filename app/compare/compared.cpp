@@ -1,0 +1,260 @@
+#include "app/compare/compared.hpp"
+
+#include "app/output/cells.hpp"
+#include "app/output/chart_svg.hpp"
+#include "app/push/test_curve.hpp"
+#include "app/reading/wall_reading.hpp"
+#include "app/study/fragility_text.hpp"
+#include "app/study/mean_cells.hpp"
+#include "app/study/mode_share.hpp"
+#include "app/study/study_file_head.hpp"
+#include "app/study/study_walls.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/json_text.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/text_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Mean of the walls as far as nine tenths of them go.
+void add_mean_curve(Compared& c, const StudyLevel& level, double step)
+{
+    constexpr double kGoOn = 0.9;
+    const auto walls = static_cast<double>(level.walls.size());
+    for (std::size_t i = 0;; ++i) {
+        double sum = 0.0, n = 0.0;
+        for (const StudyWall& w : level.walls)
+            if (i < w.forces.size()) sum += w.forces[i], n += 1.0;
+        if (n == 0.0 || n < kGoOn * walls) return;
+        c.displacement.push_back(static_cast<double>(i) * step);
+        c.force.push_back(sum / n);
+    }
+}
+
+std::string modes_text(const StudyWalls& study, const StudyLevel& level)
+{
+    std::string text;
+    for (const int mode : modes_of(study))
+        text +=
+            (text.empty() ? "" : ", ") + std::string(mode_name(mode)) + " " +
+            fixed(100.0 * mode_share(level, mode, study.study.fragility.confidence).value, 0) +
+            " %";
+    return text;
+}
+
+Compared of_level(const StudyWalls& study, const StudyLevel& level)
+{
+    Compared c;
+    std::vector<double> peaks, places, stiffness;
+    std::vector<fragility::Observation> limits, drifts;
+    for (const StudyWall& w : level.walls) {
+        if (!w.reading.peak) continue;
+        peaks.push_back(peak_force(w.reading));
+        places.push_back(peak_displacement(w.reading));
+        if (w.reading.stiffness) stiffness.push_back(*w.reading.stiffness);
+        if (const auto o = fragility::observation(w.reading.ultimate, 1e3))
+            limits.push_back(*o);
+        if (const auto o = fragility::observation(w.reading.ultimate, 100.0 / study.height))
+            drifts.push_back(*o);
+    }
+    const double confidence = study.study.fragility.confidence;
+    c.name = study.name;
+    c.stress = level.stress;
+    for (const double p : peaks) c.peak = (std::isnan(c.peak) ? 0.0 : c.peak) + p;
+    c.peak /= static_cast<double>(std::max<std::size_t>(peaks.size(), 1));
+    c.cells = {stress_cell(level.stress),          count(level.walls.size()),
+               mean_cell(peaks, 2, 1e-3),          mean_cell(places, 2, 1e3),
+               mean_cell(stiffness, 1, 1e-6),      median_cell(limits, confidence, 1),
+               median_cell(drifts, confidence, 2), modes_text(study, level)};
+    add_mean_curve(c, level, study.step);
+    return c;
+}
+
+std::vector<Compared> of_study(const std::string& path)
+{
+    check_is_study(path);
+    const StudyWalls study = read_study_walls(path);
+    std::vector<Compared> all;
+    for (const StudyLevel& level : study.levels) all.push_back(of_level(study, level));
+    return all;
+}
+
+std::optional<double> number_in(const Json& json, const char* key)
+{
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_number()) return std::nullopt;
+    return found->get<double>();
+}
+
+Number limit_in(const Json& j, double scale, int decimals)
+{
+    const auto limit = number_in(j, "ultimate_displacement_mm");
+    if (!limit) return {};
+    Number n = plain_number(*limit * scale, decimals);
+    const auto censored = j.find("ultimate_censored");
+    if (censored != j.end() && censored->is_boolean() && censored->get<bool>())
+        n.sense = Sense::above;
+    return n;
+}
+
+Compared of_push(const fs::path& folder)
+{
+    const std::string path = (folder / "summary.json").string();
+    constexpr std::size_t kMost = std::size_t{4} << 20;
+    if (!fs::exists(path))
+        throw ConfigError(
+            folder.string(), 0, "",
+            "has no summary.json; give the folder of one push (of several stresses: "
+            "one of the folders in it), a FILE.h5 or a .csv");
+    Json j;
+    try {
+        j = json_of(
+            read_bytes(path, kMost, "is larger than 4 MiB", "give the folder of a push"));
+    } catch (const Json::exception&) {
+        throw ConfigError(path, 0, "", "is not the summary of a push; push the wall again");
+    }
+    const auto cell = [&](const char* key, double scale, int decimals) {
+        const auto x = number_in(j, key);
+        return x ? plain_number(*x * scale, decimals) : Number{};
+    };
+    Compared c;
+    c.name = folder.filename().empty() ? folder.parent_path().filename().string()
+                                       : folder.filename().string();
+    if (const auto stress = number_in(j, "vertical_stress_MPa")) c.stress = *stress * 1e6;
+    if (const auto peak = number_in(j, "peak_force_kN")) c.peak = *peak * 1e3;
+    const double height = number_in(j, "load_height_m").value_or(kUnknown);
+    const auto mode = j.find("mode");
+    c.cells = {std::isnan(c.stress) ? Number{} : stress_cell(c.stress),
+               count(1),
+               cell("peak_force_kN", 1.0, 2),
+               cell("displacement_at_peak_mm", 1.0, 2),
+               cell("stiffness_kN_per_mm", 1.0, 1),
+               limit_in(j, 1.0, 1),
+               std::isnan(height) ? Number{} : limit_in(j, 0.1 / height, 2),
+               mode != j.end() && mode->is_string() ? mode->get<std::string>() : std::string()};
+    if (fs::exists(folder / "capacity.csv")) {
+        const TestCurve curve = read_test_curve((folder / "capacity.csv").string());
+        c.displacement = curve.displacement;
+        c.force = curve.force;
+    }
+    return c;
+}
+
+Compared of_test(const std::string& path)
+{
+    TestCurve curve = read_test_curve(path);
+    Compared c;
+    c.name = curve.name;
+    double farthest = 0.0;
+    for (const double u : curve.displacement)
+        if (std::abs(u) > std::abs(farthest)) farthest = u;
+    ReadingRules rules;
+    rules.direction = farthest < 0.0 ? -1 : 1;
+    bool back = false; // a measured cycle has no single curve
+    for (std::size_t i = 1; i < curve.displacement.size(); ++i)
+        back =
+            back || (curve.displacement[i] - curve.displacement[i - 1]) * rules.direction < 0.0;
+    if (back) rules.direction = 0;
+    const WallReading r = read({curve.displacement, curve.force}, {}, rules, true);
+    c.peak = peak_force(r);
+    c.cells = {Number{},
+               count(1),
+               plain_number(peak_force(r) * 1e-3, 2),
+               plain_number(peak_displacement(r) * 1e3, 2),
+               r.stiffness ? plain_number(*r.stiffness * 1e-6, 1) : Number{},
+               limit_cell(r.ultimate, 1e3, 1),
+               Number{},
+               std::string("measured")};
+    c.measured = true;
+    c.displacement = std::move(curve.displacement);
+    c.force = std::move(curve.force);
+    return c;
+}
+
+std::string line_name(const Compared& c)
+{
+    return std::isnan(c.stress) ? c.name : c.name + ", " + stress_text(c.stress);
+}
+
+/// The wall to whose peak another is related.
+const Compared& reference(const std::vector<Compared>& all, const Compared& c)
+{
+    for (const Compared& first : all)
+        if (first.stress == c.stress) return first;
+    return all.front();
+}
+
+} // namespace
+
+std::vector<Compared> read_compared(const std::string& path)
+{
+    if (path.ends_with(".h5")) return of_study(path);
+    if (fs::is_directory(path)) return {of_push(path)};
+    if (path.ends_with(".csv")) return {of_test(path)};
+    throw ConfigError(
+        path, 0, "",
+        "cannot be compared; give a FILE.h5, the folder of a push, or a .csv with "
+        "displacement_mm,force_kN");
+}
+
+Table compared_table(const std::vector<Compared>& all)
+{
+    Table t;
+    t.title = "Walls side by side";
+    t.caption =
+        "Of a study: means with their standard errors, and of the ultimate displacement the "
+        "median "
+        "with its interval. Ultimate: where the force is down to the share of the peak that "
+        "each "
+        "was read with, 80 % unless fragility.ultimate_share says another. The last column "
+        "relates peaks to the first wall under the same stress, else to the first of all.";
+    t.keys = 2;
+    t.head = {"wall",
+              "stress [MPa]",
+              "walls",
+              {"peak [kN]", kError},
+              {"at [mm]", kError},
+              {"stiffness [kN/mm]", kError},
+              {"ultimate [mm]", kInterval | kCensored},
+              {"drift [%]", kInterval | kCensored},
+              "mode",
+              "peak to the first [%]"};
+    for (const Compared& c : all) {
+        const double base = reference(all, c).peak;
+        Row row = joined({c.name}, c.cells);
+        row.emplace_back(std::isfinite(c.peak) && base > 0.0
+                             ? plain_number(100.0 * (c.peak / base - 1.0), 1)
+                             : Number{});
+        t.rows.push_back(std::move(row));
+    }
+    return t;
+}
+
+std::string compared_chart(const std::vector<Compared>& all)
+{
+    Chart chart;
+    chart.title = "Force over displacement";
+    chart.x_label = "Displacement [mm]";
+    chart.y_label = "Horizontal force [kN]";
+    for (const Compared& c : all) {
+        Series line;
+        line.name = line_name(c);
+        for (std::size_t i = 0; i < c.force.size(); ++i) {
+            line.x.push_back(c.displacement[i] * 1e3);
+            line.y.push_back(c.force[i] * 1e-3);
+        }
+        if (c.measured) line.line = LineStyle::dashed;
+        if (!line.x.empty()) chart.series.push_back(std::move(line));
+    }
+    return line_chart(chart);
+}
+
+} // namespace app

@@ -1,0 +1,32 @@
+#pragma once
+/// Walls side by side, whatever they come from: a stored study, a push, a measured curve.
+
+#include "app/output/table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// One row of the comparison, and one line of its chart.
+struct Compared {
+    std::string name;
+    Row cells;                               ///< as the columns of compared_table, without name
+    double peak = kUnknown;                  ///< [N], of a study the mean
+    bool measured = false;                   ///< in a laboratory
+    double stress = kUnknown;                ///< [Pa]; NaN: not known
+    std::vector<double> displacement, force; ///< [m] [N]; of a study the mean of its walls
+};
+
+/// Reads FILE.h5 (a row for each stress), the folder of a push, or a CSV of a measured curve.
+/// @throws ConfigError, StoreError
+[[nodiscard]] std::vector<Compared> read_compared(const std::string& path);
+
+/// One row for each; the last column relates peaks to the first row of the same stress, or to
+/// the first of all.
+[[nodiscard]] Table compared_table(const std::vector<Compared>& all);
+
+/// SVG: all curves in one picture.
+[[nodiscard]] std::string compared_chart(const std::vector<Compared>& all);
+
+} // namespace app

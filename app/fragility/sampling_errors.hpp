@@ -1,0 +1,25 @@
+#pragma once
+/// Errors of means by the number of walls: as of independent walls, and as of the hypercube
+/// that was drawn.
+
+#include "app/output/table.hpp"
+#include "app/study/study_walls.hpp"
+
+#include <optional>
+
+namespace app {
+
+/// Whether walls come from a Latin hypercube with one value of each input per wall, none of
+/// them correlated.
+[[nodiscard]] bool in_hypercube(const Study& study);
+
+/// Standard error of the mean of ln peak force under a hypercube [-]; nothing where the study
+/// has none, or of fewer than two walls.
+[[nodiscard]] std::optional<double> log_peak_error(const StudyWalls& walls,
+                                                   const StudyLevel& level);
+
+/// Mean peak force, share of each mode, and mean displacement of the walls that fell, with both
+/// errors.
+[[nodiscard]] Table sampling_error_table(const StudyWalls& walls);
+
+} // namespace app

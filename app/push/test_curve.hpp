@@ -1,0 +1,20 @@
+#pragma once
+/// A measured curve, from a table of displacements and forces.
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct TestCurve {
+    std::string name; ///< of its file, without ending
+    std::vector<double> displacement,
+        force; ///< [m] [N], as measured, equally long, two or more
+};
+
+/// Reads a CSV with the columns displacement [mm] and force [kN], or displacement_mm and
+/// force_kN, as capacity.csv has them; further columns are left alone.
+/// @throws ConfigError naming the line
+[[nodiscard]] TestCurve read_test_curve(const std::string& path);
+
+} // namespace app

@@ -1,0 +1,158 @@
+#include "app/commands.hpp"
+
+#include "app/input/key_effects.hpp"
+#include "app/input/random_layouts.hpp"
+#include "app/input/study.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/output/markup.hpp"
+#include "app/output/progress.hpp"
+#include "app/output/table.hpp"
+#include "app/output/unique_names.hpp"
+#include "app/output/wall_svg.hpp"
+#include "app/shake/shake_files.hpp"
+#include "app/shake/shaking_motions.hpp"
+#include "app/study/drawn_wall.hpp"
+#include "app/study/interrupt.hpp"
+#include "app/study/study_walls.hpp"
+#include "app/study/wanted_walls.hpp"
+#include "app/text/number_text.hpp"
+#include "dem/block/model.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+namespace app {
+namespace {
+
+constexpr std::string_view kShakeList = "drystone_shake_files.txt";
+
+Table shaken_table(const std::vector<ShakenWall>& walls)
+{
+    Table t;
+    t.title = "Shaken wall";
+    t.head = {"record", "PGA [g]", "max drift [%]", "residual [%]", "fell"};
+    for (const ShakenWall& w : walls) {
+        const dem::ShakeResult& r = w.result;
+        const bool failed = shake_failed(r), fell = r.outcome == dem::ShakeOutcome::collapsed;
+        const auto drift = [&](double x) {
+            return Number{.value = 100.0 * x / r.top_height, .decimals = 3};
+        };
+        t.rows.push_back({w.motion.name, Number{.value = peak_ground_g(w), .decimals = 3},
+                          failed ? Number{} : drift(r.most_displacement),
+                          failed || fell ? Number{} : drift(r.residual_displacement),
+                          std::string(failed         ? "failed"
+                                      : r.overturned ? "overturned"
+                                      : fell         ? "yes"
+                                                     : "no")});
+    }
+    return t;
+}
+
+std::string shaken_picture(const Study& study, const ShakenWall& w)
+{
+    WallPictureText text;
+    text.title = w.motion.name;
+    text.tints = stone_tints(layout_of(study));
+    if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
+    text.load_height = w.result.top_height;
+    text.both_name = text.end_name;
+    return wall_picture(w.result.at_end, w.result.at_end, text);
+}
+
+Study shaken_study(const Command& command, const StudySource& source)
+{
+    Study study = source.study;
+    if (has_layouts(study))
+        study = in_layout(
+            study, layout_seed(study, static_cast<std::uint32_t>(command.sample.value_or(0))));
+    study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
+    return study;
+}
+
+/// A wall that is shaken turns by any amount.
+void refuse_small(const Study& study)
+{
+    if (is_given(study.source, "solver.kinematics") &&
+        study.solver.kinematics == dem::Kinematics::small)
+        throw error_at(study.source, "solver.kinematics",
+                       "a wall that is shaken turns by any amount; write finite, or remove it");
+}
+
+} // namespace
+
+int shake_command(const Command& command)
+{
+    if (command.study.ends_with(".h5"))
+        throw ConfigError(command.study, 0, "", "shake reads a study file; give STUDY.ini");
+    const StudySource source = study_source(command);
+    const std::vector<ShakingMotion> motions = shaking_motions(source.study);
+    refuse_small(source.study);
+    const std::vector<WantedWall> wanted = wanted_walls(source, command);
+    const Study study = shaken_study(command, source);
+    if (wanted.size() != 1) static_cast<void>(level_of(study, command.level)); // throws
+    const WantedWall& wall = wanted.front();
+    const double stress = study.load.vertical_stress.at(wall.level);
+    std::vector<std::filesystem::path> folders, names;
+    UniqueNames unique;
+    for (const ShakingMotion& m : motions) {
+        folders.emplace_back(motions.size() == 1
+                                 ? std::string()
+                                 : std::string(unique.add(plain_name(m.name, "motion"))));
+        for (const char* const name :
+             {"study.ini", "summary.json", "history.csv", "history.svg", "wall.svg"})
+            names.push_back(folders.back() / name);
+    }
+    std::cerr << study_notes(study, command);
+    if (const std::string note = check_results(command.out, names, kShakeList); !command.quiet)
+        std::cerr << note;
+    catch_interrupts();
+    Study moving = study; // its beam is free: the ground drives it
+    moving.load.pattern = dem::LoadPattern::body;
+    const dem::Model model = model_of(moving);
+    const dem::WallMaterials materials =
+        wall_materials(moving, model.layout, wall.level, wall.draw);
+    const Study used = study.random.empty() ? study : with_drawn(study, wall);
+    const std::string text = effective_configuration(used);
+    std::vector<ShakenWall> walls;
+    std::vector<OutputFile> files;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const ShakingMotion& m = motions[i];
+        Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
+        dem::ShakePlan plan;
+        plan.step = m.horizontal.step;
+        plan.horizontal = m.horizontal.acceleration;
+        if (m.vertical) plan.vertical = m.vertical->acceleration;
+        plan.load = study.load.mass;
+        plan.contact_damping = study.shaking.contact_damping;
+        plan.progress = [&](double done, double top) {
+            end_if_interrupted();
+            progress.update(done, m.name + ", " + fixed(top * 1e3, 1) + " mm");
+        };
+        try {
+            walls.push_back(
+                {m, dem::shake(model, materials, plan, moving.solver), plan.load, stress});
+        } catch (const std::invalid_argument& bad) {
+            throw ConfigError(command.study, 0, "", bad.what());
+        }
+        progress.finish(m.name);
+        const std::string picture =
+            shake_failed(walls.back().result) ? "" : shaken_picture(study, walls.back());
+        for (OutputFile& f : shake_files(walls.back(), text, picture))
+            files.push_back({folders[i] / f.name, std::move(f.content)});
+    }
+    write_results(command.out, files, kShakeList);
+    std::cout << as_text(shaken_table(walls), terminal_width())
+              << "verified against closed forms, not validated\nwritten to " << command.out
+              << '\n';
+    bool failed = false;
+    for (const ShakenWall& w : walls) {
+        if (!shake_failed(w.result)) continue;
+        failed = true;
+        std::cerr << "drystone: " << w.motion.name
+                  << ": the wall failed: " << dem::name_of(w.result.outcome) << '\n';
+    }
+    return failed ? 1 : 0;
+}
+
+} // namespace app

@@ -1,0 +1,141 @@
+#include "app/shake/shaking_motions.hpp"
+
+#include "app/input/units.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
+#include "ground/intensity.hpp"
+#include "ground/motion_facts.hpp"
+#include "ground/pulse.hpp"
+#include "ground/record.hpp"
+#include "ground/record_error.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace app {
+namespace {
+
+std::string stripped_text(const std::string& text)
+{
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Parts between commas that stand in no brackets.
+std::vector<std::string> parts_of(const std::string& text)
+{
+    std::vector<std::string> parts(1);
+    int depth = 0;
+    for (const char c : text) {
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c == ',' && depth == 0)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    for (std::string& p : parts) p = stripped_text(p);
+    return parts;
+}
+
+std::vector<ground::GroundMotion> motions_of(const StudyFile& file, const char* key,
+                                             const std::string& text)
+{
+    if (text.empty())
+        throw error_at(file, key, "an empty name between commas; write a file or a pulse");
+    if (ground::is_pulse(text))
+        return read_at(file, key,
+                       [&] { return std::vector<ground::GroundMotion>{ground::pulse(text)}; });
+    const std::string path = (std::filesystem::path(file.path).parent_path() / text).string();
+    try {
+        std::vector<ground::GroundMotion> all;
+        for (ground::Record& r : ground::read_records(path)) {
+            ground::check_motion(path, r.motion);
+            all.push_back(std::move(r.motion));
+        }
+        return all;
+    } catch (const ground::RecordError& bad) {
+        throw error_at(file, key, bad.what());
+    }
+}
+
+/// Intensities in the unit in which people read the measure; the unit may follow each.
+std::vector<double> intensities_of(const Study& study, const ground::Measure& measure)
+{
+    constexpr const char* kKey = "shaking.intensities";
+    std::vector<double> all;
+    if (study.shaking.intensities.empty()) return all;
+    const std::string unit(measure_unit(measure));
+    for (std::string part : parts_of(study.shaking.intensities)) {
+        if (part.ends_with(unit))
+            part = stripped_text(part.substr(0, part.size() - unit.size()));
+        const double x = read_at(study.source, kKey, [&] { return parse_quantity(part, ""); });
+        if (x <= 0.0)
+            throw error_at(study.source, kKey, "must be above 0; write e.g. 0.1, 0.2 " + unit);
+        all.push_back(x * measure_unit_value(measure));
+    }
+    return all;
+}
+
+ground::Measure measure_of(const Study& study)
+{
+    using Kind = ground::MeasureKind;
+    const ground::Measure measure = read_at(study.source, "shaking.measure", [&] {
+        return ground::parse_measure(study.shaking.measure);
+    });
+    if (measure.kind != Kind::pga && measure.kind != Kind::pgv && measure.kind != Kind::sa)
+        throw error_at(study.source, "shaking.measure", "use pga, pgv or sa(0.3 s)");
+    return measure;
+}
+
+/// The vertical motion beside a horizontal one: as many samples, zeros where it is over.
+ground::GroundMotion beside(ground::GroundMotion vertical, const ground::GroundMotion& m,
+                            const StudyFile& file)
+{
+    if (vertical.step != m.step)
+        throw error_at(file, "shaking.vertical",
+                       "must have the time step of " + in_quotes(m.name));
+    if (vertical.acceleration.size() > m.acceleration.size())
+        throw error_at(file, "shaking.vertical",
+                       "lasts longer than " + in_quotes(m.name) + "; cut it to its length");
+    vertical.acceleration.resize(m.acceleration.size(), 0.0);
+    return vertical;
+}
+
+} // namespace
+
+std::vector<ShakingMotion> shaking_motions(const Study& study)
+{
+    const ShakingInput& given = study.shaking;
+    const StudyFile& file = study.source;
+    if (given.records.empty())
+        throw error_at(file, "shaking.records",
+                       "missing; write files of records or pulses, e.g. records = "
+                       "half_sine(peak 0.5 g, duration 0.3 s)");
+    const ground::Measure measure = measure_of(study);
+    const std::vector<double> levels = intensities_of(study, measure);
+    std::optional<ground::GroundMotion> vertical;
+    if (given.vertical != "none")
+        vertical = motions_of(file, "shaking.vertical", given.vertical).front();
+    std::vector<ShakingMotion> all;
+    for (const std::string& part : parts_of(given.records))
+        for (const ground::GroundMotion& m : motions_of(file, "shaking.records", part)) {
+            const double own = intensity(m, measure);
+            if (own <= 0.0)
+                throw error_at(file, "shaking.records", in_quotes(m.name) + " does not move");
+            const auto add = [&](double factor, const std::string& name) {
+                ShakingMotion s{name, scaled(m, factor), {}};
+                if (vertical) s.vertical = beside(scaled(*vertical, factor), m, file);
+                all.push_back(std::move(s));
+            };
+            if (levels.empty()) add(given.scale, m.name);
+            for (const double level : levels)
+                add(given.scale * level / own,
+                    m.name + " at " + measure_text(measure) + " " +
+                        number(given.scale * level / measure_unit_value(measure), 6) + " " +
+                        std::string(measure_unit(measure)));
+        }
+    return all;
+}
+
+} // namespace app

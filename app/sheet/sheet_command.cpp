@@ -1,0 +1,198 @@
+#include "app/sheet/sheet_command.hpp"
+
+#include "app/input/key_effects.hpp"
+#include "app/input/limit_state_text.hpp"
+#include "app/input/material_presets.hpp"
+#include "app/input/random_layouts.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/output/atomic_output.hpp"
+#include "app/output/markup.hpp"
+#include "app/output/replaced_file.hpp"
+#include "app/output/wall_svg.hpp"
+#include "app/push/capacity_svg.hpp"
+#include "app/push/hand_checks.hpp"
+#include "app/push/push_until_told.hpp"
+#include "app/scene/scene_units.hpp"
+#include "app/sheet/print_pdf.hpp"
+#include "app/sheet/sheet_page.hpp"
+#include "app/sheet/wall_drawing.hpp"
+#include "app/study/drawn_wall.hpp"
+#include "app/study/fragility_text.hpp"
+#include "app/study/interrupt.hpp"
+#include "app/study/study_file_head.hpp"
+#include "app/study/wanted_walls.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/number_text.hpp"
+#include "app/version.hpp"
+#include "fragility/observed_quantile.hpp"
+
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path pdf_of(const fs::path& html) { return fs::path(html).replace_extension(".pdf"); }
+
+/// A PDF is ours where the sheet beside it is.
+void check_pdf(const fs::path& html)
+{
+    if (fs::exists(pdf_of(html)) && !fs::exists(html))
+        throw ConfigError("drystone", 0, "--out",
+                          "\"" + pdf_of(html).string() +
+                              "\" is there, and no sheet beside it; write another name");
+}
+
+std::string subtitle(const Study& study, const PushedWall& w)
+{
+    std::string text = number(wall_length(study), 4) + " x " + number(wall_height(study), 4) +
+                       " x " + number(study.wall.thickness, 4) + " m";
+    const MaterialPreset* const material =
+        find_material(kMaterialNames.at(static_cast<std::size_t>(study.geometry.material)));
+    if (material != nullptr) text += ", " + std::string(material->meaning);
+    return text + ", " + stress_text(w.vertical_stress) + " of vertical stress on its top";
+}
+
+std::string drawing_of(const Study& study)
+{
+    return wall_drawing(scene_units(study, whole_units(study)), 330.0, 250.0);
+}
+
+std::string mechanism_of(const Study& study, const PushedWall& w)
+{
+    WallPictureText text;
+    text.tints = stone_tints(layout_of(study));
+    text.load_height = w.loads.height;
+    if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
+    const dem::PushResult& r = w.result;
+    const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
+    if (!r.at_drop) return wall_picture(peak, r.at_end, text);
+    text.end_name = "At " + percent_text(study.fragility.ultimate_share) + " of the peak";
+    return wall_picture(peak, *r.at_drop, text);
+}
+
+std::string drift_text(const fragility::ObservedQuantile& q)
+{
+    return q.value ? fixed(*q.value, 2) : ">";
+}
+
+/// "0.61, 1.39, 2.84": drifts of the random walls of a level [%].
+std::string spread_of(const StudyLevel& level, std::size_t state, double height)
+{
+    constexpr std::array kShares = {0.16, 0.50, 0.84};
+    std::vector<fragility::Observation> all;
+    for (const StudyWall& w : level.walls)
+        if (const auto o = fragility::observation(w.reading.limits.at(state), 100.0 / height))
+            all.push_back(*o);
+    if (all.empty()) return "";
+    std::string text;
+    for (const fragility::ObservedQuantile& q : fragility::observed_quantiles(all, kShares))
+        text += (text.empty() ? "" : ", ") + drift_text(q);
+    return text;
+}
+
+std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
+                                  const StudyLevel* stored)
+{
+    const std::vector<StateName> names = state_names(reading_rules(study));
+    std::vector<SheetLimit> all;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const fragility::LimitDisplacement& limit = w.reading.limits.at(i);
+        SheetLimit row{state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
+                       cell_text(limit_cell(limit, 100.0 / w.loads.height, 2)), names[i].rule,
+                       ""};
+        if (!limit.reason.empty()) row.rule += "; here: " + std::string(limit.reason);
+        if (stored != nullptr) row.spread = spread_of(*stored, i, w.loads.height);
+        all.push_back(std::move(row));
+    }
+    return all;
+}
+
+/// The wall of the study's numbers, each random value its mean.
+std::vector<WantedWall> mean_wall(const StudySource& source, const Command& command)
+{
+    Command mean = command;
+    mean.mean_wall = !source.study.random.empty() || has_layouts(source.study);
+    if (source.study.uq.drawn.empty())
+        static_cast<void>(level_of(source.study, command.level)); // one wall alone
+    return wanted_walls(source, mean);
+}
+
+std::string title_of(const Command& command)
+{
+    return command.title.empty() ? fs::path(command.study).stem().string() : command.title;
+}
+
+Sheet sheet_of(const Study& study, const PushedWall& w, const StudyWalls* stored, int level,
+               const Command& command)
+{
+    const StudyLevel* const walls =
+        stored == nullptr ? nullptr : &stored->levels.at(static_cast<std::size_t>(level));
+    Sheet s;
+    s.title = title_of(command);
+    s.subtitle = subtitle(study, w);
+    s.answer = answer_sentences(study, w);
+    s.drawing = drawing_of(study);
+    Chart curve = capacity_chart(study, w);
+    curve.title = "";
+    curve.width = 560.0;
+    curve.height = 300.0;
+    s.curve = line_chart(curve);
+    s.mechanism = mechanism_of(study, w);
+    s.limits = limits_of(study, w, walls);
+    if (walls != nullptr)
+        s.spread_head = "drift [%] of 16, 50, 84 % of " + std::to_string(walls->walls.size()) +
+                        " random walls";
+    s.assumed = assumptions(study, 4); // as many as there is room for
+    s.certainty = certainty_sentences(study, w, stored, static_cast<std::size_t>(level));
+    s.footer = "Drystone " + std::string(kVersion) + ", in-plane push of " + command.study +
+               ". A help for the engineer, who answers for it; not for out-of-plane failure "
+               "nor for shaking in time.";
+    return s;
+}
+
+} // namespace
+
+int sheet_command(const Command& command)
+{
+    if (command.study.ends_with(".h5")) check_is_study(command.study);
+    const StudySource source = study_source(command);
+    const Study& study = source.study;
+    const std::vector<WantedWall> wanted = mean_wall(source, command);
+    if (const std::string note = check_replaced(command.out, kSheetMark); !command.quiet)
+        std::cerr << note;
+    check_pdf(command.out);
+    std::optional<StudyWalls> stored;
+    if (command.study.ends_with(".h5"))
+        stored = read_study_walls(command.study, command.overrides, Keep::readings);
+    std::cerr << wrapped(study_notes(study, command), terminal_width());
+    catch_interrupts();
+    dem::PushPlan plan = push_plan(study);
+    plan.snapshot_every = 0.0;
+    const Pushed pushed =
+        push_until_told(study, std::move(plan), wanted, command.threads, command.quiet);
+    if (!pushed.whole) throw Interrupted{"no sheet was written"};
+    const PushedWall& wall = pushed.walls.front();
+    if (dem::failed(wall.result.outcome))
+        throw std::runtime_error("the wall failed, and has no sheet: " +
+                                 wall.reading.no_reading);
+    const Study used = study.random.empty() ? study : with_drawn(study, wanted.front());
+    const fs::path out = command.out;
+    if (out.has_parent_path()) make_folder(out.parent_path());
+    write_file(out, sheet_page(sheet_of(used, wall, stored ? &*stored : nullptr,
+                                        wanted.front().level, command)));
+    for (const std::string& s : answer_sentences(used, wall))
+        std::cout << wrapped(s + "\n", terminal_width());
+    std::cout << out.string() << " written\n"
+              << wrapped(print_pdf(out, pdf_of(out)) + "\n", terminal_width());
+    return 0;
+}
+
+} // namespace app

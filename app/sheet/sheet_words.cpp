@@ -1,0 +1,214 @@
+#include "app/sheet/sheet_words.hpp"
+
+#include "app/input/key_values.hpp"
+#include "app/input/material_presets.hpp"
+#include "app/input/study_keys.hpp"
+#include "app/input/unit_cracks.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/push/hand_checks.hpp"
+#include "app/study/fragility_text.hpp"
+#include "app/study/limit_choices.hpp"
+#include "app/study/pier_remark.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+namespace app {
+namespace {
+
+std::string kilonewtons(double force) { return fixed(force * 1e-3, 1) + " kN"; }
+
+std::string millimetres(double distance) { return fixed(distance * 1e3, 1) + " mm"; }
+
+std::string sentence(std::string text)
+{
+    if (text.empty()) return text;
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text + (text.ends_with('.') ? "" : ".");
+}
+
+std::string_view failure_words(dem::FailureMode mode)
+{
+    switch (mode) {
+    case dem::FailureMode::rocking:
+        return "It fails by rocking: parts of the wall tilt about their toes";
+    case dem::FailureMode::sliding:
+        return "It fails by sliding: courses move along their joints";
+    default:
+        return "It fails by cracking: stones split, and the wall then slides or gives way";
+    }
+}
+
+/// The push to the right, or to the left.
+std::string way_words(const Study& study, bool other)
+{
+    const int direction = push_way(study).direction * (other ? -1 : 1);
+    return direction == 0 ? "to and fro" : direction > 0 ? "to the right" : "to the left";
+}
+
+std::string strength_sentence(const Study& study, const PushedWall& w)
+{
+    std::string text = "Pushed " + way_words(study, false) + ", the wall carries " +
+                       kilonewtons(peak_force(w.reading));
+    const double vertical = hand_checks(study, w).vertical_load;
+    if (vertical > 0.0)
+        text += ", " + fixed(peak_force(w.reading) / vertical, 2) +
+                " of the vertical load on its top";
+    if (w.other_way && w.other_way->no_reading.empty())
+        text += "; " + way_words(study, true) + " " + kilonewtons(peak_force(*w.other_way));
+    return text + ".";
+}
+
+std::string limit_sentence(const Study& study, const PushedWall& w)
+{
+    const fragility::LimitDisplacement& limit = w.reading.ultimate;
+    const std::string left = percent_text(study.fragility.ultimate_share);
+    const std::string at = millimetres(limit.displacement) + ", " +
+                           fixed(100.0 * limit.displacement / w.loads.height, 2) +
+                           " % of its height";
+    const std::string way = way_words(study, false) + " ";
+    if (is_observed(limit))
+        return sentence(way + "its force is down to " + left + " of the peak at " + at);
+    if (is_censored(limit))
+        return sentence(way + "its force had not come down to " + left + " of the peak at " +
+                        at + ", where the push ended");
+    return "No displacement can be named at which its force is down to " + left + ".";
+}
+
+/// How much a choice moved drift limits of the wall that was measured (docs/limits.md).
+struct HowMuch {
+    std::string_view key, words;
+};
+constexpr std::array kHowMuch = {
+    HowMuch{"solver.kinematics",
+            "With small ones 98 % of walls at 0.15 MPa have no limit, 48 % at 0.50 MPa; with "
+            "finite ones half of them fall at 9 and 2.9 %"},
+    HowMuch{
+        "load.top",
+        "Where walls rock (0.15 MPa) the median limit was 6.5 % (strut), 9 % (moves with the "
+        "top), 35 % (in its line); from 0.75 MPa on the same"},
+    HowMuch{"beam.rotation",
+            "A level top gave 19 to 32 % more force; median limits of 13.9, not 9.1 % at 0.15 "
+            "MPa, and 1.4, not 2.9 % at 0.50 MPa"},
+    HowMuch{"unit.cracks",
+            "Finer cracks left the median; 84 % of walls fell by 3.0, not 8.0 % (0.75 MPa): a "
+            "limit is known to a factor of two"},
+    HowMuch{"joint.compressive_strength", "From 20 to 92 MPa forces and medians were the same"},
+};
+
+/// Remark on joints weaker than those of the table: the house of docs/cookbook.md, 22, in
+/// `choices`.
+constexpr std::string_view kWeakJoints = "In a house of lime mortar (2 MPa) half the strength "
+                                         "took 38 % off the force and 37 % off the "
+                                         "limit; no crushing added 28 and more than 32 %";
+
+std::string how_much(const Study& study, std::string_view key)
+{
+    constexpr double kWeak = 20e6; // [Pa]
+    const double strength = study.parameters.joint.crushing.strength;
+    if (key == "joint.compressive_strength" && strength > 0.0 && strength < kWeak)
+        return std::string(kWeakJoints);
+    for (const HowMuch& h : kHowMuch)
+        if (h.key == key) return std::string(h.words);
+    return "";
+}
+
+/// The value as the study gives it, else as it is by default.
+std::string given_text(const Study& study, std::string_view key)
+{
+    const Entry* const entry = find_entry(study.source, key);
+    return entry != nullptr ? entry->value : value_text(*find_key(key), study);
+}
+
+/// Measured ones first, in the order of the table.
+int rank(const Assumption& a)
+{
+    if (a.how_much == kWeakJoints) return 0;
+    for (std::size_t i = 0; i < kHowMuch.size(); ++i)
+        if (a.how_much == kHowMuch[i].words) return static_cast<int>(i);
+    return static_cast<int>(kHowMuch.size());
+}
+
+std::string spread_sentence(const StudyWalls& stored, std::size_t level)
+{
+    const StudyLevel& all = stored.levels.at(level);
+    const std::size_t n = all.walls.size();
+    const std::string walls = counted(n, "random wall", "random walls");
+    if (n < 3) return "Only " + walls + " of the study gave a result: no spread can be told.";
+    std::vector<double> peaks;
+    for (const StudyWall& w : all.walls)
+        if (w.reading.peak) peaks.push_back(w.reading.peak->force);
+    if (peaks.empty()) return "None of " + walls + " has a peak.";
+    const auto [low, high] = std::ranges::minmax_element(peaks);
+    std::string text = "Stones and mortar scatter: " + walls + " of this kind carry " +
+                       kilonewtons(*low) + " to " + kilonewtons(*high) +
+                       "; the table shows how far their limits spread.";
+    if (!all.failed_walls.empty())
+        text +=
+            " " + counted(all.failed_walls.size(), "wall", "walls") + " could not be computed.";
+    return text;
+}
+
+} // namespace
+
+std::vector<std::string> answer_sentences(const Study& study, const PushedWall& wall)
+{
+    if (!wall.reading.no_reading.empty())
+        return {sentence("No curve can be read: " + wall.reading.no_reading)};
+    std::vector<std::string> all = {strength_sentence(study, wall),
+                                    limit_sentence(study, wall)};
+    if (!came_down_at_once(wall))
+        all.push_back(std::string(failure_words(wall.reading.mode)) + ".");
+    return all;
+}
+
+std::vector<Assumption> assumptions(const Study& study, std::size_t most)
+{
+    std::vector<Assumption> all;
+    const auto add = [&](std::string_view key, std::string_view effect) {
+        all.push_back({std::string(key) + " = " + given_text(study, key), std::string(effect),
+                       how_much(study, key)});
+    };
+    for (const LimitChoice& choice : limit_choices(study)) add(choice.key, choice.effect);
+    if (has_cracks(study))
+        all.push_back({"unit.cracks = " + (study.cracks.pattern.empty() ? std::string("mid")
+                                                                        : study.cracks.pattern),
+                       "stones crack along lines that are given beforehand, and nowhere else",
+                       how_much(study, "unit.cracks")});
+    std::ranges::stable_sort(all, {}, rank);
+    if (all.size() > most) all.resize(most);
+    return all;
+}
+
+std::vector<std::string> certainty_sentences(const Study& study, const PushedWall& wall,
+                                             const StudyWalls* stored, std::size_t level)
+{
+    std::vector<std::string> all;
+    const auto add = [&](const std::string& text) {
+        if (!text.empty()) all.push_back(sentence(text));
+    };
+    add(no_limit_remark(study, wall.reading));
+    add(pier_remark(study));
+    if (stored != nullptr)
+        add(spread_sentence(*stored, level));
+    else
+        add("One wall of mean values was pushed. Stones and mortar scatter: a study of random "
+            "walls tells how far the answer spreads");
+    if (const std::string material = material_text(study.source); !material.empty())
+        add("Values of the material: " + material);
+    add("Where this program was held against four laboratory walls of dry sandstone, its peak "
+        "forces were 28 % below to 22 % above the measured ones, and its limits within a "
+        "factor of "
+        "1.6" +
+        std::string(has_mortar(study) ? "; no wall with mortar was compared" : ""));
+    if (wall.result.curve.size() > 1)
+        add("The calculation itself errs by about " +
+            never_rounded_away(100.0 * solver_error(wall), 2) + " % in the force");
+    return all;
+}
+
+} // namespace app

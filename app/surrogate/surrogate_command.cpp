@@ -1,0 +1,61 @@
+#include "app/commands.hpp"
+
+#include "app/output/markup.hpp"
+#include "app/output/result_folder.hpp"
+#include "app/output/table_files.hpp"
+#include "app/sampling/study_dependence.hpp"
+#include "app/study/fragility_text.hpp"
+#include "app/study/study_file_head.hpp"
+#include "app/surrogate/surrogate_output.hpp"
+
+#include <iostream>
+
+namespace app {
+namespace {
+
+std::string picture_name(const LevelSurrogate& l)
+{
+    return "predicted_" + file_name(stress_text(l.points.stress)) + ".svg";
+}
+
+std::vector<OutputFile> surrogate_files(const SurrogateStudy& s)
+{
+    std::vector<OutputFile> files = {{"surrogate.json", surrogate_json(s)}};
+    add_table(files, "surrogate", surrogate_table(s));
+    add_table(files, "indices", surrogate_index_table(s));
+    add_table(files, "walls", surrogate_wall_table(s));
+    for (const LevelSurrogate& l : s.levels)
+        if (l.left_out.size() > 0) files.push_back({picture_name(l), surrogate_picture(s, l)});
+    return files;
+}
+
+} // namespace
+
+int surrogate_command(const Command& command)
+{
+    const WallResponse& response =
+        surrogate_response(command.of.empty() ? kWallResponses.front().name : command.of);
+    check_is_study(command.study);
+    if (const std::string note =
+            check_results(command.out, {"surrogate.json", "surrogate.csv"});
+        !command.quiet)
+        std::cerr << note;
+    const StudyWalls walls = read_study_walls(command.study, {}, Keep::means);
+    SurrogateStudy s{&walls, &response, surrogate_inputs(walls), {}};
+    std::vector<uq::PolynomialFamily> families;
+    for (const std::size_t k : s.inputs)
+        families.push_back(uq::family_of(*walls.inputs[k].marginal));
+    const bool dependent = dependence_of(walls.study).has_value();
+    for (std::size_t level = 0; level < walls.levels.size(); ++level)
+        s.levels.push_back(fit_surrogate(surrogate_points(walls, level, s.inputs, response),
+                                         families, dependent, walls.study.uq.seed));
+    write_results(command.out, surrogate_files(s));
+    const std::size_t width = terminal_width();
+    for (const Table& t : {surrogate_table(s), surrogate_index_table(s)})
+        std::cout << t.title << "\n" << as_text(t, width) << "\n";
+    std::cout << wrapped(surrogate_remarks(s), width) << "written to " << command.out
+              << "; surrogate.json there predicts walls that were never run\n";
+    return 0;
+}
+
+} // namespace app

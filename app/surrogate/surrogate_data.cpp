@@ -1,0 +1,89 @@
+#include "app/surrogate/surrogate_data.hpp"
+
+#include "app/text/config_error.hpp"
+#include "app/text/words.hpp"
+#include "uq/surrogates/polynomials.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+const WallResponse& surrogate_response(std::string_view name)
+{
+    std::vector<std::string_view> names;
+    for (const WallResponse& r : kWallResponses) {
+        if (r.name == name) return r;
+        names.push_back(r.name);
+    }
+    throw ConfigError("drystone", 0, "--of",
+                      in_quotes(name) + " is no response; " + suggestion(name, names) + " (" +
+                          listed(names) + ")");
+}
+
+std::vector<std::size_t> surrogate_inputs(const StudyWalls& walls)
+{
+    std::vector<std::size_t> varying;
+    for (std::size_t k = 0; k < walls.inputs.size(); ++k) {
+        const StoredInput& input = walls.inputs[k];
+        if (input.count > 1 || walls.study.uq.spatial != Spatial::none)
+            throw ConfigError(
+                walls.name, 0, input.key,
+                "varies from joint to joint (uq.spatial), and a surrogate takes one "
+                "value per wall; run a study with uq.spatial = none");
+        if (!input.marginal)
+            throw ConfigError(
+                walls.name, 0, input.key,
+                "its distribution is not in the file; run the study again with this "
+                "version");
+        if (!std::holds_alternative<uq::Constant>(input.marginal->shape)) varying.push_back(k);
+    }
+    if (varying.empty())
+        throw ConfigError(walls.name, 0, "",
+                          "nothing is random in this study; give keys a distribution, such as "
+                          "joint.friction_angle = normal(mean 31.8 deg, cov 0.20)");
+    return varying;
+}
+
+SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
+                                 const std::vector<std::size_t>& inputs,
+                                 const WallResponse& response)
+{
+    const StudyLevel& from = walls.levels[level];
+    SurrogatePoints p;
+    p.stress = from.stress;
+    p.failed = from.failed_walls.size();
+    std::vector<double> y;
+    WallList used;
+    for (const StudyWall& w : from.walls) {
+        const double value = response.read(w.reading, walls.height);
+        if (std::isfinite(value) && response.is_bound(w.reading))
+            p.bounds.push_back(w.key);
+        else if (!std::isfinite(value))
+            p.without.push_back(w.key);
+        else if (used.size() == kMostSurrogateWalls)
+            ++p.beyond;
+        else {
+            used.push_back(&w);
+            y.push_back(value * response.scale);
+        }
+    }
+    const auto n = static_cast<Eigen::Index>(used.size());
+    const auto d = static_cast<Eigen::Index>(inputs.size());
+    p.x.resize(n, d);
+    p.coordinates.resize(n, d);
+    p.y = Eigen::Map<const Eigen::VectorXd>(y.data(), n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const StudyWall& w = *used[static_cast<std::size_t>(i)];
+        p.sample.push_back(w.key.sample);
+        for (Eigen::Index j = 0; j < d; ++j) {
+            const std::size_t k = inputs[static_cast<std::size_t>(j)];
+            p.x(i, j) = w.inputs[k];
+            p.coordinates(i, j) =
+                uq::coordinate(*walls.inputs[k].marginal, w.inputs[k] / walls.inputs[k].scale);
+        }
+    }
+    return p;
+}
+
+} // namespace app

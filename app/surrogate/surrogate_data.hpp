@@ -1,0 +1,44 @@
+#pragma once
+/// Walls of a stored study as points of a surrogate: random values and one response.
+
+#include "app/reading/wall_response.hpp"
+#include "app/study/study_walls.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// Larger studies are learned from their first walls: the cost grows with the cube.
+constexpr std::size_t kMostSurrogateWalls = 600; // choice
+
+struct SurrogatePoints {
+    double stress = 0.0;               ///< [Pa]
+    std::vector<std::uint32_t> sample; ///< numbers of the walls
+    Eigen::MatrixXd x;                 ///< shown values of the inputs, walls x inputs
+    Eigen::MatrixXd coordinates;       ///< of uq/surrogates/polynomials.hpp
+    Eigen::VectorXd y;                 ///< shown value of the response
+    std::vector<WallKey> without;      ///< the response is not defined
+    std::vector<WallKey> bounds;       ///< the push ended before: only a lower bound is known
+    std::size_t failed = 0,
+                beyond = 0; ///< walls that gave no result; more than kMostSurrogateWalls
+};
+
+/// The row of kWallResponses.
+/// @throws ConfigError about --of naming those that there are
+[[nodiscard]] const WallResponse& surrogate_response(std::string_view name);
+
+/// Places in StudyWalls::inputs of those that vary.
+/// @throws ConfigError where nothing is random, an input has one value per joint, or its
+/// distribution is not known
+[[nodiscard]] std::vector<std::size_t> surrogate_inputs(const StudyWalls& walls);
+
+[[nodiscard]] SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
+                                               const std::vector<std::size_t>& inputs,
+                                               const WallResponse& response);
+
+} // namespace app

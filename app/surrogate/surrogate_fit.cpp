@@ -1,0 +1,132 @@
+#include "app/surrogate/surrogate_fit.hpp"
+
+#include "app/text/number_text.hpp"
+#include "uq/estimates/two_heaps.hpp"
+#include "uq/sensitivity/delta_index.hpp"
+#include "uq/sensitivity/hsic.hpp"
+#include "uq/surrogates/process_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+namespace app {
+namespace {
+
+constexpr Eigen::Index kFewestWalls = 10;
+
+/// Whether the response varies by more than rounding.
+bool varies(const Eigen::VectorXd& y)
+{
+    const double size = y.cwiseAbs().maxCoeff();
+    return y.maxCoeff() - y.minCoeff() > 1e-9 * size;
+}
+
+SurrogateError error_of(const Eigen::VectorXd& residual, const Eigen::VectorXd& y)
+{
+    const double square = residual.squaredNorm() / static_cast<double>(y.size());
+    return {1.0 - square / (y.array() - y.mean()).square().mean(), std::sqrt(square)};
+}
+
+/// The kernel with the smaller error on walls left out.
+void fit_processes(LevelSurrogate& s)
+{
+    for (const auto kernel :
+         {uq::ProcessKernel::matern_52, uq::ProcessKernel::squared_exponential})
+        try {
+            uq::GaussianProcess p =
+                uq::fit_process({s.points.coordinates, s.points.y}, {.kernel = kernel});
+            const SurrogateError error = error_of(uq::leave_one_out(p).residual, s.points.y);
+            if (s.process && !(error.q2 > s.process_error.q2)) continue;
+            s.process = std::move(p);
+            s.process_error = error;
+        } catch (const std::invalid_argument&) { // no factor: the other kernel, or chaos alone
+        }
+}
+
+void fit_both(LevelSurrogate& s, const std::vector<uq::PolynomialFamily>& families)
+{
+    const Eigen::VectorXd& y = s.points.y;
+    fit_processes(s);
+    s.chaos = uq::fit_chaos(families, s.points.coordinates, y);
+    const Eigen::VectorXd out = uq::held_out_residuals(*s.chaos, s.points.coordinates, y);
+    s.chaos_error = error_of(out, y);
+    s.chaos_is_better = !s.process || s.chaos_error.q2 > s.process_error.q2;
+    s.left_out = y - (s.chaos_is_better ? out : uq::leave_one_out(*s.process).residual);
+}
+
+void judge(LevelSurrogate& s)
+{
+    const double q2 = s.chaos_is_better ? s.chaos_error.q2 : s.process_error.q2;
+    const auto inputs = static_cast<std::size_t>(s.points.x.cols());
+    const auto walls = s.points.sample.size();
+    if (walls < kWallsPerInput * inputs)
+        s.doubts.push_back(std::to_string(walls) + " walls are fewer than " +
+                           std::to_string(kWallsPerInput) + " for each of " +
+                           std::to_string(inputs) + " random inputs; run at least " +
+                           std::to_string(kWallsPerInput * inputs) + ".");
+    if (!(q2 >= kTrustedQ2))
+        s.doubts.push_back(
+            "The inputs explain less than half of the variance of walls left out (Q2 " +
+            number(q2, 2) + "): the response jumps, or depends on something else.");
+    if (s.one_heap && *s.one_heap < kOneHeapLevel && !(q2 >= kExplainedQ2))
+        s.doubts.push_back("The response lies in two heaps or more (p of one heap " +
+                           number(*s.one_heap, 2) + ") that the inputs do not tell apart (Q2 " +
+                           number(q2, 2) + "): a mean between them is no wall's.");
+}
+
+void add_given_data(LevelSurrogate& s, std::uint64_t seed)
+{
+    for (Eigen::Index k = 0; k < s.points.x.cols(); ++k) {
+        const auto stream = static_cast<std::uint64_t>(k);
+        const Eigen::VectorXd x = s.points.coordinates.col(k);
+        GivenData g;
+        if (x.maxCoeff() > x.minCoeff()) {
+            const uq::Estimate delta =
+                uq::delta_index(x, s.points.y, {.seed = seed, .stream = 2 * stream});
+            if (delta.value > 0.0 && delta.value <= 1.0) g.delta = delta;
+            const uq::Hsic h =
+                uq::hsic(x, s.points.y, {.seed = seed, .stream = 2 * stream + 1});
+            g.hsic = std::clamp(h.share, 0.0, 1.0);
+            g.p_value = h.p_value;
+        }
+        s.given.push_back(g);
+    }
+}
+
+} // namespace
+
+LevelSurrogate fit_surrogate(SurrogatePoints points,
+                             const std::vector<uq::PolynomialFamily>& families, bool dependent,
+                             std::uint64_t seed)
+{
+    LevelSurrogate s;
+    s.points = std::move(points);
+    const Eigen::Index n = s.points.y.size();
+    if (n < kFewestWalls)
+        s.doubts.push_back("Only " + std::to_string(n) +
+                           " walls have the response; a surrogate needs at least " +
+                           std::to_string(kFewestWalls) + ".");
+    else if (!varies(s.points.y))
+        s.doubts.emplace_back(
+            "The response is the same on all walls: there is nothing to learn.");
+    else {
+        s.one_heap = uq::one_heap_p_value(
+            std::span(s.points.y.data(), static_cast<std::size_t>(n)), 199, seed);
+        fit_both(s, families);
+        judge(s);
+        add_given_data(s, seed);
+    }
+    if (!s.doubts.empty())
+        s.no_indices = s.doubts.front();
+    else if (dependent)
+        s.no_indices = "The inputs depend on each other (uq.pearson): shares of the variance "
+                       "are not defined.";
+    else if (!(s.chaos_error.q2 >= kTrustedQ2))
+        s.no_indices =
+            "The chaos, which gives the indices, explains less than half of the variance.";
+    return s;
+}
+
+} // namespace app

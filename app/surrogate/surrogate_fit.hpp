@@ -1,0 +1,56 @@
+#pragma once
+/// Both surrogates of the walls of one stress, what they are worth and what the response
+/// depends on.
+
+#include "app/surrogate/surrogate_data.hpp"
+#include "uq/estimates/estimate.hpp"
+#include "uq/surrogates/chaos_fit.hpp"
+#include "uq/surrogates/gaussian_process.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+constexpr double kTrustedQ2 = 0.5; ///< below, a surrogate is not to be trusted; choice
+constexpr double kExplainedQ2 =
+    0.9; ///< from here on, two heaps are explained by the inputs; choice
+constexpr double kOneHeapLevel = 0.05;    ///< of the test of one heap [-]
+constexpr double kDependsLevel = 0.05;    ///< of the test of independence [-]
+constexpr std::size_t kWallsPerInput = 5; ///< at least; choice
+
+/// Error on walls that a surrogate has not seen: Q2 = 1 - mean square residual / variance.
+struct SurrogateError {
+    double q2 = 0.0, rmse = 0.0; ///< [-]; in the shown unit of the response
+};
+
+/// Dependence of the response on its inputs by the samples alone, without a surrogate.
+struct GivenData {
+    std::optional<uq::Estimate>
+        delta; ///< of Borgonovo; nothing where the estimate is not above 0
+    double hsic = 0.0, p_value = 1.0; ///< share [-] and test of independence
+};
+
+struct LevelSurrogate {
+    SurrogatePoints points;
+    std::optional<uq::ChaosFit> chaos;
+    std::optional<uq::GaussianProcess> process;
+    SurrogateError chaos_error;   ///< terms chosen anew without each tenth of the walls
+    SurrogateError process_error; ///< leave-one-out
+    Eigen::VectorXd left_out;     ///< what the better one says of each wall without it
+    bool chaos_is_better = false;
+    std::optional<double> one_heap; ///< p-value
+    std::vector<std::string>
+        doubts;             ///< why it is not to be trusted: whole sentences; empty: it is
+    std::string no_indices; ///< why there are no indices of Sobol'; empty: there are
+    std::vector<GivenData> given; ///< of each input; empty: too few walls, or no response
+};
+
+/// @param dependent inputs depend on each other, by the study
+[[nodiscard]] LevelSurrogate fit_surrogate(SurrogatePoints points,
+                                           const std::vector<uq::PolynomialFamily>& families,
+                                           bool dependent, std::uint64_t seed);
+
+} // namespace app

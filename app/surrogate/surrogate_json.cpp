@@ -1,0 +1,108 @@
+#include "app/input/study_file.hpp"
+#include "app/surrogate/surrogate_output.hpp"
+#include "app/text/json_text.hpp"
+
+namespace app {
+namespace {
+
+Json list_of(const auto& values)
+{
+    Json list = Json::array();
+    for (const double v : values) list.push_back(or_null(v));
+    return list;
+}
+
+/// All digits: a prediction from the file is that of the program.
+Json exact_list(const Eigen::VectorXd& values)
+{
+    Json list = Json::array();
+    for (const double v : values) list.push_back(v);
+    return list;
+}
+
+Json exact_rows(const Eigen::MatrixXd& m)
+{
+    Json rows = Json::array();
+    for (Eigen::Index i = 0; i < m.rows(); ++i)
+        rows.push_back(exact_list(m.row(i).transpose()));
+    return rows;
+}
+
+Json input_json(const SurrogateStudy& s, std::size_t k)
+{
+    const StoredInput& input = s.walls->inputs[k];
+    const Entry* entry = find_entry(s.walls->study.source, input.key);
+    return {{"key", input.key},
+            {"unit", input.unit},
+            {"distribution", entry != nullptr ? Json(entry->value) : Json()},
+            {"from", or_null(input.marginal->lower, input.scale)},
+            {"to", or_null(input.marginal->upper, input.scale)},
+            {"coordinate", std::string(uq::name(uq::family_of(*input.marginal)))}};
+}
+
+Json error_json(const SurrogateError& e)
+{
+    return {{"q2", or_null(e.q2)}, {"rmse", or_null(e.rmse)}};
+}
+
+Json chaos_json(const LevelSurrogate& l)
+{
+    if (!l.chaos) return {};
+    Json degrees = Json::array();
+    const Eigen::MatrixXi& d = l.chaos->chaos.degrees;
+    for (Eigen::Index t = 0; t < d.rows(); ++t) {
+        Json row = Json::array();
+        for (Eigen::Index k = 0; k < d.cols(); ++k) row.push_back(d(t, k));
+        degrees.push_back(row);
+    }
+    return {{"error", error_json(l.chaos_error)},
+            {"degrees", degrees},
+            {"coefficients", exact_list(l.chaos->chaos.coefficients)}};
+}
+
+Json process_json(const LevelSurrogate& l)
+{
+    if (!l.process) return {};
+    const uq::GaussianProcess& p = *l.process;
+    return {
+        {"error", error_json(l.process_error)}, {"kernel", std::string(uq::name(p.kernel))},
+        {"variance", p.parameters.variance},    {"lengths", exact_list(p.parameters.lengths)},
+        {"noise", p.parameters.noise},          {"constant", p.trend_weights(0)},
+        {"weights", exact_list(p.weights)},     {"points", exact_rows(p.data.x)}};
+}
+
+Json level_json(const LevelSurrogate& l)
+{
+    Json doubts = Json::array();
+    for (const std::string& d : l.doubts) doubts.push_back(d);
+    Json j = {{"vertical_stress_MPa", or_null(l.points.stress, 1e-6)},
+              {"walls", l.points.sample.size()},
+              {"trusted", l.doubts.empty()},
+              {"doubts", doubts},
+              {"better",
+               l.chaos || l.process ? Json(l.chaos_is_better ? "chaos" : "process") : Json()}};
+    if (l.points.y.size() > 0) {
+        j["learned_between"] = {{"least", list_of(l.points.x.colwise().minCoeff().eval())},
+                                {"most", list_of(l.points.x.colwise().maxCoeff().eval())}};
+    }
+    j["chaos"] = chaos_json(l);
+    j["process"] = process_json(l);
+    return j;
+}
+
+} // namespace
+
+std::string surrogate_json(const SurrogateStudy& s)
+{
+    Json j = {{"format", "drystone surrogate 1"},
+              {"study", s.walls->name},
+              {"response", std::string(s.response->name)},
+              {"unit", std::string(s.response->unit)}};
+    j["inputs"] = Json::array();
+    for (const std::size_t k : s.inputs) j["inputs"].push_back(input_json(s, k));
+    j["surrogates"] = Json::array();
+    for (const LevelSurrogate& l : s.levels) j["surrogates"].push_back(level_json(l));
+    return text_of(j, 1) + "\n";
+}
+
+} // namespace app

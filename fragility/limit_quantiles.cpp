@@ -1,0 +1,149 @@
+#include "fragility/limit_quantiles.hpp"
+
+#include "fragility/observed_quantile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fragility {
+namespace {
+
+/// Walls that stood when their push ended, for one that is still pushed.
+constexpr double kEndedPerPushed = 5.0;
+
+/// Share of those reached up to which a law of censored walls is read.
+constexpr double kReadOfReached = 0.5;
+
+bool stands(const Observation& o) { return o.upper == kInfinity; }
+
+std::vector<Observation> all_walls(const std::vector<ModeGroup>& modes)
+{
+    std::vector<Observation> all;
+    for (const ModeGroup& m : modes) all.insert(all.end(), m.limits.begin(), m.limits.end());
+    return all;
+}
+
+/// Observed or standing, of weight 1: what Kaplan and Meier's shares need.
+bool plain(const Observation& o)
+{
+    return o.weight == 1.0 && std::isfinite(o.lower) && (o.lower == o.upper || stands(o));
+}
+
+/// Cut where walls were no longer tested.
+LimitQuantile cut(double share, double value, Interval interval, double end, bool observed)
+{
+    const bool known = std::isfinite(value) && is_known(value, end);
+    if (!is_known(interval.upper, end)) interval.upper = kInfinity;
+    if (!known) interval = {std::min(interval.lower, end), kInfinity, interval.confidence};
+    return {share, known ? std::optional(value) : std::nullopt, interval, observed};
+}
+
+std::vector<LimitQuantile> from_shares(std::span<const Observation> walls, double end,
+                                       double confidence)
+{
+    std::vector<LimitQuantile> found;
+    const auto seen = observed_quantiles(walls, kLimitShares, confidence);
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        found.push_back(cut(kLimitShares[i], seen[i].value.value_or(kInfinity),
+                            seen[i].interval, end, true));
+    return found;
+}
+
+std::vector<LimitQuantile> from_mixture(const std::vector<ModeGroup>& modes, double end,
+                                        double confidence)
+{
+    std::vector<LimitQuantile> found;
+    const auto mixture = mixture_quantiles(modes, kLimitShares, confidence);
+    for (std::size_t i = 0; i < mixture.size(); ++i)
+        found.push_back(
+            cut(kLimitShares[i], mixture[i].value, mixture[i].interval, end, false));
+    return found;
+}
+
+/// The share reached at `end` as observed.
+double reached_at(std::span<const Observation> walls, double end)
+{
+    if (!std::isfinite(end)) return 1.0;
+    return observed_shares(walls, std::vector{end * (1.0 + kEndsTogether)}).front().share;
+}
+
+/// Quantiles of one law, and of the shares where the law is not to be trusted.
+std::vector<LimitQuantile> from_law(const PerformanceLimits& law,
+                                    std::span<const Observation> walls, double end,
+                                    double confidence)
+{
+    const bool censored = std::isfinite(end);
+    std::vector<LimitQuantile> found;
+    const bool shares_known = std::ranges::all_of(walls, plain);
+    const double trusted =
+        censored && shares_known ? kReadOfReached * reached_at(walls, end) : 1.0;
+    const auto seen = shares_known ? from_shares(walls, end, confidence) : found;
+    for (std::size_t i = 0; i < kLimitShares.size(); ++i) {
+        const DriftLimit& d = law.drifts[i];
+        found.push_back(d.share <= trusted ? cut(d.share, d.drift, d.interval, end, false)
+                                           : seen[i]);
+    }
+    return found;
+}
+
+/// Whether modes are more than a name for walls that stood: one of them has walls of both
+/// kinds, or all walls fell.
+bool tell_apart(const std::vector<ModeGroup>& modes)
+{
+    if (modes.size() < 2) return false;
+    bool any_stands = false;
+    for (const ModeGroup& m : modes) {
+        const auto standing = static_cast<std::size_t>(std::ranges::count_if(m.limits, stands));
+        if (standing > 0 && standing < m.limits.size()) return true;
+        any_stands = any_stands || standing > 0;
+    }
+    return !any_stands;
+}
+
+bool has_law(const ModeGroup& m)
+{
+    return m.described && fit(m.law, m.limits).outcome == FitOutcome::converged;
+}
+
+} // namespace
+
+double tested_to(std::span<const Observation> walls)
+{
+    std::vector<Observation> sorted(walls.begin(), walls.end());
+    std::ranges::sort(sorted, {}, &Observation::lower);
+    double pushed = 0.0, ended = 0.0, end = 0.0;
+    for (const Observation& o : sorted) pushed += o.weight;
+    for (const Observation& o : sorted) {
+        if (kEndedPerPushed * pushed >= ended) end = std::max(end, o.lower);
+        pushed -= o.weight;
+        if (stands(o)) ended += o.weight;
+    }
+    return ended > 0.0 || sorted.empty() ? end : kInfinity;
+}
+
+LimitQuantiles limit_quantiles(const QuantileData& data, const PerformanceLimits& law,
+                               double confidence)
+{
+    LimitQuantiles found;
+    const std::vector<Observation> walls = all_walls(data.modes);
+    found.tested_to = tested_to(walls);
+    std::vector<ModeGroup> modes = data.modes;
+    std::erase_if(modes, [](const ModeGroup& m) { return m.limits.empty(); });
+    const bool reached =
+        std::ranges::any_of(walls, [](const Observation& o) { return !stands(o); });
+    const bool own = std::ranges::none_of(walls, &Observation::capped);
+    if (!reached) return found;
+    if (own && tell_apart(modes) && std::ranges::any_of(modes, has_law)) {
+        found.source = QuantileSource::mixture;
+        found.at = from_mixture(modes, found.tested_to, confidence);
+    } else if (own && law.fitted && data.described) {
+        found.source = QuantileSource::law;
+        found.at = from_law(law, walls, found.tested_to, confidence);
+    } else if (std::ranges::all_of(walls, plain)) {
+        found.source = QuantileSource::observed;
+        found.at = from_shares(walls, found.tested_to, confidence);
+    }
+    return found;
+}
+
+} // namespace fragility

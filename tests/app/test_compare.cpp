@@ -1,0 +1,120 @@
+#include "app/compare/compare_command.hpp"
+#include "app/compare/compared.hpp"
+#include "app/push/test_curve.hpp"
+#include "app/text/config_error.hpp"
+#include "scenes/temporary_folder.hpp"
+#include "scenes/terminal.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Peak 50 kN at 5 mm; at 9 mm 40 kN are left.
+const std::string kTest = "time,displacement_mm,force_kN\n0,0,0\n1,5,50\n2,10,37.5\n";
+
+std::string file_of(const fs::path& path, const std::string& text)
+{
+    std::ofstream(path) << text;
+    return path.string();
+}
+
+std::string refusal(const std::string& path)
+{
+    try {
+        static_cast<void>(app::read_compared(path));
+    } catch (const app::ConfigError& e) {
+        return e.what();
+    }
+    return "";
+}
+
+double value(const app::Cell& cell) { return std::get<app::Number>(cell).value; }
+
+} // namespace
+
+TEST_CASE("compare: a measured curve is read as a computed one", "[app][compare]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto all = app::read_compared(file_of(folder.path / "test.csv", kTest));
+    REQUIRE(all.size() == 1);
+    CHECK(all.front().name == "test");
+    CHECK(all.front().measured);
+    CHECK(all.front().peak == Approx(50e3));
+    CHECK(value(all.front().cells[2]) == Approx(50.0));
+    CHECK(value(all.front().cells[3]) == Approx(5.0));
+    CHECK(value(all.front().cells[5]) == Approx(9.0)); // 80 % of the peak
+    const std::string left = "displacement [mm];force [kN]\n0;0\n-5;-50\n-10;-37,5\n";
+    const auto other = app::read_compared(file_of(folder.path / "left.csv", left));
+    CHECK(value(other.front().cells[5]) == Approx(9.0));
+}
+
+TEST_CASE("compare: peaks are related to the first wall under the same stress",
+          "[app][compare]")
+{
+    app::Compared a, b, c;
+    a.name = "a", b.name = "b", c.name = "c";
+    a.peak = 40e3, b.peak = 80e3, c.peak = 60e3;
+    a.stress = 0.5e6, b.stress = 1e6, c.stress = 1e6;
+    for (app::Compared* x : {&a, &b, &c}) x->cells.resize(8);
+    const app::Table t = app::compared_table({a, b, c});
+    CHECK(value(t.rows[0].back()) == 0.0);
+    CHECK(value(t.rows[1].back()) == 0.0);
+    CHECK(value(t.rows[2].back()) == Approx(-25.0));
+    CHECK(t.rows[0].size() == t.head.size());
+}
+
+TEST_CASE("compare: what cannot be compared is refused with its place", "[app][compare]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto path = [&](const char* name) { return (folder.path / name).string(); };
+    CHECK(refusal(path("a.txt")).find("cannot be compared") != std::string::npos);
+    CHECK(refusal(file_of(path("b.csv"), "u,f\n1,2\n")) ==
+          path("b.csv") + ":1: has no column of the displacement; name it as in "
+                          "\"displacement_mm,force_kN\"");
+    CHECK(refusal(file_of(path("c.csv"), "displacement_mm,force_kN\n0,0\n1,much\n"))
+              .find(":3:") != std::string::npos);
+    CHECK(refusal(file_of(path("d.csv"), "displacement_mm,force_kN\n0,0\n"))
+              .find("fewer than two points") != std::string::npos);
+    CHECK(refusal(folder.path.string()).find("has no summary.json") != std::string::npos);
+    file_of(path("summary.json"), "{");
+    CHECK(refusal(folder.path.string()).find("is not the summary of a push") !=
+          std::string::npos);
+}
+
+TEST_CASE("compare: a push and a test in one table, one chart and one page", "[app][compare]")
+{
+    const scenes::TemporaryFolder folder;
+    fs::create_directory(folder.path / "wall");
+    file_of(
+        folder.path / "wall" / "summary.json",
+        R"({"vertical_stress_MPa": 0.5, "peak_force_kN": 45.0, "displacement_at_peak_mm": 4.0,
+                "ultimate_displacement_mm": 20.0, "ultimate_censored": true,
+                "stiffness_kN_per_mm": null, "load_height_m": 1.0, "mode": "rocking"})");
+    file_of(folder.path / "wall" / "capacity.csv",
+            "displacement_mm,drift_percent,force_kN\n0,0,0\n4,0.4,45\n");
+    app::Command c;
+    c.words = {(folder.path / "wall").string(), file_of(folder.path / "t<1>.csv", kTest)};
+    c.out = (folder.path / "out").string();
+    c.quiet = true;
+    const scenes::Terminal terminal;
+    CHECK(app::compare_command(c) == 0);
+    CHECK(app::compare_command(c) == 0); // replaces its own
+    const std::string csv = scenes::read_text(folder.path / "out" / "compare.csv");
+    CHECK(csv.find("\nwall,0.5,1,45,") != std::string::npos);
+    CHECK(csv.find(",11.1") != std::string::npos); // 50 / 45
+    CHECK(terminal.text().find("> 20.0") != std::string::npos);
+    CHECK(terminal.text().find("> 2.00") != std::string::npos);
+    const std::string page = scenes::read_text(folder.path / "out" / "compare.html");
+    CHECK(page.find("t&lt;1&gt;") != std::string::npos);
+    CHECK(page.find("<svg") != std::string::npos);
+    CHECK(page.find("nan") == std::string::npos);
+}

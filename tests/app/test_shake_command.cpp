@@ -1,0 +1,153 @@
+#include "app/commands.hpp"
+#include "app/input/study.hpp"
+#include "app/shake/shaking_motions.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/json_text.hpp"
+#include "scenes/terminal.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+
+constexpr const char* kWall = R"([wall]
+length = 0.40 m
+courses = 2
+course_height = 0.20 m
+unit_length = 0.40 m
+thickness = 0.20 m
+bond = stack
+toe = free
+unit_cracks = no
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+friction_angle = 31.8 deg
+[beam]
+height = 0.10 m
+young_modulus = 30 GPa
+density = 2400 kg/m3
+[solver]
+fidelity = rigid
+)";
+
+class ShakeFolder {
+  public:
+    ShakeFolder() { fs::create_directories(path); }
+    ~ShakeFolder() { fs::remove_all(path); }
+    ShakeFolder(const ShakeFolder&) = delete;
+    ShakeFolder& operator=(const ShakeFolder&) = delete;
+    fs::path path =
+        fs::temp_directory_path() / ("drystone_shake_" + std::to_string(::getpid()));
+
+    [[nodiscard]] int shake(const std::string& rest) const
+    {
+        std::ofstream(path / "study.ini") << kWall << rest;
+        app::Command c;
+        c.study = (path / "study.ini").string();
+        c.words = {c.study};
+        c.out = (path / "out").string();
+        c.quiet = true;
+        const scenes::Terminal terminal;
+        return app::shake_command(c);
+    }
+    [[nodiscard]] std::string text(const std::string& name) const
+    {
+        std::ifstream in(path / "out" / name);
+        std::ostringstream text;
+        text << in.rdbuf();
+        return text.str();
+    }
+};
+
+} // namespace
+
+TEST_CASE("shake command: a pulse gives a history whose largest drift the summary tells",
+          "[app][shake]")
+{
+    const ShakeFolder folder;
+    REQUIRE(folder.shake("[load]\nvertical_stress = 0.10 MPa\nmass = none\n[shaking]\n"
+                         "records = half_sine(peak 0.3 g, duration 0.1 s)\n") == 0);
+    const std::string csv = folder.text("history.csv");
+    CHECK(csv.starts_with(
+        "time_s,ground_acceleration_g,displacement_mm,drift_percent,base_shear_kN\n"));
+    std::istringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    double most = 0.0;
+    while (std::getline(lines, line)) {
+        std::istringstream cells(line);
+        std::string cell;
+        for (int i = 0; i < 4; ++i) std::getline(cells, cell, ',');
+        most = std::max(most, std::abs(std::stod(cell)));
+    }
+    const app::Json j = app::json_of(folder.text("summary.json"));
+    CHECK(j["peak_ground_acceleration_g"].get<double>() == Approx(0.3).epsilon(1e-4));
+    CHECK(j["max_drift_percent"].get<double>() > 0.0);
+    CHECK(most == Approx(j["max_drift_percent"].get<double>()).epsilon(0.1));
+    CHECK(j["collapse_time_s"].is_null());
+    CHECK_FALSE(j["overturned"].get<bool>());
+    CHECK(j["load_mass"] == "none");
+    CHECK_THAT(folder.text("study.ini"), Contains("records                 = half_sine("));
+    for (const char* const name : {"history.svg", "wall.svg"})
+        CHECK(fs::exists(folder.path / "out" / name));
+}
+
+TEST_CASE("shake command: intensities scale each record by the measure", "[app][shake]")
+{
+    const app::Study study = app::read_study(app::parse_study_text(
+        "study.ini", std::string(kWall) +
+                         "[load]\nvertical_stress = 0 MPa\n[shaking]\n"
+                         "records = half_sine(peak 0.5 g, duration 0.3 s), "
+                         "sine(peak 1 g, period 0.3 s)\nintensities = 0.1, 0.2 g\n"));
+    const std::vector<app::ShakingMotion> motions = app::shaking_motions(study);
+    REQUIRE(motions.size() == 4);
+    double peak = 0.0;
+    for (const double a : motions[3].horizontal.acceleration)
+        peak = std::max(peak, std::abs(a));
+    CHECK(peak == Approx(0.2 * 9.80665));
+}
+
+TEST_CASE("shake command: bad input is refused with its place and a remedy", "[app][shake]")
+{
+    struct Case {
+        std::string rest, says;
+    };
+    const auto c = GENERATE(values<Case>(
+        {{"[load]\nvertical_stress = 0.1 MPa\nmass = none\n",
+          "shaking.records: missing; write"},
+         {"[load]\nvertical_stress = 0.1 MPa\n[shaking]\nrecords = half_sine(peak 0.3 g, "
+          "duration 0.1 s)\n",
+          "load.mass: missing"},
+         {"[load]\nvertical_stress = 0.1 MPa\nmass = heavy\n[shaking]\nrecords = "
+          "half_sine(peak 0.3 g, duration 0.1 s)\n",
+          "load.mass: \"heavy\""},
+         {"[load]\nvertical_stress = 0 MPa\n[shaking]\nrecords = half_sine(peak 0.3 g)\n",
+          "study.ini:26: shaking.records: "},
+         {"kinematics = small\n[load]\nvertical_stress = 0 MPa\n[shaking]\nrecords = "
+          "half_sine(peak 0.3 g, duration 0.1 s)\n",
+          "solver.kinematics: a wall that is shaken turns"},
+         {"[load]\nvertical_stress = 0 MPa\n[shaking]\nrecods = half_sine(peak 0.3 g)\n",
+          "shaking.recods: unknown key"},
+         {"[load]\nvertical_stress = 0 MPa\n[shaking]\nscale = 0\nrecords = half_sine(peak 0.3 "
+          "g, duration 0.1 s)\n",
+          "shaking.scale: "},
+         {"[load]\nvertical_stress = 0 MPa\n[shaking]\nrecords = not_there.at2\n",
+          "not_there.at2"}}));
+    const ShakeFolder folder;
+    CHECK_THROWS_WITH(static_cast<void>(folder.shake(c.rest)), Contains(c.says));
+    CHECK_FALSE(fs::exists(folder.path / "out"));
+}

@@ -1,0 +1,181 @@
+#include "ground/motion_facts.hpp"
+#include "ground/record.hpp"
+#include "ground/record_error.hpp"
+#include "ground/record_texts.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <string>
+
+namespace {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, from.size(), to);
+}
+
+std::vector<ground::Record> read(const std::string& text,
+                                 const ground::ReadOptions& options = {})
+{
+    return ground::parse_records("r.txt", text, options);
+}
+
+} // namespace
+
+TEST_CASE("record: each format is told by its content and gives its values, step and unit",
+          "[ground][record]")
+{
+    const int n = GENERATE(40, 203);
+    for (const record_texts::Sample& s : record_texts::all(n)) {
+        INFO(s.format);
+        const auto records = read(s.text);
+        REQUIRE(records.size() == s.components);
+        CHECK(records[0].format == s.format);
+        CHECK(records[0].motion.step == Approx(s.step).epsilon(1e-12));
+        REQUIRE(records[0].motion.acceleration.size() == s.values.size());
+        const double rounding = s.format == "USGS SMC"     ? 1e-4
+                                : s.format == "GeoNet V2A" ? 1e-3
+                                                           : 1e-9;
+        for (std::size_t i = 0; i < s.values.size(); ++i)
+            CHECK(records[0].motion.acceleration[i] ==
+                  Approx(s.unit * s.values[i])
+                      .epsilon(rounding)
+                      .margin(s.format == "GeoNet V2A" ? 6e-5 : 1e-12));
+    }
+}
+
+TEST_CASE("record: components have names", "[ground][record]")
+{
+    const auto two = read(record_texts::v2(40));
+    CHECK(two[0].motion.name == "r 90 DEG");
+    CHECK(two[1].component == "180 DEG");
+    CHECK(read(record_texts::v2a(40))[1].component == "N20E");
+}
+
+TEST_CASE("record: values that touch each other are told apart", "[ground][record]")
+{
+    const auto r =
+        read("IN UNITS OF CM/SEC/SEC\nNPTS= 4, DT= .01 SEC\n-1.5E+01-2.5-3.25E-1 4.\n");
+    CHECK(r[0].motion.acceleration[0] == Approx(-0.15));
+    CHECK(r[0].motion.acceleration[1] == Approx(-0.025));
+    CHECK(r[0].motion.acceleration[2] == Approx(-0.00325));
+    CHECK(r[0].motion.acceleration[3] == Approx(0.04));
+}
+
+TEST_CASE("record: fewer or more values than stated are refused with the line",
+          "[ground][record]")
+{
+    const std::string good = record_texts::at2(40);
+    CHECK_THROWS_WITH(read(good.substr(0, good.size() - 17)),
+                      StartsWith("r.txt:12: the file ends after 39 of 40 values"));
+    CHECK_THROWS_WITH(read(replaced(good, "NPTS=     40", "NPTS=     35")),
+                      Contains("more than the 35 values that line 4 states"));
+    CHECK_THROWS_WITH(read(replaced(good, "NPTS=     40", "NPTS=     38")),
+                      Contains("more than the 38 values"));
+    CHECK_THROWS_WITH(read(replaced(good, "NPTS=     40", "NPTS=  -1000")),
+                      Contains("is no number of points"));
+    CHECK_THROWS_WITH(read(replaced(good, ".0050 SEC", "-.005 SEC")),
+                      StartsWith("r.txt:4: a time step of -0.005 s"));
+    CHECK_THROWS_WITH(read(replaced(good, "DT=   .0050 SEC", "DT=   none")),
+                      Contains("no time step; write it"));
+    CHECK_THROWS_WITH(read(replaced(record_texts::esm(40), "NDATA: 40", "NDATA: 39")),
+                      Contains("more than the 39 values"));
+}
+
+TEST_CASE("record: a value that is no finite number is refused with the line",
+          "[ground][record]")
+{
+    std::string good = record_texts::columns(40);
+    CHECK_THROWS_WITH(read(replaced(good, "0.0025, ", "0.0025, nan ")),
+                      StartsWith("r.txt:3: 3 values in place of two"));
+    CHECK_THROWS_WITH(read("0.00 0.1\n0.01 nan\n0.02 0.1\n"),
+                      StartsWith("r.txt:2: \"nan\" is no finite number"));
+    CHECK_THROWS_WITH(read("IN UNITS OF G\nNPTS= 3, DT= .01\n0.1 NaN 0.1\n"),
+                      StartsWith("r.txt:3: \"NaN\" is not finite"));
+    CHECK_THROWS_WITH(read("IN UNITS OF G\nNPTS= 3, DT= .01\n0.1 **** 0.1\n"),
+                      StartsWith("r.txt:3: \"****\" is no number"));
+}
+
+TEST_CASE("record: gaps, doubled and unequal times are refused at their line",
+          "[ground][record]")
+{
+    CHECK_THROWS_WITH(
+        read("0.000 0.1\n0.010 0.1\n0.030 0.1\n0.040 .1\n0.050 .1\n"),
+        StartsWith("r.txt:3: a step of 0.02 s before 0.03 s, where 0.01 s is usual: a gap"));
+    CHECK_THROWS_WITH(read("0.00 0.1\n0.01 0.1\n0.01 0.1\n"),
+                      StartsWith("r.txt:3: the time 0.01 s does not come after"));
+    CHECK_THROWS_WITH(read("0.0 0.1\n5.0 0.1\n10.0 0.1\n"),
+                      Contains("a time step of 5 s is out of range"));
+    // 0.0025 s rounded to milliseconds
+    std::string rounded;
+    for (int i = 0; i < 400; ++i) {
+        char row[40];
+        std::snprintf(row, sizeof row, "%.3f 0.1\n", 0.0025 * i);
+        rounded += row;
+    }
+    CHECK(read(rounded)[0].motion.step == Approx(0.0025).epsilon(2e-3));
+}
+
+TEST_CASE("record: units are read, told or refused, never guessed where they matter",
+          "[ground][record]")
+{
+    const std::string columns = "0.00 1\n0.01 2\n0.02 -3\n";
+    CHECK(read(columns)[0].motion.acceleration[2] == Approx(-3 * 9.80665));
+    CHECK_THAT(read(columns)[0].remarks.at(0), Contains("read in g"));
+    CHECK(read("time (s)  acc (cm/s2)\n" + columns)[0].motion.acceleration[2] == Approx(-0.03));
+    CHECK(read(columns, {"mm/s2"})[0].motion.acceleration[2] == Approx(-0.003));
+    CHECK_THROWS_WITH(read("0.00 100\n0.01 200\n"), Contains("too large for g"));
+    CHECK_THROWS_WITH(read(replaced(record_texts::at2(40), "UNITS OF G", "UNITS OF CM/SEC")),
+                      Contains("\"cm/sec\" is no unit of acceleration"));
+    CHECK_THAT(read(record_texts::esm(40), {"mm/s2"})[0].remarks.at(0),
+               Contains("as told, where the file says cm/s^2"));
+    CHECK(ground::acceleration_unit("CMS/SEC/SEC") == 0.01);
+    CHECK(ground::acceleration_unit("cm/sec**2") == 0.01);
+    CHECK(ground::acceleration_unit("m/s") == 0.0);
+}
+
+TEST_CASE("record: a peak that is not the stated one is refused", "[ground][record]")
+{
+    CHECK_THROWS_WITH(read(replaced(record_texts::esm(40), "PGA_CM/S^2: ", "PGA_CM/S^2: 9")),
+                      Contains("the head states a peak"));
+    CHECK(read(record_texts::esm(40))[0].stated_peak.has_value());
+}
+
+TEST_CASE("record: empty, binary and unknown texts, columns of another number are refused",
+          "[ground][record]")
+{
+    CHECK_THROWS_WITH(read(" \n\r\n"), StartsWith("r.txt: is empty"));
+    CHECK_THROWS_WITH(read(std::string("NPTS= 3\0 4", 10)), StartsWith("r.txt: is binary"));
+    CHECK_THROWS_WITH(read("\x89PNG\r\n"), StartsWith("r.txt: is in no format known here"));
+    CHECK_THROWS_WITH(read("0.1\n0.2\n"), StartsWith("r.txt:1: one column and no time step"));
+    CHECK_THROWS_WITH(read("0 1 2\n1 2 3\n"), StartsWith("r.txt:1: 3 columns"));
+    CHECK_THROWS_WITH(ground::read_records("/"), Contains("is a directory"));
+    CHECK_THROWS_WITH(ground::read_records("nowhere.at2"), Contains("cannot be read"));
+}
+
+TEST_CASE("record: a velocity that does not come to rest is found", "[ground][record]")
+{
+    const auto offset = read("0.00 0.1\n0.01 0.1\n0.02 0.1\n")[0].motion;
+    CHECK_THAT(unfit_motion(motion_facts(offset)), Contains("100 % of the PGV"));
+    CHECK_THROWS_AS(check_motion("r.txt", offset), ground::RecordError);
+    CHECK_NOTHROW(check_motion("r.txt", offset, 1.0));
+    CHECK(ground::unfit_motion(ground::motion_facts({"", 0.01, {0.0, 1.0, 0.0, -1.0, 0.0}}))
+              .empty());
+    CHECK_THAT(ground::unfit_motion(ground::motion_facts({"", 0.01, {0.0, 0.0}})),
+               Contains("all accelerations are 0"));
+}
+
+TEST_CASE("record: a million samples take less than two seconds", "[ground][record]")
+{
+    const std::string text = record_texts::at2(1'000'000);
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(read(text)[0].motion.acceleration.size() == 1'000'000);
+    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() <
+          2.0);
+}

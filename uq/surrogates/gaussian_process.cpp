@@ -1,0 +1,167 @@
+#include "uq/surrogates/gaussian_process.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace uq {
+
+namespace {
+
+void check_process(const ProcessData& d, ProcessTrend trend, const ProcessParameters& p)
+{
+    const auto refuse = [](bool wrong, const char* why) {
+        if (wrong) throw std::invalid_argument(why);
+    };
+    const Eigen::Index n = d.x.rows();
+    refuse(n < 1 || d.y.size() != n || (d.noise.size() != 0 && d.noise.size() != n),
+           "process: x, y and noise must have the same number of rows, at least one");
+    refuse(!d.x.allFinite() || !d.y.allFinite(), "process: x and y must be finite");
+    refuse(d.noise.size() != 0 && !(d.noise.allFinite() && d.noise.minCoeff() >= 0.0),
+           "process: noise of a point must be >= 0");
+    refuse(!(p.variance > 0.0 && std::isfinite(p.variance)), "process: variance must be > 0");
+    refuse(!(p.noise >= 0.0 && std::isfinite(p.noise)), "process: noise must be >= 0");
+    refuse(p.lengths.size() != d.x.cols(), "process: one length for each input");
+    refuse(p.lengths.size() > 0 && !(p.lengths.allFinite() && p.lengths.minCoeff() > 0.0),
+           "process: lengths must be > 0");
+    refuse(n < trend_rows(trend, d.x.topRows(1)).cols(),
+           "process: fewer points than terms of the trend");
+}
+
+Eigen::MatrixXd over_lengths(const Eigen::MatrixXd& x, const Eigen::VectorXd& lengths)
+{
+    return x * lengths.cwiseInverse().asDiagonal();
+}
+
+/// Covariances of `point`, over lengths, with the data.
+Eigen::VectorXd covariances(const GaussianProcess& p, const Eigen::RowVectorXd& point)
+{
+    Eigen::VectorXd k = scaled_distances(p.scaled, point);
+    for (double& v : k) v = p.parameters.variance * process_correlation(p.kernel, v);
+    return k;
+}
+
+void check_columns(const GaussianProcess& p, const Eigen::MatrixXd& x)
+{
+    if (x.cols() != p.data.x.cols())
+        throw std::invalid_argument("process: a point has another number of inputs");
+}
+
+} // namespace
+
+Eigen::MatrixXd trend_rows(ProcessTrend trend, const Eigen::MatrixXd& x)
+{
+    if (trend == ProcessTrend::none) return {x.rows(), 0};
+    Eigen::MatrixXd f = Eigen::MatrixXd::Ones(x.rows(), 1);
+    if (trend == ProcessTrend::linear) {
+        f.conservativeResize(Eigen::NoChange, 1 + x.cols());
+        f.rightCols(x.cols()) = x;
+    }
+    return f;
+}
+
+Eigen::MatrixXd process_covariance(const ProcessData& data, ProcessKernel kernel,
+                                   const ProcessParameters& p)
+{
+    const Eigen::MatrixXd scaled = over_lengths(data.x, p.lengths);
+    const Eigen::Index n = scaled.rows();
+    Eigen::MatrixXd k(n, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const Eigen::VectorXd r2 = scaled_distances(scaled, scaled.row(j));
+        for (Eigen::Index i = j; i < n; ++i)
+            k(i, j) = k(j, i) = p.variance * process_correlation(kernel, r2(i));
+        k(j, j) += p.noise + (data.noise.size() ? data.noise(j) : 0.0);
+    }
+    return k;
+}
+
+GaussianProcess condition(ProcessData data, ProcessKernel kernel, ProcessTrend trend,
+                          ProcessParameters parameters)
+{
+    check_process(data, trend, parameters);
+    GaussianProcess p{
+        std::move(data), kernel, trend, std::move(parameters), {}, {}, {}, {}, {}, {}, 0.0};
+    p.scaled = over_lengths(p.data.x, p.parameters.lengths);
+    const Eigen::LLT<Eigen::MatrixXd> k(process_covariance(p.data, kernel, p.parameters));
+    p.factor = k.matrixL();
+    // rounding of a pivot is near 1e-16 of the diagonal: a smaller one is nothing but rounding
+    const double most = p.factor.diagonal().maxCoeff(), least = p.factor.diagonal().minCoeff();
+    if (k.info() != Eigen::Success || !(least > 1e-7 * most))
+        throw std::invalid_argument(
+            "process: points are too close to be told apart without noise");
+    const auto lower = p.factor.triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd f = trend_rows(trend, p.data.x);
+    p.white_trend = f;
+    if (f.cols() > 0) lower.solveInPlace(p.white_trend); // Eigen reads where nothing is
+    const Eigen::VectorXd white_y = lower.solve(p.data.y);
+    Eigen::VectorXd white = white_y;
+    if (f.cols() > 0) {
+        const Eigen::LLT<Eigen::MatrixXd> a(p.white_trend.transpose() * p.white_trend);
+        if (a.info() != Eigen::Success)
+            throw std::invalid_argument(
+                "process: the points do not tell the terms of the trend apart");
+        p.trend_factor = a.matrixL();
+        p.trend_weights = a.solve(p.white_trend.transpose() * white_y);
+        white -= p.white_trend * p.trend_weights;
+    }
+    p.weights = p.factor.transpose().triangularView<Eigen::Upper>().solve(white);
+    p.log_likelihood =
+        -0.5 * white.squaredNorm() - p.factor.diagonal().array().log().sum() -
+        0.5 * static_cast<double>(p.data.y.size()) * std::log(2.0 * std::numbers::pi);
+    return p;
+}
+
+Eigen::VectorXd predict_mean(const GaussianProcess& p, const Eigen::MatrixXd& x)
+{
+    check_columns(p, x);
+    const Eigen::MatrixXd scaled = over_lengths(x, p.parameters.lengths);
+    Eigen::VectorXd mean(x.rows());
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
+        mean(i) = covariances(p, scaled.row(i)).dot(p.weights);
+        if (p.trend_weights.size() > 0)
+            mean(i) += trend_rows(p.trend, x.row(i)).row(0).dot(p.trend_weights);
+    }
+    return mean;
+}
+
+ProcessPrediction predict(const GaussianProcess& p, const Eigen::MatrixXd& x)
+{
+    ProcessPrediction all{predict_mean(p, x), Eigen::VectorXd(x.rows())};
+    const Eigen::MatrixXd scaled = over_lengths(x, p.parameters.lengths);
+    const auto lower = p.factor.triangularView<Eigen::Lower>();
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
+        const Eigen::VectorXd white = lower.solve(covariances(p, scaled.row(i)));
+        double variance = p.parameters.variance - white.squaredNorm();
+        if (p.trend_weights.size() > 0) {
+            const Eigen::VectorXd left =
+                trend_rows(p.trend, x.row(i)).transpose() - p.white_trend.transpose() * white;
+            variance += p.trend_factor.triangularView<Eigen::Lower>().solve(left).squaredNorm();
+        }
+        all.variance(i) = std::max(0.0, variance);
+    }
+    return all;
+}
+
+ProcessLeaveOneOut leave_one_out(const GaussianProcess& p)
+{
+    const Eigen::Index n = p.data.y.size();
+    const auto lower = p.factor.triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd inverse = lower.solve(Eigen::MatrixXd::Identity(n, n));
+    Eigen::VectorXd q = inverse.colwise().squaredNorm();
+    if (p.trend_weights.size() > 0) {
+        const Eigen::MatrixXd f =
+            p.factor.transpose().triangularView<Eigen::Upper>().solve(p.white_trend); // K^-1 F
+        q -= p.trend_factor.triangularView<Eigen::Lower>()
+                 .solve(f.transpose())
+                 .colwise()
+                 .squaredNorm()
+                 .transpose();
+    }
+    return {p.weights.cwiseQuotient(q), q.cwiseInverse()};
+}
+
+} // namespace uq
