@@ -192,6 +192,7 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
         if (!text.empty()) all.push_back(sentence(text));
     };
     add(no_limit_remark(study, wall.reading));
+    add(no_yield_remark(wall.reading));
     add(pier_remark(study));
     if (stored != nullptr)
         add(spread_sentence(*stored, level));
