@@ -106,7 +106,7 @@ bool tell_apart(const std::vector<ModeGroup>& modes)
 std::vector<ModeGroup> heaps_apart(std::span<const Observation> walls, Law law)
 {
     // tuned: docs/bench/limit_coverage.md; of 50 walls of one law 1 in 25 studies has them
-    constexpr double kGain = 8.0, kApart = 1.8;
+    constexpr double kGain = 10.0, kApart = 1.8;
     if (!std::ranges::all_of(walls, plain)) return {};
     if (positive(law) &&
         std::ranges::any_of(walls, [](const Observation& o) { return o.lower <= 0.0; }))
@@ -153,10 +153,16 @@ LimitQuantiles limit_quantiles(const QuantileData& data, const PerformanceLimits
     const bool own = std::ranges::none_of(walls, &Observation::capped);
     if (!reached) return found;
     if (modes.empty()) return found;
-    if (own && !std::isfinite(found.tested_to))
-        if (auto heaps = heaps_apart(walls, modes.front().law); !heaps.empty())
-            modes = std::move(heaps);
-    if (own && tell_apart(modes) && std::ranges::any_of(modes, has_law)) {
+    const bool well_told =
+        tell_apart(modes) && std::ranges::all_of(modes, &ModeGroup::described);
+    auto heaps = own && !well_told && !std::isfinite(found.tested_to)
+                     ? heaps_apart(walls, modes.front().law)
+                     : std::vector<ModeGroup>();
+    if (std::ranges::any_of(heaps, has_law)) {
+        found.source = QuantileSource::heaps;
+        found.at = from_mixture(heaps, found.tested_to, confidence);
+        found.heaps = std::move(heaps);
+    } else if (own && tell_apart(modes) && std::ranges::any_of(modes, has_law)) {
         found.source = QuantileSource::mixture;
         found.at = from_mixture(modes, found.tested_to, confidence);
     } else if (own && law.fitted && data.described) {

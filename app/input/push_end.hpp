@@ -10,9 +10,8 @@ struct Study;
 /// is long that turns about its toe is down to 80 % of its peak at a tenth of its height.
 void derive_push_end(Study& study);
 
-/// load.stop_below of a finite push one way: 0.1 below the least share of the peak that a limit
-/// state asks for, as the force shakes where stones crack; 0 where one asks for the end, or for
-/// the last fall below a share.
+/// load.stop_below of a finite push one way: 0.02 below the least share of the peak that a
+/// limit state asks for; 0 where one asks for the end, or for the last fall below a share.
 void derive_stop_below(Study& study);
 
 /// output.snapshot_every of a finite push one way: a hundred pictures of the way or fewer, not

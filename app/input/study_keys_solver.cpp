@@ -139,7 +139,7 @@ constexpr std::array kSolverKeys = {
     Key{.name = "load.stop_below", .range = {'[', 0, 1, ')'},
         .derived = {"once all limits are known, or 0", derive_stop_below},
         .meaning = "ends the push once the force is below this share of the peak; 0: at zero force"
-                   " with finite displacements, else never; not given, of a finite push one way: 0.1"
+                   " with finite displacements, else never; not given, of a finite push one way: 0.02"
                    " below the least share that a limit state asks for",
         .field = kAt<&Study::load, &LoadInput::stop_below>},
     Key{.name = "load.pattern", .kind = Kind::word, .names = kPatterns,
