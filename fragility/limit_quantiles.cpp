@@ -106,7 +106,7 @@ bool tell_apart(const std::vector<ModeGroup>& modes)
 std::vector<ModeGroup> heaps_apart(std::span<const Observation> walls, Law law)
 {
     // tuned: docs/bench/limit_coverage.md; of 50 walls of one law 1 in 25 studies has them
-    constexpr double kGain = 10.0, kApart = 1.8;
+    constexpr double kGain = 8.0, kApart = 1.8;
     if (!std::ranges::all_of(walls, plain)) return {};
     if (positive(law) &&
         std::ranges::any_of(walls, [](const Observation& o) { return o.lower <= 0.0; }))
