@@ -47,9 +47,14 @@ int study_then_report(const Command& study)
     }
 }
 
+/// A whole study ends with its answer; a shard has none.
 int run_study(const Command& command)
 {
-    return command.report ? study_then_report(command) : study_command(command);
+    if (command.report) return study_then_report(command);
+    const int code = study_command(command);
+    if (command.shard.count == 1 && command.script.empty())
+        say_answer(command.out, command.quiet);
+    return code;
 }
 
 int run_report(const Command& command) { return report_command(command); }

@@ -216,6 +216,34 @@ Backbone backbone(const Path& path, int direction)
     return b;
 }
 
+FirstLoading first_loading(const Path& path, int direction)
+{
+    check_path(path);
+    if (direction != 1 && direction != -1)
+        throw std::invalid_argument("first loading: the direction must be 1 or -1");
+    const auto x = [&](std::size_t i) { return direction * path.displacement[i]; };
+    const auto f = [&](std::size_t i) { return direction * path.force[i]; };
+    std::size_t i = 0;
+    bool was_elsewhere = false;
+    for (; i < path.force.size() && x(i) <= 0.0; ++i) was_elsewhere |= x(i) < 0.0;
+    if (!was_elsewhere || i == path.force.size()) return {};
+    const double at_zero = between(x(i - 1), f(i - 1), x(i), f(i), 0.0);
+    if (at_zero <= 0.0) return {};
+    while (i > 1 && f(i - 1) > 0.0) --i;
+    return {std::max(0.0, -between(f(i - 1), x(i - 1), f(i), x(i), 0.0)), at_zero};
+}
+
+Backbone from_own_zero(const Curve& curve, double residual)
+{
+    Backbone b{{0.0}, {0.0}};
+    for (std::size_t i = 0; i < curve.displacement.size(); ++i) {
+        if (curve.displacement[i] == 0.0 && curve.force[i] == 0.0) continue;
+        b.displacement.push_back(curve.displacement[i] + residual);
+        b.force.push_back(curve.force[i]);
+    }
+    return b;
+}
+
 Backbone mean(const Backbone& a, const Backbone& b)
 {
     const double reach = std::min(a.displacement.back(), b.displacement.back());

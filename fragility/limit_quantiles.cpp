@@ -1,6 +1,7 @@
 #include "fragility/limit_quantiles.hpp"
 
 #include "fragility/observed_quantile.hpp"
+#include "fragility/two_heaps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +101,24 @@ bool tell_apart(const std::vector<ModeGroup>& modes)
     return !any_stands;
 }
 
+/// Heaps of walls that all reached the limit state, where they lie apart for sure: told by the
+/// drifts, whatever modes the walls are said to have. Else nothing.
+std::vector<ModeGroup> heaps_apart(std::span<const Observation> walls, Law law)
+{
+    // tuned: docs/bench/limit_coverage.md; of 50 walls of one law 1 in 25 studies has them
+    constexpr double kGain = 8.0, kApart = 1.8;
+    if (!std::ranges::all_of(walls, plain)) return {};
+    if (positive(law) &&
+        std::ranges::any_of(walls, [](const Observation& o) { return o.lower <= 0.0; }))
+        return {};
+    const Parting parting = best_parting(walls, positive(law));
+    if (parting.gain < kGain || parting.apart < kApart) return {};
+    std::vector<ModeGroup> heaps(2, {{}, law, true});
+    for (const Observation& o : walls)
+        heaps[o.lower > parting.last ? 1 : 0].limits.push_back(o);
+    return heaps;
+}
+
 bool has_law(const ModeGroup& m)
 {
     return m.described && fit(m.law, m.limits).outcome == FitOutcome::converged;
@@ -133,7 +152,17 @@ LimitQuantiles limit_quantiles(const QuantileData& data, const PerformanceLimits
         std::ranges::any_of(walls, [](const Observation& o) { return !stands(o); });
     const bool own = std::ranges::none_of(walls, &Observation::capped);
     if (!reached) return found;
-    if (own && tell_apart(modes) && std::ranges::any_of(modes, has_law)) {
+    if (modes.empty()) return found;
+    const bool well_told =
+        tell_apart(modes) && std::ranges::all_of(modes, &ModeGroup::described);
+    auto heaps = own && !well_told && !std::isfinite(found.tested_to)
+                     ? heaps_apart(walls, modes.front().law)
+                     : std::vector<ModeGroup>();
+    if (std::ranges::any_of(heaps, has_law)) {
+        found.source = QuantileSource::heaps;
+        found.at = from_mixture(heaps, found.tested_to, confidence);
+        found.heaps = std::move(heaps);
+    } else if (own && tell_apart(modes) && std::ranges::any_of(modes, has_law)) {
         found.source = QuantileSource::mixture;
         found.at = from_mixture(modes, found.tested_to, confidence);
     } else if (own && law.fitted && data.described) {

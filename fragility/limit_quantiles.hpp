@@ -18,8 +18,14 @@ enum class QuantileSource {
     none,    ///< no wall, or none that reached the limit state
     law,     ///< one law of all walls
     mixture, ///< the laws of the modes, weighted by their shares
+    heaps,   ///< the same of two heaps, told by the drifts themselves
     observed ///< Kaplan and Meier's shares, no law
 };
+
+[[nodiscard]] constexpr bool is_mixture(QuantileSource s)
+{
+    return s == QuantileSource::mixture || s == QuantileSource::heaps;
+}
 
 struct LimitQuantile {
     double share; ///< of walls that have reached the limit state [-]
@@ -33,6 +39,7 @@ struct LimitQuantiles {
     QuantileSource source = QuantileSource::none;
     double tested_to = 0.0; ///< see tested_to [unit of the data]
     std::vector<LimitQuantile> at;
+    std::vector<ModeGroup> heaps; ///< of QuantileSource::heaps: the lower one, the upper one
 };
 
 /// The drift up to which enough walls were tested: at least one was pushed there for every five
@@ -47,7 +54,9 @@ struct QuantileData {
     bool described = true; ///< by one law of all walls
 };
 
-/// Chooses and reads. Of two modes or more, the mixture is used where one of them has a law
+/// Chooses and reads. Walls that all fell, in two heaps that lie apart, are the mixture of these
+/// heaps where no modes are known, or one of them has no law that describes it. Of two modes or
+/// more, the mixture is used where one of them has a law
 /// that describes it. Of one, and where the modes do no more than part walls that stood from
 /// those that fell, the law is used where it describes the walls. Where some of these walls
 /// stood when their push ended, shares above half of those reached are read from the shares

@@ -1,5 +1,7 @@
 #include "fragility/limit_states.hpp"
 
+#include "fragility/cyclic_curve.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -39,6 +41,15 @@ LimitDisplacement yield_of(const Curve& curve, const LimitDisplacement& ultimate
                            const LimitStateOptions& o)
 {
     if (ultimate.reading == Reading::not_defined) return ultimate;
+    if (!o.no_yield.empty()) return {0.0, Reading::not_defined, o.no_yield};
+    if (o.residual > 0.0) {
+        const Backbone own = from_own_zero(curve, o.residual);
+        LimitDisplacement end = ultimate;
+        end.displacement += o.residual;
+        LimitStateOptions rest = o;
+        rest.residual = 0.0;
+        return yield_of({own.displacement, own.force}, end, rest);
+    }
     const Bilinear b = equal_energy_bilinear(curve, ultimate.displacement, o.bilinear_share);
     if (b.outcome != BilinearOutcome::found)
         return {0.0, Reading::not_defined, reason(b.outcome)};

@@ -55,6 +55,10 @@ struct LimitStateOptions {
     double ntc_limit = 0.0;   ///< of the displacement at SLC, set ntc [length]; 0: none
     double ec8_limit = 0.0;   ///< of the displacement at NC, set ec8 [length]; 0: none
     double slenderness = 0.0; ///< H0 / D behind ec8_limit [-], for the words of its rule
+    /// Distance at which the force was zero before the start of the curve [length], >= 0: the
+    /// yield is counted from there (fragility/cyclic_curve.hpp).
+    double residual = 0.0;
+    std::string_view no_yield = {}; ///< why the curve has none; empty: it has
 };
 
 struct LimitState {

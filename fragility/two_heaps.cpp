@@ -36,32 +36,50 @@ double heap(const HeapSums& part, const HeapSums& all, double least_variance)
                      std::log(std::max(part.variance(), least_variance)));
 }
 
+/// Distance of two heaps over their widths.
+double apart(const HeapSums& below, const HeapSums& above, double least_variance)
+{
+    const auto width = [&](const HeapSums& h) {
+        return std::sqrt(std::max(h.variance(), least_variance));
+    };
+    return (above.first / above.n - below.first / below.n) / (width(below) + width(above));
+}
+
 } // namespace
 
-double two_heaps(std::span<const Observation> data, bool positive)
+Parting best_parting(std::span<const Observation> data, bool positive)
 {
     std::vector<double> values;
     for (const Observation& o : data) {
-        if (o.lower != o.upper) return 0.0;
-        values.push_back(positive ? std::log(o.lower) : o.lower);
+        if (o.lower != o.upper) return {};
+        values.push_back(o.lower);
     }
-    if (values.size() < 2 * kFewestInHeap) return 0.0;
+    if (values.size() < 2 * kFewestInHeap) return {};
     std::ranges::sort(values);
+    const std::vector<double> given = values;
+    if (positive)
+        for (double& x : values) x = std::log(x);
     const double middle = values[values.size() / 2]; // so that squares lose no digits
     HeapSums all;
     for (double& x : values) all.add(x -= middle);
-    if (!(all.variance() > 0.0)) return 0.0;
+    if (!(all.variance() > 0.0)) return {};
     const double least = kNarrowest * kNarrowest * all.variance();
     const double one = -all.n * std::log(all.variance());
-    double gain = 0.0;
+    Parting best;
     HeapSums below;
     for (std::size_t i = 0; i + kFewestInHeap < values.size(); ++i) {
         below.add(values[i]);
         if (i + 1 < kFewestInHeap) continue;
         const HeapSums above = all.without(below);
-        gain = std::max(gain, heap(below, all, least) + heap(above, all, least) - one);
+        const double gain = heap(below, all, least) + heap(above, all, least) - one;
+        if (gain > best.gain) best = {gain, given[i], apart(below, above, least)};
     }
-    return gain;
+    return best;
+}
+
+double two_heaps(std::span<const Observation> data, bool positive)
+{
+    return best_parting(data, positive).gain;
 }
 
 } // namespace fragility

@@ -8,6 +8,15 @@
 
 namespace fragility {
 
+/// The parting of values, in their order, into two heaps that says most.
+struct Parting {
+    double gain = 0.0;  ///< see two_heaps
+    double last = 0.0;  ///< largest value of the lower heap [unit of the data]
+    double apart = 0.0; ///< distance of the means over the sum of the standard deviations [-]
+};
+/// @param positive parts the logarithms
+[[nodiscard]] Parting best_parting(std::span<const Observation> data, bool positive);
+
 /// Twice the gain in classification likelihood (Symons 1981, Biometrics 37, 35-43) if the
 /// values, in their order, are parted into two normal heaps instead of one: the largest over
 /// all partings with three values or more on either side. A heap is not narrower than a tenth

@@ -119,6 +119,8 @@ DriftData drift_data(const StudyWalls& walls)
     data.drift =
         "Drift: displacement of the load line / its height, " + number(walls.height, 6) + " m";
     data.no_limit = no_limit_remark(walls);
+    if (const std::string yield = no_yield_remark(walls); !yield.empty())
+        data.no_limit += (data.no_limit.empty() ? "" : " ") + yield;
     data.model_text = factor_text(walls.study, Answer::drift);
     if (const std::string piers = pier_remark(walls.study); !piers.empty())
         data.drift += "; " + piers;

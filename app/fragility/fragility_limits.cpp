@@ -127,7 +127,7 @@ void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& 
             row,
             limit + (alone ? "." : ": the drifts are those observed (Kaplan-Meier), no law."));
     }
-    const bool mixed = limits.quantiles.source == fragility::QuantileSource::mixture;
+    const bool mixed = fragility::is_mixture(limits.quantiles.source);
     if (!law.fitted && !mixed) {
         row.back() = Cell();
         const int d = decimals_for(law.bound.median_above);

@@ -63,7 +63,7 @@ std::optional<WallLaw> law_of(const DriftData& data, std::size_t g, std::size_t 
 {
     const auto source = limits.quantiles.source;
     const auto middle = middle_law(limits, data.options.confidence);
-    if (source == fragility::QuantileSource::mixture) return middle;
+    if (fragility::is_mixture(source)) return middle;
     const JudgedFit f = judged_lognormal(data, g, state);
     if (source != fragility::QuantileSource::law || !middle || !describes(f)) return {};
     if (std::ranges::any_of(limits.quantiles.at, &fragility::LimitQuantile::observed))
@@ -83,7 +83,7 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
     const double tested = limits.quantiles.tested_to;
     const double end = (std::isfinite(tested) ? tested : known_to(walls)) * radians;
     const std::string name = "; " + state_name(data.states[state]) + ": ";
-    const bool mixed = limits.quantiles.source == fragility::QuantileSource::mixture;
+    const bool mixed = fragility::is_mixture(limits.quantiles.source);
     const JudgedFit f = judged_lognormal(data, g, state);
     if (rejected(f) && !mixed)
         reasons += name + "the tests reject the lognormal law (p = " +
@@ -98,7 +98,7 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
                        number(end, 4) + " rad";
         return {};
     }
-    if (mixed) reasons += name + "through the 16, 50 and 84 % drifts of the mixture of modes";
+    if (mixed) reasons += name + "through the 16, 50 and 84 % drifts of the mixture";
     const fragility::ModelFactor& factor = data.groups[g].model.factor;
     return Parameters{found->median * radians * factor.median,
                       fragility::dispersions(found->dispersion, found->error, factor),

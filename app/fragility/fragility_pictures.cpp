@@ -76,8 +76,11 @@ Series chosen_curve(const DriftData& data, std::size_t group, std::size_t state,
 {
     if (of_one_law(chosen.quantiles)) return fitted(data, chosen.judged, drifts);
     Series s;
-    if (chosen.quantiles.source != fragility::QuantileSource::mixture) return s;
-    const auto modes = mode_groups(data, group, state);
+    const auto source = chosen.quantiles.source;
+    if (!fragility::is_mixture(source)) return s;
+    const auto modes = source == fragility::QuantileSource::heaps
+                           ? chosen.quantiles.heaps
+                           : mode_groups(data, group, state);
     for (const auto& p :
          fragility::mixture_curve(modes, drifts, data.options.confidence).points) {
         s.x.push_back(p.drift);

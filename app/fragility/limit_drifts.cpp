@@ -100,6 +100,8 @@ std::string source_text(const LimitQuantiles& quantiles)
     switch (quantiles.source) {
     case QuantileSource::mixture:
         return "mixture";
+    case QuantileSource::heaps:
+        return "two heaps";
     case QuantileSource::observed:
         return "observed";
     case QuantileSource::law:
@@ -117,6 +119,8 @@ std::string source_note(const LimitDrifts& limits)
     switch (limits.quantiles.source) {
     case fragility::QuantileSource::mixture:
         return "The drifts add the curves of the modes, weighted by their shares.";
+    case fragility::QuantileSource::heaps:
+        return "The drifts lie in two heaps that are apart, each with a law of its own.";
     case fragility::QuantileSource::observed:
         return rejected_text(limits.judged);
     case fragility::QuantileSource::law:
@@ -139,7 +143,7 @@ bool of_one_law(const LimitQuantiles& quantiles)
 std::optional<double> dispersion_of(const LimitDrifts& limits)
 {
     if (limits.quantiles.source == QuantileSource::law) return limits.law.dispersion;
-    if (limits.quantiles.source != QuantileSource::mixture) return {};
+    if (!fragility::is_mixture(limits.quantiles.source)) return {};
     const auto& low = limits.quantiles.at[1].value;
     const auto& high = limits.quantiles.at[3].value;
     if (!low || !high || !(*low > 0.0)) return {};

@@ -1,6 +1,7 @@
 #include "app/input/protocol_scale.hpp"
 
 #include "app/input/limit_state_text.hpp"
+#include "app/input/push_end.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 #include "dem/solver/push.hpp"
@@ -13,12 +14,13 @@
 namespace app {
 namespace {
 
-/// The same wall, pushed one way to load.max_displacement.
+/// The same wall, pushed one way until its limits are known.
 Study one_way_study(const Study& study)
 {
     Study s = study;
     s.load.protocol = dem::Protocol::none;
     s.load.stop_below = 0.0;
+    derive_stop_below(s);
     s.output.paraview = false;
     return s;
 }

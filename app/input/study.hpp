@@ -82,8 +82,8 @@ struct LoadInput {
     std::string
         scaled; ///< the ultimate displacements behind the scaled protocol, as text; empty: not scaled
     double gravity = dem::Loads{}.gravity; ///< [m/s2], >= 0
-    /// Share of the peak that ends the push [-], in [0, 1). 0: zero force with finite
-    /// displacements, never with small ones.
+    /// Share of the peak that ends the push [-], in [0, 1); 0: zero force with finite
+    /// displacements, never with small ones. See app/input/push_end.hpp.
     double stop_below = 0.0;
     dem::TopLoad top = dem::Loads{}.top;
     double link_length = dem::Loads{}.link_length; ///< [m], of TopLoad::link
@@ -211,7 +211,7 @@ struct Study {
     LoadInput load;
     dem::Fidelity fidelity = dem::Fidelity::standard;
     dem::Discretisation discretisation;
-    dem::SolverOptions solver;
+    dem::SolverOptions solver{.kinematics = dem::Kinematics::finite}; // a study asks for limits
     OutputInput output;
     UqInput uq;
     ReliabilityInput reliability;

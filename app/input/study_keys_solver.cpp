@@ -1,5 +1,6 @@
 /// Load, solver and output: keys of the study file.
 
+#include "app/input/push_end.hpp"
 #include "app/input/study_key_table.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "dem/scene/rigid_wall.hpp"
@@ -110,6 +111,7 @@ constexpr std::array kSolverKeys = {
         .field = kAt<&Study::load, &LoadInput::mass>},
     Key{.name = "load.max_displacement", .unit = "mm", .range = {'(', 0, 1000, ']'},
         .effect = kAlone,
+        .derived = {"a fifth of height; small or in cycles 30 mm", derive_push_end},
         .meaning = "largest displacement of the load line; targets and amplitudes replace it",
         .field = kAt<&Study::load, &LoadInput::max_displacement>},
     Key{.name = "load.targets", .kind = Kind::list, .unit = "mm", .range = {'[', -1000, 1000, ']'},
@@ -135,8 +137,10 @@ constexpr std::array kSolverKeys = {
                    " of the mean wall pushed one way, the largest over the stress levels",
         .field = kAt<&Study::load, &LoadInput::scale_one_way>},
     Key{.name = "load.stop_below", .range = {'[', 0, 1, ')'},
+        .derived = {"once all limits are known, or 0", derive_stop_below},
         .meaning = "ends the push once the force is below this share of the peak; 0: at zero force"
-                   " with finite displacements, else never",
+                   " with finite displacements, else never; not given, of a finite push one way: 0.02"
+                   " below the least share that a limit state asks for",
         .field = kAt<&Study::load, &LoadInput::stop_below>},
     Key{.name = "load.pattern", .kind = Kind::word, .names = kPatterns,
         .meaning = "what pushes: the beam at its load line, or body: forces on all blocks in proportion to"
@@ -225,6 +229,7 @@ constexpr std::array kSolverKeys = {
     Key{.name = "output.snapshot_every", .unit = "mm", .range = {'[', 0, 1000, ']'},
         .effect = kWithSeries,
         .verbs = "push",
+        .derived = {"0.5 mm, or 100 on the way", derive_snapshots},
         .meaning = "spacing of the ParaView series, at most one for each point of the curve; 0: only the peak and the end",
         .field = kAt<&Study::output, &OutputInput::snapshot_every>},
     Key{.name = "output.paraview", .kind = Kind::word, .names = kYesNo,

@@ -209,6 +209,7 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     if (!dem::failed(w.result.outcome))
         h.toe_stress = dem::toe_stress(w.result.at_end, study.wall.base);
     add(no_limit_remark(study, w.reading), h.remarks);
+    add(no_yield_remark(w.reading), h.remarks);
     add(other_way_remark(study, layout, w), h.remarks);
     add(pier_remark(study), h.remarks);
     add_inaccurate(study, w, h.remarks);

@@ -1,5 +1,7 @@
 #include "app/reading/wall_reading.hpp"
 
+#include "fragility/bilinear.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,46 +47,82 @@ fragility::LimitStateOptions options_of(bool rocks, const ReadingRules& rules)
     return options;
 }
 
-/// @param curve in its own direction
-WallReading read_curve(const fragility::Backbone& backbone, bool came_down,
-                       const dem::Mechanism& mechanism, const ReadingRules& rules)
+/// A curve to read, in its own direction.
+struct ToRead {
+    fragility::Backbone backbone;
+    fragility::FirstLoading first = {};
+};
+
+/// A force of this share of the peak at zero displacement comes from the way to the other side:
+/// the curve has no elastic branch of its own then.
+constexpr double kLoadedAtZero = 0.1; // choice
+constexpr std::string_view kBeyondYield = "the first amplitude lies beyond yield";
+
+std::optional<double> stiffness_of(const fragility::Curve& curve, double residual)
 {
-    const fragility::Curve curve{backbone.displacement, backbone.force, came_down};
+    const fragility::Backbone own = fragility::from_own_zero(curve, residual);
+    return fragility::secant_stiffness({own.displacement, own.force});
+}
+
+WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism& mechanism,
+                       const ReadingRules& rules)
+{
+    const fragility::Curve curve{side.backbone.displacement, side.backbone.force, came_down};
     WallReading w;
     w.peak = fragility::peak(curve);
-    w.stiffness = fragility::secant_stiffness(curve);
+    const bool loaded = side.first.force > kLoadedAtZero * w.peak->force;
+    if (!loaded) w.stiffness = stiffness_of(curve, side.first.residual);
     w.ultimate =
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
     w.dropped = is_observed(w.ultimate);
     w.collapse = fragility::drop_after_peak(curve, 0.0);
     const bool rocks = code_mode(mechanism, w.dropped, rules.mode) == dem::FailureMode::rocking;
-    const auto options = options_of(rocks, rules);
+    auto options = options_of(rocks, rules);
+    options.residual = side.first.residual;
+    if (loaded) options.no_yield = kBeyondYield;
     for (const std::string_view set : rules.sets)
         for (const auto& s : fragility::read_limit_states(curve, set, options))
             w.limits.push_back(s.limit);
-    for (const auto& s : fragility::read_limit_states(curve, user_states(rules), rules.options))
+    options.ntc_limit = options.ec8_limit = 0.0;
+    for (const auto& s : fragility::read_limit_states(curve, user_states(rules), options))
         w.limits.push_back(s.limit);
     return w;
 }
 
 /// Backbones of a push that turns back.
 struct Backbones {
-    fragility::Backbone right, left;
+    ToRead right, left;
 };
 
 Backbones backbones_of(const fragility::Curve& curve)
 {
     const fragility::Path path{curve.displacement, curve.force};
-    return {fragility::backbone(path, 1), fragility::backbone(path, -1)};
+    return {{fragility::backbone(path, 1), fragility::first_loading(path, 1)},
+            {fragility::backbone(path, -1), fragility::first_loading(path, -1)}};
 }
 
-bool was_visited(const fragility::Backbone& b) { return b.displacement.size() > 1; }
+bool was_visited(const ToRead& side) { return side.backbone.displacement.size() > 1; }
 
-/// As far as both reach; of a push that never leaves one side that side.
-fragility::Backbone mean_of(const Backbones& b)
+/// As far as both reach; of a push that never leaves one side that side. Only one of both is
+/// loaded after the other.
+ToRead mean_of(const Backbones& b)
 {
     if (!was_visited(b.left)) return b.right;
-    return was_visited(b.right) ? fragility::mean(b.right, b.left) : b.left;
+    if (!was_visited(b.right)) return b.left;
+    return {fragility::mean(b.right.backbone, b.left.backbone),
+            {0.5 * (b.right.first.residual + b.left.first.residual),
+             b.right.first.force + b.left.first.force}};
+}
+
+/// Half of the yield of the side that was loaded first [m], to begin cycles with.
+double half_of_yield(const ToRead& side, const ReadingRules& rules)
+{
+    const fragility::Curve curve{side.backbone.displacement, side.backbone.force};
+    const auto ultimate =
+        fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
+    const auto b = fragility::equal_energy_bilinear(curve, ultimate.displacement,
+                                                    rules.options.bilinear_share);
+    return 0.5 * b.yield_displacement;
 }
 
 /// The smaller of each number of both sides.
@@ -105,7 +143,7 @@ WallReading read_to_and_fro(const fragility::Curve& curve, const dem::Mechanism&
                             const ReadingRules& rules)
 {
     const Backbones b = backbones_of(curve);
-    const auto read_side = [&](const fragility::Backbone& side) {
+    const auto read_side = [&](const ToRead& side) {
         return was_visited(side) ? read_curve(side, curve.came_down, mechanism, rules)
                                  : not_read(rules, "the push never goes to this side");
     };
@@ -116,6 +154,8 @@ WallReading read_to_and_fro(const fragility::Curve& curve, const dem::Mechanism&
                                           left};
     WallReading w = all[static_cast<int>(rules.backbone)];
     w.backbones = all;
+    if (!w.stiffness && b.right.first.force + b.left.first.force > 0.0)
+        w.begin_with = half_of_yield(b.left.first.force > 0.0 ? b.right : b.left, rules);
     return w;
 }
 
@@ -182,7 +222,7 @@ WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
     else if (rules.direction == 0)
         w = read_to_and_fro(curve, mechanism, rules);
     else
-        w = read_curve(capacity_curve(curve, rules), curve.came_down, mechanism, rules);
+        w = read_curve({capacity_curve(curve, rules)}, curve.came_down, mechanism, rules);
     w.mode = dem::failure_mode(mechanism, w.dropped, rules.mode);
     w.slid = slid_whole(mechanism, w.dropped, rules.mode);
     return w;
@@ -198,8 +238,8 @@ fragility::Backbone capacity_curve(const fragility::Curve& curve, const ReadingR
     if (rules.direction < 0)
         return {turned_round(curve.displacement), turned_round(curve.force)};
     const Backbones b = backbones_of(curve);
-    if (rules.backbone == Side::right) return b.right;
-    return rules.backbone == Side::left ? b.left : mean_of(b);
+    if (rules.backbone == Side::right) return b.right.backbone;
+    return (rules.backbone == Side::left ? b.left : mean_of(b)).backbone;
 }
 
 bool slid_whole(const dem::Mechanism& m, bool dropped, const dem::ModeThresholds& t)

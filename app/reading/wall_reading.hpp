@@ -57,6 +57,9 @@ struct WallReading {
     /// without a mode. Mean and worse of a push that never leaves one side are those of that
     /// side.
     std::vector<WallReading> backbones;
+    /// First amplitude that lies within yield [m], where that of the cycles does not: neither
+    /// yield nor stiffness is read then. 0: they are.
+    double begin_with = 0.0;
     dem::FailureMode mode = dem::FailureMode::rocking;
     bool dropped = false; ///< the force fell to the ultimate share of the peak
     bool slid =

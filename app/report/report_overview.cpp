@@ -217,7 +217,8 @@ std::vector<std::string> how_sure(const StudyWalls& study)
                        " The ultimate displacement of such a wall is only known to be larger "
                        "(censored): the fits count it so, and the means leave it out.");
     }
-    for (const std::string& remark : {other_way_remark(study), pier_sentence(study.study)})
+    for (const std::string& remark :
+         {no_yield_remark(study), other_way_remark(study), pier_sentence(study.study)})
         if (!remark.empty()) text.push_back(remark);
     text.push_back("Brackets are " + percent_text(study.study.fragility.confidence) +
                    " confidence intervals. They reflect the number of walls, not errors of "

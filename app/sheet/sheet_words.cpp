@@ -95,8 +95,8 @@ constexpr std::array kHowMuch = {
             "A level top gave 19 to 32 % more force; median limits of 13.9, not 9.1 % at 0.15 "
             "MPa, and 1.4, not 2.9 % at 0.50 MPa"},
     HowMuch{"unit.cracks",
-            "Finer cracks left the median; 84 % of walls fell by 3.0, not 8.0 % (0.75 MPa): a "
-            "limit is known to a factor of two"},
+            "Finer cracks left the median; 84 % of walls fell by 3.0, not 8.0 % (0.75 MPa); "
+            "cracks at thirds gave four times the median"},
     HowMuch{"joint.compressive_strength", "From 20 to 92 MPa forces and medians were the same"},
 };
 
@@ -192,6 +192,7 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
         if (!text.empty()) all.push_back(sentence(text));
     };
     add(no_limit_remark(study, wall.reading));
+    add(no_yield_remark(wall.reading));
     add(pier_remark(study));
     if (stored != nullptr)
         add(spread_sentence(*stored, level));

@@ -5,6 +5,10 @@
 #include "app/study/fragility_text.hpp"
 #include "app/text/words.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace app {
 namespace {
 
@@ -17,6 +21,17 @@ std::string keeps_its_load_text(const Study& study)
            (!study.load.amplitudes.empty() ? "larger load.amplitudes"
             : !study.load.targets.empty()  ? "load.targets that go further"
                                            : "a larger load.max_displacement");
+}
+
+/// The sentence on cycles whose first amplitude lies beyond yield, and its remedy.
+/// @param begin_with [m]
+std::string beyond_yield_text(double begin_with)
+{
+    const double mm = 1e3 * begin_with, digit = mm < 0.1 ? 0.01 : 0.1;
+    return "neither stiffness nor the limit states that follow from yield are read, as the "
+           "way to the other side begins with a force that the first amplitude has left; begin "
+           "the cycles with " +
+           number(std::max(0.01, digit * std::floor(mm / digit)), 3) + " mm or less";
 }
 
 /// The force of the wall had not come down when its push ended, and never would.
@@ -123,6 +138,29 @@ std::string no_limit_remark(const StudyWalls& walls)
     return std::to_string(without) + " of " + counted(all, "wall", "walls") +
            " still carried more than " + percent_text(walls.study.fragility.ultimate_share) +
            " of the peak at the end: " + keeps_its_load_text(walls.study) + ".";
+}
+
+std::string no_yield_remark(const WallReading& wall)
+{
+    if (wall.begin_with <= 0.0) return "";
+    return "the first amplitude lies beyond yield: " + beyond_yield_text(wall.begin_with);
+}
+
+std::string no_yield_remark(const StudyWalls& walls)
+{
+    std::size_t beyond = 0, all = 0;
+    double begin_with = std::numeric_limits<double>::infinity();
+    for (const StudyLevel& level : walls.levels) {
+        all += level.walls.size();
+        for (const StudyWall& w : level.walls) {
+            if (w.reading.begin_with <= 0.0) continue;
+            ++beyond;
+            begin_with = std::min(begin_with, w.reading.begin_with);
+        }
+    }
+    if (beyond == 0) return "";
+    return "The first amplitude lies beyond the yield of " + std::to_string(beyond) + " of " +
+           counted(all, "wall", "walls") + ": of these " + beyond_yield_text(begin_with) + ".";
 }
 
 std::vector<LimitChoice> limit_choices(const Study& study)

@@ -18,6 +18,10 @@ namespace app {
 /// has a limit.
 [[nodiscard]] std::string no_limit_remark(const StudyWalls& walls);
 
+/// The remark on a wall whose cycles leave it no yield, and on walls of a study.
+[[nodiscard]] std::string no_yield_remark(const WallReading& wall);
+[[nodiscard]] std::string no_yield_remark(const StudyWalls& walls);
+
 /// A key whose value moves a drift limit, and how.
 struct LimitChoice {
     std::string_view key;    ///< "solver.kinematics"

@@ -83,8 +83,8 @@ StudySummary summarise(const StudyWalls& walls)
         s.failed += level.failed_walls.size();
         s.missing += level.missing;
     }
-    if (const std::string none = no_limit_remark(walls); !none.empty())
-        s.table.caption += " " + none;
+    for (const std::string& none : {no_limit_remark(walls), no_yield_remark(walls)})
+        if (!none.empty()) s.table.caption += " " + none;
     s.remarks = study_remarks(walls);
     return s;
 }
@@ -92,8 +92,9 @@ StudySummary summarise(const StudyWalls& walls)
 std::string study_remarks(const StudyWalls& walls)
 {
     std::string text = trouble_text(walls);
-    for (const std::string& remark : {solver_error_text(walls), no_limit_remark(walls),
-                                      other_way_remark(walls), pier_sentence(walls.study)})
+    for (const std::string& remark :
+         {solver_error_text(walls), no_limit_remark(walls), no_yield_remark(walls),
+          other_way_remark(walls), pier_sentence(walls.study)})
         if (!remark.empty()) text += remark + "\n";
     return text;
 }

@@ -87,11 +87,8 @@ app::Table limit_table(const TwoStudies& both)
                 "the limit state. Ratio: geometric "
                 "mean of the drift under cycles over that of the same wall pushed one way, of "
                 "the walls on which both were "
-                "seen, with its 95 % interval. Ratios of SLO and SLD are those of this "
-                "protocol: where its first amplitude lies beyond "
-                "yield, the way back begins with most of the peak against it, and the yield of "
-                "the mean backbone is halved; "
-                "with a first amplitude of 0.5 mm the ratio of SLD is 0.88 in place of 0.45.";
+                "seen, with its 95 % interval. SLO and SLD are read where the first amplitude lies "
+                "within yield.";
     t.keys = 2;
     t.head = {"stress [MPa]",
               "limit state",

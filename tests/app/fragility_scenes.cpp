@@ -35,6 +35,7 @@ app::StudyWalls study_walls(std::size_t n)
     app::StudyWalls walls;
     walls.name = "scene.h5";
     walls.study = study_scenes::study("samples = 8");
+    walls.study.solver.kinematics = dem::Kinematics::small;
     walls.study.fragility.mode.modes = dem::ModeRule::paper;
     walls.rules = app::reading_rules(walls.study);
     walls.states = app::state_names(walls.rules);

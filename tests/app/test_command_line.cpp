@@ -136,7 +136,7 @@ TEST_CASE("command line: the help of a verb lists the keys that it reads, with t
         }
     const std::string steps = app::number(dem::SolverOptions{}.steps_per_mm, 12);
     CHECK(has(help("push"), "steps_per_mm              " + steps + " "));
-    CHECK(has(help("push"), "max_displacement          30 mm "));
+    CHECK(has(help("push"), "max_displacement          a fifth of height"));
     CHECK_FALSE(has(help(""), "[solver]"));
 }
 

@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kWall = study_texts::kSmallWall;
+/// With small displacements, which a sheet has to name: they leave no drift limit.
+const std::string kWall = std::string(study_texts::kSmallWall) + "kinematics = small\n";
 
 std::string svg(double width, double height)
 {

@@ -84,9 +84,9 @@ TEST_CASE(
     };
     SECTION("a value")
     {
-        replace(head.configuration, "kinematics              = small",
-                "kinematics              = finite");
-        refused("+ solver.kinematics = finite\n");
+        replace(head.configuration, "kinematics              = finite",
+                "kinematics              = small");
+        refused("+ solver.kinematics = small\n");
         // another version may have had other keys: its configuration counts
         const std::string own = head.identity;
         replace(head.identity, "solver_revision = ", "solver_revision = 1");

@@ -3,6 +3,7 @@
 #include "app/fragility_keys.hpp"
 #include "app/input/limit_state_text.hpp"
 #include "app/report_scene.hpp"
+#include "app/study/limit_choices.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/study/study_walls.hpp"
 #include "scenes/temporary_folder.hpp"
@@ -10,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -163,6 +165,69 @@ TEST_CASE("wall reading: a push that turns back is read on its backbones, by dir
     REQUIRE(mean.limits.size() == state_names(rules()).size());
     CHECK(app::capacity_curve({at, force}, rules({"load.amplitudes=2, 4 mm"})).force.back() ==
           Approx(37e3));
+}
+
+namespace {
+
+/// A joint of 4 kN/mm that slides at 4 kN, beyond 1 mm: there, back, to the other side, back,
+/// and so on.
+app::WallReading sliding_joint(const std::vector<double>& amplitudes, const std::string& side)
+{
+    constexpr double kN = 1e3, mm = 1e-3;
+    std::vector<double> at = {0.0}, force = {0.0};
+    for (const double a : amplitudes)
+        for (const double to : {a, -a, 0.0}) {
+            const double step = to > at.back() / mm ? 0.05 : -0.05;
+            while (std::abs(to - at.back() / mm) > 0.01) {
+                at.push_back(at.back() + step * mm);
+                force.push_back(std::clamp(force.back() + 4 * kN * step, -4 * kN, 4 * kN));
+            }
+            at.back() = to * mm;
+        }
+    return app::read({at, force}, {0.0, 1.0, 0, 0},
+                     rules({"load.amplitudes=1 mm", "fragility.limit_states=ec8, ntc",
+                            "fragility.backbone=" + side}));
+}
+
+} // namespace
+
+TEST_CASE("wall reading: a first amplitude within yield leaves the yield as it is",
+          "[app][wall_reading]")
+{
+    for (const char* const side : {"mean", "left", "right"}) {
+        const app::WallReading w = sliding_joint({0.5, 3.0, 6.0}, side);
+        INFO(side);
+        CHECK(w.limits[0].displacement == Approx(1e-3).epsilon(0.02)); // DL
+        CHECK(*w.stiffness == Approx(4e6).epsilon(0.02));
+        CHECK(w.begin_with == 0.0);
+    }
+    // little beyond: what it leaves is taken into account
+    const app::WallReading w = sliding_joint({1.05, 3.0, 6.0}, "left");
+    CHECK(w.limits[0].displacement == Approx(1e-3).epsilon(0.02));
+    CHECK(*w.stiffness == Approx(4e6).epsilon(0.02));
+}
+
+TEST_CASE("wall reading: a first amplitude beyond yield has no yield, and says what to do",
+          "[app][wall_reading]")
+{
+    for (const char* const side : {"mean", "left", "worse"}) {
+        const app::WallReading w = sliding_joint({3.0, 6.0}, side);
+        INFO(side);
+        CHECK_FALSE(w.stiffness);
+        CHECK_FALSE(is_defined(w.limits[0])); // DL
+        CHECK(w.limits[0].reason == "the first amplitude lies beyond yield");
+        CHECK(is_defined(w.limits[2]));                      // NC
+        CHECK_FALSE(is_defined(w.limits[3]));                // SLO
+        CHECK_FALSE(is_defined(w.limits[4]));                // SLD
+        CHECK(is_defined(w.limits[6]));                      // SLC
+        CHECK(w.begin_with == Approx(0.5e-3).epsilon(0.03)); // half of the yield
+    }
+    const app::WallReading right = sliding_joint({3.0, 6.0}, "right"); // loaded first
+    CHECK(right.limits[0].displacement == Approx(1e-3).epsilon(0.02));
+    CHECK(right.begin_with == 0.0);
+    const std::string said = app::no_yield_remark(sliding_joint({3.0, 6.0}, "mean"));
+    CHECK(said.find("begin the cycles with 0.5 mm or less") != std::string::npos);
+    CHECK(app::no_yield_remark(right).empty());
 }
 
 TEST_CASE("wall reading: a push that turns back on one side is read on that side",

@@ -203,6 +203,39 @@ TEST_CASE("cyclic curve: reloading is left out of the backbone in every cycle",
     CHECK(backbone(p, 1).force == std::vector<double>{0, 4, 5, 6});
 }
 
+TEST_CASE("cyclic curve: the first loading of a side begins where its force is zero",
+          "[fragility][cyclic]")
+{
+    const OwnedPath far = sliding(4.0, 4.0, {3.0, -3.0, 0.0}); // slides beyond 1
+    CHECK(first_loading(far, -1).residual == near(2.0));
+    CHECK(first_loading(far, -1).force == near(4.0));
+    CHECK(first_loading(far, 1).residual == 0.0); // loaded first
+    CHECK(first_loading(far, 1).force == 0.0);
+    const OwnedPath little = sliding(4.0, 4.0, {1.25, -3.0, 0.0});
+    CHECK(first_loading(little, -1).residual == near(0.25));
+    CHECK(first_loading(little, -1).force == near(1.0));
+    const OwnedPath elastic = sliding(4.0, 4.0, {0.5, -0.5, 0.0});
+    CHECK(first_loading(elastic, -1).force == 0.0);
+    const OwnedPath mirrored = sliding(4.0, 4.0, {-1.25, 3.0, 0.0});
+    CHECK(first_loading(mirrored, 1).residual == near(0.25));
+    const OwnedPath one_side{{0, 1, 0.5, 1}, {0, 4, -1, 3}};
+    CHECK(first_loading(one_side, -1).force == 0.0); // never goes there
+    CHECK(first_loading(one_side, 1).force == 0.0);
+    CHECK_THROWS_AS(first_loading(far, 0), std::invalid_argument);
+}
+
+TEST_CASE("cyclic curve: from its own zero a sliding side has the stiffness of the other one",
+          "[fragility][cyclic]")
+{
+    const OwnedPath path = sliding(4.0, 4.0, {1.25, -3.0, 0.0});
+    const Backbone left = backbone(path, -1);
+    const Backbone own =
+        from_own_zero({left.displacement, left.force}, first_loading(path, -1).residual);
+    CHECK(own.displacement.back() == near(3.25));
+    CHECK(*secant_stiffness({own.displacement, own.force}) == near(4.0));
+    CHECK(*secant_stiffness({left.displacement, left.force}) > 4.1);
+}
+
 TEST_CASE("cyclic curve: the worse of two displacements is the one that surely comes first",
           "[fragility][cyclic]")
 {

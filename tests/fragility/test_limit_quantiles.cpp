@@ -135,6 +135,27 @@ TEST_CASE("limit quantiles: beyond the drift tested there is a lower bound and n
     CHECK(one.at[2].observed);
 }
 
+TEST_CASE("limit quantiles: heaps that lie apart need nobody to tell the modes",
+          "[fragility][limit_quantiles]")
+{
+    const auto modes = two_heaps(60, kInfinity, 1);
+    auto mistaken = modes;
+    std::swap(mistaken[0].limits.front(), mistaken[1].limits.front());
+    mistaken[1].described = false; // as the tests find
+    const LimitQuantiles told = limits_of(modes);
+    for (const auto& said : {std::vector<ModeGroup>{{all_of(modes)}}, mistaken}) {
+        const LimitQuantiles found = limits_of(said);
+        CHECK(found.source == QuantileSource::heaps);
+        for (std::size_t i = 0; i < found.at.size(); ++i)
+            CHECK(*found.at[i].value == Approx(*told.at[i].value).epsilon(1e-9));
+    }
+    const auto one = fit_data::all_observed(fit_data::lognormal350);
+    CHECK(limits_of({{one}}).source == QuantileSource::law);
+    auto stood = all_of(modes); // one that stood: no heap is whole
+    stood.push_back(right_censored(12.0));
+    CHECK(limits_of({{stood}}).source != QuantileSource::heaps);
+}
+
 TEST_CASE("limit quantiles: modes that part what stood from what fell are no modes",
           "[fragility][limit_quantiles]")
 {

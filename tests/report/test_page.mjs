@@ -244,7 +244,7 @@ claims['running means and sensitivities of all stresses stand side by side, or o
 claims['the page says in words what the study took for given'] = () =>
     withPage({}, async (page) => {
         const choices = await page.evaluate(`[...document.querySelector('#assumed .table tbody, #assumed table tbody').rows[0].cells].map((c) => c.textContent)`);
-        assert.deepEqual(choices.slice(0, 3), ['solver: kinematics', 'small', 'default']); // what moves a limit comes first
+        assert.deepEqual(choices.slice(0, 3), ['solver: kinematics', 'small', 'study file']); // what moves a limit comes first
         assert.match(choices[3], /has no limit/);
         const rows = await page.evaluate(`[...document.querySelectorAll('#table-materials tbody tr')].map((r) => [...r.children].map((c) => c.textContent))`);
         const row = (name) => rows.find(([quantity]) => quantity === name).slice(1, 3);

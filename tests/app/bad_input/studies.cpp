@@ -376,8 +376,8 @@ pattern = body
 vertical_stress = 0 MPa
 )",
         "study.ini:2: wall.outlines: the block at (1.5, 1.5) lies against no other over more than 0.1 mm; draw it against its neighbours"},
-    BadStudy{"a curve without points", "[load]", "[output]\nrecord_every = 31 mm\n[load]",
-        "study.ini:23: output.record_every: must be at most the path of the push, 30 mm"},
+    BadStudy{"a curve without points", "[load]", "[output]\nrecord_every = 221 mm\n[load]",
+        "study.ini:23: output.record_every: must be at most the path of the push, 220 mm"},
     BadStudy{"a curve of too many points", "[load]", "[output]\nrecord_every = 1e-6 mm\n[load]",
         "study.ini:23: output.record_every: makes more than 1000000 points; record fewer"},
 };
