@@ -108,7 +108,7 @@ bool lie_apart(const Parting& p, double gain, double apart)
 }
 
 /// Heaps of walls that all reached the limit state, where they lie apart for sure: told by the
-/// drifts, whatever modes the walls are said to have. Else nothing; nothing of three heaps, too.
+/// drifts, whatever modes the walls are said to have. Else nothing, also of three heaps.
 std::vector<ModeGroup> heaps_apart(std::span<const Observation> walls, Law law)
 {
     // tuned: docs/bench/limit_coverage.md; of 50 walls of one law 1 in 25 studies has them
