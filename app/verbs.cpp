@@ -4,6 +4,7 @@
 #include "app/commands.hpp"
 #include "app/compare/compare_command.hpp"
 #include "app/fragility/fragility_command.hpp"
+#include "app/fragility/say_answer.hpp"
 #include "app/report/report_command.hpp"
 #include "app/sheet/sheet_command.hpp"
 #include "app/study/interrupt.hpp"

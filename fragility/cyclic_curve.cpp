@@ -216,21 +216,37 @@ Backbone backbone(const Path& path, int direction)
     return b;
 }
 
-FirstLoading first_loading(const Path& path, int direction)
+FirstLoading first_loading(const Path& path, int direction, double most)
 {
     check_path(path);
     if (direction != 1 && direction != -1)
         throw std::invalid_argument("first loading: the direction must be 1 or -1");
     const auto x = [&](std::size_t i) { return direction * path.displacement[i]; };
     const auto f = [&](std::size_t i) { return direction * path.force[i]; };
-    std::size_t i = 0;
-    bool was_elsewhere = false;
-    for (; i < path.force.size() && x(i) <= 0.0; ++i) was_elsewhere |= x(i) < 0.0;
-    if (!was_elsewhere || i == path.force.size()) return {};
-    const double at_zero = between(x(i - 1), f(i - 1), x(i), f(i), 0.0);
-    if (at_zero <= 0.0) return {};
-    while (i > 1 && f(i - 1) > 0.0) --i;
-    return {std::max(0.0, -between(f(i - 1), x(i - 1), f(i), x(i), 0.0)), at_zero};
+    FirstLoading first;
+    bool comes_from_other_side = false, is_first = true;
+    for (const Excursion& e : excursions(path)) {
+        if (e.side != direction) {
+            comes_from_other_side = true;
+            continue;
+        }
+        const std::size_t out = x(e.begin) > 0.0 ? e.begin : e.begin + 1; // already out there
+        const double at_zero =
+            comes_from_other_side && out > 0
+                ? std::max(0.0, between(x(out - 1), f(out - 1), x(out), f(out), 0.0))
+                : 0.0;
+        if (is_first && at_zero > 0.0) {
+            std::size_t i = out;
+            while (i > 1 && f(i - 1) > 0.0) --i;
+            first.force = at_zero;
+            first.residual = std::max(0.0, -between(f(i - 1), x(i - 1), f(i), x(i), 0.0));
+        }
+        is_first = false;
+        if (at_zero > most) break;
+        for (std::size_t i = e.begin; i <= e.end; ++i)
+            first.reach = std::max(first.reach, x(i));
+    }
+    return first;
 }
 
 Backbone from_own_zero(const Curve& curve, double residual)

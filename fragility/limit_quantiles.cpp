@@ -101,22 +101,30 @@ bool tell_apart(const std::vector<ModeGroup>& modes)
     return !any_stands;
 }
 
+/// Whether values part into two heaps that lie apart.
+bool lie_apart(const Parting& p, double gain, double apart)
+{
+    return p.gain >= gain && p.apart >= apart;
+}
+
 /// Heaps of walls that all reached the limit state, where they lie apart for sure: told by the
-/// drifts, whatever modes the walls are said to have. Else nothing.
+/// drifts, whatever modes the walls are said to have. Else nothing, also of three heaps.
 std::vector<ModeGroup> heaps_apart(std::span<const Observation> walls, Law law)
 {
     // tuned: docs/bench/limit_coverage.md; of 50 walls of one law 1 in 25 studies has them
     constexpr double kGain = 8.0, kApart = 1.8;
+    const auto none_of_it = [](const Observation& o) { return o.lower <= 0.0; };
     if (!std::ranges::all_of(walls, plain)) return {};
-    if (positive(law) &&
-        std::ranges::any_of(walls, [](const Observation& o) { return o.lower <= 0.0; }))
-        return {};
+    if (positive(law) && std::ranges::any_of(walls, none_of_it)) return {};
     const Parting parting = best_parting(walls, positive(law));
-    if (parting.gain < kGain || parting.apart < kApart) return {};
+    if (!lie_apart(parting, kGain, kApart)) return {};
     std::vector<ModeGroup> heaps(2, {{}, law, true});
     for (const Observation& o : walls)
         heaps[o.lower > parting.last ? 1 : 0].limits.push_back(o);
-    return heaps;
+    const bool three = std::ranges::any_of(heaps, [&](const ModeGroup& h) {
+        return lie_apart(best_parting(h.limits, positive(law)), 2.0 * kGain, 2.5);
+    });
+    return three ? std::vector<ModeGroup>() : heaps;
 }
 
 bool has_law(const ModeGroup& m)

@@ -54,9 +54,9 @@ struct QuantileData {
     bool described = true; ///< by one law of all walls
 };
 
-/// Chooses and reads. Walls that all fell, in two heaps that lie apart, are the mixture of these
-/// heaps where no modes are known, or one of them has no law that describes it. Of two modes or
-/// more, the mixture is used where one of them has a law
+/// Chooses and reads. Walls that all fell, in two heaps that lie apart, are the mixture of
+/// these heaps where no modes are known, or one of them has no law that describes it. Of two
+/// modes or more, the mixture is used where one of them has a law
 /// that describes it. Of one, and where the modes do no more than part walls that stood from
 /// those that fell, the law is used where it describes the walls. Where some of these walls
 /// stood when their push ended, shares above half of those reached are read from the shares

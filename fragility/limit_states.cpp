@@ -35,6 +35,20 @@ std::string percent(double share)
     return std::string(text.data(), end.ptr) + " %";
 }
 
+/// The share of the peak at which the stiffness is read: not beyond first loading.
+double share_of_stiffness(const Curve& curve, const LimitStateOptions& o)
+{
+    const double top = peak(curve).force;
+    if (o.reach <= 0.0 || !(top > 0.0)) return o.bilinear_share;
+    double reached = 0.0;
+    for (std::size_t i = 0; i < curve.displacement.size(); ++i) {
+        if (curve.displacement[i] > o.reach) break;
+        reached = std::max(reached, curve.force[i]);
+        if (curve.displacement[i] == o.reach) break; // a step there is of the next cycle
+    }
+    return reached > 0.0 ? std::min(o.bilinear_share, reached / top) : o.bilinear_share;
+}
+
 /// Up to a censored ultimate displacement the yield is a bound that holds however the push goes
 /// on.
 LimitDisplacement yield_of(const Curve& curve, const LimitDisplacement& ultimate,
@@ -48,15 +62,17 @@ LimitDisplacement yield_of(const Curve& curve, const LimitDisplacement& ultimate
         end.displacement += o.residual;
         LimitStateOptions rest = o;
         rest.residual = 0.0;
+        if (o.reach > 0.0) rest.reach += o.residual;
         return yield_of({own.displacement, own.force}, end, rest);
     }
-    const Bilinear b = equal_energy_bilinear(curve, ultimate.displacement, o.bilinear_share);
+    const double share = share_of_stiffness(curve, o);
+    const Bilinear b = equal_energy_bilinear(curve, ultimate.displacement, share);
     if (b.outcome != BilinearOutcome::found)
         return {0.0, Reading::not_defined, reason(b.outcome)};
     if (ultimate.reading == Reading::observed)
         return {b.yield_displacement, Reading::observed, {}};
-    const double least = o.ultimate_share * peak(curve).force /
-                         secant_stiffness(curve, o.bilinear_share).value();
+    const double least =
+        o.ultimate_share * peak(curve).force / secant_stiffness(curve, share).value();
     return {std::min(b.yield_displacement, least), Reading::censored,
             "this value still depends on where the push ended; push further"};
 }

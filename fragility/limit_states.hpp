@@ -59,6 +59,9 @@ struct LimitStateOptions {
     /// yield is counted from there (fragility/cyclic_curve.hpp).
     double residual = 0.0;
     std::string_view no_yield = {}; ///< why the curve has none; empty: it has
+    /// Displacement up to which the curve is that of first loading, which has the stiffness of
+    /// the yield [length]; 0: all of it.
+    double reach = 0.0;
 };
 
 struct LimitState {

@@ -287,21 +287,6 @@ void check_fragility(const Command& command)
         std::cerr << note;
 }
 
-void say_answer(const std::string& file, bool quiet)
-{
-    Progress progress(std::cerr, stderr_progress(quiet), steady_seconds);
-    const StudyWalls walls = read_study_walls(file, {});
-    DriftData data = drift_data(walls);
-    judge(data, [&](double done, const std::string& fit) {
-        end_if_interrupted();
-        progress.update(done, "testing the fit of " + fit);
-    });
-    progress.finish("tested all fits");
-    const Table table = answer_table(walls, data);
-    std::cout << '\n' << table.title << '\n' << as_text(table, terminal_width());
-    std::cout << wrapped("All tables: drystone fragility " + file + "\n", terminal_width());
-}
-
 int fragility_command(const Command& command)
 {
     refuse_study_file(command.study);

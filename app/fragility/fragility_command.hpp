@@ -20,10 +20,6 @@ namespace app {
 /// @throws ConfigError if a file of theirs is there and is from no earlier run
 void check_fragility(const Command& command);
 
-/// Prints the table `answer` of the walls of a whole study.
-/// @throws Interrupted
-void say_answer(const std::string& file, bool quiet);
-
 /// @return exit code
 /// @throws ConfigError, StoreError, std::runtime_error
 int fragility_command(const Command& command);

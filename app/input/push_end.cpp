@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kFarthest = 0.2; // of the height [-]; choice: no limit is asked beyond
 constexpr double kMostWay = 1.0;  // [m], the range of load.max_displacement
-/// [-]; of 48 walls of configs/quick.ini none reached a higher peak after it, and 0.1 would cost
-/// 1.6 times the way.
+/// [-]; of 48 walls of configs/quick.ini none reached a higher peak after it; 0.1 would cost 1.6
+/// times the way.
 constexpr double kBelowShare = 0.02;
 
-/// Whether a push goes one way until its limits are decided, unless the study says otherwise; of
-/// a protocol the push that finds its scale.
+/// Whether a push goes one way until its limits are decided, unless the study says otherwise;
+/// of a protocol the push that finds its scale.
 bool goes_to_its_limit(const Study& study)
 {
     const bool scaled = study.load.protocol != dem::Protocol::none && study.load.scale_one_way;

@@ -51,6 +51,7 @@ fragility::LimitStateOptions options_of(bool rocks, const ReadingRules& rules)
 struct ToRead {
     fragility::Backbone backbone;
     fragility::FirstLoading first = {};
+    bool turns = false; ///< the backbone of a push that turns back
 };
 
 /// A force of this share of the peak at zero displacement comes from the way to the other side:
@@ -70,7 +71,7 @@ WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism&
     const fragility::Curve curve{side.backbone.displacement, side.backbone.force, came_down};
     WallReading w;
     w.peak = fragility::peak(curve);
-    const bool loaded = side.first.force > kLoadedAtZero * w.peak->force;
+    const bool loaded = side.turns && side.first.reach == 0.0;
     if (!loaded) w.stiffness = stiffness_of(curve, side.first.residual);
     w.ultimate =
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
@@ -79,6 +80,7 @@ WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism&
     const bool rocks = code_mode(mechanism, w.dropped, rules.mode) == dem::FailureMode::rocking;
     auto options = options_of(rocks, rules);
     options.residual = side.first.residual;
+    options.reach = side.first.reach;
     if (loaded) options.no_yield = kBeyondYield;
     for (const std::string_view set : rules.sets)
         for (const auto& s : fragility::read_limit_states(curve, set, options))
@@ -94,11 +96,18 @@ struct Backbones {
     ToRead right, left;
 };
 
+ToRead side_of(const fragility::Path& path, int direction)
+{
+    ToRead side{fragility::backbone(path, direction), {}, true};
+    const double top = *std::ranges::max_element(side.backbone.force);
+    side.first = fragility::first_loading(path, direction, kLoadedAtZero * top);
+    return side;
+}
+
 Backbones backbones_of(const fragility::Curve& curve)
 {
     const fragility::Path path{curve.displacement, curve.force};
-    return {{fragility::backbone(path, 1), fragility::first_loading(path, 1)},
-            {fragility::backbone(path, -1), fragility::first_loading(path, -1)}};
+    return {side_of(path, 1), side_of(path, -1)};
 }
 
 bool was_visited(const ToRead& side) { return side.backbone.displacement.size() > 1; }
@@ -111,7 +120,9 @@ ToRead mean_of(const Backbones& b)
     if (!was_visited(b.right)) return b.left;
     return {fragility::mean(b.right.backbone, b.left.backbone),
             {0.5 * (b.right.first.residual + b.left.first.residual),
-             b.right.first.force + b.left.first.force}};
+             b.right.first.force + b.left.first.force,
+             std::min(b.right.first.reach, b.left.first.reach)},
+            true};
 }
 
 /// Half of the yield of the side that was loaded first [m], to begin cycles with.

@@ -81,14 +81,15 @@ app::Table limit_table(const TwoStudies& both)
     const app::DriftData one = app::drift_data(both.one_way),
                          cyclic = app::drift_data(both.cyclic);
     app::Table t;
-    t.caption = "Median drifts [%] with 95 % intervals (lognormal law, right-censored; \">\" "
-                "and \">=\": a lower bound "
-                "without a law; a dagger: beyond what was tested). Seen: walls that reached "
-                "the limit state. Ratio: geometric "
-                "mean of the drift under cycles over that of the same wall pushed one way, of "
-                "the walls on which both were "
-                "seen, with its 95 % interval. SLO and SLD are read where the first amplitude lies "
-                "within yield.";
+    t.caption =
+        "Median drifts [%] with 95 % intervals (lognormal law, right-censored; \">\" "
+        "and \">=\": a lower bound "
+        "without a law; a dagger: beyond what was tested). Seen: walls that reached "
+        "the limit state. Ratio: geometric "
+        "mean of the drift under cycles over that of the same wall pushed one way, of "
+        "the walls on which both were "
+        "seen, with its 95 % interval. SLO and SLD are read where the first amplitude lies "
+        "within yield.";
     t.keys = 2;
     t.head = {"stress [MPa]",
               "limit state",

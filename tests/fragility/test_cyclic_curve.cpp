@@ -207,21 +207,27 @@ TEST_CASE("cyclic curve: the first loading of a side begins where its force is z
           "[fragility][cyclic]")
 {
     const OwnedPath far = sliding(4.0, 4.0, {3.0, -3.0, 0.0}); // slides beyond 1
-    CHECK(first_loading(far, -1).residual == near(2.0));
-    CHECK(first_loading(far, -1).force == near(4.0));
-    CHECK(first_loading(far, 1).residual == 0.0); // loaded first
-    CHECK(first_loading(far, 1).force == 0.0);
+    CHECK(first_loading(far, -1, 0.4).residual == near(2.0));
+    CHECK(first_loading(far, -1, 0.4).force == near(4.0));
+    CHECK(first_loading(far, 1, 0.4).residual == 0.0); // loaded first
+    CHECK(first_loading(far, 1, 0.4).force == 0.0);
     const OwnedPath little = sliding(4.0, 4.0, {1.25, -3.0, 0.0});
-    CHECK(first_loading(little, -1).residual == near(0.25));
-    CHECK(first_loading(little, -1).force == near(1.0));
+    CHECK(first_loading(little, -1, 2.0).residual == near(0.25));
+    CHECK(first_loading(little, -1, 2.0).force == near(1.0));
     const OwnedPath elastic = sliding(4.0, 4.0, {0.5, -0.5, 0.0});
-    CHECK(first_loading(elastic, -1).force == 0.0);
+    CHECK(first_loading(elastic, -1, 0.4).force == 0.0);
     const OwnedPath mirrored = sliding(4.0, 4.0, {-1.25, 3.0, 0.0});
-    CHECK(first_loading(mirrored, 1).residual == near(0.25));
+    CHECK(first_loading(mirrored, 1, 2.0).residual == near(0.25));
     const OwnedPath one_side{{0, 1, 0.5, 1}, {0, 4, -1, 3}};
-    CHECK(first_loading(one_side, -1).force == 0.0); // never goes there
-    CHECK(first_loading(one_side, 1).force == 0.0);
-    CHECK_THROWS_AS(first_loading(far, 0), std::invalid_argument);
+    CHECK(first_loading(one_side, -1, 0.4).force == 0.0); // never goes there
+    CHECK(first_loading(one_side, 1, 0.4).force == 0.0);
+    CHECK(first_loading(far, -1, 0.4).reach == 0.0); // comes there with all its force
+    CHECK(first_loading(far, 1, 0.4).reach == 3.0);
+    CHECK(first_loading(little, -1, 2.0).reach == near(3.0));
+    const OwnedPath grows = sliding(4.0, 4.0, {0.5, -0.5, 3.0, -3.0, 0.0});
+    CHECK(first_loading(grows, 1, 0.4).reach == near(3.0));
+    CHECK(first_loading(grows, -1, 0.4).reach == near(0.5));
+    CHECK_THROWS_AS(first_loading(far, 0, 0.4), std::invalid_argument);
 }
 
 TEST_CASE("cyclic curve: from its own zero a sliding side has the stiffness of the other one",
@@ -230,7 +236,7 @@ TEST_CASE("cyclic curve: from its own zero a sliding side has the stiffness of t
     const OwnedPath path = sliding(4.0, 4.0, {1.25, -3.0, 0.0});
     const Backbone left = backbone(path, -1);
     const Backbone own =
-        from_own_zero({left.displacement, left.force}, first_loading(path, -1).residual);
+        from_own_zero({left.displacement, left.force}, first_loading(path, -1, 2.0).residual);
     CHECK(own.displacement.back() == near(3.25));
     CHECK(*secant_stiffness({own.displacement, own.force}) == near(4.0));
     CHECK(*secant_stiffness({left.displacement, left.force}) > 4.1);

@@ -151,6 +151,10 @@ TEST_CASE("limit quantiles: heaps that lie apart need nobody to tell the modes",
     }
     const auto one = fit_data::all_observed(fit_data::lognormal350);
     CHECK(limits_of({{one}}).source == QuantileSource::law);
+    std::vector<Observation> three;
+    for (int i = 0; i < 10; ++i)
+        for (const double at : {1.0, 2.0, 4.0}) three.push_back(observed(at + 0.001 * i));
+    CHECK(limits_of({{three}}).source != QuantileSource::heaps);
     auto stood = all_of(modes); // one that stood: no heap is whole
     stood.push_back(right_censored(12.0));
     CHECK(limits_of({{stood}}).source != QuantileSource::heaps);
