@@ -70,15 +70,6 @@ Study shaken_study(const Command& command, const StudySource& source)
     return study;
 }
 
-/// A wall that is shaken turns by any amount.
-void refuse_small(const Study& study)
-{
-    if (is_given(study.source, "solver.kinematics") &&
-        study.solver.kinematics == dem::Kinematics::small)
-        throw error_at(study.source, "solver.kinematics",
-                       "a wall that is shaken turns by any amount; write finite, or remove it");
-}
-
 } // namespace
 
 int shake_command(const Command& command)
@@ -107,8 +98,7 @@ int shake_command(const Command& command)
     if (const std::string note = check_results(command.out, names, kShakeList); !command.quiet)
         std::cerr << note;
     catch_interrupts();
-    Study moving = study; // its beam is free: the ground drives it
-    moving.load.pattern = dem::LoadPattern::body;
+    const Study moving = moving_study(study);
     const dem::Model model = model_of(moving);
     const dem::WallMaterials materials =
         wall_materials(moving, model.layout, wall.level, wall.draw);
@@ -119,12 +109,7 @@ int shake_command(const Command& command)
     for (std::size_t i = 0; i < motions.size(); ++i) {
         const ShakingMotion& m = motions[i];
         Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
-        dem::ShakePlan plan;
-        plan.step = m.horizontal.step;
-        plan.horizontal = m.horizontal.acceleration;
-        if (m.vertical) plan.vertical = m.vertical->acceleration;
-        plan.load = study.load.mass;
-        plan.contact_damping = study.shaking.contact_damping;
+        dem::ShakePlan plan = shake_plan(study, m);
         plan.progress = [&](double done, double top) {
             end_if_interrupted();
             progress.update(done, m.name + ", " + fixed(top * 1e3, 1) + " mm");
