@@ -2,7 +2,6 @@
 
 #include "fragility/censored_fit.hpp"
 #include "fragility/ida.hpp"
-#include "fragility/standard_law.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
 
@@ -87,65 +86,39 @@ IntensityFit fit_capacities(std::span<const ShakenWallPoint> points, double thre
     return f;
 }
 
-/// Intensity at which a rising probability has this value; NaN if it has it nowhere.
-template <class Probability> double where_it_is(double p, Probability probability)
-{
-    double low = std::log(1e-6), high = std::log(1e6);
-    if (!(probability(std::exp(low)) < p && probability(std::exp(high)) > p))
-        return kUnknownError;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (probability(std::exp(middle)) < p ? low : high) = middle;
-    }
-    return std::exp(0.5 * (low + high));
-}
-
-IntensityFit fit_with_collapse(std::span<const ShakenWallPoint> points, double threshold,
+/// Walls that fell lie above what was seen of them.
+IntensityFit fit_bounded_cloud(std::span<const ShakenWallPoint> points, double threshold,
                                double least)
 {
-    std::vector<CloudPoint> standing, all, bounded;
-    double fallen = 0.0, reached = 0.0;
+    std::vector<CloudPoint> cloud;
+    double reached = 0.0;
     for (const ShakenWallPoint& p : points) {
         reached += has_reached(p, threshold) ? 1.0 : 0.0;
-        const Observation seen =
-            p.response < least ? left_censored(least) : observed(p.response);
-        all.push_back({p.intensity, seen, p.fell});
-        if (!p.fell) standing.push_back(all.back());
-        bounded.push_back(all.back());
-        if (p.fell) bounded.back().response = right_censored(std::max(p.response, least));
-        fallen += p.fell ? 1.0 : 0.0;
+        const double seen = std::max(p.response, least);
+        cloud.push_back({p.intensity,
+                         p.fell               ? right_censored(seen)
+                         : p.response < least ? left_censored(least)
+                                              : observed(seen),
+                         p.fell});
     }
-    const auto counted = [&](IntensityFit f) {
-        f.n = static_cast<double>(points.size());
-        f.reached = reached;
-        return f;
-    };
-    const CollapseFit collapse = fit_collapse(all, Link::probit);
-    if (!std::isfinite(threshold)) return counted(rising(collapse));
-    const bool both =
-        fallen > 0.0 && collapse.outcome == ModelOutcome::converged && collapse.slope > 0.0;
-    // Where collapses cannot have a curve of their own they lie above what was seen of them.
-    const CloudFit cloud = fit_cloud(both ? standing : bounded);
-    if (cloud.outcome != ModelOutcome::converged)
-        return counted(no_curve(cloud.outcome, cloud.reason));
-    if (!(cloud.slope > 0.0))
-        return counted(
-            no_curve(ModelOutcome::wrong_slope, "the response falls as the intensity grows"));
     IntensityFit f;
-    f.outcome = ModelOutcome::converged;
-    f.curve = cloud_curve(cloud, threshold);
-    if (both) {
-        const auto at = [&](double p) {
-            return where_it_is(
-                p, [&](double x) { return exceedance(cloud, collapse, threshold, x); });
-        };
-        constexpr double kLow = 0.16, kHigh = 0.84;
-        const double low = at(kLow), middle = at(0.5), high = at(kHigh);
-        if (!(low > 0.0 && high > low))
-            return counted(no_curve(ModelOutcome::not_converged, "the curve has no median"));
-        f.curve = {middle, std::log(high / low) / (2.0 * StandardNormal::quantile(kHigh))};
+    if (!std::isfinite(threshold)) {
+        f = rising(fit_collapse(cloud, Link::probit));
+    } else {
+        const CloudFit line = fit_cloud(cloud);
+        if (line.outcome != ModelOutcome::converged)
+            f = no_curve(line.outcome, line.reason);
+        else if (!(line.slope > 0.0))
+            f = no_curve(ModelOutcome::wrong_slope,
+                         "the response falls as the intensity grows");
+        else {
+            f.outcome = ModelOutcome::converged;
+            f.curve = cloud_curve(line, threshold);
+        }
     }
-    return counted(f);
+    f.n = static_cast<double>(points.size());
+    f.reached = reached;
+    return f;
 }
 
 /// The cluster of a point: its record, or its wall.
@@ -244,7 +217,7 @@ IntensityFit fit_intensity(IntensityMethod method, std::span<const ShakenWallPoi
     case IntensityMethod::ida:
         return fit_capacities(points, threshold);
     case IntensityMethod::cloud:
-        return fit_with_collapse(points, threshold, least);
+        return fit_bounded_cloud(points, threshold, least);
     }
     __builtin_unreachable();
 }

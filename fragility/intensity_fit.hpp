@@ -26,7 +26,8 @@ struct ShakenWallPoint {
 enum class IntensityMethod {
     stripes, ///< reached or not, at each intensity: a binomial likelihood (Baker 2015)
     ida,     ///< intensity at which each wall under each record first reaches the state
-    cloud    ///< response against intensity, and collapse apart
+    /// Response against intensity (Tobin 1958); a wall that fell lies above what was seen of it.
+    cloud
 };
 
 /// P(state | x) = Phi(ln(x / median) / dispersion).
@@ -38,8 +39,8 @@ struct IntensityFit {
     double reached = 0.0; ///< of these, the state; of IDA below the largest intensity
 };
 
-/// @param threshold of the response, > 0; infinite: collapse itself, which a cloud has from its
-/// probability of collapse alone
+/// @param threshold of the response, > 0; infinite: collapse itself, of which a cloud is the same
+/// as stripes
 /// @param least responses below are known to lie below it: a wall that stays elastic [unit of
 /// the response], > 0
 [[nodiscard]] IntensityFit fit_intensity(IntensityMethod method,
@@ -71,8 +72,8 @@ struct ClusteredFit {
 /// without each wall. The variances of both are added, which counts their interaction twice and
 /// errs on the wide side (two-way clustering of Cameron, Gelbach & Miller 2011, J. Bus. Econ.
 /// Stat. 29, without its last term). Quantiles are those of Student's law with the freedom that
-/// both have together (Satterthwaite 1946). Where each wall has a record of its own, or there is
-/// one wall, records alone are left out.
+/// both have together (Satterthwaite 1946). Where each wall has one record, or there is one
+/// wall, only records are left out: walls are then part of them, or no sample.
 /// @param confidence in (0, 1)
 [[nodiscard]] ClusteredFit fit_clustered(IntensityMethod method,
                                          std::span<const ShakenWallPoint> points,

@@ -41,7 +41,7 @@ declare -A knows=(
     [app/push]="app/text dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
     [app/report]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/surrogate]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
-    [app/fragility]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
+    [app/fragility]="app/text dem/ fragility ground uq/ app app/reading app/store app/input app/output app/sampling app/study"
     [python/src]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/study app/push app/fragility"
 )
 
