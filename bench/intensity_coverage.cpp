@@ -32,8 +32,8 @@ struct Design {
 
 double dispersion_of(const Design& d) { return std::hypot(d.of_records, d.of_walls, d.rest); }
 
-/// ln capacity = ln median + record + wall + rest. The response is a power of the intensity, and
-/// the wall falls at a multiple of its capacity.
+/// ln capacity = ln median + record + wall + rest. The response is a power of the intensity,
+/// and the wall falls at a multiple of its capacity.
 std::vector<ShakenWallPoint> study(const Design& d, std::uint64_t which)
 {
     const auto normal = [&](std::uint64_t kind, std::uint64_t i) {

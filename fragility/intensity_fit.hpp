@@ -26,8 +26,7 @@ struct ShakenWallPoint {
 enum class IntensityMethod {
     stripes, ///< reached or not, at each intensity: a binomial likelihood (Baker 2015)
     ida,     ///< intensity at which each wall under each record first reaches the state
-    /// Response against intensity (Tobin 1958); a wall that fell lies above what was seen of it.
-    cloud
+    cloud ///< response against intensity; a wall that fell lies above what was seen (Tobin 1958)
 };
 
 /// P(state | x) = Phi(ln(x / median) / dispersion).
@@ -39,8 +38,8 @@ struct IntensityFit {
     double reached = 0.0; ///< of these, the state; of IDA below the largest intensity
 };
 
-/// @param threshold of the response, > 0; infinite: collapse itself, of which a cloud is the same
-/// as stripes
+/// @param threshold of the response, > 0; infinite: collapse itself, of which a cloud is what
+/// stripes are
 /// @param least responses below are known to lie below it: a wall that stays elastic [unit of
 /// the response], > 0
 [[nodiscard]] IntensityFit fit_intensity(IntensityMethod method,

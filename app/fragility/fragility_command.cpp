@@ -201,7 +201,7 @@ void check_lognormal(const std::vector<std::string>& overrides)
                               "p-values in closed form; leave it out");
 }
 
-/// Of walls that were shaken.
+/// Output of a study whose walls were shaken.
 FragilityOutput shaken_output(const Command& command)
 {
     Command columns = command;

@@ -50,8 +50,8 @@ inline constexpr std::array kIntensityMethods = {
 [[nodiscard]] IntensityData intensity_data(StoredHistories histories,
                                            const std::string& measure);
 
-/// A table of two columns: the intensity, in the unit of the measure where its head has one, and
-/// the annual rate at which it is exceeded.
+/// A table of two columns: the intensity, in the unit of the measure where its head has one,
+/// and the annual rate at which it is exceeded.
 /// @throws ConfigError at the row
 [[nodiscard]] std::vector<fragility::HazardPoint> hazard_points(const Csv& csv,
                                                                 const IntensityData& data);

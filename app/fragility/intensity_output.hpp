@@ -15,8 +15,8 @@ namespace app {
 using AllIntensityFits = std::vector<std::vector<IntensityFits>>;
 
 /// Fragility model for the OpenQuake engine (NRML 0.5): one function for each stress, with the
-/// drift states and collapse in the order of their medians. Empty where no state has a curve, or
-/// the measure is none that the engine knows.
+/// drift states and collapse in the order of their medians. Empty where no state has a curve,
+/// or the measure is none that the engine knows.
 [[nodiscard]] std::string openquake_xml(const IntensityData& data,
                                         const AllIntensityFits& fits);
 

@@ -121,9 +121,10 @@ bool same_rows(const std::vector<app::WallRow>& a, const std::vector<app::WallRo
 
 } // namespace
 
-TEST_CASE("shake study: every wall under every record and intensity, the same bits for any threads, "
-          "shards or resumed runs",
-          "[app][shake]")
+TEST_CASE(
+    "shake study: every wall under every record and intensity, the same bits for any threads, "
+    "shards or resumed runs",
+    "[app][shake]")
 {
     const ShakenStudy study;
     REQUIRE(study.run("one.h5", 1) == 0);
@@ -230,14 +231,16 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
     CHECK_THAT(text_of("intensity_limits.csv"), Contains("annual rate [1/a]"));
     CHECK_THAT(text_of("openquake_fragility.xml"), Contains("imt=\"PGA\""));
     CHECK_THAT(text_of("pelicun_fragility.csv"), Contains("Peak Ground Acceleration,g,"));
-    for (const char* const name : {"fragility_0.05_MPa.svg", "ida_0.05_MPa.svg",
-                                   "cloud_0.05_MPa.svg"})
+    for (const char* const name :
+         {"fragility_0.05_MPa.svg", "ida_0.05_MPa.svg", "cloud_0.05_MPa.svg"})
         CHECK(fs::exists(study.path / "s" / "pictures" / name));
     c.intensity = "sa(0.7 s)";
-    CHECK_THROWS_WITH(app::fragility_command(c), Contains("--intensity: \"sa(0.7 s)\" is not in"));
+    CHECK_THROWS_WITH(app::fragility_command(c),
+                      Contains("--intensity: \"sa(0.7 s)\" is not in"));
     c.intensity = "pgv";
     CHECK_THROWS_WITH(app::fragility_command(c), Contains("pgv is read in [m/s]"));
     std::ofstream(study.path / "hazard.csv") << "PGA [g],rate\n0.1,0.1\n0.2,0.2\n";
     c.intensity.clear();
-    CHECK_THROWS_WITH(app::fragility_command(c), Contains("must be below that of the row before"));
+    CHECK_THROWS_WITH(app::fragility_command(c),
+                      Contains("must be below that of the row before"));
 }

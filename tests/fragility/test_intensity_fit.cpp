@@ -54,8 +54,9 @@ TEST_CASE("intensity fit: stripes are the fit of counts", "[fragility][intensity
     CHECK(f.n == 4 * 6 * 7);
 }
 
-TEST_CASE("intensity fit: the errors of an IDA without bounds are those of record and wall means",
-          "[fragility][intensity]")
+TEST_CASE(
+    "intensity fit: the errors of an IDA without bounds are those of record and wall means",
+    "[fragility][intensity]")
 {
     constexpr std::size_t kWalls = 4, kRecords = 7;
     const auto points = crossed(kWalls, kRecords, 100.0);
@@ -80,7 +81,8 @@ TEST_CASE("intensity fit: the errors of an IDA without bounds are those of recor
     CHECK(std::log(c.fit.curve.median / c.median.lower) == Approx(half));
 }
 
-TEST_CASE("intensity fit: a cloud finds the line through walls that fell", "[fragility][intensity]")
+TEST_CASE("intensity fit: a cloud finds the line through walls that fell",
+          "[fragility][intensity]")
 {
     // Without scatter but that of the walls the median is that of the capacities.
     const auto points = crossed(6, 9, 1.5, 2.0);
@@ -109,8 +111,7 @@ TEST_CASE("intensity fit: what no history reaches has no curve and says so",
           "[fragility][intensity]")
 {
     const auto points = crossed(3, 4, 100.0);
-    const ClusteredFit c =
-        fit_clustered(IntensityMethod::stripes, points, kInfinity, kLeast);
+    const ClusteredFit c = fit_clustered(IntensityMethod::stripes, points, kInfinity, kLeast);
     CHECK(c.fit.outcome != ModelOutcome::converged);
     CHECK(c.reason == "no history reaches it");
     CHECK(c.median.lower == 0.0);

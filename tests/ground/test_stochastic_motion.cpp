@@ -19,16 +19,16 @@ double power_at(const ground::GroundMotion& m, double frequency)
 {
     std::complex<double> sum = 0.0;
     for (std::size_t i = 0; i < m.acceleration.size(); ++i)
-        sum += m.acceleration[i] *
-               std::polar(1.0, -2.0 * std::numbers::pi * frequency * m.step *
-                                   static_cast<double>(i));
+        sum += m.acceleration[i] * std::polar(1.0, -2.0 * std::numbers::pi * frequency *
+                                                       m.step * static_cast<double>(i));
     return std::norm(sum);
 }
 
 } // namespace
 
-TEST_CASE("stochastic motion: the same numbers give the same bits, another record another motion",
-          "[ground][stochastic]")
+TEST_CASE(
+    "stochastic motion: the same numbers give the same bits, another record another motion",
+    "[ground][stochastic]")
 {
     ground::KanaiTajimi k;
     k.duration = 5.0;
@@ -65,8 +65,7 @@ TEST_CASE("stochastic motion: its name gives it alone", "[ground][stochastic]")
     CHECK(alone[0].acceleration == all[2].acceleration);
 }
 
-TEST_CASE("stochastic motion: the power follows the filter of the soil",
-          "[ground][stochastic]")
+TEST_CASE("stochastic motion: the power follows the filter of the soil", "[ground][stochastic]")
 {
     // |H|^2 = (1 + (2 z r)^2) / ((1 - r^2)^2 + (2 z r)^2) at r = 1 and 3, times that of noise
     // that is linear between its samples, sinc^4.

@@ -42,7 +42,7 @@ declare -A knows=(
     [app/report]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/surrogate]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
     [app/fragility]="app/text dem/ fragility ground uq/ app app/reading app/store app/input app/output app/sampling app/study"
-    [python/src]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/study app/push app/fragility"
+    [python/src]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/shake app/study app/push app/fragility"
 )
 
 broken=0
