@@ -2,6 +2,7 @@
 #include "app/fragility/intensity_output.hpp"
 #include "app/output/markup.hpp"
 #include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -169,10 +170,13 @@ std::string intensity_pelicun_csv(const IntensityData& data, const AllIntensityF
                     data.states[c.state].name + " by " + c.method;
         }
         if (curves.size() < all)
-            note += "; " + std::to_string(all - curves.size()) + " states have no curve";
+            note +=
+                "; " + counted(all - curves.size(), "state has", "states have") + " no curve";
         if (curves.size() > kPelicunStates)
-            note += "; " + std::to_string(curves.size() - kPelicunStates) +
-                    " severer states do not fit in";
+            note += "; " +
+                    counted(curves.size() - kPelicunStates, "severer state does",
+                            "severer states do") +
+                    " not fit in";
         std::string id = level_file(data.histories.levels[l]);
         std::ranges::replace(id, '-', '_'); // pelicun splits at hyphens
         text += "DRYSTONE.shaken." + id + (curves.size() < all ? ",1," : ",0,") + measure.name +
