@@ -27,7 +27,8 @@ std::vector<ShakenWallPoint> crossed(std::size_t walls, std::size_t records, dou
             const double capacity = 0.4 * std::exp(0.8 * (u - 0.5) + 0.5 * (v - 0.5) + 0.2 * e);
             for (const double x : {0.1, 0.2, 0.3, 0.4, 0.6, 0.9, 1.4}) {
                 const bool fell = x > falls * capacity;
-                all.push_back({w, r, x, kThreshold * std::pow(x / capacity, slope), fell});
+                const double seen = std::min(x, falls * capacity) / capacity;
+                all.push_back({w, r, x, kThreshold * std::pow(seen, slope), fell});
             }
         }
     return all;
