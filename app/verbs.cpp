@@ -6,6 +6,7 @@
 #include "app/fragility/fragility_command.hpp"
 #include "app/fragility/say_answer.hpp"
 #include "app/report/report_command.hpp"
+#include "app/shake/shake_study.hpp"
 #include "app/sheet/sheet_command.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/study_command.hpp"
@@ -51,6 +52,14 @@ int study_then_report(const Command& study)
 /// A whole study ends with its answer; a shard has none.
 int run_study(const Command& command)
 {
+    if (is_shaken(with_overrides(read_study_file(command.study), command.overrides))) {
+        if (command.report)
+            throw ConfigError("drystone", 0, "--report",
+                              "makes the page of pushes, and this study shakes walls; leave it "
+                              "out, and write \"drystone fragility " +
+                                  command.out + "\" afterwards");
+        return shake_study_command(command);
+    }
     if (command.report) return study_then_report(command);
     const int code = study_command(command);
     if (command.shard.count == 1 && command.script.empty())
@@ -73,7 +82,8 @@ constexpr std::array kVerbs = {
          .example = "drystone study configs/quick.ini",
          .out = OutKind::file,
          .extension = ".h5",
-         .sections = kWallSections,
+         .sections =
+             "wall lintel stone joint unit beam base shaking load solver output uq fragility",
          .run = run_study},
     Verb{.name = "status",
          .words = "FILE.h5",

@@ -15,6 +15,7 @@ set(FRAGILITY_PUBLIC_HEADERS
     goodness_of_fit.hpp
     hierarchical_normal.hpp
     ida.hpp
+    intensity_fit.hpp
     interval.hpp
     kaplan_meier.hpp
     law.hpp

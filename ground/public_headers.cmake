@@ -6,4 +6,5 @@ set(GROUND_PUBLIC_HEADERS
     oscillator.hpp
     pulse.hpp
     record.hpp
-    record_error.hpp)
+    record_error.hpp
+    stochastic_motion.hpp)

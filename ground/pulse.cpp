@@ -1,13 +1,12 @@
 #include "ground/pulse.hpp"
 
-#include "ground/call_text.hpp"
+#include "ground/call_arguments.hpp"
 #include "ground/record.hpp"
 #include "ground/record_text.hpp"
 
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 
 namespace ground {
@@ -16,52 +15,14 @@ namespace {
 constexpr std::array<std::string_view, 5> kPulses = {"half_sine", "sine", "cosine", "ricker",
                                                      "mavroeidis_papageorgiou"};
 
-/// Takes values out of a call by name, and refuses those that are left.
-class Arguments {
-  public:
-    explicit Arguments(CallText call) : call_(std::move(call)) {}
-
-    double take(std::string_view name, Dimension dimension, double least, double most,
-                std::optional<double> otherwise = {})
-    {
-        for (auto a = call_.arguments.begin(); a != call_.arguments.end(); ++a) {
-            if (a->name != name) continue;
-            const double x = quantity(a->value, dimension);
-            if (!(x >= least && x <= most))
-                throw std::invalid_argument(call_.name + ": " + a->name + " " + a->value +
-                                            " is out of range");
-            call_.arguments.erase(a);
-            return x;
-        }
-        if (!otherwise)
-            throw std::invalid_argument(call_.name + ": missing " + std::string(name) +
-                                        "; write it as in \"" + example() + "\"");
-        return *otherwise;
-    }
-
-    void refuse_others() const
-    {
-        if (call_.arguments.empty()) return;
-        const std::string& name = call_.arguments.front().name;
-        throw std::invalid_argument(
-            call_.name + ": " +
-            (name.empty() ? in_quotes(call_.arguments.front().value) + " has no name"
-                          : in_quotes(name) + " is unknown or given twice") +
-            "; write it as in \"" + example() + "\"");
-    }
-
-  private:
-    [[nodiscard]] std::string example() const
-    {
-        if (call_.name == "half_sine") return "half_sine(peak 0.5 g, duration 0.3 s)";
-        if (call_.name == "mavroeidis_papageorgiou")
-            return "mavroeidis_papageorgiou(velocity 0.5 m/s, period 1 s, cycles 2, phase 0 "
-                   "deg)";
-        return call_.name + "(peak 0.5 g, period 0.6 s)";
-    }
-
-    CallText call_;
-};
+/// How a pulse of this name is written.
+std::string example_of(const std::string& name)
+{
+    if (name == "half_sine") return "half_sine(peak 0.5 g, duration 0.3 s)";
+    if (name == "mavroeidis_papageorgiou")
+        return "mavroeidis_papageorgiou(velocity 0.5 m/s, period 1 s, cycles 2, phase 0 deg)";
+    return name + "(peak 0.5 g, period 0.6 s)";
+}
 
 /// Samples of f(t) on [0, duration], the last of them at its end.
 template <class F>
@@ -92,7 +53,7 @@ bool is_pulse(std::string_view text)
 GroundMotion pulse(std::string_view text)
 {
     const CallText call = parse_call(text);
-    Arguments given(call);
+    Arguments given(call, example_of(call.name));
     constexpr double kMostPeak = 1000.0, kLeastTime = 1e-3, kMostTime = 1000.0,
                      kPerPeriod = 400.0;
     const auto peak = [&] {

@@ -11,6 +11,7 @@
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
+#include "app/fragility/intensity_output.hpp"
 #include "app/fragility/measured_drifts.hpp"
 #include "app/fragility/model_doubt.hpp"
 #include "app/fragility/sampling_errors.hpp"
@@ -22,8 +23,10 @@
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
+#include "app/store/store_reader.hpp"
 #include "app/store/wall_file.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/history_names.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
@@ -198,9 +201,28 @@ void check_lognormal(const std::vector<std::string>& overrides)
                               "p-values in closed form; leave it out");
 }
 
+/// Output of a study whose walls were shaken.
+FragilityOutput shaken_output(const Command& command)
+{
+    Command columns = command;
+    columns.intensity.clear(); // names a measure here
+    check_columns(columns, nullptr);
+    IntensityData data =
+        intensity_data(read_histories(command.study, command.overrides), command.intensity);
+    if (!command.hazard.empty())
+        data.hazard = hazard_points(read_csv_file(command.hazard), data);
+    return intensity_output(data);
+}
+
 FragilityOutput output_of(const Command& command, const FitProgress& seen)
 {
-    if (is_study(command.study)) {
+    const bool stored = is_study(command.study);
+    if (stored && holds_histories(read_head(command.study))) return shaken_output(command);
+    if (!command.hazard.empty())
+        throw ConfigError("drystone", 0, "--hazard",
+                          "gives an annual rate of walls that were shaken, and these were "
+                          "not; leave it out");
+    if (stored) {
         check_columns(command, nullptr);
         return study_output(read_study_walls(command.study, command.overrides), seen);
     }

@@ -47,4 +47,8 @@ namespace app {
 /// the parts of the dispersion.
 [[nodiscard]] std::string pelicun_csv(const DriftData& data);
 
+/// Limit states that one component can have, and the head of the file.
+inline constexpr std::size_t kPelicunStates = 4;
+[[nodiscard]] std::string pelicun_head();
+
 } // namespace app

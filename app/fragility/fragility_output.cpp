@@ -58,6 +58,8 @@ std::string readme(const FragilityOutput& output)
     if (!output.pelicun.empty())
         text += link("pelicun_fragility.csv",
                      "parameters for pelicun; Incomplete is 1 where no law could be fitted");
+    if (!output.openquake.empty())
+        text += link("openquake_fragility.xml", "fragility model for the OpenQuake engine");
     for (const NamedPicture& p : output.pictures)
         text += link("pictures/" + p.name + ".svg", p.title);
     return text;
@@ -105,6 +107,8 @@ std::size_t write_output(const fs::path& folder, const FragilityOutput& output)
 {
     std::vector<OutputFile> files = {{"fragility.json", fragility_json(output)}};
     if (!output.pelicun.empty()) files.push_back({"pelicun_fragility.csv", output.pelicun});
+    if (!output.openquake.empty())
+        files.push_back({"openquake_fragility.xml", output.openquake});
     for (const NamedTable& t : output.tables) add_table(files, path_of(t), t.table);
     for (const NamedPicture& p : output.pictures)
         files.push_back({"pictures/" + p.name + ".svg", p.svg});

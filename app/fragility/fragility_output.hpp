@@ -35,7 +35,8 @@ struct FragilityOutput {
         0; ///< bytes at their beginning: study_remarks, which the verb study prints
     std::vector<NamedTable> tables;
     std::vector<NamedPicture> pictures;
-    std::string pelicun; ///< CSV; empty: not written
+    std::string pelicun;     ///< CSV; empty: not written
+    std::string openquake{}; ///< XML; empty: not written
 };
 
 /// All tables with their captions and rows as in the CSV, cells that are empty as null; one
@@ -45,7 +46,8 @@ struct FragilityOutput {
 /// Gives tables, and pictures, unique names.
 void make_names_unique(FragilityOutput& output);
 
-/// README.md, which begins with the answers; fragility.json, pelicun_fragility.csv; <name>.csv,
+/// README.md, which begins with the answers; fragility.json, pelicun_fragility.csv,
+/// openquake_fragility.xml; <name>.csv,
 /// .md, .tex of every answer; all other tables in tables/, pictures as <name>.svg in pictures/.
 /// The CSV has no caption: it is in the .md beside it.
 /// @return how many files of an earlier run were removed

@@ -18,8 +18,6 @@
 namespace app {
 namespace {
 
-constexpr std::size_t kMostStates = 4;
-
 struct Parameters {
     double median; ///< with the factor of the model [rad]
     fragility::Dispersions dispersion;
@@ -120,15 +118,6 @@ std::string id_part(const std::string& text)
     return safe;
 }
 
-std::string head_line()
-{
-    std::string line = "ID,Incomplete,Demand-Type,Demand-Unit,Demand-Offset,Demand-Directional";
-    for (std::size_t i = 1; i <= kMostStates; ++i)
-        for (const char* const field : {"Family", "Theta_0", "Theta_1", "DamageStateWeights"})
-            line += ",LS" + std::to_string(i) + "-" + field;
-    return line + ",Notes\n";
-}
-
 /// ", dispersion: material 0.5, sampling 0.07, model 0.4"; nothing without an error of the
 /// model
 std::string dispersion_text(const Parameters& p)
@@ -162,7 +151,7 @@ std::string line(const DriftData& data, std::size_t group, const std::string& id
     const bool whole = std::ranges::all_of(found, [](const auto& p) { return p.has_value(); });
     if (whole) std::ranges::stable_sort(found, {}, [](const auto& p) { return p->median; });
     std::string text = id + (whole ? ",0" : ",1") + ",Peak Interstory Drift Ratio,rad,0,1";
-    for (std::size_t i = 0; i < kMostStates; ++i) {
+    for (std::size_t i = 0; i < kPelicunStates; ++i) {
         if (i >= states.size()) {
             text += ",,,,";
         } else if (found[i]) {
@@ -180,9 +169,18 @@ std::string line(const DriftData& data, std::size_t group, const std::string& id
 
 } // namespace
 
+std::string pelicun_head()
+{
+    std::string line = "ID,Incomplete,Demand-Type,Demand-Unit,Demand-Offset,Demand-Directional";
+    for (std::size_t i = 1; i <= kPelicunStates; ++i)
+        for (const char* const field : {"Family", "Theta_0", "Theta_1", "DamageStateWeights"})
+            line += ",LS" + std::to_string(i) + "-" + field;
+    return line + ",Notes\n";
+}
+
 std::string pelicun_csv(const DriftData& data)
 {
-    std::string text = head_line();
+    std::string text = pelicun_head();
     UniqueNames ids;
     for (const std::string& set : sets_of(data))
         for (std::size_t g = 0; g < data.groups.size(); ++g) {
@@ -191,10 +189,10 @@ std::string pelicun_csv(const DriftData& data)
                 if (data.states[s].set == set) states.push_back(s);
             std::size_t part = 0;
             while (!states.empty()) {
-                const std::size_t n = std::min(kMostStates, states.size());
+                const std::size_t n = std::min(kPelicunStates, states.size());
                 std::string id = "DRYSTONE." + (set.empty() ? "" : id_part(set) + ".") +
                                  id_part(data.groups[g].name);
-                if (states.size() > kMostStates || part > 0)
+                if (states.size() > kPelicunStates || part > 0)
                     id += ".part" + std::to_string(++part);
                 text += line(data, g, ids.add(id), {states.begin(), states.begin() + n});
                 states.erase(states.begin(), states.begin() + n);

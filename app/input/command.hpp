@@ -38,8 +38,11 @@ struct Command {
     std::vector<std::string> drift;    ///< columns of a table
     std::vector<std::string> censored; ///< of a table: for all drifts, or one for each
     std::string group;                 ///< column of a table; empty: none
-    std::string intensity, of, state;  ///< columns of a table of counts; empty: none
+    /// Columns of a table of counts; of walls that were shaken the first is a measure. Empty:
+    /// none.
+    std::string intensity, of, state;
     std::vector<std::string> failed;   ///< columns of a table of counts
+    std::string hazard;                ///< a table of a hazard curve; empty: none
     std::vector<std::string> measures; ///< of a record, beside those that are always shown
     std::string unit;                  ///< of the values of a record; empty: as the file says
     std::string address = "127.0.0.1"; ///< at which a server listens

@@ -176,7 +176,14 @@ struct ProgramInput {
     bool above = false;             ///< the event is to reach the demand, else to fall to it
 };
 
-/// Motions of the ground, as text: the verb shake reads them (app/shake/shaking_motions.hpp).
+/// Which walls of a study are shaken by which records.
+enum class ShakingDesign {
+    crossed, ///< each wall by each record
+    paired   ///< wall k by record k, and by the first ones again after the last
+};
+
+/// Motions of the ground, as text: the verbs shake and study read them
+/// (app/shake/shaking_motions.hpp).
 struct ShakingInput {
     std::string records;         ///< files and pulses, with commas between; empty: none
     std::string intensities;     ///< of `measure`, with commas between; empty: motions as given
@@ -184,6 +191,7 @@ struct ShakingInput {
     std::string vertical = "none"; ///< a file or a pulse
     double scale = 1.0;            ///< on all motions [-], > 0
     double contact_damping = 0.0;  ///< zeta of dry joints [-], >= 0
+    ShakingDesign design = ShakingDesign::crossed;
 };
 
 /// How walls are read, by every verb. Moves no wall.
@@ -200,6 +208,10 @@ struct FragilityInput {
     dem::ModeThresholds mode;
     std::string model_factor = "tests"; ///< of limit drifts (app/input/model_factor_text.hpp)
     std::string model_factor_force = "tests"; ///< of peak forces
+    // Damage states of walls that were shaken, as drifts [-], > 0.
+    std::vector<double> shaken_drifts = {0.005, 0.01};
+    std::vector<double> shaken_residuals = {0.002}; ///< after the shaking
+    double pushed_limit = 0.0; ///< drift limit of a push: 80 % of it is a state; 0: none
 };
 
 struct Study {

@@ -33,6 +33,11 @@ inline constexpr Condition kWithBeamJoint{
 inline constexpr Condition kWithGravity{[](const Study& s) { return s.load.gravity > 0.0; },
                                         "load.gravity is 0"};
 
+/// The condition of keys of walls that are shaken.
+inline constexpr Condition kShaken{[](const Study& s) { return !s.shaking.records.empty(); },
+                                   "there is no shaking.records; write it, or remove this key",
+                                   true};
+
 inline constexpr std::array kNone = {named("none", 0)};
 inline constexpr std::array kEnvelopes = {named("coulomb", dem::Envelope::coulomb),
                                           named("hyperbolic", dem::Envelope::hyperbolic)};

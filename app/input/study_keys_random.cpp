@@ -244,6 +244,15 @@ constexpr std::array kRandomKeys = {
         .verbs = "fragility report",
         .meaning = "the same on every peak force",
         .field = kAt<&Study::fragility, &FragilityInput::model_factor_force>},
+    Key{.name = "fragility.shaken_drifts", .kind = Kind::list, .unit = "%", .range = {'(', 0, 100, ']'}, .used = kShaken, .verbs = "study fragility",
+        .meaning = "largest drifts that are damage states of walls that are shaken (choice)",
+        .field = kAt<&Study::fragility, &FragilityInput::shaken_drifts>},
+    Key{.name = "fragility.shaken_residuals", .kind = Kind::list, .unit = "%", .range = {'(', 0, 100, ']'}, .used = kShaken, .verbs = "study fragility",
+        .meaning = "residual drifts that are damage states of walls that are shaken (choice)",
+        .field = kAt<&Study::fragility, &FragilityInput::shaken_residuals>},
+    Key{.name = "fragility.pushed_limit", .unit = "%", .range = {'(', 0, 100, ']'}, .names = kNone, .used = kShaken, .verbs = "study fragility",
+        .meaning = "drift limit of the same wall when it is pushed; 80 % of it is a damage state of walls that are shaken",
+        .field = kAt<&Study::fragility, &FragilityInput::pushed_limit>},
 };
 // clang-format on
 

@@ -106,7 +106,7 @@ constexpr std::array kSolverKeys = {
         .meaning = "height of the horizontal load above the floor, within the beam; drifts are displacements over it",
         .field = kAt<&Study::load, &LoadInput::height>},
     Key{.name = "load.mass", .kind = Kind::word, .names = kLoadMasses, .used = kWithShakenLoad,
-        .verbs = "shake", .example = "floor",
+        .verbs = "study shake", .example = "floor",
         .meaning = "of a wall that is shaken, the vertical load: floor, the weight of a mass that moves with the top; none, a force, as of a jack or a tendon",
         .field = kAt<&Study::load, &LoadInput::mass>},
     Key{.name = "load.max_displacement", .unit = "mm", .range = {'(', 0, 1000, ']'},

@@ -11,25 +11,46 @@
 #include "ground/motion_facts.hpp"
 #include "ground/pulse.hpp"
 #include "ground/record_error.hpp"
+#include "ground/stochastic_motion.hpp"
 
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <utility>
 
 namespace app {
 namespace {
 
 constexpr std::string_view kRecordList = "drystone_record_files.txt";
 
+ground::Record formula_record(ground::GroundMotion motion, const std::string& name)
+{
+    ground::Record r;
+    r.motion = std::move(motion);
+    r.motion.name = name;
+    r.format = "formula";
+    r.unit = "-";
+    return r;
+}
+
 ground::Record pulse_record(const std::string& text)
 {
     try {
-        ground::Record r;
-        r.motion = ground::pulse(text);
-        r.motion.name = text;
-        r.format = "formula";
-        r.unit = "-";
-        return r;
+        return formula_record(ground::pulse(text), text);
+    } catch (const std::invalid_argument& bad) {
+        throw ConfigError("drystone", 0, "record", bad.what());
+    }
+}
+
+std::vector<ground::Record> stochastic_records(const std::string& text)
+{
+    try {
+        std::vector<ground::Record> all;
+        for (ground::GroundMotion& m : ground::stochastic_motions(text)) {
+            const std::string name = m.name;
+            all.push_back(formula_record(std::move(m), name));
+        }
+        return all;
     } catch (const std::invalid_argument& bad) {
         throw ConfigError("drystone", 0, "record", bad.what());
     }
@@ -42,6 +63,10 @@ std::vector<ground::Record> all_records(const Command& command)
                           "is no unit of acceleration; use g, m/s2, cm/s2, mm/s2 or g/10");
     std::vector<ground::Record> all;
     for (const std::string& word : command.words) {
+        if (ground::is_stochastic(word)) {
+            for (ground::Record& r : stochastic_records(word)) all.push_back(std::move(r));
+            continue;
+        }
         if (ground::is_pulse(word)) {
             all.push_back(pulse_record(word));
             continue;

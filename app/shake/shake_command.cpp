@@ -1,7 +1,6 @@
 #include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/random_layouts.hpp"
 #include "app/input/study.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/output/markup.hpp"
@@ -10,17 +9,17 @@
 #include "app/output/unique_names.hpp"
 #include "app/output/wall_svg.hpp"
 #include "app/shake/shake_files.hpp"
+#include "app/shake/shake_wall.hpp"
 #include "app/shake/shaking_motions.hpp"
 #include "app/study/drawn_wall.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
-#include "dem/block/model.hpp"
 
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
+#include <optional>
 
 namespace app {
 namespace {
@@ -60,25 +59,6 @@ std::string shaken_picture(const Study& study, const ShakenWall& w)
     return wall_picture(w.result.at_end, w.result.at_end, text);
 }
 
-Study shaken_study(const Command& command, const StudySource& source)
-{
-    Study study = source.study;
-    if (has_layouts(study))
-        study = in_layout(
-            study, layout_seed(study, static_cast<std::uint32_t>(command.sample.value_or(0))));
-    study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
-    return study;
-}
-
-/// A wall that is shaken turns by any amount.
-void refuse_small(const Study& study)
-{
-    if (is_given(study.source, "solver.kinematics") &&
-        study.solver.kinematics == dem::Kinematics::small)
-        throw error_at(study.source, "solver.kinematics",
-                       "a wall that is shaken turns by any amount; write finite, or remove it");
-}
-
 } // namespace
 
 int shake_command(const Command& command)
@@ -87,12 +67,10 @@ int shake_command(const Command& command)
         throw ConfigError(command.study, 0, "", "shake reads a study file; give STUDY.ini");
     const StudySource source = study_source(command);
     const std::vector<ShakingMotion> motions = shaking_motions(source.study);
-    refuse_small(source.study);
     const std::vector<WantedWall> wanted = wanted_walls(source, command);
-    const Study study = shaken_study(command, source);
+    const Study study = shaken_study(source.study, command.sample.value_or(0));
     if (wanted.size() != 1) static_cast<void>(level_of(study, command.level)); // throws
     const WantedWall& wall = wanted.front();
-    const double stress = study.load.vertical_stress.at(wall.level);
     std::vector<std::filesystem::path> folders, names;
     UniqueNames unique;
     for (const ShakingMotion& m : motions) {
@@ -107,40 +85,26 @@ int shake_command(const Command& command)
     if (const std::string note = check_results(command.out, names, kShakeList); !command.quiet)
         std::cerr << note;
     catch_interrupts();
-    Study moving = study; // its beam is free: the ground drives it
-    moving.load.pattern = dem::LoadPattern::body;
-    const dem::Model model = model_of(moving);
-    const dem::WallMaterials materials =
-        wall_materials(moving, model.layout, wall.level, wall.draw);
     const Study used = study.random.empty() ? study : with_drawn(study, wall);
     const std::string text = effective_configuration(used);
     std::vector<ShakenWall> walls;
     std::vector<OutputFile> files;
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-        const ShakingMotion& m = motions[i];
-        Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
-        dem::ShakePlan plan;
-        plan.step = m.horizontal.step;
-        plan.horizontal = m.horizontal.acceleration;
-        if (m.vertical) plan.vertical = m.vertical->acceleration;
-        plan.load = study.load.mass;
-        plan.contact_damping = study.shaking.contact_damping;
-        plan.progress = [&](double done, double top) {
-            end_if_interrupted();
-            progress.update(done, m.name + ", " + fixed(top * 1e3, 1) + " mm");
-        };
-        try {
-            walls.push_back(
-                {m, dem::shake(model, materials, plan, moving.solver), plan.load, stress});
-        } catch (const std::invalid_argument& bad) {
-            throw ConfigError(command.study, 0, "", bad.what());
-        }
-        progress.finish(m.name);
+    std::optional<Progress> progress;
+    const auto seen = [&](const ShakingMotion& m, double done, double top) {
+        end_if_interrupted();
+        if (!progress)
+            progress.emplace(std::cerr, stderr_progress(command.quiet), steady_seconds);
+        progress->update(done, m.name + ", " + fixed(top * 1e3, 1) + " mm");
+    };
+    shake_wall(study, wall, motions, seen, [&](ShakenWall&& shaken) {
+        if (progress) progress->finish(shaken.motion.name);
+        progress.reset();
         const std::string picture =
-            shake_failed(walls.back().result) ? "" : shaken_picture(study, walls.back());
-        for (OutputFile& f : shake_files(walls.back(), text, picture))
-            files.push_back({folders[i] / f.name, std::move(f.content)});
-    }
+            shake_failed(shaken.result) ? "" : shaken_picture(study, shaken);
+        for (OutputFile& f : shake_files(shaken, text, picture))
+            files.push_back({folders[walls.size()] / f.name, std::move(f.content)});
+        walls.push_back(std::move(shaken));
+    });
     write_results(command.out, files, kShakeList);
     std::cout << as_text(shaken_table(walls), terminal_width())
               << "verified against closed forms, not validated\nwritten to " << command.out

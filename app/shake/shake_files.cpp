@@ -25,6 +25,24 @@ std::string shaken_history_csv(const dem::ShakeResult& r)
     return text;
 }
 
+std::string shaken_history_svg(const ShakenWall& w)
+{
+    Chart c;
+    c.title = w.motion.name;
+    c.x_label = "time [s]";
+    c.y_label = "drift [%]";
+    Series s;
+    s.colour = palette(0);
+    for (const dem::HistoryPoint& p : w.result.history) {
+        s.x.push_back(p.time);
+        s.y.push_back(100.0 * p.displacement / w.result.top_height);
+    }
+    c.series.push_back(s);
+    return line_chart(c);
+}
+
+} // namespace
+
 std::string shaken_summary(const ShakenWall& w, const std::string& study)
 {
     const dem::ShakeResult& r = w.result;
@@ -55,24 +73,6 @@ std::string shaken_summary(const ShakenWall& w, const std::string& study)
     j["study"] = study;
     return text_of(j, 2) + "\n";
 }
-
-std::string shaken_history_svg(const ShakenWall& w)
-{
-    Chart c;
-    c.title = w.motion.name;
-    c.x_label = "time [s]";
-    c.y_label = "drift [%]";
-    Series s;
-    s.colour = palette(0);
-    for (const dem::HistoryPoint& p : w.result.history) {
-        s.x.push_back(p.time);
-        s.y.push_back(100.0 * p.displacement / w.result.top_height);
-    }
-    c.series.push_back(s);
-    return line_chart(c);
-}
-
-} // namespace
 
 bool shake_failed(const dem::ShakeResult& r)
 {

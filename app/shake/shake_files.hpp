@@ -23,6 +23,9 @@ struct ShakenWall {
 /// Largest |acceleration| of the ground [g].
 [[nodiscard]] double peak_ground_g(const ShakenWall& wall);
 
+/// Text of summary.json. @param study as shake_files
+[[nodiscard]] std::string shaken_summary(const ShakenWall& wall, const std::string& study);
+
 /// @param study text of study.ini
 /// @param tint of the picture: title, load and stones are set by the caller
 [[nodiscard]] std::vector<OutputFile>

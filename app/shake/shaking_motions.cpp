@@ -8,7 +8,9 @@
 #include "ground/pulse.hpp"
 #include "ground/record.hpp"
 #include "ground/record_error.hpp"
+#include "ground/stochastic_motion.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -43,6 +45,8 @@ std::vector<ground::GroundMotion> motions_of(const StudyFile& file, const char* 
 {
     if (text.empty())
         throw error_at(file, key, "an empty name between commas; write a file or a pulse");
+    if (ground::is_stochastic(text))
+        return read_at(file, key, [&] { return ground::stochastic_motions(text); });
     if (ground::is_pulse(text))
         return read_at(file, key,
                        [&] { return std::vector<ground::GroundMotion>{ground::pulse(text)}; });
@@ -104,7 +108,7 @@ ground::GroundMotion beside(ground::GroundMotion vertical, const ground::GroundM
 
 } // namespace
 
-std::vector<ShakingMotion> shaking_motions(const Study& study)
+ShakingRecords shaking_records(const Study& study)
 {
     const ShakingInput& given = study.shaking;
     const StudyFile& file = study.source;
@@ -112,30 +116,81 @@ std::vector<ShakingMotion> shaking_motions(const Study& study)
         throw error_at(file, "shaking.records",
                        "missing; write files of records or pulses, e.g. records = "
                        "half_sine(peak 0.5 g, duration 0.3 s)");
-    const ground::Measure measure = measure_of(study);
-    const std::vector<double> levels = intensities_of(study, measure);
+    ShakingRecords all;
+    all.measure = measure_of(study);
+    all.intensities = intensities_of(study, all.measure);
+    all.scale = given.scale;
     std::optional<ground::GroundMotion> vertical;
     if (given.vertical != "none")
         vertical = motions_of(file, "shaking.vertical", given.vertical).front();
-    std::vector<ShakingMotion> all;
     for (const std::string& part : parts_of(given.records))
-        for (const ground::GroundMotion& m : motions_of(file, "shaking.records", part)) {
-            const double own = intensity(m, measure);
-            if (own <= 0.0)
+        for (ground::GroundMotion& m : motions_of(file, "shaking.records", part)) {
+            ShakingRecord r;
+            r.own = intensity(m, all.measure);
+            if (r.own <= 0.0)
                 throw error_at(file, "shaking.records", in_quotes(m.name) + " does not move");
-            const auto add = [&](double factor, const std::string& name) {
-                ShakingMotion s{name, scaled(m, factor), {}};
-                if (vertical) s.vertical = beside(scaled(*vertical, factor), m, file);
-                all.push_back(std::move(s));
-            };
-            if (levels.empty()) add(given.scale, m.name);
-            for (const double level : levels)
-                add(given.scale * level / own,
-                    m.name + " at " + measure_text(measure) + " " +
-                        number(given.scale * level / measure_unit_value(measure), 6) + " " +
-                        std::string(measure_unit(measure)));
+            if (vertical) r.vertical = beside(*vertical, m, file);
+            r.horizontal = std::move(m);
+            all.records.push_back(std::move(r));
         }
     return all;
+}
+
+std::size_t intensity_count(const ShakingRecords& records)
+{
+    return std::max<std::size_t>(1, records.intensities.size());
+}
+
+ShakingMotion shaking_motion(const ShakingRecords& all, std::size_t record,
+                             std::size_t intensity)
+{
+    const ShakingRecord& r = all.records.at(record);
+    ShakingMotion m{r.horizontal.name, all.scale, {}, {}};
+    if (!all.intensities.empty()) {
+        const double level = all.scale * all.intensities.at(intensity);
+        m.factor = level / r.own;
+        m.name += " at " + measure_text(all.measure) + " " +
+                  number(level / measure_unit_value(all.measure), 6) + " " +
+                  std::string(measure_unit(all.measure));
+    }
+    m.horizontal = scaled(r.horizontal, m.factor);
+    if (r.vertical) m.vertical = scaled(*r.vertical, m.factor);
+    return m;
+}
+
+std::vector<ShakingMotion> shaking_motions(const Study& study)
+{
+    const ShakingRecords records = shaking_records(study);
+    std::vector<ShakingMotion> all;
+    for (std::size_t r = 0; r < records.records.size(); ++r)
+        for (std::size_t i = 0; i < intensity_count(records); ++i)
+            all.push_back(shaking_motion(records, r, i));
+    return all;
+}
+
+dem::ShakePlan shake_plan(const Study& study, const ShakingMotion& motion)
+{
+    dem::ShakePlan plan;
+    plan.step = motion.horizontal.step;
+    plan.horizontal = motion.horizontal.acceleration;
+    if (motion.vertical) plan.vertical = motion.vertical->acceleration;
+    plan.load = study.load.mass;
+    plan.contact_damping = study.shaking.contact_damping;
+    return plan;
+}
+
+void refuse_small(const Study& study)
+{
+    if (is_given(study.source, "solver.kinematics") &&
+        study.solver.kinematics == dem::Kinematics::small)
+        throw error_at(study.source, "solver.kinematics",
+                       "a wall that is shaken turns by any amount; write finite, or remove it");
+}
+
+Study moving_study(Study study)
+{
+    study.load.pattern = dem::LoadPattern::body;
+    return study;
 }
 
 } // namespace app

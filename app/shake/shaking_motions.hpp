@@ -2,7 +2,9 @@
 /// The motions that section [shaking] of a study asks for.
 
 #include "app/input/study.hpp"
+#include "dem/shaking/shake.hpp"
 #include "ground/ground_motion.hpp"
+#include "ground/intensity.hpp"
 
 #include <optional>
 #include <string>
@@ -10,15 +12,51 @@
 
 namespace app {
 
+/// A record as it is, with the vertical motion that belongs to it.
+struct ShakingRecord {
+    ground::GroundMotion horizontal;
+    std::optional<ground::GroundMotion> vertical; ///< as long
+    double own = 0.0; ///< its intensity by the measure of the study [SI], > 0
+};
+
+/// The records of a study and the intensities to which each is scaled.
+struct ShakingRecords {
+    std::vector<ShakingRecord> records;
+    ground::Measure measure;
+    std::vector<double> intensities; ///< [SI]; empty: the records as they are
+    double scale = 1.0;              ///< on all of them [-]
+};
+
 /// One history: a record of one intensity.
 struct ShakingMotion {
     std::string name;                             ///< of the record, with its intensity
+    double factor = 1.0;                          ///< on the record [-]
     ground::GroundMotion horizontal;              ///< scaled
     std::optional<ground::GroundMotion> vertical; ///< scaled by the same factor, as long
 };
 
-/// Each record under each intensity. Files of records are seen from the folder of the study.
+/// Files of records are seen from the folder of the study.
+/// @throws ConfigError
+[[nodiscard]] ShakingRecords shaking_records(const Study& study);
+
+/// Number of intensities of each record, 1 where they stay as they are.
+[[nodiscard]] std::size_t intensity_count(const ShakingRecords& records);
+
+/// @param intensity in [0, intensity_count)
+[[nodiscard]] ShakingMotion shaking_motion(const ShakingRecords& records, std::size_t record,
+                                           std::size_t intensity);
+
+/// Each record under each intensity.
 /// @throws ConfigError
 [[nodiscard]] std::vector<ShakingMotion> shaking_motions(const Study& study);
+
+/// The plan of a history of the study's wall, without its progress.
+[[nodiscard]] dem::ShakePlan shake_plan(const Study& study, const ShakingMotion& motion);
+
+/// A wall that is shaken turns by any amount. @throws ConfigError
+void refuse_small(const Study& study);
+
+/// The study whose model is shaken: the ground drives it, and its beam is free.
+[[nodiscard]] Study moving_study(Study study);
 
 } // namespace app

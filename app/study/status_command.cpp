@@ -5,6 +5,7 @@
 #include "app/output/table.hpp"
 #include "app/store/store_parts.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/study/history_names.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
@@ -115,7 +116,8 @@ int status_command(const Command& command)
     const std::string shard = head.shards > 1 ? ", shard " + std::to_string(head.shard + 1) +
                                                     " of " + std::to_string(head.shards)
                                               : "";
-    std::cout << command.study << shard << ": " << there << " of " << wanted << " walls, "
+    std::cout << command.study << shard << ": " << there << " of " << wanted
+              << (holds_histories(head) ? " histories, " : " walls, ")
               << (missing == 0      ? "all are there"
                   : head.shards > 1 ? "the others are those of other shards, or still to run"
                                     : "the same study command runs the others")

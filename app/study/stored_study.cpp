@@ -1,6 +1,7 @@
 #include "app/study/stored_study.hpp"
 
 #include "app/store/store_error.hpp"
+#include "app/study/history_names.hpp"
 #include "app/study/study_identity.hpp"
 #include "app/text/words.hpp"
 
@@ -50,7 +51,8 @@ void check_configuration(const std::filesystem::path& file, const StoreHead& hea
     const std::string own = identity_text(study);
     if (solver_revision(head.identity) != solver_revision(own))
         return; // had other keys; other_revision_text says so
-    std::string why = text_difference(without_found_out(head.identity), without_found_out(own));
+    std::string why = text_difference(without_found_out(without_record_lines(head.identity)),
+                                      without_found_out(own));
     if (!why.empty()) why.pop_back(); // the end of the last line
     if (!why.empty())
         damaged(file, kNotOfWalls +

@@ -5,6 +5,7 @@
 #include "app/output/progress.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/run_study.hpp"
+#include "app/study/shard_file.hpp"
 #include "app/study/slurm_command.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/number_text.hpp"
@@ -17,21 +18,6 @@
 
 namespace app {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// "runs/paper.h5", shard 3 of 16: "runs/paper_03_of_16.h5"
-fs::path shard_file(const fs::path& out, Shard shard)
-{
-    if (shard.count == 1) return out;
-    std::string index = std::to_string(shard.index + 1);
-    const std::string count = std::to_string(shard.count);
-    index.insert(0, count.size() - index.size(), '0');
-    fs::path file = out;
-    file.replace_filename(out.stem().string() + "_" + index + "_of_" + count +
-                          out.extension().string());
-    return file;
-}
 
 /// "16 of 120 walls"; of a study that goes on "120 of 120 walls (104 before, 16 now)"; of an
 /// audit "4 of 8 walls of the audit"

@@ -1,8 +1,8 @@
 #include "app/study/study_runner.hpp"
 
 #include "app/input/random_layouts.hpp"
-#include "app/output/progress.hpp"
 #include "app/study/push_layouts.hpp"
+#include "app/study/row_buffer.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_file_head.hpp"
 #include "dem/solver/slower.hpp"
@@ -10,34 +10,6 @@
 #include <utility>
 
 namespace app {
-namespace {
-
-/// Finished walls on their way into the file. A kill loses those that wait here.
-class RowBuffer {
-  public:
-    explicit RowBuffer(Store& store) : store_(store) {}
-    void add(WallRow row)
-    {
-        rows_.push_back(std::move(row));
-        if (rows_.size() >= kMost || steady_seconds() - last_ > kSeconds) flush();
-    }
-    void flush()
-    {
-        if (!rows_.empty()) store_.append(rows_);
-        rows_.clear();
-        last_ = steady_seconds();
-    }
-
-  private:
-    static constexpr std::size_t kMost = 1000;
-    static constexpr double kSeconds = 3.0;
-    Store& store_;
-    std::vector<WallRow> rows_;
-    double last_ = steady_seconds();
-};
-
-} // namespace
-
 Deal deal_of(const Study& study) { return has_layouts(study) ? Deal::samples : Deal::walls; }
 
 namespace {

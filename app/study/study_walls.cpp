@@ -2,6 +2,7 @@
 
 #include "app/input/limit_state_text.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/study/history_names.hpp"
 #include "app/study/stored_study.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_file_head.hpp"
@@ -36,6 +37,7 @@ std::optional<std::size_t> place_of(const Range& range, std::string_view name, M
 
 Columns columns_of(const std::filesystem::path& file, const StoreHead& head)
 {
+    refuse_histories(file.string(), head);
     const auto needed = [&](const std::vector<Column>& columns, std::string_view name) {
         const auto place = place_of(columns, name, &Column::name);
         if (!place)

@@ -282,6 +282,7 @@ ShakeResult History::run()
         r_.peak_ground = std::max(r_.peak_ground, std::abs(a));
 
     double next_point = 0.0, next_snapshot = 0.0;
+    bool further = false; ///< the wall was never so far out
     for (; step_ <= last_; ++step_) {
         const double time = static_cast<double>(step_) * dt_;
         const GroundAcceleration a = ground(step_);
@@ -289,6 +290,10 @@ ShakeResult History::run()
         if (step_ == 0 || std::abs(u) > r_.most_displacement) {
             r_.most_displacement = std::abs(u);
             r_.most_at = time;
+            further = true;
+        } else if (further) { // the wall has just turned back, a step ago
+            further = false;
+            r_.at_most = take_snapshot(m_, t_, s_, 0, u, s_.base_shear);
         }
         const double slack = 0.5 * dt_;
         if (time >= next_point - slack) {
@@ -338,6 +343,9 @@ void History::finish()
     r_.overturned = r_.outcome == ShakeOutcome::collapsed && weight > 0.0 &&
                     std::abs(turned / weight) > std::atan2(m_.layout.length, m_.layout.height);
     r_.at_end = take_snapshot(m_, t_, s_, 0, displacement(), s_.base_shear);
+    // A wall that fell never turned back.
+    if (r_.at_most.blocks.empty() || r_.outcome == ShakeOutcome::collapsed)
+        r_.at_most = r_.at_end;
 }
 
 } // namespace

@@ -97,6 +97,7 @@ struct ShakeResult {
     long long steps = 0;
     std::vector<Snapshot> snapshots;    ///< as snapshot_every asks; displacement: of the top
     std::vector<double> snapshot_times; ///< [s]
+    /// Where the wall turned back from its largest displacement, or came down; and at the end.
     Snapshot at_most, at_end;
 };
 

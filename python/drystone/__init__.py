@@ -11,6 +11,7 @@ drifts of fragility are in percent.
 from drystone._load import core as _core
 from drystone import fragility, uq
 from drystone._results import Drifts, Results, open
+from drystone._shaking import Shaking, shake
 from drystone._study import Curve, Frame, Push, Study, push
 from drystone._wall import Wall
 
@@ -20,4 +21,5 @@ NoFit = _core.NoFit
 __version__ = _core.__version__
 __solver_revision__ = _core.__solver_revision__
 
-__all__ = ["ConfigError", "Curve", "Drifts", "Frame", "NoFit", "Push", "Results", "StoreError", "Study", "Wall", "fragility", "open", "push", "uq"]
+__all__ = ["ConfigError", "Curve", "Drifts", "Frame", "NoFit", "Push", "Results", "Shaking", "StoreError", "Study", "Wall", "fragility", "open", "push",
+           "shake", "uq"]

@@ -42,4 +42,5 @@ PYBIND11_MODULE(_core, m)
     bindings::bind_results(m);
     bindings::bind_fragility(m);
     bindings::bind_sampling(m);
+    bindings::bind_shaking(m);
 }

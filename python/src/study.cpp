@@ -1,5 +1,6 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/option.hpp"
+#include "app/input/study_file.hpp"
 #include "app/input/units.hpp"
 #include "app/input/verb.hpp"
 #include "app/input/wall_geometry.hpp"
@@ -208,6 +209,10 @@ void run(const LoadedStudy& study, const std::string& out, int threads, bool rer
          const py::object& progress)
 {
     app::refuse_drawn(study.source.study);
+    if (!study.source.study.shaking.records.empty())
+        throw app::error_at(study.source.study.source, "shaking.records",
+                            "this study shakes walls, and run() pushes them; write "
+                            "\"drystone study STUDY.ini\", or take [shaking] out");
     const Hdf5Turn turn;
     bool whole = false;
     beside_python([&](Caller& python) {

@@ -1,4 +1,5 @@
 drystone_tests(app_shake
     SOURCES
         app/test_shake_command.cpp
-    LIBRARIES drystone_app_shake)
+        app/test_shake_study.cpp
+    LIBRARIES drystone_app_fragility drystone_app_shake)

@@ -10,6 +10,7 @@ drystone_tests(fragility_fits
         fragility/test_goodness_of_fit.cpp
         fragility/test_hierarchical_normal.cpp
         fragility/test_ida.cpp
+        fragility/test_intensity_fit.cpp
         fragility/test_kaplan_meier.cpp
         fragility/test_law_parameters.cpp
         fragility/test_limit_quantiles.cpp

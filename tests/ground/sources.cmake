@@ -10,4 +10,5 @@ drystone_tests(ground
         ground/test_record.cpp
         ground/test_record_fuzz.cpp
         ground/test_shared_records.cpp
+        ground/test_stochastic_motion.cpp
     LIBRARIES drystone_ground drystone_uq_sampling)

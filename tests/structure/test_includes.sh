@@ -33,7 +33,7 @@ declare -A knows=(
     [app/serve]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/reliability"
     [app/scene]="app/text app/drawing dem/ app app/input app/output app/sampling app/study"
     [app/record]="app/text app/input app/output app ground"
-    [app/shake]="app/text dem/ ground app app/input app/output app/sampling app/study"
+    [app/shake]="app/text dem/ ground app app/input app/output app/store app/sampling app/study"
     [app/new]="app/text app app/input app/output"
     [app/choices]="app/text dem/ fragility app/reading app/input app/output app/sampling app/study"
     [app/compare]="app/text fragility app/reading app/input app/output app/study app/push"
@@ -41,8 +41,8 @@ declare -A knows=(
     [app/push]="app/text dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
     [app/report]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/surrogate]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
-    [app/fragility]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
-    [python/src]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/study app/push app/fragility"
+    [app/fragility]="app/text dem/ fragility ground uq/ app app/reading app/store app/input app/output app/sampling app/study"
+    [python/src]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/shake app/study app/push app/fragility"
 )
 
 broken=0
