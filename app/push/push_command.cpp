@@ -15,6 +15,9 @@
 #include "app/push/capacity_text.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/push/limit_table.hpp"
+#include "app/push/pier_picture.hpp"
+#include "app/push/pier_table.hpp"
+#include "app/study/other_way.hpp"
 #include "app/push/push_film.hpp"
 #include "app/push/push_until_told.hpp"
 #include "app/push/pushed_picture.hpp"
@@ -99,6 +102,15 @@ std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
     }
     files.push_back({"capacity.svg", capacity_svg(used, w, beside)});
     files.push_back({"wall.svg", pushed_picture(used, w)});
+    if (!w.piers.empty()) files.push_back({"piers.svg", pier_picture(used, w)});
+    const PushedWall* const other = other_way_of(w);
+    if (other == nullptr || dem::failed(other->result.outcome)) return files;
+    const Study turned = turned_round(used);
+    const std::string way = way_name(push_way(turned).direction);
+    files.push_back({"capacity_" + way + ".csv", capacity_text(*other)});
+    files.push_back({"wall_" + way + ".svg", pushed_picture(turned, *other)});
+    if (!other->piers.empty())
+        files.push_back({"piers_" + way + ".svg", pier_picture(turned, *other)});
     return files;
 }
 
@@ -137,8 +149,32 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
               "cracked units",
               {"solver error [%]", kDetail},
               {"energy residual [%]", kDetail}};
-    for (const PushedWall& w : walls) t.rows.push_back(level_row(w));
+    const bool both = std::ranges::any_of(walls, other_way_of);
+    if (both) {
+        t.head.insert(t.head.begin() + 1, "pushed to the");
+        t.keys = 2;
+    }
+    const int direction = push_way(study).direction;
+    const auto add = [&](const PushedWall& w, int way) {
+        t.rows.push_back(level_row(w));
+        if (both) t.rows.back().insert(t.rows.back().begin() + 1, std::string(way_name(way)));
+    };
+    for (const PushedWall& w : walls) {
+        add(w, direction);
+        if (const PushedWall* const other = other_way_of(w)) add(*other, -direction);
+    }
     return t;
+}
+
+bool any_piers(const std::vector<PushedWall>& walls)
+{
+    return std::ranges::any_of(walls, [](const PushedWall& w) { return !w.piers.empty(); });
+}
+
+std::string pier_text(const Study& study, const std::vector<PushedWall>& walls)
+{
+    if (!any_piers(walls)) return {};
+    return "\n" + as_text(without_details(pier_table(study, walls)), terminal_width());
 }
 
 /// "solver error of the peak force: at most 0.06 %, asked for: 1 %"; empty where no wall gave a
@@ -198,6 +234,11 @@ void write_all(const Command& command, const Study& study,
         files.push_back({"levels.svg", levels_svg(study, walls, beside)});
     }
     add_table(files, "limit_states", limit_table(study, walls));
+    if (any_piers(walls)) {
+        add_table(files, "piers", pier_table(study, walls));
+        add_table(files, "pier_limit_states", pier_limit_table(study, walls));
+        add_table(files, "spandrels", spandrel_table(study, walls));
+    }
     if (!wanted.front().draw.values.empty())
         files.push_back({"drawn.csv", as_csv(drawn_table(study, wanted.front().draw))});
     files.insert(files.end(), moved.begin(), moved.end());
@@ -229,13 +270,16 @@ void check_folder(const Command& command, const Study& study,
 {
     std::vector<fs::path> names = {"levels.svg", "drawn.csv"};
     for (const char* const ending : kTableEndings)
-        for (const char* const stem : {"limit_states", "levels"})
+        for (const char* const stem :
+             {"limit_states", "levels", "piers", "pier_limit_states", "spandrels"})
             names.push_back(std::string(stem) + ending);
     const std::vector<fs::path> folders = wall_folders(study, wanted);
     for (const fs::path& folder : folders)
         for (const char* const name :
-             {"study.ini", "summary.json", "capacity.csv", "cycles.csv", "backbones.csv",
-              "capacity.svg", "wall.svg", "film.svg", kInterruptedCurve})
+             {"study.ini", "summary.json", "capacity.csv", "capacity_left.csv",
+              "capacity_right.csv", "cycles.csv", "backbones.csv", "capacity.svg", "wall.svg",
+              "wall_left.svg", "wall_right.svg", "piers.svg", "piers_left.svg",
+              "piers_right.svg", "film.svg", kInterruptedCurve})
             names.push_back(folder / name);
     if (study.output.paraview) {
         const std::vector<fs::path> there = series_there(command.out, folders);
@@ -279,7 +323,7 @@ int push_command(const Command& command)
         throw Interrupted{"all results of the push are in " + command.out +
                           "; only the push the other way was left out"};
     std::cout << as_text(without_details(level_table(study, walls)), terminal_width()) << '\n'
-              << as_text(limit_table(study, walls), terminal_width())
+              << as_text(limit_table(study, walls), terminal_width()) << pier_text(study, walls)
               << error_line(study, walls);
     for (const PushedWall& w : walls)
         for (const std::string& remark : hand_checks(study, w).remarks)

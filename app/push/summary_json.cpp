@@ -4,6 +4,7 @@
 #include "app/program_version.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/other_way.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
@@ -57,6 +58,35 @@ Json backbones(const WallReading& reading, const ReadingRules& rules)
             {"limit_states", limit_states(r, rules)}};
     }
     return all;
+}
+
+/// The push the other way.
+Json other_way(const PushedWall& other, const ReadingRules& rules)
+{
+    const WallReading& r = other.reading;
+    const bool moved = !dem::failed(other.result.outcome) && !came_down_at_once(other);
+    return {{"direction", way_name(-rules.direction)},
+            {"peak_force_kN", or_null(peak_force(r) * kToKn)},
+            {"displacement_at_peak_mm", or_null(peak_displacement(r) * kToMm)},
+            {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
+            {"ultimate_censored", is_censored(r.ultimate)},
+            {"mode", moved ? Json(name(r.mode)) : Json(nullptr)},
+            {"stiffness_kN_per_mm", or_null(r.stiffness, 1e-6)},
+            {"no_reading", r.no_reading},
+            {"limit_states", limit_states(r, rules)}};
+}
+
+/// The smaller of each number of both directions.
+Json worse(const Study& study, const PushedWall& w, const ReadingRules& rules)
+{
+    const WallReading r = worse_way(w);
+    Json limits = limit_states(r, rules);
+    for (std::size_t i = 0; i < limits.size(); ++i)
+        limits[i]["direction"] = worse_way_name(study, w, i);
+    return {{"peak_force_kN", or_null(peak_force(r) * kToKn)},
+            {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
+            {"ultimate_censored", is_censored(r.ultimate)},
+            {"limit_states", limits}};
 }
 
 Json energy(const dem::Energy& e)
@@ -144,14 +174,11 @@ std::string summary_json(const Study& study, const PushedWall& w)
         j["read_on"] = fragility::kSideNames[static_cast<int>(rules.backbone)];
         j["backbones"] = backbones(r, rules);
     }
-    if (w.other_way)
-        j["other_way"] = {
-            {"peak_force_kN", or_null(peak_force(*w.other_way) * kToKn)},
-            {"displacement_at_peak_mm", or_null(peak_displacement(*w.other_way) * kToMm)},
-            {"ultimate_displacement_mm", displacement_mm(w.other_way->ultimate)},
-            {"ultimate_censored", is_censored(w.other_way->ultimate)},
-            {"stiffness_kN_per_mm", or_null(w.other_way->stiffness, 1e-6)},
-            {"no_reading", w.other_way->no_reading}};
+    if (const PushedWall* const other = other_way_of(w)) {
+        j["direction"] = way_name(rules.direction);
+        j["other_way"] = other_way(*other, rules);
+        j["worse"] = worse(study, w, rules);
+    }
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, w));
     j["energy_residual"] = or_null(energy_residual(w));

@@ -39,9 +39,10 @@ std::vector<double> turned_round(std::span<const double> values)
 fragility::LimitStateOptions options_of(bool rocks, const ReadingRules& rules)
 {
     fragility::LimitStateOptions options = rules.options;
+    options.slenderness = rules.slenderness;
+    if (rules.by_piers) return options;
     options.ntc_limit = rules.height * fragility::ntc_drift(rocks);
     options.ec8_limit = rules.height * fragility::ec8_drift(rocks, rules.slenderness);
-    options.slenderness = rules.slenderness;
     return options;
 }
 
@@ -85,20 +86,6 @@ fragility::Backbone mean_of(const Backbones& b)
 {
     if (!was_visited(b.left)) return b.right;
     return was_visited(b.right) ? fragility::mean(b.right, b.left) : b.left;
-}
-
-/// The smaller of each number of both sides.
-WallReading worse_of(const WallReading& a, const WallReading& b)
-{
-    WallReading w;
-    w.peak = b.peak->force < a.peak->force ? b.peak : a.peak;
-    if (a.stiffness && b.stiffness) w.stiffness = std::min(*a.stiffness, *b.stiffness);
-    w.ultimate = fragility::worse(a.ultimate, b.ultimate);
-    w.dropped = is_observed(w.ultimate);
-    w.collapse = fragility::worse(a.collapse, b.collapse);
-    for (std::size_t i = 0; i < a.limits.size(); ++i)
-        w.limits.push_back(fragility::worse(a.limits[i], b.limits[i]));
-    return w;
 }
 
 WallReading read_to_and_fro(const fragility::Curve& curve, const dem::Mechanism& mechanism,
@@ -213,6 +200,19 @@ dem::FailureMode code_mode(const dem::Mechanism& mechanism, bool dropped,
     dem::ModeThresholds three = thresholds;
     three.modes = dem::ModeRule::mechanism;
     return dem::failure_mode(mechanism, dropped, three);
+}
+
+WallReading worse_of(const WallReading& a, const WallReading& b)
+{
+    WallReading w;
+    w.peak = b.peak->force < a.peak->force ? b.peak : a.peak;
+    if (a.stiffness && b.stiffness) w.stiffness = std::min(*a.stiffness, *b.stiffness);
+    w.ultimate = fragility::worse(a.ultimate, b.ultimate);
+    w.dropped = is_observed(w.ultimate);
+    w.collapse = fragility::worse(a.collapse, b.collapse);
+    for (std::size_t i = 0; i < a.limits.size(); ++i)
+        w.limits.push_back(fragility::worse(a.limits[i], b.limits[i]));
+    return w;
 }
 
 double peak_force(const WallReading& w) { return w.peak ? w.peak->force : kNone; }
