@@ -97,7 +97,8 @@ constexpr Condition kWithShakenLoad{
 constexpr std::array kDirections = {named("right", Direction::right),
                                     named("left", Direction::left),
                                     named("both", Direction::both)};
-/// What is the same without the key is not written down, and no part of a study's identity.
+/// Right and both are left out of configurations and of the identity: they move no wall of a
+/// study.
 constexpr Condition kToTheLeft{
     [](const Study& s) { return s.load.direction == Direction::left; }, ""};
 

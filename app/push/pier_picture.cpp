@@ -45,10 +45,10 @@ std::string draw_pier(const PierReading& p, std::size_t number, const Places& pl
 {
     const Pixel corner = place({p.pier.at.x0, p.pier.at.z1}),
                 far = place({p.pier.at.x1, p.pier.at.z0});
-    std::string drawn = svg_rectangle(corner, far.x - corner.x, far.y - corner.y,
-                                      svg_attribute("fill", "#0072B2") +
-                                          svg_attribute("fill-opacity", "0.16") +
-                                          svg_stroke("#0072B2", 1.6));
+    std::string drawn =
+        svg_rectangle(corner, far.x - corner.x, far.y - corner.y,
+                      svg_attribute("fill", "#0072B2") + svg_attribute("fill-opacity", "0.16") +
+                          svg_stroke("#0072B2", 1.6));
     const std::array<std::string, 5> lines = {
         "pier " + std::to_string(number), "N " + fixed(p.normal_at_peak * 1e-3, 1) + " kN",
         "V " + fixed(p.shear_at_peak * 1e-3, 1) + " kN", fixed(100.0 * p.drift, 2) + " %",
@@ -86,9 +86,8 @@ std::string pier_picture(const Study& study, const PushedWall& wall)
     for (std::size_t i = 0; i < wall.piers.size(); ++i)
         body += draw_pier(wall.piers[i], i + 1, place);
     for (const SpandrelReading& s : wall.spandrels) body += draw_spandrel(s, place);
-    const std::string title =
-        "Piers under " + stress_text(wall.vertical_stress) + ", pushed to the " +
-        way_name(push_way(study).direction);
+    const std::string title = "Piers under " + stress_text(wall.vertical_stress) +
+                              ", pushed to the " + way_name(push_way(study).direction);
     body += svg_text({kMargin, 26.0}, title, "font-size=\"17\" font-weight=\"bold\"") +
             svg_text({kMargin, 46.0},
                      "N, V: compression and shear when the wall carries most; drift over the "

@@ -49,11 +49,11 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
     Table t;
     t.title = "Piers";
     t.caption =
-        "N: compression, V: shear, in a cut through all piers of a storey, when the wall carries "
-        "most. Drift: of the upper end of a pier against its lower end, over its own height, at "
-        "the end of the push. H0/D: moment over shear and length, when the pier carries most. "
-        "Limit: drift that a code allows this pier; reached: movement of the load when the pier "
-        "reaches it, '>' where the push ended before. Pictures: piers.svg.";
+        "N: compression, V: shear, in a cut through all piers of a storey, when the wall "
+        "carries most. Drift: of the upper end of a pier against its lower end, over its own "
+        "height, at the end of the push. H0/D: moment over shear and length, when the pier "
+        "carries most. Limit: drift that a code allows this pier; reached: movement of the "
+        "load when the pier reaches it, '>' where the push ended before.";
     t.keys = 3;
     t.head = {"stress [MPa]",
               "pushed to the",
@@ -136,18 +136,18 @@ Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls)
 {
     Table t;
     t.title = "Spandrels";
-    t.caption = "Masonry and lintel above each opening, cut in the middle of the opening, when the "
-                "wall carries most: N, compression along the wall; V, by how much its right half "
-                "presses its left half down.";
+    t.caption =
+        "Masonry and lintel above each opening, cut in the middle of the opening, when the "
+        "wall carries most: N, compression along the wall; V, by how much its right half "
+        "presses its left half down.";
     t.keys = 3;
-    t.head = {"stress [MPa]", "pushed to the", "spandrel", "from [m]",       "to [m]",
+    t.head = {"stress [MPa]", "pushed to the", "spandrel", "from [m]",      "to [m]",
               "height [m]",   "N [kN]",        "V [kN]",   "largest V [kN]"};
     each_wall(study, walls, [&](const PushedWall& w, const char* way) {
         for (std::size_t i = 0; i < w.spandrels.size(); ++i) {
             const SpandrelReading& s = w.spandrels[i];
             t.rows.push_back({stress_cell(w.vertical_stress), std::string(way),
-                              count(static_cast<int>(i) + 1),
-                              plain_number(s.spandrel.at.x0, 2),
+                              count(static_cast<int>(i) + 1), plain_number(s.spandrel.at.x0, 2),
                               plain_number(s.spandrel.at.x1, 2),
                               plain_number(s.spandrel.at.z1 - s.spandrel.at.z0, 2),
                               plain_number(s.normal_at_peak * 1e-3, 1),
@@ -182,9 +182,10 @@ namespace {
 
 std::string pier_paragraph(const PushedWall& w, const char* way)
 {
-    std::string text = std::string("Piers from the left, pushed to the ") + way +
-                       ", with their forces when the wall carries most and their own drift at the "
-                       "end: ";
+    std::string text =
+        std::string("Piers from the left, pushed to the ") + way +
+        ", with their forces when the wall carries most and their own drift at the "
+        "end: ";
     for (std::size_t i = 0; i < w.piers.size(); ++i) {
         const PierReading& p = w.piers[i];
         text += (i == 0 ? "" : "; ") + std::to_string(i + 1) + " (" +

@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// One row for each pier, of a wall pushed both ways for each direction. No rows where piers are
-/// not told apart.
+/// One row for each pier, of a wall pushed both ways for each direction. No rows where piers
+/// are not told apart.
 [[nodiscard]] Table pier_table(const Study& study, const std::vector<PushedWall>& walls);
 
 /// Limit states of each pier as of a wall of its own: of its shear over its own movement.
@@ -19,8 +19,9 @@ namespace app {
 /// One row for each spandrel.
 [[nodiscard]] Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls);
 
-/// "drift limits of ntc are those of each pier: pier 3 reaches its 1 % first, when the load is at
-/// 14.2 mm", of one direction, without a full stop. Empty without a code among the limit states.
+/// "the drift limit of ntc is that of each pier: pier 3 reaches its 1 % first, when the load
+/// has moved by 14.2 mm", of one direction, without a full stop. Empty without a code among the
+/// limit states.
 [[nodiscard]] std::string piers_remark(const Study& study, const PushedWall& wall);
 
 /// A paragraph for each direction: "Piers, pushed to the right: 1 (0.30 x 2.10 m) N 61 kN, V 3

@@ -12,27 +12,26 @@ PierWatch::PierWatch(const Study& study, std::size_t walls, dem::PushPlan& plan)
     : study_(study), walls_(walls)
 {
     if (!tells_piers(study)) return;
-    probe_.emplace(layout_of(study),
-                   dem::piers_of(wall_openings(study), wall_extent(study)));
+    probe_.emplace(layout_of(study), dem::piers_of(wall_openings(study), wall_extent(study)));
     const double every = plan.snapshot_every;
     plan.snapshot_every = plan.record_every;
-    plan.sink = {.take =
-                     [this, every, next = plan.sink.take](std::size_t wall,
-                                                          dem::Snapshot&& shot) {
-                         look(wall, shot);
-                         constexpr double kRounding = 1e-9; // as dem/solver/wall_run.cpp
-                         Watched& w = walls_.at(wall);
-                         if (!next || every <= 0.0 ||
-                             std::abs(shot.displacement) < w.next * (1.0 - kRounding))
-                             return;
-                         w.next += every;
-                         next(wall, std::move(shot));
-                     },
-                 .forget =
-                     [this, next = plan.sink.forget](std::size_t wall) {
-                         walls_.at(wall) = {};
-                         if (next) next(wall);
-                     }};
+    plan.sink = {
+        .take =
+            [this, every, next = plan.sink.take](std::size_t wall, dem::Snapshot&& shot) {
+                look(wall, shot);
+                constexpr double kRounding = 1e-9; // as dem/solver/wall_run.cpp
+                Watched& w = walls_.at(wall);
+                if (!next || every <= 0.0 ||
+                    std::abs(shot.displacement) < w.next * (1.0 - kRounding))
+                    return;
+                w.next += every;
+                next(wall, std::move(shot));
+            },
+        .forget =
+            [this, next = plan.sink.forget](std::size_t wall) {
+                walls_.at(wall) = {};
+                if (next) next(wall);
+            }};
 }
 
 void PierWatch::look(std::size_t wall, const dem::Snapshot& shot)

@@ -33,8 +33,8 @@ struct ReadingRules {
     double slenderness = 1.0; ///< H0 / D of EN 1998-3, Annex C [-], > 0
     int direction = 1;        ///< of the push: 1 to the right, -1 to the left, 0: it turns back
     fragility::Side backbone = fragility::Side::mean; ///< of a push that turns back
-    /// The drift limits of codes are those of `options`, which piers have given, and do not follow
-    /// from height and mode.
+    /// Whether the drift limits of codes are those of `options`, as piers gave them; else they
+    /// follow from height and mode.
     bool by_piers = false;
 };
 

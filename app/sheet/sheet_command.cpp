@@ -85,9 +85,11 @@ std::string mechanism_of(const Study& study, const PushedWall& w)
     text.load_height = w.loads.height;
     if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
     const dem::PushResult& r = w.result;
-    if (const PushedWall* const other = other_way_of(w); other != nullptr && other->reading.peak) {
+    if (const PushedWall* const other = other_way_of(w);
+        other != nullptr && other->reading.peak) {
         const int direction = push_way(study).direction;
-        text.peak_name = end_name(study, r) + std::string(", pushed to the ") + way_name(direction);
+        text.peak_name =
+            end_name(study, r) + std::string(", pushed to the ") + way_name(direction);
         text.end_name =
             end_name(study, other->result) + std::string(", to the ") + way_name(-direction);
         return wall_picture(drop_or_end(r), drop_or_end(other->result), text);
@@ -135,8 +137,7 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
         SheetLimit row{state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
                        cell_text(limit_cell(limit, 100.0 / w.loads.height, 2)), names[i].rule,
                        ""};
-        if (other_way_of(w) != nullptr)
-            row.rule += ways_text(worse_way_name(study, w, i));
+        if (other_way_of(w) != nullptr) row.rule += ways_text(worse_way_name(study, w, i));
         const bool own = worse_way_name(study, w, i) != way_name(-push_way(study).direction);
         row.rule += pier_note(own ? w : w.other_way.front(), names[i].set, limit);
         if (!limit.reason.empty()) row.rule += "; here: " + std::string(limit.reason);

@@ -95,8 +95,9 @@ std::string limits_table(const Sheet& s)
     if (shown < s.limits.size())
         body += "<tr><td colspan=\"5\">and " + std::to_string(s.limits.size() - shown) +
                 " more, which push writes to limit_states.md</td></tr>";
-    body += "</table><p class=\"small\">Drift: how far the top moves sideways, in percent of the "
-            "height of the load. &gt;: not reached when the push ended.</p>";
+    body +=
+        "</table><p class=\"small\">Drift: how far the top moves sideways, in percent of the "
+        "height of the load. &gt;: not reached when the push ended.</p>";
     for (const std::string& text : s.piers)
         body += "<p class=\"small\">" + xml_escape(text) + "</p>";
     return body;

@@ -60,7 +60,8 @@ std::string strength_sentence(const Study& study, const PushedWall& w)
     if (vertical > 0.0)
         text += ", " + fixed(peak_force(w.reading) / vertical, 2) +
                 " of the vertical load on its top";
-    if (const PushedWall* const other = other_way_of(w); other != nullptr && other->reading.peak)
+    if (const PushedWall* const other = other_way_of(w);
+        other != nullptr && other->reading.peak)
         text += "; " + way_words(study, true) + " " + kilonewtons(peak_force(other->reading));
     return text + ".";
 }
@@ -69,7 +70,8 @@ std::string limit_sentence(const Study& study, const PushedWall& w)
 {
     const PushedWall* const other = other_way_of(w);
     const fragility::LimitDisplacement limit = worse_way(w).ultimate;
-    const bool by_other = other != nullptr && limit.displacement != w.reading.ultimate.displacement;
+    const bool by_other =
+        other != nullptr && limit.displacement != w.reading.ultimate.displacement;
     const std::string left = percent_text(study.fragility.ultimate_share);
     const std::string at = millimetres(limit.displacement) + ", " +
                            fixed(100.0 * limit.displacement / w.loads.height, 2) +
@@ -177,8 +179,7 @@ std::vector<std::string> answer_sentences(const Study& study, const PushedWall& 
         return {sentence("No curve can be read: " + wall.reading.no_reading)};
     std::vector<std::string> all = {strength_sentence(study, wall),
                                     limit_sentence(study, wall)};
-    if (!came_down_at_once(wall))
-        all.push_back(failure_sentence(study, wall));
+    if (!came_down_at_once(wall)) all.push_back(failure_sentence(study, wall));
     return all;
 }
 

@@ -145,8 +145,7 @@ std::string worse_way_name(const Study& study, const PushedWall& wall, std::size
 }
 
 OtherWay::OtherWay(const Study& study, const dem::Model& model,
-                   const std::vector<WantedWall>& wanted, int threads,
-                   OtherWayWatch watch)
+                   const std::vector<WantedWall>& wanted, int threads, OtherWayWatch watch)
     : threads_left_(threads)
 {
     if (!goes_both_ways(study, model.layout)) return;

@@ -22,11 +22,9 @@ LimitDisplacement wall_at(const PierHistory& history, std::size_t pier, double m
     double before = way * history.front().piers[pier].displacement,
            wall_before = way * history.front().displacement;
     for (const PierInstant& now : history) {
-        const double moved = way * now.piers[pier].displacement,
-                     wall = way * now.displacement;
+        const double moved = way * now.piers[pier].displacement, wall = way * now.displacement;
         if (moved >= movement) {
-            const double share =
-                moved > before ? (movement - before) / (moved - before) : 1.0;
+            const double share = moved > before ? (movement - before) / (moved - before) : 1.0;
             return {wall_before + std::max(share, 0.0) * (wall - wall_before),
                     Reading::observed,
                     {}};
@@ -37,7 +35,7 @@ LimitDisplacement wall_at(const PierHistory& history, std::size_t pier, double m
     return {wall_before, Reading::censored, "the push ended before"};
 }
 
-/// What had moved when the mode of the wall is read (pushed_wall.cpp).
+/// The movement by which the mode of the wall is read (pushed_wall.cpp).
 dem::Snapshot telling(const dem::PushResult& r)
 {
     return r.at_half ? dem::movement_since(*r.at_half, r.at_end) : r.at_drop.value_or(r.at_end);
@@ -136,8 +134,8 @@ bool tells_piers(const Study& study)
 
 int governing_pier(const std::vector<PierReading>& piers, std::string_view code)
 {
-    const auto c = static_cast<std::size_t>(std::ranges::find(kPierCodes, code) -
-                                            kPierCodes.begin());
+    const auto c =
+        static_cast<std::size_t>(std::ranges::find(kPierCodes, code) - kPierCodes.begin());
     int first = 0;
     double least = kNever;
     for (std::size_t i = 0; i < piers.size(); ++i) {

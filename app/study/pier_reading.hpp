@@ -1,6 +1,6 @@
 #pragma once
-/// Piers and spandrels of a pushed wall: forces, drift over the own height, mode, drift limits of
-/// the codes. The pier that reaches its drift limit first governs the wall.
+/// Piers and spandrels of a pushed wall: forces, drift over the own height, mode, drift limits
+/// of the codes. The pier that reaches its drift limit first governs the wall.
 
 #include "app/input/study.hpp"
 #include "app/reading/wall_reading.hpp"
@@ -16,8 +16,8 @@ struct PushedWall;
 
 /// Piers and spandrels at one curve point.
 struct PierInstant {
-    double displacement = 0.0, force = 0.0;  ///< of the load line [m] [N]
-    std::vector<dem::PierState> piers;       ///< in the order of dem::Piers
+    double displacement = 0.0, force = 0.0; ///< of the load line [m] [N]
+    std::vector<dem::PierState> piers;      ///< in the order of dem::Piers
     std::vector<dem::CutForce> spandrels;
 };
 using PierHistory = std::vector<PierInstant>;
@@ -28,21 +28,22 @@ constexpr std::array<std::string_view, 2> kPierCodes = {"ntc", "ec8"};
 /// The drift limit of a code for one pier.
 struct PierCap {
     double drift = 0.0; ///< at SLC, or NC [-]
-    /// Of the load line when the pier reaches it [m], in the direction of the push; censored where
-    /// the push ended before.
+    /// Movement of the load line when the pier reaches it [m], in the direction of the push;
+    /// censored where the push ended before.
     fragility::LimitDisplacement wall;
 };
 
 /// Forces and movements count in the direction of the push.
 struct PierReading {
     dem::Pier pier;
-    double normal_before = 0.0;            ///< compression before the push [N]
-    double normal_at_peak = 0.0;           ///< when the wall carries most [N]
-    double shear_at_peak = 0.0;            ///< the same
-    double most_shear = 0.0;               ///< in the push [N]
-    double drift = 0.0;                    ///< at the end of the push, over its own height [-]
-    double slenderness = 0.0; ///< H0 / D where it carries most: M / (V D) at the end with the larger moment [-]
-    bool moved = false;                    ///< else it has no mode
+    double normal_before = 0.0;  ///< compression before the push [N]
+    double normal_at_peak = 0.0; ///< when the wall carries most [N]
+    double shear_at_peak = 0.0;  ///< the same
+    double most_shear = 0.0;     ///< in the push [N]
+    double drift = 0.0;          ///< at the end of the push, over its own height [-]
+    double slenderness =
+        0.0; ///< H0 / D where it carries most: M / (V D) at the end with the larger moment [-]
+    bool moved = false; ///< else it has no mode
     dem::FailureMode mode = dem::FailureMode::rocking;
     std::array<PierCap, kPierCodes.size()> caps; ///< in the order of kPierCodes
     WallReading own; ///< of its shear over its own movement, with limits by its own height

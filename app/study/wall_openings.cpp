@@ -51,7 +51,8 @@ bool lies_above(const Gap& upper, const Gap& lower)
 
 std::vector<dem::Opening> openings_of_drawing(const Study& study)
 {
-    constexpr int kHeights = 200, kFewest = 4; // levels looked at, and those that an opening has
+    constexpr int kHeights = 200,
+                  kFewest = 4; // levels looked at, and those that an opening has
     const double rise = wall_height(study) / kHeights, least = least_opening(study);
     std::vector<Shaft> open, closed;
     for (int i = 0; i < kHeights; ++i) {

@@ -20,8 +20,8 @@ struct Gap {
 /// Width above which a gap is an opening and no joint [m].
 [[nodiscard]] double least_opening(const Study& study);
 
-/// Openings of a wall in courses as they are given; of a drawn wall the gaps that lie above each
-/// other, each as the rectangle of its mean width. None of rubble.
+/// Openings of a wall in courses as they are given. Of a drawn wall the gaps that lie above
+/// each other, each as the rectangle of its mean width. None of rubble.
 [[nodiscard]] std::vector<dem::Opening> wall_openings(const Study& study);
 
 } // namespace app

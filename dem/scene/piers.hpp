@@ -1,11 +1,11 @@
 #pragma once
-/// Piers and spandrels of a wall with openings: where they are, what they carry and how far they
-/// move, read off snapshots.
+/// Piers and spandrels of a wall with openings: where they are, what they carry and how far
+/// they move, read off snapshots.
 ///
-/// A cut parts the blocks of the wall into two sides, each block to the side of its middle. What
-/// the stresses of all faces between the two sides add up to within a pier is what the pier
-/// carries. So the forces of all piers at one level are in balance with all that acts above it,
-/// however the joints run.
+/// A cut parts the blocks of the wall into two sides, each block to the side of its middle. A
+/// pier carries what the stresses of all faces between the two sides add up to within it. So
+/// the forces of all piers at one level are in balance with all that acts above it, however the
+/// joints run.
 
 #include "dem/scene/layout.hpp"
 #include "dem/scene/polygon.hpp"
@@ -28,7 +28,7 @@ struct Spandrel {
 };
 
 struct Piers {
-    std::vector<Pier> piers;         ///< storey by storey from the bottom, each from left to right
+    std::vector<Pier> piers; ///< storey by storey from the bottom, each from left to right
     std::vector<Spandrel> spandrels; ///< in the order of the openings
 };
 
@@ -61,8 +61,8 @@ class PierProbe {
     [[nodiscard]] PierState pier(std::size_t i, const Snapshot& wall) const;
     [[nodiscard]] CutForce spandrel(std::size_t i, const Snapshot& wall) const;
 
-    /// The blocks of a pier alone with the joints at their lower and upper ends, for mechanism():
-    /// the height is that of the pier.
+    /// The blocks of a pier alone with the joints at their lower and upper ends, for
+    /// mechanism(): the height is that of the pier.
     [[nodiscard]] Snapshot alone(std::size_t i, const Snapshot& wall) const;
 
     /// Weight of the blocks above the cut of a pier's storey, without the beam [N].

@@ -69,8 +69,7 @@ TEST_CASE("choices: each change differs from the study in its own key alone", "[
     CHECK(change_of(all, "solver.kinematics").study.solver.kinematics ==
           dem::Kinematics::finite);
     CHECK(change_of(all, "wall.base").study.wall.base == dem::Base::fixed);
-    CHECK(app::push_plan(change_of(all, "load.direction").study).targets ==
-          std::vector{-1e-3});
+    CHECK(app::push_plan(change_of(all, "load.direction").study).targets == std::vector{-1e-3});
     CHECK(change_of(all, "joint.closure").study.parameters.joint.closure ==
           dem::Closure::exponential);
 }

@@ -56,8 +56,7 @@ TEST_CASE("direction: left mirrors every displacement and the toe that is held",
     CHECK(std::ranges::count(layout.blocks, dem::Motion::held_left_corner,
                              &dem::Block::motion) == 1);
     CHECK(layout.blocks.front().motion == dem::Motion::held_left_corner);
-    const app::Study cycles =
-        with({"load.direction=left", "load.amplitudes=1 mm"}, {});
+    const app::Study cycles = with({"load.direction=left", "load.amplitudes=1 mm"}, {});
     CHECK(app::push_plan(cycles).targets == std::vector{-1e-3, 1e-3, 0.0});
     const app::Study back = with({"load.direction=left", "load.targets=-1 mm"}, {});
     CHECK(app::push_way(back).direction == 1);
@@ -80,8 +79,9 @@ TEST_CASE("direction: a wall pushed to the left is its mirror image pushed to th
     CHECK(peak_force(left.reading) == Approx(peak).epsilon(1e-4));
 }
 
-TEST_CASE("direction: both is worked out where the mirrored wall is another one, and nowhere else",
-          "[app][direction]")
+TEST_CASE(
+    "direction: both is worked out where the mirrored wall is another one, and nowhere else",
+    "[app][direction]")
 {
     CHECK(app::has_other_way(with(kDoor, {}), layout_of(with(kDoor, {}))));
     const app::Study symmetric = with({"load.direction=both"}, {});
@@ -127,15 +127,15 @@ TEST_CASE("direction: right is no part of a study's identity, left and a toe at 
     CHECK(effective_configuration(with({}, {})).find("direction") == std::string::npos);
 }
 
-TEST_CASE("direction: a study of a wall that is not symmetric refuses both",
-          "[app][direction]")
+TEST_CASE("direction: a study of a wall that is not symmetric refuses both", "[app][direction]")
 {
     const app::Verb verb{.name = "study", .sections = app::kWallSections};
     app::Command command;
     command.verb = &verb;
     const Overrides both = {"load.direction=both"};
     CHECK_THROWS_WITH(app::study_notes(with(kDoor, both), command),
-                      Catch::Contains("load.direction") && Catch::Contains("write right or left"));
+                      Catch::Contains("load.direction") &&
+                          Catch::Contains("write right or left"));
     CHECK_NOTHROW(app::study_notes(with({}, both), command));
     CHECK_NOTHROW(app::study_notes(with(kDoor, {"load.direction=left"}), command));
 }

@@ -23,17 +23,30 @@ using Overrides = std::vector<std::string>;
 
 /// A pier of 0.6 x 0.5 m under a course that is wider by 0.2 m on both sides.
 const Overrides kUnderCourse = {
-    "wall.length=1.0 m", "wall.courses=6", "stone.density=0 kg/m3", "beam.density=0 kg/m3",
+    "wall.length=1.0 m",
+    "wall.courses=6",
+    "stone.density=0 kg/m3",
+    "beam.density=0 kg/m3",
     "wall.openings=0 m, 0 m, 0.2 m, 0.5 m; 0.8 m, 0 m, 0.2 m, 0.5 m",
-    "load.vertical_stress=0.3 MPa", "load.max_displacement=12 mm", "wall.toe=free",
-    "fragility.limit_states=paper, ntc, ec8", "solver.accuracy=1 %", "solver.fidelity=simple"};
+    "load.vertical_stress=0.3 MPa",
+    "load.max_displacement=12 mm",
+    "wall.toe=free",
+    "fragility.limit_states=paper, ntc, ec8",
+    "solver.accuracy=1 %",
+    "solver.fidelity=simple"};
 
 /// The same pier alone: the beam stands for the course as well.
-const Overrides kAlone = {
-    "wall.length=0.6 m", "wall.courses=5", "stone.density=0 kg/m3", "beam.density=0 kg/m3",
-    "beam.height=0.2 m", "load.vertical_stress=0.5 MPa", "load.max_displacement=12 mm",
-    "wall.toe=free", "fragility.limit_states=paper, ntc, ec8", "solver.accuracy=1 %",
-    "solver.fidelity=simple"};
+const Overrides kAlone = {"wall.length=0.6 m",
+                          "wall.courses=5",
+                          "stone.density=0 kg/m3",
+                          "beam.density=0 kg/m3",
+                          "beam.height=0.2 m",
+                          "load.vertical_stress=0.5 MPa",
+                          "load.max_displacement=12 mm",
+                          "wall.toe=free",
+                          "fragility.limit_states=paper, ntc, ec8",
+                          "solver.accuracy=1 %",
+                          "solver.fidelity=simple"};
 
 app::Study with(Overrides overrides, const Overrides& more = {})
 {
@@ -71,7 +84,8 @@ double limit(const app::Study& study, const app::WallReading& r, const std::stri
 
 TEST_CASE("pier reading: a pier has the limits of a wall of its own", "[app][pier_reading]")
 {
-    const Overrides how = {GENERATE("joint.friction_angle=31.8 deg", "joint.friction_angle=15 deg")};
+    const Overrides how = {
+        GENERATE("joint.friction_angle=31.8 deg", "joint.friction_angle=15 deg")};
     const app::Study under = with(kUnderCourse, how), alone = with(kAlone, how);
     const app::PushedWall wall = pushed(under), own = pushed(alone);
     REQUIRE(wall.piers.size() == 1);
@@ -126,9 +140,9 @@ TEST_CASE("pier reading: snapshots that a push was to keep are kept beside those
         std::vector<double> at;
         dem::PushPlan plan = app::push_plan(study);
         plan.snapshot_every = 2e-4;
-        plan.sink = {.take = [&](std::size_t,
-                                 dem::Snapshot&& s) { at.push_back(s.displacement); },
-                     .forget = [&](std::size_t) { at.clear(); }};
+        plan.sink = {
+            .take = [&](std::size_t, dem::Snapshot&& s) { at.push_back(s.displacement); },
+            .forget = [&](std::size_t) { at.clear(); }};
         std::optional<app::PierWatch> watch;
         if (watched) watch.emplace(study, 1, plan);
         app::PushList list;
@@ -155,10 +169,10 @@ TEST_CASE("pier reading: openings of a drawing are found where its stones leave 
                         " " + n(z + 0.2) + ", " + n(x) + " " + n(z + 0.2) + "; ";
         }
     outlines += "0 0.6, 1 0.6, 1 0.8, 0 0.8";
-    const app::Study study = study_texts::read(
-        study_texts::kSmallWall,
-        {"wall.outlines=" + outlines, "wall.length=", "wall.courses=", "wall.course_height=",
-         "wall.unit_length=", "wall.unit_cracks="});
+    const app::Study study =
+        study_texts::read(study_texts::kSmallWall,
+                          {"wall.outlines=" + outlines, "wall.length=", "wall.courses=",
+                           "wall.course_height=", "wall.unit_length=", "wall.unit_cracks="});
     const auto openings = app::wall_openings(study);
     REQUIRE(openings.size() == 1);
     CHECK(openings[0].x == Approx(0.2).margin(0.005));
