@@ -89,6 +89,47 @@ Json worse(const Study& study, const PushedWall& w, const ReadingRules& rules)
             {"limit_states", limits}};
 }
 
+Json piers(const PushedWall& w, const ReadingRules& rules)
+{
+    Json all = Json::array();
+    for (std::size_t i = 0; i < w.piers.size(); ++i) {
+        const PierReading& p = w.piers[i];
+        ReadingRules own = rules;
+        own.height = p.pier.at.z1 - p.pier.at.z0;
+        Json caps = Json::object();
+        for (std::size_t c = 0; c < kPierCodes.size(); ++c)
+            caps[std::string(kPierCodes[c])] = {
+                {"drift_percent", or_null(100.0 * p.caps[c].drift)},
+                {"wall_displacement_mm", displacement_mm(p.caps[c].wall)},
+                {"censored", is_censored(p.caps[c].wall)}};
+        all.push_back({{"pier", i + 1},
+                       {"storey", p.pier.storey},
+                       {"from_m", or_null(p.pier.at.x0)},
+                       {"to_m", or_null(p.pier.at.x1)},
+                       {"bottom_m", or_null(p.pier.at.z0)},
+                       {"top_m", or_null(p.pier.at.z1)},
+                       {"axial_before_kN", or_null(p.normal_before * kToKn)},
+                       {"axial_at_peak_kN", or_null(p.normal_at_peak * kToKn)},
+                       {"shear_at_peak_kN", or_null(p.shear_at_peak * kToKn)},
+                       {"largest_shear_kN", or_null(p.most_shear * kToKn)},
+                       {"drift_at_end_percent", or_null(100.0 * p.drift)},
+                       {"mode", p.moved ? Json(name(p.mode)) : Json(nullptr)},
+                       {"h0_over_d", or_null(p.slenderness)},
+                       {"drift_limits", caps},
+                       {"limit_states", limit_states(p.own, own)}});
+    }
+    return all;
+}
+
+/// Nothing where piers are not told apart.
+void add_piers(const PushedWall& w, const ReadingRules& rules, Json& j)
+{
+    if (w.piers.empty()) return;
+    j["piers"] = piers(w, rules);
+    j["pier_balance"] = {{"shear_percent", or_null(100.0 * w.pier_balance.shear)},
+                         {"axial_percent", or_null(100.0 * w.pier_balance.normal)}};
+}
+
 Json energy(const dem::Energy& e)
 {
     Json all;
@@ -174,9 +215,11 @@ std::string summary_json(const Study& study, const PushedWall& w)
         j["read_on"] = fragility::kSideNames[static_cast<int>(rules.backbone)];
         j["backbones"] = backbones(r, rules);
     }
+    add_piers(w, rules, j);
     if (const PushedWall* const other = other_way_of(w)) {
         j["direction"] = way_name(rules.direction);
         j["other_way"] = other_way(*other, rules);
+        add_piers(*other, rules, j["other_way"]);
         j["worse"] = worse(study, w, rules);
     }
     j["mechanism"] = mechanism(w, f);

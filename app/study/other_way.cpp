@@ -42,6 +42,12 @@ double expected_steps(const Study& study)
     return 1e3 * push_way(study).length * o.steps_per_mm * (1.0 + slower);
 }
 
+/// The value of load.direction that turns the push round.
+std::string turned_word(const Study& study)
+{
+    return turned_round(study).load.direction == Direction::left ? "left" : "right";
+}
+
 /// Whether cracks were placed for one direction.
 bool has_cracks_of_one_way(const Study& study)
 {
@@ -175,7 +181,7 @@ std::string other_way_remark(const Study& study, const dem::Layout& layout,
     if (turned == nullptr)
         return "the wall is not symmetric and was pushed to the " + first +
                " alone; --set load.direction=" +
-               (has_cracks_of_one_way(study) ? other + " pushes it to the " + other
+               (has_cracks_of_one_way(study) ? turned_word(study) + " pushes it to the " + other
                                              : "both pushes it to the " + other + " too");
     if (!both_are_read(wall))
         return "the wall is not symmetric; pushed to the " + other + ": " +
@@ -196,7 +202,9 @@ std::string other_way_remark(const StudyWalls& walls)
            way_name(direction) + "; to the " + way_name(-direction) +
            " they may carry less: drystone push " + (walls.shard ? "FILE.h5" : walls.name) +
            " --sample mean" + (study.load.vertical_stress.size() > 1 ? " --level STRESS" : "") +
-           " gives the peaks of both.";
+           (study.load.direction == Direction::both ? "" : " --set load.direction=both") +
+           " gives the peaks of both, load.direction = " + turned_word(study) +
+           " a study of the other.";
 }
 
 } // namespace app

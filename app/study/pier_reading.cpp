@@ -115,6 +115,36 @@ SpandrelReading read_spandrel(const dem::PierProbe& probe, const PierHistory& hi
     return r;
 }
 
+struct StoreySum {
+    double shear = 0.0, normal = 0.0; ///< [N]
+};
+
+StoreySum sum_of(const dem::Piers& all, const PierInstant& now, int storey)
+{
+    StoreySum sum;
+    for (std::size_t i = 0; i < all.piers.size(); ++i)
+        if (all.piers[i].storey == storey) {
+            sum.shear += now.piers[i].force.shear;
+            sum.normal += now.piers[i].force.normal;
+        }
+    return sum;
+}
+
+PierBalance balance_of(const dem::Piers& all, const PierHistory& history)
+{
+    PierBalance b;
+    const double peak = std::abs(history[at_peak(history)].force);
+    for (int storey = 1; storey <= all.piers.back().storey; ++storey) {
+        const double before = sum_of(all, history.front(), storey).normal;
+        for (const PierInstant& now : history) {
+            const StoreySum sum = sum_of(all, now, storey);
+            b.shear = std::max(b.shear, std::abs(sum.shear - now.force) / peak);
+            b.normal = std::max(b.normal, std::abs(sum.normal - before) / std::abs(before));
+        }
+    }
+    return b;
+}
+
 double governing(const std::vector<PierReading>& piers, std::string_view code)
 {
     const int first = governing_pier(piers, code);
@@ -159,6 +189,7 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
     for (std::size_t i = 0; i < probe.piers().spandrels.size(); ++i)
         wall.spandrels.push_back(read_spandrel(probe, history, i));
     if (wall.piers.empty()) return;
+    wall.pier_balance = balance_of(probe.piers(), history);
     ReadingRules rules = reading_rules(study);
     rules.by_piers = true;
     rules.options.ntc_limit = governing(wall.piers, "ntc");

@@ -55,6 +55,12 @@ struct SpandrelReading {
     double most_shear = 0.0;                          ///< in either sense [N]
 };
 
+/// Largest misses of equilibrium in the cuts through a storey, at any curve point.
+struct PierBalance {
+    double shear = 0.0;  ///< of all piers against the force of the wall, over its peak [-]
+    double normal = 0.0; ///< of all piers against what they carried before the push [-]
+};
+
 /// Whether the program tells piers apart: openings, and a push that goes one way.
 [[nodiscard]] bool tells_piers(const Study& study);
 

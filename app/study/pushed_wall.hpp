@@ -24,6 +24,7 @@ struct PushedWall {
     WallReading reading; ///< by the rules of the study; without a mode where the run failed
     std::vector<PierReading> piers; ///< empty: not told apart (pier_reading.hpp)
     std::vector<SpandrelReading> spandrels;
+    PierBalance pier_balance; ///< of these piers
     /// The same wall pushed the other way (other_way.hpp); one or none.
     std::vector<PushedWall> other_way;
 };
