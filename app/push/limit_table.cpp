@@ -24,7 +24,9 @@ Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
               {"displacement [mm]", kCensored},
               {"drift [%]", kCensored},
               {"note", kNote}};
-    const std::vector<StateName> names = state_names(reading_rules(study));
+    ReadingRules rules = reading_rules(study);
+    rules.by_piers = std::ranges::any_of(walls, [](const auto& w) { return !w.piers.empty(); });
+    const std::vector<StateName> names = state_names(rules);
     for (const StateName& n : names) t.caption += " " + state_name(n) + ": " + n.rule + ".";
     const bool both = std::ranges::any_of(walls, other_way_of);
     if (both) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -27,7 +28,13 @@ struct Places {
     }
 };
 
-std::string halo() { return svg_attribute("paint-order", "stroke") + svg_stroke("#fff", 3.0); }
+/// A line around what is filled.
+std::string edge(std::string_view colour, double width)
+{
+    return svg_attribute("stroke", colour) + svg_attribute("stroke-width", svg_number(width));
+}
+
+std::string halo() { return svg_attribute("paint-order", "stroke") + edge("#fff", 3.0); }
 
 std::string draw_stones(const dem::Layout& layout, const Places& place)
 {
@@ -38,7 +45,7 @@ std::string draw_stones(const dem::Layout& layout, const Places& place)
             corners.push_back(place(p));
         drawn += svg_polygon(corners, "");
     }
-    return svg_group(svg_attribute("fill", "#f6f0e4") + svg_stroke("#c9bda3", 0.7), drawn);
+    return svg_group(svg_attribute("fill", "#f6f0e4") + edge("#c9bda3", 0.7), drawn);
 }
 
 std::string draw_pier(const PierReading& p, std::size_t number, const Places& place)
@@ -48,11 +55,11 @@ std::string draw_pier(const PierReading& p, std::size_t number, const Places& pl
     std::string drawn =
         svg_rectangle(corner, far.x - corner.x, far.y - corner.y,
                       svg_attribute("fill", "#0072B2") + svg_attribute("fill-opacity", "0.16") +
-                          svg_stroke("#0072B2", 1.6));
+                          edge("#0072B2", 1.6));
     const std::array<std::string, 5> lines = {
         "pier " + std::to_string(number), "N " + fixed(p.normal_at_peak * 1e-3, 1) + " kN",
         "V " + fixed(p.shear_at_peak * 1e-3, 1) + " kN", fixed(100.0 * p.drift, 2) + " %",
-        std::string(p.moved ? name(p.mode) : "stands still")};
+        std::string(mode_text(p))};
     constexpr double kLine = 15.0;
     double y = 0.5 * (corner.y + far.y) - 0.5 * kLine * static_cast<double>(lines.size() - 1);
     for (const std::string& line : lines) {

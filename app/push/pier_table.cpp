@@ -52,7 +52,8 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
         "N: compression, V: shear, in a cut through all piers of a storey, when the wall "
         "carries most. Drift: of the upper end of a pier against its lower end, over its own "
         "height, at the end of the push. H0/D: moment over shear and length, when the pier "
-        "carries most. Limit: drift that a code allows this pier; reached: movement of the "
+        "carries most. 'Carries little': never 5 % of the wall's force; such a pier governs "
+        "nothing. Limit: drift that a code allows this pier; reached: movement of the "
         "load when the pier reaches it, '>' where the push ended before.";
     t.keys = 3;
     t.head = {"stress [MPa]",
@@ -61,14 +62,14 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
               {"storey", kDetail},
               {"from [m]", kDetail},
               {"to [m]", kDetail},
-              "height [m]",
+              {"height [m]", kDetail},
               {"N before [kN]", kDetail},
               "N [kN]",
               "V [kN]",
               {"largest V [kN]", kDetail},
               "drift [%]",
               "mode",
-              "H0/D"};
+              {"H0/D", kDetail}};
     for (const std::size_t c : codes) {
         t.head.emplace_back(cap_name(c) + " limit [%]");
         t.head.emplace_back(cap_name(c) + " reached [mm]", kCensored);
@@ -88,7 +89,7 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
                        plain_number(p.shear_at_peak * 1e-3, 1),
                        plain_number(p.most_shear * 1e-3, 1),
                        plain_number(100.0 * p.drift, 3),
-                       std::string(p.moved ? name(p.mode) : "does not move"),
+                       std::string(mode_text(p)),
                        plain_number(p.slenderness, 2)};
             for (const std::size_t c : codes) {
                 row.emplace_back(plain_number(100.0 * p.caps[c].drift, 2));
@@ -193,7 +194,7 @@ std::string pier_paragraph(const PushedWall& w, const char* way)
                 fixed(p.pier.at.z1 - p.pier.at.z0, 2) + " m) N " +
                 fixed(p.normal_at_peak * 1e-3, 0) + " kN, V " +
                 fixed(p.shear_at_peak * 1e-3, 0) + " kN, " + fixed(100.0 * p.drift, 2) +
-                " %, " + std::string(p.moved ? name(p.mode) : "stands still");
+                " %, " + std::string(mode_text(p));
     }
     return text + ".";
 }

@@ -36,7 +36,7 @@ PierWatch::PierWatch(const Study& study, std::size_t walls, dem::PushPlan& plan)
 
 void PierWatch::look(std::size_t wall, const dem::Snapshot& shot)
 {
-    PierInstant now{shot.displacement, shot.force, {}, {}};
+    PierInstant now{shot.displacement, shot.force, probe_->base_shear(shot), {}, {}};
     const dem::Piers& all = probe_->piers();
     for (std::size_t i = 0; i < all.piers.size(); ++i)
         now.piers.push_back(probe_->pier(i, shot));

@@ -96,6 +96,8 @@ Json piers(const PushedWall& w, const ReadingRules& rules)
         const PierReading& p = w.piers[i];
         ReadingRules own = rules;
         own.height = p.pier.at.z1 - p.pier.at.z0;
+        own.slenderness = p.slenderness;
+        own.by_piers = false;
         Json caps = Json::object();
         for (std::size_t c = 0; c < kPierCodes.size(); ++c)
             caps[std::string(kPierCodes[c])] = {
@@ -114,6 +116,7 @@ Json piers(const PushedWall& w, const ReadingRules& rules)
                        {"largest_shear_kN", or_null(p.most_shear * kToKn)},
                        {"drift_at_end_percent", or_null(100.0 * p.drift)},
                        {"mode", p.moved ? Json(name(p.mode)) : Json(nullptr)},
+                       {"carries", p.carries},
                        {"h0_over_d", or_null(p.slenderness)},
                        {"drift_limits", caps},
                        {"limit_states", limit_states(p.own, own)}});
@@ -184,6 +187,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     const FragilityInput& f = study.fragility;
     ReadingRules rules = reading_rules(study);
     rules.height = w.loads.height;
+    rules.by_piers = !w.piers.empty();
     Json j;
     j["vertical_stress_MPa"] = or_null(w.vertical_stress * kToMpa);
     j["outcome"] = name(w.result.outcome);

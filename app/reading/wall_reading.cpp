@@ -113,7 +113,7 @@ std::vector<StateName> state_names(const ReadingRules& rules)
     std::vector<StateName> names;
     fragility::LimitStateOptions options = rules.options;
     options.ntc_limit = options.ec8_limit = kTrialX.back();
-    options.slenderness = rules.slenderness;
+    options.slenderness = rules.by_piers ? 0.0 : rules.slenderness;
     for (const std::string_view set : rules.sets)
         for (const auto& s : fragility::read_limit_states(kTrial, set, options))
             names.push_back({std::string(set), std::string(s.name), s.rule});

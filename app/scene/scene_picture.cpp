@@ -207,7 +207,9 @@ std::vector<LegendItem> legend_items(const dem::Layout& layout,
         if (const int n = faces.at(static_cast<std::size_t>(s.kind)); n > 0)
             items.push_back(
                 {svg_line({0, 0}, {34, 0}, dashes(s)), std::to_string(n) + " " + s.name});
-    if (const auto clamped = std::ranges::count_if(layout.blocks, is_clamped); clamped > 0)
+    if (const auto clamped =
+            std::ranges::count_if(layout.blocks, dem::is_clamped, &dem::Block::motion);
+        clamped > 0)
         items.push_back({svg_group(svg_stroke("#444", 0.9), hatch({0, -4}, {34, -4})),
                          std::to_string(clamped) + " blocks held on the floor"});
     const std::vector<std::string> layers = layers_of(units);

@@ -129,7 +129,9 @@ std::string ways_text(const std::string& way)
 std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
                                   const StudyLevel* stored)
 {
-    const std::vector<StateName> names = state_names(reading_rules(study));
+    ReadingRules rules = reading_rules(study);
+    rules.by_piers = !w.piers.empty();
+    const std::vector<StateName> names = state_names(rules);
     const WallReading worse = worse_way(w);
     std::vector<SheetLimit> all;
     for (std::size_t i = 0; i < names.size(); ++i) {

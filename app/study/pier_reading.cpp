@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace app {
 namespace {
@@ -80,6 +81,8 @@ PierReading read_pier(const Study& study, const dem::PierProbe& probe,
             strongest = &now.piers[i];
     }
     r.most_shear = way * strongest->force.shear;
+    constexpr double kCarries = 0.05; // of the wall's largest force: a free choice
+    r.carries = r.most_shear >= kCarries * std::abs(history[at_peak(history)].force);
     r.slenderness = slenderness_of(r.pier, strongest->force,
                                    study.load.height / (r.pier.at.x1 - r.pier.at.x0));
     const dem::Snapshot alone = probe.alone(i, moved);
@@ -133,12 +136,13 @@ StoreySum sum_of(const dem::Piers& all, const PierInstant& now, int storey)
 PierBalance balance_of(const dem::Piers& all, const PierHistory& history)
 {
     PierBalance b;
-    const double peak = std::abs(history[at_peak(history)].force);
+    double most = 0.0;
+    for (const PierInstant& now : history) most = std::max(most, std::abs(now.base_shear));
     for (int storey = 1; storey <= all.piers.back().storey; ++storey) {
         const double before = sum_of(all, history.front(), storey).normal;
         for (const PierInstant& now : history) {
             const StoreySum sum = sum_of(all, now, storey);
-            b.shear = std::max(b.shear, std::abs(sum.shear - now.force) / peak);
+            b.shear = std::max(b.shear, std::abs(sum.shear - now.base_shear) / most);
             b.normal = std::max(b.normal, std::abs(sum.normal - before) / std::abs(before));
         }
     }
@@ -157,6 +161,12 @@ double governing(const std::vector<PierReading>& piers, std::string_view code)
 
 } // namespace
 
+std::string_view mode_text(const PierReading& pier)
+{
+    if (!pier.moved) return "stands still";
+    return pier.carries ? name(pier.mode) : "carries little";
+}
+
 bool tells_piers(const Study& study)
 {
     return push_way(study).direction != 0 && has_piers(study);
@@ -170,7 +180,7 @@ int governing_pier(const std::vector<PierReading>& piers, std::string_view code)
     double least = kNever;
     for (std::size_t i = 0; i < piers.size(); ++i) {
         const LimitDisplacement& at = piers[i].caps.at(c).wall;
-        if (!is_observed(at) || at.displacement >= least) continue;
+        if (!piers[i].carries || !is_observed(at) || at.displacement >= least) continue;
         least = at.displacement;
         first = static_cast<int>(i) + 1;
     }
@@ -190,6 +200,8 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
         wall.spandrels.push_back(read_spandrel(probe, history, i));
     if (wall.piers.empty()) return;
     wall.pier_balance = balance_of(probe.piers(), history);
+    if (study.load.pattern == dem::LoadPattern::body)
+        wall.pier_balance.shear = std::numeric_limits<double>::quiet_NaN();
     ReadingRules rules = reading_rules(study);
     rules.by_piers = true;
     rules.options.ntc_limit = governing(wall.piers, "ntc");

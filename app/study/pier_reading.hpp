@@ -17,7 +17,8 @@ struct PushedWall;
 /// Piers and spandrels at one curve point.
 struct PierInstant {
     double displacement = 0.0, force = 0.0; ///< of the load line [m] [N]
-    std::vector<dem::PierState> piers;      ///< in the order of dem::Piers
+    double base_shear = 0.0; ///< at this moment; `force` is a mean over an interval [N]
+    std::vector<dem::PierState> piers; ///< in the order of dem::Piers
     std::vector<dem::CutForce> spandrels;
 };
 using PierHistory = std::vector<PierInstant>;
@@ -44,6 +45,9 @@ struct PierReading {
     double slenderness =
         0.0; ///< H0 / D where it carries most: M / (V D) at the end with the larger moment [-]
     bool moved = false; ///< else it has no mode
+    /// Whether it ever carries 5 % of the wall's largest force. Others govern nothing: the wall
+    /// would hardly lose anything with them.
+    bool carries = false;
     dem::FailureMode mode = dem::FailureMode::rocking;
     std::array<PierCap, kPierCodes.size()> caps; ///< in the order of kPierCodes
     WallReading own; ///< of its shear over its own movement, with limits by its own height
@@ -57,7 +61,8 @@ struct SpandrelReading {
 
 /// Largest misses of equilibrium in the cuts through a storey, at any curve point.
 struct PierBalance {
-    double shear = 0.0;  ///< of all piers against the force of the wall, over its peak [-]
+    /// Of all piers against the shear at the base, over its largest [-]; NaN with body forces.
+    double shear = 0.0;
     double normal = 0.0; ///< of all piers against what they carried before the push [-]
 };
 
@@ -70,7 +75,11 @@ struct PierBalance {
 void read_piers(const Study& study, const dem::PierProbe& probe, const PierHistory& history,
                 PushedWall& wall);
 
-/// Number, from 1, of the pier that reaches the drift limit of a code first; 0: none does.
+/// "rocking", or that it stands still, or carries nothing to speak of.
+[[nodiscard]] std::string_view mode_text(const PierReading& pier);
+
+/// Number, from 1, of the pier that reaches the drift limit of a code first, of those that
+/// carry something; 0: none does.
 [[nodiscard]] int governing_pier(const std::vector<PierReading>& piers, std::string_view code);
 
 } // namespace app

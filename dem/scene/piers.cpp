@@ -179,6 +179,7 @@ PierProbe::PierProbe(const Layout& layout, Piers piers) : piers_(std::move(piers
         }
         parts_.push_back(std::move(parts));
     }
+    for (const Block& b : layout.blocks) off_floor_.push_back(b.z0 > kTouching);
     for (const Spandrel& s : piers_.spandrels) {
         std::vector<char> right;
         for (const Block& b : layout.blocks) right.push_back(centre_of(b).x > s.cut);
@@ -215,6 +216,11 @@ CutForce PierProbe::spandrel(std::size_t i, const Snapshot& wall) const
         return at.z >= s.at.z0 - kTouching && at.z <= s.at.z1 + kTouching;
     });
     return {-f.x, -f.z, f.moment};
+}
+
+double PierProbe::base_shear(const Snapshot& wall) const
+{
+    return between_sides(wall, off_floor_, {}, [](Point) { return true; }).x;
 }
 
 Snapshot PierProbe::alone(std::size_t i, const Snapshot& wall) const

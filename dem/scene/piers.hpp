@@ -61,6 +61,9 @@ class PierProbe {
     [[nodiscard]] PierState pier(std::size_t i, const Snapshot& wall) const;
     [[nodiscard]] CutForce spandrel(std::size_t i, const Snapshot& wall) const;
 
+    /// Shear between the blocks on the floor and all others [N].
+    [[nodiscard]] double base_shear(const Snapshot& wall) const;
+
     /// The blocks of a pier alone with the joints at their lower and upper ends, for
     /// mechanism(): the height is that of the pier.
     [[nodiscard]] Snapshot alone(std::size_t i, const Snapshot& wall) const;
@@ -84,6 +87,7 @@ class PierProbe {
 
     Piers piers_;
     std::vector<PierParts> parts_;
+    std::vector<char> off_floor_;          ///< by block
     std::vector<std::vector<char>> right_; ///< by spandrel and block: at the right of the cut
 };
 

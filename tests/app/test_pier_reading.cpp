@@ -28,6 +28,7 @@ const Overrides kUnderCourse = {
     "stone.density=0 kg/m3",
     "beam.density=0 kg/m3",
     "wall.openings=0 m, 0 m, 0.2 m, 0.5 m; 0.8 m, 0 m, 0.2 m, 0.5 m",
+    "lintel.bearing=0 m",
     "load.vertical_stress=0.3 MPa",
     "load.max_displacement=12 mm",
     "wall.toe=free",
