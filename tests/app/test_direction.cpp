@@ -67,7 +67,8 @@ TEST_CASE("direction: a wall pushed to the left is its mirror image pushed to th
           "[app][direction]")
 {
     const Overrides base = {GENERATE("wall.base=joint", "wall.base=fixed"),
-                            GENERATE("solver.fidelity=rigid", "solver.fidelity=simple")};
+                            GENERATE("solver.fidelity=rigid", "solver.fidelity=simple"),
+                            "solver.accuracy=1 %"};
     const app::PushedWall right = pushed(with(kDoor, base));
     Overrides to_the_left = base;
     to_the_left.emplace_back("load.direction=left");
@@ -75,8 +76,8 @@ TEST_CASE("direction: a wall pushed to the left is its mirror image pushed to th
     REQUIRE(right.force.size() == left.force.size());
     const double peak = peak_force(right.reading);
     for (std::size_t i = 0; i < right.force.size(); ++i)
-        CHECK(std::abs(right.force[i] + left.force[i]) < 1e-4 * peak);
-    CHECK(peak_force(left.reading) == Approx(peak).epsilon(1e-4));
+        CHECK(std::abs(right.force[i] + left.force[i]) < 3e-3 * peak);
+    CHECK(peak_force(left.reading) == Approx(peak).epsilon(1e-3));
 }
 
 TEST_CASE(
