@@ -211,7 +211,8 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
         h.toe_stress = dem::toe_stress(w.result.at_end, study.wall.base);
     add(no_limit_remark(study, w.reading), h.remarks);
     add(other_way_remark(study, layout, w), h.remarks);
-    add(w.piers.empty() ? pier_remark(study) : piers_remark(study, w), h.remarks);
+    if (w.piers.empty()) add(pier_remark(study), h.remarks);
+    for (std::string& remark : piers_remarks(study, w)) add(std::move(remark), h.remarks);
     add_inaccurate(study, w, h.remarks);
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 namespace app {
@@ -32,7 +33,7 @@ std::string cap_name(std::size_t code)
 
 /// Stress, direction and number stand before every row.
 template <class Rows>
-void each_wall(const Study& study, const std::vector<PushedWall>& walls, Rows rows)
+void each_wall(const Study& study, std::span<const PushedWall> walls, Rows rows)
 {
     const int direction = push_way(study).direction;
     for (const PushedWall& w : walls) {
@@ -159,27 +160,26 @@ Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls)
     return t;
 }
 
-std::string piers_remark(const Study& study, const PushedWall& wall)
+namespace {
+
+std::string piers_remark(const Study& study, const PushedWall& w, const char* way)
 {
     std::string text;
     for (const std::size_t c : codes_of(study)) {
         const std::string code(kPierCodes[c]);
-        text += text.empty() ? "the drift limit of " + code + " is that of each pier: "
-                             : "; of " + code + ": ";
-        const int first = governing_pier(wall.piers, code);
+        text += text.empty() ? "pushed to the " + std::string(way) + ", " : "; ";
+        const int first = governing_pier(w.piers, code);
         if (first == 0) {
-            text += "no pier reaches its own";
+            text += "no pier reaches the drift limit of " + code;
             continue;
         }
-        const PierCap& cap = wall.piers[static_cast<std::size_t>(first) - 1].caps[c];
-        text += "pier " + std::to_string(first) + " reaches its " +
-                number(100.0 * cap.drift, 3) + " % first, when the load has moved by " +
+        const PierCap& cap = w.piers[static_cast<std::size_t>(first) - 1].caps[c];
+        text += "pier " + std::to_string(first) + " is the first to reach the drift limit of " +
+                code + ", " + number(100.0 * cap.drift, 3) + " %, when the load has moved by " +
                 fixed(cap.wall.displacement * 1e3, 1) + " mm";
     }
     return text;
 }
-
-namespace {
 
 std::string pier_paragraph(const PushedWall& w, const char* way)
 {
@@ -200,6 +200,16 @@ std::string pier_paragraph(const PushedWall& w, const char* way)
 }
 
 } // namespace
+
+std::vector<std::string> piers_remarks(const Study& study, const PushedWall& wall)
+{
+    std::vector<std::string> all;
+    each_wall(study, {&wall, 1}, [&](const PushedWall& w, const char* way) {
+        if (!w.piers.empty() && !codes_of(study).empty())
+            all.push_back(piers_remark(study, w, way));
+    });
+    return all;
+}
 
 std::vector<std::string> pier_paragraphs(const Study& study, const PushedWall& wall)
 {

@@ -19,10 +19,11 @@ namespace app {
 /// One row for each spandrel.
 [[nodiscard]] Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls);
 
-/// "the drift limit of ntc is that of each pier: pier 3 reaches its 1 % first, when the load
-/// has moved by 14.2 mm", of one direction, without a full stop. Empty without a code among the
-/// limit states.
-[[nodiscard]] std::string piers_remark(const Study& study, const PushedWall& wall);
+/// "pushed to the right, pier 3 is the first to reach the drift limit of ntc, 1 %, when the load
+/// has moved by 14.2 mm" for each direction, without a full stop. None where piers are not told
+/// apart, or no code is among the limit states.
+[[nodiscard]] std::vector<std::string> piers_remarks(const Study& study,
+                                                     const PushedWall& wall);
 
 /// A paragraph for each direction: "Piers, pushed to the right: 1 (0.30 x 2.10 m) N 61 kN, V 3
 /// kN, drift 0.40 %, rocking; ...". None where piers are not told apart.

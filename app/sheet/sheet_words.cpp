@@ -209,7 +209,8 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
         if (!text.empty()) all.push_back(sentence(text));
     };
     add(no_limit_remark(study, wall.reading));
-    add(wall.piers.empty() ? pier_remark(study) : piers_remark(study, wall));
+    if (wall.piers.empty()) add(pier_remark(study));
+    for (const std::string& remark : piers_remarks(study, wall)) add(remark);
     if (stored != nullptr)
         add(spread_sentence(*stored, level));
     else

@@ -116,7 +116,7 @@ SideForce between_sides(const Snapshot& wall, const std::vector<char>& side, Poi
         if (a == b) continue;
         const double sign = b ? 1.0 : -1.0; // stresses are those of b on a
         for (const ContactState& c : f.contacts) {
-            if (!counts(c.at)) continue;
+            if (!counts(f.kind, c.at)) continue;
             const double x = sign * c.area * (c.sigma * f.acting.x + c.tau * f.acting.z),
                          z = sign * c.area * (c.sigma * f.acting.z - c.tau * f.acting.x);
             sum.x += x;
@@ -202,7 +202,7 @@ PierState PierProbe::pier(std::size_t i, const Snapshot& wall) const
     const Pier& p = piers_.piers.at(i);
     const PierParts& parts = parts_.at(i);
     const Point middle{0.5 * (p.at.x0 + p.at.x1), p.cut};
-    const SideForce f = between_sides(wall, parts.above, middle, [&](Point at) {
+    const SideForce f = between_sides(wall, parts.above, middle, [&](FaceKind, Point at) {
         return at.x >= p.at.x0 - kTouching && at.x <= p.at.x1 + kTouching;
     });
     return {{-f.z, f.x, f.moment}, movement(parts.top, wall) - movement(parts.bottom, wall)};
@@ -212,15 +212,16 @@ CutForce PierProbe::spandrel(std::size_t i, const Snapshot& wall) const
 {
     const Spandrel& s = piers_.spandrels.at(i);
     const Point middle{s.cut, 0.5 * (s.at.z0 + s.at.z1)};
-    const SideForce f = between_sides(wall, right_.at(i), middle, [&](Point at) {
-        return at.z >= s.at.z0 - kTouching && at.z <= s.at.z1 + kTouching;
+    const SideForce f = between_sides(wall, right_.at(i), middle, [&](FaceKind kind, Point at) {
+        return kind != FaceKind::beam_joint && at.z >= s.at.z0 - kTouching &&
+               at.z <= s.at.z1 + kTouching;
     });
     return {-f.x, -f.z, f.moment};
 }
 
 double PierProbe::base_shear(const Snapshot& wall) const
 {
-    return between_sides(wall, off_floor_, {}, [](Point) { return true; }).x;
+    return between_sides(wall, off_floor_, {}, [](FaceKind, Point) { return true; }).x;
 }
 
 Snapshot PierProbe::alone(std::size_t i, const Snapshot& wall) const

@@ -126,7 +126,8 @@ TEST_CASE("pier reading: the wall's limit is where the first pier reaches its ow
     CHECK(app::pier_table(study, {wall}).rows.size() == 3);
     CHECK(app::pier_limit_table(study, {wall}).rows.size() == 12);
     CHECK(app::spandrel_table(study, {wall}).rows.size() == 2);
-    CHECK(app::piers_remark(study, wall).find("pier " + std::to_string(first)) !=
+    REQUIRE(app::piers_remarks(study, wall).size() == 1);
+    CHECK(app::piers_remarks(study, wall).front().find("pier " + std::to_string(first)) !=
           std::string::npos);
     const std::string picture = app::pier_picture(study, wall);
     for (const char* const text : {"pier 1", "pier 3", " kN"})
