@@ -19,9 +19,9 @@ namespace app {
 /// One row for each spandrel.
 [[nodiscard]] Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls);
 
-/// "pushed to the right, pier 3 is the first to reach the drift limit of ntc, 1 %, when the load
-/// has moved by 14.2 mm" for each direction, without a full stop. None where piers are not told
-/// apart, or no code is among the limit states.
+/// "pushed to the right, pier 3 is the first to reach the drift limit of ntc, 1 %, when the
+/// load has moved by 14.2 mm" for each direction, without a full stop. None where piers are not
+/// told apart, or no code is among the limit states.
 [[nodiscard]] std::vector<std::string> piers_remarks(const Study& study,
                                                      const PushedWall& wall);
 

@@ -61,7 +61,7 @@ struct SpandrelReading {
 
 /// Largest misses of equilibrium in the cuts through a storey, at any curve point.
 struct PierBalance {
-    /// Of all piers against the shear at the base, over its largest [-]; NaN with body forces.
+    /// All piers against the shear at the base, over its largest [-]; NaN with body forces.
     double shear = 0.0;
     double normal = 0.0; ///< of all piers against what they carried before the push [-]
 };
