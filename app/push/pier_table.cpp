@@ -222,12 +222,34 @@ std::vector<std::string> pier_paragraphs(const Study& study, const PushedWall& w
     return all;
 }
 
+namespace {
+
+/// Number of the pier whose drift limit a limit state is; 0: it is none.
+int pier_of(const PushedWall& wall, const std::string& set,
+            const fragility::LimitDisplacement& limit)
+{
+    const bool code = std::ranges::find(kPierCodes, set) != kPierCodes.end();
+    return code && fragility::is_capped(limit) ? governing_pier(wall.piers, set) : 0;
+}
+
+} // namespace
+
 std::string pier_note(const PushedWall& wall, const std::string& set,
                       const fragility::LimitDisplacement& limit)
 {
-    const bool code = std::ranges::find(kPierCodes, set) != kPierCodes.end();
-    const int first = code && fragility::is_capped(limit) ? governing_pier(wall.piers, set) : 0;
+    const int first = pier_of(wall, set, limit);
     return first == 0 ? "" : "; pier " + std::to_string(first) + " is the first to reach it";
+}
+
+std::string pier_rule(const PushedWall& wall, const std::string& set,
+                      const fragility::LimitDisplacement& limit)
+{
+    const int first = pier_of(wall, set, limit);
+    if (first == 0) return {};
+    const auto code = std::ranges::find(kPierCodes, set) - kPierCodes.begin();
+    const PierReading& pier = wall.piers[static_cast<std::size_t>(first) - 1];
+    return "pier " + std::to_string(first) + " reaches the drift that " + set + " allows it, " +
+           number(100.0 * pier.caps[static_cast<std::size_t>(code)].drift, 3) + " %";
 }
 
 } // namespace app

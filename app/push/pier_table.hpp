@@ -36,4 +36,8 @@ namespace app {
 [[nodiscard]] std::string pier_note(const PushedWall& wall, const std::string& set,
                                     const fragility::LimitDisplacement& limit);
 
+/// "pier 3 reaches the drift that ntc allows it, 0.5 %" of such a limit state; else empty.
+[[nodiscard]] std::string pier_rule(const PushedWall& wall, const std::string& set,
+                                    const fragility::LimitDisplacement& limit);
+
 } // namespace app

@@ -88,10 +88,8 @@ std::string mechanism_of(const Study& study, const PushedWall& w)
     if (const PushedWall* const other = other_way_of(w);
         other != nullptr && other->reading.peak) {
         const int direction = push_way(study).direction;
-        text.peak_name =
-            end_name(study, r) + std::string(", pushed to the ") + way_name(direction);
-        text.end_name =
-            end_name(study, other->result) + std::string(", to the ") + way_name(-direction);
+        text.peak_name = std::string("To the ") + way_name(direction);
+        text.end_name = std::string("To the ") + way_name(-direction);
         return wall_picture(drop_or_end(r), drop_or_end(other->result), text);
     }
     const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
@@ -139,10 +137,12 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
         SheetLimit row{state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
                        cell_text(limit_cell(limit, 100.0 / w.loads.height, 2)), names[i].rule,
                        ""};
-        if (other_way_of(w) != nullptr) row.rule += ways_text(worse_way_name(study, w, i));
         const bool own = worse_way_name(study, w, i) != way_name(-push_way(study).direction);
-        row.rule += pier_note(own ? w : w.other_way.front(), names[i].set, limit);
-        if (!limit.reason.empty()) row.rule += "; here: " + std::string(limit.reason);
+        const std::string pier = pier_rule(own ? w : w.other_way.front(), names[i].set, limit);
+        if (!pier.empty() && !names[i].rule.starts_with("3/4")) row.rule = pier;
+        if (other_way_of(w) != nullptr) row.rule += ways_text(worse_way_name(study, w, i));
+        if (pier.empty() && !limit.reason.empty())
+            row.rule += "; here: " + std::string(limit.reason);
         if (stored != nullptr) row.spread = spread_of(*stored, i, w.loads.height);
         all.push_back(std::move(row));
     }
