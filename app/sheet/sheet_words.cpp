@@ -6,7 +6,6 @@
 #include "app/input/unit_cracks.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/push/hand_checks.hpp"
-#include "app/push/pier_table.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/other_way.hpp"
@@ -210,7 +209,6 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
     };
     add(no_limit_remark(study, wall.reading));
     if (wall.piers.empty()) add(pier_remark(study));
-    for (const std::string& remark : piers_remarks(study, wall)) add(remark);
     if (stored != nullptr)
         add(spread_sentence(*stored, level));
     else
