@@ -138,8 +138,9 @@ CodeLimit code_limit(std::string_view set, const LimitStateOptions& o)
             kNtcLimitGoverns};
     if (set == "ec8")
         return {o.ec8_limit,
-                rule(percent(ec8_drift(true, 1.0)) +
-                         " x H0/D = " + percent(ec8_drift(true, o.slenderness)),
+                rule(percent(ec8_drift(true, 1.0)) + " x H0/D" +
+                         (o.slenderness > 0.0 ? " = " + percent(ec8_drift(true, o.slenderness))
+                                              : ""),
                      ec8_drift(false, 1.0),
                      "EN 1998-3:2005, Annex C, primary walls; compare with your copy of the "
                      "code"),

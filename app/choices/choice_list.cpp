@@ -143,11 +143,9 @@ std::vector<Alternative> direction(const Study& study)
 {
     const int way = push_way(study).direction;
     if (way == 0) return {};
-    std::vector<double> targets = study.load.targets;
-    if (targets.empty()) targets = {study.load.max_displacement};
-    for (double& t : targets) t = -t;
+    const bool left = study.load.direction == Direction::left;
     return {{way > 0 ? "to the left" : "to the right",
-             {"load.targets=" + format_quantities(targets, "mm")}}};
+             {std::string("load.direction=") + (left ? "right" : "left")}}};
 }
 
 std::vector<Alternative> layout(const Study& study)
@@ -175,7 +173,7 @@ constexpr Choice kChoices[] = {{"solver.kinematics", kinematics},
                                {"joint.closure", closure},
                                {"solver.damping", damping},
                                {"solver.fidelity", fidelity},
-                               {"load.targets", direction},
+                               {"load.direction", direction},
                                {"wall.unit_length_cov", layout}};
 
 std::string key_of(const std::string& assignment)
@@ -199,7 +197,7 @@ StudyFile changed_file(const StudyFile& file, const Assignments& assignments)
 /// The value that the study has now, in words.
 std::string before_text(const Study& study, std::string_view key)
 {
-    if (key == "load.targets")
+    if (key == "load.direction")
         return push_way(study).direction > 0 ? "to the right" : "to the left";
     if (key == "unit.cracks")
         return !has_cracks(study)             ? "none"

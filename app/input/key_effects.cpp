@@ -6,6 +6,7 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/build_cost.hpp"
+#include "dem/scene/symmetry.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -55,6 +56,18 @@ void refuse_drawn(const Study& study)
 
 namespace {
 
+/// Walls of a study are pushed once.
+void refuse_both_ways(const Study& study, const Verb& verb)
+{
+    constexpr VerbSet kOnce = "study reliability serve";
+    if (study.load.direction == Direction::both && is_given(study.source, "load.direction") &&
+        kOnce.has(verb.name) && push_way(study).direction != 0 &&
+        !dem::is_symmetric(layout_of(study)))
+        throw error_at(study.source, "load.direction",
+                       "both is for push and sheet; the walls of a study are pushed once: "
+                       "write right or left, and run the study for each");
+}
+
 /// The memory that this process may have [bytes].
 double memory()
 {
@@ -95,6 +108,7 @@ std::string study_notes(const Study& study, const Command& command)
 {
     if (command.verb == nullptr) return "";
     if (!reads(*command.verb, *find_key("uq.drawn"))) refuse_drawn(study);
+    refuse_both_ways(study, *command.verb);
     std::string notes = effect_notes(study, *command.verb);
     const std::string material = material_text(study.source);
     if (reads(*command.verb, *find_key("wall.material")) && !material.empty())

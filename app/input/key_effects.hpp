@@ -27,7 +27,8 @@ void refuse_drawn(const Study& study);
 
 /// All notes on a study before it is run, for people: these, and what was closed, simplified or
 /// ignored of a drawing. Nothing for a command without a verb, as other programs make them.
-/// @throws ConfigError where the study names one wall (uq.drawn) and the verb is not push
+/// @throws ConfigError where the study names one wall (uq.drawn) and the verb is not push, and
+/// where it asks for both directions and the verb pushes each wall once
 [[nodiscard]] std::string study_notes(const Study& study, const Command& command);
 
 } // namespace app

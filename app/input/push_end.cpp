@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kFarthest = 0.2; // of the height [-]; choice: no limit is asked beyond
 constexpr double kMostWay = 1.0;  // [m], the range of load.max_displacement
-/// [-]; of 48 walls of configs/quick.ini none reached a higher peak after it; 0.1 would cost 1.6
-/// times the way.
+/// [-]; of 48 walls of configs/quick.ini none reached a higher peak after it; 0.1 would cost
+/// 1.6 times the way.
 constexpr double kBelowShare = 0.02;
 
 /// Whether a push goes one way until its limits are decided, unless the study says otherwise;

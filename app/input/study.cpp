@@ -100,6 +100,7 @@ Study read_study(const StudyFile& file, Purpose purpose)
     for (const Key& key : study_keys()) read_key(key, study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
     check_cycles(study);
+    study.wall.toe_at_left = push_way(study).direction < 0;
     read_geometry(study);
     check_stiffness(study);
     derive(study);
@@ -220,13 +221,22 @@ dem::Model model_of(const Study& study)
 
 namespace {
 
-std::vector<double> targets_of(const LoadInput& load)
+/// Displacements of a push to the right.
+std::vector<double> right_targets(const LoadInput& load)
 {
     if (!load.targets.empty()) return load.targets;
     std::vector<dem::CyclicStage> stages = dem::stages_of(load.protocol, load.max_displacement);
     if (!load.amplitudes.empty()) stages.clear();
     for (const double a : load.amplitudes) stages.push_back({a, load.repeats});
     return stages.empty() ? std::vector{load.max_displacement} : dem::cyclic_targets(stages);
+}
+
+std::vector<double> targets_of(const LoadInput& load)
+{
+    std::vector<double> targets = right_targets(load);
+    if (load.direction == Direction::left)
+        for (double& t : targets) t = -t;
+    return targets;
 }
 
 /// True once the forces of a whole cycle are below a share of the largest so far, on both
@@ -292,6 +302,14 @@ PushWay push_way(const Study& study)
     }
     way.direction = right && left ? 0 : left ? -1 : 1;
     return way;
+}
+
+Study turned_round(Study study)
+{
+    Direction& d = study.load.direction;
+    d = d == Direction::left ? Direction::right : Direction::left;
+    study.wall.toe_at_left = push_way(study).direction < 0;
+    return study;
 }
 
 } // namespace app

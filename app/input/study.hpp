@@ -64,6 +64,13 @@ struct CrackInput {
     bool cut_nothing = false; ///< a drawn wall has no unit that the patterns cut
 };
 
+/// Where a wall is pushed; `left` mirrors all displacements of the push.
+enum class Direction {
+    right,
+    left,
+    both ///< each wall once to either side where the mirrored wall is another one, else right
+};
+
 struct LoadInput {
     std::vector<double> vertical_stress; ///< stress levels [Pa], >= 0, at least one
     double height =
@@ -89,6 +96,7 @@ struct LoadInput {
     double link_length = dem::Loads{}.link_length; ///< [m], of TopLoad::link
     dem::LoadPattern pattern = dem::Loads{}.pattern;
     dem::LoadMass mass = dem::LoadMass::none; ///< of a wall that is shaken
+    Direction direction = Direction::both;
 };
 
 struct OutputInput {
@@ -279,5 +287,9 @@ struct PushWay {
     int turns = 0;
 };
 [[nodiscard]] PushWay push_way(const Study& study);
+
+/// The same study with every displacement of its push to the other side; a toe that is held
+/// changes sides with a push that goes one way.
+[[nodiscard]] Study turned_round(Study study);
 
 } // namespace app

@@ -95,6 +95,14 @@ constexpr Condition kWithShakenLoad{
     },
     "no ground moves, or there is no vertical load"};
 
+constexpr std::array kDirections = {named("right", Direction::right),
+                                    named("left", Direction::left),
+                                    named("both", Direction::both)};
+/// Right and both are left out of configurations and of the identity: they move no wall of a
+/// study.
+constexpr Condition kToTheLeft{
+    [](const Study& s) { return s.load.direction == Direction::left; }, ""};
+
 // clang-format off
 constexpr std::array kSolverKeys = {
     Key{.name = "load.vertical_stress", .kind = Kind::list, .unit = "MPa", .range = kStrength,
@@ -118,6 +126,10 @@ constexpr std::array kSolverKeys = {
         .derived = {"max_displacement"},
         .meaning = "displacements visited in order; cyclic pushes change sign",
         .field = kAt<&Study::load, &LoadInput::targets>},
+    Key{.name = "load.direction", .kind = Kind::word, .names = kDirections, .used = kToTheLeft,
+        .meaning = "side that the wall is pushed to; left mirrors the push; both: once to either side, of walls that"
+                   " the mirror makes another wall, else right; a study takes right or left, right without the key",
+        .field = kAt<&Study::load, &LoadInput::direction>},
     Key{.name = "load.amplitudes", .kind = Kind::list, .unit = "mm", .range = {'(', 0, 1000, ']'},
         .derived = {"no cycles"},
         .meaning = "amplitudes of cycles, each to the right and to the left, in order; the push ends at zero",

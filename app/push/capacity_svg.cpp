@@ -2,6 +2,7 @@
 
 #include "app/input/limit_state_text.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
 
@@ -119,14 +120,32 @@ void add_tests(const std::vector<TestCurve>& tests, Chart& chart)
     }
 }
 
-Series curve_of(const PushedWall& w)
+/// @param way -1 turns the curve round
+Series curve_of(const PushedWall& w, double way = 1.0)
 {
     Series curve;
     for (std::size_t i = 0; i < w.displacement.size(); ++i) {
-        curve.x.push_back(w.displacement[i] * 1e3);
-        curve.y.push_back(w.force[i] * 1e-3);
+        curve.x.push_back(way * w.displacement[i] * 1e3);
+        curve.y.push_back(way * w.force[i] * 1e-3);
     }
     return curve;
+}
+
+std::string way_words(int direction) { return std::string("to the ") + way_name(direction); }
+
+/// The push the other way, drawn over the push itself. @return whether there is one
+bool add_other_way(const Study& study, const PushedWall& w, const std::string& prefix,
+                   Chart& chart)
+{
+    const PushedWall* const other = other_way_of(w);
+    if (other == nullptr || dem::failed(other->result.outcome)) return false;
+    const int direction = push_way(study).direction;
+    chart.series.back().name = prefix + way_words(direction);
+    Series curve = curve_of(*other, -1.0);
+    curve.name = prefix + way_words(-direction);
+    curve.line = LineStyle::dashed;
+    chart.series.push_back(std::move(curve));
+    return true;
 }
 
 } // namespace
@@ -139,8 +158,10 @@ Chart capacity_chart(const Study& study, const PushedWall& w)
     const ReadingRules rules = reading_rules(study);
     // Readings count in the direction of the push.
     double way = push_way(study).direction < 0 ? -1.0 : 1.0;
+    bool both = false;
     if (w.reading.backbones.empty()) {
         chart.series.push_back(curve);
+        both = add_other_way(study, w, "", chart);
     } else {
         curve.width = 1.0;
         curve.name = "path of the push";
@@ -152,7 +173,7 @@ Chart capacity_chart(const Study& study, const PushedWall& w)
     double last = 0.0;
     if (w.reading.peak)
         last = capacity_curve({w.displacement, w.force}, rules).displacement.back();
-    add_marks(study, w.reading, way, last, chart);
+    add_marks(study, both ? worse_way(w) : w.reading, way, last, chart);
     return chart;
 }
 
@@ -173,6 +194,7 @@ std::string levels_svg(const Study& study, const std::vector<PushedWall>& walls,
         if (dem::failed(w.result.outcome)) continue;
         chart.series.push_back(curve_of(w));
         chart.series.back().name = stress_text(w.vertical_stress);
+        add_other_way(study, w, stress_text(w.vertical_stress) + ", ", chart);
     }
     add_tests(beside, chart);
     return line_chart(chart);

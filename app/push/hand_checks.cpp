@@ -1,6 +1,7 @@
 #include "app/push/hand_checks.hpp"
 
 #include "app/input/wall_geometry.hpp"
+#include "app/push/pier_table.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pier_remark.hpp"
@@ -211,7 +212,8 @@ HandChecks hand_checks(const Study& study, const PushedWall& w)
     add(no_limit_remark(study, w.reading), h.remarks);
     add(no_yield_remark(w.reading), h.remarks);
     add(other_way_remark(study, layout, w), h.remarks);
-    add(pier_remark(study), h.remarks);
+    if (w.piers.empty()) add(pier_remark(study), h.remarks);
+    for (std::string& remark : piers_remarks(study, w)) add(std::move(remark), h.remarks);
     add_inaccurate(study, w, h.remarks);
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);

@@ -1,7 +1,13 @@
 #include "app/push/limit_table.hpp"
 
 #include "app/input/limit_state_text.hpp"
+#include "app/push/pier_table.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/other_way.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
 
 namespace app {
 
@@ -18,16 +24,29 @@ Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
               {"displacement [mm]", kCensored},
               {"drift [%]", kCensored},
               {"note", kNote}};
-    const std::vector<StateName> names = state_names(reading_rules(study));
+    ReadingRules rules = reading_rules(study);
+    rules.by_piers = std::ranges::any_of(walls, [](const auto& w) { return !w.piers.empty(); });
+    const std::vector<StateName> names = state_names(rules);
     for (const StateName& n : names) t.caption += " " + state_name(n) + ": " + n.rule + ".";
-    for (const PushedWall& w : walls)
+    const bool both = std::ranges::any_of(walls, other_way_of);
+    if (both) {
+        t.head.insert(t.head.end() - 1, "pushed to the");
+        t.caption += " Of both directions, the one that reaches the limit state first.";
+    }
+    for (const PushedWall& w : walls) {
+        const WallReading worse = worse_way(w);
         for (std::size_t i = 0; i < names.size(); ++i) {
-            const fragility::LimitDisplacement& limit = w.reading.limits.at(i);
-            add_row(t,
-                    {stress_cell(w.vertical_stress), state_name(names[i]),
-                     limit_cell(limit, 1e3, 2), limit_cell(limit, 100.0 / w.loads.height, 3)},
-                    std::string(limit.reason));
+            const fragility::LimitDisplacement& limit = worse.limits.at(i);
+            Row row = {stress_cell(w.vertical_stress), state_name(names[i]),
+                       limit_cell(limit, 1e3, 2), limit_cell(limit, 100.0 / w.loads.height, 3)};
+            if (both) row.emplace_back(worse_way_name(study, w, i));
+            const bool own =
+                worse_way_name(study, w, i) != way_name(-push_way(study).direction);
+            const std::string pier =
+                pier_note(own ? w : w.other_way.front(), names[i].set, limit);
+            add_row(t, std::move(row), std::string(limit.reason) + pier);
         }
+    }
     return t;
 }
 

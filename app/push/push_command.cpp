@@ -14,7 +14,10 @@
 #include "app/push/capacity_svg.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/hand_checks.hpp"
+#include "app/push/level_table.hpp"
 #include "app/push/limit_table.hpp"
+#include "app/push/pier_picture.hpp"
+#include "app/push/pier_table.hpp"
 #include "app/push/push_film.hpp"
 #include "app/push/push_until_told.hpp"
 #include "app/push/pushed_picture.hpp"
@@ -22,9 +25,7 @@
 #include "app/push/summary_json.hpp"
 #include "app/push/test_curve.hpp"
 #include "app/study/drawn_wall.hpp"
-#include "app/study/fragility_text.hpp"
 #include "app/study/interrupt.hpp"
-#include "app/study/mode_rule.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/solver_error.hpp"
 #include "app/study/study_walls.hpp"
@@ -99,46 +100,27 @@ std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
     }
     files.push_back({"capacity.svg", capacity_svg(used, w, beside)});
     files.push_back({"wall.svg", pushed_picture(used, w)});
+    if (!w.piers.empty()) files.push_back({"piers.svg", pier_picture(used, w)});
+    const PushedWall* const other = other_way_of(w);
+    if (other == nullptr || dem::failed(other->result.outcome)) return files;
+    const Study turned = turned_round(used);
+    const std::string way = way_name(push_way(turned).direction);
+    files.push_back({"capacity_" + way + ".csv", capacity_text(*other)});
+    files.push_back({"wall_" + way + ".svg", pushed_picture(turned, *other)});
+    if (!other->piers.empty())
+        files.push_back({"piers_" + way + ".svg", pier_picture(turned, *other)});
     return files;
 }
 
-Row level_row(const PushedWall& w)
+bool any_piers(const std::vector<PushedWall>& walls)
 {
-    const WallReading& r = w.reading;
-    return {stress_cell(w.vertical_stress),
-            plain_number(peak_force(r) * 1e-3, 2),
-            plain_number(peak_displacement(r) * 1e3, 2),
-            r.stiffness ? plain_number(*r.stiffness * 1e-6, 1) : Number{},
-            limit_cell(r.ultimate, 1e3, 2),
-            limit_cell(r.ultimate, 100.0 / w.loads.height, 2),
-            std::string(dem::failed(w.result.outcome) ? "failed"
-                        : came_down_at_once(w)        ? ""
-                                                      : name(r.mode)),
-            count(w.mechanism.cracked_units),
-            plain_number(100.0 * solver_error(w), 2),
-            plain_number(100.0 * energy_residual(w), 4)};
+    return std::ranges::any_of(walls, [](const PushedWall& w) { return !w.piers.empty(); });
 }
 
-Table level_table(const Study& study, const std::vector<PushedWall>& walls)
+std::string pier_text(const Study& study, const std::vector<PushedWall>& walls)
 {
-    Table t;
-    t.title = "Capacity per vertical stress";
-    t.caption = "Ultimate: the " + ultimate_text(study.fragility) +
-                "; '>' marks walls whose force had not come down so far when the push "
-                "ended. Solver error: of the peak, by the speed of the push." +
-                backbone_text(study);
-    t.head = {"stress [MPa]",
-              "peak [kN]",
-              "at [mm]",
-              "stiffness [kN/mm]",
-              {"ultimate [mm]", kCensored},
-              {"drift [%]", kCensored | kDetail},
-              "mode",
-              "cracked units",
-              {"solver error [%]", kDetail},
-              {"energy residual [%]", kDetail}};
-    for (const PushedWall& w : walls) t.rows.push_back(level_row(w));
-    return t;
+    if (!any_piers(walls)) return {};
+    return "\n" + as_text(without_details(pier_table(study, walls)), terminal_width());
 }
 
 /// "solver error of the peak force: at most 0.06 %, asked for: 1 %"; empty where no wall gave a
@@ -198,6 +180,11 @@ void write_all(const Command& command, const Study& study,
         files.push_back({"levels.svg", levels_svg(study, walls, beside)});
     }
     add_table(files, "limit_states", limit_table(study, walls));
+    if (any_piers(walls)) {
+        add_table(files, "piers", pier_table(study, walls));
+        add_table(files, "pier_limit_states", pier_limit_table(study, walls));
+        add_table(files, "spandrels", spandrel_table(study, walls));
+    }
     if (!wanted.front().draw.values.empty())
         files.push_back({"drawn.csv", as_csv(drawn_table(study, wanted.front().draw))});
     files.insert(files.end(), moved.begin(), moved.end());
@@ -229,13 +216,16 @@ void check_folder(const Command& command, const Study& study,
 {
     std::vector<fs::path> names = {"levels.svg", "drawn.csv"};
     for (const char* const ending : kTableEndings)
-        for (const char* const stem : {"limit_states", "levels"})
+        for (const char* const stem :
+             {"limit_states", "levels", "piers", "pier_limit_states", "spandrels"})
             names.push_back(std::string(stem) + ending);
     const std::vector<fs::path> folders = wall_folders(study, wanted);
     for (const fs::path& folder : folders)
         for (const char* const name :
-             {"study.ini", "summary.json", "capacity.csv", "cycles.csv", "backbones.csv",
-              "capacity.svg", "wall.svg", "film.svg", kInterruptedCurve})
+             {"study.ini", "summary.json", "capacity.csv", "capacity_left.csv",
+              "capacity_right.csv", "cycles.csv", "backbones.csv", "capacity.svg", "wall.svg",
+              "wall_left.svg", "wall_right.svg", "piers.svg", "piers_left.svg",
+              "piers_right.svg", "film.svg", kInterruptedCurve})
             names.push_back(folder / name);
     if (study.output.paraview) {
         const std::vector<fs::path> there = series_there(command.out, folders);
@@ -279,7 +269,7 @@ int push_command(const Command& command)
         throw Interrupted{"all results of the push are in " + command.out +
                           "; only the push the other way was left out"};
     std::cout << as_text(without_details(level_table(study, walls)), terminal_width()) << '\n'
-              << as_text(limit_table(study, walls), terminal_width())
+              << as_text(limit_table(study, walls), terminal_width()) << pier_text(study, walls)
               << error_line(study, walls);
     for (const PushedWall& w : walls)
         for (const std::string& remark : hand_checks(study, w).remarks)

@@ -2,6 +2,7 @@
 
 #include "app/input/wall_geometry.hpp"
 #include "app/output/progress.hpp"
+#include "app/push/pier_watch.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/push_walls.hpp"
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -53,7 +55,12 @@ Pushed push_until_told(const Study& study, dem::PushPlan plan,
                        const std::vector<WantedWall>& wanted, int threads, bool quiet)
 {
     const dem::Model model = model_of(study);
-    OtherWay other(study, model, wanted, threads, end_if_interrupted);
+    const PierWatch piers(study, wanted.size(), plan);
+    std::optional<PierWatch> other_piers;
+    OtherWay other(study, model, wanted, threads,
+                   {end_if_interrupted, [&](const Study& turned, dem::PushPlan& its_plan) {
+                        other_piers.emplace(turned, wanted.size(), its_plan);
+                    }});
     std::vector<PushedWall> walls(wanted.size());
     Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
     std::mutex mutex;
@@ -76,11 +83,14 @@ Pushed push_until_told(const Study& study, dem::PushPlan plan,
     };
     push_walls(study, model, plan, list, other.threads_left());
     if (finished != wanted.size() || end.cut()) return {std::move(walls), false};
+    for (std::size_t i = 0; i < walls.size(); ++i) piers.add_to(i, walls[i]);
     try {
         other.add_to(walls);
     } catch (const Interrupted&) {
         return {std::move(walls), true, true};
     }
+    for (std::size_t i = 0; other_piers && i < walls.size(); ++i)
+        if (!walls[i].other_way.empty()) other_piers->add_to(i, walls[i].other_way.front());
     line.finish("");
     return {std::move(walls), true};
 }

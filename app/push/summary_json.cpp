@@ -4,6 +4,7 @@
 #include "app/program_version.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/other_way.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
@@ -57,6 +58,79 @@ Json backbones(const WallReading& reading, const ReadingRules& rules)
             {"limit_states", limit_states(r, rules)}};
     }
     return all;
+}
+
+/// The push the other way.
+Json other_way(const PushedWall& other, const ReadingRules& rules)
+{
+    const WallReading& r = other.reading;
+    const bool moved = !dem::failed(other.result.outcome) && !came_down_at_once(other);
+    return {{"direction", way_name(-rules.direction)},
+            {"peak_force_kN", or_null(peak_force(r) * kToKn)},
+            {"displacement_at_peak_mm", or_null(peak_displacement(r) * kToMm)},
+            {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
+            {"ultimate_censored", is_censored(r.ultimate)},
+            {"mode", moved ? Json(name(r.mode)) : Json(nullptr)},
+            {"stiffness_kN_per_mm", or_null(r.stiffness, 1e-6)},
+            {"no_reading", r.no_reading},
+            {"limit_states", limit_states(r, rules)}};
+}
+
+/// The smaller of each number of both directions.
+Json worse(const Study& study, const PushedWall& w, const ReadingRules& rules)
+{
+    const WallReading r = worse_way(w);
+    Json limits = limit_states(r, rules);
+    for (std::size_t i = 0; i < limits.size(); ++i)
+        limits[i]["direction"] = worse_way_name(study, w, i);
+    return {{"peak_force_kN", or_null(peak_force(r) * kToKn)},
+            {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
+            {"ultimate_censored", is_censored(r.ultimate)},
+            {"limit_states", limits}};
+}
+
+Json piers(const PushedWall& w, const ReadingRules& rules)
+{
+    Json all = Json::array();
+    for (std::size_t i = 0; i < w.piers.size(); ++i) {
+        const PierReading& p = w.piers[i];
+        ReadingRules own = rules;
+        own.height = p.pier.at.z1 - p.pier.at.z0;
+        own.slenderness = p.slenderness;
+        own.by_piers = false;
+        Json caps = Json::object();
+        for (std::size_t c = 0; c < kPierCodes.size(); ++c)
+            caps[std::string(kPierCodes[c])] = {
+                {"drift_percent", or_null(100.0 * p.caps[c].drift)},
+                {"wall_displacement_mm", displacement_mm(p.caps[c].wall)},
+                {"censored", is_censored(p.caps[c].wall)}};
+        all.push_back({{"pier", i + 1},
+                       {"storey", p.pier.storey},
+                       {"from_m", or_null(p.pier.at.x0)},
+                       {"to_m", or_null(p.pier.at.x1)},
+                       {"bottom_m", or_null(p.pier.at.z0)},
+                       {"top_m", or_null(p.pier.at.z1)},
+                       {"axial_before_kN", or_null(p.normal_before * kToKn)},
+                       {"axial_at_peak_kN", or_null(p.normal_at_peak * kToKn)},
+                       {"shear_at_peak_kN", or_null(p.shear_at_peak * kToKn)},
+                       {"largest_shear_kN", or_null(p.most_shear * kToKn)},
+                       {"drift_at_end_percent", or_null(100.0 * p.drift)},
+                       {"mode", p.moved ? Json(name(p.mode)) : Json(nullptr)},
+                       {"carries", p.carries},
+                       {"h0_over_d", or_null(p.slenderness)},
+                       {"drift_limits", caps},
+                       {"limit_states", limit_states(p.own, own)}});
+    }
+    return all;
+}
+
+/// Nothing where piers are not told apart.
+void add_piers(const PushedWall& w, const ReadingRules& rules, Json& j)
+{
+    if (w.piers.empty()) return;
+    j["piers"] = piers(w, rules);
+    j["pier_balance"] = {{"shear_percent", or_null(100.0 * w.pier_balance.shear)},
+                         {"axial_percent", or_null(100.0 * w.pier_balance.normal)}};
 }
 
 Json energy(const dem::Energy& e)
@@ -113,6 +187,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
     const FragilityInput& f = study.fragility;
     ReadingRules rules = reading_rules(study);
     rules.height = w.loads.height;
+    rules.by_piers = !w.piers.empty();
     Json j;
     j["vertical_stress_MPa"] = or_null(w.vertical_stress * kToMpa);
     j["outcome"] = name(w.result.outcome);
@@ -144,14 +219,13 @@ std::string summary_json(const Study& study, const PushedWall& w)
         j["read_on"] = fragility::kSideNames[static_cast<int>(rules.backbone)];
         j["backbones"] = backbones(r, rules);
     }
-    if (w.other_way)
-        j["other_way"] = {
-            {"peak_force_kN", or_null(peak_force(*w.other_way) * kToKn)},
-            {"displacement_at_peak_mm", or_null(peak_displacement(*w.other_way) * kToMm)},
-            {"ultimate_displacement_mm", displacement_mm(w.other_way->ultimate)},
-            {"ultimate_censored", is_censored(w.other_way->ultimate)},
-            {"stiffness_kN_per_mm", or_null(w.other_way->stiffness, 1e-6)},
-            {"no_reading", w.other_way->no_reading}};
+    add_piers(w, rules, j);
+    if (const PushedWall* const other = other_way_of(w)) {
+        j["direction"] = way_name(rules.direction);
+        j["other_way"] = other_way(*other, rules);
+        add_piers(*other, rules, j["other_way"]);
+        j["worse"] = worse(study, w, rules);
+    }
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, w));
     j["energy_residual"] = or_null(energy_residual(w));

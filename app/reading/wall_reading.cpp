@@ -41,9 +41,10 @@ std::vector<double> turned_round(std::span<const double> values)
 fragility::LimitStateOptions options_of(bool rocks, const ReadingRules& rules)
 {
     fragility::LimitStateOptions options = rules.options;
+    options.slenderness = rules.slenderness;
+    if (rules.by_piers) return options;
     options.ntc_limit = rules.height * fragility::ntc_drift(rocks);
     options.ec8_limit = rules.height * fragility::ec8_drift(rocks, rules.slenderness);
-    options.slenderness = rules.slenderness;
     return options;
 }
 
@@ -136,20 +137,6 @@ double half_of_yield(const ToRead& side, const ReadingRules& rules)
     return 0.5 * b.yield_displacement;
 }
 
-/// The smaller of each number of both sides.
-WallReading worse_of(const WallReading& a, const WallReading& b)
-{
-    WallReading w;
-    w.peak = b.peak->force < a.peak->force ? b.peak : a.peak;
-    if (a.stiffness && b.stiffness) w.stiffness = std::min(*a.stiffness, *b.stiffness);
-    w.ultimate = fragility::worse(a.ultimate, b.ultimate);
-    w.dropped = is_observed(w.ultimate);
-    w.collapse = fragility::worse(a.collapse, b.collapse);
-    for (std::size_t i = 0; i < a.limits.size(); ++i)
-        w.limits.push_back(fragility::worse(a.limits[i], b.limits[i]));
-    return w;
-}
-
 WallReading read_to_and_fro(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                             const ReadingRules& rules)
 {
@@ -177,7 +164,7 @@ std::vector<StateName> state_names(const ReadingRules& rules)
     std::vector<StateName> names;
     fragility::LimitStateOptions options = rules.options;
     options.ntc_limit = options.ec8_limit = kTrialX.back();
-    options.slenderness = rules.slenderness;
+    options.slenderness = rules.by_piers ? 0.0 : rules.slenderness;
     for (const std::string_view set : rules.sets)
         for (const auto& s : fragility::read_limit_states(kTrial, set, options))
             names.push_back({std::string(set), std::string(s.name), s.rule});
@@ -264,6 +251,19 @@ dem::FailureMode code_mode(const dem::Mechanism& mechanism, bool dropped,
     dem::ModeThresholds three = thresholds;
     three.modes = dem::ModeRule::mechanism;
     return dem::failure_mode(mechanism, dropped, three);
+}
+
+WallReading worse_of(const WallReading& a, const WallReading& b)
+{
+    WallReading w;
+    w.peak = b.peak->force < a.peak->force ? b.peak : a.peak;
+    if (a.stiffness && b.stiffness) w.stiffness = std::min(*a.stiffness, *b.stiffness);
+    w.ultimate = fragility::worse(a.ultimate, b.ultimate);
+    w.dropped = is_observed(w.ultimate);
+    w.collapse = fragility::worse(a.collapse, b.collapse);
+    for (std::size_t i = 0; i < a.limits.size(); ++i)
+        w.limits.push_back(fragility::worse(a.limits[i], b.limits[i]));
+    return w;
 }
 
 double peak_force(const WallReading& w) { return w.peak ? w.peak->force : kNone; }

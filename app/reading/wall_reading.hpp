@@ -33,6 +33,9 @@ struct ReadingRules {
     double slenderness = 1.0; ///< H0 / D of EN 1998-3, Annex C [-], > 0
     int direction = 1;        ///< of the push: 1 to the right, -1 to the left, 0: it turns back
     fragility::Side backbone = fragility::Side::mean; ///< of a push that turns back
+    /// Whether the drift limits of codes are those of `options`, as piers gave them; else they
+    /// follow from height and mode.
+    bool by_piers = false;
 };
 
 /// A limit state to read, before any wall is read.
@@ -70,6 +73,10 @@ struct WallReading {
 /// @param settled whether the wall was at rest under its vertical load before it was pushed
 [[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                                const ReadingRules& rules, bool settled = false);
+
+/// The smaller of each number of two walls that were read; what is not defined for one is not
+/// defined. Mode and backbones are those of neither.
+[[nodiscard]] WallReading worse_of(const WallReading& a, const WallReading& b);
 
 /// The curve that limit states are read on, in its own direction: of a push that turns back a
 /// backbone, of fragility::Side::worse the mean of both.

@@ -119,23 +119,18 @@ std::string hatch(Pixel left, Pixel right)
     return lines;
 }
 
-bool is_clamped(const dem::Block& b)
-{
-    return b.motion == dem::Motion::clamped_bottom ||
-           b.motion == dem::Motion::clamped_bottom_held_right;
-}
-
+/// Whether a side or a corner of a block cannot move sideways, clamped below or not.
 bool is_held(const dem::Block& b)
 {
-    return b.motion == dem::Motion::held_right_corner ||
-           b.motion == dem::Motion::clamped_bottom_held_right;
+    return dem::is_hinged(b.motion) || b.motion == dem::Motion::clamped_bottom_held_right ||
+           b.motion == dem::Motion::clamped_bottom_held_left;
 }
 
 std::string draw_supports(const dem::Layout& layout, const WallView& view)
 {
     std::string drawn;
     for (const dem::Block& b : layout.blocks) {
-        if (is_clamped(b)) {
+        if (dem::is_clamped(b.motion)) {
             const std::vector<Point> corners = dem::corners_of(b);
             for (std::size_t i = 0; i < corners.size(); ++i) {
                 const Point p = corners[i], q = corners[(i + 1) % corners.size()];
@@ -145,9 +140,11 @@ std::string draw_supports(const dem::Layout& layout, const WallView& view)
             }
         }
         if (is_held(b)) { // a roller at the toe
-            const Pixel at = view.place({b.x1, b.z0});
-            const std::array<Pixel, 3> roller = {at, Pixel{at.x + 11.0, at.y - 6.0},
-                                                 Pixel{at.x + 11.0, at.y + 6.0}};
+            const bool left = dem::is_held_left(b.motion);
+            const Pixel at = view.place({left ? b.x0 : b.x1, b.z0});
+            const double away = left ? -11.0 : 11.0; // [px]
+            const std::array<Pixel, 3> roller = {at, Pixel{at.x + away, at.y - 6.0},
+                                                 Pixel{at.x + away, at.y + 6.0}};
             drawn += svg_polygon(roller, "");
         }
     }
@@ -210,7 +207,9 @@ std::vector<LegendItem> legend_items(const dem::Layout& layout,
         if (const int n = faces.at(static_cast<std::size_t>(s.kind)); n > 0)
             items.push_back(
                 {svg_line({0, 0}, {34, 0}, dashes(s)), std::to_string(n) + " " + s.name});
-    if (const auto clamped = std::ranges::count_if(layout.blocks, is_clamped); clamped > 0)
+    if (const auto clamped =
+            std::ranges::count_if(layout.blocks, dem::is_clamped, &dem::Block::motion);
+        clamped > 0)
         items.push_back({svg_group(svg_stroke("#444", 0.9), hatch({0, -4}, {34, -4})),
                          std::to_string(clamped) + " blocks held on the floor"});
     const std::vector<std::string> layers = layers_of(units);

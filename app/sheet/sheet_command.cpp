@@ -11,6 +11,7 @@
 #include "app/output/wall_svg.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/hand_checks.hpp"
+#include "app/push/pier_table.hpp"
 #include "app/push/push_until_told.hpp"
 #include "app/scene/scene_units.hpp"
 #include "app/sheet/print_pdf.hpp"
@@ -19,6 +20,7 @@
 #include "app/study/drawn_wall.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/interrupt.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/config_error.hpp"
@@ -65,6 +67,17 @@ std::string drawing_of(const Study& study)
     return wall_drawing(scene_units(study, whole_units(study)), 330.0, 250.0);
 }
 
+const dem::Snapshot& drop_or_end(const dem::PushResult& r)
+{
+    return r.at_drop ? *r.at_drop : r.at_end;
+}
+
+std::string end_name(const Study& study, const dem::PushResult& r)
+{
+    return r.at_drop ? "At " + percent_text(study.fragility.ultimate_share) + " of the peak"
+                     : "At the end";
+}
+
 std::string mechanism_of(const Study& study, const PushedWall& w)
 {
     WallPictureText text;
@@ -72,9 +85,16 @@ std::string mechanism_of(const Study& study, const PushedWall& w)
     text.load_height = w.loads.height;
     if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
     const dem::PushResult& r = w.result;
+    if (const PushedWall* const other = other_way_of(w);
+        other != nullptr && other->reading.peak) {
+        const int direction = push_way(study).direction;
+        text.peak_name = std::string("To the ") + way_name(direction);
+        text.end_name = std::string("To the ") + way_name(-direction);
+        return wall_picture(drop_or_end(r), drop_or_end(other->result), text);
+    }
     const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
     if (!r.at_drop) return wall_picture(peak, r.at_end, text);
-    text.end_name = "At " + percent_text(study.fragility.ultimate_share) + " of the peak";
+    text.end_name = end_name(study, r);
     return wall_picture(peak, *r.at_drop, text);
 }
 
@@ -98,17 +118,31 @@ std::string spread_of(const StudyLevel& level, std::size_t state, double height)
     return text;
 }
 
+/// ", pushed to the left"
+std::string ways_text(const std::string& way)
+{
+    return way == "both" ? ", pushed to either side" : ", pushed to the " + way;
+}
+
 std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
                                   const StudyLevel* stored)
 {
-    const std::vector<StateName> names = state_names(reading_rules(study));
+    ReadingRules rules = reading_rules(study);
+    rules.by_piers = !w.piers.empty();
+    const std::vector<StateName> names = state_names(rules);
+    const WallReading worse = worse_way(w);
     std::vector<SheetLimit> all;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const fragility::LimitDisplacement& limit = w.reading.limits.at(i);
+        const fragility::LimitDisplacement& limit = worse.limits.at(i);
         SheetLimit row{state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
                        cell_text(limit_cell(limit, 100.0 / w.loads.height, 2)), names[i].rule,
                        ""};
-        if (!limit.reason.empty()) row.rule += "; here: " + std::string(limit.reason);
+        const bool own = worse_way_name(study, w, i) != way_name(-push_way(study).direction);
+        const std::string pier = pier_rule(own ? w : w.other_way.front(), names[i].set, limit);
+        if (!pier.empty() && !names[i].rule.starts_with("3/4")) row.rule = pier;
+        if (other_way_of(w) != nullptr) row.rule += ways_text(worse_way_name(study, w, i));
+        if (pier.empty() && !limit.reason.empty())
+            row.rule += "; here: " + std::string(limit.reason);
         if (stored != nullptr) row.spread = spread_of(*stored, i, w.loads.height);
         all.push_back(std::move(row));
     }
@@ -150,7 +184,8 @@ Sheet sheet_of(const Study& study, const PushedWall& w, const StudyWalls* stored
     if (walls != nullptr)
         s.spread_head = "drift [%] of 16, 50, 84 % of " + std::to_string(walls->walls.size()) +
                         " random walls";
-    s.assumed = assumptions(study, 4); // as many as there is room for
+    s.piers = pier_paragraphs(study, w);
+    s.assumed = assumptions(study, s.piers.empty() ? 4 : 3); // as many as there is room for
     s.certainty = certainty_sentences(study, w, stored, static_cast<std::size_t>(level));
     s.footer = "Drystone " + std::string(kVersion) + ", in-plane push of " + command.study +
                ". A help for the engineer, who answers for it; not for out-of-plane failure "

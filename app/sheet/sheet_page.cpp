@@ -95,21 +95,34 @@ std::string limits_table(const Sheet& s)
     if (shown < s.limits.size())
         body += "<tr><td colspan=\"5\">and " + std::to_string(s.limits.size() - shown) +
                 " more, which push writes to limit_states.md</td></tr>";
-    return body + "</table><p class=\"small\">Drift: how far the top moves sideways, in "
-                  "percent of the "
-                  "height of the load. &gt;: not reached when the push ended.</p>";
+    body +=
+        "</table><p class=\"small\">Drift: how far the top moves sideways, in percent of the "
+        "height of the load. &gt;: not reached when the push ended.</p>";
+    for (const std::string& text : s.piers)
+        body += "<p class=\"small\">" + xml_escape(text) + "</p>";
+    return body;
+}
+
+/// Height of the paragraphs on piers [mm].
+double piers_height(const Sheet& s)
+{
+    constexpr double kLine = 3.4;
+    constexpr std::size_t kInLine = 135; // characters
+    std::size_t lines = 0;
+    for (const std::string& text : s.piers) lines += 1 + text.size() / kInLine;
+    return kLine * static_cast<double>(lines);
 }
 
 /// Height of the box of the table [mm]: rules that are long take two lines.
 double table_height(const Sheet& s)
 {
-    constexpr double kLine = 4.3, kHead = 17.0, kMost = 66.0;
+    constexpr double kLine = 4.3, kHead = 17.0, kMost = 76.0;
     const std::size_t in_line = s.spread_head.empty() ? 95 : 68; // characters
     std::size_t lines =
         (s.limits.size() > kMostSheetLimits ? 1 : 0) + (s.spread_head.empty() ? 0 : 1);
     for (std::size_t i = 0; i < std::min(s.limits.size(), kMostSheetLimits); ++i)
         lines += 1 + s.limits[i].rule.size() / in_line;
-    return std::min(kMost, kHead + kLine * static_cast<double>(lines));
+    return std::min(kMost, kHead + kLine * static_cast<double>(lines) + piers_height(s));
 }
 
 std::string assumed_list(const Sheet& s)

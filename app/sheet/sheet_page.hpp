@@ -22,6 +22,7 @@ struct Sheet {
     std::vector<SheetLimit> limits;
     std::string
         spread_head; ///< of SheetLimit::spread: "drift [%] of 16, 50, 84 % of 48 random walls"; empty: no such column
+    std::vector<std::string> piers; ///< a paragraph for each direction; may be empty
     std::vector<Assumption> assumed;
     std::vector<std::string> certainty; ///< sentences
     std::string footer;

@@ -8,6 +8,7 @@
 #include "app/push/hand_checks.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/limit_choices.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
@@ -58,25 +59,41 @@ std::string strength_sentence(const Study& study, const PushedWall& w)
     if (vertical > 0.0)
         text += ", " + fixed(peak_force(w.reading) / vertical, 2) +
                 " of the vertical load on its top";
-    if (w.other_way && w.other_way->no_reading.empty())
-        text += "; " + way_words(study, true) + " " + kilonewtons(peak_force(*w.other_way));
+    if (const PushedWall* const other = other_way_of(w);
+        other != nullptr && other->reading.peak)
+        text += "; " + way_words(study, true) + " " + kilonewtons(peak_force(other->reading));
     return text + ".";
 }
 
 std::string limit_sentence(const Study& study, const PushedWall& w)
 {
-    const fragility::LimitDisplacement& limit = w.reading.ultimate;
+    const PushedWall* const other = other_way_of(w);
+    const fragility::LimitDisplacement limit = worse_way(w).ultimate;
+    const bool by_other =
+        other != nullptr && limit.displacement != w.reading.ultimate.displacement;
     const std::string left = percent_text(study.fragility.ultimate_share);
     const std::string at = millimetres(limit.displacement) + ", " +
                            fixed(100.0 * limit.displacement / w.loads.height, 2) +
                            " % of its height";
-    const std::string way = way_words(study, false) + " ";
+    const std::string way = way_words(study, by_other) + " ";
     if (is_observed(limit))
         return sentence(way + "its force is down to " + left + " of the peak at " + at);
     if (is_censored(limit))
         return sentence(way + "its force had not come down to " + left + " of the peak at " +
                         at + ", where the push ended");
     return "No displacement can be named at which its force is down to " + left + ".";
+}
+
+/// How it fails, in both directions where they differ.
+std::string failure_sentence(const Study& study, const PushedWall& w)
+{
+    const std::string own(failure_words(w.reading.mode));
+    const PushedWall* const other = other_way_of(w);
+    if (other == nullptr || !other->reading.peak || other->reading.mode == w.reading.mode)
+        return own + ".";
+    return own + " (" + way_words(study, false) + "). " +
+           std::string(failure_words(other->reading.mode)) + " (" + way_words(study, true) +
+           ").";
 }
 
 /// How much a choice moved drift limits of the wall that was measured (docs/limits.md).
@@ -161,8 +178,7 @@ std::vector<std::string> answer_sentences(const Study& study, const PushedWall& 
         return {sentence("No curve can be read: " + wall.reading.no_reading)};
     std::vector<std::string> all = {strength_sentence(study, wall),
                                     limit_sentence(study, wall)};
-    if (!came_down_at_once(wall))
-        all.push_back(std::string(failure_words(wall.reading.mode)) + ".");
+    if (!came_down_at_once(wall)) all.push_back(failure_sentence(study, wall));
     return all;
 }
 
@@ -193,7 +209,7 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
     };
     add(no_limit_remark(study, wall.reading));
     add(no_yield_remark(wall.reading));
-    add(pier_remark(study));
+    if (wall.piers.empty()) add(pier_remark(study));
     if (stored != nullptr)
         add(spread_sentence(*stored, level));
     else

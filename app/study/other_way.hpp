@@ -17,30 +17,50 @@ namespace app {
 /// Whether the push goes one way and the wall is not symmetric.
 [[nodiscard]] bool has_other_way(const Study& study, const dem::Layout& layout);
 
-/// The same study, pushed as far the other way.
-[[nodiscard]] Study turned_round(Study study);
+/// "right" of 1, "left" of -1
+[[nodiscard]] const char* way_name(int direction);
 
-/// Walls that are not symmetric, pushed the other way beside their own push where that costs
-/// little: as much as the push itself, on half of the threads. Other walls, and dear ones, are
-/// left alone.
+/// nullptr where the wall was pushed one way alone.
+[[nodiscard]] const PushedWall* other_way_of(const PushedWall& wall);
+
+/// The smaller of each number of both directions; the reading of the wall itself where it was
+/// pushed one way, or one of them cannot be read.
+[[nodiscard]] WallReading worse_way(const PushedWall& wall);
+
+/// The direction whose limit is the one of worse_way(): "left", "right", or "both" where they
+/// are the same.
+/// @param state index in WallReading::limits
+[[nodiscard]] std::string worse_way_name(const Study& study, const PushedWall& wall,
+                                         std::size_t state);
+
+/// Acts of those who watch a push.
+struct OtherWayWatch {
+    /// Called every few hundred steps from any thread; what it throws ends this push.
+    std::function<void()> look;
+    /// May add to the plan of this push, which keeps no snapshots but peak and end.
+    std::function<void(const Study& study, dem::PushPlan& plan)> prepare;
+};
+
+/// Walls that are not symmetric, pushed the other way beside their own push, on half of the
+/// threads, where load.direction = both is given; without that key, where it costs little.
+/// Other walls are left alone.
 class OtherWay {
   public:
     /// @param study, model, wanted must outlive this
-    /// @param look is called every few hundred steps from any thread; what it throws ends this
-    /// push. May be empty
+    /// @throws ConfigError where both directions are asked for and cracks are placed for one
     OtherWay(const Study& study, const dem::Model& model, const std::vector<WantedWall>& wanted,
-             int threads, std::function<void()> look = {});
+             int threads, OtherWayWatch watch = {});
 
     /// For the push itself, >= 1.
     [[nodiscard]] int threads_left() const { return threads_left_; }
 
-    /// Waits, and gives each wall its reading of the other way.
-    /// @throws what `look` or push_walls throw
+    /// Waits, and gives each wall its push the other way.
+    /// @throws what the watch or push_walls throw
     void add_to(std::vector<PushedWall>& walls);
 
   private:
     int threads_left_;
-    std::future<std::vector<WallReading>> readings_; ///< not valid where nothing is pushed
+    std::future<std::vector<PushedWall>> walls_; ///< not valid where nothing is pushed
 };
 
 /// Says what a wall carries each way, or how to find out, without a full stop. Empty where

@@ -4,10 +4,10 @@
 #include "app/input/study.hpp"
 #include "app/reading/wall_reading.hpp"
 #include "app/sampling/wall_draw.hpp"
+#include "app/study/pier_reading.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "dem/solver/push.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +22,11 @@ struct PushedWall {
     std::vector<double> displacement, force;
     dem::Mechanism mechanism;
     WallReading reading; ///< by the rules of the study; without a mode where the run failed
-    std::optional<WallReading>
-        other_way; ///< of the same wall pushed the other way (other_way.hpp)
+    std::vector<PierReading> piers; ///< empty: not told apart (pier_reading.hpp)
+    std::vector<SpandrelReading> spandrels;
+    PierBalance pier_balance; ///< of these piers
+    /// The same wall pushed the other way (other_way.hpp); one or none.
+    std::vector<PushedWall> other_way;
 };
 
 /// Evaluates a finished push: peak, stiffness, limit states, mechanism, failure mode.

@@ -82,7 +82,9 @@ std::string identity_text(const Study& study)
         const std::string value = value_of(key, study);
         if (!value.empty()) text += std::string(key.name) + " = " + value + "\n";
     }
-    return text;
+    const bool moved_toe = study.load.direction != Direction::left && in_courses(study) &&
+                           study.wall.toe == dem::Toe::held && study.wall.toe_at_left;
+    return moved_toe ? text + "wall.toe_at_left = yes\n" : text;
 }
 
 } // namespace app

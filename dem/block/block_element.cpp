@@ -46,6 +46,7 @@ Point pivot_of(const BlockSpec& spec)
 {
     if (spec.motion == Motion::driven) return {0.5 * spec.width, spec.load_height};
     if (spec.motion == Motion::held_right_corner) return {spec.width, 0.0};
+    if (spec.motion == Motion::held_left_corner) return {0.0, 0.0};
     return {0.5 * spec.width, 0.5 * spec.height};
 }
 
@@ -57,6 +58,7 @@ Eigen::Index rigid_modes(const BlockSpec& spec)
     case Motion::driven:
         return spec.rotation_fixed ? 1 : 2;
     case Motion::held_right_corner:
+    case Motion::held_left_corner:
         return 2;
     default:
         return 0;

@@ -144,16 +144,17 @@ BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const Mat
     return joined({moving, VectorXd::Zero(moving.cols())}, elastic);
 }
 
-/// The linear fields that a support allows, about the lower right corner.
+/// The linear fields that a support allows, about the corner that is held, or the lower right
+/// one.
 MatrixXd supported_fields(const BlockSpec& spec, const std::vector<Point>& points)
 {
-    const Point corner{spec.width, 0.0};
+    const Point corner{is_held_left(spec.motion) ? 0.0 : spec.width, 0.0};
     const auto field = [&](Point a, Point b, Point c) {
         return linear_field(points, corner, a, b, c);
     };
     const VectorXd shear = field({}, {}, {1, 0}), stretch = field({}, {}, {0, 1});
     if (spec.motion == Motion::clamped_bottom) return columns({shear, stretch});
-    if (spec.motion == Motion::clamped_bottom_held_right) return columns({stretch});
+    if (is_clamped(spec.motion)) return columns({stretch});
     return columns({field({0, 1}, {}, {}), field({}, {0, -1}, {1, 0}), shear, stretch,
                     field({}, {1, 0}, {})});
 }
@@ -166,7 +167,7 @@ BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const Ma
         if (!con.held[i]) open.push_back(static_cast<Index>(i));
     const MatrixXd k_open = con.stiffness(open, open), c_open = c(open, open);
     const Index all = static_cast<Index>(open.size());
-    const bool hinged = spec.motion == Motion::held_right_corner; // it can still turn and lift
+    const bool hinged = is_hinged(spec.motion); // it can still turn and lift
     const Index wanted =
         spec.modes > 0 ? std::min<Index>(spec.modes - (hinged ? 1 : 3), all) : all;
     MatrixXd basis(all, 0);

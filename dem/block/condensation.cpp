@@ -69,18 +69,15 @@ int index_of(const std::vector<Point>& points, Point at)
     return -1;
 }
 
-bool bottom_is_clamped(Motion m)
-{
-    return m == Motion::clamped_bottom || m == Motion::clamped_bottom_held_right;
-}
-
 /// Whether the support prescribes a displacement of zero at p, in direction 0 (x) or 1 (z).
 bool is_held(const BlockSpec& spec, Point p, int direction)
 {
-    if (bottom_is_clamped(spec.motion) && same(p.z, 0.0)) return true;
-    if (direction != 0 || !same(p.x, spec.width)) return false;
+    if (is_clamped(spec.motion) && same(p.z, 0.0)) return true;
+    if (direction != 0 || !same(p.x, is_held_left(spec.motion) ? 0.0 : spec.width))
+        return false;
     return spec.motion == Motion::clamped_bottom_held_right ||
-           (spec.motion == Motion::held_right_corner && same(p.z, 0.0));
+           spec.motion == Motion::clamped_bottom_held_left ||
+           (is_hinged(spec.motion) && same(p.z, 0.0));
 }
 
 /// Where a node gets its displacement from.

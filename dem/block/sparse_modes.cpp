@@ -164,7 +164,7 @@ SparseModes sparse_modes(const BlockSpec& spec, const SparseBlock& block)
     };
     const LinearFields fields = linear_fields(spec, block.points);
     const bool supported = fields.rigid.cols() == 0;
-    const bool hinged = spec.motion == Motion::held_right_corner;
+    const bool hinged = is_hinged(spec.motion);
     const int rigid_held = !supported ? 0 : hinged ? 1 : 3; // of the modes asked for
     const Index wanted = std::min<Index>(spec.modes - rigid_held, points);
     MatrixXd rigid(p.k.cols(), 0), moving(p.k.cols(), 0);

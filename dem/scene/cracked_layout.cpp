@@ -24,17 +24,21 @@ struct Pieces {
 /// A piece keeps the support of its block where it has that part of it.
 Motion support_of(const Block& whole, const Block& piece)
 {
-    const bool right = std::abs(piece.x1 - whole.x1) < kTouching,
+    const bool left = is_held_left(whole.motion);
+    const bool side = left ? std::abs(piece.x0 - whole.x0) < kTouching
+                           : std::abs(piece.x1 - whole.x1) < kTouching,
                floor = !level_sides(piece, whole.z0, false).empty();
+    const Motion hinge = left ? Motion::held_left_corner : Motion::held_right_corner;
     switch (whole.motion) {
     case Motion::clamped_bottom:
         return floor ? Motion::clamped_bottom : Motion::free;
     case Motion::clamped_bottom_held_right:
-        if (floor) return right ? Motion::clamped_bottom_held_right : Motion::clamped_bottom;
-        return right && has_lower_right_corner(piece) ? Motion::held_right_corner
-                                                      : Motion::free;
+    case Motion::clamped_bottom_held_left:
+        if (floor) return side ? whole.motion : Motion::clamped_bottom;
+        return side && has_lower_corner(piece, left) ? hinge : Motion::free;
     case Motion::held_right_corner:
-        return floor && right ? Motion::held_right_corner : Motion::free;
+    case Motion::held_left_corner:
+        return floor && side ? hinge : Motion::free;
     default:
         return whole.motion;
     }

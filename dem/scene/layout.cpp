@@ -76,10 +76,13 @@ Block rectangle(double x0, double x1, double z0, double z1, int course, int unit
 
 Motion support_of(const WallGeometry& wall, const Block& b)
 {
-    const bool toe = wall.toe == Toe::held && b.x1 == wall.length;
+    const bool left = wall.toe_at_left;
+    const bool toe = wall.toe == Toe::held && (left ? b.x0 == 0.0 : b.x1 == wall.length);
     if (wall.base == Base::fixed)
-        return toe ? Motion::clamped_bottom_held_right : Motion::clamped_bottom;
-    return toe ? Motion::held_right_corner : Motion::free;
+        return !toe   ? Motion::clamped_bottom
+               : left ? Motion::clamped_bottom_held_left
+                      : Motion::clamped_bottom_held_right;
+    return !toe ? Motion::free : left ? Motion::held_left_corner : Motion::held_right_corner;
 }
 
 /// Takes [from, to] out of the pieces of a course.

@@ -18,8 +18,29 @@ enum class Motion {
     clamped_bottom,            ///< the bottom face is fixed
     clamped_bottom_held_right, ///< in addition, the right side has no horizontal displacement
     held_right_corner,         ///< the lower right corner has no horizontal displacement
+    clamped_bottom_held_left,  ///< as clamped_bottom_held_right, of the left side
+    held_left_corner,          ///< as held_right_corner, of the lower left corner
     driven ///< the loading beam: the horizontal displacement of its load line is prescribed
 };
+
+/// Whether the bottom face of a block is fixed.
+[[nodiscard]] constexpr bool is_clamped(Motion m)
+{
+    return m == Motion::clamped_bottom || m == Motion::clamped_bottom_held_right ||
+           m == Motion::clamped_bottom_held_left;
+}
+
+/// Whether one lower corner of a block is a hinge.
+[[nodiscard]] constexpr bool is_hinged(Motion m)
+{
+    return m == Motion::held_right_corner || m == Motion::held_left_corner;
+}
+
+/// Whether the left side or corner of a block is held.
+[[nodiscard]] constexpr bool is_held_left(Motion m)
+{
+    return m == Motion::clamped_bottom_held_left || m == Motion::held_left_corner;
+}
 
 /// A block between joints and potential cracks. A whole unit of a wall in courses consists of
 /// two blocks with a potential crack between them.

@@ -34,6 +34,9 @@ struct FaceState {
     int block_a = 0; ///< index in Snapshot::blocks; -1 is the ground
     int block_b = 0; ///< index in Snapshot::blocks
     Point normal;    ///< unit vector from a to b
+    /// Direction of the normal stresses now, times the share of the area that is in contact
+    /// [-]: `normal` with small displacements.
+    Point acting;
     std::vector<ContactState> contacts; ///< ordered along the face
 };
 

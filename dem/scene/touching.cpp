@@ -133,10 +133,11 @@ std::vector<std::pair<double, double>> level_sides(const Block& b, double z, boo
     return sides;
 }
 
-bool has_lower_right_corner(const Block& b)
+bool has_lower_corner(const Block& b, bool left)
 {
     return std::ranges::any_of(corners_of(b), [&](Point p) {
-        return std::abs(p.x - b.x1) < kTouching && std::abs(p.z - b.z0) < kTouching;
+        return std::abs(p.x - (left ? b.x0 : b.x1)) < kTouching &&
+               std::abs(p.z - b.z0) < kTouching;
     });
 }
 

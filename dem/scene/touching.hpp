@@ -27,8 +27,8 @@ struct Touch {
 [[nodiscard]] std::vector<std::pair<double, double>> level_sides(const Block& block, double z,
                                                                  bool up);
 
-/// Whether the lower right corner of its extent is a corner of the block.
-[[nodiscard]] bool has_lower_right_corner(const Block& block);
+/// Whether the lower right, or left, corner of its extent is a corner of the block.
+[[nodiscard]] bool has_lower_corner(const Block& block, bool left);
 
 /// In the order of the pairs. Pieces that are one straight line are one touch.
 [[nodiscard]] std::vector<Touch> touching(const std::vector<Block>& blocks);

@@ -71,6 +71,7 @@ struct WallGeometry {
     UnitCracks cracks; ///< by default a potential crack at mid-length of each whole unit
     Base base = Base::fixed;
     Toe toe = Toe::held;
+    bool toe_at_left = false;      ///< of a push to the left
     std::vector<Opening> openings; ///< apart, and below the top course
     /// How far the lintel over an opening, one course high, reaches over either side [m], >= 0;
     /// 0: no lintels.

@@ -1,6 +1,7 @@
 #include "dem/solver/take_snapshot.hpp"
 
 #include "dem/block/model.hpp"
+#include "dem/kinematics/overlap.hpp"
 #include "dem/solver/elastic_operator.hpp"
 
 namespace dem {
@@ -97,6 +98,31 @@ std::vector<double> slips(const StepTables& t, const WallState<Real>& state, int
     return slip;
 }
 
+/// Faces of blocks that have moved: the direction in which add_forces() has stresses act.
+template <class Real>
+void set_acting(const StepTables& t, const WallState<Real>& state, int lane, const Model& m,
+                Snapshot& s)
+{
+    std::size_t p = 0;
+    const auto set = [&](const std::vector<ContactRun>& runs,
+                         const std::vector<Contact>& contacts, int first) {
+        for (const ContactRun& run : runs) {
+            const FacePair& pair = t.finite.pairs[p];
+            const auto& now = state.finite.pairs[p++];
+            const auto o = overlap_of(pair, frame_of(state.finite.frames[pair.a], lane),
+                                      frame_of(state.finite.frames[pair.b], lane),
+                                      dem::lane(now.centre, lane));
+            const double share = dem::lane(now.share, lane);
+            s.faces[contacts[run.first - first].face].acting = {
+                share * (o.tilt.c * o.nx + o.tilt.s * o.nz),
+                share * (o.tilt.c * o.nz - o.tilt.s * o.nx)};
+        }
+    };
+    set(t.dry, m.dry, 0);
+    set(t.tied, m.tied, static_cast<int>(m.dry.size()));
+    set(t.cracks, m.cracks, t.first_crack);
+}
+
 /// Contacts stand in the faces in the order of their numbers.
 template <class Real>
 void set_strength_lost(const StepTables& t, const WallState<Real>& state, int lane,
@@ -165,7 +191,7 @@ Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real
     int number = 0;
     const auto add = [&](const Contact& c, double damage) {
         const int k = number++;
-        s.faces[c.face].normal = {c.nx, c.nz};
+        s.faces[c.face].normal = s.faces[c.face].acting = {c.nx, c.nz};
         ContactState one{position_of(m, c, m.layout.faces[c.face]),
                          c.area,
                          at(state.u_n[k]),
@@ -184,6 +210,7 @@ Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real
     for (const Contact& c : m.cracks)
         add(c, at(damage(state.laws.cracks[c.material], crack_state(t, state, number))));
     if (!state.crushed.empty()) set_strength_lost(t, state, lane, m, s);
+    if (!state.finite.frames.empty()) set_acting(t, state, lane, m, s);
     return s;
 }
 

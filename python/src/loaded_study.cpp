@@ -115,7 +115,7 @@ std::vector<app::PushedWall> push_beside_python(LoadedStudy& study,
         std::optional<app::OtherWay> other; // of one wall, as `drystone push` does
         if (wanted.size() == 1)
             other.emplace(study.source.study, model, wanted, all,
-                          [&] { python.end_if_asked(); });
+                          app::OtherWayWatch{[&] { python.end_if_asked(); }, {}});
         app::push_walls(study.source.study, model, plan, list,
                         other ? other->threads_left() : all);
         if (other) other->add_to(walls);

@@ -120,6 +120,7 @@ vertical_stress = 150 kPa, 0.5 MPa
 height = 1.3 m
 max_displacement = 2 cm
 targets = 5, -5, 10, -10 mm
+direction = right
 repeats = 1
 protocol = none
 protocol_scale = given

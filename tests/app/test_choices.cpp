@@ -69,7 +69,7 @@ TEST_CASE("choices: each change differs from the study in its own key alone", "[
     CHECK(change_of(all, "solver.kinematics").study.solver.kinematics ==
           dem::Kinematics::small);
     CHECK(change_of(all, "wall.base").study.wall.base == dem::Base::fixed);
-    CHECK(change_of(all, "load.targets").study.load.targets == std::vector{-1e-3});
+    CHECK(app::push_plan(change_of(all, "load.direction").study).targets == std::vector{-1e-3});
     CHECK(change_of(all, "joint.closure").study.parameters.joint.closure ==
           dem::Closure::exponential);
 }
@@ -85,7 +85,7 @@ TEST_CASE("choices: what does not apply says why", "[app][choices]")
     CHECK(change_of(app::choice_changes(file, mortar), "joint.closure")
               .not_applied.find("mortar") != std::string::npos);
     const std::vector<std::string> to_and_fro = {"load.amplitudes=1 mm"};
-    CHECK(change_of(app::choice_changes(file, to_and_fro), "load.targets").not_applied ==
+    CHECK(change_of(app::choice_changes(file, to_and_fro), "load.direction").not_applied ==
           "the push goes to and fro");
 }
 

@@ -249,6 +249,7 @@ const std::map<std::string_view, std::string> kOthers = {
     {"load.vertical_stress", "0.6 MPa"},
     {"load.height", "0.35 m"},
     {"load.targets", "1 mm"},
+    {"load.direction", "left"},
     {"load.amplitudes", "0.5, 1 mm"},
     {"load.stop_below", "0.999999"},
     {"solver.accuracy", "20 %"},

@@ -282,7 +282,7 @@ TEST_CASE("push command: a wall that is not symmetric is pushed the other way to
     CHECK(both.terminal.find("the wall is not symmetric: pushed to the right") !=
           std::string::npos);
     const nlohmann::json right = summary(folder.path / "both");
-    keys.emplace_back("load.targets=-4 mm");
+    keys.emplace_back("load.targets=-4 mm"); // its toe is at the left, too
     static_cast<void>(push("facade.ini", folder.path / "left", keys, threads));
     const nlohmann::json left = summary(folder.path / "left");
     CHECK(right["other_way"]["peak_force_kN"] == left["peak_force_kN"]); // to the bit

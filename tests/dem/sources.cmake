@@ -55,6 +55,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_standing.cpp
     dem/test_step_tables.cpp
     dem/test_stop_rules.cpp
+    dem/test_piers.cpp
     dem/test_symmetry.cpp
     dem/test_paper_materials.cpp
     dem/test_wall_run.cpp

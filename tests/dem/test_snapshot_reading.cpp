@@ -12,7 +12,7 @@ dem::Snapshot wall_with(dem::FaceKind kind, const std::vector<dem::ContactState>
     dem::Snapshot wall;
     wall.blocks.resize(2);
     wall.blocks[0].course = 1;
-    wall.faces.push_back({kind, 1, 0, 1, {0.0, 1.0}, contacts});
+    wall.faces.push_back({kind, 1, 0, 1, {0.0, 1.0}, {0.0, 1.0}, contacts});
     return wall;
 }
 

@@ -38,8 +38,13 @@ BlockState rectangle(Point low, Point high, int along, int up)
 FaceState face(FaceKind kind, int id, int a, int b, Point from, Point to, Point normal,
                const SnapshotWall& wall)
 {
-    FaceState f{
-        .kind = kind, .id = id, .block_a = a, .block_b = b, .normal = normal, .contacts = {}};
+    FaceState f{.kind = kind,
+                .id = id,
+                .block_a = a,
+                .block_b = b,
+                .normal = normal,
+                .acting = normal,
+                .contacts = {}};
     const int intervals = wall.points - 1;
     const double area = std::hypot(to.x - from.x, to.z - from.z) * wall.thickness / intervals;
     for (int i = 0; i <= intervals; ++i) {

@@ -1,0 +1,13 @@
+#pragma once
+/// piers.svg: the piers of a pushed wall, with what they carry.
+
+#include "app/study/pushed_wall.hpp"
+
+#include <string>
+
+namespace app {
+
+/// SVG: the stones, each pier with its number, forces, drift and mode. The wall has piers.
+[[nodiscard]] std::string pier_picture(const Study& study, const PushedWall& wall);
+
+} // namespace app

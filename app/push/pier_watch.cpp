@@ -1,0 +1,53 @@
+#include "app/push/pier_watch.hpp"
+
+#include "app/input/wall_geometry.hpp"
+#include "app/study/wall_openings.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace app {
+
+PierWatch::PierWatch(const Study& study, std::size_t walls, dem::PushPlan& plan)
+    : study_(study), walls_(walls)
+{
+    if (!tells_piers(study)) return;
+    probe_.emplace(layout_of(study), dem::piers_of(wall_openings(study), wall_extent(study)));
+    const double every = plan.snapshot_every;
+    plan.snapshot_every = plan.record_every;
+    plan.sink = {
+        .take =
+            [this, every, next = plan.sink.take](std::size_t wall, dem::Snapshot&& shot) {
+                look(wall, shot);
+                constexpr double kRounding = 1e-9; // as dem/solver/wall_run.cpp
+                Watched& w = walls_.at(wall);
+                if (!next || every <= 0.0 ||
+                    std::abs(shot.displacement) < w.next * (1.0 - kRounding))
+                    return;
+                w.next += every;
+                next(wall, std::move(shot));
+            },
+        .forget =
+            [this, next = plan.sink.forget](std::size_t wall) {
+                walls_.at(wall) = {};
+                if (next) next(wall);
+            }};
+}
+
+void PierWatch::look(std::size_t wall, const dem::Snapshot& shot)
+{
+    PierInstant now{shot.displacement, shot.force, probe_->base_shear(shot), {}, {}};
+    const dem::Piers& all = probe_->piers();
+    for (std::size_t i = 0; i < all.piers.size(); ++i)
+        now.piers.push_back(probe_->pier(i, shot));
+    for (std::size_t i = 0; i < all.spandrels.size(); ++i)
+        now.spandrels.push_back(probe_->spandrel(i, shot));
+    walls_.at(wall).history.push_back(std::move(now));
+}
+
+void PierWatch::add_to(std::size_t wall, PushedWall& pushed) const
+{
+    if (probe_) read_piers(study_, *probe_, walls_.at(wall).history, pushed);
+}
+
+} // namespace app

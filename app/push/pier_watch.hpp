@@ -1,0 +1,38 @@
+#pragma once
+/// Watches the piers of walls while they are pushed.
+
+#include "app/study/pier_reading.hpp"
+#include "app/study/pushed_wall.hpp"
+#include "dem/solver/push.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace app {
+
+/// Piers of the walls of one push. Does nothing for walls whose piers are not told apart.
+class PierWatch {
+  public:
+    /// Has `plan` take a snapshot at every curve point, and hands those on that it would have
+    /// taken. Lives longer than the push.
+    PierWatch(const Study& study, std::size_t walls, dem::PushPlan& plan);
+    PierWatch(const PierWatch&) = delete;
+    PierWatch& operator=(const PierWatch&) = delete;
+
+    /// read_piers() of a wall that is pushed.
+    void add_to(std::size_t wall, PushedWall& pushed) const;
+
+  private:
+    struct Watched {
+        PierHistory history;
+        double next = 0.0; ///< way to the next snapshot that is handed on [m]
+    };
+    void look(std::size_t wall, const dem::Snapshot& shot);
+
+    Study study_;
+    std::optional<dem::PierProbe> probe_;
+    std::vector<Watched> walls_;
+};
+
+} // namespace app

@@ -1,0 +1,85 @@
+#pragma once
+/// Piers and spandrels of a pushed wall: forces, drift over the own height, mode, drift limits
+/// of the codes. The pier that reaches its drift limit first governs the wall.
+
+#include "app/input/study.hpp"
+#include "app/reading/wall_reading.hpp"
+#include "dem/scene/piers.hpp"
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+struct PushedWall;
+
+/// Piers and spandrels at one curve point.
+struct PierInstant {
+    double displacement = 0.0, force = 0.0; ///< of the load line [m] [N]
+    double base_shear = 0.0; ///< at this moment; `force` is a mean over an interval [N]
+    std::vector<dem::PierState> piers; ///< in the order of dem::Piers
+    std::vector<dem::CutForce> spandrels;
+};
+using PierHistory = std::vector<PierInstant>;
+
+/// Codes that limit the drift of a pier.
+constexpr std::array<std::string_view, 2> kPierCodes = {"ntc", "ec8"};
+
+/// The drift limit of a code for one pier.
+struct PierCap {
+    double drift = 0.0; ///< at SLC, or NC [-]
+    /// Movement of the load line when the pier reaches it [m], in the direction of the push;
+    /// censored where the push ended before.
+    fragility::LimitDisplacement wall;
+};
+
+/// Forces and movements count in the direction of the push.
+struct PierReading {
+    dem::Pier pier;
+    double normal_before = 0.0;  ///< compression before the push [N]
+    double normal_at_peak = 0.0; ///< when the wall carries most [N]
+    double shear_at_peak = 0.0;  ///< the same
+    double most_shear = 0.0;     ///< in the push [N]
+    double drift = 0.0;          ///< at the end of the push, over its own height [-]
+    double slenderness =
+        0.0; ///< H0 / D where it carries most: M / (V D) at the end with the larger moment [-]
+    bool moved = false; ///< else it has no mode
+    /// Whether it ever carries 5 % of the wall's largest force. Others govern nothing: the wall
+    /// would hardly lose anything with them.
+    bool carries = false;
+    dem::FailureMode mode = dem::FailureMode::rocking;
+    std::array<PierCap, kPierCodes.size()> caps; ///< in the order of kPierCodes
+    WallReading own; ///< of its shear over its own movement, with limits by its own height
+};
+
+struct SpandrelReading {
+    dem::Spandrel spandrel;
+    double normal_at_peak = 0.0, shear_at_peak = 0.0; ///< when the wall carries most [N]
+    double most_shear = 0.0;                          ///< in either sense [N]
+};
+
+/// Largest misses of equilibrium in the cuts through a storey, at any curve point.
+struct PierBalance {
+    /// All piers against the shear at the base, over its largest [-]; NaN with body forces.
+    double shear = 0.0;
+    double normal = 0.0; ///< of all piers against what they carried before the push [-]
+};
+
+/// Whether the program tells piers apart: openings, and a push that goes one way.
+[[nodiscard]] bool tells_piers(const Study& study);
+
+/// Reads the piers of a wall, and the wall itself again: drift limits of codes are those of the
+/// pier that reaches its own first.
+/// @param history of at least two points
+void read_piers(const Study& study, const dem::PierProbe& probe, const PierHistory& history,
+                PushedWall& wall);
+
+/// "rocking", or that it stands still, or carries nothing to speak of.
+[[nodiscard]] std::string_view mode_text(const PierReading& pier);
+
+/// Number, from 1, of the pier that reaches the drift limit of a code first, of those that
+/// carry something; 0: none does.
+[[nodiscard]] int governing_pier(const std::vector<PierReading>& piers, std::string_view code);
+
+} // namespace app
