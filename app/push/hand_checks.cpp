@@ -2,7 +2,7 @@
 
 #include "app/input/wall_geometry.hpp"
 #include "app/study/limit_choices.hpp"
-#include "app/study/other_way.hpp"
+#include "app/study/other_way_remark.hpp"
 #include "app/study/pier_remark.hpp"
 #include "app/study/solver_error.hpp"
 #include "app/text/number_text.hpp"

@@ -1,49 +1,16 @@
 #include "app/study/other_way.hpp"
 
 #include "app/input/random_layouts.hpp"
-#include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/push_walls.hpp"
-#include "app/text/number_text.hpp"
 #include "dem/block/contact_count.hpp"
-#include "dem/scene/symmetry.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace app {
 namespace {
-
-const char* way_name(int direction) { return direction > 0 ? "right" : "left"; }
-
-/// "load.targets=-30 mm"
-std::string targets_text(const Study& study)
-{
-    return "load.targets=\"" + format_quantities(study.load.targets, "mm") + "\"";
-}
-
-/// The toe is at the right whatever the push.
-bool holds_right_toe(const Study& study)
-{
-    return in_courses(study) && study.wall.base == dem::Base::joint &&
-           study.wall.toe == dem::Toe::held;
-}
-
-std::string kilonewtons(const WallReading& wall)
-{
-    return fixed(peak_force(wall) * 1e-3, 1) + " kN";
-}
-
-/// "71.6 kN (39 % less)"
-std::string compared(const WallReading& other, const WallReading& first)
-{
-    if (!(peak_force(first) > 0.0)) return kilonewtons(other);
-    const double change = 100.0 * (peak_force(other) / peak_force(first) - 1.0);
-    return kilonewtons(other) + " (" + fixed(std::abs(change), 0) + " % " +
-           (change < 0.0 ? "less" : "more") + ")";
-}
 
 /// Steps that a push is likely to take: those of its fastest drive, and more the less error it
 /// bears. The walls of the paper take 1.5 to 3 times those of the fastest at 1 %, 7 to 26 times
@@ -90,19 +57,6 @@ std::vector<WallReading> push_other_way(const Study& study, const dem::Model& mo
 
 } // namespace
 
-bool has_other_way(const Study& study, const dem::Layout& layout)
-{
-    return push_way(study).direction != 0 && !dem::is_symmetric(layout);
-}
-
-Study turned_round(Study study)
-{
-    LoadInput& load = study.load;
-    if (load.targets.empty()) load.targets = {load.max_displacement};
-    for (double& target : load.targets) target = -target;
-    return study;
-}
-
 OtherWay::OtherWay(const Study& study, const dem::Model& model,
                    const std::vector<WantedWall>& wanted, int threads,
                    std::function<void()> look)
@@ -122,27 +76,6 @@ void OtherWay::add_to(std::vector<PushedWall>& walls)
     if (!readings_.valid()) return;
     std::vector<WallReading> readings = readings_.get();
     for (std::size_t i = 0; i < walls.size(); ++i) walls[i].other_way = std::move(readings[i]);
-}
-
-std::string other_way_remark(const Study& study, const dem::Layout& layout,
-                             const PushedWall& wall)
-{
-    if (!has_other_way(study, layout)) return "";
-    const int direction = push_way(study).direction;
-    const std::string first = way_name(direction), other = way_name(-direction);
-    if (!wall.other_way)
-        return "the wall is not symmetric and was pushed to the " + first + " alone; --set " +
-               targets_text(turned_round(study)) + " pushes it to the " + other;
-    if (!wall.other_way->no_reading.empty() || !wall.reading.no_reading.empty())
-        return "the wall is not symmetric; pushed to the " + other + ": " +
-               (wall.other_way->no_reading.empty() ? kilonewtons(*wall.other_way)
-                                                   : wall.other_way->no_reading);
-    return "the wall is not symmetric: pushed to the " + first + " it carries " +
-           kilonewtons(wall.reading) + ", to the " + other + " " +
-           compared(*wall.other_way, wall.reading) +
-           (holds_right_toe(study) ? ", with the right end of the first course held both times"
-                                   : "") +
-           "; all else here is of the push to the " + first;
 }
 
 std::string other_way_remark(const StudyWalls& walls)

@@ -3,6 +3,7 @@
 /// outputs say of it stands here.
 
 #include "app/sampling/wall_draw.hpp"
+#include "app/study/other_way_remark.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/study/study_walls.hpp"
 #include "dem/block/model.hpp"
@@ -13,12 +14,6 @@
 #include <vector>
 
 namespace app {
-
-/// Whether the push goes one way and the wall is not symmetric.
-[[nodiscard]] bool has_other_way(const Study& study, const dem::Layout& layout);
-
-/// The same study, pushed as far the other way.
-[[nodiscard]] Study turned_round(Study study);
 
 /// Walls that are not symmetric, pushed the other way beside their own push where that costs
 /// little: as much as the push itself, on half of the threads. Other walls, and dear ones, are
@@ -42,11 +37,6 @@ class OtherWay {
     int threads_left_;
     std::future<std::vector<WallReading>> readings_; ///< not valid where nothing is pushed
 };
-
-/// Says what a wall carries each way, or how to find out, without a full stop. Empty where
-/// there is no other way.
-[[nodiscard]] std::string other_way_remark(const Study& study, const dem::Layout& layout,
-                                           const PushedWall& wall);
 
 /// The sentence for a study, whose walls are pushed one way. Empty where there is no other way.
 [[nodiscard]] std::string other_way_remark(const StudyWalls& walls);
