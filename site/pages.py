@@ -80,10 +80,9 @@ def main(root, out, program):
     pictures = gallery(root, out)
     keys(out, program)
     modules = reference(root, out)
-    (out / "try.md").write_text('---\nhide:\n  - navigation\n  - toc\n---\n# Try it\n\n[On a page of its own](try/index.html){ .md-button }\n\n<iframe class="try" src="try/index.html" title="Push a stone wall"></iframe>\n', encoding="utf-8")
-    (out / "cpp.md").write_text("# C++ reference\n\nOf the libraries' headers, by Doxygen: [open it](cpp/index.html). How to link: [C++](docs/library.md).\n", encoding="utf-8")
+    (out / "try.md").write_text('---\nhide:\n  - navigation\n  - toc\n---\n# Try it\n\n<a class="md-button" href="try/index.html">On a page of its own</a>\n\n<iframe class="try" src="try/index.html" title="Push a stone wall"></iframe>\n', encoding="utf-8")
+    (out / "cpp.md").write_text("# C++ reference\n\nOf the libraries' headers, by Doxygen: <a href=\"cpp/index.html\">open it</a>. How to link: [C++](docs/library.md).\n", encoding="utf-8")
     shutil.copy(root / "site/site.css", out)
-    (out / "offline_search.js").write_text("// written by site/offline_search.py\n", encoding="utf-8")
     print(f"{pictures} pictures, {modules} Python modules")
 
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What outputs say of a wall that is not symmetric and was pushed one way.
+/// The words of outputs on a wall that is not symmetric and was pushed one way.
 
 #include "app/study/pushed_wall.hpp"
 

@@ -1,7 +1,7 @@
-/// Exceptions of WebAssembly: what libc++abi has in other builds, and Debian's of wasm32-wasi has
-/// not. The compiler calls these functions; tables of an object say which handler takes which type
-/// ("Itanium C++ ABI: Exception Handling", level II, as LLVM lays it out for WebAssembly). One
-/// thread.
+/// Exceptions of WebAssembly: functions that libc++abi has in other builds, and Debian's of
+/// wasm32-wasi has not. The compiler calls them; tables of an object say which handler takes
+/// which type ("Itanium C++ ABI: Exception Handling", level II, as LLVM lays it out for
+/// WebAssembly). One thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -27,11 +27,12 @@ namespace {
 
 using Type = __cxxabiv1::__shim_type_info;
 using Bytes = const std::uint8_t*;
+using Destructor = void* (*)(void*); // returns its object, as all do in WebAssembly
 
 /// Lies before the object that is thrown.
 struct alignas(16) Thrown {
     const Type* type;
-    void (*destroy)(void*);
+    Destructor destroy;
     void* caught;  ///< the object as its handler sees it
     Thrown* below; ///< the exception whose handler threw this one
     int handlers;  ///< that are at it
@@ -74,7 +75,8 @@ std::int64_t signed_number(Bytes& at)
     }
 }
 
-/// Number of the first type, in the list of this landing pad, that takes the exception; 0: none.
+/// Number of the first type, in the list of this landing pad, that takes the exception; 0:
+/// none.
 int taker(Bytes table, std::size_t pad, Thrown& thrown)
 {
     constexpr std::uint8_t kAbsent = 0xff;
@@ -142,7 +144,7 @@ void* __cxa_allocate_exception(std::size_t bytes)
 
 void __cxa_free_exception(void* object) { std::free(head_of(object)); }
 
-[[noreturn]] void __cxa_throw(void* object, std::type_info* type, void (*destroy)(void*))
+[[noreturn]] void __cxa_throw(void* object, std::type_info* type, Destructor destroy)
 {
     Thrown* head = head_of(object);
     head->type = static_cast<const Type*>(type);

@@ -1,5 +1,5 @@
-/// The functions that the page calls. Texts go in as UTF-8 in the module's memory, answers come out
-/// as JSON: {"error": "..."} with the program's own message where an input is wrong.
+/// The functions that the page calls. Texts go in as UTF-8 in the module's memory, answers come
+/// out as JSON: {"error": "..."} with the program's own message where an input is wrong.
 
 #include "try/wasm/page_json.hpp"
 
@@ -71,7 +71,7 @@ Study study_of(const char* text, std::size_t size)
     return study;
 }
 
-/// Of the file alone: numbers for distributions.
+/// A push takes numbers.
 void refuse_random(const Study& study)
 {
     if (!study.random.empty())

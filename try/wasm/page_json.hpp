@@ -1,5 +1,5 @@
 #pragma once
-/// What the page shows, as JSON.
+/// Everything that the page shows, as JSON.
 
 #include "app/study/pushed_wall.hpp"
 #include "app/text/json_text.hpp"
@@ -12,14 +12,16 @@ namespace page {
 /// Name, section, unit, range, words, default and meaning of each key that a push reads.
 [[nodiscard]] app::Json keys_json();
 
-/// Corners of the stones, joints on them, the line of the load; the study in full and notes on it.
+/// Corners of the stones, cracks in them, the line of the load; the study in full and notes on
+/// it.
 [[nodiscard]] app::Json scene_json(const app::Study& study);
 
-/// The blocks of a push with all points of their outlines, and its faces with their points there.
+/// The blocks of a push with all points of their outlines, and its faces with their points
+/// there.
 [[nodiscard]] app::Json moving_scene_json(const dem::Snapshot& wall);
 
-/// For each point of this scene its displacement [m], x and z in turn; then for each face the least
-/// damage of its contacts, their largest opening [m] and slip [m].
+/// For each point of this scene its displacement [m], x and z in turn; then for each face the
+/// least damage of its contacts, their largest opening [m] and slip [m].
 [[nodiscard]] std::vector<float> movement_of(const dem::Snapshot& wall);
 
 /// Displacements [mm] and forces [kN].

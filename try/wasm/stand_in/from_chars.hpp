@@ -1,6 +1,6 @@
 #pragma once
-/// libc++ 19 reads no double by std::from_chars. strtod of wasi-libc rounds correctly and knows no
-/// locale, but takes more: blanks, a plus, hexadecimals, which are refused here.
+/// libc++ 19 reads no double by std::from_chars. strtod of wasi-libc rounds correctly and knows
+/// no locale, but takes more: blanks, a plus, hexadecimals, which are refused here.
 
 #include <charconv>
 #include <cmath>
