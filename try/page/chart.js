@@ -1,7 +1,6 @@
 // Lines over two axes on a canvas.
-import { cleared } from './wall_picture.js';
+import { cleared, colour } from './wall_picture.js';
 
-const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** About `count` round steps from 0 to beyond `most`. */
 export function ticks(most, count) {

@@ -2,10 +2,9 @@
 import { drawChart } from './chart.js';
 import { openEngine } from './engine.js';
 import { kControls, kExamples, kGroups, kScatter, linkOf, manyText, placeOf, studyText, usualValues, valuesOfLink } from './study.js';
-import { drawWall } from './wall_picture.js';
+import { colour, drawWall } from './wall_picture.js';
 
 const $ = (id) => document.getElementById(id);
-const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const kFrames = 90;
 const kMany = 50;
 

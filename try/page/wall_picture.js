@@ -1,6 +1,6 @@
 // The wall, as it stands or moves, on a canvas.
 
-const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** A canvas as sharp as the screen; its pen in pixels of the page. */
 export function cleared(canvas) {
