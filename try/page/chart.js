@@ -75,8 +75,8 @@ export function drawChart(canvas, chart) {
         pen.lineTo(px(most.x), py(level.y));
         pen.stroke();
         pen.setLineDash([]);
-        pen.textAlign = 'right';
-        pen.fillText(level.text, px(most.x) - 4, py(level.y) - 5);
+        pen.textAlign = 'left';
+        pen.fillText(level.text, px(0) + 6, py(level.y) - 5);
     }
     pen.lineJoin = 'round';
     for (const line of chart.lines ?? []) {

@@ -49,7 +49,7 @@ function showWall() {
     const scene = frame ? run.scene : look;
     const scale = scaleOf();
     drawWall($('wall'), scene, frame, { scale, farthest: frame || run ? 1e-3 * look.farthest_mm : 0, direction: look.direction, load: `${digits(look.stress_MPa)} MPa` });
-    $('moment').textContent = frame ? `${fixed(frame.mm, 1)} mm, ${fixed(frame.kN, 1)} kN${scale > 1 ? `; displacements drawn ${scale} times larger` : ''}` : 'before the push; dashed: where stones may crack';
+    $('moment').textContent = frame ? `${fixed(frame.mm, 1)} mm, ${fixed(frame.kN, 1)} kN${scale > 1 ? `; displacements drawn ${scale} times larger` : ''}` : 'before the push';
 }
 
 let chart = null;
@@ -72,7 +72,7 @@ function showCurve(at = null) {
     const frame = run?.frames[shown];
     if (run?.result && at === null && frame && (playing || shown < run.frames.length - 1)) dots.push({ x: turn * frame.mm, y: turn * frame.kN, colour: colour('--ink') });
     if (at !== null) dots.push({ ...at, colour: colour('--ink') });
-    const most = Math.max(1, ...y, ...levels.filter((l) => l.y < 2 * Math.max(...y)).map((l) => l.y));
+    const most = Math.max(run === null ? 50 : 1, ...y, ...levels.filter((l) => l.y < 2 * Math.max(...y)).map((l) => l.y));
     chart = drawChart($('curve'), {
         x: { title: 'displacement of the top [mm]', most: look?.farthest_mm ?? 30 },
         y: { title: 'force [kN]', most: 1.05 * most },
@@ -81,6 +81,7 @@ function showCurve(at = null) {
         dots,
     });
     chart.curve = { x, y };
+    $('hint').hidden = run !== null;
 }
 
 function showAll() {
@@ -405,7 +406,7 @@ function manyCsv() {
 const kRotated = { yes: 'yes', no: 'no', free: 'yes', fixed: 'no' };
 function wordText(key, word) {
     if (key === 'beam.rotation') return kRotated[word];
-    const texts = { 'wall.base': { fixed: 'clamped', joint: 'dry joint' }, 'load.top': { dead: 'moves with the top', fixed_line: 'stays in its line', follower: 'turns with the top', link: 'along a link' }, 'solver.kinematics': { small: 'small', finite: 'finite' } };
+    const texts = { 'wall.base': { fixed: 'clamped', joint: 'dry joint' }, 'load.top': { dead: 'follows the top', fixed_line: 'keeps its line', follower: 'turns with it', link: 'along a link' }, 'solver.kinematics': { small: 'small', finite: 'finite' } };
     return texts[key]?.[word] ?? word;
 }
 
@@ -423,7 +424,7 @@ function field(control) {
     const meaning = control.meaning ?? known.meaning;
     const words = control.words ?? (known.kind === 'word' ? known.words : null);
     const id = `k-${key.replace('.', '-')}`;
-    const made = element('div', { class: 'field', 'data-key': key }, element('label', { for: id, title: meaning }, label));
+    const made = element('div', { class: words ? 'field wordy' : 'field', 'data-key': key }, element('label', { for: id, title: meaning }, label));
     if (words) {
         const select = element('select', { id }, ...words.map((w) => element('option', { value: w }, wordText(key, w))));
         select.addEventListener('change', () => {
@@ -480,7 +481,7 @@ function buildControls() {
             return chip;
         }),
     );
-    $('scale').replaceChildren(element('option', { value: '0' }, 'to be seen'), ...kScales.map((s) => element('option', { value: String(s) }, `× ${s}`)));
+    $('scale').replaceChildren(element('option', { value: '0' }, 'as needed'), ...kScales.map((s) => element('option', { value: String(s) }, `× ${s}`)));
 }
 
 function take(its) {
