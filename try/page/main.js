@@ -49,7 +49,7 @@ function showWall() {
     const scene = frame ? run.scene : look;
     const scale = scaleOf();
     drawWall($('wall'), scene, frame, { scale, farthest: frame || run ? 1e-3 * look.farthest_mm : 0, direction: look.direction, load: `${digits(look.stress_MPa)} MPa` });
-    $('moment').textContent = frame ? `${fixed(frame.mm, 1)} mm, ${fixed(frame.kN, 1)} kN${scale > 1 ? `; displacements drawn ${scale} times larger` : ''}` : 'before the push';
+    $('moment').textContent = frame ? `${fixed(frame.mm, 1)} mm, ${fixed(frame.kN, 1)} kN${scale > 1 ? `; drawn ${scale} times larger` : ''}` : 'before the push';
 }
 
 let chart = null;
