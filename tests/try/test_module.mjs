@@ -112,10 +112,12 @@ claims['random walls are those of the program and do not depend on how they are 
 claims['a fit of drifts has the median of its walls'] = async () => {
     const { engine } = await openModule(wasm);
     const observed = Array.from({ length: 41 }, (_, i) => 0.5 * Math.exp(0.3 * (i - 20) / 12));
-    const fit = engine.fit({ observed, censored: [] });
+    const fit = engine.fit({ observed, censored: [], capped: [] });
     assert.ok(Math.abs(fit.median_percent / 0.5 - 1) < 1e-6);
     assert.equal(fit.steps.length, 41);
-    assert.match(engine.fit({ observed: [], censored: [1, 1, 1] }).reason, /censored/);
+    assert.match(engine.fit({ observed: [], censored: [1, 1, 1], capped: [] }).reason, /censored/);
+    const capped = engine.fit({ observed: [0.4, 0.5, 0.6], censored: [], capped: [0.375, 0.375] });
+    assert.ok(capped.points === undefined && capped.reason.length > 10, 'no law of drift limits of a code');
 };
 
 claims['a push tells how the wall moves'] = async () => {

@@ -297,7 +297,7 @@ function pushMany() {
     const begin = performance.now();
     const mine = { walls: [], workers: [], left: team, farthest: seen.farthest_mm, direction: seen.direction };
     many = mine;
-    $('push-many').hidden = true;
+    $('push-many').hidden = $('csv-many').hidden = true;
     $('stop-many').hidden = $('progress-many').hidden = $('many-pictures').hidden = false;
     $('progress-many').value = 0;
     for (let i = 0; i < team; ++i)
@@ -318,6 +318,7 @@ function pushMany() {
                     } else if (--mine.left === 0) {
                         endMany();
                         const seconds = (performance.now() - begin) / 1e3;
+                        $('csv-many').hidden = false;
                         document.documentElement.dataset.manySeconds = seconds.toFixed(1);
                         $('status-many').textContent = `${mine.walls.length} walls in ${seconds.toFixed(0)} s on ${team} ${team > 1 ? 'cores' : 'core'}`;
                         showMany();
@@ -342,7 +343,8 @@ function showMany() {
     drawChart($('many-curves'), { x: { title: 'displacement of the top [mm]', most: many.farthest }, y: { title: 'force [kN]', most: 1.05 * Math.max(1, ...read.map((w) => w.peak_kN)) }, lines });
     const index = Number($('limit').value || 0);
     const limits = read.map((w) => w.limits[index]).filter((l) => l && l.reading !== 'not defined');
-    const drifts = { observed: limits.filter((l) => l.reading === 'observed').map((l) => l.drift_percent), censored: limits.filter((l) => l.reading === 'censored').map((l) => l.drift_percent) };
+    const driftsOf = (holds) => limits.filter(holds).map((l) => l.drift_percent);
+    const drifts = { observed: driftsOf((l) => l.reading === 'observed' && !l.capped), censored: driftsOf((l) => l.reading === 'censored'), capped: driftsOf((l) => l.reading === 'observed' && l.capped) };
     const fit = limits.length > 0 ? engine.fit(drifts) : { reason: 'no wall was read yet' };
     const points = fit.points ?? [];
     const most = Math.max(0.1, fit.end ?? 0) * 1.05;
@@ -366,7 +368,7 @@ function showMany() {
     });
     const failed = many.walls.length - read.length;
     const name = $('limit').selectedOptions[0]?.textContent ?? '';
-    $('fragility-text').textContent = `${name}: ${fit.points ? `median drift ${digits(fit.median_percent)} %, scatter ${digits(fit.dispersion, 2)}; steps: as counted; band: 95 %` : `no law: ${fit.reason ?? fit.error}`}; ${drifts.observed.length} reached it, ${drifts.censored.length} not${failed ? `; ${failed} walls failed` : ''}`;
+    $('fragility-text').textContent = `${name}: ${fit.points ? `median drift ${digits(fit.median_percent)} %, scatter ${digits(fit.dispersion, 2)}; steps: as counted; band: 95 %` : `no law: ${fit.reason ?? fit.error}`}; ${drifts.observed.length + drifts.capped.length} reached it, ${drifts.censored.length} not${failed ? `; ${failed} walls failed` : ''}`;
 }
 
 /* ---- what is taken away ---- */

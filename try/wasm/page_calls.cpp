@@ -174,7 +174,7 @@ const char* walls(const char* text, std::size_t size, int first, int step)
     });
 }
 
-/// Fragility curve of the drifts of walls: {"observed": [...], "censored": [...]} in percent.
+/// Fragility curve of the drifts of walls, as page::fit_json takes them.
 DRYSTONE_EXPORT(fit) const char* fit(const char* text, std::size_t size)
 {
     return answered([&] { return page::fit_json(app::json_of({text, size})); });

@@ -12,6 +12,7 @@
 #include "dem/scene/snapshot_reading.hpp"
 #include "fragility/fragility_curve.hpp"
 #include "fragility/kaplan_meier.hpp"
+#include "fragility/limit_states.hpp"
 
 #include <algorithm>
 #include <array>
@@ -169,6 +170,7 @@ Json limits_json(const app::Study& study, const app::WallReading& reading, doubl
                         {"displacement_mm", app::or_null(limit.displacement, 1e3)},
                         {"drift_percent", app::or_null(drift(limit, height))},
                         {"reading", name(limit.reading)},
+                        {"capped", is_capped(limit)},
                         {"reason", limit.reason}});
     }
     return list;
@@ -194,6 +196,10 @@ Json fit_json(const Json& drifts)
     std::vector<fragility::Observation> walls;
     for (const Json& x : drifts.at("observed")) walls.push_back(fragility::observed(x));
     for (const Json& x : drifts.at("censored")) walls.push_back(fragility::right_censored(x));
+    for (const Json& x : drifts.at("capped")) {
+        walls.push_back(fragility::observed(x));
+        walls.back().capped = true;
+    }
     Json j = {{"walls", walls.size()}};
     if (walls.empty()) return {{"reason", "no wall was read"}};
     const fragility::KaplanMeier seen = fragility::kaplan_meier(walls);

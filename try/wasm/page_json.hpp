@@ -36,7 +36,7 @@ namespace page {
                                   const app::PushedWall& wall);
 
 /// A lognormal law with its band, and the shares of walls without a law.
-/// @param drifts {"observed": [...], "censored": [...]} [%]
+/// @param drifts {"observed": [...], "censored": [...], "capped": [...]} [%]
 [[nodiscard]] app::Json fit_json(const app::Json& drifts);
 
 } // namespace page
