@@ -1,7 +1,7 @@
 // node test_module.mjs DRYSTONE FOLDER CLAIM: one claim about FOLDER/drystone.wasm. Exit 1 if it does not hold.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { kGroups, kControls, linkOf, manyText, placeOf, studyText, usualValues, valuesOfLink } from '../../try/page/study.js';
 import { openModule, valuesOf } from './module.mjs';
 import { kBrittle, kScenes } from './scenes.mjs';
@@ -13,7 +13,7 @@ const kPeaks = 1e-3; // largest difference [-]
 const kBrittlePeaks = 2e-2;
 
 function program(study, name, ...options) {
-    const place = `${folder}/scenes/${name}`;
+    const place = `${folder}/scenes/${process.pid}/${name}`;
     mkdirSync(place, { recursive: true });
     writeFileSync(`${place}/study.ini`, study);
     return { place, ...spawnSync(drystone, ['push', `${place}/study.ini`, '--out', `${place}/out`, '--quiet', ...options], { encoding: 'utf8' }) };
@@ -138,3 +138,4 @@ claims['a push tells how the wall moves'] = async () => {
 
 if (!(claim in claims)) throw new Error(`no such claim: ${claim}`);
 await claims[claim]();
+rmSync(`${folder}/scenes/${process.pid}`, { recursive: true, force: true });
