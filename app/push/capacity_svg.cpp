@@ -1,8 +1,8 @@
 #include "app/push/capacity_svg.hpp"
 
 #include "app/input/limit_state_text.hpp"
+#include "app/study/both_ways.hpp"
 #include "app/study/fragility_text.hpp"
-#include "app/study/other_way.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
 

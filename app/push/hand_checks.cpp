@@ -2,8 +2,8 @@
 
 #include "app/input/wall_geometry.hpp"
 #include "app/push/pier_table.hpp"
+#include "app/study/both_ways.hpp"
 #include "app/study/limit_choices.hpp"
-#include "app/study/other_way.hpp"
 #include "app/study/pier_remark.hpp"
 #include "app/study/solver_error.hpp"
 #include "app/text/number_text.hpp"

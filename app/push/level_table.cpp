@@ -1,9 +1,9 @@
 #include "app/push/level_table.hpp"
 
 #include "app/output/cells.hpp"
+#include "app/study/both_ways.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
-#include "app/study/other_way.hpp"
 
 #include <algorithm>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "app/input/limit_state_text.hpp"
 #include "app/push/pier_table.hpp"
+#include "app/study/both_ways.hpp"
 #include "app/study/fragility_text.hpp"
-#include "app/study/other_way.hpp"
 
 #include <algorithm>
 #include <string>

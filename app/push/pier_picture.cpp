@@ -2,8 +2,8 @@
 
 #include "app/input/wall_geometry.hpp"
 #include "app/output/svg_elements.hpp"
+#include "app/study/both_ways.hpp"
 #include "app/study/fragility_text.hpp"
-#include "app/study/other_way.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/touching.hpp"
 

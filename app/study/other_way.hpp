@@ -3,6 +3,7 @@
 /// outputs say of it stands here.
 
 #include "app/sampling/wall_draw.hpp"
+#include "app/study/both_ways.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/study/study_walls.hpp"
 #include "dem/block/model.hpp"
@@ -13,25 +14,6 @@
 #include <vector>
 
 namespace app {
-
-/// Whether the push goes one way and the wall is not symmetric.
-[[nodiscard]] bool has_other_way(const Study& study, const dem::Layout& layout);
-
-/// "right" of 1, "left" of -1
-[[nodiscard]] const char* way_name(int direction);
-
-/// nullptr where the wall was pushed one way alone.
-[[nodiscard]] const PushedWall* other_way_of(const PushedWall& wall);
-
-/// The smaller of each number of both directions; the reading of the wall itself where it was
-/// pushed one way, or one of them cannot be read.
-[[nodiscard]] WallReading worse_way(const PushedWall& wall);
-
-/// The direction whose limit is the one of worse_way(): "left", "right", or "both" where they
-/// are the same.
-/// @param state index in WallReading::limits
-[[nodiscard]] std::string worse_way_name(const Study& study, const PushedWall& wall,
-                                         std::size_t state);
 
 /// Acts of those who watch a push.
 struct OtherWayWatch {
@@ -62,11 +44,6 @@ class OtherWay {
     int threads_left_;
     std::future<std::vector<PushedWall>> walls_; ///< not valid where nothing is pushed
 };
-
-/// Says what a wall carries each way, or how to find out, without a full stop. Empty where
-/// there is no other way.
-[[nodiscard]] std::string other_way_remark(const Study& study, const dem::Layout& layout,
-                                           const PushedWall& wall);
 
 /// The sentence for a study, whose walls are pushed one way. Empty where there is no other way.
 [[nodiscard]] std::string other_way_remark(const StudyWalls& walls);

@@ -257,10 +257,4 @@ const char* mode_name(int mode)
     return mode == kAllModes ? "all" : name(static_cast<dem::FailureMode>(mode)).data();
 }
 
-std::string stress_text(double stress)
-{
-    const std::string all = number(stress / 1e6, 12), two = fixed(stress / 1e6, 2);
-    return (number(std::stod(two), 12) == all ? two : all) + " MPa";
-}
-
 } // namespace app

@@ -8,6 +8,7 @@
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
 #include "app/study/stored_input.hpp"
+#include "app/study/stress_text.hpp"
 #include "fragility/cyclic_curve.hpp"
 
 #include <filesystem>
@@ -122,8 +123,5 @@ using WallList = std::vector<const StudyWall*>;
 
 /// Lines for people: walls that failed, by reason, with the first of them; walls still to run.
 [[nodiscard]] std::string trouble_text(const StudyWalls& walls);
-
-/// "0.75 MPa"; two decimals where they are exact.
-[[nodiscard]] std::string stress_text(double stress);
 
 } // namespace app

@@ -2,7 +2,8 @@
 /// A processor register of doubles, one wall per lane. The laws and the solver are written
 /// once, over Real = double or Pack. The build uses -ffp-contract=off, so multiply_add is the
 /// only place where a product and a sum are rounded once, and every register width and compiler
-/// gives the same bits.
+/// gives the same bits. WebAssembly has no fused multiply-add, and in software one push takes
+/// twelve times as long: there product and sum are rounded each, and the last digits differ.
 
 #include <cmath>
 #include <cstdint>
@@ -78,6 +79,8 @@ class Pack {
         return Pack(fused(a.v_, b.v_, c.v_));
 #elif defined(__FMA__)
         return Pack(fused(a.v_, b.v_, c.v_));
+#elif defined(__wasm__)
+        return a * b + c;
 #else
         for (int i = 0; i < kLanes; ++i) c.v_[i] = std::fma(a.v_[i], b.v_[i], c.v_[i]);
         return c;
@@ -138,7 +141,11 @@ class Pack {
 
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
 inline bool any(bool mask) { return mask; }
+#if defined(__wasm__)
+inline double multiply_add(double a, double b, double c) { return a * b + c; }
+#else
 inline double multiply_add(double a, double b, double c) { return std::fma(a, b, c); }
+#endif
 using std::sqrt; // exact to the last bit, as that of Pack
 
 /// b where it is smaller, else a.

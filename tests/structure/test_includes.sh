@@ -42,11 +42,12 @@ declare -A knows=(
     [app/report]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/surrogate]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
     [app/fragility]="app/text dem/ fragility ground uq/ app app/reading app/store app/input app/output app/sampling app/study"
+    [try/wasm]="app/text app/drawing dem/ fragility app/reading app/input app/sampling app/study app/push"
     [python/src]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/shake app/study app/push app/fragility"
 )
 
 broken=0
-for folder in dem dem/*/ fragility ground uq uq/*/ app/*/ python/src; do
+for folder in dem dem/*/ fragility ground uq uq/*/ app/*/ python/src try/wasm; do
     folder=${folder%/}
     compgen -G "$folder/*.?pp" >/dev/null || continue
     if [[ -z ${knows[$folder]+listed} ]]; then

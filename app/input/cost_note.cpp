@@ -1,0 +1,51 @@
+#include "app/input/key_effects.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/text/number_text.hpp"
+#include "dem/block/build_cost.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+/// The memory that this process may have [bytes].
+double memory()
+{
+    const double whole = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    rlimit allowed{};
+    if (getrlimit(RLIMIT_AS, &allowed) != 0 || allowed.rlim_cur == RLIM_INFINITY) return whole;
+    return std::min(whole, static_cast<double>(allowed.rlim_cur));
+}
+
+std::string gigabytes(double bytes) { return fixed(std::max(bytes, 1e8) / 1e9, 1) + " GB"; }
+
+} // namespace
+
+std::string cost_note(const Study& study, Purpose purpose)
+{
+    constexpr double kSeconds = 10.0, kBytes = 1e9, kMinute = 60.0;
+    const dem::BuildCost c = dem::build_cost(layout_of(study), study.discretisation);
+    const std::string time = c.seconds < kMinute ? fixed(std::max(c.seconds, 1.0), 0) + " s"
+                                                 : fixed(c.seconds / kMinute, 0) + " min";
+    const std::string text = "about " + time + " and " + gigabytes(c.bytes);
+    const bool beam = c.beam && study.beam.height > wall_length(study);
+    const std::string less =
+        beam ? "a beam that is less high, longer units or fewer solver.contact_points cost less"
+             : "fewer solver.contact_points or solver.zones_per_interval, or units with a "
+               "larger length-to-height ratio, cost less";
+    const double available = memory();
+    if (c.bytes > available && purpose == Purpose::push)
+        throw error_at(study.source, beam ? "beam.height" : "solver.contact_points",
+                       std::string(beam ? "the beam" : "the blocks") + " would take " + text +
+                           " before the push begins, more than the " + gigabytes(available) +
+                           " there are; " + less);
+    if (c.seconds < kSeconds && c.bytes < kBytes) return "";
+    return "note: making the blocks takes " + text + " before the push begins; " + less + "\n";
+}
+
+} // namespace app

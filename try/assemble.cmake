@@ -1,0 +1,28 @@
+cmake_minimum_required(VERSION 3.25)
+# One page of the module and the scripts: cmake -D WASM=drystone.wasm -D FOLDER=try/page -D VERSION=0.2.0 -D OUT=index.html -P assemble.cmake
+# Scripts become one in the order given: their imports are dropped and "export" is taken off.
+function(joined result)
+    set(all "'use strict';\n")
+    foreach(file IN LISTS ARGN)
+        file(READ ${FOLDER}/${file} text)
+        string(REGEX REPLACE "(^|\n)import [^\n]*" "\\1" text "${text}")
+        string(REGEX REPLACE "(^|\n)export " "\\1" text "${text}")
+        string(APPEND all "${text}")
+    endforeach()
+    set(${result} "${all}" PARENT_SCOPE)
+endfunction()
+
+execute_process(COMMAND gzip -9nc ${WASM} COMMAND base64 -w0 OUTPUT_VARIABLE module COMMAND_ERROR_IS_FATAL ANY)
+joined(worker engine.js worker.js)
+joined(script engine.js study.js wall_picture.js chart.js main.js)
+# Names of one script are not seen by another on the page.
+set(script "(() => {\n${script}})();\n")
+file(READ ${FOLDER}/style.css style)
+file(READ ${FOLDER}/page.html page)
+string(REPLACE "{{version}}" "${VERSION}" page "${page}")
+string(REPLACE "{{style}}" "${style}" page "${page}")
+string(REPLACE "{{worker}}" "${worker}" page "${page}")
+string(REPLACE "{{page}}" "${script}" page "${page}")
+string(REPLACE "{{module}}" "${module}" page "${page}")
+file(WRITE ${OUT}.part "${page}")
+file(RENAME ${OUT}.part ${OUT})
