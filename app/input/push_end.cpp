@@ -1,6 +1,7 @@
 #include "app/input/push_end.hpp"
 
 #include "app/input/limit_state_text.hpp"
+#include "app/input/study_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,12 @@ void derive_snapshots(Study& study)
     constexpr double kPictures = 100.0, kHalf = 0.5e-3; // choice; [m]
     const double apart = study.load.max_displacement / kPictures;
     study.output.snapshot_every = kHalf * std::max(1.0, std::ceil(apart / kHalf - 1e-6));
+}
+
+bool says_push_end(const Key& key)
+{
+    const auto apply = key.derived.apply;
+    return apply == derive_push_end || apply == derive_stop_below || apply == derive_snapshots;
 }
 
 } // namespace app

@@ -4,6 +4,7 @@
 
 namespace app {
 
+struct Key;
 struct Study;
 
 /// load.max_displacement of a finite push one way: a fifth of load.height. A wall as high as it
@@ -17,5 +18,9 @@ void derive_stop_below(Study& study);
 /// output.snapshot_every of a finite push one way: a hundred pictures of the way or fewer, not
 /// closer than 0.5 mm.
 void derive_snapshots(Study& study);
+
+/// Whether a key has one of these defaults. A file of results gives them as numbers: its walls
+/// were pushed so far, whatever is asked for later.
+[[nodiscard]] bool says_push_end(const Key& key);
 
 } // namespace app

@@ -6,6 +6,7 @@
 #include "app/input/limit_state_text.hpp"
 #include "app/input/material_presets.hpp"
 #include "app/input/protocol_scale.hpp"
+#include "app/input/push_end.hpp"
 #include "app/input/study_checks.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/input/unit_cracks.hpp"
@@ -161,7 +162,8 @@ std::string effective_configuration(const Study& study)
             text += (text.empty() ? "[" : "\n[") + std::string(section) + "]\n";
         }
         // Read as given, a value that follows from others would no longer follow their draws.
-        const bool follows = !study.random.empty() && is_derived(key, study);
+        const bool follows =
+            !study.random.empty() && is_derived(key, study) && !says_push_end(key);
         // Nor may the law of closure stand beside the moduli to which it is fitted.
         const bool fitted =
             entry == nullptr && is_fitted_closure(study) &&

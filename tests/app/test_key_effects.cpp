@@ -64,6 +64,7 @@ vertical_stress = 0.50, 1.00 MPa
 max_displacement = 2 mm
 [solver]
 fidelity = rigid
+kinematics = small
 steps_per_mm = 500
 accuracy = 50 %
 [output]
@@ -161,6 +162,7 @@ vertical_stress = 0.50 MPa
 max_displacement = 2 mm
 [solver]
 fidelity = rigid
+kinematics = small
 beam_modes = rigid
 steps_per_mm = 500
 unbalance_limit = 0
