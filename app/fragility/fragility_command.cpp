@@ -204,9 +204,6 @@ void check_lognormal(const std::vector<std::string>& overrides)
 /// Output of a study whose walls were shaken.
 FragilityOutput shaken_output(const Command& command)
 {
-    Command columns = command;
-    columns.intensity.clear(); // names a measure here
-    check_columns(columns, nullptr);
     IntensityData data =
         intensity_data(read_histories(command.study, command.overrides), command.intensity);
     if (!command.hazard.empty())
@@ -217,7 +214,12 @@ FragilityOutput shaken_output(const Command& command)
 FragilityOutput output_of(const Command& command, const FitProgress& seen)
 {
     const bool stored = is_study(command.study);
-    if (stored && holds_histories(read_head(command.study))) return shaken_output(command);
+    if (stored) {
+        Command columns = command;
+        columns.intensity.clear(); // of histories it names a measure
+        check_columns(columns, nullptr);
+        if (holds_histories(read_head(command.study))) return shaken_output(command);
+    }
     if (!command.hazard.empty())
         throw ConfigError("drystone", 0, "--hazard",
                           "gives an annual rate of walls that were shaken, and these were "

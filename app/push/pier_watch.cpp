@@ -21,11 +21,13 @@ PierWatch::PierWatch(const Study& study, std::size_t walls, dem::PushPlan& plan)
                 look(wall, shot);
                 constexpr double kRounding = 1e-9; // as dem/solver/wall_run.cpp
                 Watched& w = walls_.at(wall);
-                if (!next || every <= 0.0 ||
-                    std::abs(shot.displacement) < w.next * (1.0 - kRounding))
+                if (every <= 0.0 || std::abs(shot.displacement) < w.next * (1.0 - kRounding))
                     return;
                 w.next += every;
-                next(wall, std::move(shot));
+                if (next)
+                    next(wall, std::move(shot));
+                else
+                    w.kept.push_back(std::move(shot));
             },
         .forget =
             [this, next = plan.sink.forget](std::size_t wall) {
@@ -45,9 +47,11 @@ void PierWatch::look(std::size_t wall, const dem::Snapshot& shot)
     walls_.at(wall).history.push_back(std::move(now));
 }
 
-void PierWatch::add_to(std::size_t wall, PushedWall& pushed) const
+void PierWatch::add_to(std::size_t wall, PushedWall& pushed)
 {
-    if (probe_) read_piers(study_, *probe_, walls_.at(wall).history, pushed);
+    if (!probe_) return;
+    pushed.result.snapshots = std::move(walls_.at(wall).kept);
+    read_piers(study_, *probe_, walls_.at(wall).history, pushed);
 }
 
 } // namespace app

@@ -20,13 +20,15 @@ class PierWatch {
     PierWatch(const PierWatch&) = delete;
     PierWatch& operator=(const PierWatch&) = delete;
 
-    /// read_piers() of a wall that is pushed.
-    void add_to(std::size_t wall, PushedWall& pushed) const;
+    /// read_piers() of a wall that is pushed, and the snapshots that no sink took. Once for each
+    /// wall.
+    void add_to(std::size_t wall, PushedWall& pushed);
 
   private:
     struct Watched {
         PierHistory history;
-        double next = 0.0; ///< way to the next snapshot that is handed on [m]
+        double next = 0.0;               ///< way to the next snapshot that is handed on [m]
+        std::vector<dem::Snapshot> kept; ///< where nobody takes them
     };
     void look(std::size_t wall, const dem::Snapshot& shot);
 

@@ -55,7 +55,7 @@ Pushed push_until_told(const Study& study, dem::PushPlan plan,
                        const std::vector<WantedWall>& wanted, int threads, bool quiet)
 {
     const dem::Model model = model_of(study);
-    const PierWatch piers(study, wanted.size(), plan);
+    PierWatch piers(study, wanted.size(), plan);
     std::optional<PierWatch> other_piers;
     OtherWay other(study, model, wanted, threads,
                    {end_if_interrupted, [&](const Study& turned, dem::PushPlan& its_plan) {

@@ -29,6 +29,7 @@ inline std::vector<std::string> changed(const app::Key& key)
     default:
         if (name.starts_with("fragility.model_factor"))
             return {name + "=lognormal(median 0.8, sigma_log 0.4)"};
+        if (name.starts_with("fragility.shaken_")) return {name + "=0.7 %, 3 %"};
         if (name == "fragility.limit_states") return {name + "=ec8, paper"};
         if (name == "fragility.user_states")
             return {name + "=mine: 0.5 ultimate; far: 0.6 %",
