@@ -29,7 +29,6 @@ inline std::vector<std::string> changed(const app::Key& key)
     default:
         if (name.starts_with("fragility.model_factor"))
             return {name + "=lognormal(median 0.8, sigma_log 0.4)"};
-        if (name.starts_with("fragility.shaken_")) return {name + "=0.7 %, 3 %"};
         if (name == "fragility.limit_states") return {name + "=ec8, paper"};
         if (name == "fragility.user_states")
             return {name + "=mine: 0.5 ultimate; far: 0.6 %",
@@ -38,12 +37,20 @@ inline std::vector<std::string> changed(const app::Key& key)
     throw std::logic_error("no other value is known for " + name);
 }
 
-/// One list of overrides for each key.
+inline bool is_of_shaken_walls(const app::Key& key)
+{
+    app::Study pushed, shaken;
+    shaken.shaking.records = "a.csv";
+    return is_used(key, shaken) && !is_used(key, pushed);
+}
+
+/// One list of overrides for each key that a push reads.
 inline std::vector<std::vector<std::string>> changed_fragility_keys()
 {
     std::vector<std::vector<std::string>> all;
     for (const app::Key& key : app::study_keys())
-        if (app::section_of(key.name) == "fragility") all.push_back(changed(key));
+        if (app::section_of(key.name) == "fragility" && !is_of_shaken_walls(key))
+            all.push_back(changed(key));
     return all;
 }
 

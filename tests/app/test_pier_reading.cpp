@@ -60,7 +60,7 @@ app::PushedWall pushed(const app::Study& study)
     const dem::Model model = app::model_of(study);
     dem::PushPlan plan = app::push_plan(study);
     plan.snapshot_every = 0.0;
-    const app::PierWatch watch(study, 1, plan);
+    app::PierWatch watch(study, 1, plan);
     app::PushedWall wall;
     app::PushList list;
     list.size = 1;
