@@ -30,6 +30,11 @@ bool both_are_read(const PushedWall& wall)
     return other != nullptr && other->reading.peak && wall.reading.peak;
 }
 
+bool same(const fragility::LimitDisplacement& a, const fragility::LimitDisplacement& b)
+{
+    return a.displacement == b.displacement && a.reading == b.reading;
+}
+
 } // namespace
 
 std::string turned_word(const Study& study)
@@ -67,18 +72,21 @@ WallReading worse_way(const PushedWall& wall)
     return worse;
 }
 
+const PushedWall& worse_push(const PushedWall& wall, std::size_t state)
+{
+    if (!both_are_read(wall)) return wall;
+    const PushedWall& other = wall.other_way.front();
+    const fragility::LimitDisplacement& own = wall.reading.limits.at(state);
+    return same(own, fragility::worse(own, other.reading.limits.at(state))) ? wall : other;
+}
+
 std::string worse_way_name(const Study& study, const PushedWall& wall, std::size_t state)
 {
+    if (both_are_read(wall) &&
+        same(wall.reading.limits.at(state), wall.other_way.front().reading.limits.at(state)))
+        return "both";
     const int direction = push_way(study).direction;
-    if (!both_are_read(wall)) return way_name(direction);
-    const fragility::LimitDisplacement &own = wall.reading.limits.at(state),
-                                       &other = wall.other_way.front().reading.limits.at(state),
-                                       worse = fragility::worse(own, other);
-    const auto is_worse = [&](const fragility::LimitDisplacement& d) {
-        return d.displacement == worse.displacement && d.reading == worse.reading;
-    };
-    if (is_worse(own) && is_worse(other)) return "both";
-    return way_name(is_worse(own) ? direction : -direction);
+    return way_name(&worse_push(wall, state) == &wall ? direction : -direction);
 }
 
 std::string other_way_remark(const Study& study, const dem::Layout& layout,

@@ -21,6 +21,10 @@ namespace app {
 /// pushed one way, or one of them cannot be read.
 [[nodiscard]] WallReading worse_way(const PushedWall& wall);
 
+/// The push whose limit is the one of worse_way(): this one where both reach it together.
+/// @param state index in WallReading::limits
+[[nodiscard]] const PushedWall& worse_push(const PushedWall& wall, std::size_t state);
+
 /// The direction whose limit is the one of worse_way(): "left", "right", or "both" where they
 /// are the same.
 /// @param state index in WallReading::limits

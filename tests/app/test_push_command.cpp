@@ -358,6 +358,19 @@ TEST_CASE("push command: a push that turns back has cycles, and limit states by 
           Approx(12.0).epsilon(0.1));
 }
 
+TEST_CASE("push command: a push to and fro beyond the drift limit of a code says so",
+          "[app][push_command]")
+{
+    const scenes::TemporaryFolder folder;
+    std::vector<std::string> overrides = kCoarse;
+    overrides[3] = "load.amplitudes=2, 6 mm"; // SLC is at 5.5 mm
+    overrides[4] = "solver.accuracy=20 %";
+    REQUIRE(push("wall.ini", folder.path / "out", overrides).code == 0);
+    const std::string table = read_text(folder.path / "out" / "limit_states.csv");
+    CHECK_THAT(table, Catch::Contains("governed by the code's drift limit"));
+    CHECK_THAT(table, !Catch::Contains("pier"));
+}
+
 TEST_CASE(
     "push command: stress levels that differ in the third place have folders of their own",
     "[app][push_command]")

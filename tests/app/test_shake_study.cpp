@@ -148,11 +148,9 @@ TEST_CASE(
     const app::StoredHistories all = app::read_histories(study.path / "one.h5");
     CHECK(all.records.size() == 3);
     std::set<std::vector<std::size_t>> seen;
-    std::size_t fell = 0;
     for (const app::StoredHistory& h : all.levels.front().histories) {
         CHECK_FALSE(h.failed);
         seen.insert({h.wall, h.record, h.intensity});
-        fell += h.fell ? 1 : 0;
         const double pga = h.measures.front() / 9.80665;
         CHECK(pga == Approx(std::vector{0.3, 0.6, 0.9}.at(h.intensity)));
     }
