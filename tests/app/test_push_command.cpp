@@ -363,7 +363,7 @@ TEST_CASE("push command: a push to and fro beyond the drift limit of a code says
 {
     const scenes::TemporaryFolder folder;
     std::vector<std::string> overrides = kCoarse;
-    overrides[3] = "load.amplitudes=2, 6 mm"; // SLC is at 5.5 mm
+    overrides[3] = "load.amplitudes=3, 12 mm"; // a wall that rocks has SLC at 11 mm
     overrides[4] = "solver.accuracy=20 %";
     REQUIRE(push("wall.ini", folder.path / "out", overrides).code == 0);
     const std::string table = read_text(folder.path / "out" / "limit_states.csv");
