@@ -20,7 +20,7 @@ class PierWatch {
     PierWatch(const PierWatch&) = delete;
     PierWatch& operator=(const PierWatch&) = delete;
 
-    /// read_piers() of a wall that is pushed, and the snapshots that no sink took. Once for each
+    /// read_piers() of a wall that is pushed, and the snapshots that no sink took. Once for a
     /// wall.
     void add_to(std::size_t wall, PushedWall& pushed);
 
