@@ -2,9 +2,9 @@
 
 #include "app/input/wall_geometry.hpp"
 #include "app/output/progress.hpp"
-#include "app/push/pier_watch.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/other_way.hpp"
+#include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <iostream>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -56,11 +55,7 @@ Pushed push_until_told(const Study& study, dem::PushPlan plan,
 {
     const dem::Model model = model_of(study);
     PierWatch piers(study, wanted.size(), plan);
-    std::optional<PierWatch> other_piers;
-    OtherWay other(study, model, wanted, threads,
-                   {end_if_interrupted, [&](const Study& turned, dem::PushPlan& its_plan) {
-                        other_piers.emplace(turned, wanted.size(), its_plan);
-                    }});
+    OtherWay other(study, model, wanted, threads, end_if_interrupted);
     std::vector<PushedWall> walls(wanted.size());
     Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
     std::mutex mutex;
@@ -89,8 +84,6 @@ Pushed push_until_told(const Study& study, dem::PushPlan plan,
     } catch (const Interrupted&) {
         return {std::move(walls), true, true};
     }
-    for (std::size_t i = 0; other_piers && i < walls.size(); ++i)
-        if (!walls[i].other_way.empty()) other_piers->add_to(i, walls[i].other_way.front());
     line.finish("");
     return {std::move(walls), true};
 }

@@ -3,6 +3,7 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/interrupt.hpp"
+#include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
 #include "dem/block/contact_count.hpp"
 
@@ -46,15 +47,15 @@ bool goes_both_ways(const Study& study, const dem::Layout& layout)
 
 std::vector<PushedWall> push_other_way(const Study& study, const dem::Model& model,
                                        const std::vector<WantedWall>& wanted, int threads,
-                                       const OtherWayWatch& watch)
+                                       const std::function<void()>& look)
 {
     const Study other = turned_round(study);
     dem::PushPlan plan = push_plan(other);
     plan.snapshot_every = 0.0;
-    if (watch.prepare) watch.prepare(other, plan);
+    PierWatch piers(other, wanted.size(), plan);
     plan.progress = [&](double, double, double) {
         if (interrupted()) throw Interrupted();
-        if (watch.look) watch.look();
+        if (look) look();
     };
     std::vector<PushedWall> walls(wanted.size());
     PushList list;
@@ -66,21 +67,23 @@ std::vector<PushedWall> push_other_way(const Study& study, const dem::Model& mod
     std::optional<dem::Model> own; // a toe that is held changes sides
     if (other.wall != study.wall) own = model_of(other);
     push_walls(other, own ? *own : model, plan, list, threads);
+    for (std::size_t i = 0; i < walls.size(); ++i) piers.add_to(i, walls[i]);
     return walls;
 }
 
 } // namespace
 
 OtherWay::OtherWay(const Study& study, const dem::Model& model,
-                   const std::vector<WantedWall>& wanted, int threads, OtherWayWatch watch)
+                   const std::vector<WantedWall>& wanted, int threads,
+                   std::function<void()> look)
     : threads_left_(threads)
 {
     if (!goes_both_ways(study, model.layout)) return;
     const int half = std::max(1, threads / 2);
     threads_left_ = std::max(1, threads - half);
     walls_ = std::async(threads > 1 ? std::launch::async : std::launch::deferred,
-                        [&study, &model, &wanted, half, watch = std::move(watch)] {
-                            return push_other_way(study, model, wanted, half, watch);
+                        [&study, &model, &wanted, half, look = std::move(look)] {
+                            return push_other_way(study, model, wanted, half, look);
                         });
 }
 

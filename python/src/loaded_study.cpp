@@ -3,8 +3,8 @@
 #include "app/input/option.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
-#include "app/push/pier_watch.hpp"
 #include "app/study/other_way.hpp"
+#include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_file_head.hpp"
 #include "python/src/beside_python.hpp"
@@ -113,23 +113,17 @@ std::vector<app::PushedWall> push_beside_python(LoadedStudy& study,
             walls[i] = std::move(wall);
         };
         const int all = threads > 0 ? threads : app::default_threads();
-        std::optional<app::PierWatch> piers, other_piers;
-        std::optional<app::OtherWay> other; // of one wall, as `drystone push` does
+        std::optional<app::PierWatch> piers; // of one wall, as `drystone push` does
+        std::optional<app::OtherWay> other;
         if (wanted.size() == 1) {
             piers.emplace(study.source.study, 1, plan);
-            other.emplace(
-                study.source.study, model, wanted, all,
-                app::OtherWayWatch{[&] { python.end_if_asked(); },
-                                   [&](const app::Study& turned, dem::PushPlan& its_plan) {
-                                       other_piers.emplace(turned, 1, its_plan);
-                                   }});
+            other.emplace(study.source.study, model, wanted, all,
+                          [&] { python.end_if_asked(); });
         }
         app::push_walls(study.source.study, model, plan, list,
                         other ? other->threads_left() : all);
         if (piers) piers->add_to(0, walls.front());
         if (other) other->add_to(walls);
-        if (other_piers && !walls.front().other_way.empty())
-            other_piers->add_to(0, walls.front().other_way.front());
     });
     return walls;
 }

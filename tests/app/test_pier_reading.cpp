@@ -3,7 +3,7 @@
 #include "app/push/limit_table.hpp"
 #include "app/push/pier_picture.hpp"
 #include "app/push/pier_table.hpp"
-#include "app/push/pier_watch.hpp"
+#include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/wall_openings.hpp"
 #include "dem/block/model.hpp"

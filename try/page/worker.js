@@ -1,4 +1,4 @@
-// What runs beside the page. The page ends it to stop it.
+// The worker computes beside the page, which ends it to stop a push.
 import { openEngine } from './engine.js';
 
 self.onmessage = async ({ data }) => {

@@ -1,4 +1,4 @@
-#include "app/push/pier_watch.hpp"
+#include "app/study/pier_watch.hpp"
 
 #include "app/input/wall_geometry.hpp"
 #include "app/study/wall_openings.hpp"
