@@ -52,9 +52,14 @@ try_or_shipped() { # $1: compiler, $2: flags, $3: the package's name for this in
     if [[ -z $package ]]; then
         try "$1" "$2"
     else
-        output=$("$package/packaging/curve_hash-$3") || output=''
+        wait "${shipped[$3]}" && output=$(<"$builds/$3") || output=''
         judge "the package's $3" "$begin" "$output"
     fi
+}
+
+start_shipped() { # $1: the package's name for an instruction set; runs beside the builds
+    "$package/packaging/curve_hash-$1" >"$builds/$1" &
+    shipped[$1]=$!
 }
 
 skip() { # $1: what, $2: why
@@ -62,8 +67,12 @@ skip() { # $1: what, $2: why
     row "$1" - - - - - "did not run: $2"
 }
 
+declare -A shipped=()
 if [[ -n $package ]]; then
     ninja -C "$package" curve_hashes >"$builds/log" 2>&1 || { tail -n 20 -- "$builds/log" && exit 1; }
+    start_shipped v1
+    ! runs avx2 fma || start_shipped v3
+    ! runs avx512f avx512dq avx512vl avx512bw avx512cd || start_shipped v4
 fi
 row compiler lanes packs scalar rubble seconds ''
 try_or_shipped g++ '-O2 -march=x86-64' v1 # no multiply-add instruction

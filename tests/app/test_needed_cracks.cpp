@@ -34,7 +34,7 @@ double peak(const app::Study& study)
 } // namespace
 
 TEST_CASE("needed cracks: the toe of a rocking wall, and the same answer as with all",
-          "[app][cracks]")
+          "[app][cracks][slow]")
 {
     const app::Study needed = wall_with("needed");
     const dem::Layout some = app::layout_of(needed),

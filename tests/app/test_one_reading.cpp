@@ -118,7 +118,7 @@ void check_push(const Outputs& o)
 } // namespace
 
 TEST_CASE("one reading: with any key of [fragility] every output has the same numbers",
-          "[app][one_reading]")
+          "[app][one_reading][slow]")
 {
     const scenes::TemporaryFolder folder;
     const auto file = folder.path / "study.h5";

@@ -164,7 +164,7 @@ TEST_CASE("reliability: Sobol' indices of another program are those of the close
 }
 
 TEST_CASE("reliability: no method asks for more evaluations than its budget",
-          "[app][reliability]")
+          "[app][reliability][slow]")
 {
     const Script script;
     const std::string method = GENERATE("monte_carlo", "form", "importance", "subset", "sobol");

@@ -399,7 +399,7 @@ double rocking_force(Closure closure, double load, double rotation)
 } // namespace
 
 TEST_CASE("closure: a rocking block on a joint that closes, against quadrature",
-          "[dem][closure]")
+          "[dem][closure][slow]")
 {
     const Closure closure = GENERATE(Closure::hyperbolic, Closure::exponential);
     const double to = GENERATE(0.2e-3, 0.6e-3);

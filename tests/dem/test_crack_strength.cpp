@@ -288,7 +288,7 @@ double elastic_stiffness(const CrackPattern& pattern, double joints)
 } // namespace
 
 TEST_CASE("crack strength: cracks that share the stiffness of a unit leave that of the wall",
-          "[dem][cracks]")
+          "[dem][cracks][slow]")
 {
     // With joints a hundred times as stiff it is the stone that gives way, not the joints.
     const double whole = elastic_stiffness({Kind::none}, 1.0),

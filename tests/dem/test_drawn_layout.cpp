@@ -258,7 +258,7 @@ TEST_CASE(
 }
 
 TEST_CASE("drawn layout: a semicircular arch stands from a thickness of 0.1075 radii on",
-          "[dem][drawn_layout]")
+          "[dem][drawn_layout][slow]")
 {
     // Milankovitch (1907); Heyman's approximation is 0.1059. The load factor that it can carry
     // falls to zero there, linearly.
@@ -270,7 +270,7 @@ TEST_CASE("drawn layout: a semicircular arch stands from a thickness of 0.1075 r
 
 TEST_CASE("drawn layout: an arch of least thickness hinges at its crown, its haunch and its "
           "springings",
-          "[dem][drawn_layout]")
+          "[dem][drawn_layout][slow]")
 {
     // Milankovitch's thrust line touches the back at the crown and the springings, and the
     // belly 54.48 degrees from the crown. Pushed, the arch needs four of these five hinges:

@@ -189,7 +189,7 @@ struct OnElasticJoint {
 TEST_CASE(
     "finite block: an elastic joint without tension and P-delta have their peak where theory "
     "has it",
-    "[dem][finite]")
+    "[dem][finite][slow]")
 {
     const auto c =
         GENERATE(values<OnElasticJoint>({{30e3, 5.87e9}, {100e3, 8.08e9}, {250e3, 13.03e9}}));

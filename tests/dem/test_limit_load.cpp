@@ -61,7 +61,7 @@ double plateau(const scenes::Scene& s)
 
 TEST_CASE("limit load: a rocking block on an elastic joint carries N (L/2 - c/3)/h, c its "
           "compressed length",
-          "[dem][limit_load]")
+          "[dem][limit_load][slow]")
 {
     const double stress = GENERATE(0.15e6, 0.5e6, 1.25e6), displacement = GENERATE(4e-3, 16e-3);
     const double kn = 1e10, length = 1.0, height = 1.0, t = 0.2;
@@ -89,7 +89,7 @@ TEST_CASE("limit load: a rocking block on an elastic joint carries N (L/2 - c/3)
 }
 
 TEST_CASE("limit load: the paper's wall stays under the monolithic rocking and sliding bounds",
-          "[dem][limit_load]")
+          "[dem][limit_load][slow]")
 {
     // Problem 19: (N + W) L / (2 h) and mu (N + W), W = 5.297 kN.
     const auto [load, rocking, sliding] =

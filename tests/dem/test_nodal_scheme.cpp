@@ -48,7 +48,7 @@ dem::PushResult modes(const dem::Model& m, const dem::WallMaterials& w, double m
 } // namespace
 
 TEST_CASE("nodal scheme: before anything breaks it answers as dem::push does, to 0.1 %",
-          "[bench][nodal_scheme]")
+          "[bench][nodal_scheme][slow]")
 {
     const double stress = GENERATE(0.15, 0.50);
     const dem::Model m = coarse_wall(stress);

@@ -49,7 +49,7 @@ dem::PushPlan to(std::vector<double> targets)
 
 TEST_CASE(
     "push: the energy ledger closes within 0.5 % of the work, whatever the law and the damping",
-    "[dem][push]")
+    "[dem][push][slow]")
 {
     dem::SolverOptions o;
     o.law = GENERATE(dem::ContactLaw::coupled, dem::ContactLaw::uncoupled);

@@ -13,7 +13,7 @@ slurm_ready || exit 77
 work=$(mktemp -d)
 trap 'stop_cluster; rm -rf -- "$work"' EXIT
 study=$here/../study/small.ini
-size=(--set uq.samples=1200)
+size=(--set uq.samples=600)
 
 "$program" study "$study" --out "$work/whole.h5" --quiet "${size[@]}" >/dev/null
 "$program" study "$study" --out "$work/array.h5" "${size[@]}" --threads 1 --shard '*/4' \
@@ -26,7 +26,10 @@ for _ in {1..600}; do # until a shard on the first node has walls
 done
 kill_node 1
 echo "node 1 killed; running before: $(squeue -h -t R | wc -l)"
-sleep 12 # longer than SlurmdTimeout: the controller gives the node up and requeues
+for _ in {1..600}; do # until the controller gives the node up and requeues
+    [[ $(sinfo -h -N -n n1 -o %T) == down* ]] && break
+    sleep 0.1
+done
 start_node 1
 for _ in {1..600}; do
     [[ -n $(squeue -h) ]] || break

@@ -34,10 +34,10 @@ refused() { # $1: exit code; $2: part of what is said; then the command
     grep -qF -- "$2" "$work/said" || fail "not said: $2; but: $(cat "$work/said")"
 }
 
-claim_thirty_kills_and_as_many_resumes_change_no_bit() {
+claim_twelve_kills_and_as_many_resumes_change_no_bit() {
     local kills=0 code size=(--set uq.samples=1500 --set uq.audit=50 --threads 2)
     study whole "${size[@]}"
-    while ((kills < 30)); do
+    while ((kills < 12)); do
         "$program" study "$here/small.ini" --out "$work/killed.h5" --quiet "${size[@]}" >/dev/null &
         sleep "0.$((RANDOM % 4))$((RANDOM % 10))"
         kill -KILL $! 2>/dev/null || :

@@ -104,7 +104,7 @@ TEST_CASE("regression: correlated inputs are told apart", "[uq][regression]")
 }
 
 TEST_CASE("regression: intervals hold the truth as often as they say, asymptotic and bootstrap",
-          "[uq][regression]")
+          "[uq][regression][slow]")
 {
     const std::size_t bootstrap = GENERATE(0u, 200u);
     const int studies = bootstrap == 0 ? 3000 : 600;
