@@ -2,6 +2,7 @@
 /// truth, on synthetic studies; writes docs/bench/intensity_coverage.md.
 
 #include "bench/report.hpp"
+#include "core/interval.hpp"
 
 #include "fragility/bootstrap_random.hpp"
 #include "fragility/intensity_fit.hpp"
@@ -61,7 +62,7 @@ struct Tally {
     double width = 0.0;
 };
 
-bool holds(const Interval& i, double x) { return i.lower <= x && x <= i.upper; }
+bool holds(const core::Interval& i, double x) { return i.lower <= x && x <= i.upper; }
 
 Tally tally(const Design& d, IntensityMethod method, int studies)
 {

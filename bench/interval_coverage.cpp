@@ -2,6 +2,7 @@
 /// 60 % right-censored; writes docs/bench/interval_coverage.md.
 
 #include "bench/report.hpp"
+#include "core/interval.hpp"
 
 #include "fragility/fit_intervals.hpp"
 #include "tests/fragility/fit_data.hpp"
@@ -36,7 +37,7 @@ using Tallies = std::array<std::array<Tally, kKinds.size()>, kQuantities.size()>
 
 /// The interval that the profile likelihood is compared with: 1.96 standard errors on the axis
 /// that suits the quantity.
-Interval wald_interval(const Fit& fit, Quantity q)
+core::Interval wald_interval(const Fit& fit, Quantity q)
 {
     constexpr double kHalf = 1.959963984540054; // of 95 %
     const Uncertain u = uncertain(fit, q);
@@ -45,7 +46,7 @@ Interval wald_interval(const Fit& fit, Quantity q)
     return {u.value - half, u.value + half, 0.95};
 }
 
-void note(Tally& t, const Interval& i, double truth)
+void note(Tally& t, const core::Interval& i, double truth)
 {
     ++t.asked;
     t.held += i.lower <= truth && truth <= i.upper;

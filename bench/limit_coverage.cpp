@@ -2,6 +2,7 @@
 /// writes docs/bench/limit_coverage.md.
 
 #include "bench/report.hpp"
+#include "core/interval.hpp"
 
 #include "fragility/goodness_of_fit.hpp"
 #include "fragility/limit_quantiles.hpp"
@@ -21,7 +22,7 @@ namespace {
 using namespace fragility;
 
 constexpr std::size_t kSamples = 199; ///< behind a p-value; the program draws 1000
-constexpr double kNowhere = kInfinity;
+constexpr double kNowhere = core::kInfinity;
 
 /// Which mode a wall is said to have.
 enum class Modes {
@@ -109,7 +110,7 @@ bool rejected(const std::vector<Observation>& data, std::uint64_t which)
 struct Tally {
     int held = 0, asked = 0, one_sided = 0;
     double width = 0.0, true_width = 0.0;
-    void note(double x, const Interval& i)
+    void note(double x, const core::Interval& i)
     {
         ++asked;
         held += i.lower <= x && x <= i.upper;
@@ -146,7 +147,7 @@ Tallies tally(const Design& d, int studies)
             if (limits.at.empty()) continue;
             const LimitQuantile& l = limits.at[q];
             t.after[q].note(x[q], l.interval);
-            const Interval best =
+            const core::Interval best =
                 d.heaps.size() > 1 ? ideal[q].interval : law.drifts[q].interval;
             if (std::isfinite(l.interval.upper) && std::isfinite(best.upper) && l.value) {
                 t.after[q].width += l.interval.upper - l.interval.lower;

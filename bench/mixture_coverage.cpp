@@ -2,9 +2,10 @@
 /// writes docs/bench/mixture_coverage.md.
 
 #include "bench/report.hpp"
+#include "core/interval.hpp"
 
+#include "core/sample_quantile.hpp"
 #include "fragility/fragility_curve.hpp"
-#include "fragility/sample_quantile.hpp"
 #include "tests/fragility/fit_data.hpp"
 
 #include <algorithm>
@@ -105,9 +106,10 @@ std::vector<ModeGroup> redrawn(const std::vector<ModeGroup>& modes, std::uint64_
 
 /// Percentiles of resampled mixtures, widened upwards by what is unknown of modes without a
 /// fit. Resamples that lack a fit which the data allow are left out.
-std::vector<Interval> bootstrap_bands(const std::vector<ModeGroup>& modes, const Mixture& whole,
-                                      const std::vector<double>& drifts, std::uint64_t study,
-                                      std::size_t replicates)
+std::vector<core::Interval> bootstrap_bands(const std::vector<ModeGroup>& modes,
+                                            const Mixture& whole,
+                                            const std::vector<double>& drifts,
+                                            std::uint64_t study, std::size_t replicates)
 {
     const auto fitted = [](const Mixture& m) {
         return std::ranges::count(m.fits, FitOutcome::converged, &Fit::outcome);
@@ -118,11 +120,11 @@ std::vector<Interval> bootstrap_bands(const std::vector<ModeGroup>& modes, const
         if (fitted(m) < fitted(whole)) continue;
         for (std::size_t i = 0; i < drifts.size(); ++i) values[i].push_back(m.points[i].least);
     }
-    std::vector<Interval> bands;
+    std::vector<core::Interval> bands;
     for (std::size_t i = 0; i < drifts.size(); ++i) {
         std::ranges::sort(values[i]);
-        bands.push_back(
-            {sample_quantile(values[i], 0.025), sample_quantile(values[i], 0.975), 0.95});
+        bands.push_back({core::sample_quantile(values[i], 0.025),
+                         core::sample_quantile(values[i], 0.975), 0.95});
         const MixturePoint& p = whole.points[i];
         bands.back().upper = std::min(1.0, bands.back().upper + p.most - p.least);
     }
@@ -132,7 +134,7 @@ std::vector<Interval> bootstrap_bands(const std::vector<ModeGroup>& modes, const
 struct Tally {
     int held = 0, below = 0, above = 0, asked = 0; ///< truth below / above the band
     double width = 0.0;
-    void note(const Interval& i, double truth)
+    void note(const core::Interval& i, double truth)
     {
         ++asked;
         held += i.lower <= truth && truth <= i.upper;

@@ -4,6 +4,7 @@
 #include "app/output/atomic_output.hpp"
 #include "app/output/chart_svg.hpp"
 #include "bench/report.hpp"
+#include "core/moments.hpp"
 #include "uq/designs/design.hpp"
 #include "uq/designs/stream.hpp"
 #include "uq/estimates/estimate.hpp"
@@ -65,7 +66,8 @@ Errors measure()
                     bench::table5(uq::unit_cube({design.kind, {n}, 5, seed}));
                 for (std::size_t k = 0; k < responses.size(); ++k) {
                     const Eigen::VectorXd y = responses[k].evaluate(x);
-                    const uq::Moments m = uq::moments({y.data(), static_cast<std::size_t>(n)});
+                    const core::Moments m =
+                        core::moments({y.data(), static_cast<std::size_t>(n)});
                     off[k].push_back(m.mean - responses[k].mean);
                     naive[k] += m.sd / std::sqrt(n) / kReplicates;
                 }

@@ -3,10 +3,10 @@
 #include "bench/uq_fields.hpp"
 
 #include "bench/report.hpp"
+#include "core/normal.hpp"
 #include "uq/designs/stream.hpp"
 #include "uq/fields/field.hpp"
 #include "uq/fields/kernel.hpp"
-#include "uq/marginals/normal_quantile.hpp"
 
 #include <cstdio>
 #include <exception>
@@ -49,7 +49,7 @@ Eigen::MatrixXd coordinates(Eigen::Index n, Eigen::Index count)
         stream.fill_uniform(row);
         z.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), count);
     }
-    uq::to_normal_quantiles({z.data(), static_cast<std::size_t>(z.size())});
+    core::to_normal_quantiles({z.data(), static_cast<std::size_t>(z.size())});
     return z;
 }
 

@@ -6,11 +6,11 @@
 #include "app/text/number_text.hpp"
 #include "bench/machine.hpp"
 #include "bench/report.hpp"
+#include "core/normal.hpp"
 #include "uq/designs/design.hpp"
 #include "uq/designs/design_criteria.hpp"
 #include "uq/designs/latin.hpp"
 #include "uq/marginals/marginal.hpp"
-#include "uq/marginals/normal_quantile.hpp"
 
 #include <iostream>
 #include <string>
@@ -29,7 +29,7 @@ uq::Marginal marginal(int j)
 Eigen::MatrixXd sample(const uq::Design& design)
 {
     Eigen::MatrixXd x = uq::unit_cube(design);
-    uq::to_normal_quantiles({x.data(), static_cast<std::size_t>(x.size())});
+    core::to_normal_quantiles({x.data(), static_cast<std::size_t>(x.size())});
     for (int j = 0; j < design.d; ++j) {
         const uq::Marginal m = marginal(j);
         for (double& value : x.col(j)) value = uq::from_normal(m, value);

@@ -1,7 +1,7 @@
 #include "fragility/censored_fit.hpp"
 
+#include "core/interval.hpp"
 #include "fragility/censored_likelihood.hpp"
-#include "fragility/interval.hpp"
 #include "fragility/maximise.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr double kGammaMost = 10.0;
 
 template <class Standard> Local scaled_local(const CensoredSample& s, const Eigen::VectorXd& x)
 {
-    Local l{-kInfinity, Eigen::VectorXd(2), Eigen::MatrixXd(2, 2)};
+    Local l{-core::kInfinity, Eigen::VectorXd(2), Eigen::MatrixXd(2, 2)};
     if (!(x[1] > 0.0)) return l;
     const ScaledSum t = scaled_sum<Standard>(s, x[0], x[1]);
     l.value = t.value;
@@ -32,7 +32,7 @@ Local gamma_local(const CensoredSample& s, const Eigen::VectorXd& x)
 {
     if (!(x[1] > std::log(kGammaLeast) && x[1] < std::log(kGammaMost)) ||
         !(std::abs(x[0] - s.shift) < 100.0))
-        return {-kInfinity, Eigen::VectorXd::Zero(2), Eigen::MatrixXd::Zero(2, 2)};
+        return {-core::kInfinity, Eigen::VectorXd::Zero(2), Eigen::MatrixXd::Zero(2, 2)};
     const Likelihood l = log_likelihood(s, x);
     return {l.value, l.gradient, l.hessian};
 }
@@ -94,19 +94,20 @@ std::optional<Refusal> screen_values(Law law, std::span<const Observation> data)
         const std::string which = "observation " + std::to_string(i + 1) + ": ";
         if (std::isnan(o.lower) || std::isnan(o.upper))
             return Refusal{FitOutcome::invalid_value, which + "an end is not a number"};
-        if (!(o.lower <= o.upper) || o.lower == kInfinity || o.upper == -kInfinity)
+        if (!(o.lower <= o.upper) || o.lower == core::kInfinity || o.upper == -core::kInfinity)
             return Refusal{FitOutcome::invalid_value,
                            which + "lower end must not lie above the upper one"};
-        if (!(o.weight > 0.0 && o.weight < kInfinity))
+        if (!(o.weight > 0.0 && o.weight < core::kInfinity))
             return Refusal{FitOutcome::invalid_value,
                            which + "weight must be positive and finite"};
         if (positive(law) &&
-            (o.upper <= 0.0 || (o.lower < 0.0 && o.lower > -kInfinity) ||
+            (o.upper <= 0.0 || (o.lower < 0.0 && o.lower > -core::kInfinity) ||
              (o.lower == o.upper && o.lower < std::numeric_limits<double>::min())))
             return Refusal{FitOutcome::not_positive, which + "a " + std::string(name(law)) +
                                                          " law has positive values only"};
-        const bool open_below = o.lower == -kInfinity || (positive(law) && o.lower == 0.0);
-        if (open_below && o.upper == kInfinity)
+        const bool open_below =
+            o.lower == -core::kInfinity || (positive(law) && o.lower == 0.0);
+        if (open_below && o.upper == core::kInfinity)
             return Refusal{FitOutcome::invalid_value, which + "says nothing"};
     }
     return std::nullopt;
@@ -188,8 +189,8 @@ std::optional<Refusal> screen(Law law, std::span<const Observation> data)
 {
     if (data.empty()) return Refusal{FitOutcome::no_data, "no data"};
     if (auto refusal = screen_values(law, data)) return refusal;
-    double highest_lower = -kInfinity;
-    double lowest_upper = kInfinity;
+    double highest_lower = -core::kInfinity;
+    double lowest_upper = core::kInfinity;
     double size = 0.0;
     for (const Observation& o : data) {
         highest_lower = std::max(highest_lower, o.lower);

@@ -3,7 +3,6 @@
 /// limits.
 
 #include "fragility/censored_sample.hpp"
-#include "fragility/interval.hpp"
 #include "fragility/law.hpp"
 #include "fragility/observation.hpp"
 

@@ -1,8 +1,8 @@
 #include "fragility/censored_sample.hpp"
 
+#include "core/interval.hpp"
 #include "fragility/censored_likelihood.hpp"
 #include "fragility/gamma_likelihood.hpp"
-#include "fragility/interval.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,9 +91,9 @@ Likelihood gamma_likelihood(const CensoredSample& s, const Working& theta)
         if (i >= s.observed + s.right + s.left)
             hi = axis(s.upper[i]);
         else if (i >= s.observed + s.right)
-            lo = -kInfinity;
+            lo = -core::kInfinity;
         else if (i >= s.observed)
-            hi = kInfinity;
+            hi = core::kInfinity;
         const Likelihood l = gamma_term(theta, lo, hi);
         sum.value += s.weight[i] * l.value;
         sum.gradient += s.weight[i] * l.gradient;

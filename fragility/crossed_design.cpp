@@ -1,6 +1,6 @@
 #include "fragility/crossed_design.hpp"
 
-#include <boost/math/distributions/students_t.hpp>
+#include "core/fit_factors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,10 +40,9 @@ VarianceSplit variance_split(const Eigen::MatrixXd& y)
     return s;
 }
 
-Interval mean_interval(const VarianceSplit& split, double confidence)
+core::Interval mean_interval(const VarianceSplit& split, double confidence)
 {
-    const boost::math::students_t law(split.freedom);
-    const double half = split.mean_error * boost::math::quantile(law, 0.5 + 0.5 * confidence);
+    const double half = split.mean_error * core::fit_student_factor(confidence, split.freedom);
     return {split.mean - half, split.mean + half, confidence};
 }
 

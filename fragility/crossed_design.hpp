@@ -3,7 +3,7 @@
 /// into what records, walls and their interaction have, and the median gets an interval that
 /// knows of all three.
 
-#include "fragility/interval.hpp"
+#include "core/interval.hpp"
 
 #include <Eigen/Dense>
 
@@ -26,6 +26,7 @@ struct VarianceSplit {
 /// Interval of the mean, with records and walls both as samples: a few walls under many records
 /// tell little of all walls.
 /// @param confidence in (0, 1)
-[[nodiscard]] Interval mean_interval(const VarianceSplit& split, double confidence = 0.95);
+[[nodiscard]] core::Interval mean_interval(const VarianceSplit& split,
+                                           double confidence = 0.95);
 
 } // namespace fragility

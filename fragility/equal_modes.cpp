@@ -1,6 +1,7 @@
 #include "fragility/equal_modes.hpp"
 
-#include "fragility/interval.hpp"
+#include "core/fit_factors.hpp"
+#include "core/interval.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <Eigen/Householder>
@@ -48,11 +49,11 @@ VectorXd stacked(const MatrixXd& coefficients)
 }
 
 /// (u + v t)^2 <= z^2 var(u + v t), a quadratic in t (Fieller 1954).
-Interval fieller(double u, double v, double uu, double uv, double vv, double z,
-                 double confidence)
+core::Interval fieller(double u, double v, double uu, double uv, double vv, double z,
+                       double confidence)
 {
     const double a = v * v - z * z * vv;
-    if (!(a > 0.0)) return {-kInfinity, kInfinity, confidence};
+    if (!(a > 0.0)) return {-core::kInfinity, core::kInfinity, confidence};
     const double b = u * v - z * z * uv;
     const double root = std::sqrt(std::max(0.0, b * b - a * (u * u - z * z * uu)));
     return {(-b - root) / a, (-b + root) / a, confidence};
@@ -98,7 +99,7 @@ class EqualAt {
         };
         const VectorXd start = across.transpose() * best_.cwiseQuotient(unit_);
         const Maximum m = maximise(f, start);
-        return m.converged ? m.local.value : -kInfinity;
+        return m.converged ? m.local.value : -core::kInfinity;
     }
 
   private:
@@ -113,7 +114,7 @@ double profile_end(const EqualAt& profile, double start, double floor, double st
     double outside = start + step;
     while (profile(outside) > floor) {
         if (std::abs(outside - start) > kFurthestDifference * std::abs(step))
-            return step > 0.0 ? kInfinity : -kInfinity;
+            return step > 0.0 ? core::kInfinity : -core::kInfinity;
         inside = outside;
         outside += 0.5 * (outside - start);
     }
@@ -158,13 +159,13 @@ EqualModes equal_modes(const ModeModel& m, const ModeData& data, int mode_a, int
     const double uu = c.u.dot(m.covariance * c.u);
     const double uv = c.u.dot(m.covariance * c.v);
     const double vv = c.v.dot(m.covariance * c.v);
-    const double z = StandardNormal::quantile(0.5 + 0.5 * confidence);
+    const double z = core::fit_normal_factor(confidence);
     e.found = true;
     e.at = -u / v;
     e.std_error = std::sqrt(uu + 2.0 * e.at * uv + e.at * e.at * vv) / std::abs(v);
     e.delta = {e.at - z * e.std_error, e.at + z * e.std_error, confidence};
     e.fieller = fieller(u, v, uu, uv, vv, z, confidence);
-    e.profile = {-kInfinity, kInfinity, confidence};
+    e.profile = {-core::kInfinity, core::kInfinity, confidence};
     if (m.penalty == ModePenalty::none) {
         const EqualAt profile(m, data, c);
         const double floor = m.log_likelihood - 0.5 * z * z;

@@ -1,6 +1,7 @@
 #pragma once
 /// The value of one covariate at which two failure modes are equally likely.
 
+#include "core/interval.hpp"
 #include "fragility/mode_model.hpp"
 
 namespace fragility {
@@ -10,11 +11,13 @@ struct EqualModes {
     std::string reason;     ///< why not
     double at = 0.0;        ///< [unit of the covariate]
     double std_error = 0.0; ///< delta method
-    Interval delta{};       ///< at +- z std_error
-    Interval fieller{}; ///< all values at which the difference is not significant; both ends
-                        ///< infinite where the slope itself is not significant
-    Interval profile{}; ///< likelihood ratio; an end further than 40 standard errors away is
-                        ///< infinite. Of a penalised model: [-infinity, infinity]
+    core::Interval delta{}; ///< at +- z std_error
+    core::Interval
+        fieller{}; ///< all values at which the difference is not significant; both ends
+                   ///< infinite where the slope itself is not significant
+    core::Interval
+        profile{}; ///< likelihood ratio; an end further than 40 standard errors away is
+                   ///< infinite. Of a penalised model: [-infinity, infinity]
 };
 
 /// @param covariates  the others at which it is asked for; the entry of `which` is not read

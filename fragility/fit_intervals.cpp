@@ -1,7 +1,8 @@
 #include "fragility/fit_intervals.hpp"
 
+#include "core/fit_factors.hpp"
+#include "core/interval.hpp"
 #include "fragility/gamma_likelihood.hpp"
-#include "fragility/interval.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <boost/math/tools/minima.hpp>
@@ -51,7 +52,7 @@ Eigen::Vector2d gradient(const Distribution& d, Quantity q)
     if (q.kind == Quantity::Kind::dispersion) return {0.0, 1.0};
     if (d.law != Law::gamma) return {1.0, d.dispersion * standard_quantile(d, q.p)};
     // ln F at the quantile does not change: d ln x / d theta = - F_theta / F_lnx
-    const Likelihood below = gamma_term(working(d), -kInfinity, std::log(value(d, q)));
+    const Likelihood below = gamma_term(working(d), -core::kInfinity, std::log(value(d, q)));
     const double slope = -below.gradient[0]; // ln x and -ln mean are one
     return {1.0, -below.gradient[1] / slope};
 }
@@ -126,7 +127,7 @@ double profile_end(const Profile& profile, double start, double top, double drop
     double f_outside = excess(outside);
     while (f_outside > 0.0) {
         if (std::abs(outside - start) > kFurthest * std::abs(step))
-            return step > 0.0 ? kInfinity : -kInfinity;
+            return step > 0.0 ? core::kInfinity : -core::kInfinity;
         inside = outside;
         f_inside = f_outside;
         outside += 0.5 * (outside - start);
@@ -165,13 +166,13 @@ Uncertain uncertain(const Fit& fit, Quantity q)
     return {value(fit.law, q), std::sqrt(g.dot(fit.covariance * g)), logarithmic(fit.law, q)};
 }
 
-Interval profile_interval(const Fit& fit, std::span<const Observation> data, Quantity q,
-                          double confidence)
+core::Interval profile_interval(const Fit& fit, std::span<const Observation> data, Quantity q,
+                                double confidence)
 {
     check(fit, confidence);
     const Profile profile(fit, data, q);
     const Uncertain u = uncertain(fit, q);
-    const double z = StandardNormal::quantile(0.5 + 0.5 * confidence);
+    const double z = core::fit_normal_factor(confidence);
     const double start = on_axis(fit.law, q);
     const auto end = [&](double sign) {
         const double t = profile_end(profile, start, fit.log_likelihood, 0.5 * z * z,

@@ -1,8 +1,8 @@
 #pragma once
 /// Intervals for what a fit says: parameters, median, quantiles.
 
+#include "core/interval.hpp"
 #include "fragility/censored_fit.hpp"
-#include "fragility/interval.hpp"
 
 #include <span>
 #include <vector>
@@ -38,7 +38,7 @@ struct Uncertain {
 /// @param data that of the fit
 /// @throws std::invalid_argument if the fit has not converged or the confidence is not in (0,
 /// 1)
-[[nodiscard]] Interval profile_interval(const Fit& fit, std::span<const Observation> data,
-                                        Quantity q, double confidence = 0.95);
+[[nodiscard]] core::Interval profile_interval(const Fit& fit, std::span<const Observation> data,
+                                              Quantity q, double confidence = 0.95);
 
 } // namespace fragility

@@ -1,5 +1,6 @@
 #include "fragility/fragility_curve.hpp"
 
+#include "core/fit_factors.hpp"
 #include "fragility/kaplan_meier.hpp"
 #include "fragility/median_bound.hpp"
 #include "fragility/small_sample.hpp"
@@ -42,10 +43,10 @@ Slope slope(const Distribution& law, double drift)
 }
 
 /// On the logit; [0, 1] where the probability is 0 or 1 within rounding has no width.
-Interval logit_band(double p, double q, double std_error, double confidence)
+core::Interval logit_band(double p, double q, double std_error, double confidence)
 {
     if (!(p > 0.0 && q > 0.0)) return {p, p, confidence};
-    const double z = StandardNormal::quantile(0.5 + 0.5 * confidence);
+    const double z = core::fit_normal_factor(confidence);
     const double logit = std::log(p) - std::log(q);
     const double half = z * std_error / (p * q);
     return {StandardLogistic::cdf(logit - half), StandardLogistic::cdf(logit + half),
@@ -261,7 +262,7 @@ std::vector<MixtureQuantile> mixture_quantiles(std::span<const ModeGroup> modes,
     const auto reached = [&](double p, auto&& part) {
         const auto at = std::ranges::find_if(
             points, [&](const MixturePoint& point) { return part(point) >= p; });
-        if (at == points.end()) return kInfinity;
+        if (at == points.end()) return core::kInfinity;
         if (at == points.begin()) return at->drift;
         return reached_between((at - 1)->drift, at->drift, p,
                                [&](double x) { return part(reader.at(x)); });

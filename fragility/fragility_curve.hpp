@@ -1,8 +1,8 @@
 #pragma once
 /// P(limit state reached | drift): of one fitted law, and of walls that fail in several modes.
 
+#include "core/interval.hpp"
 #include "fragility/censored_fit.hpp"
-#include "fragility/interval.hpp"
 
 #include <span>
 #include <vector>
@@ -10,10 +10,10 @@
 namespace fragility {
 
 struct FragilityPoint {
-    double drift;       ///< [unit of the fit], > 0 for laws of positive values
-    double probability; ///< [-]
-    double std_error;   ///< delta method [-]
-    Interval band;      ///< delta method on the logit: within [0, 1]
+    double drift;        ///< [unit of the fit], > 0 for laws of positive values
+    double probability;  ///< [-]
+    double std_error;    ///< delta method [-]
+    core::Interval band; ///< delta method on the logit: within [0, 1]
 };
 
 /// @throws std::invalid_argument if the fit has not converged or a drift is not a number
@@ -33,9 +33,9 @@ struct ModeGroup {
 /// stood. If no mode has a fit, that is said of all walls together.
 struct MixturePoint {
     double drift;
-    double least, most; ///< [-], equal where all modes have fits
-    double std_error;   ///< of `least`: shares (multinomial) and fits (delta method)
-    Interval band;      ///< of `least` below and `most` above
+    double least, most;  ///< [-], equal where all modes have fits
+    double std_error;    ///< of `least`: shares (multinomial) and fits (delta method)
+    core::Interval band; ///< of `least` below and `most` above
 };
 
 struct Mixture {
@@ -56,7 +56,8 @@ struct Mixture {
 
 struct MixtureQuantile {
     double value; ///< drift at which `least` reaches the share; infinite where it never does
-    Interval interval; ///< drifts at which the upper and the lower end of the band reach it
+    core::Interval
+        interval; ///< drifts at which the upper and the lower end of the band reach it
 };
 
 /// Quantiles of a mixture: its curve and its band turned round, with Student's quantile in

@@ -1,6 +1,6 @@
 #include "fragility/gamma_likelihood.hpp"
 
-#include "fragility/gauss_legendre.hpp"
+#include "core/gauss_legendre.hpp"
 
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/trigamma.hpp>
@@ -60,10 +60,10 @@ class LogGammaDensity {
     {
         const double middle = 0.5 * (lo + hi);
         const double half = 0.5 * (hi - lo);
-        for (std::size_t i = 0; i < kGauss16.node.size(); ++i) {
-            const double x = half * kGauss16.node[i];
-            point(middle + x, half * kGauss16.weight[i], sums);
-            point(middle - x, half * kGauss16.weight[i], sums);
+        for (std::size_t i = 0; i < core::kGauss16.node.size(); ++i) {
+            const double x = half * core::kGauss16.node[i];
+            point(middle + x, half * core::kGauss16.weight[i], sums);
+            point(middle - x, half * core::kGauss16.weight[i], sums);
         }
     }
     double a_, origin_, exp_;

@@ -1,6 +1,6 @@
 #include "fragility/hierarchical_normal.hpp"
 
-#include "fragility/gauss_legendre.hpp"
+#include "core/gauss_legendre.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <algorithm>
@@ -22,10 +22,12 @@ std::vector<Node> rule_on(double lower, double upper, std::size_t panels)
     const double half = 0.5 * (upper - lower) / static_cast<double>(panels);
     for (std::size_t p = 0; p < panels; ++p) {
         const double middle = lower + half * (2.0 * static_cast<double>(p) + 1.0);
-        for (std::size_t i = kGauss16.node.size(); i-- > 0;)
-            nodes.push_back({middle - half * kGauss16.node[i], half * kGauss16.weight[i]});
-        for (std::size_t i = 0; i < kGauss16.node.size(); ++i)
-            nodes.push_back({middle + half * kGauss16.node[i], half * kGauss16.weight[i]});
+        for (std::size_t i = core::kGauss16.node.size(); i-- > 0;)
+            nodes.push_back(
+                {middle - half * core::kGauss16.node[i], half * core::kGauss16.weight[i]});
+        for (std::size_t i = 0; i < core::kGauss16.node.size(); ++i)
+            nodes.push_back(
+                {middle + half * core::kGauss16.node[i], half * core::kGauss16.weight[i]});
     }
     return nodes;
 }
@@ -98,7 +100,7 @@ LevelTerm level_term(const Level& l, double mu, double tau)
         total += p;
         moment += p * x;
     }
-    if (!(total > 0.0)) return {-kInfinity, mean};
+    if (!(total > 0.0)) return {-core::kInfinity, mean};
     return {term.log_likelihood + std::log(total), moment / total};
 }
 
@@ -276,7 +278,7 @@ double scatter_quantile(const HierarchicalPosterior& posterior, double p)
     return weighted_quantile(std::move(values), p);
 }
 
-Interval predictive_interval(const HierarchicalPosterior& posterior, double confidence)
+core::Interval predictive_interval(const HierarchicalPosterior& posterior, double confidence)
 {
     if (!(confidence > 0.0 && confidence < 1.0))
         throw std::invalid_argument("predictive interval: a confidence not in (0, 1)");

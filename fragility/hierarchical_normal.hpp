@@ -5,7 +5,7 @@
 /// Rubin (1981), J. Educ. Stat. 6, 377-401; Gelman (2006), Bayesian Analysis 1, 515-534 (priors
 /// of tau). The posterior is integrated by quadrature, without random numbers.
 
-#include "fragility/interval.hpp"
+#include "core/interval.hpp"
 
 #include <cstddef>
 #include <span>
@@ -53,7 +53,7 @@ struct HierarchicalPosterior {
 
 /// Interval of y of one further wall of a further level.
 /// @param confidence in (0, 1)
-[[nodiscard]] Interval predictive_interval(const HierarchicalPosterior& posterior,
-                                           double confidence);
+[[nodiscard]] core::Interval predictive_interval(const HierarchicalPosterior& posterior,
+                                                 double confidence);
 
 } // namespace fragility

@@ -1,9 +1,8 @@
 #include "fragility/intensity_fit.hpp"
 
+#include "core/fit_factors.hpp"
 #include "fragility/censored_fit.hpp"
 #include "fragility/ida.hpp"
-
-#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -174,14 +173,13 @@ bool is_crossed(std::span<const ShakenWallPoint> points)
     return false;
 }
 
-Interval student_interval(double value, double a, double b, double freedom_a, double freedom_b,
-                          double confidence)
+core::Interval student_interval(double value, double a, double b, double freedom_a,
+                                double freedom_b, double confidence)
 {
     const double v = a + b;
     double freedom = a * a / freedom_a + (b > 0.0 ? b * b / freedom_b : 0.0);
     freedom = v > 0.0 ? std::max(1.0, v * v / freedom) : freedom_a;
-    const boost::math::students_t law(freedom);
-    const double half = std::sqrt(v) * boost::math::quantile(law, 0.5 + 0.5 * confidence);
+    const double half = std::sqrt(v) * core::fit_student_factor(confidence, freedom);
     return {value * std::exp(-half), value * std::exp(half), confidence};
 }
 
@@ -231,7 +229,7 @@ ClusteredFit fit_clustered(IntensityMethod method, std::span<const ShakenWallPoi
     c.walls = clusters(points, &ShakenWallPoint::wall).size();
     c.crossed = c.walls > 1 && is_crossed(points);
     c.record_error = c.wall_error = kUnknownError;
-    c.median = c.dispersion = {0.0, kInfinity, confidence};
+    c.median = c.dispersion = {0.0, core::kInfinity, confidence};
     if (c.fit.outcome != ModelOutcome::converged) {
         c.reason = c.fit.reason;
         return c;

@@ -3,8 +3,8 @@
 /// intensities. Three ways to a lognormal curve, and intervals that know that histories share
 /// their records and their walls.
 
+#include "core/interval.hpp"
 #include "fragility/cloud.hpp"
-#include "fragility/interval.hpp"
 #include "fragility/model_outcome.hpp"
 #include "fragility/observation.hpp"
 
@@ -63,7 +63,7 @@ struct ClusteredFit {
     /// Standard errors of ln median; NaN: not known.
     double record_error = 0.0, wall_error = 0.0;
     /// An end that is not known is 0 or infinite.
-    Interval median{}, dispersion{};
+    core::Interval median{}, dispersion{};
     std::string reason; ///< why there are no intervals; empty: there are
 };
 

@@ -1,5 +1,6 @@
 #include "fragility/kaplan_meier.hpp"
 
+#include "core/fit_factors.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <algorithm>
@@ -48,9 +49,9 @@ std::vector<Tallied> tally(std::span<const Observation> data)
 
 /// ln(-ln S) +- z s / (S |ln S|), 0 < S < 1: stays within [0, 1] (Kalbfleisch and Prentice).
 /// Where the last wall has failed, S = 0 and the formula ends: the band before it goes up to 1.
-Interval band(double survival, double greenwood, double confidence)
+core::Interval band(double survival, double greenwood, double confidence)
 {
-    const double z = StandardNormal::quantile(0.5 + 0.5 * confidence);
+    const double z = core::fit_normal_factor(confidence);
     const double spread = std::exp(z * std::sqrt(greenwood) / std::abs(std::log(survival)));
     return {1.0 - std::pow(survival, 1.0 / spread), 1.0 - std::pow(survival, spread),
             confidence};
@@ -77,8 +78,8 @@ KaplanMeier kaplan_meier(std::span<const Observation> data, double confidence)
             if (!last) greenwood += here.failed / (at_risk * left);
             k.steps.push_back(
                 {at, at_risk, here.failed, 1.0 - survival, survival * std::sqrt(greenwood),
-                 last ? Interval{k.steps.empty() ? 0.0 : k.steps.back().band.lower, 1.0,
-                                 confidence}
+                 last ? core::Interval{k.steps.empty() ? 0.0 : k.steps.back().band.lower, 1.0,
+                                       confidence}
                       : band(survival, greenwood, confidence)});
         }
         at_risk -= here.failed + here.stopped;

@@ -2,7 +2,7 @@
 /// The share of walls that have reached a limit state, estimated without assuming a law. It is
 /// drawn beside fitted curves as a check.
 
-#include "fragility/interval.hpp"
+#include "core/interval.hpp"
 #include "fragility/observation.hpp"
 
 #include <span>
@@ -11,12 +11,12 @@
 namespace fragility {
 
 struct KaplanMeierStep {
-    double at;          ///< an observed value [x]
-    double at_risk;     ///< walls that stood just before
-    double failed;      ///< walls with this value
-    double probability; ///< share at or below, from here to the next step [-]
-    double std_error;   ///< Greenwood [-]
-    Interval band;      ///< of ln(-ln survival), within [0, 1]
+    double at;           ///< an observed value [x]
+    double at_risk;      ///< walls that stood just before
+    double failed;       ///< walls with this value
+    double probability;  ///< share at or below, from here to the next step [-]
+    double std_error;    ///< Greenwood [-]
+    core::Interval band; ///< of ln(-ln survival), within [0, 1]
 };
 
 struct KaplanMeier {

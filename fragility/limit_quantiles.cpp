@@ -15,7 +15,7 @@ constexpr double kEndedPerPushed = 5.0;
 /// Share of those reached up to which a law of censored walls is read.
 constexpr double kReadOfReached = 0.5;
 
-bool stands(const Observation& o) { return o.upper == kInfinity; }
+bool stands(const Observation& o) { return o.upper == core::kInfinity; }
 
 std::vector<Observation> all_walls(const std::vector<ModeGroup>& modes)
 {
@@ -31,11 +31,13 @@ bool plain(const Observation& o)
 }
 
 /// Cut where walls were no longer tested.
-LimitQuantile cut(double share, double value, Interval interval, double end, bool observed)
+LimitQuantile cut(double share, double value, core::Interval interval, double end,
+                  bool observed)
 {
     const bool known = std::isfinite(value) && is_known(value, end);
-    if (!is_known(interval.upper, end)) interval.upper = kInfinity;
-    if (!known) interval = {std::min(interval.lower, end), kInfinity, interval.confidence};
+    if (!is_known(interval.upper, end)) interval.upper = core::kInfinity;
+    if (!known)
+        interval = {std::min(interval.lower, end), core::kInfinity, interval.confidence};
     return {share, known ? std::optional(value) : std::nullopt, interval, observed};
 }
 
@@ -45,7 +47,7 @@ std::vector<LimitQuantile> from_shares(std::span<const Observation> walls, doubl
     std::vector<LimitQuantile> found;
     const auto seen = observed_quantiles(walls, kLimitShares, confidence);
     for (std::size_t i = 0; i < seen.size(); ++i)
-        found.push_back(cut(kLimitShares[i], seen[i].value.value_or(kInfinity),
+        found.push_back(cut(kLimitShares[i], seen[i].value.value_or(core::kInfinity),
                             seen[i].interval, end, true));
     return found;
 }
@@ -145,7 +147,7 @@ double tested_to(std::span<const Observation> walls)
         pushed -= o.weight;
         if (stands(o)) ended += o.weight;
     }
-    return ended > 0.0 || sorted.empty() ? end : kInfinity;
+    return ended > 0.0 || sorted.empty() ? end : core::kInfinity;
 }
 
 LimitQuantiles limit_quantiles(const QuantileData& data, const PerformanceLimits& law,

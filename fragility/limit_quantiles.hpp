@@ -3,8 +3,8 @@
 /// mixture of modes or from the shares observed, and never beyond the drift to which walls were
 /// tested.
 
+#include "core/interval.hpp"
 #include "fragility/fragility_curve.hpp"
-#include "fragility/interval.hpp"
 #include "fragility/observation.hpp"
 #include "fragility/performance_limits.hpp"
 
@@ -30,9 +30,9 @@ enum class QuantileSource {
 struct LimitQuantile {
     double share; ///< of walls that have reached the limit state [-]
     std::optional<double>
-        value;             ///< [unit of the data]; nothing: only `interval.lower` is known
-    Interval interval;     ///< 0 below and infinity above where the walls give no bound
-    bool observed = false; ///< of the shares, though `source` is a law
+        value;               ///< [unit of the data]; nothing: only `interval.lower` is known
+    core::Interval interval; ///< 0 below and infinity above where the walls give no bound
+    bool observed = false;   ///< of the shares, though `source` is a law
 };
 
 struct LimitQuantiles {

@@ -1,6 +1,6 @@
 #include "fragility/median_bound.hpp"
 
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ ReachedBound bound(std::span<const Observation> data, double x, At at, double co
     b.walls = std::floor(b.walls);
     b.failed = std::ceil(b.failed);
     if (b.walls >= 1.0 && b.failed <= b.walls)
-        b.at_most = binomial_upper_bound(b.failed, b.walls, confidence);
+        b.at_most = core::binomial_upper_bound(b.failed, b.walls, confidence);
     return b;
 }
 

@@ -1,5 +1,6 @@
 #include "fragility/mode_model.hpp"
 
+#include "core/fit_factors.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <cmath>
@@ -224,7 +225,7 @@ ModeProbability mode_probability(const ModeModel& model, int mode, const VectorX
     for (Index k = 1; k < p.size(); ++k)
         gradient.segment((k - 1) * width, width) = (k == mode ? 1.0 : -p[k] / other) * x;
     const double error = std::sqrt(gradient.dot(model.covariance * gradient));
-    const double z = StandardNormal::quantile(0.5 + 0.5 * confidence);
+    const double z = core::fit_normal_factor(confidence);
     const double logit = std::log(p[mode]) - std::log(other);
     return {p[mode],
             p[mode] * other * error,

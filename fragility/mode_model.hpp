@@ -2,7 +2,7 @@
 /// Failure mode against covariates (vertical stress, friction, ...): multinomial logit, with
 /// two modes the logistic regression.
 
-#include "fragility/interval.hpp"
+#include "core/interval.hpp"
 #include "fragility/maximise.hpp"
 #include "fragility/model_outcome.hpp"
 
@@ -51,7 +51,7 @@ struct ModeModel {
 
 struct ModeProbability {
     double value, std_error;
-    Interval interval; ///< delta method on the logit: within (0, 1)
+    core::Interval interval; ///< delta method on the logit: within (0, 1)
 };
 [[nodiscard]] ModeProbability mode_probability(const ModeModel& model, int mode,
                                                const Eigen::VectorXd& covariates,

@@ -1,5 +1,6 @@
 #include "fragility/model_factor.hpp"
 
+#include "core/fit_factors.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ double step_quantile(const DriftDistribution& walls, double p)
         below += walls.weights[i];
         if (below >= p - 1e-12) return walls.drifts[i];
     }
-    return kInfinity;
+    return core::kInfinity;
 }
 
 /// Quantile of the values times the factor.
@@ -32,7 +33,7 @@ double step_quantile(const DriftDistribution& walls, double p)
 double smooth_quantile(const DriftDistribution& walls, double dispersion, double p, double last)
 {
     const double most = std::accumulate(walls.weights.begin(), walls.weights.end(), 0.0) + last;
-    if (!(most > p)) return kInfinity;
+    if (!(most > p)) return core::kInfinity;
     const auto probability = [&](double log_x) {
         double sum = 0.0;
         for (std::size_t i = 0; i < walls.drifts.size(); ++i)
@@ -56,9 +57,9 @@ double smooth_quantile(const DriftDistribution& walls, double dispersion, double
 
 /// Half the distance of both ends on the logarithmic axis, or of the one that is known, per
 /// standard error.
-double sampling_error(const Interval& median, double value)
+double sampling_error(const core::Interval& median, double value)
 {
-    const double z = StandardNormal::quantile(0.5 * (1.0 + median.confidence));
+    const double z = core::fit_normal_factor(median.confidence);
     const bool below = median.lower > 0.0, above = std::isfinite(median.upper);
     if (below && above) return std::log(median.upper / median.lower) / (2.0 * z);
     if (!std::isfinite(value) || !(below || above)) return kNotKnown;
@@ -73,15 +74,16 @@ double material_dispersion(const DriftDistribution& walls)
 }
 
 /// The interval of the walls' median, scaled and widened on the logarithmic axis.
-Interval widened(const Interval& median, double from, double to, double median_error)
+core::Interval widened(const core::Interval& median, double from, double to,
+                       double median_error)
 {
-    const double more =
-        median_error * StandardNormal::quantile(0.5 * (1.0 + median.confidence));
+    const double more = median_error * core::fit_normal_factor(median.confidence);
     const auto end = [&](double bound, double sign) {
         return to * std::exp(sign * std::hypot(std::log(bound / from), more));
     };
     return {median.lower > 0.0 ? end(std::min(median.lower, from), -1.0) : 0.0,
-            std::isfinite(median.upper) ? end(std::max(median.upper, from), 1.0) : kInfinity,
+            std::isfinite(median.upper) ? end(std::max(median.upper, from), 1.0)
+                                        : core::kInfinity,
             median.confidence};
 }
 
@@ -122,7 +124,7 @@ QuantileBounds factored_quantile(const DriftDistribution& walls, double median,
                 median * smooth_quantile(walls, dispersion, p, 0.0)};
     const double x = step_quantile(walls, p);
     return std::isfinite(x) ? QuantileBounds{median * x, median * x}
-                            : QuantileBounds{median * walls.end, kInfinity};
+                            : QuantileBounds{median * walls.end, core::kInfinity};
 }
 
 Dispersions dispersions(double material, double sampling, const ModelFactor& factor)
@@ -131,7 +133,7 @@ Dispersions dispersions(double material, double sampling, const ModelFactor& fac
     return {material, sampling, model, std::hypot(material, sampling, model)};
 }
 
-DoubtedLimit with_model_doubt(const DriftDistribution& walls, const Interval& median,
+DoubtedLimit with_model_doubt(const DriftDistribution& walls, const core::Interval& median,
                               double sampling, const ModelFactor& factor)
 {
     DoubtedLimit limit;
@@ -146,7 +148,7 @@ DoubtedLimit with_model_doubt(const DriftDistribution& walls, const Interval& me
     if (std::isfinite(own) && std::isfinite(middle.lower))
         limit.median_interval = widened(median, own, middle.lower, factor.median_error);
     else
-        limit.median_interval = {0.0, kInfinity, median.confidence};
+        limit.median_interval = {0.0, core::kInfinity, median.confidence};
     return limit;
 }
 

@@ -2,7 +2,7 @@
 /// A factor on limit drifts or forces for the error of the model, and what it makes of their
 /// quantiles.
 
-#include "fragility/interval.hpp"
+#include "core/interval.hpp"
 #include "fragility/kaplan_meier.hpp"
 #include "fragility/law.hpp"
 
@@ -61,7 +61,7 @@ struct Dispersions {
 /// A limit drift, or a force, with the doubt of the model.
 struct DoubtedLimit {
     std::array<QuantileBounds, 3> quantiles{}; ///< 16, 50, 84 % [x], of a further wall
-    Interval median_interval{}; ///< of the median: sampling and the median of the factor
+    core::Interval median_interval{}; ///< of the median: sampling and the median of the factor
     Dispersions dispersion{};
 };
 
@@ -69,7 +69,7 @@ struct DoubtedLimit {
 /// @param median interval of the median of the walls; an end of 0 or infinity: not known
 /// @param sampling standard error of ln median; NaN: from that interval
 [[nodiscard]] DoubtedLimit with_model_doubt(const DriftDistribution& walls,
-                                            const Interval& median, double sampling,
+                                            const core::Interval& median, double sampling,
                                             const ModelFactor& factor);
 
 } // namespace fragility

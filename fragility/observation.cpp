@@ -1,6 +1,6 @@
 #include "fragility/observation.hpp"
 
-#include "fragility/interval.hpp"
+#include "core/interval.hpp"
 #include "fragility/limit_states.hpp"
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 namespace fragility {
 
 Observation observed(double value) { return {value, value}; }
-Observation right_censored(double lower) { return {lower, kInfinity}; }
-Observation left_censored(double upper) { return {-kInfinity, upper}; }
+Observation right_censored(double lower) { return {lower, core::kInfinity}; }
+Observation left_censored(double upper) { return {-core::kInfinity, upper}; }
 
 std::optional<Observation> observation(const LimitDisplacement& reading, double scale)
 {
-    if (!(scale > 0.0 && scale < kInfinity))
+    if (!(scale > 0.0 && scale < core::kInfinity))
         throw std::invalid_argument("observation: scale must be positive and finite");
     switch (reading.reading) {
     case Reading::observed:
@@ -33,8 +33,8 @@ std::optional<Observation> observation(const LimitDisplacement& reading, double 
 Censoring censoring(const Observation& o, bool positive)
 {
     if (o.lower == o.upper) return Censoring::none;
-    if (o.upper == kInfinity) return Censoring::right;
-    if (o.lower == -kInfinity || (positive && o.lower == 0.0)) return Censoring::left;
+    if (o.upper == core::kInfinity) return Censoring::right;
+    if (o.lower == -core::kInfinity || (positive && o.lower == 0.0)) return Censoring::left;
     return Censoring::interval;
 }
 

@@ -1,6 +1,6 @@
 #include "fragility/observed_quantile.hpp"
 
-#include <boost/math/special_functions/beta.hpp>
+#include "core/boost_quantiles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ struct BetaProduct {
         const double variance = second - first * first;
         if (first >= 1.0 || variance <= 0.0) return first;
         const double size = first * (1.0 - first) / variance - 1.0;
-        return boost::math::ibeta_inv(first * size, (1.0 - first) * size, p);
+        return core::beta_quantile(first * size, (1.0 - first) * size, p);
     }
 };
 
@@ -64,7 +64,7 @@ std::vector<Piece> pieces(std::span<const Observation> data, double confidence)
     const double tail = 0.5 - 0.5 * confidence;
     auto at_risk = static_cast<double>(all.size());
     std::vector<Piece> found = {
-        {-kInfinity, 0.0, 0.0, all.empty() ? 1.0 : 1.0 - std::pow(tail, 1.0 / at_risk)}};
+        {-core::kInfinity, 0.0, 0.0, all.empty() ? 1.0 : 1.0 - std::pow(tail, 1.0 / at_risk)}};
     double standing = 1.0;
     BetaProduct survival;
     for (std::size_t i = 0; i < all.size();) {
@@ -93,7 +93,7 @@ std::vector<ObservedQuantile> observed_quantiles(std::span<const Observation> da
     const auto known = pieces(data, confidence);
     const auto first = [&](auto&& reached) {
         const auto at = std::ranges::find_if(known, reached);
-        return at == known.end() ? kInfinity : at->at;
+        return at == known.end() ? core::kInfinity : at->at;
     };
     std::vector<ObservedQuantile> found;
     for (const double p : shares) {

@@ -2,7 +2,7 @@
 /// Quantiles of limit displacements without a law, with intervals that suppose none either:
 /// what the walls say where no law describes them.
 
-#include "fragility/interval.hpp"
+#include "core/interval.hpp"
 #include "fragility/observation.hpp"
 
 #include <optional>
@@ -15,7 +15,7 @@ struct ObservedQuantile {
     std::optional<double>
         value; ///< smallest value at which the Kaplan-Meier share reaches p; nothing: too
                ///< few walls reached the limit state
-    Interval interval; ///< 0 below and infinity above where the walls give no bound
+    core::Interval interval; ///< 0 below and infinity above where the walls give no bound
 };
 
 /// One per share. The interval turns the beta product band of the share round, as moments give
@@ -31,7 +31,7 @@ observed_quantiles(std::span<const Observation> data, std::span<const double> sh
 
 struct ObservedShare {
     double share; ///< of walls at or below a value [-]
-    Interval band;
+    core::Interval band;
 };
 /// The share at each value with its beta product band [-]. Beyond the last wall the share is
 /// not known: the band goes up to 1 there.

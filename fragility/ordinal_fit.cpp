@@ -1,5 +1,6 @@
 #include "fragility/ordinal_fit.hpp"
 
+#include "core/fit_factors.hpp"
 #include "fragility/chi_squared.hpp"
 #include "fragility/maximise.hpp"
 #include "fragility/standard_law.hpp"
@@ -176,9 +177,9 @@ void compare_with_shares(OrdinalFit& f, std::span<const StateCounts> data)
     f.freedom = free_shares - static_cast<double>(f.medians.size() + 1);
 }
 
-double two_sided(double confidence) { return StandardNormal::quantile(0.5 + 0.5 * confidence); }
+double two_sided(double confidence) { return core::fit_normal_factor(confidence); }
 
-Interval log_interval(double value, double log_error, double confidence)
+core::Interval log_interval(double value, double log_error, double confidence)
 {
     const double factor = std::exp(two_sided(confidence) * log_error);
     return {value / factor, value * factor, confidence};
@@ -243,7 +244,7 @@ StateProbability probability(const OrdinalFit& fit, std::size_t state, double in
     return {StandardNormal::cdf(probit), probit, std::sqrt(variance) / fit.dispersion};
 }
 
-Interval band(const StateProbability& p, double confidence)
+core::Interval band(const StateProbability& p, double confidence)
 {
     const double z = two_sided(confidence);
     return {StandardNormal::cdf(p.probit - z * p.probit_error),

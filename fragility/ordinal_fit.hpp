@@ -4,7 +4,7 @@
 /// multiple-stripe analysis (Baker 2015, Earthquake Spectra 31, 579-599, eq. 11). All states
 /// have one dispersion, so that their curves cannot cross.
 
-#include "fragility/interval.hpp"
+#include "core/interval.hpp"
 #include "fragility/model_outcome.hpp"
 
 #include <Eigen/Dense>
@@ -47,7 +47,7 @@ struct LogEstimate {
     double value;
     double std_error; ///< of the value, same unit
     double log_error; ///< of ln value
-    Interval interval;
+    core::Interval interval;
 };
 /// @param fit converged  @param state 1, 2, ...  @param confidence in (0, 1)
 [[nodiscard]] LogEstimate median(const OrdinalFit& fit, std::size_t state,
@@ -63,7 +63,7 @@ struct StateProbability {
                                            double intensity);
 /// The interval of the probability, by its standard error on the probit axis.
 /// @param confidence in (0, 1)
-[[nodiscard]] Interval band(const StateProbability& p, double confidence = 0.95);
+[[nodiscard]] core::Interval band(const StateProbability& p, double confidence = 0.95);
 
 /// The same counts with all states below `state` as "none", and all others as reached.
 [[nodiscard]] std::vector<StateCounts> reaching(std::span<const StateCounts> data,

@@ -20,7 +20,7 @@ PerformanceLimits performance_limits(Law law, std::span<const Observation> data,
     row.fitted = true;
     const double inner = small_sample_profile(confidence, f.counts.n - f.counts.right);
     const auto interval = [&](Quantity q) {
-        Interval found = profile_interval(f, data, q, inner);
+        core::Interval found = profile_interval(f, data, q, inner);
         found.confidence = confidence;
         return found;
     };

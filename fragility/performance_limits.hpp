@@ -2,9 +2,9 @@
 /// Rows of the table of performance limits: drifts at which 5 to 95 % of the walls have reached
 /// a limit state.
 
+#include "core/interval.hpp"
 #include "fragility/censored_fit.hpp"
 #include "fragility/fit_intervals.hpp"
-#include "fragility/interval.hpp"
 #include "fragility/median_bound.hpp"
 
 #include <array>
@@ -18,7 +18,7 @@ constexpr std::array<double, 5> kLimitShares{0.05, 0.16, 0.50, 0.84, 0.95};
 struct DriftLimit {
     double share; ///< of walls that have reached the limit state [-]
     double drift; ///< [unit of the data]
-    Interval interval;
+    core::Interval interval;
 };
 
 /// Numbers are 0 unless `fitted`; without a fit only `bound` says something.
@@ -27,7 +27,7 @@ struct PerformanceLimits {
     std::string reason; ///< why there is no fit
     std::array<DriftLimit, 5> drifts{};
     double dispersion = 0.0; ///< from wall to wall, beta [-] (normal law: [unit of the data])
-    Interval dispersion_interval{};
+    core::Interval dispersion_interval{};
     double median_error =
         0.0; ///< statistical: standard error of ln median (normal law: median)
     double predictive_dispersion = 0.0; ///< sqrt(beta^2 + se^2): of a further wall

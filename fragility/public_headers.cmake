@@ -1,7 +1,6 @@
 # Installed with the library. The other headers are its own business.
 set(FRAGILITY_PUBLIC_HEADERS
     bilinear.hpp
-    binomial.hpp
     bootstrap_random.hpp
     censored_fit.hpp
     censored_sample.hpp
@@ -16,7 +15,6 @@ set(FRAGILITY_PUBLIC_HEADERS
     hierarchical_normal.hpp
     ida.hpp
     intensity_fit.hpp
-    interval.hpp
     kaplan_meier.hpp
     law.hpp
     law_parameters.hpp
@@ -33,5 +31,5 @@ set(FRAGILITY_PUBLIC_HEADERS
     ordinal_fit.hpp
     performance_limits.hpp
     resampled_curve.hpp
-    sample_quantile.hpp
+    share.hpp
     stress_model.hpp)

@@ -1,6 +1,7 @@
 #include "fragility/standard_law.hpp"
 
-#include <boost/math/special_functions/erf.hpp>
+#include "core/fit_factors.hpp"
+#include "core/normal.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -14,8 +15,6 @@ constexpr double kLogRoot2Pi = 0.91893853320467274178;
 constexpr double kNarrow = 1e-3;
 /// Further out, erfc comes near its underflow.
 constexpr double kFar = 25.0;
-
-using Plain = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 double log_upper_tail(double z)
 {
@@ -95,13 +94,9 @@ LogBetween StandardNormal::log_between(double m, double h)
     return wide(log_density(lo), log_density(hi), log_between_normal(lo, hi));
 }
 
-double StandardNormal::cdf(double z) { return 0.5 * std::erfc(-z / kRoot2); }
-double StandardNormal::survival(double z) { return 0.5 * std::erfc(z / kRoot2); }
-double StandardNormal::quantile(double p)
-{
-    return p < 0.5 ? -kRoot2 * boost::math::erfc_inv(2.0 * p, Plain())
-                   : kRoot2 * boost::math::erf_inv(2.0 * p - 1.0, Plain());
-}
+double StandardNormal::cdf(double z) { return core::normal_cdf(z); }
+double StandardNormal::survival(double z) { return core::normal_survival(z); }
+double StandardNormal::quantile(double p) { return core::normal_quantile_by_erf(p); }
 
 LogTerm SmallestExtreme::log_density(double z)
 {

@@ -1,5 +1,6 @@
 #include "fragility/stress_model.hpp"
 
+#include "core/fit_factors.hpp"
 #include "fragility/maximise.hpp"
 #include "fragility/standard_law.hpp"
 
@@ -241,7 +242,7 @@ StressPrediction predict(const StressModel& m, double stress, double confidence)
         throw std::invalid_argument("stress model: confidence must be in (0, 1), is " +
                                     std::to_string(confidence));
     const AtStress at = at_stress(m, stress);
-    const double z = StandardNormal::quantile(0.5 + 0.5 * confidence);
+    const double z = core::fit_normal_factor(confidence);
     const double se = std::sqrt(at.covariance(0, 0));
     const double both = std::hypot(se, at.law.dispersion);
     const double median = std::exp(at.law.location);

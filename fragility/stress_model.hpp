@@ -2,8 +2,8 @@
 /// One lognormal law for all stress levels: ln median and ln dispersion are polynomials of the
 /// vertical stress, so that a stress between the levels can be asked.
 
+#include "core/interval.hpp"
 #include "fragility/censored_fit.hpp"
-#include "fragility/interval.hpp"
 #include "fragility/observation.hpp"
 
 #include <Eigen/Dense>
@@ -60,7 +60,7 @@ struct AtStress {
 /// with that probability: beta^2 + se^2 in place of beta^2.
 struct StressPrediction {
     double median;
-    Interval confidence, prediction;
+    core::Interval confidence, prediction;
 };
 [[nodiscard]] StressPrediction predict(const StressModel& model, double stress,
                                        double confidence = 0.95);

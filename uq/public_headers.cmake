@@ -11,7 +11,6 @@ set(UQ_PUBLIC_HEADERS
     designs/sobol.hpp
     designs/stream.hpp
     estimates/estimate.hpp
-    estimates/estimate_critical.hpp
     estimates/latin_error.hpp
     estimates/quantile_estimate.hpp
     estimates/running_mean.hpp

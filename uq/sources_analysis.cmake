@@ -4,7 +4,6 @@ set(UQ_ANALYSIS_SOURCES
     sensitivity/hsic.cpp
     estimates/two_heaps.cpp
     estimates/estimate.cpp
-    estimates/estimate_critical.cpp
     estimates/estimate_probability.cpp
     estimates/latin_error.cpp
     estimates/quantile_estimate.cpp

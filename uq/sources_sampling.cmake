@@ -2,14 +2,12 @@ set(UQ_SAMPLING_SOURCES
     designs/correlation_matrix.cpp
     designs/design.cpp
     designs/design_criteria.cpp
-    designs/eigen_pairs.cpp
     designs/iman_conover.cpp
     designs/latin.cpp
     designs/latin_annealing.cpp
     designs/nataf.cpp
     designs/normal_copula.cpp
     marginals/beta.cpp
-    marginals/boost_quantiles.cpp
     marginals/constant.cpp
     marginals/discrete.cpp
     marginals/empirical.cpp
@@ -21,7 +19,6 @@ set(UQ_SAMPLING_SOURCES
     marginals/marginal_forms.cpp
     marginals/marginal_moments.cpp
     marginals/normal.cpp
-    marginals/normal_quantile.cpp
     marginals/normal_rule.cpp
     marginals/shape_checks.cpp
     marginals/triangular.cpp

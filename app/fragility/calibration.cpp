@@ -6,6 +6,7 @@
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
+#include "core/interval.hpp"
 #include "fragility/observed_quantile.hpp"
 
 #include <algorithm>
@@ -70,8 +71,8 @@ std::vector<double> stresses_of(const StudyWalls& walls)
 }
 
 /// The interval of a test's ratio by the other tests; nothing where they are too few.
-std::optional<fragility::Interval> by_others(const std::vector<TestedWall>& walls,
-                                             std::size_t left_out)
+std::optional<core::Interval> by_others(const std::vector<TestedWall>& walls,
+                                        std::size_t left_out)
 {
     std::vector<TestedWall> others = walls;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
@@ -79,7 +80,7 @@ std::optional<fragility::Interval> by_others(const std::vector<TestedWall>& wall
     if (static_cast<std::size_t>(seen) < kFewestTests) return {};
     const auto interval = fragility::predictive_interval(
         fragility::hierarchical_posterior(log_ratios(others), kFactorPrior), 0.90);
-    return fragility::Interval{std::exp(interval.lower), std::exp(interval.upper), 0.90};
+    return core::Interval{std::exp(interval.lower), std::exp(interval.upper), 0.90};
 }
 
 void add_rows_of(const Calibration& c, const char* what, int decimals, Table& t)

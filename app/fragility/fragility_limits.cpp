@@ -5,6 +5,7 @@
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/words.hpp"
+#include "core/interval.hpp"
 #include "fragility/performance_limits.hpp"
 #include "fragility/stress_model.hpp"
 
@@ -198,11 +199,11 @@ std::string rejected_stresses(const DriftData& data, std::size_t state)
 
 double tested_end(double upper, double end)
 {
-    return fragility::is_known(upper, end) ? upper : fragility::kInfinity;
+    return fragility::is_known(upper, end) ? upper : core::kInfinity;
 }
 
 /// "> 2.72" where the value lies beyond the drift tested.
-Number tested_cell(double value, const fragility::Interval& i, int decimals, double end)
+Number tested_cell(double value, const core::Interval& i, int decimals, double end)
 {
     if (fragility::is_known(value, end))
         return with_interval(value, i.lower, tested_end(i.upper, end), decimals);

@@ -3,7 +3,7 @@
 #include "app/fragility/table_texts.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
-#include "fragility/sample_quantile.hpp"
+#include "core/sample_quantile.hpp"
 
 #include <algorithm>
 
@@ -85,8 +85,8 @@ std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& le
         std::ranges::sort(forces);
         const MeanOf m = mean_of(forces, walls.study.fragility.confidence);
         points.push_back({100.0 * walls.step * static_cast<double>(i) / walls.height, m.value,
-                          fragility::sample_quantile(forces, 0.16),
-                          fragility::sample_quantile(forces, 0.84), forces.size(), m.interval});
+                          core::sample_quantile(forces, 0.16),
+                          core::sample_quantile(forces, 0.84), forces.size(), m.interval});
     }
     return points;
 }

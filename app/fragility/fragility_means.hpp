@@ -4,7 +4,7 @@
 #include "app/fragility/fragility_output.hpp"
 #include "app/output/table.hpp"
 #include "app/study/study_walls.hpp"
-#include "fragility/interval.hpp"
+#include "core/interval.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -19,7 +19,7 @@ namespace app {
 /// Mean over walls with its interval, which has no bounds for one wall.
 struct MeanOf {
     double value = kUnknown;
-    fragility::Interval interval{kUnknown, kUnknown, 0.0};
+    core::Interval interval{kUnknown, kUnknown, 0.0};
 };
 /// @param values of the walls; without any the mean is not known
 [[nodiscard]] MeanOf mean_of(const std::vector<double>& values, double confidence);
@@ -36,7 +36,7 @@ struct MeanPoint {
     double drift;           ///< [%]
     double mean, low, high; ///< low, high: 16 and 84 % of the walls lie below
     std::size_t walls;
-    fragility::Interval interval; ///< of the mean; no bounds for one wall
+    core::Interval interval; ///< of the mean; no bounds for one wall
 };
 
 /// At 0, 1, ... kCurveSteps steps, as far as kMeanNeedsShare of the curves of the group go: the

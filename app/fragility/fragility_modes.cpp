@@ -4,6 +4,8 @@
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/mode_share.hpp"
+#include "core/binomial.hpp"
+#include "core/interval.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "fragility/equal_modes.hpp"
 #include "fragility/mode_sensitivity.hpp"
@@ -21,7 +23,7 @@ double walls_with(const StudyLevel& level, int mode)
     return static_cast<double>(walls_of(level, mode).size());
 }
 
-Number range_cell(const fragility::Interval& i)
+Number range_cell(const core::Interval& i)
 {
     return range(100.0 * i.lower, 100.0 * i.upper, 1);
 }
@@ -49,9 +51,9 @@ void add_mode(const StudyWalls& walls, const StudyLevel& level, int mode, Table&
         count(level.walls.size()),
         count(level.failed_walls.size())};
     if (level.walls.empty()) return add_row(t, start, "No wall gave a result.");
-    using enum fragility::BinomialInterval;
+    using enum core::BinomialInterval;
     const fragility::Share s = mode_share(level, mode, confidence);
-    const auto by = [&](fragility::BinomialInterval kind) {
+    const auto by = [&](core::BinomialInterval kind) {
         return range_cell(mode_share(level, mode, confidence, kind).interval);
     };
     add_row(
@@ -75,7 +77,7 @@ fragility::ModeData mode_data(const StudyLevel& level, std::size_t input, int ot
 }
 
 /// Bounds that no friction angle can have bound nothing.
-fragility::Interval physical(fragility::Interval i)
+core::Interval physical(core::Interval i)
 {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (!(i.lower > 0.0)) i.lower = -kInfinity;
@@ -103,7 +105,7 @@ void add_equal(const StudyWalls& walls, const StudyLevel& level,
     if (!equal.found) return add_row(t, start, "No such angle: " + equal.reason + ".");
     const Number slope = with_error(model.coefficients(0, 1), model.std_errors(0, 1), 3);
     const bool firth = model.penalty == fragility::ModePenalty::firth;
-    const fragility::Interval i = physical(firth ? equal.delta : equal.profile);
+    const core::Interval i = physical(firth ? equal.delta : equal.profile);
     if (std::isinf(i.lower) && std::isinf(i.upper))
         return add_row(t, joined(start, {{}, slope}),
                        "Not identifiable: the slope is not significant.");
@@ -113,7 +115,7 @@ void add_equal(const StudyWalls& walls, const StudyLevel& level,
     if (equal.at < angles.minCoeff() || equal.at > angles.maxCoeff())
         note += std::string(note.empty() ? "" : " ") +
                 "The angle lies outside the angles of the walls.";
-    const fragility::Interval fieller = physical(equal.fieller);
+    const core::Interval fieller = physical(equal.fieller);
     add_row(t,
             joined(start, {with_interval(equal.at, i, 1), slope,
                            range(fieller.lower, fieller.upper, 1)}),

@@ -6,6 +6,8 @@
 #include "app/output/unique_names.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/number_text.hpp"
+#include "core/fit_factors.hpp"
+#include "core/interval.hpp"
 #include "fragility/model_factor.hpp"
 #include "fragility/standard_law.hpp"
 
@@ -34,11 +36,11 @@ struct WallLaw {
 };
 
 /// The error of ln median that an interval of the confidence means; NaN where an end is open.
-double error_of(const fragility::Interval& median, double confidence)
+double error_of(const core::Interval& median, double confidence)
 {
     if (!(median.lower > 0.0) || !std::isfinite(median.upper))
         return std::numeric_limits<double>::quiet_NaN();
-    const double deviates = 2.0 * fragility::StandardNormal::quantile(0.5 * (1.0 + confidence));
+    const double deviates = 2.0 * core::fit_normal_factor(confidence);
     return std::log(median.upper / median.lower) / deviates;
 }
 

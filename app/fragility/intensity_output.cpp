@@ -6,8 +6,10 @@
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
+#include "core/interval.hpp"
 #include "fragility/crossed_design.hpp"
+#include "fragility/share.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +22,7 @@ namespace {
 using fragility::ClusteredFit;
 using fragility::ModelOutcome;
 
-Number limit_number(double value, const fragility::Interval& i, int decimals)
+Number limit_number(double value, const core::Interval& i, int decimals)
 {
     const bool known = i.lower > 0.0 && std::isfinite(i.upper);
     return known ? with_interval(value, i, decimals) : plain_number(value, decimals);
@@ -137,7 +139,7 @@ Table stripe_table(const IntensityData& data)
                     reached += h->fell || response > s.threshold ? 1.0 : 0.0;
                 }
                 const fragility::Share share = fragility::share(
-                    reached, n, failed, fragility::BinomialInterval::wilson, data.confidence);
+                    reached, n, failed, core::BinomialInterval::wilson, data.confidence);
                 row.emplace_back(n > 0.0 ? percent(share.value, share.interval, 0) : Number{});
             }
             for (const double mode : modes)

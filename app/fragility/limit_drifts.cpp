@@ -2,6 +2,7 @@
 
 #include "app/fragility/drift_fits.hpp"
 #include "app/output/cells.hpp"
+#include "core/interval.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +32,7 @@ fragility::QuantileData quantile_data(const DriftData& data, std::size_t group,
     return walls;
 }
 
-void widen(fragility::Interval& interval, const fragility::Interval& other)
+void widen(core::Interval& interval, const core::Interval& other)
 {
     interval.lower = std::min(interval.lower, other.lower);
     interval.upper = std::max(interval.upper, other.upper);
@@ -44,14 +45,14 @@ fragility::PerformanceLimits law_of(const DriftData& data, const DriftGroup& gro
     const auto by_law = [&](const std::vector<fragility::Observation>& walls) {
         return fragility::performance_limits(data.options.law, walls, data.options.confidence);
     };
-    constexpr double kNone = fragility::kInfinity;
+    constexpr double kNone = core::kInfinity;
     fragility::PerformanceLimits law = by_law(limits_of(group, state));
     if (inaccurate_walls(group, state) == 0) return law;
     for (const ErrorEnd end : {ErrorEnd::least, ErrorEnd::most}) {
         const fragility::PerformanceLimits other = by_law(limits_at(group, state, end));
         if (end == ErrorEnd::least) law.bound = other.bound;
         if (!law.fitted) continue;
-        const fragility::Interval open{0.0, kNone, data.options.confidence};
+        const core::Interval open{0.0, kNone, data.options.confidence};
         for (std::size_t i = 0; i < law.drifts.size(); ++i)
             widen(law.drifts[i].interval, other.fitted ? other.drifts[i].interval : open);
         widen(law.dispersion_interval, other.fitted ? other.dispersion_interval : open);
@@ -64,7 +65,7 @@ void widen(LimitQuantiles& quantiles, const LimitQuantiles& other)
 {
     for (std::size_t i = 0; i < quantiles.at.size() && i < other.at.size(); ++i) {
         widen(quantiles.at[i].interval, other.at[i].interval);
-        if (!other.at[i].value) quantiles.at[i].interval.upper = fragility::kInfinity;
+        if (!other.at[i].value) quantiles.at[i].interval.upper = core::kInfinity;
     }
 }
 

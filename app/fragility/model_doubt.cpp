@@ -7,6 +7,8 @@
 #include "app/fragility/table_texts.hpp"
 #include "app/output/cells.hpp"
 #include "app/text/number_text.hpp"
+#include "core/fit_factors.hpp"
+#include "core/interval.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/observed_quantile.hpp"
 #include "fragility/standard_law.hpp"
@@ -175,11 +177,10 @@ Table force_doubt_table(const StudyWalls& walls)
         }
         const AppliedFactor model = applied_factor(walls.study, level.stress, Answer::force);
         const double error = log_peak_error(walls, level).value_or(p.sd / std::sqrt(p.n));
-        const double z =
-            fragility::StandardNormal::quantile(0.5 * (1.0 + walls.study.fragility.confidence));
-        const fragility::Interval median = {std::exp(p.mean - z * error),
-                                            std::exp(p.mean + z * error),
-                                            walls.study.fragility.confidence};
+        const double z = core::fit_normal_factor(walls.study.fragility.confidence);
+        const core::Interval median = {std::exp(p.mean - z * error),
+                                       std::exp(p.mean + z * error),
+                                       walls.study.fragility.confidence};
         const fragility::Distribution law{fragility::Law::lognormal, p.mean, p.sd};
         add_row(t,
                 joined(row, doubt_cells(with_model_doubt(fragility::drift_distribution(law),

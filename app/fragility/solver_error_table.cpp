@@ -6,6 +6,7 @@
 #include "app/study/solver_error.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/words.hpp"
+#include "core/interval.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ void add_level(const StudyWalls& study, const StudyLevel& level, Table& t)
     const SolverErrors e = solver_errors(level, study.study);
     const AuditDifferences d = audit_differences(level);
     const MeanPeak m = mean_peak(study, level);
-    const fragility::Interval& sampling = m.mean.interval;
+    const core::Interval& sampling = m.mean.interval;
     add_row(
         t,
         {stress_cell(level.stress), count(level.walls.size()),

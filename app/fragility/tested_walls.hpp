@@ -4,6 +4,7 @@
 /// program pushes in their place.
 
 #include "app/input/study.hpp"
+#include "core/interval.hpp"
 #include "fragility/hierarchical_normal.hpp"
 #include "fragility/model_factor.hpp"
 
@@ -42,7 +43,7 @@ inline constexpr fragility::ScalePrior kFactorPrior{0.25};
 /// The factor with its doubt, and intervals of 90 % of both.
 struct EstimatedFactor {
     fragility::ModelFactor factor;
-    fragility::Interval median, dispersion;
+    core::Interval median, dispersion;
 };
 /// @throws std::invalid_argument for fewer than three walls whose values were measured
 [[nodiscard]] EstimatedFactor estimated_factor(std::span<const TestedWall> walls);

@@ -13,7 +13,7 @@
 #include "app/study/interrupt.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/normal.hpp"
 #include "uq/reliability/kept_evaluations.hpp"
 #include "uq/reliability/reliability.hpp"
 
@@ -63,7 +63,7 @@ Table method_table(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer&
     for (const uq::MethodAnswer& m : a.methods) {
         std::optional<double> beta;
         if (m.probability && *m.probability > 0.0 && *m.probability < 1.0)
-            beta = -uq::normal_quantile(*m.probability);
+            beta = -core::normal_quantile(*m.probability);
         t.rows.push_back({m.method, cell(m.probability), cell(beta), cell(m.std_error),
                           cell(m.lower), cell(m.upper), m.outcome});
     }

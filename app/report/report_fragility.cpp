@@ -5,6 +5,7 @@
 #include "app/study/mode_share.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
+#include "core/interval.hpp"
 #include "fragility/equal_modes.hpp"
 #include "fragility/fragility_curve.hpp"
 #include "fragility/kaplan_meier.hpp"
@@ -58,7 +59,7 @@ Json curve_json(const DriftData& data, std::size_t state, std::size_t level,
     return c;
 }
 
-std::string interval_text(const fragility::Interval& i, int digits)
+std::string interval_text(const core::Interval& i, int digits)
 {
     return "[" + fixed(i.lower, digits) + ", " +
            (std::isfinite(i.upper) ? fixed(i.upper, digits) : std::string("no limit")) + "]";

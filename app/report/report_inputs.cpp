@@ -3,6 +3,7 @@
 #include "app/fragility/fragility_inputs.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
+#include "core/moments.hpp"
 #include "uq/estimates/running_mean.hpp"
 
 #include <algorithm>
@@ -64,7 +65,7 @@ Json histogram(const StudyWalls& study, const StoredInput& input)
     for (const double d : density) h["density"].push_back(six_digits(d));
     const double beyond = 0.12 * (*high - *low);
     add_density(h, input, *low - beyond, *high + beyond);
-    const uq::Moments m = uq::moments(values);
+    const core::Moments m = core::moments(values);
     h["sampled"] = moments_text(m.mean, m.sd);
     if (input.marginal)
         h["prescribed"] = moments_text(input.scale * uq::mean(*input.marginal),
@@ -117,7 +118,7 @@ Json running_json(const StudyWalls& study)
             for (const StudyWall* w : walls) values.push_back(w->inputs[k] / input.scale);
             const double sd = uq::sd(*input.marginal);
             const uq::Prescribed prescribed{uq::mean(*input.marginal),
-                                            input.count == 1 ? sd : uq::moments(values).sd};
+                                            input.count == 1 ? sd : core::moments(values).sd};
             all.push_back(running(uq::running_mean(values, prescribed), level, input.key));
         }
         // errors are relative: there are none of walls that carried nothing

@@ -3,9 +3,9 @@
 #include "app/sampling/study_dependence.hpp"
 #include "app/sampling/study_kernel.hpp"
 #include "app/sampling/wall_sites.hpp"
+#include "core/normal.hpp"
 #include "uq/designs/design.hpp"
 #include "uq/fields/kernel.hpp"
-#include "uq/marginals/normal_quantile.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -95,7 +95,7 @@ SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
 WallDraw draw(const SamplePlan& plan, int level, int sample)
 {
     Eigen::VectorXd normal = plan.design[level].row(sample).transpose();
-    uq::to_normal_quantiles({normal.data(), static_cast<std::size_t>(normal.size())});
+    core::to_normal_quantiles({normal.data(), static_cast<std::size_t>(normal.size())});
     uq::Stream random(plan.seeds[level], static_cast<std::uint64_t>(sample),
                       uq::Purpose::field);
     return {uq::draw(plan.values, normal, random)};

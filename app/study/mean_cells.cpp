@@ -1,5 +1,6 @@
 #include "app/study/mean_cells.hpp"
 
+#include "core/moments.hpp"
 #include "fragility/observed_quantile.hpp"
 #include "uq/estimates/estimate.hpp"
 
@@ -38,7 +39,7 @@ Number cov_cell(std::span<const double> values)
 {
     const auto sound = uq::sound_values(values).values;
     if (sound.size() < 2) return {};
-    const uq::Moments m = uq::moments(sound);
+    const core::Moments m = core::moments(sound);
     return m.mean > 0.0 ? plain_number(m.sd / m.mean, 2) : Number{};
 }
 

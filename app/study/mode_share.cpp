@@ -3,7 +3,7 @@
 namespace app {
 
 fragility::Share mode_share(const StudyLevel& level, int mode, double confidence,
-                            fragility::BinomialInterval kind)
+                            core::BinomialInterval kind)
 {
     return fragility::share(static_cast<double>(walls_of(level, mode).size()),
                             static_cast<double>(level.walls.size()),

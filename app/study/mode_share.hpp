@@ -3,7 +3,8 @@
 /// interval.
 
 #include "app/study/study_walls.hpp"
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
+#include "fragility/share.hpp"
 
 namespace app {
 
@@ -12,6 +13,6 @@ namespace app {
 /// @param confidence in (0, 1)
 [[nodiscard]] fragility::Share
 mode_share(const StudyLevel& level, int mode, double confidence,
-           fragility::BinomialInterval kind = fragility::BinomialInterval::wilson);
+           core::BinomialInterval kind = core::BinomialInterval::wilson);
 
 } // namespace app

@@ -2,7 +2,7 @@
 
 #include "app/study/fragility_text.hpp"
 #include "app/text/words.hpp"
-#include "fragility/sample_quantile.hpp"
+#include "core/sample_quantile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -164,12 +164,12 @@ AuditDifferences audit_differences(const StudyLevel& level)
 double upper_error(const std::vector<double>& sorted)
 {
     if (sorted.empty()) return kUnknownError;
-    return sorted.size() < kFewest ? sorted.back() : fragility::sample_quantile(sorted, kUpper);
+    return sorted.size() < kFewest ? sorted.back() : core::sample_quantile(sorted, kUpper);
 }
 
 double median_error(const std::vector<double>& sorted)
 {
-    return sorted.empty() ? kUnknownError : fragility::sample_quantile(sorted, 0.5);
+    return sorted.empty() ? kUnknownError : core::sample_quantile(sorted, 0.5);
 }
 
 std::string solver_error_text(const StudyWalls& walls)

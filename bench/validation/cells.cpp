@@ -1,7 +1,7 @@
 #include "bench/validation/cells.hpp"
 
 #include "app/output/cells.hpp"
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
 
 namespace bench {
 namespace {
@@ -20,8 +20,8 @@ app::Cell with_interval(const Sample& s, int decimals)
 
 app::Cell share_cell(std::size_t k, std::size_t n)
 {
-    const auto i = fragility::binomial_interval(fragility::BinomialInterval::wilson,
-                                                static_cast<double>(k), static_cast<double>(n));
+    const auto i = core::binomial_interval(core::BinomialInterval::wilson,
+                                           static_cast<double>(k), static_cast<double>(n));
     return app::with_interval(100.0 * static_cast<double>(k) / static_cast<double>(n),
                               100.0 * i.lower, 100.0 * i.upper, 0);
 }

@@ -1,5 +1,6 @@
 #include "bench/validation/level_statistics.hpp"
 
+#include "core/moments.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <cmath>
@@ -29,7 +30,7 @@ Sample sample(const std::vector<double>& values)
 {
     if (values.empty()) return {};
     if (values.size() == 1) return {1, values.front(), 0.0};
-    const uq::Moments m = uq::moments(values);
+    const core::Moments m = core::moments(values);
     return {values.size(), m.mean, m.sd};
 }
 

@@ -4,7 +4,7 @@
 #include "app/text/number_text.hpp"
 #include "bench/validation/cells.hpp"
 #include "bench/validation/paper_tables.hpp"
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
 
 #include <cmath>
 
@@ -67,8 +67,8 @@ const std::string kSizes =
 ShareDifference share_difference(std::size_t k1, std::size_t n1, std::size_t k2, std::size_t n2)
 {
     const auto wilson = [](std::size_t k, std::size_t n) {
-        return fragility::binomial_interval(fragility::BinomialInterval::wilson,
-                                            static_cast<double>(k), static_cast<double>(n));
+        return core::binomial_interval(core::BinomialInterval::wilson, static_cast<double>(k),
+                                       static_cast<double>(n));
     };
     const auto a = wilson(k1, n1), b = wilson(k2, n2);
     const double p = static_cast<double>(k1) / static_cast<double>(n1),

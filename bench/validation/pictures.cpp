@@ -4,7 +4,7 @@
 #include "app/study/fragility_text.hpp"
 #include "app/text/number_text.hpp"
 #include "bench/validation/paper_tables.hpp"
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
 #include "uq/estimates/running_mean.hpp"
 #include "uq/marginals/marginal.hpp"
 
@@ -209,8 +209,7 @@ app::NamedPicture rocking_over_stress(const std::vector<LevelStatistics>& ours)
             .name = name, .colour = colour, .line = app::LineStyle::none, .points = true};
         for (const auto& l : levels) {
             const double k = count(l), n = size(l), x = stress(l) + shift;
-            const auto i =
-                fragility::binomial_interval(fragility::BinomialInterval::wilson, k, n);
+            const auto i = core::binomial_interval(core::BinomialInterval::wilson, k, n);
             dots.x.push_back(x);
             dots.y.push_back(100.0 * k / n);
             c.series.push_back({.x = {x, x},

@@ -1,6 +1,6 @@
 #include "dem/block/block_modes.hpp"
 
-#include "dem/block/eigen_pairs.hpp"
+#include "core/eigen_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,8 +58,8 @@ void extend_basis(const MatrixXd& c, const MatrixXd& candidates, Index wanted, M
 BlockModes ritz(const MatrixXd& k, const MatrixXd& c, const MatrixXd& basis)
 {
     if (basis.cols() == 0) return {basis, VectorXd(0)};
-    const EigenPairs best =
-        eigen_pairs(basis.transpose() * k * basis, basis.transpose() * c * basis);
+    const core::EigenPairs best =
+        core::eigen_pairs(basis.transpose() * k * basis, basis.transpose() * c * basis);
     return {basis * best.vectors, best.values};
 }
 
@@ -134,7 +134,7 @@ BlockModes floating_modes(const BlockSpec& spec, const Condensed& con, const Mat
     MatrixXd basis = rigid;
     if (wanted > 3 && wanted < all)
         extend_basis(c, first_strains(spec, con.points), wanted, basis);
-    if (basis.cols() < wanted) extend_basis(c, eigen_pairs(k, c).vectors, wanted, basis);
+    if (basis.cols() < wanted) extend_basis(c, core::eigen_pairs(k, c).vectors, wanted, basis);
     const BlockModes elastic = ritz(k, c, basis.rightCols(basis.cols() - rigid.cols()));
     MatrixXd moving = rigid;
     if (spec.motion == Motion::driven) {
@@ -174,7 +174,7 @@ BlockModes supported_modes(const BlockSpec& spec, const Condensed& con, const Ma
     if (wanted < all)
         extend_basis(c_open, supported_fields(spec, con.points)(open, Eigen::all), wanted,
                      basis);
-    extend_basis(c_open, eigen_pairs(k_open, c_open).vectors, wanted, basis);
+    extend_basis(c_open, core::eigen_pairs(k_open, c_open).vectors, wanted, basis);
     const BlockModes m = ritz(k_open, c_open, basis);
     BlockModes full{MatrixXd::Zero(con.stiffness.rows(), m.phi.cols()), m.lambda.cwiseMax(0.0)};
     for (Index i = 0; i < all; ++i) full.phi.row(open[i]) = m.phi.row(i);

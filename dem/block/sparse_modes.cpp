@@ -1,7 +1,7 @@
 #include "dem/block/sparse_modes.hpp"
 
+#include "core/eigen_pairs.hpp"
 #include "dem/block/block_modes.hpp"
-#include "dem/block/eigen_pairs.hpp"
 
 #include <Eigen/SparseCholesky>
 
@@ -114,15 +114,15 @@ MatrixXd softest(const Problem& p, const MatrixXd& known, Index wanted)
     }
     const MatrixXd q = basis.rightCols(basis.cols() - start);
     if (q.cols() == 0) return q;
-    const EigenPairs ritz = eigen_pairs(q.transpose() * (p.k * q));
+    const core::EigenPairs ritz = core::eigen_pairs(q.transpose() * (p.k * q));
     return q * ritz.vectors.leftCols(std::min(wanted, q.cols()));
 }
 
 MatrixXd ritz_modes(const Problem& p, const MatrixXd& basis, VectorXd& lambda)
 {
     if (basis.cols() == 0) return basis;
-    const EigenPairs best =
-        eigen_pairs(basis.transpose() * (p.k * basis), basis.transpose() * (p.c * basis));
+    const core::EigenPairs best =
+        core::eigen_pairs(basis.transpose() * (p.k * basis), basis.transpose() * (p.c * basis));
     lambda = best.values;
     return basis * best.vectors;
 }

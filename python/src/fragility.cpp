@@ -1,5 +1,6 @@
 #include "app/input/units.hpp"
 #include "app/text/words.hpp"
+#include "core/interval.hpp"
 #include "fragility/censored_fit.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/kaplan_meier.hpp"
@@ -84,7 +85,7 @@ fragility::Quantity quantity_named(const py::object& what)
 
 py::tuple interval(const LawOfData& f, const py::object& what, double confidence)
 {
-    const fragility::Interval i =
+    const core::Interval i =
         fragility::profile_interval(f.fit, f.data, quantity_named(what), confidence);
     return py::make_tuple(i.lower, i.upper);
 }
@@ -204,8 +205,7 @@ py::dict performance_limits(const GivenNumbers& values, const GivenFlags& censor
     using Limit = fragility::LimitQuantile;
     py::dict table;
     table["share"] = column([](const Limit& q) { return q.share; });
-    table["drift"] =
-        column([](const Limit& q) { return q.value.value_or(fragility::kInfinity); });
+    table["drift"] = column([](const Limit& q) { return q.value.value_or(core::kInfinity); });
     table["lower"] = column([](const Limit& q) { return q.interval.lower; });
     table["upper"] = column([](const Limit& q) { return q.interval.upper; });
     table["tested_to"] = chosen.tested_to;

@@ -5,7 +5,7 @@
 #include "app/study/solver_error.hpp"
 #include "app/study/study_identity.hpp"
 #include "dem/block/model.hpp"
-#include "fragility/binomial.hpp"
+#include "fragility/share.hpp"
 #include "scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,6 @@
 # Statistics of limit displacements and modes: needs drystone_fragility alone, so that it builds fast.
 drystone_tests(fragility_fits
     SOURCES
-        fragility/test_binomial.cpp
         fragility/test_censored_fit.cpp
         fragility/test_cloud.cpp
         fragility/test_crossed_design.cpp
@@ -22,6 +21,7 @@ drystone_tests(fragility_fits
         fragility/test_mode_model.cpp
         fragility/test_model_factor.cpp
         fragility/test_maximise.cpp
+        fragility/test_share.cpp
         fragility/test_standard_law.cpp
         fragility/test_stress_model.cpp
         fragility/test_ordinal_fit.cpp

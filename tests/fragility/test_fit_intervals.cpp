@@ -1,6 +1,6 @@
+#include "core/interval.hpp"
 #include "fragility/fit_intervals.hpp"
 #include "fragility/resampling.hpp"
-#include "fragility/sample_quantile.hpp"
 #include "fragility/standard_law.hpp"
 
 #include "tests/fragility/fit_data.hpp"
@@ -54,11 +54,11 @@ TEST_CASE("fit intervals: the profile of a complete lognormal sample is Student'
     const auto data = fit_data::all_observed(values);
     const Fit f = fit(Law::lognormal, data);
     const double half = f.law.dispersion * std::sqrt(std::expm1(kZ * kZ / 40.0));
-    const Interval i = profile_interval(f, data, median());
+    const core::Interval i = profile_interval(f, data, median());
     CHECK(std::log(i.lower) == near(f.law.location - half, 1e-8));
     CHECK(std::log(i.upper) == near(f.law.location + half, 1e-8));
     // dispersion: n (s^2/t^2 - 1 - ln(s^2/t^2)) = z^2
-    const Interval d = profile_interval(f, data, dispersion());
+    const core::Interval d = profile_interval(f, data, dispersion());
     for (const double end : {d.lower, d.upper}) {
         const double r = std::pow(f.law.dispersion / end, 2);
         CHECK(40.0 * (r - 1.0 - std::log(r)) == near(kZ * kZ, 1e-7));
@@ -79,7 +79,7 @@ TEST_CASE("fit intervals: of many data the profile ends 1.96 standard errors awa
     const Fit f = fit(law, data);
     REQUIRE(f.outcome == FitOutcome::converged);
     const Uncertain u = uncertain(f, q);
-    const Interval p = profile_interval(f, data, q);
+    const core::Interval p = profile_interval(f, data, q);
     const auto end = [&](double half) {
         return u.logarithmic ? u.value * std::exp(half) : u.value + half;
     };
@@ -93,12 +93,12 @@ TEST_CASE("fit intervals: intervals of medians scale with the unit",
 {
     const Law law = GENERATE(from_range(kLaws));
     auto data = fit_data::stopped_at(first(60), 0.015);
-    const Interval a = profile_interval(fit(law, data), data, median());
+    const core::Interval a = profile_interval(fit(law, data), data, median());
     for (Observation& o : data) {
         o.lower *= 250.0;
         o.upper *= 250.0;
     }
-    const Interval b = profile_interval(fit(law, data), data, median());
+    const core::Interval b = profile_interval(fit(law, data), data, median());
     CHECK(b.lower == near(250.0 * a.lower, 1e-8));
     CHECK(b.upper == near(250.0 * a.upper, 1e-8));
 }
@@ -111,7 +111,7 @@ TEST_CASE("fit intervals: a profile that does not close is said to be open",
     for (int i = 0; i < 60; ++i) data.push_back(right_censored(2.0));
     const Fit f = fit(Law::lognormal, data);
     REQUIRE(f.outcome == FitOutcome::converged);
-    const Interval i = profile_interval(f, data, median(), 0.999999);
+    const core::Interval i = profile_interval(f, data, median(), 0.999999);
     CHECK(i.lower > 1.5);
     CHECK(i.upper > 50.0);
     CHECK_FALSE(std::isnan(i.upper));
@@ -139,12 +139,4 @@ TEST_CASE("resampling: stopping points beyond an observed value, from those of t
     CHECK(stops.draw(2, 0.01) == 4.0);
     CHECK(stops.draw(3, 0.01) == 4.0);
     CHECK(std::isinf(StoppingPoints(std::vector{observed(1), observed(2)}).draw(0, 0.99)));
-}
-
-TEST_CASE("sample quantile: linear between sorted values", "[fragility][sample_quantile]")
-{
-    const std::vector<double> v{1, 2, 4, 8};
-    CHECK(sample_quantile(v, 0.0) == 1.0);
-    CHECK(sample_quantile(v, 0.5) == 3.0);
-    CHECK(sample_quantile(v, 1.0) == 8.0);
 }

@@ -1,4 +1,4 @@
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
 #include "fragility/bootstrap_random.hpp"
 #include "fragility/fragility_curve.hpp"
 #include "fragility/mode_sensitivity.hpp"
@@ -123,7 +123,7 @@ TEST_CASE("mixture: if no mode has a fit, all walls together bound it",
     const Mixture m = mixture_curve(modes, drifts);
     for (std::size_t i = 0; i < 2; ++i) {
         CHECK(m.points[i].least == near(i == 0 ? 0.0 : 0.02));
-        CHECK(m.points[i].most == near(binomial_upper_bound(i == 0 ? 0 : 1, 50)));
+        CHECK(m.points[i].most == near(core::binomial_upper_bound(i == 0 ? 0 : 1, 50)));
         CHECK(m.points[i].band.upper >= m.points[i].most);
     }
     CHECK(m.points[0].band.upper == near(m.points[0].most));
@@ -143,7 +143,7 @@ TEST_CASE("mixture: walls that failed count in a mode that has too few for a fit
         CHECK(m.points[i].least == near(mine + (i == 0 ? 0.0 : 0.4 / 40.0)));
     }
     CHECK(m.points[1].most ==
-          near(0.6 * cdf(m.fits[0].law, 0.02) + 0.4 * binomial_upper_bound(1, 40)));
+          near(0.6 * cdf(m.fits[0].law, 0.02) + 0.4 * core::binomial_upper_bound(1, 40)));
     // 61 of 100 walls have failed far out
     CHECK(m.points[2].std_error == near(std::sqrt(0.61 * 0.39 / 100.0), 1e-6));
 }

@@ -1,3 +1,4 @@
+#include "core/interval.hpp"
 #include "fragility/hierarchical_normal.hpp"
 #include "fragility/standard_law.hpp"
 
@@ -57,7 +58,7 @@ TEST_CASE("hierarchical normal: shifting all values shifts mu, scaling them scal
     CHECK(q.mu == Approx(2.0 * p.mu + 1.0).epsilon(1e-9));
     CHECK(q.mu_error == Approx(2.0 * p.mu_error).epsilon(1e-9));
     CHECK(q.scatter == Approx(2.0 * p.scatter).epsilon(1e-9));
-    const Interval a = predictive_interval(p, 0.9), b = predictive_interval(q, 0.9);
+    const core::Interval a = predictive_interval(p, 0.9), b = predictive_interval(q, 0.9);
     CHECK(b.lower == Approx(2.0 * a.lower + 1.0).epsilon(1e-9));
     CHECK(b.upper == Approx(2.0 * a.upper + 1.0).epsilon(1e-9));
 }

@@ -1,3 +1,4 @@
+#include "core/interval.hpp"
 #include "fragility/intensity_fit.hpp"
 #include "fragility/ordinal_fit.hpp"
 #include "tests/fragility/fit_data.hpp"
@@ -112,7 +113,8 @@ TEST_CASE("intensity fit: what no history reaches has no curve and says so",
           "[fragility][intensity]")
 {
     const auto points = crossed(3, 4, 100.0);
-    const ClusteredFit c = fit_clustered(IntensityMethod::stripes, points, kInfinity, kLeast);
+    const ClusteredFit c =
+        fit_clustered(IntensityMethod::stripes, points, core::kInfinity, kLeast);
     CHECK(c.fit.outcome != ModelOutcome::converged);
     CHECK(c.reason == "no history reaches it");
     CHECK(c.median.lower == 0.0);

@@ -1,5 +1,6 @@
 #include "fragility/limit_quantiles.hpp"
 
+#include "core/interval.hpp"
 #include "fragility/small_sample.hpp"
 #include "fragility/standard_law.hpp"
 #include "fragility/two_heaps.hpp"
@@ -57,7 +58,7 @@ TEST_CASE(
     std::vector<Observation> walls;
     CHECK(tested_to(walls) == 0.0);
     for (int i = 1; i <= 20; ++i) walls.push_back(observed(0.1 * i));
-    CHECK(tested_to(walls) == kInfinity);
+    CHECK(tested_to(walls) == core::kInfinity);
     auto stopped = walls;
     for (int i = 0; i < 10; ++i) stopped.push_back(right_censored(2.72));
     CHECK(tested_to(stopped) == 2.72);
@@ -90,7 +91,7 @@ TEST_CASE("limit quantiles: of walls that all fell under one law they are the la
 TEST_CASE("limit quantiles: of two modes that fall they are the mixture turned round",
           "[fragility][limit_quantiles]")
 {
-    const auto modes = two_heaps(60, kInfinity, 1);
+    const auto modes = two_heaps(60, core::kInfinity, 1);
     const LimitQuantiles found = limits_of(modes);
     CHECK(found.source == QuantileSource::mixture);
     REQUIRE(found.at.size() == 5);
@@ -122,7 +123,7 @@ TEST_CASE("limit quantiles: beyond the drift tested there is a lower bound and n
             CHECK_FALSE(found.at[i].value);
             CHECK(found.at[i].interval.lower <= kEnd);
             CHECK(found.at[i].interval.lower > 1.0);
-            CHECK(found.at[i].interval.upper == kInfinity);
+            CHECK(found.at[i].interval.upper == core::kInfinity);
         }
         CHECK(found.at[4].interval.lower == kEnd); // 30 % of the walls stand there
         for (const LimitQuantile& q : found.at)
@@ -138,7 +139,7 @@ TEST_CASE("limit quantiles: beyond the drift tested there is a lower bound and n
 TEST_CASE("limit quantiles: heaps that lie apart need nobody to tell the modes",
           "[fragility][limit_quantiles]")
 {
-    const auto modes = two_heaps(60, kInfinity, 1);
+    const auto modes = two_heaps(60, core::kInfinity, 1);
     auto mistaken = modes;
     std::swap(mistaken[0].limits.front(), mistaken[1].limits.front());
     mistaken[1].described = false; // as the tests find
@@ -165,7 +166,8 @@ TEST_CASE("limit quantiles: modes that part what stood from what fell are no mod
 {
     const auto all = all_of(two_heaps(60, 2.73, 3));
     std::vector<ModeGroup> modes(2);
-    for (const Observation& o : all) modes[o.upper == kInfinity ? 1 : 0].limits.push_back(o);
+    for (const Observation& o : all)
+        modes[o.upper == core::kInfinity ? 1 : 0].limits.push_back(o);
     CHECK(limits_of(modes).source == QuantileSource::law);
     CHECK(limits_of(modes, false).source == QuantileSource::observed);
 }
@@ -187,7 +189,9 @@ TEST_CASE("limit quantiles: intervals hold the truth of two heaps where one law 
     const double median = quantile({Law::lognormal, std::log(1.5), 0.45}, 0.5 / 0.7);
     constexpr double kHigh = 8.3;
     int held = 0, high = 0, by_law = 0;
-    const auto holds = [](const Interval& i, double x) { return i.lower <= x && x <= i.upper; };
+    const auto holds = [](const core::Interval& i, double x) {
+        return i.lower <= x && x <= i.upper;
+    };
     for (int i = 0; i < kStudies; ++i) {
         const auto modes = two_heaps(50, 2.73, 100 + static_cast<std::uint64_t>(i));
         const LimitQuantiles found = limits_of(modes);

@@ -1,4 +1,4 @@
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
 #include "fragility/bootstrap_random.hpp"
 #include "fragility/law.hpp"
 #include "fragility/median_bound.hpp"
@@ -64,7 +64,7 @@ TEST_CASE(
     CHECK(reached_at_most(data, 50.5).at_most == 1.0);
     CHECK(median_bound(data).median_above == 46.0); // five stood there
     data.push_back(observed(30.0));
-    CHECK(reached_at_most(data, 40.0).at_most == Approx(binomial_upper_bound(1, 12)));
+    CHECK(reached_at_most(data, 40.0).at_most == Approx(core::binomial_upper_bound(1, 12)));
 }
 
 TEST_CASE("median bound: no value beyond gives a better bound", "[fragility][median_bound]")
@@ -141,7 +141,7 @@ TEST_CASE("median bound: a left-censored wall has failed, an interval tells at i
     data.push_back(left_censored(1.0));
     CHECK(reached_at_most(data, 2.0).failed == 1.0);
     CHECK(reached_at_most(data, 2.0).walls == 10.0);
-    CHECK(reached_at_most(data, 2.0).at_most == Approx(binomial_upper_bound(1, 10)));
+    CHECK(reached_at_most(data, 2.0).at_most == Approx(core::binomial_upper_bound(1, 10)));
     data.back() = Observation{1.0, 3.0};
     CHECK(reached_at_most(data, 2.0).walls == 9.0);
     CHECK(reached_at_most(data, 0.9).walls == 10.0);

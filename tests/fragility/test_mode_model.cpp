@@ -1,3 +1,4 @@
+#include "core/interval.hpp"
 #include "fragility/equal_modes.hpp"
 #include "fragility/mode_model.hpp"
 
@@ -271,7 +272,7 @@ TEST_CASE("equal modes: with many walls the three intervals are one",
     CHECK(
         e.at ==
         near(-(4.2846224828381 - 2.7959144437042) / (4.9342823158146 - 2.4799572860067), 1e-8));
-    for (const Interval& i : {e.fieller, e.profile}) {
+    for (const core::Interval& i : {e.fieller, e.profile}) {
         CHECK(i.lower == Approx(e.delta.lower).margin(0.01 * e.std_error).epsilon(0));
         CHECK(i.upper == Approx(e.delta.upper).margin(0.01 * e.std_error).epsilon(0));
     }

@@ -1,3 +1,4 @@
+#include "core/interval.hpp"
 #include "fragility/model_factor.hpp"
 #include "fragility/standard_law.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr double kZ84 = 0.994457883209753, kZ975 = 1.959963984540054;
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
-Interval around(double median, double error)
+core::Interval around(double median, double error)
 {
     return {median * std::exp(-kZ975 * error), median * std::exp(kZ975 * error), 0.95};
 }
@@ -96,12 +97,12 @@ TEST_CASE("model factor: the sampling error comes from the side of the interval 
           "[fragility][model_factor]")
 {
     const DriftDistribution walls{{1.0, 2.0, 3.0}, {0.3, 0.4, 0.3}};
-    const auto sampling = [&](Interval median) {
+    const auto sampling = [&](core::Interval median) {
         return with_model_doubt(walls, median, kNotKnown, {}).dispersion.sampling;
     };
     CHECK(sampling(around(2.0, 0.2)) == Approx(0.2).epsilon(1e-9));
-    CHECK(sampling({2.0 * std::exp(-kZ975 * 0.2), kInfinity, 0.95}) ==
+    CHECK(sampling({2.0 * std::exp(-kZ975 * 0.2), core::kInfinity, 0.95}) ==
           Approx(0.2).epsilon(1e-9));
     CHECK(sampling({0.0, 2.0 * std::exp(kZ975 * 0.2), 0.95}) == Approx(0.2).epsilon(1e-9));
-    CHECK(std::isnan(sampling({0.0, kInfinity, 0.95})));
+    CHECK(std::isnan(sampling({0.0, core::kInfinity, 0.95})));
 }

@@ -1,6 +1,6 @@
 #include "fragility/observed_quantile.hpp"
 
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
 #include "fragility/law.hpp"
 #include "tests/fragility/fit_data.hpp"
 
@@ -23,8 +23,8 @@ TEST_CASE("observed quantiles: without censoring the band of the share is that o
     for (int i = 0; i < 25; ++i) values.push_back(i + 0.5);
     const auto found = observed_shares(data, values);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto exact =
-            share(static_cast<double>(i), 25.0, 0.0, BinomialInterval::clopper_pearson, 0.95);
+        const auto exact = share(static_cast<double>(i), 25.0, 0.0,
+                                 core::BinomialInterval::clopper_pearson, 0.95);
         CHECK(found[i].share == Approx(static_cast<double>(i) / 25.0).margin(1e-12));
         CHECK(found[i].band.lower == Approx(exact.interval.lower).margin(1e-9));
         CHECK(found[i].band.upper == Approx(exact.interval.upper).margin(1e-9));

@@ -1,5 +1,7 @@
 #include "fragility/ordinal_fit.hpp"
 
+#include "core/interval.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -148,7 +150,7 @@ TEST_CASE("ordinal fit: the band at the median ends where that of the median doe
 {
     const OrdinalFit f = fit_ordinal(kStates);
     const LogEstimate m = median(f, 1);
-    const Interval b = band(probability(f, 1, m.value));
+    const core::Interval b = band(probability(f, 1, m.value));
     CHECK(b.lower == near(probability(f, 1, m.value * m.value / m.interval.upper).probability));
     CHECK(b.upper == near(probability(f, 1, m.interval.upper).probability));
 }

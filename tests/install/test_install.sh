@@ -41,7 +41,7 @@ done <"$work/example"
 export PKG_CONFIG_PATH
 PKG_CONFIG_PATH=$(find "$work/usr" -name pkgconfig)
 if command -v pkg-config >/dev/null; then
-    for part in uq fragility ground; do
+    for part in core uq fragility ground; do
         (cd "$work/usr/include" && find "drystone/$part" -name '*.hpp' | sort | sed 's/.*/#include <&>/') >"$work/$part.cpp"
         cat >>"$work/$part.cpp" <"$root/tests/install/use_$part.cpp"
         # shellcheck disable=SC2046

@@ -6,30 +6,31 @@ set -euo pipefail
 cd -- "$1"
 
 declare -A knows=(
-    [dem/scene]="dem/contact"
-    [dem/block]="dem/scene dem/contact"
-    [dem/contact]=""
-    [dem/kinematics]="dem/scene dem/contact"
-    [dem/shaking]="dem/scene dem/block dem/contact dem/kinematics dem/solver"
-    [dem/solver]="dem/scene dem/block dem/contact dem/kinematics"
-    [fragility]=""
+    [core]=""
+    [dem/scene]="core dem/contact"
+    [dem/block]="core dem/scene dem/contact"
+    [dem/contact]="core"
+    [dem/kinematics]="core dem/scene dem/contact"
+    [dem/shaking]="core dem/scene dem/block dem/contact dem/kinematics dem/solver"
+    [dem/solver]="core dem/scene dem/block dem/contact dem/kinematics"
+    [fragility]="core"
     [ground]=""
-    [uq/marginals]=""
-    [uq/designs]="uq/marginals"
-    [uq/fields]="uq/marginals uq/designs"
-    [uq/estimates]="uq/marginals uq/designs"
-    [uq/sensitivity]="uq/marginals uq/designs uq/estimates"
-    [uq/surrogates]="uq/marginals uq/designs uq/estimates uq/sensitivity"
-    [uq/reliability]="uq/marginals uq/designs uq/estimates uq/sensitivity"
+    [uq/marginals]="core"
+    [uq/designs]="core uq/marginals"
+    [uq/fields]="core uq/marginals uq/designs"
+    [uq/estimates]="core uq/marginals uq/designs"
+    [uq/sensitivity]="core uq/marginals uq/designs uq/estimates"
+    [uq/surrogates]="core uq/marginals uq/designs uq/estimates uq/sensitivity"
+    [uq/reliability]="core uq/marginals uq/designs uq/estimates uq/sensitivity"
     [app/store]=""
     [app/reading]="dem/ fragility"
     [app/text]=""
     [app/input]="app/text app/drawing dem/ fragility app/reading uq/marginals uq/designs uq/reliability"
     [app/drawing]="dem/ app/text"
     [app/output]="app/text dem/ fragility app/input"
-    [app/sampling]="app/text dem/ uq/ app/input"
-    [app/study]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling"
-    [app/reliability]="app/text dem/ fragility uq/ app app/reading app/input app/output app/store app/sampling app/study"
+    [app/sampling]="core app/text dem/ uq/ app/input"
+    [app/study]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling"
+    [app/reliability]="core app/text dem/ fragility uq/ app app/reading app/input app/output app/store app/sampling app/study"
     [app/serve]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/reliability"
     [app/scene]="app/text app/drawing dem/ app app/input app/output app/sampling app/study"
     [app/record]="app/text app/input app/output app ground"
@@ -37,17 +38,17 @@ declare -A knows=(
     [app/new]="app/text app app/input app/output"
     [app/choices]="app/text dem/ fragility app/reading app/input app/output app/sampling app/study"
     [app/compare]="app/text fragility app/reading app/input app/output app/study app/push"
-    [app/sheet]="app/text app/drawing fragility app app/reading app/input app/output app/sampling app/scene app/study app/push"
+    [app/sheet]="core app/text app/drawing fragility app app/reading app/input app/output app/sampling app/scene app/study app/push"
     [app/push]="app/text dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
-    [app/report]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
-    [app/surrogate]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
-    [app/fragility]="app/text dem/ fragility ground uq/ app app/reading app/store app/input app/output app/sampling app/study"
+    [app/report]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
+    [app/surrogate]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
+    [app/fragility]="core app/text dem/ fragility ground uq/ app app/reading app/store app/input app/output app/sampling app/study"
     [try/wasm]="app/text app/drawing dem/ fragility app/reading app/input app/sampling app/study app/push"
-    [python/src]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/shake app/study app/push app/fragility"
+    [python/src]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/shake app/study app/push app/fragility"
 )
 
 broken=0
-for folder in dem dem/*/ fragility ground uq uq/*/ app/*/ python/src try/wasm; do
+for folder in core dem dem/*/ fragility ground uq uq/*/ app/*/ python/src try/wasm; do
     folder=${folder%/}
     compgen -G "$folder/*.?pp" >/dev/null || continue
     if [[ -z ${knows[$folder]+listed} ]]; then
@@ -67,7 +68,7 @@ for folder in dem dem/*/ fragility ground uq uq/*/ app/*/ python/src try/wasm; d
 done
 
 # Only commands speak to people; everything below them returns what there is to say.
-for folder in dem/*/ fragility ground uq/*/ app/text app/store app/reading app/input app/drawing app/output app/sampling; do
+for folder in core dem/*/ fragility ground uq/*/ app/text app/store app/reading app/input app/drawing app/output app/sampling; do
     if grep -nE 'std::c(out|err|log) *<<' "${folder%/}"/*.?pp; then
         echo "${folder%/} must not print: return the text, and let the command print it"
         broken=1

@@ -8,7 +8,6 @@ set(TEST_UQ_SAMPLING_SOURCES
     uq/test_marginal.cpp
     uq/test_nataf.cpp
     uq/test_normal_copula.cpp
-    uq/test_normal_quantile.cpp
     uq/test_sobol.cpp
     uq/test_spatial_sample.cpp
     uq/test_stream.cpp)

@@ -1,5 +1,6 @@
 #include "uq/sensitivity/correlation_measures.hpp"
 
+#include "core/interval.hpp"
 #include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
@@ -87,8 +88,8 @@ TEST_CASE("correlation: intervals hold the truth as often as they say, at 50 sam
     const int studies = 4000;
     for (int k = 0; k < studies; ++k) {
         const auto xy = pairs(static_cast<std::uint64_t>(k + 1), 50, rho);
-        const Interval a = pearson(xy.col(0), xy.col(1))->interval;
-        const Interval b = spearman(xy.col(0), xy.col(1))->interval;
+        const core::Interval a = pearson(xy.col(0), xy.col(1))->interval;
+        const core::Interval b = spearman(xy.col(0), xy.col(1))->interval;
         p += a.lower <= rho && rho <= a.upper;
         s += b.lower <= truth && truth <= b.upper;
     }

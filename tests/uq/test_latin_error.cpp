@@ -1,7 +1,8 @@
 #include "uq/estimates/latin_error.hpp"
 
+#include "core/moments.hpp"
+#include "core/normal.hpp"
 #include "uq/estimates/estimate.hpp"
-#include "uq/marginals/normal_quantile.hpp"
 
 #include "tests/uq/latin_scene.hpp"
 
@@ -34,7 +35,7 @@ Ratios stated_over_true(const BlackBox& box, int n, int seeds)
     double independent = 0.0, hypercube = 0.0;
     for (int seed = 1; seed <= seeds; ++seed) {
         Eigen::MatrixXd x = scenes::latin_hypercube(n, 5, static_cast<std::uint64_t>(seed));
-        x = x.unaryExpr([](double u) { return uq::normal_quantile(u); });
+        x = x.unaryExpr([](double u) { return core::normal_quantile(u); });
         std::vector<double> y, counted;
         std::vector<bool> member;
         for (int i = 0; i < n; ++i) {
@@ -48,7 +49,7 @@ Ratios stated_over_true(const BlackBox& box, int n, int seeds)
         independent += e.std_error * e.std_error / seeds;
         hypercube += std::pow(uq::latin_subset_error(y, member, x), 2) / seeds;
     }
-    const double truth = uq::moments(means).sd;
+    const double truth = core::moments(means).sd;
     return {std::sqrt(independent) / truth, std::sqrt(hypercube) / truth};
 }
 

@@ -1,5 +1,6 @@
 #include "uq/reliability/multi_fidelity.hpp"
 
+#include "core/binomial.hpp"
 #include "tests/uq/reliability_problems.hpp"
 #include "uq/reliability/crude_monte_carlo.hpp"
 #include "uq/reliability/evaluate.hpp"
@@ -122,7 +123,8 @@ TEST_CASE("multi-fidelity: a cheap model that does not pay leaves plain Monte Ca
                        {cheap([](const VectorXd& x) { return x(0); }, 0.01)}, o);
     CHECK(never.reason.find("no correlation in the pilot") == 0);
     CHECK(never.estimate.value == 0.0);
-    CHECK(never.estimate.interval.upper == binomial_interval(0, 199, 0.95).upper);
+    CHECK(never.estimate.interval.upper ==
+          core::binomial_interval(core::BinomialInterval::clopper_pearson, 0, 199, 0.95).upper);
 }
 
 TEST_CASE(

@@ -1,5 +1,6 @@
 #include "uq/estimates/quantile_estimate.hpp"
 
+#include "core/interval.hpp"
 #include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
@@ -82,7 +83,7 @@ TEST_CASE("quantile: the interval holds the quantile at least as often as it say
         Stream s(4, static_cast<std::uint64_t>(k), Purpose::monte_carlo);
         std::vector<double> y;
         for (int i = 0; i < 80; ++i) y.push_back(-std::log(s.uniform()));
-        const Interval in = estimate_quantile(y, p).interval;
+        const core::Interval in = estimate_quantile(y, p).interval;
         held += in.lower <= truth && truth <= in.upper;
     }
     CHECK(held / double(studies) > 0.95 - 3.0 * std::sqrt(0.95 * 0.05 / studies));

@@ -1,5 +1,7 @@
 #include "uq/sensitivity/regression.hpp"
 
+#include "core/interval.hpp"
+#include "core/moments.hpp"
 #include "tests/uq/latin_scene.hpp"
 #include "tests/uq/sensitivity_scenes.hpp"
 #include "uq/sensitivity/correlation_measures.hpp"
@@ -32,7 +34,10 @@ Eigen::VectorXd linear(const Eigen::MatrixXd& x)
     return 3.0 * x.col(0) - 2.0 * x.col(1) + x.col(3);
 }
 
-bool holds(const Interval& i, double truth) { return i.lower <= truth && truth <= i.upper; }
+bool holds(const core::Interval& i, double truth)
+{
+    return i.lower <= truth && truth <= i.upper;
+}
 
 } // namespace
 
@@ -138,8 +143,9 @@ TEST_CASE("regression: standard errors of rank coefficients are those seen in re
         src_error += c.standardised.std_error / studies;
         pcc_error += c.partial.std_error / studies;
     }
-    CHECK(src_error / moments(src).sd == Approx(1.0).margin(0.25)); // ranks: an approximation
-    CHECK(pcc_error / moments(pcc).sd == Approx(1.0).margin(0.25));
+    CHECK(src_error / core::moments(src).sd ==
+          Approx(1.0).margin(0.25)); // ranks: an approximation
+    CHECK(pcc_error / core::moments(pcc).sd == Approx(1.0).margin(0.25));
 }
 
 TEST_CASE("regression: collinear and constant inputs are flagged and spoil no other",

@@ -1,10 +1,10 @@
 #include "uq/fields/spatial_sample.hpp"
 
+#include "core/normal.hpp"
 #include "tests/uq/field_scenes.hpp"
 #include "tests/uq/strata.hpp"
 #include "uq/designs/design.hpp"
 #include "uq/fields/kernel.hpp"
-#include "uq/marginals/normal_quantile.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -56,7 +56,7 @@ Eigen::MatrixXd sampled(const SpatialPlan& plan, DesignKind kind,
     Eigen::MatrixXd x(u.rows(), u.cols());
     for (Eigen::Index i = 0; i < u.rows(); ++i) {
         const auto values =
-            draw(plan, u.row(i).transpose().unaryExpr(&normal_quantile), unused);
+            draw(plan, u.row(i).transpose().unaryExpr(&core::normal_quantile), unused);
         for (Eigen::Index j = 0; j < x.cols(); ++j)
             x(i, j) = values[static_cast<std::size_t>(j)].front();
     }

@@ -1,5 +1,6 @@
 #include "uq/estimates/stopping.hpp"
 
+#include "core/interval.hpp"
 #include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
@@ -130,7 +131,7 @@ TEST_CASE("stopping: the last interval holds the mean nearly as often as it says
     for (int k = 0; k < studies; ++k) {
         Source source{static_cast<std::uint64_t>(100 + k)};
         const StoppedSampling s = run({.half_width = 0.03, .min_n = 30, .max_n = 2000}, source);
-        const Interval i = s.decision.estimate->interval;
+        const core::Interval i = s.decision.estimate->interval;
         held += i.lower <= 10.0 && 10.0 <= i.upper;
     }
     INFO("coverage " << held / double(studies));

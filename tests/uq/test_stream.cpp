@@ -1,6 +1,6 @@
 #include "uq/designs/stream.hpp"
 
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/normal.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -64,7 +64,7 @@ TEST_CASE("stream: many uniforms at once are those read one by one, wherever the
     many.fill_uniform(u);
     for (const double x : u) CHECK(x == one.uniform());
     CHECK(many.bits() == one.bits()); // and both go on alike
-    CHECK(many.normal() == uq::normal_quantile(one.uniform()));
+    CHECK(many.normal() == core::normal_quantile(one.uniform()));
 }
 
 TEST_CASE("stream: below(n) gives each of 0 .. n - 1 equally often", "[uq][stream]")

@@ -1,5 +1,7 @@
 #include "uq/reliability/subset_simulation.hpp"
 
+#include "core/binomial.hpp"
+#include "core/interval.hpp"
 #include "tests/uq/reliability_problems.hpp"
 #include "uq/designs/stream.hpp"
 
@@ -109,11 +111,14 @@ TEST_CASE("subset simulation: certain and impossible events end at once",
     CHECK(always.exceedance.estimate.value == 1.0);
     CHECK(always.exceedance.estimate.std_error == 0.0);
     CHECK(always.exceedance.estimate.interval.lower ==
-          binomial_interval(1000, 1000, 0.95).lower);
+          core::binomial_interval(core::BinomialInterval::clopper_pearson, 1000, 1000, 0.95)
+              .lower);
     const SubsetResult never = constant(1.0);
     CHECK(never.exceedance.outcome == SamplingOutcome::none_passed);
     CHECK(never.exceedance.estimate.value == 0.0);
-    CHECK(never.exceedance.estimate.interval.upper == binomial_interval(0, 1000, 0.95).upper);
+    CHECK(
+        never.exceedance.estimate.interval.upper ==
+        core::binomial_interval(core::BinomialInterval::clopper_pearson, 0, 1000, 0.95).upper);
     CHECK(never.exceedance.ledger.evaluations == 1000);
     CHECK(constant(0.0).exceedance.estimate.value == 1.0); // on the limit is passed
     CHECK_FALSE(never.exceedance.warnings.empty());
@@ -294,7 +299,8 @@ TEST_CASE("subset simulation: a frequent event is a count of independent samples
     CHECK(r.runs == 10);
     CHECK(r.exceedance.ledger.evaluations == 1000);
     const auto hits = static_cast<std::size_t>(std::lround(1000 * r.exceedance.estimate.value));
-    const Interval exact = binomial_interval(hits, 1000, 0.95);
+    const core::Interval exact =
+        core::binomial_interval(core::BinomialInterval::clopper_pearson, hits, 1000, 0.95);
     CHECK(r.exceedance.estimate.interval.lower == Approx(exact.lower).epsilon(1e-12));
     CHECK(r.exceedance.estimate.interval.upper == Approx(exact.upper).epsilon(1e-12));
 }

@@ -1,6 +1,6 @@
 #include "uq/designs/correlation_matrix.hpp"
 
-#include "uq/designs/eigen_pairs.hpp"
+#include "core/eigen_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +18,13 @@ constexpr Eigen::Index kShownRows = 8; // beyond it only what moved
 /// Onto the matrices whose eigenvalues are at least `least`.
 Eigen::MatrixXd lifted(const Eigen::MatrixXd& a, double least)
 {
-    const EigenPairs e = eigen_pairs(a);
+    const core::EigenPairs e = core::eigen_pairs(a);
     const Eigen::VectorXd values = e.values.cwiseMax(least);
     const Eigen::MatrixXd x = e.vectors * values.asDiagonal() * e.vectors.transpose();
     return 0.5 * (x + x.transpose());
 }
 
-double least_eigenvalue(const Eigen::MatrixXd& a) { return eigen_pairs(a).values[0]; }
+double least_eigenvalue(const Eigen::MatrixXd& a) { return core::eigen_pairs(a).values[0]; }
 
 const char* fault(const Eigen::MatrixXd& r)
 {

@@ -1,6 +1,6 @@
 #include "uq/designs/iman_conover.hpp"
 
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/normal.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -40,7 +40,7 @@ Eigen::MatrixXd normal_scores(const Eigen::MatrixXd& x)
     for (Eigen::Index j = 0; j < x.cols(); ++j) {
         double rank = 0.0;
         for (const Eigen::Index i : order(x.col(j)))
-            scores(i, j) = normal_quantile(++rank / (n + 1.0));
+            scores(i, j) = core::normal_quantile(++rank / (n + 1.0));
     }
     return scores;
 }

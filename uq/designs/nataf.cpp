@@ -1,6 +1,6 @@
 #include "uq/designs/nataf.hpp"
 
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/normal.hpp"
 #include "uq/marginals/normal_rule.hpp"
 
 #include <boost/math/tools/roots.hpp>
@@ -95,7 +95,7 @@ Eigen::VectorXd step_coefficients(const Marginal& m)
     std::vector<double> z, step;
     for (std::size_t i = 1; i < values.size(); ++i) {
         if (values[i] == values[i - 1]) continue;
-        z.push_back(normal_quantile(static_cast<double>(i) / n));
+        z.push_back(core::normal_quantile(static_cast<double>(i) / n));
         step.push_back((values[i] - values[i - 1]) * std::exp(-0.5 * z.back() * z.back()) *
                        (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2) / sd(m));
     }

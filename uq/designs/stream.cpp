@@ -1,6 +1,6 @@
 #include "uq/designs/stream.hpp"
 
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/normal.hpp"
 
 #include <Random123/philox.h>
 
@@ -66,7 +66,7 @@ std::uint64_t Stream::below(std::uint64_t n)
     return static_cast<std::uint64_t>(product >> 64);
 }
 
-double Stream::normal() { return normal_quantile(uniform()); }
+double Stream::normal() { return core::normal_quantile(uniform()); }
 
 std::uint64_t replicate_seed(std::uint64_t seed, std::uint64_t r)
 {

@@ -1,6 +1,7 @@
 #include "uq/estimates/estimate.hpp"
 
-#include "uq/estimates/estimate_critical.hpp"
+#include "core/critical.hpp"
+#include "core/moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,21 +11,6 @@
 namespace uq {
 
 namespace {
-
-/// A sum and what rounding took from it (Neumaier 1974).
-class CompensatedSum {
-  public:
-    void add(double x)
-    {
-        const double total = sum_ + x;
-        lost_ += std::abs(sum_) >= std::abs(x) ? (sum_ - total) + x : (x - total) + sum_;
-        sum_ = total;
-    }
-    [[nodiscard]] double value() const { return sum_ + lost_; }
-
-  private:
-    double sum_ = 0.0, lost_ = 0.0;
-};
 
 Estimate with_interval(double value, double std_error, const SoundValues& y, double factor,
                        double confidence)
@@ -54,33 +40,14 @@ SoundValues sound_values(std::span<const double> y)
     return sound;
 }
 
-Moments moments(std::span<const double> y)
-{
-    if (y.size() < 2)
-        throw std::invalid_argument("at least 2 sound samples are needed, got " +
-                                    std::to_string(y.size()));
-    const auto n = static_cast<double>(y.size());
-    CompensatedSum from_first; // differences from a value of the sample lose no digits
-    for (const double x : y) from_first.add(x - y[0]);
-    const double shift = from_first.value() / n;
-    CompensatedSum first, second;
-    for (const double x : y) {
-        const double d = (x - y[0]) - shift;
-        first.add(d);
-        second.add(d * d);
-    }
-    const double squares = second.value() - first.value() * first.value() / n;
-    return {y[0] + shift, std::sqrt(std::max(0.0, squares) / (n - 1.0))};
-}
-
 Estimate estimate_mean(std::span<const double> y, double confidence)
 {
-    check_confidence(confidence);
+    core::check_confidence(confidence);
     const SoundValues sound = sound_values(y);
-    const Moments m = moments(sound.values);
+    const core::Moments m = core::moments(sound.values);
     const auto n = static_cast<double>(sound.values.size());
     return with_interval(m.mean, m.sd / std::sqrt(n), sound,
-                         student_factor(confidence, n - 1.0), confidence);
+                         core::student_factor(confidence, n - 1.0), confidence);
 }
 
 Estimate estimate_mean(std::span<const double> y, double lower, double upper, double confidence)

@@ -5,24 +5,21 @@
 /// where its possible values are known, the interval is widened to hold them. Intervals assume
 /// independent samples; for Latin hypercubes and sequences they are conservative.
 
+#include "core/binomial.hpp"
+#include "core/interval.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace uq {
 
-/// An interval that holds the true value with the given confidence [-]. A limit that the
-/// samples do not give is infinite.
-struct Interval {
-    double lower, upper, confidence;
-};
-
 struct Estimate {
     double value;
     double std_error;       ///< of `value`, same unit
     std::size_t n;          ///< sound samples used
     std::size_t failed = 0; ///< samples asked for that gave no answer
-    Interval interval{};
+    core::Interval interval{};
 };
 
 constexpr double kConfidence = 0.95; ///< where nothing else is asked for [-]
@@ -34,15 +31,6 @@ struct SoundValues {
 /// @throws std::invalid_argument naming the value that is infinite
 [[nodiscard]] SoundValues sound_values(std::span<const double> y);
 
-struct Moments {
-    double mean;
-    double sd; ///< with n - 1
-};
-/// Two passes with compensated sums (Neumaier 1974; Chan, Golub, LeVeque 1983): right to some
-/// units of the last place of the data, however small the spread.
-/// @param y finite, at least 2, else std::invalid_argument
-[[nodiscard]] Moments moments(std::span<const double> y);
-
 /// Student's interval. Exact for normal values; for others as good as the mean is normal.
 /// @throws std::invalid_argument for fewer than 2 sound values or a confidence outside (0, 1)
 [[nodiscard]] Estimate estimate_mean(std::span<const double> y,
@@ -53,11 +41,6 @@ struct Moments {
 [[nodiscard]] Estimate estimate_mean(std::span<const double> y, double lower, double upper,
                                      double confidence = kConfidence);
 
-enum class ProportionInterval {
-    wilson,         ///< mean coverage is the one asked for (Wilson 1927)
-    clopper_pearson ///< coverage never below it (Clopper, Pearson 1934)
-};
-
 /// Probability of an event seen in `hits` of `n` sound samples. A failed sample could be
 /// either: lower limit as if none of them hit, upper as if all did; likewise the standard error
 /// is that of the proportion nearest 1/2 that they allow.
@@ -65,12 +48,12 @@ enum class ProportionInterval {
 [[nodiscard]] Estimate
 estimate_probability(std::size_t hits, std::size_t n, std::size_t failed = 0,
                      double confidence = kConfidence,
-                     ProportionInterval kind = ProportionInterval::wilson);
+                     core::BinomialInterval kind = core::BinomialInterval::wilson);
 
 /// Share of the samples for which y <= threshold.
 [[nodiscard]] Estimate
 estimate_probability_below(std::span<const double> y, double threshold,
                            double confidence = kConfidence,
-                           ProportionInterval kind = ProportionInterval::wilson);
+                           core::BinomialInterval kind = core::BinomialInterval::wilson);
 
 } // namespace uq

@@ -1,6 +1,6 @@
 #include "uq/estimates/latin_error.hpp"
 
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/normal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ enum class Basis { normal_scores, waves };
 double basis_function(Basis kind, double share, int degree)
 {
     if (kind == Basis::waves) return std::cos(degree * std::numbers::pi * share);
-    const double z = normal_quantile(share);
+    const double z = core::normal_quantile(share);
     return degree == 1 ? z : z * z - 1.0;
 }
 

@@ -1,8 +1,9 @@
 #include "uq/estimates/quantile_estimate.hpp"
 
-#include "uq/estimates/estimate_critical.hpp"
-#include "uq/marginals/boost_quantiles.hpp"
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/boost_quantiles.hpp"
+#include "core/critical.hpp"
+#include "core/interval.hpp"
+#include "core/sample_quantile.hpp"
 
 #include <gsl/gsl_cdf.h>
 
@@ -39,8 +40,8 @@ std::size_t binomial_quantile(double level, std::size_t n, double p)
 
 /// With all = sound + failed values and B of them below the quantile, x_(l) is above it if
 /// B <= l - 1 and x_(u) below it if B >= u.
-Interval between_values(const std::vector<double>& sorted, std::size_t failed, double p,
-                        double confidence)
+core::Interval between_values(const std::vector<double>& sorted, std::size_t failed, double p,
+                              double confidence)
 {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const std::size_t all = sorted.size() + failed;
@@ -52,16 +53,6 @@ Interval between_values(const std::vector<double>& sorted, std::size_t failed, d
             confidence};
 }
 
-double interpolated(const std::vector<double>& sorted, double p)
-{
-    const auto n = static_cast<double>(sorted.size());
-    const double place = std::clamp((n + 1.0 / 3.0) * p + 1.0 / 3.0, 1.0, n);
-    const auto below = static_cast<std::size_t>(place);
-    if (below >= sorted.size()) return sorted.back();
-    return sorted[below - 1] +
-           (place - static_cast<double>(below)) * (sorted[below] - sorted[below - 1]);
-}
-
 /// Weights of n sorted values: increments of the beta distribution with (n + 1) p and (n + 1)
 /// (1 - p), the law of the probability below the order statistic at the quantile.
 std::vector<double> beta_weights(std::size_t n, double p)
@@ -70,8 +61,8 @@ std::vector<double> beta_weights(std::size_t n, double p)
     std::vector<double> w(n);
     double before = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-        const double upto = beta_probability((real + 1.0) * p, (real + 1.0) * (1.0 - p),
-                                             static_cast<double>(i + 1) / real);
+        const double upto = core::beta_probability((real + 1.0) * p, (real + 1.0) * (1.0 - p),
+                                                   static_cast<double>(i + 1) / real);
         w[i] = upto - before;
         before = upto;
     }
@@ -96,14 +87,14 @@ double standard_error(const std::vector<double>& sorted, const std::vector<doubl
 Estimate estimate_quantile(std::span<const double> y, double p, double confidence)
 {
     check_probability(p);
-    check_confidence(confidence);
+    core::check_confidence(confidence);
     SoundValues sound = sound_values(y);
     std::vector<double>& sorted = sound.values;
     if (sorted.size() < 2)
         throw std::invalid_argument("at least 2 sound samples are needed, got " +
                                     std::to_string(sorted.size()));
     std::sort(sorted.begin(), sorted.end());
-    const double between = interpolated(sorted, p);
+    const double between = core::unbiased_quantile(sorted, p);
     return {between, standard_error(sorted, beta_weights(sorted.size(), p), between),
             sorted.size(), sound.failed, between_values(sorted, sound.failed, p, confidence)};
 }

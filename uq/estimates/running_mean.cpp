@@ -1,6 +1,7 @@
 #include "uq/estimates/running_mean.hpp"
 
-#include "uq/estimates/estimate_critical.hpp"
+#include "core/critical.hpp"
+#include "core/moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,16 +45,16 @@ std::vector<RunningMean> running_mean(std::span<const double> y, const Prescribe
     if (sound_values(y).values.empty())
         throw std::invalid_argument("a running mean needs at least one sound sample");
     return run(y, prescribed, 0.0, relative ? std::abs(prescribed.mean) : 1.0,
-               normal_factor(confidence));
+               core::normal_factor(confidence));
 }
 
 std::vector<RunningMean> running_mean(std::span<const double> y, bool relative,
                                       double confidence)
 {
     const SoundValues sound = sound_values(y);
-    const Moments m = moments(sound.values);
+    const core::Moments m = core::moments(sound.values);
     return run(y, {m.mean, m.sd}, 1.0 / static_cast<double>(sound.values.size()),
-               relative ? std::abs(m.mean) : 1.0, normal_factor(confidence));
+               relative ? std::abs(m.mean) : 1.0, core::normal_factor(confidence));
 }
 
 } // namespace uq

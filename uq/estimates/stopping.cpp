@@ -1,6 +1,6 @@
 #include "uq/estimates/stopping.hpp"
 
-#include "uq/estimates/estimate_critical.hpp"
+#include "core/critical.hpp"
 #include "uq/estimates/quantile_estimate.hpp"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ std::string_view words(StopReason reason)
 
 void check(const StoppingRule& rule)
 {
-    check_confidence(rule.confidence);
+    core::check_confidence(rule.confidence);
     const auto require = [](bool ok, const std::string& what) {
         if (!ok) throw std::invalid_argument("stopping rule: " + what);
     };

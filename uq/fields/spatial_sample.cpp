@@ -1,8 +1,8 @@
 #include "uq/fields/spatial_sample.hpp"
 
+#include "core/normal.hpp"
 #include "uq/designs/iman_conover.hpp"
 #include "uq/fields/field.hpp"
-#include "uq/marginals/normal_quantile.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -54,7 +54,7 @@ std::vector<double> stratified(int n, Stream& random)
     for (std::size_t i = stratum.size() - 1; i > 0; --i) // Fisher-Yates
         std::swap(stratum[i], stratum[random.below(i + 1)]);
     std::vector<double> z;
-    for (const int s : stratum) z.push_back(normal_quantile((s + random.uniform()) / n));
+    for (const int s : stratum) z.push_back(core::normal_quantile((s + random.uniform()) / n));
     return z;
 }
 

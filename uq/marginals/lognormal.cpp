@@ -1,5 +1,6 @@
 #include "uq/marginals/lognormal.hpp"
 
+#include "core/normal.hpp"
 #include "uq/marginals/normal.hpp"
 #include "uq/marginals/shape_checks.hpp"
 
@@ -30,7 +31,7 @@ Range support(const Lognormal&) { return {0.0, std::numeric_limits<double>::infi
 double density(const Lognormal& s, double x)
 {
     if (!(x > 0.0)) return 0.0;
-    return standard_normal_density((std::log(x) - s.mu_log) / s.sigma_log) / (s.sigma_log * x);
+    return core::normal_density((std::log(x) - s.mu_log) / s.sigma_log) / (s.sigma_log * x);
 }
 double lower_tail(const Lognormal& s, double x)
 {

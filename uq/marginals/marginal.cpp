@@ -1,7 +1,7 @@
 #include "uq/marginals/marginal.hpp"
 
+#include "core/normal.hpp"
 #include "uq/marginals/discrete.hpp"
-#include "uq/marginals/normal_quantile.hpp"
 #include "uq/marginals/truncated.hpp"
 
 #include <gsl/gsl_cdf.h>
@@ -149,12 +149,13 @@ double to_normal(const Marginal& m, double x)
     return std::visit(
         [&](const auto& s) {
             if constexpr (Discrete<std::decay_t<decltype(s)>>)
-                return normal_quantile(discrete::middle(values(s, m), x));
+                return core::normal_quantile(discrete::middle(values(s, m), x));
             else {
                 const truncated::Cut c = truncated::cut(s, m.lower, m.upper);
                 const double p = truncated::cdf(s, c, x);
-                return p <= 0.5 ? normal_quantile(kept(p))
-                                : upper_normal_quantile(kept(truncated::complement(s, c, x)));
+                return p <= 0.5
+                           ? core::normal_quantile(kept(p))
+                           : core::upper_normal_quantile(kept(truncated::complement(s, c, x)));
             }
         },
         m.shape);

@@ -1,20 +1,14 @@
 #include "uq/marginals/normal.hpp"
 
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/normal.hpp"
 #include "uq/marginals/shape_checks.hpp"
 
 #include <gsl/gsl_cdf.h>
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace uq {
-
-double standard_normal_density(double z)
-{
-    return std::exp(-0.5 * z * z) * (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2);
-}
 
 void check(const Normal& s)
 {
@@ -34,7 +28,7 @@ Range support(const Normal&)
 }
 double density(const Normal& s, double x)
 {
-    return standard_normal_density((x - s.mean) / s.sd) / s.sd;
+    return core::normal_density((x - s.mean) / s.sd) / s.sd;
 }
 // Tails by GSL: Cody 1969.
 double lower_tail(const Normal& s, double x)
@@ -45,8 +39,11 @@ double upper_tail(const Normal& s, double x)
 {
     return gsl_cdf_ugaussian_Q((x - s.mean) / s.sd);
 }
-double at_lower(const Normal& s, double p) { return s.mean + s.sd * normal_quantile(p); }
-double at_upper(const Normal& s, double q) { return s.mean + s.sd * upper_normal_quantile(q); }
+double at_lower(const Normal& s, double p) { return s.mean + s.sd * core::normal_quantile(p); }
+double at_upper(const Normal& s, double q)
+{
+    return s.mean + s.sd * core::upper_normal_quantile(q);
+}
 MeanSd mean_sd(const Normal& s) { return {s.mean, s.sd}; }
 
 std::span<const ShapeForm<Normal>> forms(const Normal*)

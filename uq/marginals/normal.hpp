@@ -14,8 +14,6 @@ struct Normal {
 void check(const Normal&);
 /// @param cov coefficient of variation = sd / |mean| [-], > 0
 [[nodiscard]] Normal normal_from_moments(double mean, double cov);
-/// phi(z)
-[[nodiscard]] double standard_normal_density(double z);
 
 // The meaning of each function is in uq/marginals/shape.hpp.
 [[nodiscard]] Range support(const Normal&);

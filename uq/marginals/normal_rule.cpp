@@ -1,6 +1,6 @@
 #include "uq/marginals/normal_rule.hpp"
 
-#include "uq/marginals/gauss_legendre.hpp"
+#include "core/gauss_legendre.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +30,9 @@ NormalRule normal_rule(std::vector<double> breaks)
     for (std::size_t i = 1; i < breaks.size(); ++i) {
         const double middle = 0.5 * (breaks[i - 1] + breaks[i]);
         const double half = 0.5 * (breaks[i] - breaks[i - 1]);
-        for (std::size_t k = 0; k < kGauss30.node.size(); ++k) { // the positive half
-            add(rule, middle - half * kGauss30.node[k], half * kGauss30.weight[k]);
-            add(rule, middle + half * kGauss30.node[k], half * kGauss30.weight[k]);
+        for (std::size_t k = 0; k < core::kGauss30.node.size(); ++k) { // the positive half
+            add(rule, middle - half * core::kGauss30.node[k], half * core::kGauss30.weight[k]);
+            add(rule, middle + half * core::kGauss30.node[k], half * core::kGauss30.weight[k]);
         }
     }
     return rule;

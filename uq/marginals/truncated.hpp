@@ -2,7 +2,7 @@
 /// A shape cut off outside [lower, upper] and scaled up to one, accurate in what is left: deep
 /// in a tail of the shape as well as close to a cut.
 
-#include "uq/marginals/gauss_legendre.hpp"
+#include "core/gauss_legendre.hpp"
 #include "uq/marginals/shape_form.hpp"
 
 #include <algorithm>
@@ -25,9 +25,10 @@ template <class S> [[nodiscard]] double integral(const S& s, double x, double y)
     }
     const double middle = 0.5 * (x + y), half = 0.5 * (y - x);
     double sum = 0.0;
-    for (std::size_t i = 0; i < kGauss20.node.size(); ++i) {
-        const double step = half * kGauss20.node[i];
-        sum += (density(s, middle + step) + density(s, middle - step)) * kGauss20.weight[i];
+    for (std::size_t i = 0; i < core::kGauss20.node.size(); ++i) {
+        const double step = half * core::kGauss20.node[i];
+        sum +=
+            (density(s, middle + step) + density(s, middle - step)) * core::kGauss20.weight[i];
     }
     return half * sum;
 }

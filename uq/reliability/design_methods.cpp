@@ -1,7 +1,6 @@
 #include "uq/reliability/design_methods.hpp"
 
 #include "uq/designs/stream.hpp"
-#include "uq/marginals/normal_quantile.hpp"
 #include "uq/reliability/evaluate.hpp"
 #include "uq/reliability/importance_sampling.hpp"
 #include "uq/reliability/method_answers.hpp"

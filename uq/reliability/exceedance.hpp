@@ -1,6 +1,7 @@
 #pragma once
 /// A probability estimated from samples of which some may have failed.
 
+#include "core/interval.hpp"
 #include "uq/estimates/estimate.hpp"
 #include "uq/reliability/limit_state.hpp"
 
@@ -28,17 +29,13 @@ struct Exceedance {
 /// Standard error / value; infinite where the value is zero.
 [[nodiscard]] double coefficient_of_variation(const Estimate& e);
 
-/// Interval of Clopper and Pearson (1934) with equal tails.
-/// @throws std::invalid_argument unless confidence is in (0, 1), successes <= n and n >= 1
-[[nodiscard]] Interval binomial_interval(std::size_t successes, std::size_t n,
-                                         double confidence);
-
-/// The estimate from counts of independent samples; the caller fills in the ledger. If all
-/// samples failed, the value is 0, its interval [0, 1] and the outcome no_answer.
+/// The estimate from counts of independent samples, with the interval of Clopper and Pearson;
+/// the caller fills in the ledger. If all samples failed, the value is 0, its interval [0, 1]
+/// and the outcome no_answer.
 [[nodiscard]] Exceedance count_exceedance(std::size_t passed, std::size_t failed, std::size_t n,
                                           double confidence);
 
 /// Interval of a positive estimate whose logarithm is about normal, cut at 1.
-[[nodiscard]] Interval log_interval(double value, double std_error, double confidence);
+[[nodiscard]] core::Interval log_interval(double value, double std_error, double confidence);
 
 } // namespace uq

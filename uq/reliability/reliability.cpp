@@ -1,7 +1,7 @@
 #include "uq/reliability/reliability.hpp"
 
+#include "core/normal.hpp"
 #include "uq/designs/sobol.hpp"
-#include "uq/marginals/normal_quantile.hpp"
 #include "uq/reliability/crude_monte_carlo.hpp"
 #include "uq/reliability/design_methods.hpp"
 #include "uq/reliability/evaluate.hpp"
@@ -106,7 +106,7 @@ void variance_shares(const ReliabilityProblem& p, ReliabilityAnswer& a)
     const Eigen::Index d = p.event.dimension, n = p.budget / (d + 2);
     const Eigen::MatrixXd cube = sobol(0, n, 2 * static_cast<int>(d), p.seed);
     Eigen::MatrixXd u = pick_freeze(cube.leftCols(d), cube.rightCols(d));
-    to_normal_quantiles({u.data(), static_cast<std::size_t>(u.size())});
+    core::to_normal_quantiles({u.data(), static_cast<std::size_t>(u.size())});
     Ledger ledger;
     Eigen::VectorXd g(u.rows());
     for (Eigen::Index first = 0; first < u.rows(); first += kBatch) {

@@ -1,6 +1,6 @@
 #include "uq/reliability/sorm.hpp"
 
-#include "uq/designs/eigen_pairs.hpp"
+#include "core/eigen_pairs.hpp"
 
 #include <Eigen/Householder>
 #include <gsl/gsl_cdf.h>
@@ -101,7 +101,7 @@ SormResult sorm(const LimitState& s, const DesignPoint& p, double step)
     // With the origin on the passed side (beta < 0) P = 1 - P(other side), of curvature -kappa.
     const double side = p.beta < 0.0 ? -1.0 : 1.0, beta = std::abs(p.beta);
     const Eigen::MatrixXd scaled = hessian(g, t.cols(), step) / p.at.gradient.norm();
-    r.curvatures = eigen_pairs(scaled).values;
+    r.curvatures = core::eigen_pairs(scaled).values;
     const Eigen::VectorXd kappa = side * r.curvatures;
     if (!correction(beta, kappa)) {
         std::ostringstream why;

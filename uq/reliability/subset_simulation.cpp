@@ -1,5 +1,7 @@
 #include "uq/reliability/subset_simulation.hpp"
 
+#include "core/binomial.hpp"
+#include "core/interval.hpp"
 #include "uq/reliability/subset_simulation_chains.hpp"
 
 #include <algorithm>
@@ -157,11 +159,14 @@ Run run(const LimitState& s, const SubsetOptions& o, FailedAs failed, std::uint6
     return r;
 }
 
-Interval interval(const Run& r, const SubsetOptions& o)
+core::Interval interval(const Run& r, const SubsetOptions& o)
 {
-    if (r.most_levels == 1) return binomial_interval(r.passed, r.samples, o.confidence);
+    if (r.most_levels == 1)
+        return core::binomial_interval(core::BinomialInterval::clopper_pearson,
+                                       static_cast<double>(r.passed),
+                                       static_cast<double>(r.samples), o.confidence);
     if (r.passed > 0) return log_interval(r.value, r.cov * r.value, o.confidence);
-    Interval last = log_interval(r.reached, r.reached_cov * r.reached, o.confidence);
+    core::Interval last = log_interval(r.reached, r.reached_cov * r.reached, o.confidence);
     last.lower = 0.0;
     return last;
 }
@@ -226,7 +231,7 @@ SubsetResult subset_simulation(const LimitState& s, const SubsetOptions& o)
     }
     e.estimate.failed = ledger.failed.size();
     e.estimate.n = ledger.evaluations - ledger.failed.size();
-    const Interval a = interval(low, o), b = interval(high, o);
+    const core::Interval a = interval(low, o), b = interval(high, o);
     e.estimate.interval = {a.lower, all_failed || unknown ? 1.0 : std::max(a.upper, b.upper),
                            o.confidence};
     warn(e, low);

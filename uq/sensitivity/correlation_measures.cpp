@@ -1,6 +1,6 @@
 #include "uq/sensitivity/correlation_measures.hpp"
 
-#include "uq/estimates/estimate_critical.hpp"
+#include "core/critical.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ std::optional<double> correlation(const Eigen::VectorXd& x, const Eigen::VectorX
 std::optional<Estimate> with_interval(const SoundRows& rows, const Eigen::VectorXd& x,
                                       const Eigen::VectorXd& y, double extra, double confidence)
 {
-    check_confidence(confidence);
+    core::check_confidence(confidence);
     if (rows.y.size() < 4)
         throw std::invalid_argument("a correlation needs at least 4 sound samples, got " +
                                     std::to_string(rows.y.size()));
@@ -69,10 +69,10 @@ Eigen::VectorXd ranks(const Eigen::VectorXd& y)
     return r;
 }
 
-Interval fisher_interval(double r, double z_error, double confidence)
+core::Interval fisher_interval(double r, double z_error, double confidence)
 {
     if (std::abs(r) >= 1.0) return {r, r, confidence};
-    const double z = std::atanh(r), half = normal_factor(confidence) * z_error;
+    const double z = std::atanh(r), half = core::normal_factor(confidence) * z_error;
     return {std::tanh(z - half), std::tanh(z + half), confidence};
 }
 

@@ -3,6 +3,7 @@
 ///
 /// A row with NaN in the response or an input is a failed sample: left out and counted.
 
+#include "core/interval.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <Eigen/Core>
@@ -36,6 +37,6 @@ pearson(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double confidence = 
 spearman(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double confidence = kConfidence);
 
 /// Interval of a correlation `r` through Fisher's z; `z_error`: standard error of z.
-[[nodiscard]] Interval fisher_interval(double r, double z_error, double confidence);
+[[nodiscard]] core::Interval fisher_interval(double r, double z_error, double confidence);
 
 } // namespace uq

@@ -1,5 +1,6 @@
 #include "uq/sensitivity/delta_index.hpp"
 
+#include "core/moments.hpp"
 #include "uq/designs/stream.hpp"
 
 #include <algorithm>
@@ -91,7 +92,7 @@ Estimate delta_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y, const D
             i = static_cast<Eigen::Index>(draw.below(static_cast<std::uint64_t>(y.size())));
         again.push_back(raw_delta(x(rows), y(rows)));
     }
-    const Moments m = moments(again);
+    const core::Moments m = core::moments(again);
     std::ranges::sort(again);
     const auto at = [&](double p) {
         const auto last = static_cast<double>(again.size() - 1);

@@ -1,6 +1,6 @@
 #include "uq/sensitivity/regression.hpp"
 
-#include "uq/estimates/estimate_critical.hpp"
+#include "core/critical.hpp"
 #include "uq/sensitivity/correlation_measures.hpp"
 #include "uq/sensitivity/regression_bootstrap.hpp"
 #include "uq/sensitivity/regression_fit.hpp"
@@ -38,7 +38,7 @@ RegressionCoefficient coefficient(const RegressionFit& f, Eigen::Index j, std::s
                 false};
     const double freedom = static_cast<double>(f.y.size()) - 1.0 - static_cast<double>(f.rank);
     const double error = standardised_error(f, j),
-                 half = student_factor(confidence, freedom) * error;
+                 half = core::student_factor(confidence, freedom) * error;
     const double r = partial_correlation(f, j), z_error = 1.0 / std::sqrt(freedom - 1.0);
     return {{f.beta[j], error, n, failed, {f.beta[j] - half, f.beta[j] + half, confidence}},
             {r, (1.0 - r * r) * z_error, n, failed, fisher_interval(r, z_error, confidence)},
@@ -50,7 +50,7 @@ RegressionCoefficient coefficient(const RegressionFit& f, Eigen::Index j, std::s
 std::optional<Regression> regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
                                   const RegressionOptions& options)
 {
-    check_confidence(options.confidence);
+    core::check_confidence(options.confidence);
     const SoundRows rows = sound_rows(x, y);
     if (rows.y.size() < x.cols() + 4)
         throw std::invalid_argument("a regression on " + std::to_string(x.cols()) +

@@ -1,5 +1,6 @@
 #include "uq/sensitivity/regression_bootstrap.hpp"
 
+#include "core/moments.hpp"
 #include "uq/designs/stream.hpp"
 #include "uq/sensitivity/regression_fit.hpp"
 
@@ -25,7 +26,7 @@ void set_from(Estimate& e, std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
     const double tail = 0.5 * (1.0 - e.interval.confidence);
-    e.std_error = moments(values).sd;
+    e.std_error = core::moments(values).sd;
     e.interval.lower = percentile(values, tail);
     e.interval.upper = percentile(values, 1.0 - tail);
 }

@@ -1,6 +1,7 @@
 #include "uq/sensitivity/sobol_indices.hpp"
 
-#include "uq/estimates/estimate_critical.hpp"
+#include "core/critical.hpp"
+#include "core/moments.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -49,7 +50,7 @@ Estimate ratio(const Eigen::ArrayXd& part, const Rows& r, double confidence)
     const double value = part.mean() / variance;
     const Eigen::ArrayXd moved = (part - value * r.variance) / variance; // mean 0
     const double error = std::sqrt(moved.square().sum() / (n * (n - 1.0)));
-    const double half = normal_factor(confidence) * error;
+    const double half = core::normal_factor(confidence) * error;
     return {value,
             error,
             static_cast<std::size_t>(part.size()),
@@ -63,7 +64,7 @@ double variance_of(const Eigen::VectorXd& y, Eigen::Index n)
     std::vector<double> sound;
     for (Eigen::Index k = 0; k < 2 * n; ++k)
         if (!std::isnan(y[k])) sound.push_back(y[k]);
-    const double sd = moments(sound).sd;
+    const double sd = core::moments(sound).sd;
     return sd * sd;
 }
 
@@ -86,7 +87,7 @@ Eigen::MatrixXd pick_freeze(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 
 SobolIndices sobol_indices(const Eigen::VectorXd& y, Eigen::Index d, double confidence)
 {
-    check_confidence(confidence);
+    core::check_confidence(confidence);
     if (d < 1 || y.size() == 0 || y.size() % (d + 2) != 0)
         throw std::invalid_argument("got " + std::to_string(y.size()) +
                                     " responses, must be a multiple of " +

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace fragility {
+namespace core {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -12,4 +12,4 @@ struct Interval {
     double lower, upper, confidence;
 };
 
-} // namespace fragility
+} // namespace core

@@ -1,7 +1,7 @@
 #pragma once
 /// Half widths of two-sided intervals in standard errors.
 
-namespace uq {
+namespace core {
 
 /// @throws std::invalid_argument if `confidence` is not in (0, 1)
 void check_confidence(double confidence);
@@ -11,4 +11,4 @@ void check_confidence(double confidence);
 /// @throws std::invalid_argument also if `freedom` is not > 0
 [[nodiscard]] double student_factor(double confidence, double freedom);
 
-} // namespace uq
+} // namespace core

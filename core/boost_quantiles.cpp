@@ -1,9 +1,9 @@
-#include "uq/marginals/boost_quantiles.hpp"
+#include "core/boost_quantiles.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
 
-namespace uq {
+namespace core {
 
 double beta_probability(double a, double b, double x) { return boost::math::ibeta(a, b, x); }
 
@@ -20,4 +20,4 @@ double upper_student_quantile(double freedom, double q)
     return boost::math::quantile(boost::math::complement(t, q));
 }
 
-} // namespace uq
+} // namespace core

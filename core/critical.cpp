@@ -1,12 +1,12 @@
-#include "uq/estimates/estimate_critical.hpp"
+#include "core/critical.hpp"
 
-#include "uq/marginals/boost_quantiles.hpp"
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/boost_quantiles.hpp"
+#include "core/normal.hpp"
 
 #include <stdexcept>
 #include <string>
 
-namespace uq {
+namespace core {
 
 void check_confidence(double confidence)
 {
@@ -28,4 +28,4 @@ double student_factor(double confidence, double freedom)
     return upper_student_quantile(freedom, 0.5 * (1.0 - confidence));
 }
 
-} // namespace uq
+} // namespace core

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-namespace uq {
+namespace core {
 
 /// The positive half of an even number of nodes, ascending; the other half mirrors it. The rule
 /// is exact for polynomials of a degree below four times as many as stand here.
@@ -13,6 +13,12 @@ template <std::size_t Half> struct GaussRule {
     std::array<double, Half> node;   ///< in (0, 1)
     std::array<double, Half> weight; ///< > 0; they sum to 1
 };
+
+inline constexpr GaussRule<8> kGauss16{
+    {0.095012509837637441, 0.28160355077925892, 0.45801677765722737, 0.61787624440264377,
+     0.755404408355003, 0.86563120238783176, 0.9445750230732326, 0.98940093499164994},
+    {0.18945061045506847, 0.18260341504492361, 0.16915651939500254, 0.14959598881657671,
+     0.12462897125553386, 0.095158511682492786, 0.062253523938647873, 0.027152459411754121}};
 
 inline constexpr GaussRule<10> kGauss20{
     {0.076526521133497338, 0.22778585114164507, 0.37370608871541955, 0.51086700195082713,
@@ -32,4 +38,4 @@ inline constexpr GaussRule<15> kGauss30{
      0.065974229882180491, 0.057493156217619065, 0.048402672830594053, 0.03879919256962705,
      0.028784707883323369, 0.018466468311090958, 0.007968192496166605}};
 
-} // namespace uq
+} // namespace core

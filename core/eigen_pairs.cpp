@@ -1,6 +1,6 @@
-#include "dem/block/eigen_pairs.hpp"
+#include "core/eigen_pairs.hpp"
 
-namespace dem {
+namespace core {
 
 using Eigen::MatrixXd;
 
@@ -16,4 +16,4 @@ EigenPairs eigen_pairs(const MatrixXd& k, const MatrixXd& c)
     return {solver.eigenvectors(), solver.eigenvalues()};
 }
 
-} // namespace dem
+} // namespace core

@@ -2,7 +2,7 @@
 /// The beta distribution over (0, 1) and Student's, by Boost.Math. One file has them for all,
 /// because a compiler takes seconds for each file that does.
 
-namespace uq {
+namespace core {
 
 /// P(X <= x) for X of Beta(a, b). @param x in [0, 1]
 [[nodiscard]] double beta_probability(double a, double b, double x);
@@ -16,4 +16,4 @@ namespace uq {
 /// x with P(T > x) = q. @param q in (0, 1)
 [[nodiscard]] double upper_student_quantile(double freedom, double q);
 
-} // namespace uq
+} // namespace core

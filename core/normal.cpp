@@ -1,14 +1,15 @@
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/normal.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
-namespace uq {
+namespace core {
 
 namespace {
 
@@ -114,6 +115,13 @@ void set_central(std::array<double, kBlock>& x, std::size_t n)
 
 } // namespace
 
+double normal_density(double z)
+{
+    return std::exp(-0.5 * z * z) * (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2);
+}
+double normal_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+double normal_survival(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
+
 double normal_quantile(double p) { return is_central(p) ? central(p - 0.5) : tail_quantile(p); }
 
 double upper_normal_quantile(double q) { return -normal_quantile(q); }
@@ -137,4 +145,4 @@ void to_normal_quantiles(std::span<double> p)
     }
 }
 
-} // namespace uq
+} // namespace core

@@ -1,4 +1,4 @@
-#include "uq/marginals/normal_quantile.hpp"
+#include "core/normal.hpp"
 
 #include "uq/designs/stream.hpp"
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-using namespace uq;
+using namespace core;
 
 namespace {
 
@@ -50,7 +50,7 @@ double least_step(double joint, double step)
 
 } // namespace
 
-TEST_CASE("normal_quantile: 15 digits from 1e-300 to 1 - 1e-16", "[uq][normal_quantile]")
+TEST_CASE("normal: the quantile: 15 digits from 1e-300 to 1 - 1e-16", "[core][normal]")
 {
     for (const Point& r : kPoints) {
         CAPTURE(r.p);
@@ -60,10 +60,10 @@ TEST_CASE("normal_quantile: 15 digits from 1e-300 to 1 - 1e-16", "[uq][normal_qu
     CHECK(normal_quantile(0.5) == 0.0);
 }
 
-TEST_CASE("normal_quantile: both sides are the same but for the sign, to the bit",
-          "[uq][normal_quantile]")
+TEST_CASE("normal: the quantile: both sides are the same but for the sign, to the bit",
+          "[core][normal]")
 {
-    Stream s(1, 0, Purpose::search);
+    uq::Stream s(1, 0, uq::Purpose::search);
     for (int i = 0; i < 10000; ++i) {
         const double p = s.uniform(); // 1 - p is exact
         CHECK(normal_quantile(1.0 - p) == -normal_quantile(p));
@@ -71,8 +71,9 @@ TEST_CASE("normal_quantile: both sides are the same but for the sign, to the bit
     }
 }
 
-TEST_CASE("normal_quantile: rises through the joints of its regions and to the ends of double",
-          "[uq][normal_quantile]")
+TEST_CASE(
+    "normal: the quantile: rises through the joints of its regions and to the ends of double",
+    "[core][normal]")
 {
     // Steps of about 1e-14 of the quantile: some ten times what its last digits are good for.
     CHECK(least_step(0.075, 2.7e-14) > 5e-15);
@@ -87,11 +88,11 @@ TEST_CASE("normal_quantile: rises through the joints of its regions and to the e
     }
 }
 
-TEST_CASE("normal_quantile: many at once have the bits of one by one, for all lengths",
-          "[uq][normal_quantile]")
+TEST_CASE("normal: the quantile: many at once have the bits of one by one, for all lengths",
+          "[core][normal]")
 {
     const std::size_t n = GENERATE(0u, 1u, 7u, 8u, 9u, 255u, 256u, 257u, 5000u);
-    Stream s(2, n, Purpose::search);
+    uq::Stream s(2, n, uq::Purpose::search);
     std::vector<double> p(n);
     for (double& x : p) x = s.below(3) == 0 ? std::exp(-700.0 * s.uniform()) : s.uniform();
     std::vector<double> x = p;
@@ -99,8 +100,8 @@ TEST_CASE("normal_quantile: many at once have the bits of one by one, for all le
     for (std::size_t i = 0; i < n; ++i) CHECK(x[i] == normal_quantile(p[i]));
 }
 
-TEST_CASE("normal_quantile: what is no probability inside (0, 1) is refused",
-          "[uq][normal_quantile]")
+TEST_CASE("normal: the quantile: what is no probability inside (0, 1) is refused",
+          "[core][normal]")
 {
     const double bad =
         GENERATE(0.0, 1.0, -0.1, 1.1, std::nan(""), std::numeric_limits<double>::infinity());

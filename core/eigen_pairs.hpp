@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-namespace dem {
+namespace core {
 
 struct EigenPairs {
     Eigen::MatrixXd
@@ -19,4 +19,4 @@ struct EigenPairs {
 /// same size, at least one row.
 [[nodiscard]] EigenPairs eigen_pairs(const Eigen::MatrixXd& k, const Eigen::MatrixXd& c);
 
-} // namespace dem
+} // namespace core

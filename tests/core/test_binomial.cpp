@@ -1,4 +1,5 @@
-#include "fragility/binomial.hpp"
+#include "core/binomial.hpp"
+#include "core/interval.hpp"
 
 #include <boost/math/distributions/binomial.hpp>
 #include <catch2/catch.hpp>
@@ -6,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-using namespace fragility;
+using namespace core;
 
 namespace {
 
@@ -16,7 +17,7 @@ auto near(double value) { return Approx(value).epsilon(0.0).margin(6e-11); }
 
 } // namespace
 
-TEST_CASE("binomial: intervals as computed with R", "[fragility][binomial]")
+TEST_CASE("binomial: intervals as computed with R", "[core][binomial]")
 {
     const auto check = [](Interval i, double lower, double upper) {
         CHECK(i.lower == near(lower));
@@ -33,7 +34,7 @@ TEST_CASE("binomial: intervals as computed with R", "[fragility][binomial]")
     check(binomial_interval(jeffreys, 13, 40), 0.195950964121, 0.478360673488);
 }
 
-TEST_CASE("binomial: exchanging hits and misses mirrors the interval", "[fragility][binomial]")
+TEST_CASE("binomial: exchanging hits and misses mirrors the interval", "[core][binomial]")
 {
     const BinomialInterval kind = GENERATE(wilson, clopper_pearson, jeffreys);
     const double k = GENERATE(0.0, 1.0, 7.0, 20.0);
@@ -46,7 +47,7 @@ TEST_CASE("binomial: exchanging hits and misses mirrors the interval", "[fragili
 }
 
 TEST_CASE("binomial: Clopper-Pearson never covers less than it says, Wilson about that",
-          "[fragility][binomial]")
+          "[core][binomial]")
 {
     double wilson_mean = 0.0;
     for (int step = 1; step < 100; ++step) {
@@ -64,35 +65,11 @@ TEST_CASE("binomial: Clopper-Pearson never covers less than it says, Wilson abou
     CHECK(wilson_mean == Approx(0.95).margin(0.01));
 }
 
-TEST_CASE("binomial: walls without a result widen the interval to what they could have been",
-          "[fragility][binomial]")
-{
-    const Share s = share(3, 47, 3);
-    CHECK(s.value == near(3.0 / 47.0));
-    CHECK(s.interval.lower == near(0.0206149703)); // of 3 of 50
-    CHECK(s.interval.upper == binomial_interval(wilson, 6, 50).upper);
-    CHECK(s.interval.lower < binomial_interval(wilson, 3, 47).lower);
-    CHECK(s.interval.upper > binomial_interval(wilson, 3, 47).upper);
-    const Share clean = share(3, 50);
-    CHECK(clean.interval.lower == binomial_interval(wilson, 3, 50).lower);
-    CHECK(clean.interval.upper == binomial_interval(wilson, 3, 50).upper);
-}
-
-TEST_CASE("binomial: with no result at all the share is anything", "[fragility][binomial]")
-{
-    const Share s = share(0, 0, 12);
-    CHECK(s.interval.lower == 0.0);
-    CHECK(s.interval.upper == 1.0);
-    CHECK(s.value == 0.0);
-}
-
-TEST_CASE("binomial: counts that cannot be are refused", "[fragility][binomial]")
+TEST_CASE("binomial: counts that cannot be are refused", "[core][binomial]")
 {
     CHECK_THROWS_AS(binomial_interval(wilson, 3, 2), std::invalid_argument);
     CHECK_THROWS_AS(binomial_interval(wilson, -1, 2), std::invalid_argument);
     CHECK_THROWS_AS(binomial_interval(wilson, 0, 0), std::invalid_argument);
     CHECK_THROWS_AS(binomial_interval(wilson, std::nan(""), 2), std::invalid_argument);
     CHECK_THROWS_AS(binomial_interval(wilson, 1, 2, 1.0), std::invalid_argument);
-    CHECK_THROWS_AS(share(1, 2, -1), std::invalid_argument);
-    CHECK_THROWS_AS(share(1, 0, 3), std::invalid_argument);
 }

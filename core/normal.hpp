@@ -1,11 +1,15 @@
 #pragma once
-/// Quantile of the standard normal distribution: algorithm AS 241, PPND16 (Wichura 1988,
-/// Applied Statistics 37, 477-484). Within 1e-15 of the value, relative, for probabilities from
-/// 1e-300 to 1 - 1e-16; finite from the smallest double to the largest below 1.
+/// The standard normal distribution. Quantiles by algorithm AS 241, PPND16 (Wichura 1988,
+/// Applied Statistics 37, 477-484): within 1e-15 of the value, relative, for probabilities from
+/// 1e-300 to 1 - 1e-16; finite from the smallest double to the largest below 1. Tails by erfc.
 
 #include <span>
 
-namespace uq {
+namespace core {
+
+[[nodiscard]] double normal_density(double z);
+[[nodiscard]] double normal_cdf(double z);      ///< P(Z < z)
+[[nodiscard]] double normal_survival(double z); ///< P(Z > z)
 
 /// x with Phi(x) = p. Exactly -normal_quantile(1 - p) where 1 - p is exact.
 /// @param p in (0, 1), else std::invalid_argument
@@ -19,4 +23,4 @@ namespace uq {
 /// @throws std::invalid_argument as normal_quantile; entries may have changed
 void to_normal_quantiles(std::span<double> p);
 
-} // namespace uq
+} // namespace core
