@@ -6,6 +6,7 @@
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/replaced_file.hpp"
+#include "app/shake/pushed_limits.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/history_summary.hpp"
 #include "app/study/interrupt.hpp"
@@ -47,6 +48,7 @@ class HistoryRuns {
 
     void run(int threads)
     {
+        if (study_.shaking.push) limits_ = pushed_limits(study_, samples_, walls(), threads);
         dem::ShakenEnsemble all;
         all.size = histories_.size();
         all.damps = study_.shaking.contact_damping > 0.0;
@@ -65,6 +67,22 @@ class HistoryRuns {
         WallDraw draw;
         ShakenHistory history;
     };
+
+    [[nodiscard]] WallKey wall_of(const WallKey& history) const
+    {
+        const HistoryOf of = history_of(plan_, history.sample);
+        return {history.level, static_cast<std::uint32_t>(of.wall)};
+    }
+
+    /// Each wall under each stress once.
+    [[nodiscard]] std::vector<WallKey> walls() const
+    {
+        std::vector<WallKey> all;
+        for (const WallKey& h : histories_) all.push_back(wall_of(h));
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        return all;
+    }
 
     std::optional<dem::HistoryInput> begin(std::size_t i)
     {
@@ -97,6 +115,8 @@ class HistoryRuns {
         const std::lock_guard lock(mutex_);
         Begun begun = std::move(begun_.extract(i).mapped());
         begun.history.seconds = result.seconds;
+        if (const auto at = limits_.find(wall_of(histories_[i])); at != limits_.end())
+            begun.history.pushed_limit = at->second;
         begun.history.result = std::move(result);
         done_(histories_[i], begun.draw, std::move(begun.history));
     }
@@ -110,6 +130,7 @@ class HistoryRuns {
     const dem::Model model_;
     std::mutex mutex_; // of begun_ and of done_
     std::map<std::size_t, Begun> begun_;
+    std::map<WallKey, double> limits_; ///< ultimate drifts of pushes [-]
 };
 
 std::string history_progress(const RunProgress& p)

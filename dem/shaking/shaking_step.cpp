@@ -24,7 +24,8 @@ template <class Real> Arm<Real> arm_of(const ShakenBlock<Real>& b, const Turn<Re
             b.centre_z * turn.c - b.centre_x * turn.s};
 }
 
-/// All forces on a block but that of the ground's motion; the moment about its centre of gravity.
+/// All forces on a block but that of the ground's motion; the moment about its centre of
+/// gravity.
 template <class Real>
 OuterForce<Real> force_on(const OuterForce<Real>& outer, const ShakenBlock<Real>& b,
                           const Turn<Real>& turn, const BlockFrame<Real>& frame)

@@ -4,8 +4,8 @@
 ///
 /// Positions are seen from the ground. In this moving frame the force -m a acts at the centre
 /// of gravity of every block, a being the acceleration of the ground. No damping but that of
-/// the contacts, where it is asked for. Each wall has its own time step: all that is in units of
-/// the step is in those of its lane.
+/// the contacts, where it is asked for. Each wall has its own time step, in units of which its
+/// motion is.
 
 #include "dem/shaking/true_masses.hpp"
 #include "dem/solver/wall_state.hpp"
@@ -48,9 +48,9 @@ void load_lane(const Model& model, const StepTables& tables, const WallMaterials
                const std::vector<BlockMass>& masses, double dt, int lane,
                ShakenWalls<Real>& walls);
 
-/// What acts on each wall in a step. Acceleration of the ground to the right and upwards
-/// [m/s2]; kick is 1, half of it in the first step, which starts from rest, and 0 in a lane
-/// without a wall.
+/// Motion of the ground under each wall in a step: acceleration to the right and upwards [m/s2].
+/// The kick is 1, half of it in the first step, which starts from rest, and 0 in a lane without
+/// a wall.
 template <class Real> struct ShakingInput {
     Real x{0.0}, z{0.0}, kick{0.0};
 };
@@ -59,23 +59,23 @@ template <class Real>
 void shaking_step(const StepTables& tables, const SolverOptions& options,
                   const ShakingInput<Real>& input, ShakenWalls<Real>& walls);
 
-/// Kinetic energy of the rigid motions of each wall [J] at the end of the last step, to where its
-/// velocities are brought by half a step of the forces there. Half a step behind them the energy
-/// balance would miss what the contacts do in half a step, which is much when blocks strike.
-/// The work of the ground is half a step behind as well, and so is what it has moved.
+/// Kinetic energy of the rigid motions of each wall [J] at the end of the last step, to where
+/// half a step of the forces there brings the velocities. Half a step behind, the energy balance
+/// would miss what contacts do in half a step, which is much when blocks strike. The work of
+/// the ground is half a step behind, and so is what it has moved.
 template <class Real>
 [[nodiscard]] Real kinetic_energy(const StepTables& tables, const ShakenWalls<Real>& walls);
 
 /// Gives the dry contacts of a wall dashpots with the share zeta of what is critical for two
 /// blocks that move along the normal of their joint. They act where a contact is closed, and
-/// never pull. Each is taken implicitly, with the factor exp(-c dt / m) on the relative velocity
-/// and the mass m that the bound of the step gives the contact.
+/// never pull. Each is taken implicitly, with the factor exp(-c dt / m) on the relative
+/// velocity and the mass m that the bound of the step gives the contact.
 /// @param shares see dashpot_shares()
 template <class Real>
 void set_dashpots(const std::vector<double>& shares, int lane, WallState<Real>& state);
 
-/// By run of dry contacts: stress of its dashpots over stiffness times displacement in a step of
-/// dt [-].
+/// By run of dry contacts: stress of its dashpots over stiffness times displacement in a step
+/// of dt [-].
 [[nodiscard]] std::vector<double> dashpot_shares(const Model& model, const StepTables& tables,
                                                  const WallMaterials& wall,
                                                  const std::vector<BlockMass>& masses,

@@ -191,8 +191,8 @@ template <class Real> struct Dashpots {
     Real of_stiffness;            ///< stress for k times the displacement in this step [-]
     Real before{0.0}, after{0.0}; ///< sums of area x stress x displacement [J]
 
-    /// Sets the stresses of a contact that has those of its law, and adds up their work: a force
-    /// works on the mean of the velocities before and after it.
+    /// Sets the stresses of a contact that has those of its law, and adds up their work: a
+    /// force works on the mean of the velocities before and after it.
     void set(const StepTables& t, const DryLaw<Real>& law, int k, Real du_n, Real du_s,
              WallState<Real>& s)
     {
