@@ -12,17 +12,21 @@
 namespace app {
 namespace {
 
-std::vector<IntensityState> states_of_study(const FragilityInput& f)
+std::vector<IntensityState> states_of_study(const FragilityInput& f, bool pushed)
 {
     constexpr double kPushShare = 0.8; // of the drift limit of a push: choice
     const auto percent = [](double x) { return number(100.0 * x, 6) + " %"; };
-    std::vector<IntensityState> states;
+    std::vector<IntensityState> states = {
+        {"uplift of " + percent(f.shaken_uplift), IntensityResponse::uplift, f.shaken_uplift}};
     for (const double drift : f.shaken_drifts)
         states.push_back({"drift " + percent(drift), IntensityResponse::drift, drift});
     if (f.pushed_limit > 0.0)
         states.push_back(
             {"drift " + percent(kPushShare * f.pushed_limit) + ", 80 % of the limit of a push",
              IntensityResponse::drift, kPushShare * f.pushed_limit});
+    if (pushed)
+        states.push_back(
+            {"80 % of the limit of its own push", IntensityResponse::pushed, kPushShare});
     for (const double residual : f.shaken_residuals)
         states.push_back(
             {"residual " + percent(residual), IntensityResponse::residual, residual});
@@ -55,7 +59,7 @@ IntensityData intensity_data(StoredHistories histories, const std::string& measu
     d.column = static_cast<std::size_t>(at - histories.measures.begin());
     d.unit = measure_unit(d.measure);
     d.unit_value = measure_unit_value(d.measure);
-    d.states = states_of_study(histories.study.fragility);
+    d.states = states_of_study(histories.study.fragility, histories.study.shaking.push);
     d.confidence = histories.study.fragility.confidence;
     d.histories = std::move(histories);
     return d;
@@ -97,17 +101,30 @@ std::vector<fragility::HazardPoint> hazard_points(const Csv& csv, const Intensit
     return points;
 }
 
+double response_of(const StoredHistory& h, IntensityResponse of)
+{
+    switch (of) {
+    case IntensityResponse::residual:
+        return h.fell ? 0.0 : std::abs(h.residual_drift);
+    case IntensityResponse::uplift:
+        return h.uplift;
+    case IntensityResponse::pushed:
+        return h.pushed_limit > 0.0 ? h.max_drift / h.pushed_limit : 0.0;
+    case IntensityResponse::drift:
+    case IntensityResponse::collapse:
+        break;
+    }
+    return h.max_drift;
+}
+
 std::vector<fragility::ShakenWallPoint>
 shaken_points(const IntensityData& data, std::size_t level, const IntensityState& state)
 {
     std::vector<fragility::ShakenWallPoint> points;
     for (const StoredHistory& h : data.histories.levels.at(level).histories) {
         if (h.failed) continue;
-        const double response = state.of != IntensityResponse::residual ? h.max_drift
-                                : h.fell                                ? 0.0
-                                         : std::abs(h.residual_drift);
-        points.push_back(
-            {h.wall, h.record, h.measures.at(data.column) / data.unit_value, response, h.fell});
+        points.push_back({h.wall, h.record, h.measures.at(data.column) / data.unit_value,
+                          response_of(h, state.of), h.fell});
     }
     return points;
 }

@@ -17,12 +17,18 @@
 namespace app {
 
 /// Number that a damage state is read from.
-enum class IntensityResponse { drift, residual, collapse };
+enum class IntensityResponse {
+    drift,
+    pushed, ///< drift over the ultimate drift of the push of the same wall
+    residual,
+    uplift, ///< share of the lowest joint that opened
+    collapse
+};
 
 struct IntensityState {
     std::string name; ///< "drift 0.5 %"
     IntensityResponse of = IntensityResponse::drift;
-    double threshold = 0.0; ///< drift [-]; infinite: collapse
+    double threshold = 0.0; ///< of the response [-]; infinite: collapse
 };
 
 struct IntensityData {
@@ -55,6 +61,9 @@ inline constexpr std::array kIntensityMethods = {
 /// @throws ConfigError at the row
 [[nodiscard]] std::vector<fragility::HazardPoint> hazard_points(const Csv& csv,
                                                                 const IntensityData& data);
+
+/// Number of a history that a state is read from [-]; 0 where it is not known.
+[[nodiscard]] double response_of(const StoredHistory& history, IntensityResponse of);
 
 /// Histories of a stress that gave numbers; intensities in the unit of the measure.
 [[nodiscard]] std::vector<fragility::ShakenWallPoint>

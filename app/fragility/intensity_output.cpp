@@ -133,9 +133,7 @@ Table stripe_table(const IntensityData& data)
                 double reached = 0.0;
                 for (const StoredHistory* h : all) {
                     if (h->failed) continue;
-                    const double response = s.of == IntensityResponse::residual
-                                                ? std::abs(h->residual_drift)
-                                                : h->max_drift;
+                    const double response = response_of(*h, s.of);
                     reached += h->fell || response > s.threshold ? 1.0 : 0.0;
                 }
                 const fragility::Share share = fragility::share(

@@ -199,6 +199,7 @@ struct ShakingInput {
     std::string vertical = "none"; ///< a file or a pulse
     double scale = 1.0;            ///< on all motions [-], > 0
     double contact_damping = 0.0;  ///< zeta of dry joints [-], >= 0
+    bool push = false;             ///< each wall is pushed as well, for its drift limit
     ShakingDesign design = ShakingDesign::crossed;
 };
 
@@ -219,6 +220,7 @@ struct FragilityInput {
     // Damage states of walls that were shaken, as drifts [-], > 0.
     std::vector<double> shaken_drifts = {0.005, 0.01};
     std::vector<double> shaken_residuals = {0.002}; ///< after the shaking
+    double shaken_uplift = 0.5; ///< share of the lowest joint that opens, in [0, 1)
     double pushed_limit = 0.0; ///< drift limit of a push: 80 % of it is a state; 0: none
 };
 

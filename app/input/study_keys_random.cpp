@@ -250,8 +250,11 @@ constexpr std::array kRandomKeys = {
     Key{.name = "fragility.shaken_residuals", .kind = Kind::list, .unit = "%", .range = {'(', 0, 100, ']'}, .used = kShaken, .verbs = "study fragility",
         .meaning = "residual drifts that are damage states of walls that are shaken (choice)",
         .field = kAt<&Study::fragility, &FragilityInput::shaken_residuals>},
+    Key{.name = "fragility.shaken_uplift", .unit = "%", .range = {'[', 0, 100, ')'}, .used = kShaken, .verbs = "study fragility",
+        .meaning = "share of the lowest joint above what the ground holds that opens in an uplift, a damage state of walls that are shaken (choice)",
+        .field = kAt<&Study::fragility, &FragilityInput::shaken_uplift>},
     Key{.name = "fragility.pushed_limit", .unit = "%", .range = {'(', 0, 100, ']'}, .names = kNone, .used = kShaken, .verbs = "study fragility",
-        .meaning = "drift limit of the same wall when it is pushed; 80 % of it is a damage state of walls that are shaken",
+        .meaning = "drift limit of a push; 80 % of it is a damage state of walls that are shaken (shaking.push: of the push of each wall)",
         .field = kAt<&Study::fragility, &FragilityInput::pushed_limit>},
 };
 // clang-format on

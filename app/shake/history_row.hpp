@@ -6,6 +6,7 @@
 #include "app/store/store_row.hpp"
 #include "dem/shaking/shake.hpp"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct ShakenHistory {
     dem::ShakeResult result;
     std::string no_wall;  ///< why its values make no wall; empty: they do
     double seconds = 0.0; ///< of one core
+    double pushed_limit =
+        std::numeric_limits<double>::quiet_NaN(); ///< ultimate drift of its push [-]
 };
 
 [[nodiscard]] std::vector<Column> history_responses(const HistoryPlan& plan);

@@ -6,6 +6,7 @@
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/replaced_file.hpp"
+#include "app/shake/pushed_limits.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/history_summary.hpp"
 #include "app/study/interrupt.hpp"
@@ -14,31 +15,32 @@
 #include "app/study/shard_file.hpp"
 #include "app/study/study_file_head.hpp"
 #include "dem/block/model.hpp"
+#include "dem/shaking/shake_ensemble.hpp"
 #include "dem/solver/push.hpp"
-#include "dem/solver/thread_time.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
-#include <thread>
+#include <utility>
 
 namespace app {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// State shared by the threads of one call. The first exception ends them all, each at its next
-/// look.
-class HistoryRun {
+constexpr double kNoHistory = 1e9; // [s] between points that are not kept
+
+/// Shakes the walls of a study and hands out their rows.
+class HistoryRuns {
   public:
     using Done = std::function<void(WallKey, const WallDraw&, ShakenHistory&&)>;
 
-    HistoryRun(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
-               const std::vector<WallKey>& histories, const Done& done)
+    HistoryRuns(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
+                const std::vector<WallKey>& histories, const Done& done)
         : study_(study), plan_(plan), samples_(samples), histories_(histories), done_(done),
           moving_(moving_study(study)), model_(model_of(moving_))
     {
@@ -46,66 +48,78 @@ class HistoryRun {
 
     void run(int threads)
     {
-        std::vector<std::thread> workers;
-        for (int k = 1; k < threads; ++k) workers.emplace_back([this] { work(); });
-        work();
-        for (std::thread& w : workers) w.join();
-        if (fault_) std::rethrow_exception(fault_);
+        if (study_.shaking.push) limits_ = pushed_limits(study_, samples_, walls(), threads);
+        dem::ShakenEnsemble all;
+        all.size = histories_.size();
+        all.damps = study_.shaking.contact_damping > 0.0;
+        all.history = [this](std::size_t i) { return begin(i); };
+        all.done = [this](std::size_t i, dem::ShakeResult&& result) {
+            end(i, std::move(result));
+        };
+        dem::Workers workers;
+        workers.threads = threads;
+        workers.scalar = all.size <= static_cast<std::size_t>(threads); // no register to fill
+        dem::shake_ensemble(model_, all, moving_.solver, workers);
     }
 
   private:
-    struct Left {}; ///< another thread has met a fault
+    struct Begun {
+        WallDraw draw;
+        ShakenHistory history;
+    };
 
-    void work()
+    [[nodiscard]] WallKey wall_of(const WallKey& history) const
     {
-        try {
-            for (std::size_t i = next_++; i < histories_.size(); i = next_++) {
-                const WallKey key = histories_[i];
-                const HistoryOf of = history_of(plan_, key.sample);
-                const WallDraw drawn =
-                    draw(samples_, static_cast<int>(key.level), static_cast<int>(of.wall));
-                ShakenHistory h = shaken(key, of, drawn);
-                const std::lock_guard lock(mutex_);
-                if (ended_) return;
-                done_(key, drawn, std::move(h));
-            }
-        } catch (const Left&) {
-        } catch (...) {
-            const std::lock_guard lock(mutex_);
-            if (!fault_) fault_ = std::current_exception();
-            ended_ = true;
-        }
+        const HistoryOf of = history_of(plan_, history.sample);
+        return {history.level, static_cast<std::uint32_t>(of.wall)};
     }
 
-    void look() const
+    /// Each wall under each stress once.
+    [[nodiscard]] std::vector<WallKey> walls() const
+    {
+        std::vector<WallKey> all;
+        for (const WallKey& h : histories_) all.push_back(wall_of(h));
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        return all;
+    }
+
+    std::optional<dem::HistoryInput> begin(std::size_t i)
     {
         end_if_interrupted();
-        if (ended_) throw Left();
-    }
-
-    ShakenHistory shaken(WallKey key, const HistoryOf& of, const WallDraw& drawn) const
-    {
-        look();
-        const double begin = dem::thread_seconds();
-        ShakenHistory h{
-            of, shaking_motion(plan_.records, of.record, of.intensity), {}, {}, 0.0};
-        dem::ShakePlan plan = shake_plan(study_, h.motion);
-        plan.record_every = kNoHistory;
-        plan.progress = [this](double, double) { look(); };
-        dem::WallMaterials wall;
+        const WallKey key = histories_[i];
+        const HistoryOf of = history_of(plan_, key.sample);
+        Begun begun{draw(samples_, static_cast<int>(key.level), static_cast<int>(of.wall)),
+                    {of, shaking_motion(plan_.records, of.record, of.intensity), {}, {}, 0.0}};
+        dem::HistoryInput in;
         try {
-            wall = wall_materials(moving_, model_.layout, static_cast<int>(key.level), drawn);
-            dem::check(model_, wall);
+            in.materials =
+                wall_materials(moving_, model_.layout, static_cast<int>(key.level), begun.draw);
+            dem::check(model_, in.materials);
         } catch (const std::invalid_argument& bad) {
-            h.no_wall = bad.what();
-            return h;
+            begun.history.no_wall = bad.what();
+            const std::lock_guard lock(mutex_);
+            done_(key, begun.draw, std::move(begun.history));
+            return {};
         }
-        h.result = dem::shake(model_, wall, plan, moving_.solver);
-        h.seconds = dem::thread_seconds() - begin;
-        return h;
+        in.plan = shake_plan(study_, begun.history.motion);
+        in.plan.record_every = kNoHistory;
+        in.plan.progress = [](double, double) { end_if_interrupted(); };
+        const std::lock_guard lock(mutex_);
+        begun_.emplace(i, std::move(begun));
+        return in;
     }
 
-    static constexpr double kNoHistory = 1e9; // [s] between points that are not kept
+    void end(std::size_t i, dem::ShakeResult&& result)
+    {
+        const std::lock_guard lock(mutex_);
+        Begun begun = std::move(begun_.extract(i).mapped());
+        begun.history.seconds = result.seconds;
+        if (const auto at = limits_.find(wall_of(histories_[i])); at != limits_.end())
+            begun.history.pushed_limit = at->second;
+        begun.history.result = std::move(result);
+        done_(histories_[i], begun.draw, std::move(begun.history));
+    }
 
     const Study& study_;
     const HistoryPlan& plan_;
@@ -114,10 +128,9 @@ class HistoryRun {
     const Done& done_;
     const Study moving_;
     const dem::Model model_;
-    std::atomic<std::size_t> next_{0};
-    std::atomic<bool> ended_{false};
-    std::mutex mutex_;
-    std::exception_ptr fault_;
+    std::mutex mutex_; // of begun_ and of done_
+    std::map<std::size_t, Begun> begun_;
+    std::map<WallKey, double> limits_; ///< ultimate drifts of pushes [-]
 };
 
 std::string history_progress(const RunProgress& p)
@@ -199,7 +212,7 @@ void run_histories(const Study& study, const HistoryPlan& plan, const SamplePlan
 {
     if (histories.empty()) return;
     const auto most = static_cast<int>(std::min<std::size_t>(histories.size(), 1024));
-    HistoryRun(study, plan, samples, histories, done).run(std::clamp(threads, 1, most));
+    HistoryRuns(study, plan, samples, histories, done).run(std::clamp(threads, 1, most));
 }
 
 int shake_study_command(const Command& command)

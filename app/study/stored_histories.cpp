@@ -20,8 +20,8 @@ namespace {
 
 /// Places of what a history is read from.
 struct HistoryPlaces {
-    std::size_t max_drift, residual_drift, collapse_time, rotation, sliding, turning, outcome,
-        wall, record, intensity, cracked, seconds;
+    std::size_t max_drift, residual_drift, collapse_time, uplift, pushed_limit, rotation,
+        sliding, turning, outcome, wall, record, intensity, cracked, seconds;
     std::vector<std::size_t> measures;
 };
 
@@ -33,6 +33,8 @@ HistoryPlaces places_of(const std::filesystem::path& file, const StoreHead& head
         HistoryPlaces p{response("max_drift"),
                         response("residual_drift"),
                         response("collapse_time"),
+                        response("uplift"),
+                        response("pushed_limit"),
                         response("rotation_share"),
                         response("sliding_share"),
                         response("turning_share"),
@@ -75,6 +77,8 @@ StoredHistory history_of_row(const std::filesystem::path& file, const StoredHist
     h.max_drift = row.responses[p.max_drift];
     h.residual_drift = row.responses[p.residual_drift];
     h.collapse_time = row.responses[p.collapse_time];
+    h.uplift = row.responses[p.uplift];
+    h.pushed_limit = row.responses[p.pushed_limit];
     if (!(h.max_drift >= 0.0) || !(h.fell || std::isfinite(h.residual_drift)))
         damaged(file, wall_name(row.key) + " has no drift");
     dem::Mechanism m;

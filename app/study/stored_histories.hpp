@@ -23,6 +23,8 @@ struct StoredHistory {
     double max_drift = 0.0;      ///< [-]; of a wall that fell, up to there
     double residual_drift = 0.0; ///< [-], of a wall that stands
     double collapse_time = 0.0;  ///< [s], of a wall that fell
+    double uplift = 0.0;         ///< largest share of the lowest joint that was open [-]
+    double pushed_limit = 0.0;   ///< ultimate drift of its push [-]; NaN: not known
     double seconds = 0.0;        ///< of one core
     dem::FailureMode mode = dem::FailureMode::rocking; ///< where it was farthest out
     std::vector<double> measures;                      ///< as StoredHistories::measures [SI]

@@ -14,8 +14,11 @@
 /// symmetric in the blocks and sees no slip where they turn about a common corner. Stresses act
 /// along the normal of the side on whose plane the other's corner stands; corners that meet
 /// have the mean direction. In between the direction changes linearly, as the gap of a point
-/// does that slides with the overlap, so that the work of the stresses is what contacts store
-/// and lose; all take that of the centre of pressure.
+/// does that slides with the overlap; all take that of the centre of pressure. The gap of a
+/// corner is its distance from the other side over the cosine of the angle between that side
+/// and the mean direction. So a stress s acts as the force (s, s tan) along the mean normal and
+/// tangent, which does the work s d(gap) in every motion of the blocks: it is the gradient of
+/// what contacts store, at any angle.
 
 #include "dem/kinematics/block_frame.hpp"
 #include "dem/kinematics/face_pair.hpp"
@@ -34,8 +37,8 @@ template <class Real> struct Overlap {
     Real dt, dn;       ///< from the pivot of a to that of b
     Real pressed;      ///< the centre of pressure, along the tangent
     Real past_far,
-        past_near;   ///< overhang of b over the ends of a [m]; negative where b ends before
-    Turn<Real> tilt; ///< of the stresses against the mean normal
+        past_near; ///< overhang of b over the ends of a [m]; negative where b ends before
+    Real tilt;     ///< tangent of the angle of the stresses against the mean normal
 };
 
 constexpr double kCornerRadius = 1e-3; // [face lengths] over which a corner hands on its normal
@@ -91,8 +94,7 @@ template <class Real>
     o.past_near = a_from - b_from;
     const Real near = corner_of(p, o.past_near), far = corner_of(p, o.past_far);
     const Real corner = multiply_add(centre, far - near, near);
-    o.tilt.s = corner * sh;
-    o.tilt.c = multiply_add(abs(corner), ch - Real(1.0), Real(1.0));
+    o.tilt = corner * slope;
     return o;
 }
 
@@ -130,7 +132,7 @@ template <class Real>
         o.nz, vx, multiply_add(spin, o.height, -multiply_add(o.nx, vz, b.spin * o.dn)));
     const Real n = multiply_add(
         o.nx, vx, multiply_add(o.nz, vz, multiply_add(b.spin, o.dt, -(spin * o.pressed))));
-    return multiply_add(t, o.tilt.c, -(n * o.tilt.s));
+    return multiply_add(-o.tilt, n, t);
 }
 
 /// Stresses of the contacts of a pair, summed with their areas.
@@ -172,9 +174,9 @@ template <class Real>
 void add_forces(const Overlap<Real>& o, const StressSum<Real>& s, BlockFrame<Real>& a,
                 BlockFrame<Real>& b)
 {
-    const Real n = multiply_add(s.normal, o.tilt.c, -(s.tangential * o.tilt.s)),
-               t = multiply_add(s.normal, o.tilt.s, s.tangential * o.tilt.c),
-               first = multiply_add(s.normal_first, o.tilt.c, -(s.tangential_first * o.tilt.s));
+    const Real n = multiply_add(-o.tilt, s.tangential, s.normal),
+               t = multiply_add(o.tilt, s.normal, s.tangential),
+               first = multiply_add(-o.tilt, s.tangential_first, s.normal_first);
     const Real fx = multiply_add(o.nx, n, o.nz * t), fz = multiply_add(o.nz, n, -(o.nx * t));
     const Real moment = multiply_add(o.height, t, -multiply_add(o.from, n, o.length * first));
     a.fx += fx;

@@ -36,7 +36,10 @@ struct ShakePlan {
     LoadMass load = LoadMass::none;
     double load_height =
         0.0; ///< of the floor's mass above the point on which the load acts [m]
-    double free_vibration = 5.0;  ///< longest time that is followed after the record [s], >= 0
+    double free_vibration = 5.0; ///< longest time that is followed after the record [s], >= 0
+    /// Free vibration ends after a fifth of it in which the top has moved by no more than this
+    /// share of the wall's height, swings included [-]; 0: never.
+    double quiet = 0.0;
     double record_every = 0.005;  ///< between points of the history [s], > 0
     double contact_damping = 0.0; ///< zeta of dry joints [-], >= 0
     /// Share of the largest stable step [-], in (0, 1].
@@ -84,6 +87,9 @@ struct ShakeResult {
     double first_opening = 0.0,
            last_opening =
                0.0; ///< times at which a dry contact opened or closed [s]; 0: none did
+    /// Largest share of the lowest joint between what the ground holds and what moves that was
+    /// open [-].
+    double uplift = 0.0;
     double peak_ground = 0.0; ///< largest acceleration of the ground [m/s2]
     double unbalance = 0.0;   ///< of the static start [-]
     double residual =
@@ -95,6 +101,7 @@ struct ShakeResult {
     double end = 0.0;         ///< of the history [s]
     int step_reductions = 0;
     long long steps = 0;
+    double seconds = 0.0;               ///< of one core
     std::vector<Snapshot> snapshots;    ///< as snapshot_every asks; displacement: of the top
     std::vector<double> snapshot_times; ///< [s]
     /// Where the wall turned back from its largest displacement, or came down; and at the end.

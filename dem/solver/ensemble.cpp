@@ -3,13 +3,10 @@
 #include "dem/contact/pack.hpp"
 #include "dem/solver/batch.hpp"
 #include "dem/solver/solver_lanes.hpp"
+#include "dem/solver/team.hpp"
 
-#include <algorithm>
 #include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
-#include <vector>
+#include <utility>
 
 namespace dem {
 
@@ -23,8 +20,7 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
     const StepTables tables = step_tables(model);
     const Task task{model, tables, plan, options};
     std::atomic<std::size_t> waiting{0};
-    std::mutex one_at_a_time;
-    std::exception_ptr trouble;
+    Team team;
     const auto next = [&]() -> std::optional<NumberedWall> {
         for (std::size_t number = waiting++; number < ensemble.size; number = waiting++)
             if (std::optional<WallMaterials> materials = ensemble.wall(number)) {
@@ -36,37 +32,13 @@ void push_ensemble(const Model& model, const Ensemble& ensemble, const PushPlan&
         return {};
     };
     const auto done = [&](std::size_t number, PushResult&& result) {
-        const std::lock_guard lock(one_at_a_time);
-        if (trouble)
-            std::rethrow_exception(
-                trouble); // from another thread; this thread's walls are abandoned too
-        try {
-            ensemble.done(number, std::move(result));
-        } catch (...) {
-            trouble = std::current_exception(); // before another thread has its turn
-            throw;
-        }
+        team.one_at_a_time([&] { ensemble.done(number, std::move(result)); });
     };
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    const int threads = workers.threads > 0 ? workers.threads : static_cast<int>(cores);
-    const auto teams = static_cast<std::size_t>(threads);
-    const int most_lanes = static_cast<int>(
-        std::min<std::size_t>(1000, ensemble.size / teams + (ensemble.size % teams != 0)));
-    const auto work = [&] {
-        try {
-            workers.scalar ? run_batch<double>(task, most_lanes, next, done)
-                           : run_batch<Pack>(task, most_lanes, next, done);
-        } catch (...) {
-            const std::lock_guard lock(one_at_a_time);
-            if (!trouble) trouble = std::current_exception();
-        }
-    };
-    {
-        std::vector<std::jthread> team;
-        for (int t = 1; t < threads; ++t) team.emplace_back(work);
-        work();
-    }
-    if (trouble) std::rethrow_exception(trouble);
+    const int most_lanes = lanes_wanted(ensemble.size, workers.threads);
+    team.run(workers.threads, [&] {
+        workers.scalar ? run_batch<double>(task, most_lanes, next, done)
+                       : run_batch<Pack>(task, most_lanes, next, done);
+    });
 }
 
 } // namespace dem

@@ -71,9 +71,10 @@ FurtherUpdate<Real> advance_further_contact(const ContactRun& run, int i, std::s
                 return crushed_by(s.laws.dry_crushing[run.law], crushed, u_e);
             },
             [&](Real u_e) { return max(zero, zero - law.kn * u_e); }, s);
+    const DryState<Real> last{zero, s.finite.further_tau[at]};
     const DryUpdate<Real> u =
-        advance(s.roughness.empty() ? law : worn_law(s, run.law, run.first + i),
-                {zero, s.finite.further_tau[at]}, u_n, slip);
+        s.roughness.empty() ? advance(law, last, u_n, slip)
+                            : advance(worn_law(s, run.law, run.first + i), last, u_n, slip);
     s.finite.further_u_n[at] = u_n;
     s.finite.further_tau[at] = select(touches, u.state.tau, zero);
     return {u.sigma, u.state.tau, u.friction,

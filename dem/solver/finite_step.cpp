@@ -110,20 +110,16 @@ template <class Real> struct PairStep {
     /// Sums up the forces of a contact that has its new stresses.
     void add(const StepTables& t, int k, WallState<Real>& s)
     {
-        const Real sigma = s.stress[2 * k], tau = s.stress[2 * k + 1], area(t.area[k]);
+        act(t, k, s.stress[2 * k], s.stress[2 * k + 1], s);
+    }
+
+    /// Stresses of a contact act on both blocks.
+    void act(const StepTables& t, int k, Real sigma, Real tau, WallState<Real>& s)
+    {
+        const Real area(t.area[k]);
         s.finite.acting[2 * k] = share * sigma;
         s.finite.acting[2 * k + 1] = share * tau;
         sum.add(Real(t.finite.place[k]), area * sigma, area * tau);
-    }
-
-    /// Adds stresses besides those of the law.
-    void add_stress(const StepTables& t, int k, Real normal, Real tangential,
-                    WallState<Real>& s)
-    {
-        s.finite.acting[2 * k] += share * normal;
-        s.finite.acting[2 * k + 1] += share * tangential;
-        const Real area(t.area[k]);
-        sum.add(Real(t.finite.place[k]), area * normal, area * tangential);
     }
 
     /// And what it stores.
@@ -131,6 +127,10 @@ template <class Real> struct PairStep {
     void add(const StepTables& t, int k, Real stretch, WallState<Real>& s)
     {
         add(t, k, s);
+        store(t, k, stretch, s);
+    }
+    void store(const StepTables& t, int k, Real stretch, const WallState<Real>& s)
+    {
         const Real tau = s.stress[2 * k + 1], area(t.area[k]);
         const Real normal_force = area * s.stress[2 * k], shear = area * tau;
         stretched = multiply_add(normal_force, stretch, stretched);
@@ -144,7 +144,7 @@ template <class Real> struct PairStep {
         return grown * (Real(0.5) * multiply_add(sheared, law.inv_ks, stretched));
     }
 
-    void act(const FiniteTables& t, int pair, WallState<Real>& s) const
+    void press(const FiniteTables& t, int pair, WallState<Real>& s) const
     {
         s.finite.pairs[pair].centre = centre_of_pressure(overlap, sum);
         add_forces(overlap, sum.on(share), s.finite.frames[t.pairs[pair].a],
@@ -181,36 +181,38 @@ void advance_closing_joint(const StepTables& t, const ContactRun& run, int pair,
         step.add(t, k, s);
     }
     s.friction += step.share * friction - step.grown * stored;
-    step.act(t.finite, pair, s);
+    step.press(t.finite, pair, s);
     allow_for_run<kClosure>(t, pair, most, s);
 }
 
-/// Stresses of the dashpots of a closed contact, which never pull and never exceed friction
-/// together with the others.
-/// @param share of the stiffness: stress for the displacement in this step
-template <class Real>
-void add_dashpot(const StepTables& t, const DryLaw<Real>& law, Real share, int k, Real du_n,
-                 Real du_s, PairStep<Real>& step, WallState<Real>& s)
-{
-    const Real half(0.5), area(t.area[k]);
-    Real &normal = s.finite.dashed[2 * k], &tangential = s.finite.dashed[2 * k + 1];
-    const Real sigma = s.stress[2 * k], tau = s.stress[2 * k + 1];
-    // A force works on the mean of the velocities before and after it.
-    s.damping += half * (step.before() * area) * (normal * du_n + tangential * du_s);
-    normal = min(-sigma, select(sigma < Real(0.0), share * law.kn * du_n, Real(0.0)));
-    const Real limit = -((sigma + normal) * law.tan_phi);
-    tangential = max(-limit, min(limit, tau + share * law.ks * du_s)) - tau;
-    s.damping += half * (step.share * area) * (normal * du_n + tangential * du_s);
-    step.add_stress(t, k, normal, tangential, s);
-}
+/// The dashpots of one pair of faces. They act in closed contacts, never pull, and never exceed
+/// friction together with the stresses of the law.
+template <class Real> struct Dashpots {
+    Real of_stiffness;            ///< stress for k times the displacement in this step [-]
+    Real before{0.0}, after{0.0}; ///< sums of area x stress x displacement [J]
 
-template <class Real>
+    /// Sets the stresses of a contact that has those of its law, and adds up their work: a
+    /// force works on the mean of the velocities before and after it.
+    void set(const StepTables& t, const DryLaw<Real>& law, int k, Real du_n, Real du_s,
+             WallState<Real>& s)
+    {
+        Real &normal = s.finite.dashed[2 * k], &tangential = s.finite.dashed[2 * k + 1];
+        const Real sigma = s.stress[2 * k], tau = s.stress[2 * k + 1], area(t.area[k]);
+        before = multiply_add(area, normal * du_n + tangential * du_s, before);
+        normal =
+            min(-sigma, select(sigma < Real(0.0), of_stiffness * law.kn * du_n, Real(0.0)));
+        const Real limit = -((sigma + normal) * law.tan_phi);
+        tangential = max(-limit, min(limit, tau + of_stiffness * law.ks * du_s)) - tau;
+        after = multiply_add(area, normal * du_n + tangential * du_s, after);
+    }
+};
+
+template <bool kWears, bool kDamps, class Real>
 void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState<Real>& s)
 {
     const DryLaw<Real> law = s.laws.dry[run.law];
-    const bool wears = !s.roughness.empty();
-    const bool damps = !s.finite.dashpots.empty();
     PairStep<Real> step(t.finite, run, pair, s);
+    Dashpots<Real> dashpots{kDamps ? s.finite.dashpots[pair] : Real(0.0)};
     Real friction(0.0);
     for (int k = run.first; k < run.first + run.count; ++k) {
         Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k]));
@@ -218,18 +220,41 @@ void advance_dry(const StepTables& t, const ContactRun& run, int pair, WallState
             du_n = crush(s.laws.dry_crushing[run.law], k, du_n, step.before() * Real(t.area[k]),
                          s);
         const Real du_s = step.tangential(take(s.du[2 * k + 1]));
-        const DryUpdate<Real> u = advance(wears ? worn_law(s, run.law, k) : law,
+        const DryUpdate<Real> u = advance(kWears ? worn_law(s, run.law, k) : law,
                                           {s.u_n[k], s.stress[2 * k + 1]}, du_n, du_s);
-        if (wears)
+        if constexpr (kWears)
             s.roughness[k] =
                 roughness_after(s.laws.dry_wear[run.law], s.roughness[k], u.slip, u.sigma);
         set_contact(s, k, u.state.u_n, u.sigma, u.state.tau);
         friction = multiply_add(Real(t.area[k]), u.friction, friction);
-        step.add(t, k, u.state.u_n, s);
-        if (damps) add_dashpot(t, law, s.finite.dashpots[pair], k, du_n, du_s, step, s);
+        step.store(t, k, u.state.u_n, s);
+        if constexpr (kDamps) {
+            dashpots.set(t, law, k, du_n, du_s, s);
+            step.act(t, k, u.sigma + s.finite.dashed[2 * k],
+                     u.state.tau + s.finite.dashed[2 * k + 1], s);
+        } else {
+            step.act(t, k, u.sigma, u.state.tau, s);
+        }
     }
     s.friction += step.share * friction - step.brought(law);
-    step.act(t.finite, pair, s);
+    if constexpr (kDamps)
+        s.damping +=
+            Real(0.5) * (step.before() * dashpots.before + step.share * dashpots.after);
+    step.press(t.finite, pair, s);
+}
+
+template <class Real> void advance_dry_joints(const StepTables& t, WallState<Real>& s)
+{
+    const bool wears = !s.roughness.empty(), damps = !s.finite.dashpots.empty();
+    const auto all = [&]<bool kWears, bool kDamps>() {
+        int pair = 0;
+        for (const ContactRun& run : t.dry) advance_dry<kWears, kDamps>(t, run, pair++, s);
+    };
+    if (damps)
+        wears ? all.template operator()<true, true>() : all.template operator()<false, true>();
+    else
+        wears ? all.template operator()<true, false>()
+              : all.template operator()<false, false>();
 }
 
 template <class Real>
@@ -245,7 +270,7 @@ void advance_tied(const StepTables& t, const ContactRun& run, int pair, WallStat
         step.add(t, k, u_n, s);
     }
     s.friction -= step.brought(law);
-    step.act(t.finite, pair, s);
+    step.press(t.finite, pair, s);
 }
 
 template <class Law, class Real>
@@ -263,7 +288,7 @@ void advance_cracks(const StepTables& t, bool shortcuts, int pair, WallState<Rea
             step.add(t, k, s.u_n[k] - Law::propped(crack_state(t, s, k)), s);
         }
         s.friction -= step.brought(law.law);
-        step.act(t.finite, pair, s);
+        step.press(t.finite, pair, s);
         ++pair;
     }
 }
@@ -281,15 +306,16 @@ template <class Real>
 void advance_contacts(const StepTables& t, const SolverOptions& options, WallState<Real>& s)
 {
     for (BlockFrame<Real>& f : s.finite.frames) f.fx = f.fz = f.moment = Real(0.0);
-    int pair = 0;
     if (s.laws.closure == Closure::linear)
-        for (const ContactRun& run : t.dry) advance_dry(t, run, pair++, s);
+        advance_dry_joints(t, s);
     else
         with_closure(s.laws, [&]<Closure kClosure, bool kLoses>() {
+            int pair = 0;
             for (const ContactRun& run : t.dry)
                 advance_closing_joint<kClosure, kLoses>(t, run, pair++, s);
         });
     advance_reaches(t, s);
+    int pair = static_cast<int>(t.dry.size());
     for (const ContactRun& run : t.tied) advance_tied(t, run, pair++, s);
     with_crack_law(options.law, s.laws,
                    [&]<class Law>() { advance_cracks<Law>(t, options.shortcuts, pair, s); });

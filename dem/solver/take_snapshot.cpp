@@ -113,9 +113,8 @@ void set_acting(const StepTables& t, const WallState<Real>& state, int lane, con
                                       frame_of(state.finite.frames[pair.b], lane),
                                       dem::lane(now.centre, lane));
             const double share = dem::lane(now.share, lane);
-            s.faces[contacts[run.first - first].face].acting = {
-                share * (o.tilt.c * o.nx + o.tilt.s * o.nz),
-                share * (o.tilt.c * o.nz - o.tilt.s * o.nx)};
+            s.faces[contacts[run.first - first].face].acting = {share * (o.nx + o.tilt * o.nz),
+                                                                share * (o.nz - o.tilt * o.nx)};
         }
     };
     set(t.dry, m.dry, 0);

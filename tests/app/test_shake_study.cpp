@@ -14,6 +14,7 @@
 #include <bit>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -204,7 +205,22 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
     REQUIRE(study.run("s.h5", 2,
                       {"shaking.intensities=0.2, 0.4, 0.6, 0.9, 1.3 g",
                        "shaking.records=kanai_tajimi(peak 0.3 g, duration 3 s, records 5)",
-                       "uq.samples=3"}) == 0);
+                       "shaking.push=yes", "uq.samples=3"}) == 0);
+    const app::StoredHistories read = app::read_histories(study.path / "s.h5");
+    std::map<std::size_t, std::set<double>> limits; // of each wall
+    for (const app::StoredHistory& h : read.levels.front().histories) {
+        limits[h.wall].insert(h.pushed_limit);
+        CHECK(h.uplift >= 0.0);
+        CHECK(h.uplift <= 1.0);
+    }
+    REQUIRE(limits.size() == 3);
+    std::set<double> different;
+    for (const auto& [wall, of] : limits) {
+        CHECK(of.size() == 1);
+        CHECK(*of.begin() > 0.0);
+        different.insert(*of.begin());
+    }
+    CHECK(different.size() == 3);
     std::ofstream(study.path / "hazard.csv")
         << "PGA [g],rate [1/a]\n0.05,0.1\n0.2,0.01\n0.5,0.001\n1,0.0001\n";
     app::Command c;
@@ -226,6 +242,8 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
     const app::Json all = app::json_of(text_of("fragility.json"));
     const app::Json& rows = all["tables"]["intensity_limits"]["rows"];
     REQUIRE(rows.size() > 0);
+    CHECK_THAT(text_of("intensity_limits.csv"), Contains("uplift of 50 %"));
+    CHECK_THAT(text_of("intensity_limits.csv"), Contains("80 % of the limit of its own push"));
     CHECK_THAT(text_of("intensity_limits.csv"), Contains("annual rate [1/a]"));
     CHECK_THAT(text_of("openquake_fragility.xml"), Contains("imt=\"PGA\""));
     CHECK_THAT(text_of("pelicun_fragility.csv"), Contains("Peak Ground Acceleration,g,"));

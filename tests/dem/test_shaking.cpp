@@ -33,6 +33,17 @@ dem::ShakePlan release(double b, double h, double th, double time)
     return p;
 }
 
+/// A block that slides on one that the ground holds.
+scenes::Scene on_a_held_block(double b, double h, double kn, double tan_phi)
+{
+    scenes::Scene s = block(b, h, kn, tan_phi);
+    s.wall.courses = 2;
+    s.wall.course_height = 2.0 * h;
+    s.wall.bond_offset = 0.0;
+    s.wall.base = dem::Base::fixed;
+    return s;
+}
+
 } // namespace
 
 TEST_CASE("shaking: a rigid block that is let go takes the quarter period of Housner's block",
@@ -196,6 +207,7 @@ TEST_CASE("shaking: a wall under a floor lifts at half a g, one under a jack at 
         INFO(dem::name_of(r.outcome) << " " << r.unbalance << " ledger " << r.residual);
         CHECK((r.outcome == dem::ShakeOutcome::stood || share > 1.0));
         CHECK(r.unbalance <= 1e-6);
+        CHECK(r.uplift == Approx(share > 1.0 ? 0.5 : 0.0)); // one end of two
         return r.last_opening > 0.0;
     };
     INFO("load " << c.load);
@@ -243,7 +255,7 @@ TEST_CASE("shaking: two corners with strong dashpots lose what Housner's block l
     const double p = std::sqrt(0.75 * kGravity / std::hypot(b, h));
     dem::ShakePlan plan = release(b, h, th, 3.2 / p);
     plan.contact_damping = 2.0;
-    plan.step_fraction = 0.2;
+    plan.step_fraction = 0.1;
     const auto r = shaken(block(b, h, 1e9), plan);
     double other = 0.0; // farthest on the other side of the middle
     for (const auto& point : r.history) other = std::min(other, point.displacement);
@@ -261,8 +273,68 @@ TEST_CASE("shaking: an undamped block rocks for seconds and keeps its energy", "
     const double th = 0.5 * std::atan(0.25);
     const auto r = shaken(block(0.25, 1.0), release(0.25, 1.0, th, 5.0));
     CHECK(r.outcome == dem::ShakeOutcome::stood);
-    CHECK(r.step_reductions == 0);
+    CHECK(r.step_reductions <= 1); // the moment of an impact is missed by up to a step
     CHECK(r.residual < 0.01);
+}
+
+TEST_CASE("shaking: a wall whose top hardly moves any more is not followed further",
+          "[dem][shaking]")
+{
+    // It swings up and down for ever, and its top stays above its foot.
+    const double kn = 1e8, rest = 2300.0 * 0.5 * kGravity / kn;
+    dem::ShakePlan plan;
+    plan.step = 0.01;
+    plan.horizontal = {0.0, 0.0};
+    plan.released = {{0, 0.0, -1.5 * rest, 0.0}};
+    plan.free_vibration = 1.0;
+    const double whole = shaken(block(1.0, 0.25, kn), plan).end;
+    plan.quiet = 1e-4;
+    CHECK(whole == Approx(1.01).epsilon(1e-3));
+    CHECK(shaken(block(1.0, 0.25, kn), plan).end == Approx(0.01 + 0.2).epsilon(0.01));
+    dem::ShakePlan rocks = release(0.25, 1.0, 0.1, 1.0);
+    rocks.quiet = 1e-4;
+    CHECK(shaken(block(0.25, 1.0), rocks).end == Approx(1.01).epsilon(1e-3));
+}
+
+TEST_CASE("shaking: a block that slides far loses mu N times its way, on the ground and where "
+          "its face shrinks",
+          "[dem][shaking]")
+{
+    const bool shrinks = GENERATE(false, true);
+    const double mu = 0.15, mass = 2300.0 * 2.0 * 0.5 * 0.2;
+    dem::ShakePlan plan = half_sine(kGravity, 0.2);
+    plan.free_vibration = 3.0;
+    plan.contact_damping = 0.1;
+    const auto r = shaken(
+        shrinks ? on_a_held_block(1.0, 0.25, 1e10, mu) : block(1.0, 0.25, 1e10, mu), plan);
+    const double way = std::abs(r.residual_displacement);
+    INFO("shrinks " << shrinks << " way " << way << " ledger " << r.residual);
+    CHECK(r.outcome == dem::ShakeOutcome::stood);
+    CHECK(way > 0.3);
+    CHECK(r.energy.friction == Approx(mu * mass * kGravity * way).epsilon(1e-3));
+    CHECK(r.residual < 1e-4);
+}
+
+TEST_CASE("shaking: a block that a corner throws off at a large angle has the energy that the "
+          "corner stored",
+          "[dem][shaking]")
+{
+    // Turned by a third of a radian, pressed into the block below with its lower right corner.
+    const scenes::Scene s = on_a_held_block(0.5, 0.25, 1e8, 0.6);
+    dem::ShakePlan plan;
+    plan.step = 0.01;
+    plan.horizontal = {0.0, 0.0};
+    plan.free_vibration = 0.05;
+    plan.released = {turned(1, 0.5, 0.25, 0.35)};
+    plan.released.front().x -= 0.05;
+    plan.released.front().z -= 0.005;
+    plan.step_fraction = 0.05;
+    const dem::Model m = model(s);
+    const auto r = dem::shake(m, scenes::uniform(s, m), plan);
+    INFO("ledger " << r.residual << " step " << r.time_step << " kinetic " << r.energy.kinetic);
+    CHECK(r.step_reductions == 0);
+    CHECK(r.energy.elastic == 0.0);
+    CHECK(r.residual < 1.5e-3);
 }
 
 TEST_CASE("shaking: the paper's wall under a floor is shaken and keeps its energy balance",
