@@ -74,8 +74,11 @@ PierReading read_pier(const Study& study, const dem::PierProbe& probe,
     r.drift = way * history.back().piers[i].displacement / height;
     std::vector<double> displacement, force;
     const dem::PierState* strongest = &history.front().piers[i];
+    double before = history.front().piers[i].displacement;
     for (const PierInstant& now : history) {
-        displacement.push_back(way * now.piers[i].displacement);
+        // Its force is the mean since the point before: it belongs to the middle of the way.
+        displacement.push_back(way * 0.5 * (before + now.piers[i].displacement));
+        before = now.piers[i].displacement;
         force.push_back(way * now.piers[i].force.shear);
         if (way * now.piers[i].force.shear > way * strongest->force.shear)
             strongest = &now.piers[i];
@@ -97,11 +100,14 @@ PierReading read_pier(const Study& study, const dem::PierProbe& probe,
     rules.backbone = fragility::Side::right;
     r.own = read({displacement, force, came_down}, mechanism, rules, true);
     r.mode = code_mode(mechanism, r.own.dropped, rules.mode);
-    const bool rocks = r.mode == dem::FailureMode::rocking;
-    const std::array drifts = {fragility::ntc_drift(rocks),
-                               fragility::ec8_drift(rocks, r.slenderness)};
-    for (std::size_t c = 0; c < drifts.size(); ++c)
-        r.caps[c] = {drifts[c], wall_at(history, i, drifts[c] * height, way)};
+    for (const fragility::Code& code : pier_codes(study))
+        for (const fragility::CodeState& state : code.states) {
+            if (state.drifts.empty()) continue;
+            const double drift = fragility::drift_limit(state, name(r.mode), r.slenderness);
+            r.caps.push_back(
+                {code.name, state.name, drift,
+                 drift > 0.0 ? wall_at(history, i, drift * height, way) : LimitDisplacement{}});
+        }
     return r;
 }
 
@@ -149,14 +155,24 @@ PierBalance balance_of(const dem::Piers& all, const PierHistory& history)
     return b;
 }
 
-double governing(const std::vector<PierReading>& piers, std::string_view code)
+/// By set and limit state, where the load line is when a pier first reaches its limit [m].
+std::vector<std::vector<double>> caps_by_piers(const ReadingRules& rules,
+                                               const std::vector<PierReading>& piers)
 {
-    const int first = governing_pier(piers, code);
-    if (first == 0) return kNever;
-    const auto c = std::ranges::find(kPierCodes, code) - kPierCodes.begin();
-    return piers[static_cast<std::size_t>(first) - 1]
-        .caps[static_cast<std::size_t>(c)]
-        .wall.displacement;
+    std::vector<std::vector<double>> caps;
+    for (const fragility::Code& code : rules.sets) {
+        caps.emplace_back();
+        for (const fragility::CodeState& state : code.states) {
+            const int first = governing_pier(piers, code.name, state.name);
+            caps.back().push_back(
+                state.drifts.empty() ? 0.0
+                : first == 0
+                    ? kNever
+                    : cap_of(piers[static_cast<std::size_t>(first) - 1], code.name, state.name)
+                          ->wall.displacement);
+        }
+    }
+    return caps;
 }
 
 } // namespace
@@ -172,16 +188,23 @@ bool tells_piers(const Study& study)
     return push_way(study).direction != 0 && has_piers(study);
 }
 
-int governing_pier(const std::vector<PierReading>& piers, std::string_view code)
+const PierCap* cap_of(const PierReading& pier, std::string_view code, std::string_view state)
 {
-    const auto c =
-        static_cast<std::size_t>(std::ranges::find(kPierCodes, code) - kPierCodes.begin());
+    for (const PierCap& cap : pier.caps)
+        if (cap.code == code && (state.empty() || cap.state == state)) return &cap;
+    return nullptr;
+}
+
+int governing_pier(const std::vector<PierReading>& piers, std::string_view code,
+                   std::string_view state)
+{
     int first = 0;
     double least = kNever;
     for (std::size_t i = 0; i < piers.size(); ++i) {
-        const LimitDisplacement& at = piers[i].caps.at(c).wall;
-        if (!piers[i].carries || !is_observed(at) || at.displacement >= least) continue;
-        least = at.displacement;
+        const PierCap* const cap = cap_of(piers[i], code, state);
+        if (cap == nullptr || !piers[i].carries || !is_observed(cap->wall)) continue;
+        if (cap->wall.displacement >= least) continue;
+        least = cap->wall.displacement;
         first = static_cast<int>(i) + 1;
     }
     return first;
@@ -204,8 +227,7 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
         wall.pier_balance.shear = std::numeric_limits<double>::quiet_NaN();
     ReadingRules rules = reading_rules(study);
     rules.by_piers = true;
-    rules.options.ntc_limit = governing(wall.piers, "ntc");
-    rules.options.ec8_limit = governing(wall.piers, "ec8");
+    rules.pier_caps = caps_by_piers(rules, wall.piers);
     wall.reading = read({wall.displacement, wall.force, came_down}, wall.mechanism, rules,
                         wall.result.settled);
 }

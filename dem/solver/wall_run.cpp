@@ -259,7 +259,9 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
         result_.at_drop = snapshot();
     if (task_->plan.drop > 0.0) keep_trail(snapshot);
     if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_ * (1.0 - kWayRounding)) {
-        keep(snapshot());
+        Snapshot s = snapshot();
+        if (task_->plan.mean_stresses) means_.give_to(s, task_->model);
+        keep(std::move(s));
         next_snapshot_ += task_->plan.snapshot_every;
     }
     decided_ = task_->plan.decided && task_->plan.decided(result_.curve);
@@ -321,6 +323,7 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     way_ += std::abs(step_drive_);
     drive_work_ += 0.5 * (force_before_ + top) * step_drive_;
     recorder_.add(step_drive_, force_before_, top, base - dem::lane(state.load_x, lane));
+    if (task_->plan.mean_stresses) means_.add(state, lane, std::abs(step_drive_));
     const double missing = top + dem::lane(state.load_x, lane) - base;
     Pace& pace = drive_.pace();
     if (pace.samples()) motion_.add(state, lane);
@@ -449,6 +452,7 @@ void WallRun::start_again()
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
     work_half_way_ = least_given_ = 0.0;
     trail_.clear();
+    means_.start_again();
     steps_ = 0;
     decided_ = came_down_ = false;
 }

@@ -88,7 +88,7 @@ py::dict read_walls(const std::string& path)
         stress.push_back(head.levels[l].vertical_stress);
     const auto missing = std::ranges::count_if(
         app::missing_walls(head, reader.statuses()),
-        [&](const app::WallKey& key) { return !app::is_audit(head, key); });
+        [&](const app::WallKey& key) { return app::round_of(head, key) == app::Round::own; });
     py::dict file;
     file["level"] = array_of(std::move(level));
     file["sample"] = array_of(std::move(sample));
