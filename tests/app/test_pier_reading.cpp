@@ -95,7 +95,8 @@ TEST_CASE("pier reading: a pier has the limits of a wall of its own", "[app][pie
     CHECK(pier.normal_at_peak == Approx(0.3e6 * 0.2).epsilon(0.005));
     CHECK(pier.most_shear == Approx(peak_force(own.reading)).epsilon(0.05));
     CHECK(pier.mode == own.reading.mode);
-    for (const char* const state : {"ntc SLC", "ntc SLV", "ec8 NC"}) {
+    for (const char* const state : {"paper ultimate", "ntc SLO", "ntc SLD", "ntc SLC", "ntc SLV",
+                                    "ec8 DL", "ec8 SD", "ec8 NC"}) {
         INFO(state);
         CHECK(limit(under, pier.own, state) / 0.5 ==
               Approx(limit(alone, own.reading, state) / alone.load.height).epsilon(0.05));
