@@ -121,7 +121,7 @@ std::string both_ways_remark(const StudyWalls& walls)
             peak.add(peak_force(w.ways[0]), peak_force(w.ways[1]));
             for (std::size_t i = 0; i < limits.size(); ++i) {
                 const auto &a = w.ways[0].limits.at(i), &b = w.ways[1].limits.at(i);
-                if (is_defined(a) && is_defined(b) && (is_observed(a) || is_observed(b)))
+                if (is_observed(fragility::worse(a, b)))
                     limits[i].add(a.displacement, b.displacement);
             }
         }

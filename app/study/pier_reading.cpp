@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace app {
@@ -59,9 +60,43 @@ std::size_t at_peak(const PierHistory& history)
     return static_cast<std::size_t>(most - history.begin());
 }
 
+/// Where the load line was in the middle of the steps that the forces of an instant are means
+/// of: at the point of the curve that has its force.
+class MeanPlaces {
+  public:
+    explicit MeanPlaces(const std::vector<dem::CurvePoint>& curve) : curve_(curve) {}
+    /// [m]; instants are asked for in their order.
+    double next(const PierInstant& now)
+    {
+        for (std::size_t p = next_; p < curve_.size(); ++p)
+            if (curve_[p].force == now.force) {
+                next_ = p + 1;
+                return curve_[p].displacement;
+            }
+        return now.displacement;
+    }
+
+  private:
+    const std::vector<dem::CurvePoint>& curve_;
+    std::size_t next_ = 0;
+};
+
+/// Movement of a pier where the load line was at `place`, which is way times that place [m].
+double movement_at(const PierHistory& history, std::size_t pier, double place, double way)
+{
+    const auto after = std::ranges::lower_bound(
+        history, place, {}, [way](const PierInstant& p) { return way * p.displacement; });
+    if (after == history.end()) return history.back().piers[pier].displacement;
+    const double b = after->piers[pier].displacement, at = way * after->displacement;
+    if (after == history.begin()) return b;
+    const auto before = std::prev(after);
+    const double a = before->piers[pier].displacement, from = way * before->displacement;
+    return a + (place - from) / (at - from) * (b - a);
+}
+
 PierReading read_pier(const Study& study, const dem::PierProbe& probe,
-                      const PierHistory& history, std::size_t i, const dem::Snapshot& moved,
-                      bool came_down)
+                      const PierHistory& history, std::size_t i, const PushedWall& wall,
+                      const dem::Snapshot& moved, bool came_down)
 {
     constexpr double kMoves = 1e-4; // [-], of its height: a pier that stands still has no mode
     PierReading r;
@@ -73,12 +108,10 @@ PierReading read_pier(const Study& study, const dem::PierProbe& probe,
     r.shear_at_peak = way * peak.force.shear;
     r.drift = way * history.back().piers[i].displacement / height;
     std::vector<double> displacement, force;
+    MeanPlaces means(wall.result.curve);
     const dem::PierState* strongest = &history.front().piers[i];
-    double before = history.front().piers[i].displacement;
     for (const PierInstant& now : history) {
-        // Its force is the mean since the point before: it belongs to the middle of the way.
-        displacement.push_back(way * 0.5 * (before + now.piers[i].displacement));
-        before = now.piers[i].displacement;
+        displacement.push_back(way * movement_at(history, i, way * means.next(now), way));
         force.push_back(way * now.piers[i].force.shear);
         if (way * now.piers[i].force.shear > way * strongest->force.shear)
             strongest = &now.piers[i];
@@ -218,7 +251,7 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
     const dem::Snapshot moved = telling(wall.result);
     const bool came_down = wall.result.outcome == dem::Outcome::lost_equilibrium;
     for (std::size_t i = 0; i < probe.piers().piers.size(); ++i)
-        wall.piers.push_back(read_pier(study, probe, history, i, moved, came_down));
+        wall.piers.push_back(read_pier(study, probe, history, i, wall, moved, came_down));
     for (std::size_t i = 0; i < probe.piers().spandrels.size(); ++i)
         wall.spandrels.push_back(read_spandrel(probe, history, i));
     if (wall.piers.empty()) return;

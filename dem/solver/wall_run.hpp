@@ -82,7 +82,7 @@ class WallRun {
     ElasticPush elastic_; ///< until the push begins
     Recorder recorder_;
     SteadyMotion motion_; ///< in the push, since the last window
-    MeanStresses means_;  ///< since the last snapshot that was kept, where they are asked for
+    MeanStresses means_;  ///< where they are asked for
     PushResult result_;
     double load_factor_ = 0.0;            ///< of the step [-]
     double force_before_ = 0.0;           ///< of the drive, before the step [N]

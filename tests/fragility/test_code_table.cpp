@@ -91,7 +91,7 @@ TEST_CASE("code table: every limit state has a source, and codes of which nothin
 
 TEST_CASE("code table: a limit state is read at what its rule says", "[fragility][code_table]")
 {
-    const OwnedCurve c = scenes::triangle(); // up to 10 at 1, down to 0 at 2
+    const OwnedCurve c = scenes::triangle(); // up to 10 at 1, down to 0 at 3
     const auto at = [&](const std::string& rest) {
         const auto codes = table(state_text("a", rest));
         const auto found = read_limit_states(c, codes.front(), {});
@@ -99,13 +99,13 @@ TEST_CASE("code table: a limit state is read at what its rule says", "[fragility
     };
     CHECK(at(R"("rule": "peak")") == near(1.0));
     CHECK(at(R"("rule": "1/2 peak")") == near(0.5));
-    CHECK(at(R"("rule": "drop 0.5")") == near(1.5));
+    CHECK(at(R"("rule": "drop 0.5")") == near(2.0));
     CHECK(at(R"("rule": "rise 0.3")") == near(0.3));
-    CHECK(at(R"("rule": "collapse")") == near(2.0));
-    CHECK(at(R"("rule": "0.5 ultimate")") == near(0.6));
+    CHECK(at(R"("rule": "collapse")") == near(3.0));
+    CHECK(at(R"("rule": "0.5 ultimate")") == near(0.7));
     const auto codes = table(state_text("LS", R"("rule": "2/3 CP")") + ",\n" +
                              state_text("CP", R"("rule": "drop 0.5")"));
-    CHECK(read_limit_states(c, codes.front(), {}).front().limit.displacement == near(1.0));
+    CHECK(read_limit_states(c, codes.front(), {}).front().limit.displacement == near(4.0 / 3.0));
 }
 
 TEST_CASE("code table: a drift alone is reached where the curve gets so far, and beside a rule "
@@ -121,11 +121,11 @@ TEST_CASE("code table: a drift alone is reached where the curve gets so far, and
                       both = R"("rule": "drop 0.5", "drift": {"other": "1 %"})";
     CHECK(read(alone, 0.7).displacement == near(0.7));
     CHECK(is_capped(read(alone, 0.7)));
-    CHECK(is_censored(read(alone, 3.0)));
+    CHECK(is_censored(read(alone, 4.0)));
     CHECK_FALSE(is_defined(read(alone, 0.0))); // the code limits no drift of this mode
     CHECK(read(both, 1.2).displacement == near(1.2));
-    CHECK(read(both, 1.7).displacement == near(1.5));
-    CHECK_FALSE(is_capped(read(both, 1.7)));
+    CHECK(read(both, 2.5).displacement == near(2.0));
+    CHECK_FALSE(is_capped(read(both, 2.5)));
 }
 
 TEST_CASE("code table: a mode that is not named takes the drift of all others, and without one "
