@@ -1,5 +1,6 @@
 #include "app/wall_verbs.hpp"
 
+#include "app/input/code_file.hpp"
 #include "app/input/command_line.hpp"
 #include "app/input/material_presets.hpp"
 #include "app/output/markup.hpp"
@@ -16,6 +17,7 @@ int help_command(const Command& command)
 {
     const std::string topic = command.words.empty() ? "" : command.words.front();
     std::cout << (topic == "materials" ? materials_page()
+                  : topic == "codes"   ? codes_page()
                                        : hung(help_text(verbs(), topic), terminal_width()));
     return 0;
 }

@@ -1,17 +1,16 @@
 #include "fragility/limit_states.hpp"
 
 #include "fragility/cyclic_curve.hpp"
+#include "fragility/state_parts.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <stdexcept>
 #include <utility>
 
 namespace fragility {
 namespace {
 
-/// Parts that the three sets are made of.
+/// Parts that limit states are read at.
 struct Parts {
     Peak top;
     LimitDisplacement ultimate, collapse;
@@ -24,15 +23,6 @@ LimitDisplacement scaled(LimitDisplacement x, double factor)
 {
     x.displacement *= factor;
     return x;
-}
-
-/// 0.8 -> "80 %", 2/3 -> "66.67 %"
-std::string percent(double share)
-{
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), 100.0 * share,
-                                   std::chars_format::general, 4);
-    return std::string(text.data(), end.ptr) + " %";
 }
 
 /// The share of the peak at which the stiffness is read: not beyond first loading.
@@ -118,56 +108,24 @@ class CutCurve {
     std::vector<double> displacement_, force_;
 };
 
-/// A drift limit of a code.
-struct CodeLimit {
-    double at; ///< [length]; 0: none
-    std::string rule;
-    std::string_view governs; ///< the reason where it comes before the fall of the force
-};
-
-CodeLimit code_limit(std::string_view set, const LimitStateOptions& o)
-{
-    const auto rule = [](const std::string& rocks, double shear, const char* source) {
-        return ", or a drift of " + rocks + " if the wall rocks, " + percent(shear) +
-               " if not (" + source + "), whichever comes first";
-    };
-    if (set == "ntc")
-        return {
-            o.ntc_limit,
-            rule(percent(kNtcRockingDrift), kNtcShearDrift, "Circolare 7/2019, C8.7.1.3.1.1"),
-            kNtcLimitGoverns};
-    if (set == "ec8")
-        return {o.ec8_limit,
-                rule(percent(ec8_drift(true, 1.0)) + " x H0/D" +
-                         (o.slenderness > 0.0 ? " = " + percent(ec8_drift(true, o.slenderness))
-                                              : ""),
-                     ec8_drift(false, 1.0),
-                     "EN 1998-3:2005, Annex C, primary walls; compare with your copy of the "
-                     "code"),
-                kEc8LimitGoverns};
-    return {0.0, {}, {}};
-}
-
 /// The drift limit of the code may come before the fall of the force.
-Parts with_limit(const Curve& curve, const CodeLimit& limit, const LimitStateOptions& o,
-                 Parts p)
+Parts with_limit(const Curve& curve, double limit, std::string_view governs,
+                 const LimitStateOptions& o, Parts p)
 {
-    p.ultimate_rule += limit.rule;
     if (p.ultimate.reading == Reading::not_defined) return p;
     const bool falls_first =
-        p.ultimate.reading == Reading::observed && p.ultimate.displacement <= limit.at;
+        p.ultimate.reading == Reading::observed && p.ultimate.displacement <= limit;
     if (falls_first) {
         p.ultimate.reason = "the force falls before the drift limit of the code";
-    } else if (curve.displacement.back() >= limit.at) {
-        const CutCurve cut(curve, limit.at);
+    } else if (curve.displacement.back() >= limit) {
+        const CutCurve cut(curve, limit);
         p.top = peak(cut);
-        p.ultimate = {limit.at, Reading::observed, limit.governs};
+        p.ultimate = {limit, Reading::observed, governs};
         p.yield = yield_of(cut, p.ultimate, o);
     }
     return p;
 }
 
-/// SLD: whichever comes first.
 LimitDisplacement yield_or_peak(const Parts& p)
 {
     if (p.yield.reading != Reading::not_defined && p.top.displacement < p.yield.displacement)
@@ -175,66 +133,130 @@ LimitDisplacement yield_or_peak(const Parts& p)
     return p.yield;
 }
 
-std::vector<LimitState> ntc(const Parts& p)
+/// A limit state that is no share of another one, without its drift limit.
+LimitDisplacement part_of(const Curve& curve, const CodeState& s, const Parts& p,
+                          const LimitStateOptions& o)
 {
-    const LimitDisplacement sld = yield_or_peak(p);
-    return {{"SLO", "2/3 of SLD", scaled(sld, 2.0 / 3.0)},
-            {"SLD", p.bilinear_rule + ", or the peak if it comes first", sld},
-            {"SLV", "3/4 of SLC", scaled(p.ultimate, 0.75)},
-            {"SLC", p.ultimate_rule, p.ultimate}};
+    switch (s.part) {
+    case CodePart::yield:
+        return scaled(p.yield, s.factor);
+    case CodePart::yield_or_peak:
+        return scaled(yield_or_peak(p), s.factor);
+    case CodePart::peak:
+        return scaled(at_peak(p.top), s.factor);
+    case CodePart::ultimate:
+        return scaled(p.ultimate, s.factor);
+    case CodePart::collapse:
+        return scaled(p.collapse, s.factor);
+    case CodePart::rise:
+        return rise_to(curve, s.factor);
+    case CodePart::drop:
+        return drop_after_peak(curve, s.factor, o.crossing);
+    default:
+        return {};
+    }
 }
 
-std::vector<LimitState> ec8(const Parts& p)
+/// "3/4 of "
+std::string share_text(const CodeState& s)
 {
-    return {{"DL", p.bilinear_rule, p.yield},
-            {"SD", "3/4 of NC", scaled(p.ultimate, 0.75)},
-            {"NC", p.ultimate_rule, p.ultimate}};
+    return s.factor_text.empty() ? "" : s.factor_text + " of ";
 }
 
-std::vector<LimitState> paper(const Parts& p)
+std::string part_text(const CodeState& s, const Parts& p, const LimitStateOptions& o)
 {
-    return {{"ultimate", p.ultimate_rule, p.ultimate}};
+    const std::string share = share_text(s);
+    switch (s.part) {
+    case CodePart::yield:
+        return share + p.bilinear_rule;
+    case CodePart::yield_or_peak:
+        return share + p.bilinear_rule + ", or the peak if it comes first";
+    case CodePart::peak:
+        return share + "the displacement at the peak";
+    case CodePart::ultimate:
+        return share + p.ultimate_rule;
+    case CodePart::collapse:
+        return share + "no force is left after the peak, or the wall comes down";
+    case CodePart::rise:
+        return "first rise to " + percent(s.factor) + " of the peak";
+    case CodePart::drop:
+        return std::string(o.crossing == Crossing::first ? "first" : "last") + " drop to " +
+               percent(s.factor) + " of the peak";
+    case CodePart::state:
+        return share + s.of_name;
+    default:
+        return {};
+    }
 }
 
-std::vector<LimitState> collapse(const Parts& p)
+std::string rule_text(const CodeState& s, const Parts& p, const LimitStateOptions& o)
 {
-    return {
-        {"collapse", "no force is left after the peak, or the wall comes down", p.collapse}};
+    std::string text = part_text(s, p, o);
+    if (s.drifts.empty()) return text;
+    const bool alone = s.part == CodePart::none;
+    if (!alone) text += ", or ";
+    text += drift_text(s, o.slenderness) + " (" + source_text(s) + ")";
+    return alone ? text : text + ", whichever comes first";
 }
 
-/// A set of limit states is a row here and a function above.
-struct Set {
-    std::string_view name;
-    std::vector<LimitState> (*read)(const Parts&);
-};
-constexpr std::array kSets = {Set{"paper", paper}, Set{"ntc", ntc}, Set{"ec8", ec8},
-                              Set{"collapse", collapse}};
+double cap_of(std::span<const double> caps, std::size_t state)
+{
+    return state < caps.size() ? caps[state] : 0.0;
+}
 
-constexpr auto kNames = [] {
-    std::array<std::string_view, kSets.size()> names;
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = kSets[i].name;
-    return names;
-}();
+LimitDisplacement no_drift_limit()
+{
+    return {0.0, Reading::not_defined, "the code limits no drift of this mode"};
+}
+
+bool cuts_the_curve(const CodeState& s)
+{
+    return s.part == CodePart::ultimate && s.factor_text.empty();
+}
 
 } // namespace
 
-std::vector<LimitState> read_limit_states(const Curve& curve, std::string_view set,
-                                          const LimitStateOptions& options)
+CurveParts curve_parts(const Curve& curve, const LimitStateOptions& options)
 {
-    Parts parts = read_parts(curve, options);
-    const CodeLimit limit = code_limit(set, options);
-    if (limit.at > 0.0) parts = with_limit(curve, limit, options, std::move(parts));
-    for (const Set& s : kSets)
-        if (s.name == set) return s.read(parts);
-    throw std::invalid_argument("limit states: no set " + std::string(set));
+    const Parts p = read_parts(curve, options);
+    return {p.yield, p.ultimate};
 }
 
-std::span<const std::string_view> limit_state_sets() { return kNames; }
+std::vector<LimitState> read_limit_states(const Curve& curve, const Code& code,
+                                          std::span<const double> caps,
+                                          const LimitStateOptions& options)
+{
+    if (code.states.empty())
+        throw std::invalid_argument("limit states: nothing is given of " + code.name);
+    Parts p = read_parts(curve, options);
+    for (std::size_t i = 0; i < code.states.size(); ++i)
+        if (cuts_the_curve(code.states[i]) && cap_of(caps, i) > 0.0)
+            p = with_limit(curve, cap_of(caps, i), code.states[i].governs, options, p);
+    std::vector<LimitState> found;
+    for (std::size_t i = 0; i < code.states.size(); ++i) {
+        const CodeState& s = code.states[i];
+        LimitDisplacement limit = part_of(curve, s, p, options);
+        const double cap = cap_of(caps, i);
+        if (s.part == CodePart::none)
+            limit = cap > 0.0 ? cap_alone(curve, cap, s.governs) : no_drift_limit();
+        else if (cap > 0.0 && !cuts_the_curve(s) && s.part != CodePart::state)
+            limit = capped(curve, limit, cap, s.governs);
+        found.push_back({s.name, rule_text(s, p, options), limit});
+    }
+    for (std::size_t i = 0; i < code.states.size(); ++i) {
+        const CodeState& s = code.states[i];
+        if (s.part != CodePart::state) continue;
+        found[i].limit = scaled(found[static_cast<std::size_t>(s.of)].limit, s.factor);
+        if (cap_of(caps, i) > 0.0)
+            found[i].limit = capped(curve, found[i].limit, cap_of(caps, i), s.governs);
+    }
+    return found;
+}
 
 bool is_capped(const LimitDisplacement& d)
 {
-    return is_observed(d) && (d.reason == kNtcLimitGoverns || d.reason == kEc8LimitGoverns ||
-                              d.reason == kGivenLimitGoverns);
+    return is_observed(d) &&
+           (d.reason.starts_with("governed by ") || d.reason == kGivenLimitGoverns);
 }
 
 } // namespace fragility

@@ -5,6 +5,8 @@ set(FRAGILITY_PUBLIC_HEADERS
     censored_fit.hpp
     censored_sample.hpp
     cloud.hpp
+    code.hpp
+    code_table.hpp
     crossed_design.hpp
     curve_reading.hpp
     cyclic_curve.hpp

@@ -1,4 +1,5 @@
 #include "fragility/limit_states.hpp"
+#include "fragility/state_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,17 +47,6 @@ void add(LimitDisplacement& sum, double weight, const LimitDisplacement& part)
     if (sum.reason.empty() || part.reading == Reading::censored) sum.reason = part.reason;
 }
 
-LimitDisplacement rise_to(const Curve& curve, double share)
-{
-    const Peak top = peak(curve);
-    const auto at = first_reaching(curve, share * top.force);
-    if (top.force <= 0.0 || !at)
-        return {0.0, Reading::not_defined, "the force is never positive"};
-    if (top.at_end)
-        return {*at, Reading::observed, "of the highest force so far: the curve still rises"};
-    return {*at, Reading::observed, {}};
-}
-
 LimitDisplacement uncapped(const Curve& curve, const UserLimitState& s, const StateParts& parts,
                            const LimitStateOptions& options)
 {
@@ -67,18 +57,6 @@ LimitDisplacement uncapped(const Curve& curve, const UserLimitState& s, const St
     add(sum, s.peak, parts.peak);
     add(sum, s.ultimate, parts.ultimate);
     return sum;
-}
-
-/// The cap is reached where the curve gets so far.
-LimitDisplacement capped(const Curve& curve, const UserLimitState& s, LimitDisplacement limit)
-{
-    const double cap = *s.at_most, end = curve.displacement.back();
-    const bool alone = !sums(s) && !s.rise && !s.drop;
-    if (!alone && limit.reading == Reading::not_defined) return limit;
-    if (!alone && limit.reading == Reading::observed && limit.displacement <= cap) return limit;
-    const double known = alone ? end : std::max(limit.displacement, end);
-    if (known >= cap) return {cap, Reading::observed, kGivenLimitGoverns};
-    return {known, Reading::censored, "the curve ends before"};
 }
 
 std::string short_number(double x)
@@ -108,15 +86,11 @@ std::string rule_text(const UserLimitState& s)
 
 StateParts read_state_parts(const Curve& curve, const LimitStateOptions& options)
 {
-    const Peak top = peak(curve);
-    StateParts parts{{}, {top.displacement, Reading::observed, {}}, {}};
-    if (top.at_end) parts.peak = {top.displacement, Reading::censored, "the curve still rises"};
-    LimitStateOptions no_code = options; // the parts are those of the curve
-    no_code.ec8_limit = 0.0;
-    for (const LimitState& s : read_limit_states(curve, "ec8", no_code)) {
-        if (s.name == "DL") parts.yield = s.limit;
-        if (s.name == "NC") parts.ultimate = s.limit;
-    }
+    StateParts parts;
+    parts.peak = at_peak(peak(curve));
+    const CurveParts read = curve_parts(curve, options);
+    parts.yield = read.yield;
+    parts.ultimate = read.ultimate;
     return parts;
 }
 
@@ -133,7 +107,9 @@ std::vector<LimitState> read_limit_states(const Curve& curve,
         const bool alone = !sums(s) && !s.rise && !s.drop;
         LimitDisplacement limit;
         if (!alone) limit = uncapped(curve, s, parts, options);
-        if (s.at_most) limit = capped(curve, s, limit);
+        if (s.at_most)
+            limit = alone ? cap_alone(curve, *s.at_most, kGivenLimitGoverns)
+                          : capped(curve, limit, *s.at_most, kGivenLimitGoverns);
         found.push_back({s.name, rule_text(s), limit});
     }
     return found;

@@ -52,16 +52,16 @@ void refuse_drawn(const Study& study)
 
 namespace {
 
-/// Walls of a study are pushed once.
+/// A response is that of one push.
 void refuse_both_ways(const Study& study, const Verb& verb)
 {
-    constexpr VerbSet kOnce = "study reliability serve";
+    constexpr VerbSet kOnce = "reliability serve";
     if (study.load.direction == Direction::both && is_given(study.source, "load.direction") &&
         kOnce.has(verb.name) && push_way(study).direction != 0 &&
         !dem::is_symmetric(layout_of(study)))
         throw error_at(study.source, "load.direction",
-                       "both is for push and sheet; the walls of a study are pushed once: "
-                       "write right or left, and run the study for each");
+                       "both is for push, sheet and study; here a wall is pushed once: write "
+                       "right or left, and run it for each");
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/words.hpp"
+#include "fragility/code_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -105,28 +106,38 @@ void check_state(const UserState& user)
     static_cast<void>(state_names(rules));
 }
 
-/// Sets that a study asks for, "user" among them.
-std::vector<std::string_view> set_words()
+/// Sets that a study may ask for, "user" among them.
+std::vector<std::string_view> set_words(const std::vector<fragility::Code>& codes)
 {
-    const auto sets = fragility::limit_state_sets();
-    std::vector<std::string_view> words(sets.begin(), sets.end());
+    std::vector<std::string_view> words;
+    for (const fragility::Code& code : codes)
+        if (!code.states.empty()) words.push_back(code.name);
     words.emplace_back("user");
     return words;
 }
 
 void add_set(const Study& study, std::string_view name, ReadingRules& rules)
 {
-    const auto known = fragility::limit_state_sets();
-    const auto set = std::ranges::find(known, name);
-    if (set == known.end() && name != "user")
+    if (name == "user") {
+        rules.user = parse_user_states(study.fragility.user_states);
+        if (rules.user.empty())
+            throw BadValue(
+                "is missing, and the set user needs it; write \"name: 0.7 yield; ...\"");
+        return;
+    }
+    const std::vector<fragility::Code> codes = known_codes(study);
+    const fragility::Code* const code = fragility::find_code(codes, name);
+    if (code == nullptr)
         throw error_at(study.source, "fragility.limit_states",
-                       in_quotes(name) + " is not a set; " + suggestion(name, set_words()));
-    if (set != known.end() && std::ranges::find(rules.sets, *set) == rules.sets.end())
-        rules.sets.push_back(*set);
-    if (set != known.end()) return;
-    rules.user = parse_user_states(study.fragility.user_states);
-    if (rules.user.empty())
-        throw BadValue("is missing, and the set user needs it; write \"name: 0.7 yield; ...\"");
+                       in_quotes(name) + " is not a set; " +
+                           suggestion(name, set_words(codes)));
+    if (code->states.empty())
+        throw error_at(study.source, "fragility.limit_states",
+                       "of " + in_quotes(name) + ", " + code->title +
+                           ", nothing is given here: " + code->missing +
+                           "; write its limit states into a file of your own "
+                           "(fragility.codes, docs/codes.md)");
+    if (fragility::find_code(rules.sets, name) == nullptr) rules.sets.push_back(*code);
 }
 
 } // namespace
@@ -143,6 +154,26 @@ std::vector<UserState> parse_user_states(std::string_view text)
         check_state(states.back());
     }
     return states;
+}
+
+std::vector<fragility::Code> known_codes(const Study& study)
+{
+    std::vector<fragility::Code> codes = study.fragility.own_codes;
+    for (const fragility::Code& code : fragility::built_in_codes())
+        if (fragility::find_code(codes, code.name) == nullptr) codes.push_back(code);
+    return codes;
+}
+
+std::vector<fragility::Code> pier_codes(const Study& study)
+{
+    std::vector<fragility::Code> codes;
+    const std::vector<fragility::Code> known = known_codes(study);
+    for (const std::string_view name : {"ntc", "ec8"})
+        codes.push_back(*fragility::find_code(known, name));
+    for (const fragility::Code& set : reading_rules(study).sets)
+        if (limits_drift(set) && fragility::find_code(codes, set.name) == nullptr)
+            codes.push_back(set);
+    return codes;
 }
 
 ReadingRules reading_rules(const Study& study)

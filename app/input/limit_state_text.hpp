@@ -14,6 +14,12 @@ namespace app {
 /// @throws std::invalid_argument naming the state and what is allowed
 [[nodiscard]] std::vector<UserState> parse_user_states(std::string_view text);
 
+/// All codes that a study can name: those of the program, and those of fragility.codes.
+[[nodiscard]] std::vector<fragility::Code> known_codes(const Study& study);
+
+/// Codes whose drift limits are told of each pier: ntc and ec8, and those the study asks for.
+[[nodiscard]] std::vector<fragility::Code> pier_codes(const Study& study);
+
 /// read_study has asked for it: a study that was read has rules.
 /// @throws ConfigError at the key to change
 [[nodiscard]] ReadingRules reading_rules(const Study& study);

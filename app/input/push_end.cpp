@@ -24,6 +24,27 @@ bool goes_to_its_limit(const Study& study)
            study.solver.kinematics == dem::Kinematics::finite;
 }
 
+bool is_drift_alone(const fragility::CodeState& s)
+{
+    return s.part == fragility::CodePart::none;
+}
+
+double largest_drift(const fragility::CodeState& s, double slenderness)
+{
+    double largest = 0.0;
+    for (const auto& [mode, drift] : s.drifts)
+        largest = std::max(largest, fragility::drift_limit(s, mode, slenderness));
+    return largest;
+}
+
+/// Whether a code asks for the curve to its end.
+bool reads_the_end(const fragility::Code& code)
+{
+    return std::ranges::any_of(code.states, [](const fragility::CodeState& s) {
+        return s.part == fragility::CodePart::collapse || is_drift_alone(s);
+    });
+}
+
 } // namespace
 
 void derive_push_end(Study& study)
@@ -31,8 +52,11 @@ void derive_push_end(Study& study)
     if (!goes_to_its_limit(study)) return;
     const double way = std::ceil(kFarthest * study.load.height * 1e3 - 1e-6) / 1e3;
     double asked = 0.0; // drifts that a limit state names [-]
-    for (const UserState& user : reading_rules(study).user)
-        asked = std::max(asked, user.most_drift);
+    const ReadingRules rules = reading_rules(study);
+    for (const UserState& user : rules.user) asked = std::max(asked, user.most_drift);
+    for (const fragility::Code& code : rules.sets)
+        for (const fragility::CodeState& s : code.states)
+            if (is_drift_alone(s)) asked = std::max(asked, largest_drift(s, rules.slenderness));
     study.load.max_displacement = std::min(std::max(way, asked * study.load.height), kMostWay);
 }
 
@@ -42,7 +66,10 @@ void derive_stop_below(Study& study)
     const ReadingRules rules = reading_rules(study);
     double least = rules.options.ultimate_share;
     bool to_the_end = rules.options.crossing == fragility::Crossing::last ||
-                      std::ranges::find(rules.sets, "collapse") != rules.sets.end();
+                      std::ranges::any_of(rules.sets, reads_the_end);
+    for (const fragility::Code& code : rules.sets)
+        for (const fragility::CodeState& s : code.states)
+            if (s.part == fragility::CodePart::drop) least = std::min(least, s.factor);
     for (const UserState& user : rules.user) {
         const fragility::UserLimitState& s = user.state;
         least = std::min(least, s.drop.value_or(least));

@@ -1,5 +1,6 @@
 #include "app/input/study.hpp"
 
+#include "app/input/code_file.hpp"
 #include "app/input/joint_laws.hpp"
 #include "app/input/key_reading.hpp"
 #include "app/input/key_values.hpp"
@@ -99,6 +100,7 @@ Study read_study(const StudyFile& file, Purpose purpose)
     Study study;
     study.source = with_material(without_replaced(file));
     for (const Key& key : study_keys()) read_key(key, study);
+    read_own_codes(study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
     check_cycles(study);
     study.wall.toe_at_left = push_way(study).direction < 0;
@@ -129,6 +131,7 @@ std::string written_value(const Key& key, const Entry* entry, const Study& study
         if (says_how_a_file_is_read(key)) return {};
     }
     if (key.name == "unit.cracks_where") return study.cracks.where;
+    if (key.name == "fragility.codes" && entry != nullptr) return study.fragility.codes;
     if (!study.load.scaled.empty()) {
         if (key.name == "load.protocol_scale") return "given";
         if (key.name == "load.max_displacement") return value_text(key, study);

@@ -14,6 +14,7 @@
 #include "dem/solver/push.hpp"
 #include "dem/solver/solver_options.hpp"
 #include "fragility/bilinear.hpp"
+#include "fragility/code.hpp"
 #include "fragility/curve_reading.hpp"
 #include "fragility/cyclic_curve.hpp"
 #include "fragility/law.hpp"
@@ -205,7 +206,9 @@ struct ShakingInput {
 
 /// How walls are read, by every verb. Moves no wall.
 struct FragilityInput {
-    std::string limit_states = "paper, ntc"; ///< sets: paper, ntc, ec8, user
+    std::string limit_states = "paper, ntc"; ///< sets: codes, user
+    std::string codes;                       ///< a file of codes, or its text; empty: none
+    std::vector<fragility::Code> own_codes;  ///< read from `codes`
     std::string user_states;                 ///< "slight: 0.7 yield; severe: drop 0.5; ..."
     fragility::Crossing crossing = fragility::Crossing::first; ///< of the ultimate share
     double ultimate_share = fragility::kUltimateShare;         ///< of the peak [-], in (0, 1)

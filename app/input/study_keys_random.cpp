@@ -1,8 +1,10 @@
 /// Random samples, reliability and fragility: keys of the study file.
 
+#include "app/input/limit_state_text.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/study_key_table.hpp"
 #include "app/reading/wall_response.hpp"
+#include "fragility/code_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -107,6 +109,13 @@ constexpr Condition kSampled{[](const Study& s) {
 constexpr Condition kUserStates{
     [](const Study& s) { return s.fragility.limit_states.find("user") != std::string::npos; },
     "fragility.limit_states does not name user"};
+constexpr Condition kOwnCodes{
+    [](const Study& s) {
+        return std::ranges::any_of(reading_rules(s).sets, [&](const fragility::Code& set) {
+            return fragility::find_code(s.fragility.own_codes, set.name) != nullptr;
+        });
+    },
+    "fragility.limit_states names none of its codes"};
 
 // clang-format off
 constexpr std::array kRandomKeys = {
@@ -195,8 +204,13 @@ constexpr std::array kRandomKeys = {
         .field = kAt<&Study::reliability, &ReliabilityInput::cheap>},
 
     Key{.name = "fragility.limit_states", .kind = Kind::text,
-        .meaning = "sets, one or more of paper, ntc, ec8, user (docs/fragility.md)",
+        .meaning = "sets, one or more of paper, ntc, ec8, ec8_secondary, collapse, user, or of your own (drystone help codes)",
         .field = kAt<&Study::fragility, &FragilityInput::limit_states>},
+    Key{.name = "fragility.codes", .kind = Kind::text,
+        .effect = kOwnCodes,
+        .derived = {"none"},
+        .meaning = "a file of codes of your own, in the format of fragility/codes.json, from the folder of the study (drystone help codes); or its text",
+        .field = kAt<&Study::fragility, &FragilityInput::codes>},
     Key{.name = "fragility.user_states", .kind = Kind::text,
         .effect = kUserStates,
         .derived = {"none"},

@@ -128,7 +128,7 @@ constexpr std::array kSolverKeys = {
         .field = kAt<&Study::load, &LoadInput::targets>},
     Key{.name = "load.direction", .kind = Kind::word, .names = kDirections, .used = kToTheLeft,
         .meaning = "side that the wall is pushed to; left mirrors the push; both: once to either side, of walls that"
-                   " the mirror makes another wall, else right; a study takes right or left, right without the key",
+                   " the mirror makes another wall, else right; a study pushes right without the key, both only where it is written",
         .field = kAt<&Study::load, &LoadInput::direction>},
     Key{.name = "load.amplitudes", .kind = Kind::list, .unit = "mm", .range = {'(', 0, 1000, ']'},
         .derived = {"no cycles"},

@@ -4,31 +4,27 @@
 #include "app/study/both_ways.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/number_text.hpp"
+#include "fragility/code_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <utility>
 
 namespace app {
 namespace {
 
-/// Indices in kPierCodes of the codes that a study asks for.
-std::vector<std::size_t> codes_of(const Study& study)
-{
-    const ReadingRules rules = reading_rules(study);
-    std::vector<std::size_t> codes;
-    for (std::size_t c = 0; c < kPierCodes.size(); ++c)
-        if (std::ranges::find(rules.sets, kPierCodes[c]) != rules.sets.end())
-            codes.push_back(c);
-    return codes;
-}
+/// A limit state with a drift limit, of a code that the study asks for.
+struct CapState {
+    std::string code, state; ///< "ntc" "SLC"
+};
 
-constexpr std::array<std::string_view, kPierCodes.size()> kCapStates = {"SLC", "NC"};
-
-std::string cap_name(std::size_t code)
+std::vector<CapState> caps_of(const Study& study)
 {
-    return std::string(kPierCodes[code]) + " " + std::string(kCapStates[code]);
+    std::vector<CapState> caps;
+    for (const fragility::Code& code : reading_rules(study).sets)
+        for (const fragility::CodeState& s : code.states)
+            if (!s.drifts.empty()) caps.push_back({code.name, s.name});
+    return caps;
 }
 
 /// Stress, direction and number stand before every row.
@@ -46,7 +42,7 @@ void each_wall(const Study& study, std::span<const PushedWall> walls, Rows rows)
 
 Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
 {
-    const std::vector<std::size_t> codes = codes_of(study);
+    const std::vector<CapState> caps = caps_of(study);
     Table t;
     t.title = "Piers";
     t.caption =
@@ -71,9 +67,9 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
               "drift [%]",
               "mode",
               {"H0/D", kDetail}};
-    for (const std::size_t c : codes) {
-        t.head.emplace_back(cap_name(c) + " limit [%]");
-        t.head.emplace_back(cap_name(c) + " reached [mm]", kCensored);
+    for (const CapState& c : caps) {
+        t.head.emplace_back(c.code + " " + c.state + " limit [%]");
+        t.head.emplace_back(c.code + " " + c.state + " reached [mm]", kCensored);
     }
     each_wall(study, walls, [&](const PushedWall& w, const char* way) {
         for (std::size_t i = 0; i < w.piers.size(); ++i) {
@@ -92,9 +88,10 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
                        plain_number(100.0 * p.drift, 3),
                        std::string(mode_text(p)),
                        plain_number(p.slenderness, 2)};
-            for (const std::size_t c : codes) {
-                row.emplace_back(plain_number(100.0 * p.caps[c].drift, 2));
-                row.emplace_back(limit_cell(p.caps[c].wall, 1e3, 2));
+            for (const CapState& c : caps) {
+                const PierCap& cap = *cap_of(p, c.code, c.state);
+                row.emplace_back(cap.drift > 0.0 ? plain_number(100.0 * cap.drift, 2) : Cell());
+                row.emplace_back(limit_cell(cap.wall, 1e3, 2));
             }
             t.rows.push_back(std::move(row));
         }
@@ -165,17 +162,21 @@ namespace {
 std::string piers_remark(const Study& study, const PushedWall& w, const char* way)
 {
     std::string text;
-    for (const std::size_t c : codes_of(study)) {
-        const std::string code(kPierCodes[c]);
+    const std::vector<CapState> caps = caps_of(study);
+    for (const CapState& c : caps) {
+        // A code with several drift limits names each of them.
+        const bool alone = std::ranges::count(caps, c.code, &CapState::code) == 1;
+        const std::string limit = "the drift limit of " + c.code + (alone ? "" : " " + c.state);
         text += text.empty() ? "pushed to the " + std::string(way) + ", " : "; ";
-        const int first = governing_pier(w.piers, code);
+        const int first = governing_pier(w.piers, c.code, c.state);
         if (first == 0) {
-            text += "no pier reaches the drift limit of " + code;
+            text += "no pier reaches " + limit;
             continue;
         }
-        const PierCap& cap = w.piers[static_cast<std::size_t>(first) - 1].caps[c];
-        text += "pier " + std::to_string(first) + " is the first to reach the drift limit of " +
-                code + ", " + number(100.0 * cap.drift, 3) + " %, when the load has moved by " +
+        const PierCap& cap =
+            *cap_of(w.piers[static_cast<std::size_t>(first) - 1], c.code, c.state);
+        text += "pier " + std::to_string(first) + " is the first to reach " + limit + ", " +
+                number(100.0 * cap.drift, 3) + " %, when the load has moved by " +
                 fixed(cap.wall.displacement * 1e3, 1) + " mm";
     }
     return text;
@@ -205,7 +206,7 @@ std::vector<std::string> piers_remarks(const Study& study, const PushedWall& wal
 {
     std::vector<std::string> all;
     each_wall(study, {&wall, 1}, [&](const PushedWall& w, const char* way) {
-        if (!w.piers.empty() && !codes_of(study).empty())
+        if (!w.piers.empty() && !caps_of(study).empty())
             all.push_back(piers_remark(study, w, way));
     });
     return all;
@@ -224,32 +225,51 @@ std::vector<std::string> pier_paragraphs(const Study& study, const PushedWall& w
 
 namespace {
 
-/// Number of the pier whose drift limit a limit state is; 0: it is none.
-int pier_of(const PushedWall& wall, const std::string& set,
-            const fragility::LimitDisplacement& limit)
+/// The limit state whose drift limit governs one: its own, or that of the one it is a share of.
+std::string capped_state(const Study& study, const StateName& state)
 {
-    const bool code = std::ranges::find(kPierCodes, set) != kPierCodes.end();
-    return code && fragility::is_capped(limit) ? governing_pier(wall.piers, set) : 0;
+    const ReadingRules rules = reading_rules(study);
+    const fragility::Code* const code = fragility::find_code(rules.sets, state.set);
+    if (code == nullptr) return {};
+    for (const fragility::CodeState& s : code->states)
+        if (s.name == state.name && s.drifts.empty() && s.of >= 0)
+            return code->states[static_cast<std::size_t>(s.of)].name;
+    return state.name;
+}
+
+/// A pier and its drift limit.
+struct Governing {
+    int pier = 0; ///< from 1; 0: none
+    const PierCap* cap = nullptr;
+};
+
+/// The pier whose drift limit a limit state is, or a share of it.
+Governing governing(const Study& study, const PushedWall& wall, const StateName& state,
+                    const fragility::LimitDisplacement& limit)
+{
+    if (!fragility::is_capped(limit)) return {};
+    const std::string capped = capped_state(study, state);
+    const int first = governing_pier(wall.piers, state.set, capped);
+    if (capped.empty() || first == 0) return {};
+    return {first, cap_of(wall.piers[static_cast<std::size_t>(first) - 1], state.set, capped)};
 }
 
 } // namespace
 
-std::string pier_note(const PushedWall& wall, const std::string& set,
+std::string pier_note(const Study& study, const PushedWall& wall, const StateName& state,
                       const fragility::LimitDisplacement& limit)
 {
-    const int first = pier_of(wall, set, limit);
+    const int first = governing(study, wall, state, limit).pier;
     return first == 0 ? "" : "; pier " + std::to_string(first) + " is the first to reach it";
 }
 
-std::string pier_rule(const PushedWall& wall, const std::string& set,
+std::string pier_rule(const Study& study, const PushedWall& wall, const StateName& state,
                       const fragility::LimitDisplacement& limit)
 {
-    const int first = pier_of(wall, set, limit);
-    if (first == 0) return {};
-    const auto code = std::ranges::find(kPierCodes, set) - kPierCodes.begin();
-    const PierReading& pier = wall.piers[static_cast<std::size_t>(first) - 1];
-    return "pier " + std::to_string(first) + " reaches the drift that " + set + " allows it, " +
-           number(100.0 * pier.caps[static_cast<std::size_t>(code)].drift, 3) + " %";
+    const Governing g = governing(study, wall, state, limit);
+    if (g.pier == 0) return {};
+    return "pier " + std::to_string(g.pier) + " reaches the drift that " + state.set +
+           " allows it, " + number(100.0 * g.cap->drift, 3) + " %";
 }
 
 } // namespace app

@@ -32,12 +32,13 @@ namespace app {
 
 /// "; pier 3 is the first to reach it" of a limit state that the drift limit of a code governs;
 /// else empty.
-/// @param set of the limit state: "ntc"
-[[nodiscard]] std::string pier_note(const PushedWall& wall, const std::string& set,
+[[nodiscard]] std::string pier_note(const Study& study, const PushedWall& wall,
+                                    const StateName& state,
                                     const fragility::LimitDisplacement& limit);
 
 /// "pier 3 reaches the drift that ntc allows it, 0.5 %" of such a limit state; else empty.
-[[nodiscard]] std::string pier_rule(const PushedWall& wall, const std::string& set,
+[[nodiscard]] std::string pier_rule(const Study& study, const PushedWall& wall,
+                                    const StateName& state,
                                     const fragility::LimitDisplacement& limit);
 
 } // namespace app

@@ -89,6 +89,13 @@ Json worse(const Study& study, const PushedWall& w, const ReadingRules& rules)
             {"limit_states", limits}};
 }
 
+/// "ntc"; of a code with several drift limits "mine CP".
+std::string cap_name(const PierReading& pier, const PierCap& cap)
+{
+    const bool alone = std::ranges::count(pier.caps, cap.code, &PierCap::code) == 1;
+    return alone ? cap.code : cap.code + " " + cap.state;
+}
+
 Json piers(const PushedWall& w, const ReadingRules& rules)
 {
     Json all = Json::array();
@@ -99,11 +106,10 @@ Json piers(const PushedWall& w, const ReadingRules& rules)
         own.slenderness = p.slenderness;
         own.by_piers = false;
         Json caps = Json::object();
-        for (std::size_t c = 0; c < kPierCodes.size(); ++c)
-            caps[std::string(kPierCodes[c])] = {
-                {"drift_percent", or_null(100.0 * p.caps[c].drift)},
-                {"wall_displacement_mm", displacement_mm(p.caps[c].wall)},
-                {"censored", is_censored(p.caps[c].wall)}};
+        for (const PierCap& cap : p.caps)
+            caps[cap_name(p, cap)] = {{"drift_percent", or_null(100.0 * cap.drift)},
+                                      {"wall_displacement_mm", displacement_mm(cap.wall)},
+                                      {"censored", is_censored(cap.wall)}};
         all.push_back({{"pier", i + 1},
                        {"storey", p.pier.storey},
                        {"from_m", or_null(p.pier.at.x0)},

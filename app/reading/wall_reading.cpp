@@ -37,15 +37,15 @@ std::vector<double> turned_round(std::span<const double> values)
     return turned;
 }
 
-/// The rules as they apply to one wall: the drift limits of the codes depend on what moves.
-fragility::LimitStateOptions options_of(bool rocks, const ReadingRules& rules)
+/// Drift limits of a set for one wall, by limit state [m]: they depend on what moves.
+std::vector<double> caps_of(std::size_t set, dem::FailureMode mode, const ReadingRules& rules)
 {
-    fragility::LimitStateOptions options = rules.options;
-    options.slenderness = rules.slenderness;
-    if (rules.by_piers) return options;
-    options.ntc_limit = rules.height * fragility::ntc_drift(rocks);
-    options.ec8_limit = rules.height * fragility::ec8_drift(rocks, rules.slenderness);
-    return options;
+    if (rules.by_piers)
+        return set < rules.pier_caps.size() ? rules.pier_caps[set] : std::vector<double>{};
+    std::vector<double> caps;
+    for (const fragility::CodeState& s : rules.sets[set].states)
+        caps.push_back(rules.height * fragility::drift_limit(s, name(mode), rules.slenderness));
+    return caps;
 }
 
 /// A curve to read, in its own direction.
@@ -78,15 +78,17 @@ WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism&
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
     w.dropped = is_observed(w.ultimate);
     w.collapse = fragility::drop_after_peak(curve, 0.0);
-    const bool rocks = code_mode(mechanism, w.dropped, rules.mode) == dem::FailureMode::rocking;
-    auto options = options_of(rocks, rules);
+    const dem::FailureMode mode = code_mode(mechanism, w.dropped, rules.mode);
+    auto options = rules.options;
     options.residual = side.first.residual;
     options.reach = side.first.reach;
     if (loaded) options.no_yield = kBeyondYield;
-    for (const std::string_view set : rules.sets)
-        for (const auto& s : fragility::read_limit_states(curve, set, options))
+    for (std::size_t set = 0; set < rules.sets.size(); ++set) {
+        const std::vector<double> caps = caps_of(set, mode, rules);
+        for (const auto& s :
+             fragility::read_limit_states(curve, rules.sets[set], caps, options))
             w.limits.push_back(s.limit);
-    options.ntc_limit = options.ec8_limit = 0.0;
+    }
     for (const auto& s : fragility::read_limit_states(curve, user_states(rules), options))
         w.limits.push_back(s.limit);
     return w;
@@ -163,11 +165,10 @@ std::vector<StateName> state_names(const ReadingRules& rules)
 {
     std::vector<StateName> names;
     fragility::LimitStateOptions options = rules.options;
-    options.ntc_limit = options.ec8_limit = kTrialX.back();
     options.slenderness = rules.by_piers ? 0.0 : rules.slenderness;
-    for (const std::string_view set : rules.sets)
-        for (const auto& s : fragility::read_limit_states(kTrial, set, options))
-            names.push_back({std::string(set), std::string(s.name), s.rule});
+    for (const fragility::Code& set : rules.sets)
+        for (const auto& s : fragility::read_limit_states(kTrial, set, {}, options))
+            names.push_back({set.name, s.name, s.rule});
     const auto states = user_states(rules);
     const auto read = fragility::read_limit_states(kTrial, states, rules.options);
     for (std::size_t i = 0; i < states.size(); ++i) {

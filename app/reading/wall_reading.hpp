@@ -25,22 +25,25 @@ struct UserState {
 
 /// How walls are read. It has no influence on how a wall moves.
 struct ReadingRules {
-    std::vector<std::string_view> sets; ///< of fragility::limit_state_sets(), each once
-    std::vector<UserState> user;        ///< of the set user
+    std::vector<fragility::Code> sets; ///< codes, each once
+    std::vector<UserState> user;       ///< of the set user
     fragility::LimitStateOptions options;
     dem::ModeThresholds mode;
     double height = 1.0;      ///< of the load line [m], > 0; drifts are displacements over it
-    double slenderness = 1.0; ///< H0 / D of EN 1998-3, Annex C [-], > 0
+    double slenderness = 1.0; ///< H0 / D, as codes take it [-], > 0
     int direction = 1;        ///< of the push: 1 to the right, -1 to the left, 0: it turns back
     fragility::Side backbone = fragility::Side::mean; ///< of a push that turns back
-    /// Whether the drift limits of codes are those of `options`, as piers gave them; else they
-    /// follow from height and mode.
+    /// Whether the drift limits of codes are those of piers; else they follow from height and
+    /// mode.
     bool by_piers = false;
+    /// By set and limit state, the movement of the load line when a pier first reaches its
+    /// drift limit [m]; 0: the state has none.
+    std::vector<std::vector<double>> pier_caps;
 };
 
 /// A limit state to read, before any wall is read.
 struct StateName {
-    std::string set;  ///< "paper", "ntc", "ec8", "user"; empty: of a table of drifts
+    std::string set;  ///< "paper", "ntc", of a code, "user"; empty: of a table of drifts
     std::string name; ///< "SLV"; of a table its column
     std::string rule; ///< how it is read: "3/4 of SLC"
 };

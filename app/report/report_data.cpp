@@ -47,7 +47,7 @@ Json wall_json(const StudyWall& w)
 {
     Json inputs = Json::array();
     for (const double x : w.inputs) inputs.push_back(shown(x, 5));
-    const WallReading& r = w.reading;
+    const WallReading& r = first_way(w); // beside its curve
     return {{"level", w.key.level},
             {"sample", w.key.sample},
             {"mode", w.failed ? "failed" : name(r.mode)},

@@ -23,7 +23,7 @@ try {
 /// The same curve to the bit, and the same mode.
 bool same_as_stored(const StudyWall& stored, const PushedWall& wall)
 {
-    return stored.reading.mode == wall.reading.mode &&
+    return first_way(stored).mode == wall.reading.mode &&
            stored.curve.displacement == wall.displacement && stored.curve.force == wall.force;
 }
 

@@ -32,7 +32,8 @@ std::string metres(double x) { return number(x, 4) + " m"; }
 std::string fill_of(const DrawnBlock& unit)
 {
     const bool stone = unit.layer.empty() || unit.layer == "wall";
-    return svg_attribute("fill", stone ? "#f1e6d2" : "#cfe3ec") + svg_stroke("#8a7a5c", 0.8);
+    return svg_attribute("fill", stone ? "#f1e6d2" : "#cfe3ec") +
+           svg_attribute("stroke", "#8a7a5c") + svg_attribute("stroke-width", "0.8");
 }
 
 } // namespace

@@ -85,6 +85,7 @@ void put_dimensions(const hdf5::File& file, const StoreHead& head, std::uint64_t
     d.give("/design_sizes", {"/design_growth"});
     for (const char* name : {"/levels/vertical_stress", "/levels/samples", "/levels/slower"})
         d.give(name, {"/stress_level"});
+    if (has_turned(head)) d.give("/levels/turned", {"/stress_level"});
     for (const char* name :
          {"program_version", "machine", "build", "settings", "started", "solver_revision"})
         d.give(std::string("/sessions/") + name, {"/session"});

@@ -64,7 +64,8 @@ std::string plan_text(const StoreHead& head)
     for (const StoreLevel& level : head.levels)
         text += "\nlevel of " + std::to_string(level.vertical_stress) + " Pa, " +
                 std::to_string(level.samples) + (level.samples == 1 ? " sample" : " samples") +
-                (level.slower > 1 ? ", pushed again more slowly" : "");
+                (level.slower > 1 ? ", pushed again more slowly" : "") +
+                (level.turned ? ", pushed the other way" : "");
     return text + (head.single_precision_curves ? "\nsingle precision yes\n"
                                                 : "\nsingle precision no\n");
 }

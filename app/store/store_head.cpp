@@ -91,12 +91,17 @@ void check_levels(const std::string& file, const StoreHead& stored, const StoreH
             refuse(file, "has " + std::to_string(before.samples) +
                              " walls of each stress pushed again more slowly, only " +
                              std::to_string(audited) + " are wanted (uq.audit)");
+        if (before.turned && (k >= wanted.levels.size() || !wanted.levels[k].turned))
+            refuse(file, "has walls that were pushed both ways; write load.direction = both");
         if (k >= wanted.levels.size())
             refuse(file, "has " + std::to_string(stored.levels.size()) +
                              " levels of vertical stress, but " +
                              std::to_string(wanted.levels.size()) + " are wanted");
         if (!(wanted.levels[k].vertical_stress == before.vertical_stress))
             refuse(file, "level " + std::to_string(k) + " has another vertical stress");
+        if (wanted.levels[k].turned != before.turned)
+            refuse(file, "has an audit and walls that were pushed one way; both directions "
+                         "cannot be added behind an audit");
         if (wanted.levels[k].slower != before.slower)
             refuse(file, "has level " + std::to_string(k) + " pushed " +
                              std::to_string(before.slower) + " times slower, not " +
@@ -108,17 +113,23 @@ void check_levels(const std::string& file, const StoreHead& stored, const StoreH
     }
 }
 
-/// The levels of an audit are those of the study, with walls that it has.
-void check_audit(const StoreHead& head)
+/// The levels of the other direction are those of the study with all their walls, those of an
+/// audit with walls that it has.
+void check_rounds(const StoreHead& head)
 {
     const std::size_t own = own_levels(head), all = head.levels.size();
-    require(own == all || all == 2 * own, "an audit must have all levels of the study");
+    const bool turned = own < all && head.levels[own].turned;
+    require(own == all || all == 2 * own || (turned && all == 3 * own),
+            "an audit, or the other direction, must have all levels of the study");
     for (std::size_t k = own; k < all; ++k) {
-        const StoreLevel &level = head.levels[k], &of = head.levels[k - own];
-        require(level.slower > 1 && level.vertical_stress == of.vertical_stress &&
-                    level.samples <= of.samples,
-                "level " + std::to_string(k) + " must be an audit of walls of level " +
-                    std::to_string(k - own));
+        const StoreLevel &level = head.levels[k], &of = head.levels[k % own];
+        const bool other_way = turned && k < 2 * own;
+        require(level.turned == other_way && (other_way == (level.slower == 1)) &&
+                    level.vertical_stress == of.vertical_stress &&
+                    (other_way ? level.samples == of.samples : level.samples <= of.samples),
+                "level " + std::to_string(k) + " must be " +
+                    (other_way ? "the walls of level " : "an audit of walls of level ") +
+                    std::to_string(k % own) + (other_way ? " pushed the other way" : ""));
     }
     require(std::ranges::all_of(head.levels, [](const auto& l) { return l.slower >= 1; }),
             "levels must be pushed once or more times slower");
@@ -146,18 +157,31 @@ void check_sound(const WallRow& row, const std::vector<double>& values, const ch
 
 } // namespace
 
-std::uint32_t own_levels(const StoreHead& head)
+Round round_of(const StoreLevel& level)
 {
-    const auto audit = std::ranges::find_if(
-        head.levels, [](const StoreLevel& level) { return level.slower > 1; });
-    return static_cast<std::uint32_t>(audit - head.levels.begin());
+    return level.turned ? Round::turned : level.slower > 1 ? Round::audit : Round::own;
 }
 
-bool is_audit(const StoreHead& head, WallKey key) { return key.level >= own_levels(head); }
+std::uint32_t own_levels(const StoreHead& head)
+{
+    const auto other = std::ranges::find_if(
+        head.levels, [](const StoreLevel& level) { return round_of(level) != Round::own; });
+    return static_cast<std::uint32_t>(other - head.levels.begin());
+}
+
+Round round_of(const StoreHead& head, WallKey key)
+{
+    return round_of(head.levels.at(key.level));
+}
+
+bool has_turned(const StoreHead& head)
+{
+    return std::ranges::any_of(head.levels, &StoreLevel::turned);
+}
 
 WallKey own_key(const StoreHead& head, WallKey key)
 {
-    if (is_audit(head, key)) key.level -= own_levels(head);
+    if (round_of(head, key) != Round::own) key.level %= own_levels(head);
     return key;
 }
 
@@ -180,7 +204,7 @@ void check_head(const StoreHead& head)
     for (const StoreLevel& level : head.levels)
         require(std::isfinite(level.vertical_stress), "vertical stress must be finite");
     require(head.levels.size() <= 1'000'000, "levels must be at most 1000000");
-    check_audit(head);
+    check_rounds(head);
     require(walls_wanted(head) <= kMostWalls, "has " + std::to_string(walls_wanted(head)) +
                                                   " walls; at most " +
                                                   std::to_string(kMostWalls) + " are possible");

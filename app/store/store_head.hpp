@@ -33,6 +33,7 @@ struct StoreLevel {
     std::uint32_t samples = 0;    ///< wanted: walls (level, 0 .. samples - 1)
     /// 1; more: a level of an audit, whose walls are pushed again so many times slower.
     std::uint32_t slower = 1;
+    bool turned = false; ///< walls of a level before it, pushed the other way
     friend bool operator==(const StoreLevel&, const StoreLevel&) = default;
 };
 
@@ -64,11 +65,25 @@ struct StoreHead {
     friend bool operator==(const StoreHead&, const StoreHead&) = default;
 };
 
-/// Number of the study's own levels. A study with an audit has as many again after them, in the
-/// same order: wall (own_levels + k, i) is wall (k, i) pushed again more slowly.
+/// What the walls of a level are pushed for.
+enum class Round {
+    own,    ///< the study
+    turned, ///< the other direction
+    audit   ///< the same, more slowly
+};
+[[nodiscard]] Round round_of(const StoreLevel& level);
+
+/// Number of the study's own levels. A study of both directions has as many again after them,
+/// in the same order: wall (own_levels + k, i) is wall (k, i) pushed the other way. A study with
+/// an audit has as many again at the end.
 [[nodiscard]] std::uint32_t own_levels(const StoreHead& head);
-/// Whether a wall belongs to the audit.
-[[nodiscard]] bool is_audit(const StoreHead& head, WallKey key);
+[[nodiscard]] Round round_of(const StoreHead& head, WallKey key);
+[[nodiscard]] inline bool is_audit(const StoreHead& head, WallKey key)
+{
+    return round_of(head, key) == Round::audit;
+}
+/// Whether walls are pushed both ways.
+[[nodiscard]] bool has_turned(const StoreHead& head);
 /// The wall of the study that a wall is, or is pushed again for.
 [[nodiscard]] WallKey own_key(const StoreHead& head, WallKey key);
 

@@ -103,21 +103,25 @@ std::optional<WallRow> StoreReader::row(WallKey key)
     return row(static_cast<std::size_t>(found - statuses_.begin()));
 }
 
-void StoreReader::visit_rows(bool audit, const std::function<void(const WallRow&)>& visit)
+void StoreReader::visit_rows(Round round, const std::function<void(const WallRow&)>& visit)
 {
-    const WallKey first_audit{own_levels(head()), 0};
     for (std::size_t i = 0; i < places_.size(); ++i)
-        if ((statuses_[i].key >= first_audit) == audit) visit(row(i));
+        if (round_of(head(), statuses_[i].key) == round) visit(row(i));
 }
 
 void StoreReader::for_each_row(const std::function<void(const WallRow&)>& visit)
 {
-    visit_rows(false, visit);
+    visit_rows(Round::own, visit);
+}
+
+void StoreReader::for_each_turned_row(const std::function<void(const WallRow&)>& visit)
+{
+    visit_rows(Round::turned, visit);
 }
 
 void StoreReader::for_each_audit_row(const std::function<void(const WallRow&)>& visit)
 {
-    visit_rows(true, visit);
+    visit_rows(Round::audit, visit);
 }
 
 RowSource StoreReader::walls()

@@ -39,8 +39,10 @@ class StoreReader {
     /// The wall of this key, if it is there.
     [[nodiscard]] std::optional<WallRow> row(WallKey key);
     /// All walls of the study in the order of their keys, one in memory at a time; those of its
-    /// audit are left out.
+    /// audit and of the other direction are left out.
     void for_each_row(const std::function<void(const WallRow&)>& visit);
+    /// The same of the other direction.
+    void for_each_turned_row(const std::function<void(const WallRow&)>& visit);
     /// The same of its audit.
     void for_each_audit_row(const std::function<void(const WallRow&)>& visit);
     /// All of them, to be written; must not outlive this.
@@ -53,7 +55,7 @@ class StoreReader {
         std::uint32_t file = 0, row = 0;
     };
     explicit StoreReader(std::vector<WallFile> files);
-    void visit_rows(bool audit, const std::function<void(const WallRow&)>& visit);
+    void visit_rows(Round round, const std::function<void(const WallRow&)>& visit);
     static std::vector<WallFile> files_of(std::vector<StoreReader> several);
 
     std::vector<WallFile> files_;

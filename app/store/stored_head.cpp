@@ -42,6 +42,7 @@ constexpr std::pair<const char*, std::string StoreSession::*> kSession[] = {
     {"/sessions/build", &StoreSession::build},
     {"/sessions/settings", &StoreSession::settings},
     {"/sessions/started", &StoreSession::started}};
+constexpr const char* kLevelTurned = "/levels/turned"; // of studies of both directions
 constexpr const char* kLevelSlower = "/levels/slower"; // not before revision 3 of the solver
 constexpr const char* kSessionRevision = "/sessions/solver_revision"; // not before 0.2.0
 
@@ -135,17 +136,19 @@ void put_head(const hdf5::File& file, const StoreHead& head)
     hdf5::put_texts(file, "/configuration", {head.configuration});
     hdf5::put_texts(file, "/identity", {head.identity});
     std::vector<double> stress;
-    std::vector<std::uint32_t> samples, slower;
+    std::vector<std::uint32_t> samples, slower, turned;
     for (const StoreLevel& level : head.levels) {
         stress.push_back(level.vertical_stress);
         samples.push_back(level.samples);
         slower.push_back(level.slower);
+        turned.push_back(level.turned ? 1 : 0);
     }
     put_numbers(file, "/levels/vertical_stress", stress);
     for (const char* name : {"unit", "units"}) // the second is what netCDF programs look for
         put_attribute(file, "/levels/vertical_stress", name, "Pa");
     put_numbers(file, "/levels/samples", samples);
     put_numbers(file, kLevelSlower, slower);
+    if (has_turned(head)) put_numbers(file, kLevelTurned, turned);
     put_numbers(file, "/design_sizes", head.design_sizes);
     for (const auto& [name, member] : kSession)
         hdf5::put_texts(file, name, texts(head.sessions, member));
@@ -191,10 +194,14 @@ StoreHead stored_head(const hdf5::File& file)
     const auto slower = is_stored(file, kLevelSlower)
                             ? numbers<std::uint32_t>(file, kLevelSlower)
                             : std::vector<std::uint32_t>(stress.size(), 1);
-    if (stress.size() != samples.size() || stress.size() != slower.size())
+    const auto turned = is_stored(file, kLevelTurned)
+                            ? numbers<std::uint32_t>(file, kLevelTurned)
+                            : std::vector<std::uint32_t>(stress.size(), 0);
+    if (stress.size() != samples.size() || stress.size() != slower.size() ||
+        stress.size() != turned.size())
         damaged(file.path, "there is not a number of samples for each level");
     for (std::size_t i = 0; i < stress.size(); ++i)
-        head.levels.push_back({stress[i], samples[i], slower[i]});
+        head.levels.push_back({stress[i], samples[i], slower[i], turned[i] != 0});
     head.design_sizes = numbers<std::uint32_t>(file, "/design_sizes");
     head.seed = hdf5::number_attribute(file, "/", "seed");
     const auto small = [&](const char* name) {

@@ -1,5 +1,6 @@
 #include "app/study/both_ways.hpp"
 
+#include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
@@ -61,15 +62,38 @@ const PushedWall* other_way_of(const PushedWall& wall)
     return wall.other_way.empty() ? nullptr : &wall.other_way.front();
 }
 
+bool pushes_both_ways(const Study& study)
+{
+    if (study.load.direction != Direction::both || !is_given(study.source, "load.direction") ||
+        push_way(study).direction == 0)
+        return false;
+    if (!has_layouts(study) && dem::is_symmetric(layout_of(study))) return false;
+    refuse_cracks_of_one_way(study);
+    return true;
+}
+
+void refuse_cracks_of_one_way(const Study& study)
+{
+    if (has_cracks_of_one_way(study))
+        throw error_at(study.source, "load.direction",
+                       "unit.cracks_where = toe and needed place cracks for one direction; "
+                       "write right or left, or boxes in place of toe and needed");
+}
+
+WallReading worse_way(const WallReading& own, const WallReading& other)
+{
+    if (!own.peak || !other.peak) return own;
+    WallReading worse = worse_of(own, other);
+    const bool by_other = peak_force(other) < peak_force(own);
+    worse.mode = by_other ? other.mode : own.mode;
+    worse.slid = by_other ? other.slid : own.slid;
+    return worse;
+}
+
 WallReading worse_way(const PushedWall& wall)
 {
-    if (!both_are_read(wall)) return wall.reading;
-    const WallReading& other = wall.other_way.front().reading;
-    WallReading worse = worse_of(wall.reading, other);
-    const bool by_other = peak_force(other) < peak_force(wall.reading);
-    worse.mode = by_other ? other.mode : wall.reading.mode;
-    worse.slid = by_other ? other.slid : wall.reading.slid;
-    return worse;
+    const PushedWall* const other = other_way_of(wall);
+    return other == nullptr ? wall.reading : worse_way(wall.reading, other->reading);
 }
 
 const PushedWall& worse_push(const PushedWall& wall, std::size_t state)

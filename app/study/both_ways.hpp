@@ -11,6 +11,14 @@ namespace app {
 /// Whether the push goes one way and the wall is not symmetric.
 [[nodiscard]] bool has_other_way(const Study& study, const dem::Layout& layout);
 
+/// Whether the walls of a study are pushed both ways: where the study asks for it, and walls
+/// are not symmetric.
+/// @throws ConfigError where cracks are placed for one direction
+[[nodiscard]] bool pushes_both_ways(const Study& study);
+
+/// @throws ConfigError where cracks are placed for one direction
+void refuse_cracks_of_one_way(const Study& study);
+
 /// "right" of 1, "left" of -1
 [[nodiscard]] const char* way_name(int direction);
 
@@ -20,6 +28,9 @@ namespace app {
 /// The smaller of each number of both directions; the reading of the wall itself where it was
 /// pushed one way, or one of them cannot be read.
 [[nodiscard]] WallReading worse_way(const PushedWall& wall);
+
+/// The same of the readings of both directions.
+[[nodiscard]] WallReading worse_way(const WallReading& own, const WallReading& other);
 
 /// The push whose limit is the one of worse_way(): this one where both reach it together.
 /// @param state index in WallReading::limits

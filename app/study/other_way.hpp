@@ -40,7 +40,8 @@ class OtherWay {
     std::future<std::vector<PushedWall>> walls_; ///< not valid where nothing is pushed
 };
 
-/// The sentence for a study, whose walls are pushed one way. Empty where there is no other way.
+/// The sentence for a study: how to find out about the other direction, or how often each of
+/// both governs. Empty where there is no other way.
 [[nodiscard]] std::string other_way_remark(const StudyWalls& walls);
 
 } // namespace app

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace app {
@@ -59,9 +60,43 @@ std::size_t at_peak(const PierHistory& history)
     return static_cast<std::size_t>(most - history.begin());
 }
 
+/// Where the load line was in the middle of the steps that the forces of an instant are means
+/// of: at the point of the curve that has its force.
+class MeanPlaces {
+  public:
+    explicit MeanPlaces(const std::vector<dem::CurvePoint>& curve) : curve_(curve) {}
+    /// [m]; instants are asked for in their order.
+    double next(const PierInstant& now)
+    {
+        for (std::size_t p = next_; p < curve_.size(); ++p)
+            if (curve_[p].force == now.force) {
+                next_ = p + 1;
+                return curve_[p].displacement;
+            }
+        return now.displacement;
+    }
+
+  private:
+    const std::vector<dem::CurvePoint>& curve_;
+    std::size_t next_ = 0;
+};
+
+/// Movement of a pier where the load line was at `place`, which is way times that place [m].
+double movement_at(const PierHistory& history, std::size_t pier, double place, double way)
+{
+    const auto after = std::ranges::lower_bound(
+        history, place, {}, [way](const PierInstant& p) { return way * p.displacement; });
+    if (after == history.end()) return history.back().piers[pier].displacement;
+    const double b = after->piers[pier].displacement, at = way * after->displacement;
+    if (after == history.begin()) return b;
+    const auto before = std::prev(after);
+    const double a = before->piers[pier].displacement, from = way * before->displacement;
+    return a + (place - from) / (at - from) * (b - a);
+}
+
 PierReading read_pier(const Study& study, const dem::PierProbe& probe,
-                      const PierHistory& history, std::size_t i, const dem::Snapshot& moved,
-                      bool came_down)
+                      const PierHistory& history, std::size_t i, const PushedWall& wall,
+                      const dem::Snapshot& moved, bool came_down)
 {
     constexpr double kMoves = 1e-4; // [-], of its height: a pier that stands still has no mode
     PierReading r;
@@ -73,9 +108,10 @@ PierReading read_pier(const Study& study, const dem::PierProbe& probe,
     r.shear_at_peak = way * peak.force.shear;
     r.drift = way * history.back().piers[i].displacement / height;
     std::vector<double> displacement, force;
+    MeanPlaces means(wall.result.curve);
     const dem::PierState* strongest = &history.front().piers[i];
     for (const PierInstant& now : history) {
-        displacement.push_back(way * now.piers[i].displacement);
+        displacement.push_back(way * movement_at(history, i, way * means.next(now), way));
         force.push_back(way * now.piers[i].force.shear);
         if (way * now.piers[i].force.shear > way * strongest->force.shear)
             strongest = &now.piers[i];
@@ -97,11 +133,14 @@ PierReading read_pier(const Study& study, const dem::PierProbe& probe,
     rules.backbone = fragility::Side::right;
     r.own = read({displacement, force, came_down}, mechanism, rules, true);
     r.mode = code_mode(mechanism, r.own.dropped, rules.mode);
-    const bool rocks = r.mode == dem::FailureMode::rocking;
-    const std::array drifts = {fragility::ntc_drift(rocks),
-                               fragility::ec8_drift(rocks, r.slenderness)};
-    for (std::size_t c = 0; c < drifts.size(); ++c)
-        r.caps[c] = {drifts[c], wall_at(history, i, drifts[c] * height, way)};
+    for (const fragility::Code& code : pier_codes(study))
+        for (const fragility::CodeState& state : code.states) {
+            if (state.drifts.empty()) continue;
+            const double drift = fragility::drift_limit(state, name(r.mode), r.slenderness);
+            r.caps.push_back(
+                {code.name, state.name, drift,
+                 drift > 0.0 ? wall_at(history, i, drift * height, way) : LimitDisplacement{}});
+        }
     return r;
 }
 
@@ -149,14 +188,24 @@ PierBalance balance_of(const dem::Piers& all, const PierHistory& history)
     return b;
 }
 
-double governing(const std::vector<PierReading>& piers, std::string_view code)
+/// By set and limit state, where the load line is when a pier first reaches its limit [m].
+std::vector<std::vector<double>> caps_by_piers(const ReadingRules& rules,
+                                               const std::vector<PierReading>& piers)
 {
-    const int first = governing_pier(piers, code);
-    if (first == 0) return kNever;
-    const auto c = std::ranges::find(kPierCodes, code) - kPierCodes.begin();
-    return piers[static_cast<std::size_t>(first) - 1]
-        .caps[static_cast<std::size_t>(c)]
-        .wall.displacement;
+    std::vector<std::vector<double>> caps;
+    for (const fragility::Code& code : rules.sets) {
+        caps.emplace_back();
+        for (const fragility::CodeState& state : code.states) {
+            const int first = governing_pier(piers, code.name, state.name);
+            caps.back().push_back(
+                state.drifts.empty() ? 0.0
+                : first == 0
+                    ? kNever
+                    : cap_of(piers[static_cast<std::size_t>(first) - 1], code.name, state.name)
+                          ->wall.displacement);
+        }
+    }
+    return caps;
 }
 
 } // namespace
@@ -172,16 +221,23 @@ bool tells_piers(const Study& study)
     return push_way(study).direction != 0 && has_piers(study);
 }
 
-int governing_pier(const std::vector<PierReading>& piers, std::string_view code)
+const PierCap* cap_of(const PierReading& pier, std::string_view code, std::string_view state)
 {
-    const auto c =
-        static_cast<std::size_t>(std::ranges::find(kPierCodes, code) - kPierCodes.begin());
+    for (const PierCap& cap : pier.caps)
+        if (cap.code == code && (state.empty() || cap.state == state)) return &cap;
+    return nullptr;
+}
+
+int governing_pier(const std::vector<PierReading>& piers, std::string_view code,
+                   std::string_view state)
+{
     int first = 0;
     double least = kNever;
     for (std::size_t i = 0; i < piers.size(); ++i) {
-        const LimitDisplacement& at = piers[i].caps.at(c).wall;
-        if (!piers[i].carries || !is_observed(at) || at.displacement >= least) continue;
-        least = at.displacement;
+        const PierCap* const cap = cap_of(piers[i], code, state);
+        if (cap == nullptr || !piers[i].carries || !is_observed(cap->wall)) continue;
+        if (cap->wall.displacement >= least) continue;
+        least = cap->wall.displacement;
         first = static_cast<int>(i) + 1;
     }
     return first;
@@ -195,7 +251,7 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
     const dem::Snapshot moved = telling(wall.result);
     const bool came_down = wall.result.outcome == dem::Outcome::lost_equilibrium;
     for (std::size_t i = 0; i < probe.piers().piers.size(); ++i)
-        wall.piers.push_back(read_pier(study, probe, history, i, moved, came_down));
+        wall.piers.push_back(read_pier(study, probe, history, i, wall, moved, came_down));
     for (std::size_t i = 0; i < probe.piers().spandrels.size(); ++i)
         wall.spandrels.push_back(read_spandrel(probe, history, i));
     if (wall.piers.empty()) return;
@@ -204,8 +260,7 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
         wall.pier_balance.shear = std::numeric_limits<double>::quiet_NaN();
     ReadingRules rules = reading_rules(study);
     rules.by_piers = true;
-    rules.options.ntc_limit = governing(wall.piers, "ntc");
-    rules.options.ec8_limit = governing(wall.piers, "ec8");
+    rules.pier_caps = caps_by_piers(rules, wall.piers);
     wall.reading = read({wall.displacement, wall.force, came_down}, wall.mechanism, rules,
                         wall.result.settled);
 }

@@ -6,7 +6,7 @@
 #include "app/reading/wall_reading.hpp"
 #include "dem/scene/piers.hpp"
 
-#include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,18 +17,16 @@ struct PushedWall;
 /// Piers and spandrels at one curve point.
 struct PierInstant {
     double displacement = 0.0, force = 0.0; ///< of the load line [m] [N]
-    double base_shear = 0.0; ///< at this moment; `force` is a mean over an interval [N]
-    std::vector<dem::PierState> piers; ///< in the order of dem::Piers
+    double base_shear = 0.0;                ///< mean since the point before, as all forces [N]
+    std::vector<dem::PierState> piers; ///< in the order of dem::Piers; movements are of now
     std::vector<dem::CutForce> spandrels;
 };
 using PierHistory = std::vector<PierInstant>;
 
-/// Codes that limit the drift of a pier.
-constexpr std::array<std::string_view, 2> kPierCodes = {"ntc", "ec8"};
-
-/// The drift limit of a code for one pier.
+/// The drift limit of a limit state of a code for one pier.
 struct PierCap {
-    double drift = 0.0; ///< at SLC, or NC [-]
+    std::string code, state; ///< "ntc" "SLC"
+    double drift = 0.0;      ///< [-]; 0: the code limits no drift of its mode
     /// Movement of the load line when the pier reaches it [m], in the direction of the push;
     /// censored where the push ended before.
     fragility::LimitDisplacement wall;
@@ -49,7 +47,7 @@ struct PierReading {
     /// would hardly lose anything with them.
     bool carries = false;
     dem::FailureMode mode = dem::FailureMode::rocking;
-    std::array<PierCap, kPierCodes.size()> caps; ///< in the order of kPierCodes
+    std::vector<PierCap> caps; ///< of pier_codes(), the same of all piers of a study
     WallReading own; ///< of its shear over its own movement, with limits by its own height
 };
 
@@ -80,6 +78,12 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
 
 /// Number, from 1, of the pier that reaches the drift limit of a code first, of those that
 /// carry something; 0: none does.
-[[nodiscard]] int governing_pier(const std::vector<PierReading>& piers, std::string_view code);
+/// @param state empty: the limit state with a drift limit, of a code that has one
+[[nodiscard]] int governing_pier(const std::vector<PierReading>& piers, std::string_view code,
+                                 std::string_view state = {});
+
+/// nullptr: the code has none there.
+[[nodiscard]] const PierCap* cap_of(const PierReading& pier, std::string_view code,
+                                    std::string_view state = {});
 
 } // namespace app

@@ -31,9 +31,8 @@ std::optional<Gap> opening_at(const std::vector<dem::DrawnUnit>& units, double z
 std::string codes_of(const Study& study)
 {
     std::string codes;
-    for (const std::string_view set : reading_rules(study).sets)
-        if (set == "ntc" || set == "ec8")
-            codes += (codes.empty() ? "" : " and ") + std::string(set);
+    for (const fragility::Code& set : reading_rules(study).sets)
+        if (limits_drift(set)) codes += (codes.empty() ? "" : " and ") + set.name;
     return codes;
 }
 

@@ -15,6 +15,7 @@ PierWatch::PierWatch(const Study& study, std::size_t walls, dem::PushPlan& plan)
     probe_.emplace(layout_of(study), dem::piers_of(wall_openings(study), wall_extent(study)));
     const double every = plan.snapshot_every;
     plan.snapshot_every = plan.record_every;
+    plan.mean_stresses = true;
     plan.sink = {
         .take =
             [this, every, next = plan.sink.take](std::size_t wall, dem::Snapshot&& shot) {

@@ -20,16 +20,29 @@
 namespace app {
 namespace {
 
-/// Pushes the walls of the study itself, or those of its audit, that the store does not have.
+/// The study as the walls of a round are pushed.
+Study study_of(const Study& study, Round round)
+{
+    switch (round) {
+    case Round::turned:
+        return turned_round(study);
+    case Round::audit:
+        return audit_study(study);
+    default:
+        return study;
+    }
+}
+
+/// Pushes the walls of a round that the store does not have.
 /// @param last what to push, and set to how far it came
 void run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan, Store& store,
                  RunProgress& last)
 {
     const Deal deal = deal_of(study);
     const std::vector<WallKey> walls =
-        pending_walls(store, run.shard, run.rerun_failed, deal, last.audit);
-    const std::size_t all = walls_of(store.head(), run.shard, deal, last.audit).size();
-    if (last.audit && all == 0) return;
+        pending_walls(store, run.shard, run.rerun_failed, deal, last.round);
+    const std::size_t all = walls_of(store.head(), run.shard, deal, last.round).size();
+    if (last.round != Round::own && all == 0) return;
     last.all = walls.size();
     last.before = all - walls.size();
     const auto seen = [&](const RunProgress& p) {
@@ -38,8 +51,8 @@ void run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan
     };
     const RunProgress start = last;
     seen(start);
-    run_walls(last.audit ? audit_study(study) : study, plan, walls, run.threads, store, seen,
-              last.audit ? FrameTaker() : run.frames, start);
+    run_walls(study_of(study, last.round), plan, walls, run.threads, store, seen,
+              last.round == Round::own ? run.frames : FrameTaker(), start);
 }
 
 /// A shard that was begun when walls were divided otherwise would continue with walls that
@@ -71,9 +84,10 @@ void work_on(const Study& study, const StudyRun& run, const std::vector<std::uin
     head.shards = static_cast<std::uint32_t>(run.shard.count);
     head.sessions = {this_session(run.threads)};
     Store store(run.file, head);
-    RunProgress last, audit{.audit = true};
+    RunProgress last, turned{.round = Round::turned}, audit{.round = Round::audit};
     try {
         run_pending(study, run, plan, store, last);
+        run_pending(study, run, plan, store, turned);
         run_pending(study, run, plan, store, audit);
         end.whole = true;
     } catch (const Interrupted&) {

@@ -5,6 +5,7 @@
 #include "app/output/markup.hpp"
 #include "app/output/replaced_file.hpp"
 #include "app/sampling/sample_plan.hpp"
+#include "app/study/both_ways.hpp"
 #include "app/study/push_layouts.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/wall_frames.hpp"
@@ -99,7 +100,8 @@ std::size_t wall_count(const Study& study)
 double effort(const Study& study)
 {
     const std::uint32_t audit = std::min<std::uint32_t>(samples_of(study), study.uq.audit);
-    return static_cast<double>(wall_count(study)) +
+    const double ways = pushes_both_ways(study) ? 2.0 : 1.0;
+    return ways * static_cast<double>(wall_count(study)) +
            static_cast<double>(study.load.vertical_stress.size()) * audit * kAuditSlower;
 }
 

@@ -131,7 +131,7 @@ AuditDifference audit_difference(const StudyLevel& level, const StudyWall& slow)
     const auto own = std::ranges::lower_bound(level.walls, slow.key, {}, &StudyWall::key);
     if (slow.failed || own == level.walls.end() || own->key != slow.key) return d;
     d.checked = true;
-    const WallReading &a = own->reading, &b = slow.reading;
+    const WallReading &a = first_way(*own), &b = slow.reading;
     const auto difference = [](double x, double y) {
         return y > 0.0 ? std::abs(x / y - 1.0) : kUnknownError;
     };

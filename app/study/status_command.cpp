@@ -69,11 +69,18 @@ Table level_counts(const StoreHead& head, const std::vector<WallStatus>& walls)
     for (const WallKey& key : missing_walls(head, walls)) missing.at(key.level) += 1;
     Table t;
     t.head = {"stress [MPa]", "walls", "with a result", "failed", "to run", "of an audit"};
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        t.rows.push_back({stress_cell(head.levels[i].vertical_stress),
-                          count(head.levels[i].samples), count(counts[i].done),
-                          count(counts[i].failed), count(missing[i]),
-                          std::string(head.levels[i].slower > 1 ? "yes" : "no")});
+    if (has_turned(head)) t.head.emplace_back("other way");
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        Row row = {stress_cell(head.levels[i].vertical_stress),
+                   count(head.levels[i].samples),
+                   count(counts[i].done),
+                   count(counts[i].failed),
+                   count(missing[i]),
+                   std::string(head.levels[i].slower > 1 ? "yes" : "no")};
+        if (has_turned(head))
+            row.emplace_back(std::string(head.levels[i].turned ? "yes" : "no"));
+        t.rows.push_back(std::move(row));
+    }
     return t;
 }
 

@@ -20,12 +20,14 @@ namespace app {
 namespace {
 
 /// "16 of 120 walls"; of a study that goes on "120 of 120 walls (104 before, 16 now)"; of an
-/// audit "4 of 8 walls of the audit"
+/// audit "4 of 8 walls of the audit", of the other direction "4 of 8 walls the other way"
 std::string progress_text(const RunProgress& p, double seconds)
 {
     std::string text = std::to_string(p.before + p.done) + " of " +
                        std::to_string(p.before + p.all) + " walls" +
-                       (p.audit ? " of the audit" : "");
+                       (p.round == Round::audit    ? " of the audit"
+                        : p.round == Round::turned ? " the other way"
+                                                   : "");
     if (p.before > 0)
         text +=
             " (" + std::to_string(p.before) + " before, " + std::to_string(p.done) + " now)";

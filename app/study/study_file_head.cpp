@@ -3,6 +3,7 @@
 #include "app/input/random_layouts.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/store/wall_file.hpp"
+#include "app/study/both_ways.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_identity.hpp"
 #include "app/text/config_error.hpp"
@@ -54,6 +55,9 @@ StoreHead head_of(const Study& study, const SamplePlan& plan, std::vector<std::u
     head.identity = identity_text(study);
     for (const double stress : study.load.vertical_stress)
         head.levels.push_back({stress, sizes.back()});
+    if (pushes_both_ways(study))
+        for (const double stress : study.load.vertical_stress)
+            head.levels.push_back({stress, sizes.back(), 1, true});
     const auto audit = std::min<std::uint32_t>(sizes.back(), study.uq.audit);
     for (const double stress : study.load.vertical_stress)
         if (audit > 0) head.levels.push_back({stress, audit, kAuditSlower});

@@ -27,14 +27,12 @@ bool is_of(Shard shard, const StoreHead& head, WallKey key, Deal deal)
 
 } // namespace
 
-std::vector<WallKey> walls_of(const StoreHead& head, Shard shard, Deal deal, bool audit)
+std::vector<WallKey> walls_of(const StoreHead& head, Shard shard, Deal deal, Round round)
 {
-    const std::uint32_t own = own_levels(head), first = audit ? own : 0;
-    const auto end = audit ? static_cast<std::uint32_t>(head.levels.size()) : own;
     std::vector<WallKey> walls;
     for (std::uint32_t sample = 0; sample < most_samples(head.levels); ++sample)
-        for (std::uint32_t level = first; level < end; ++level)
-            if (sample < head.levels[level].samples &&
+        for (std::uint32_t level = 0; level < head.levels.size(); ++level)
+            if (round_of(head.levels[level]) == round && sample < head.levels[level].samples &&
                 is_of(shard, head, {level, sample}, deal))
                 walls.push_back({level, sample});
     return walls;
@@ -51,10 +49,10 @@ std::vector<WallKey> foreign_walls(const StoreHead& head, const std::vector<Wall
 }
 
 std::vector<WallKey> pending_walls(const Store& store, Shard shard, bool rerun_failed,
-                                   Deal deal, bool audit)
+                                   Deal deal, Round round)
 {
     std::vector<WallKey> pending;
-    for (const WallKey key : walls_of(store.head(), shard, deal, audit)) {
+    for (const WallKey key : walls_of(store.head(), shard, deal, round)) {
         const auto status = store.status(key);
         if (!status || (rerun_failed && *status != kWallOk)) pending.push_back(key);
     }

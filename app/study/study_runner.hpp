@@ -23,10 +23,10 @@ enum class Deal {
 /// Walls of a part of a study, sample by sample under all levels, so that a study that is
 /// stopped has about as many of each. Samples that are added later change nothing for those
 /// before. A shard has walls under every level unless there are fewer samples than shards.
-/// @param audit the walls of the audit in place of the study's own; a shard has those whose own
-/// walls it has
+/// @param round a shard has of the audit, and of the other direction, the walls whose own walls
+/// it has
 [[nodiscard]] std::vector<WallKey> walls_of(const StoreHead& head, Shard shard,
-                                            Deal deal = Deal::walls, bool audit = false);
+                                            Deal deal = Deal::walls, Round round = Round::own);
 
 /// Walls that a file has although they do not belong to a shard of this number: another version
 /// of the program divided them. A whole study has none.
@@ -37,20 +37,20 @@ enum class Deal {
 /// Walls that the store does not have, and failed ones too if asked for.
 [[nodiscard]] std::vector<WallKey> pending_walls(const Store& store, Shard shard,
                                                  bool rerun_failed, Deal deal = Deal::walls,
-                                                 bool audit = false);
+                                                 Round round = Round::own);
 
 /// The study as its audit pushes it, kAuditSlower times slower.
 [[nodiscard]] Study audit_study(Study study);
 
 struct RunProgress {
     std::size_t done = 0, failed = 0, all = 0; ///< walls of this run
-    std::size_t before = 0; ///< walls of this part of the study that the file had already
-    bool audit = false;     ///< these are walls of the audit
+    std::size_t before = 0;   ///< walls of this part of the study that the file had already
+    Round round = Round::own; ///< what these walls are pushed for
 };
 
-/// @param walls of the study itself, or of its audit with audit_study
-/// @param start `before` walls that need not be pushed, and whether it is the audit: for
-/// RunProgress
+/// @param walls of the study itself, of its audit with audit_study, or of the other direction
+/// with turned_round
+/// @param start `before` walls that need not be pushed, and the round: for RunProgress
 /// Finished walls are stored every three seconds, whatever happens then.
 /// @param seen after each wall
 /// @param frames of each wall that gives a result, in no order

@@ -2,6 +2,7 @@
 
 #include "app/input/limit_state_text.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/study/both_ways.hpp"
 #include "app/study/history_names.hpp"
 #include "app/study/stored_study.hpp"
 #include "app/study/study_columns.hpp"
@@ -56,7 +57,8 @@ Columns columns_of(const std::filesystem::path& file, const StoreHead& head)
             place_of(head.responses, "solver_error", &Column::name)};
 }
 
-StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row, Keep keep)
+StudyWall read_wall(const StudyWalls& all, const ReadingRules& rules, const Columns& c,
+                    const WallRow& row, Keep keep)
 {
     StudyWall w;
     w.key = row.key;
@@ -66,7 +68,7 @@ StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row,
         for (const StoredInput& input : all.inputs) w.inputs.push_back(shown_value(input, row));
     if (keep == Keep::everything) w.drawn = row.inputs;
     if (w.failed) {
-        w.reading = not_read(all.rules, "the wall failed");
+        w.reading = not_read(rules, "the wall failed");
         return w;
     }
     if (c.solver_error) w.solver_error = row.responses[*c.solver_error];
@@ -79,12 +81,12 @@ StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row,
     const bool came_down =
         row.counts[c.outcome] == static_cast<std::int64_t>(dem::Outcome::lost_equilibrium);
     const bool settled = c.settled && row.counts[*c.settled] != 0;
-    w.reading = read({row.curve.displacement, row.curve.force, came_down}, w.mechanism,
-                     all.rules, settled);
+    w.reading =
+        read({row.curve.displacement, row.curve.force, came_down}, w.mechanism, rules, settled);
     if (keep == Keep::readings) return w;
     if (w.reading.no_reading.empty()) {
         const fragility::Backbone b =
-            capacity_curve({row.curve.displacement, row.curve.force}, all.rules);
+            capacity_curve({row.curve.displacement, row.curve.force}, rules);
         w.forces = fragility::resampled({b.displacement, b.force}, all.step, kCurveSteps + 1);
     }
     if (!all.pushed_one_way)
@@ -98,8 +100,10 @@ StudyWall read_wall(const StudyWalls& all, const Columns& c, const WallRow& row,
 StudyWall wall_of(const StudyWalls& all, const Columns& c, const std::filesystem::path& file,
                   const WallRow& row, Keep keep)
 {
+    ReadingRules rules = all.rules;
+    if (round_of(all.head, row.key) == Round::turned) rules.direction = -rules.direction;
     try {
-        return read_wall(all, c, row, keep);
+        return read_wall(all, rules, c, row, keep);
     } catch (const std::invalid_argument& bad) {
         damaged(file, wall_name(row.key) + ": " + bad.what());
     }
@@ -117,6 +121,44 @@ void check_overrides(std::span<const std::string> overrides)
 void add_wall(StudyLevel& level, StudyWall&& wall)
 {
     (wall.failed ? level.failed_walls : level.walls).push_back(std::move(wall));
+}
+
+/// A wall that was pushed both ways: the worse one stands for it.
+StudyWall with_other_way(StudyWall wall, StudyWall other, const ReadingRules& rules)
+{
+    if (wall.failed || other.failed) {
+        const bool by_other = !wall.failed;
+        wall.reason = std::string("pushed to the ") +
+                      way_name(by_other ? -rules.direction : rules.direction) + ": " +
+                      (by_other ? other.reason : wall.reason);
+        wall.failed = true;
+        wall.reading = not_read(rules, "the wall failed");
+        return wall;
+    }
+    const bool by_other = peak_force(other.reading) < peak_force(wall.reading);
+    wall.ways = {std::move(wall.reading), std::move(other.reading)};
+    wall.reading = worse_way(wall.ways[0], wall.ways[1]);
+    wall.solver_error = std::max(wall.solver_error, other.solver_error);
+    if (by_other) {
+        wall.mechanism = other.mechanism;
+        wall.forces = std::move(other.forces);
+    }
+    return wall;
+}
+
+/// Joins the two pushes of each wall; a wall without one of them has not been run yet.
+void join_ways(StudyWalls& walls, std::map<WallKey, StudyWall>&& own,
+               std::map<WallKey, StudyWall>&& turned)
+{
+    for (auto& [key, wall] : own) {
+        StudyLevel& level = walls.levels.at(key.level);
+        const auto other = turned.find(key);
+        if (other == turned.end())
+            ++level.missing;
+        else
+            add_wall(level,
+                     with_other_way(std::move(wall), std::move(other->second), walls.rules));
+    }
 }
 
 /// As prescribed.
@@ -161,15 +203,28 @@ StudyWalls read_study_walls(const std::filesystem::path& file,
     StoreReader reader(file);
     StudyWalls walls = study_of(file, reader.head(), overrides);
     const Columns c = columns_of(file, reader.head());
+    const bool both = has_turned(walls.head);
+    std::map<WallKey, StudyWall> own, turned; // of a study of both directions
     reader.for_each_row([&](const WallRow& row) {
-        add_wall(walls.levels.at(row.key.level), wall_of(walls, c, file, row, keep));
+        StudyWall wall = wall_of(walls, c, file, row, keep);
+        if (both)
+            own.emplace(row.key, std::move(wall));
+        else
+            add_wall(walls.levels.at(row.key.level), std::move(wall));
     });
+    // Inputs and curve are those of the wall's own row.
+    const Keep readings = keep == Keep::everything ? Keep::means : keep;
+    reader.for_each_turned_row([&](const WallRow& row) {
+        turned.emplace(own_key(walls.head, row.key), wall_of(walls, c, file, row, readings));
+    });
+    join_ways(walls, std::move(own), std::move(turned));
     reader.for_each_audit_row([&](const WallRow& row) {
         StudyWall wall = wall_of(walls, c, file, row, Keep::readings);
         wall.key = own_key(walls.head, row.key);
         walls.levels.at(wall.key.level).audit.push_back(std::move(wall));
     });
     for (const WallKey key : missing_walls(walls.head, reader.statuses())) {
+        if (round_of(walls.head, key) == Round::turned) continue; // join_ways counts its wall
         StudyLevel& level = walls.levels.at(own_key(walls.head, key).level);
         ++(is_audit(walls.head, key) ? level.audit_missing : level.missing);
     }

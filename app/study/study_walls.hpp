@@ -34,7 +34,9 @@ struct StudyWall {
     WallKey key;
     bool failed = false; ///< it gave no result: only key, reason and inputs mean anything
     std::string reason;  ///< why it failed
-    WallReading reading;
+    WallReading reading; ///< of a wall that was pushed both ways the worse of both
+    /// Of a wall that was pushed both ways: to the direction of the study, and to the other.
+    std::vector<WallReading> ways;
     dem::Mechanism mechanism;
     double solver_error =
         kUnknownError; ///< of the peak force [-], >= 0; NaN: failed, or a file without it
@@ -47,6 +49,12 @@ struct StudyWall {
     std::vector<fragility::Cycle> cycles;
     WallCurve curve; ///< as it was stored (Keep::everything)
 };
+
+/// As the wall was pushed to the direction of the study: what `curve` shows.
+[[nodiscard]] inline const WallReading& first_way(const StudyWall& wall)
+{
+    return wall.ways.empty() ? wall.reading : wall.ways.front();
+}
 
 /// kRocking, kSliding or kMixed
 [[nodiscard]] inline int mode_of(const StudyWall& wall)

@@ -117,8 +117,10 @@ SideForce between_sides(const Snapshot& wall, const std::vector<char>& side, Poi
         const double sign = b ? 1.0 : -1.0; // stresses are those of b on a
         for (const ContactState& c : f.contacts) {
             if (!counts(f.kind, c.at)) continue;
-            const double x = sign * c.area * (c.sigma * f.acting.x + c.tau * f.acting.z),
-                         z = sign * c.area * (c.sigma * f.acting.z - c.tau * f.acting.x);
+            const double x = sign * c.area *
+                             (c.mean_sigma * f.acting.x + c.mean_tau * f.acting.z),
+                         z = sign * c.area *
+                             (c.mean_sigma * f.acting.z - c.mean_tau * f.acting.x);
             sum.x += x;
             sum.z += z;
             sum.moment += (c.at.z - about.z) * x - (c.at.x - about.x) * z;

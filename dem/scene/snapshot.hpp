@@ -24,6 +24,9 @@ struct ContactState {
     double damage = 0.0;   ///< D of Table 2, in [0, 1]; 0 in dry joints
     double crushed = 0.0;  ///< thickness that is crushed [m]
     double crushing = 0.0; ///< share of the compressive strength that is lost, in [0, 1]
+    /// Mean stresses since the snapshot before where the push was asked for them, else those of
+    /// the instant [Pa].
+    double mean_sigma = 0.0, mean_tau = 0.0;
 };
 
 /// The contact points along one straight piece of joint between two blocks (block a below or

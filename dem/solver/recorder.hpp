@@ -54,10 +54,12 @@ class Recorder {
     [[nodiscard]] CurvePoint take(double position, const Energy& energy)
     {
         Sums all = now_;
+        joined_ = 1;
         for (auto s = before_.rbegin(); s != before_.rend() && all.steps < kSteps; ++s) {
             if (std::abs(s->mean() - now_.mean()) > still_ * std::abs(now_.mean())) break;
             if (travelled_ + now_.way - 0.5 * (all.way + s->way) <= last_) break;
             all.add(*s);
+            ++joined_;
         }
         travelled_ += now_.way;
         last_ = travelled_ - 0.5 * all.way;
@@ -69,6 +71,9 @@ class Recorder {
         return {position - 0.5 * all.displacement, all.mean(), all.base / all.way,
                 all.gap / all.way, energy};
     }
+
+    /// Intervals between points that the last point is a mean of.
+    [[nodiscard]] std::size_t joined() const { return joined_; }
 
   private:
     struct Sums {
@@ -96,8 +101,9 @@ class Recorder {
         0.0; ///< way by which the last point was late: no step is as long as is left [m]
     Sums now_;
     std::deque<Sums> before_; ///< of this way
-    double travelled_ = 0.0;  ///< to the last point taken [m]
-    double last_ = 0.0;       ///< where that point stands, on the way travelled [m]
+    std::size_t joined_ = 1;
+    double travelled_ = 0.0; ///< to the last point taken [m]
+    double last_ = 0.0;      ///< where that point stands, on the way travelled [m]
 };
 
 } // namespace dem

@@ -202,6 +202,8 @@ Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real
             one.crushed = at(state.crushed[k]);
             one.opening -= one.crushed;
         }
+        one.mean_sigma = one.sigma;
+        one.mean_tau = one.tau;
         s.faces[c.face].contacts.push_back(one);
     };
     for (const Contact& c : m.dry) add(c, 0.0);

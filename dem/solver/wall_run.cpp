@@ -241,6 +241,7 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     const Energy e = energy(state, lane);
     result_.residual = std::max(result_.residual, std::abs(e.residual()));
     CurvePoint p = recorder_.take(drive_.position(), e);
+    if (task_->plan.mean_stresses) means_.end_interval();
     if (task_->tables.body_forces)
         p.corner =
             corner_displacement(task_->model, task_->tables, state, lane, drive_.position());
@@ -259,7 +260,9 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
         result_.at_drop = snapshot();
     if (task_->plan.drop > 0.0) keep_trail(snapshot);
     if (task_->plan.snapshot_every > 0.0 && way_ >= next_snapshot_ * (1.0 - kWayRounding)) {
-        keep(snapshot());
+        Snapshot s = snapshot();
+        if (task_->plan.mean_stresses) means_.give_to(s, task_->model, recorder_.joined());
+        keep(std::move(s));
         next_snapshot_ += task_->plan.snapshot_every;
     }
     decided_ = task_->plan.decided && task_->plan.decided(result_.curve);
@@ -321,6 +324,7 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     way_ += std::abs(step_drive_);
     drive_work_ += 0.5 * (force_before_ + top) * step_drive_;
     recorder_.add(step_drive_, force_before_, top, base - dem::lane(state.load_x, lane));
+    if (task_->plan.mean_stresses) means_.add(state, lane, std::abs(step_drive_));
     const double missing = top + dem::lane(state.load_x, lane) - base;
     Pace& pace = drive_.pace();
     if (pace.samples()) motion_.add(state, lane);
@@ -335,6 +339,7 @@ template <class Real> void WallRun::go_on(const WallState<Real>& state, int lane
     if (!drive_.turned() && !drive_.came_to_its_end()) return;
     take_turn(state, lane);
     recorder_.begin_way();
+    means_.begin_way();
 }
 
 /// Whether the run can go on. The energy is looked at first, because a wall that too large a
@@ -449,6 +454,7 @@ void WallRun::start_again()
     peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
     work_half_way_ = least_given_ = 0.0;
     trail_.clear();
+    means_ = {};
     steps_ = 0;
     decided_ = came_down_ = false;
 }

@@ -3,6 +3,7 @@
 /// a lane of a batch.
 
 #include "dem/solver/drive.hpp"
+#include "dem/solver/mean_stresses.hpp"
 #include "dem/solver/push.hpp"
 #include "dem/solver/recorder.hpp"
 #include "dem/solver/static_start.hpp"
@@ -81,6 +82,7 @@ class WallRun {
     ElasticPush elastic_; ///< until the push begins
     Recorder recorder_;
     SteadyMotion motion_; ///< in the push, since the last window
+    MeanStresses means_;  ///< where they are asked for
     PushResult result_;
     double load_factor_ = 0.0;            ///< of the step [-]
     double force_before_ = 0.0;           ///< of the drive, before the step [N]

@@ -108,6 +108,12 @@ class Results:
         of peak_force and ultimate_displacement [-]; nan: not defined on one of them. A table: pandas.DataFrame(results.audit)."""
         return _core.read_audit(self.path, self._stamp)[0]
 
+    @property
+    def other_way(self) -> dict[str, numpy.ndarray]:
+        """Walls that were pushed the other way (load.direction = both): their level, sample and responses, in SI; empty of a study that
+        was pushed one way. `responses` and `curves` are of the direction of the study; `readings` and `drifts` are the worse of both."""
+        return _core.read_other_way(self.path, self._stamp)
+
     def frame(self) -> pandas.DataFrame:
         """Inputs, responses, counts and readings as a table of pandas, by level and sample, in SI; drifts of limit states in percent."""
         import pandas

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +62,19 @@ void check_stamp(const app::StoreReader& reader, const std::string& path,
                               "study; open it again");
 }
 
+/// Walls of a study of both directions that were pushed one way so far: they have no reading.
+std::set<app::WallKey> half_pushed(const app::StoreReader& reader)
+{
+    std::set<app::WallKey> half;
+    if (!app::has_turned(reader.head())) return half;
+    for (const app::WallStatus& w : reader.statuses())
+        if (app::round_of(reader.head(), w.key) == app::Round::own) half.insert(w.key);
+    for (const app::WallStatus& w : reader.statuses())
+        if (app::round_of(reader.head(), w.key) == app::Round::turned)
+            half.erase(app::own_key(reader.head(), w.key));
+    return half;
+}
+
 /// All of a file but its curves.
 py::dict read_walls(const std::string& path)
 {
@@ -73,7 +87,9 @@ py::dict read_walls(const std::string& path)
     std::vector<std::vector<double>> inputs(head.inputs.size()),
         responses(head.responses.size()), cost(head.cost.size());
     std::vector<std::vector<std::int64_t>> counts(head.counts.size());
+    const std::set<app::WallKey> half = half_pushed(reader);
     reader.for_each_row([&](const app::WallRow& row) {
+        if (half.contains(row.key)) return;
         level.push_back(static_cast<int>(row.key.level));
         sample.push_back(static_cast<int>(row.key.sample));
         status.push_back(row.status);
@@ -88,14 +104,14 @@ py::dict read_walls(const std::string& path)
         stress.push_back(head.levels[l].vertical_stress);
     const auto missing = std::ranges::count_if(
         app::missing_walls(head, reader.statuses()),
-        [&](const app::WallKey& key) { return !app::is_audit(head, key); });
+        [&](const app::WallKey& key) { return app::round_of(head, key) == app::Round::own; });
     py::dict file;
     file["level"] = array_of(std::move(level));
     file["sample"] = array_of(std::move(sample));
     file["status"] = array_of(std::move(status));
     file["reasons"] = reasons;
     file["vertical_stress"] = array_of(std::move(stress));
-    file["missing"] = static_cast<std::size_t>(missing);
+    file["missing"] = static_cast<std::size_t>(missing) + half.size();
     file["stamp"] = stamp_of(reader);
     file["configuration"] = head.configuration;
     file["solver_revision"] = app::solver_revision(head.identity);
@@ -113,7 +129,9 @@ py::list read_curves(const std::string& path, const std::string& stamp)
     app::StoreReader reader(path);
     check_stamp(reader, path, stamp);
     py::list curves;
+    const std::set<app::WallKey> half = half_pushed(reader);
     reader.for_each_row([&](const app::WallRow& row) {
+        if (half.contains(row.key)) return;
         app::WallCurve curve = row.curve;
         curves.append(py::make_tuple(array_of(std::move(curve.displacement)),
                                      array_of(std::move(curve.force))));
@@ -178,6 +196,28 @@ py::tuple read_audit(const std::string& path, const std::string& stamp)
     return py::make_tuple(columns, app::solver_error_text(study));
 }
 
+/// The walls that were pushed the other way: level, sample and responses.
+py::dict read_other_way(const std::string& path, const std::string& stamp)
+{
+    const Hdf5Turn turn;
+    app::StoreReader reader(path);
+    check_stamp(reader, path, stamp);
+    std::vector<int> level, sample;
+    std::vector<std::vector<double>> responses(reader.head().responses.size());
+    reader.for_each_turned_row([&](const app::WallRow& row) {
+        const app::WallKey own = app::own_key(reader.head(), row.key);
+        level.push_back(static_cast<int>(own.level));
+        sample.push_back(static_cast<int>(own.sample));
+        append(row.responses, responses);
+    });
+    py::dict columns;
+    columns["level"] = array_of(std::move(level));
+    columns["sample"] = array_of(std::move(sample));
+    for (std::size_t i = 0; i < responses.size(); ++i)
+        columns[py::str(reader.head().responses[i].name)] = array_of(std::move(responses[i]));
+    return columns;
+}
+
 /// Readings of walls one below the other. NaN: not defined on this wall.
 struct ReadingColumn {
     std::vector<double> values;
@@ -224,6 +264,7 @@ void bind_results(py::module_& m)
     m.def("read_curves", &read_curves, py::arg("path"), py::arg("stamp"));
     m.def("read_drifts", &read_drifts, py::arg("path"), py::arg("stamp"), py::arg("overrides"));
     m.def("read_audit", &read_audit, py::arg("path"), py::arg("stamp"));
+    m.def("read_other_way", &read_other_way, py::arg("path"), py::arg("stamp"));
     m.def("read_readings", &read_readings, py::arg("path"), py::arg("stamp"),
           py::arg("overrides"));
 }

@@ -11,7 +11,7 @@
 
 namespace scenes {
 
-/// "fragility.law=gamma" and so on; user_states brings its set.
+/// "fragility.law=gamma" and so on; codes and user_states bring their sets.
 inline std::vector<std::string> changed(const app::Key& key)
 {
     const std::string name(key.name);
@@ -30,6 +30,10 @@ inline std::vector<std::string> changed(const app::Key& key)
         if (name.starts_with("fragility.model_factor"))
             return {name + "=lognormal(median 0.8, sigma_log 0.4)"};
         if (name == "fragility.limit_states") return {name + "=ec8, paper"};
+        if (name == "fragility.codes")
+            return {name + R"(={"codes": [{"name": "mine", "title": "Mine", "states": )"
+                           R"([{"name": "CP", "rule": "drop 0.9", "source": "me"}]}]})",
+                    "fragility.limit_states=paper, mine"};
         if (name == "fragility.user_states")
             return {name + "=mine: 0.5 ultimate; far: 0.6 %",
                     "fragility.limit_states=paper, user"};

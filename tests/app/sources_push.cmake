@@ -6,6 +6,7 @@ set(TEST_APP_PUSH_SOURCES
     app/test_direction.cpp
     app/test_drawn_ends.cpp
     app/test_hand_checks.cpp
+    app/test_pier_balance.cpp
     app/test_pier_reading.cpp
     app/test_scene.cpp
     app/test_pushed_series.cpp

@@ -1,5 +1,6 @@
 set(TEST_APP_STUDY_SOURCES
     app/test_audit.cpp
+    app/test_both_ways_study.cpp
     app/test_key_effects.cpp
     app/store_scene.cpp
     app/test_reliability.cpp

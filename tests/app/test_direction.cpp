@@ -128,9 +128,10 @@ TEST_CASE("direction: right is no part of a study's identity, left and a toe at 
     CHECK(effective_configuration(with({}, {})).find("direction") == std::string::npos);
 }
 
-TEST_CASE("direction: a study of a wall that is not symmetric refuses both", "[app][direction]")
+TEST_CASE("direction: a reliability analysis of a wall that is not symmetric refuses both",
+          "[app][direction]")
 {
-    const app::Verb verb{.name = "study", .sections = app::kWallSections};
+    const app::Verb verb{.name = "reliability", .sections = app::kWallSections};
     app::Command command;
     command.verb = &verb;
     const Overrides both = {"load.direction=both"};

@@ -55,11 +55,12 @@ app::Study with(Overrides overrides, const Overrides& more = {})
     return study_texts::read(study_texts::kSmallWall, overrides);
 }
 
-app::PushedWall pushed(const app::Study& study)
+/// @param shots takes a snapshot at every point of the curve
+app::PushedWall pushed(const app::Study& study, std::vector<dem::Snapshot>* shots = nullptr)
 {
     const dem::Model model = app::model_of(study);
     dem::PushPlan plan = app::push_plan(study);
-    plan.snapshot_every = 0.0;
+    plan.snapshot_every = shots == nullptr ? 0.0 : plan.record_every;
     app::PierWatch watch(study, 1, plan);
     app::PushedWall wall;
     app::PushList list;
@@ -69,8 +70,46 @@ app::PushedWall pushed(const app::Study& study)
         wall = std::move(w);
     };
     app::push_walls(study, model, plan, list, 1);
+    if (shots != nullptr) *shots = wall.result.snapshots;
     watch.add_to(0, wall);
     return wall;
+}
+
+/// Movement of the underside of the beam [m], which lies at this height.
+double movement_at(const dem::Snapshot& shot, double height)
+{
+    const dem::BlockState& beam = shot.blocks.back();
+    double sum = 0.0;
+    int n = 0;
+    for (std::size_t p = 0; p < beam.outline.size(); ++p)
+        if (std::abs(beam.outline[p].z - height) < 1e-6) {
+            sum += beam.displacement[p].x;
+            ++n;
+        }
+    REQUIRE(n > 0);
+    return sum / n;
+}
+
+/// A wall alone, read by the movement at a height below its load line.
+app::WallReading read_at_height(const app::Study& study, double height)
+{
+    std::vector<dem::Snapshot> shots;
+    const app::PushedWall wall = pushed(study, &shots);
+    std::vector<double> displacement, force;
+    std::size_t s = 0;
+    for (std::size_t i = 0; i < wall.displacement.size(); ++i) {
+        while (s + 2 < shots.size() && shots[s + 1].displacement < wall.displacement[i]) ++s;
+        const double from = shots[s].displacement, to = shots[s + 1].displacement,
+                     share = (wall.displacement[i] - from) / (to - from);
+        displacement.push_back((1.0 - share) * movement_at(shots[s], height) +
+                               share * movement_at(shots[s + 1], height));
+        force.push_back(wall.force[i]);
+    }
+    app::ReadingRules rules = app::reading_rules(study);
+    rules.height = height;
+    rules.direction = 0; // as piers are: movements may come back
+    rules.backbone = fragility::Side::right;
+    return app::read({displacement, force}, wall.mechanism, rules, true);
 }
 
 double limit(const app::Study& study, const app::WallReading& r, const std::string& name)
@@ -88,18 +127,25 @@ TEST_CASE("pier reading: a pier has the limits of a wall of its own", "[app][pie
     const Overrides how = {
         GENERATE("joint.friction_angle=31.8 deg", "joint.friction_angle=15 deg")};
     const app::Study under = with(kUnderCourse, how), alone = with(kAlone, how);
-    const app::PushedWall wall = pushed(under), own = pushed(alone);
+    const app::PushedWall wall = pushed(under);
+    constexpr double kHeight = 0.5; // of the pier [m]
+    const app::WallReading own = read_at_height(alone, kHeight);
     REQUIRE(wall.piers.size() == 1);
-    CHECK(own.piers.empty());
     const app::PierReading& pier = wall.piers.front();
     CHECK(pier.normal_at_peak == Approx(0.3e6 * 0.2).epsilon(0.005));
-    CHECK(pier.most_shear == Approx(peak_force(own.reading)).epsilon(0.05));
-    CHECK(pier.mode == own.reading.mode);
-    for (const char* const state : {"ntc SLC", "ntc SLV", "ec8 NC"}) {
-        INFO(state);
-        CHECK(limit(under, pier.own, state) / 0.5 ==
-              Approx(limit(alone, own.reading, state) / alone.load.height).epsilon(0.05));
+    CHECK(pier.most_shear == Approx(peak_force(own)).epsilon(0.05));
+    CHECK(pier.mode == own.mode);
+    int known = 0;
+    const auto names = app::state_names(app::reading_rules(under));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        INFO(state_name(names[i]));
+        const auto &a = pier.own.limits.at(i), &b = own.limits.at(i);
+        CHECK(is_observed(a) == is_observed(b));
+        if (!is_observed(a)) continue; // where the push ends says nothing
+        CHECK(a.displacement == Approx(b.displacement).epsilon(0.05));
+        ++known;
     }
+    CHECK(known >= 7); // of 8
 }
 
 TEST_CASE("pier reading: the wall's limit is where the first pier reaches its own drift",
@@ -116,12 +162,12 @@ TEST_CASE("pier reading: the wall's limit is where the first pier reaches its ow
     REQUIRE(first > 0);
     const app::PierReading& pier = wall.piers[static_cast<std::size_t>(first) - 1];
     for (const app::PierReading& p : wall.piers)
-        if (is_observed(p.caps[0].wall))
-            CHECK(p.caps[0].wall.displacement >= pier.caps[0].wall.displacement);
+        if (is_observed(p.caps.front().wall))
+            CHECK(p.caps.front().wall.displacement >= pier.caps.front().wall.displacement);
     CHECK(limit(study, wall.reading, "ntc SLC") ==
-          Approx(pier.caps[0].wall.displacement).epsilon(1e-9));
+          Approx(pier.caps.front().wall.displacement).epsilon(1e-9));
     // By the height of the whole wall it would be 1 or 0.5 % of 0.7 m.
-    CHECK(pier.caps[0].wall.displacement < 0.005 * study.load.height * 1.4);
+    CHECK(pier.caps.front().wall.displacement < 0.005 * study.load.height * 1.4);
     CHECK(app::limit_table(study, {wall}).rows.size() == 4);
     CHECK(app::pier_table(study, {wall}).rows.size() == 3);
     CHECK(app::pier_limit_table(study, {wall}).rows.size() == 12);

@@ -101,7 +101,8 @@ TEST_CASE("report answers: drift limits of one further wall, codes' caps in word
     CHECK(row()[4] ==
           "only 9 walls; factor 1.6 either way: model 0.40, material 0.19, sampling 0.06");
     const auto limit = [](app::StudyWall& w, double at) {
-        w.reading.limits[0] = {at, fragility::Reading::observed, fragility::kNtcLimitGoverns};
+        w.reading.limits[0] = {at, fragility::Reading::observed,
+                               "governed by the code's drift limit"};
     };
     for (app::StudyWall& w : walls) limit(w, 0.01);
     CHECK(row()[3] == "cap of the code (1.00 %): 100 % of walls");

@@ -1,5 +1,6 @@
 set(TEST_FRAGILITY_SOURCES
     fragility/test_bilinear.cpp
+    fragility/test_code_table.cpp
     fragility/test_comparison.cpp
     fragility/test_curve_reading.cpp
     fragility/test_curve_table.cpp

@@ -1,11 +1,13 @@
 #include "fragility/limit_states.hpp"
 
+#include "fragility/code_table.hpp"
 #include "tests/fragility/curve_scenes.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,11 +18,22 @@ namespace {
 
 auto near(double value) { return Approx(value).epsilon(1e-14).margin(0.0); }
 
+/// All limit states of a code.
+/// @param cap displacement at its drift limit; 0: none
+std::vector<LimitState> states(const Curve& curve, std::string_view set,
+                               const LimitStateOptions& options = {}, double cap = 0.0)
+{
+    const Code& code = *find_code(built_in_codes(), set);
+    std::vector<double> caps;
+    for (const CodeState& s : code.states) caps.push_back(s.drifts.empty() ? 0.0 : cap);
+    return read_limit_states(curve, code, caps, options);
+}
+
 /// One limit state of a set, by name.
 LimitState state(const Curve& curve, std::string_view set, std::string_view name,
-                 const LimitStateOptions& options = {})
+                 const LimitStateOptions& options = {}, double cap = 0.0)
 {
-    for (const LimitState& s : read_limit_states(curve, set, options))
+    for (const LimitState& s : states(curve, set, options, cap))
         if (s.name == name) return s;
     FAIL("no limit state " << name);
     return {};
@@ -66,20 +79,19 @@ TEST_CASE("limit states: a triangle has all of them in closed form",
     check_observed(state(c, kEc8, "SD").limit, 1.05);
     check_observed(state(c, kEc8, "DL").limit, kTriangleYield);
     for (const std::string_view set : {kPaper, kNtc, kEc8})
-        for (const LimitState& s : read_limit_states(c, set)) CHECK(s.limit.reason.empty());
+        for (const LimitState& s : states(c, set)) CHECK(s.limit.reason.empty());
 }
 
 TEST_CASE("limit states: each set lists its own, mildest first", "[fragility][limit_states]")
 {
     const auto names = [](std::string_view set) {
-        std::vector<std::string_view> out;
-        for (const LimitState& s : read_limit_states(scenes::triangle(), set))
-            out.push_back(s.name);
+        std::vector<std::string> out;
+        for (const LimitState& s : states(scenes::triangle(), set)) out.push_back(s.name);
         return out;
     };
-    CHECK(names(kPaper) == std::vector<std::string_view>{"ultimate"});
-    CHECK(names(kNtc) == std::vector<std::string_view>{"SLO", "SLD", "SLV", "SLC"});
-    CHECK(names(kEc8) == std::vector<std::string_view>{"DL", "SD", "NC"});
+    CHECK(names(kPaper) == std::vector<std::string>{"ultimate"});
+    CHECK(names(kNtc) == std::vector<std::string>{"SLO", "SLD", "SLV", "SLC"});
+    CHECK(names(kEc8) == std::vector<std::string>{"DL", "SD", "NC"});
 }
 
 TEST_CASE("limit states: without a drop the ultimate, its 3/4 and the yield are censored",
@@ -122,64 +134,44 @@ TEST_CASE("limit states: the drift limit of the Italian code ends the curve wher
           "[fragility][limit_states]")
 {
     // Up to 1.2 the triangle has 5 + 1.8 of energy; its fall to 80 % comes at 1.4.
-    const LimitStateOptions at{.ntc_limit = 1.2};
     const OwnedCurve c = scenes::triangle();
-    const LimitDisplacement slc = state(c, kNtc, "SLC", at).limit;
+    const LimitDisplacement slc = state(c, kNtc, "SLC", {}, 1.2).limit;
     check_observed(slc, 1.2);
-    CHECK(slc.reason == kNtcLimitGoverns);
-    check_observed(state(c, kNtc, "SLV", at).limit, 0.9);
-    check_observed(state(c, kNtc, "SLD", at).limit, 1.2 - std::sqrt(1.44 - 2.0 * 6.9 / 10.0));
-    for (const std::string_view set : {kPaper, kEc8})
-        for (const LimitState& s : read_limit_states(c, set, at))
-            CHECK(s.limit.displacement == state(c, set, s.name).limit.displacement);
-    check_observed(state(c, kNtc, "SLC", {.ntc_limit = 1.5}).limit, 1.4);
-    CHECK(state(c, kNtc, "SLC", {.ntc_limit = 1.5}).limit.reason != kNtcLimitGoverns);
+    CHECK(slc.reason == "governed by the code's drift limit");
+    check_observed(state(c, kNtc, "SLV", {}, 1.2).limit, 0.9);
+    check_observed(state(c, kNtc, "SLD", {}, 1.2).limit,
+                   1.2 - std::sqrt(1.44 - 2.0 * 6.9 / 10.0));
+    check_observed(state(c, kNtc, "SLC", {}, 1.5).limit, 1.4);
+    CHECK_FALSE(is_capped(state(c, kNtc, "SLC", {}, 1.5).limit));
 }
 
-TEST_CASE(
-    "limit states: the drift limits of EN 1998-3 are those of SD, four thirds of them at NC, "
-    "in flexure in proportion to H0 / D",
-    "[fragility][limit_states]")
+TEST_CASE("limit states: the drift limit of EN 1998-3 ends the curve, and its rule sends the "
+          "reader to the code",
+          "[fragility][limit_states]")
 {
-    CHECK(0.75 * ec8_drift(true, 1.0) == near(0.008));
-    CHECK(0.75 * ec8_drift(true, 2.5) == near(0.020));
-    CHECK(0.75 * ec8_drift(false, 1.0) == near(0.004));
-    CHECK(0.75 * ec8_drift(false, 2.5) == near(0.004));
-}
-
-TEST_CASE(
-    "limit states: the drift limit of EN 1998-3 ends the curve of ec8 alone, and its rule "
-    "sends the reader to the code",
-    "[fragility][limit_states]")
-{
-    const LimitStateOptions at{.ec8_limit = 1.2, .slenderness = 1.5};
     const OwnedCurve c = scenes::triangle(); // as for ntc below 1.4
-    const LimitState nc = state(c, kEc8, "NC", at);
+    const LimitState nc = state(c, kEc8, "NC", {.slenderness = 1.5}, 1.2);
     check_observed(nc.limit, 1.2);
-    CHECK(nc.limit.reason == kEc8LimitGoverns);
     CHECK(nc.limit.reason.find("compare with your copy of the code") != std::string::npos);
     CHECK(nc.rule.find("1.067 % x H0/D = 1.6 % if the wall rocks, 0.5333 % if not") !=
           std::string::npos);
     CHECK(nc.rule.find("compare with your copy of the code") != std::string::npos);
-    check_observed(state(c, kEc8, "SD", at).limit, 0.9);
-    check_observed(state(c, kEc8, "DL", at).limit, 1.2 - std::sqrt(1.44 - 2.0 * 6.9 / 10.0));
-    for (const std::string_view set : {kPaper, kNtc})
-        for (const LimitState& s : read_limit_states(c, set, at))
-            CHECK(s.limit.displacement == state(c, set, s.name).limit.displacement);
-    check_observed(state(c, kEc8, "NC", {.ec8_limit = 1.5}).limit, 1.4);
+    check_observed(state(c, kEc8, "SD", {}, 1.2).limit, 0.9);
+    check_observed(state(c, kEc8, "DL", {}, 1.2).limit,
+                   1.2 - std::sqrt(1.44 - 2.0 * 6.9 / 10.0));
+    check_observed(state(c, kEc8, "NC", {}, 1.5).limit, 1.4);
 }
 
 TEST_CASE("limit states: a drift limit is told from a displacement of the wall's own",
           "[fragility][limit_states]")
 {
     const OwnedCurve c = scenes::triangle();
-    const LimitStateOptions early{.ntc_limit = 1.2, .ec8_limit = 1.2}, late{.ntc_limit = 1.5};
-    CHECK(is_capped(state(c, kNtc, "SLC", early).limit));
-    CHECK(is_capped(state(c, kNtc, "SLV", early).limit));
-    CHECK(is_capped(state(c, kEc8, "SD", early).limit));
-    CHECK_FALSE(is_capped(state(c, kNtc, "SLD", early).limit));
-    CHECK_FALSE(is_capped(state(c, kNtc, "SLC", late).limit));
-    CHECK_FALSE(is_capped(state(c, kPaper, "ultimate", early).limit));
+    CHECK(is_capped(state(c, kNtc, "SLC", {}, 1.2).limit));
+    CHECK(is_capped(state(c, kNtc, "SLV", {}, 1.2).limit));
+    CHECK(is_capped(state(c, kEc8, "SD", {}, 1.2).limit));
+    CHECK_FALSE(is_capped(state(c, kNtc, "SLD", {}, 1.2).limit));
+    CHECK_FALSE(is_capped(state(c, kNtc, "SLC", {}, 1.5).limit));
+    CHECK_FALSE(is_capped(state(c, kPaper, "ultimate", {}, 1.2).limit));
     UserLimitState user;
     user.name = "near";
     user.ultimate = 1.0;
@@ -188,21 +180,20 @@ TEST_CASE("limit states: a drift limit is told from a displacement of the wall's
     user.at_most = 1.5;
     CHECK_FALSE(is_capped(read_limit_states(c, {&user, 1}).front().limit));
     // a wall that has not come so far has not reached the limit
-    CHECK_FALSE(is_capped(
-        state(OwnedCurve{{0, 0}, {1, 5}, {4, 5}}, kNtc, "SLC", {.ntc_limit = 5.0}).limit));
+    CHECK_FALSE(
+        is_capped(state(OwnedCurve{{0, 0}, {1, 5}, {4, 5}}, kNtc, "SLC", {}, 5.0).limit));
 }
 
 TEST_CASE("limit states: with a drift limit no limit state moves with where the push ends",
           "[fragility][limit_states]")
 {
-    const LimitStateOptions at{.ntc_limit = 5.0};
     const double end = GENERATE(5.0, 7.0, 100.0);
     const OwnedCurve c{{0, 0}, {1, 5}, {end, 5}};
-    for (const LimitState& s : read_limit_states(c, kNtc, at))
+    for (const LimitState& s : states(c, kNtc, {}, 5.0))
         CHECK(s.limit.reading == Reading::observed);
-    check_observed(state(c, kNtc, "SLC", at).limit, 5.0);
-    check_observed(state(c, kNtc, "SLD", at).limit, 1.0);
-    check_censored(state(OwnedCurve{{0, 0}, {1, 5}, {4, 5}}, kNtc, "SLC", at).limit, 4.0);
+    check_observed(state(c, kNtc, "SLC", {}, 5.0).limit, 5.0);
+    check_observed(state(c, kNtc, "SLD", {}, 5.0).limit, 1.0);
+    check_censored(state(OwnedCurve{{0, 0}, {1, 5}, {4, 5}}, kNtc, "SLC", {}, 5.0).limit, 4.0);
 }
 
 TEST_CASE("limit states: SLD is the peak where the bilinear yields later",
@@ -245,7 +236,7 @@ TEST_CASE("limit states: what a curve does not have is not defined, with the rea
           "[fragility][limit_states]")
 {
     for (const std::string_view set : {kPaper, kNtc, kEc8})
-        for (const LimitState& s : read_limit_states(scenes::negative(), set)) {
+        for (const LimitState& s : states(scenes::negative(), set)) {
             check_not_defined(s.limit);
             CHECK(s.limit.reason == "the force is nowhere positive");
         }
@@ -267,20 +258,8 @@ TEST_CASE("limit states: 3/4 of the ultimate may come before the yield of a brit
 
 TEST_CASE("limit states: a bad curve and bad shares are refused", "[fragility][limit_states]")
 {
-    CHECK_THROWS_AS(read_limit_states(OwnedCurve{}, kPaper), std::invalid_argument);
+    CHECK_THROWS_AS(states(OwnedCurve{}, kPaper), std::invalid_argument);
     const OwnedCurve c = scenes::triangle();
-    CHECK_THROWS_AS(read_limit_states(c, kPaper, {.ultimate_share = 1.0}),
-                    std::invalid_argument);
-    CHECK_THROWS_AS(read_limit_states(c, kNtc, {.bilinear_share = 0.0}), std::invalid_argument);
-}
-
-TEST_CASE("limit states: sets have the names of study files", "[fragility][limit_states]")
-{
-    const auto sets = limit_state_sets();
-    CHECK(std::vector<std::string_view>(sets.begin(), sets.end()) ==
-          std::vector<std::string_view>{"paper", "ntc", "ec8", "collapse"});
-    for (const std::string_view set : sets)
-        CHECK_FALSE(read_limit_states(scenes::triangle(), set).empty());
-    CHECK_THROWS_AS(read_limit_states(scenes::triangle(), "NTC"), std::invalid_argument);
-    CHECK_THROWS_AS(read_limit_states(scenes::triangle(), ""), std::invalid_argument);
+    CHECK_THROWS_AS(states(c, kPaper, {.ultimate_share = 1.0}), std::invalid_argument);
+    CHECK_THROWS_AS(states(c, kNtc, {.bilinear_share = 0.0}), std::invalid_argument);
 }

@@ -4,6 +4,7 @@
 /// DRYSTONE_EXPERIMENTS; without it these tests say so and check nothing.
 
 #include "bench/measured_walls.hpp"
+#include "fragility/code_table.hpp"
 #include "fragility/limit_states.hpp"
 
 #include <catch2/catch.hpp>
@@ -90,10 +91,11 @@ TEST_CASE("measured walls: SLC, SLV, SLD and SLO are the printed ones to their l
 {
     const auto walls = measured_walls();
     if (walls.empty()) return;
+    const Code& ntc = *find_code(built_in_codes(), "ntc");
     for (const Printed& p : kPrinted) {
         INFO(p.wall);
         const bench::CurveTable table = first_at_each_displacement(walls.at(p.wall));
-        const std::vector<LimitState> s = read_limit_states(table.curve(), "ntc");
+        const std::vector<LimitState> s = read_limit_states(table.curve(), ntc, {});
         if (p.slc_is_end) { // a bound that holds however the test goes on
             CHECK(s[0].limit.displacement <= printed(p.slo, 2));
             CHECK(s[1].limit.displacement <= printed(p.sld, 2));
@@ -114,11 +116,12 @@ TEST_CASE("measured walls: steps kept instead of dropped move no limit displacem
           "[fragility][measured_walls]")
 {
     const auto walls = measured_walls();
+    const Code& ntc = *find_code(built_in_codes(), "ntc");
     for (const auto& [wall, table] : walls) {
         INFO(wall);
         const bench::CurveTable dropped = first_at_each_displacement(table);
-        const auto a = read_limit_states(table.curve(), "ntc");
-        const auto b = read_limit_states(dropped.curve(), "ntc");
+        const auto a = read_limit_states(table.curve(), ntc, {});
+        const auto b = read_limit_states(dropped.curve(), ntc, {});
         for (std::size_t i = 0; i < a.size(); ++i)
             CHECK(std::abs(a[i].limit.displacement - b[i].limit.displacement) < 0.06);
     }

@@ -33,7 +33,8 @@ TEST_CASE("observation: runs that ended together end at the first of their ends"
 TEST_CASE("observation: a drift limit stays one, and limits are counted by their value",
           "[fragility][observation]")
 {
-    const LimitDisplacement limit{0.011, Reading::observed, kNtcLimitGoverns},
+    const LimitDisplacement limit{0.011, Reading::observed,
+                                  "governed by the code's drift limit"},
         own{0.011, Reading::observed, {}};
     const Observation capped = *observation(limit, 2.0);
     CHECK(capped.lower == 0.022);

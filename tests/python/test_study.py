@@ -87,6 +87,19 @@ class StudyIsThatOfTheCommandLine(InFolder):
         self.assertEqual(wall.solver_error, results.solver_error[5])
         self.assertEqual(wall.summary["solver_error_percent"], as_written(100 * wall.solver_error))
 
+    def test_both_ways(self):
+        door = {**STUDY, "uq.samples": 2, "wall.openings": "0.1 m, 0 m, 0.3 m, 0.3 m", "load.vertical_stress": "0.5 MPa",
+                "joint.wall_modulus": "768 MPa"}
+        both, right, left = (drystone.Study(QUICK, set={**door, "load.direction": way}).run(self.folder / f"{way}.h5")
+                             for way in ("both", "right", "left"))
+        self.same(both.responses["peak_force"], right.responses["peak_force"])
+        self.same(both.other_way["peak_force"], left.responses["peak_force"])
+        self.assertEqual(list(both.other_way["sample"]), [0, 1])
+        self.assertEqual(len(right.other_way["sample"]), 0)
+        limits = [r.readings()["ntc SLO"] for r in (both, right, left)]
+        self.same(limits[0], numpy.minimum(limits[1], limits[2]))
+        self.assertEqual((len(both), both.missing, len(both.curves), len(both.readings()["mode"])), (2, 0, 2, 2))
+
     def check_chosen(self, study, theirs):
         """Draws and chosen walls."""
         self.assertEqual(study.samples, 6)

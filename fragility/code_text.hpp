@@ -1,0 +1,23 @@
+#pragma once
+/// The text of a table of codes: JSON whose parts know their lines.
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fragility {
+
+struct CodeNode {
+    enum class Kind { text, list, object, other };
+    Kind kind = Kind::other;
+    int line = 1; ///< of the key, or where the part begins, from 1
+    std::string text;
+    std::vector<CodeNode> elements;
+    std::vector<std::pair<std::string, CodeNode>> members; ///< in the order of the text
+};
+
+/// @throws CodeTableError where it is no JSON, or a key stands twice in an object
+[[nodiscard]] CodeNode parse_code_text(std::string_view text);
+
+} // namespace fragility
