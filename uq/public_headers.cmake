@@ -35,6 +35,7 @@ set(UQ_PUBLIC_HEADERS
     marginals/triangular.hpp
     marginals/uniform.hpp
     marginals/weibull.hpp
+    reliability/active_learning.hpp
     reliability/black_box.hpp
     reliability/control_variate.hpp
     reliability/crude_monte_carlo.hpp
