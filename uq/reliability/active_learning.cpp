@@ -64,14 +64,29 @@ void learn(Known& known, const Eigen::MatrixXd& u, const Eigen::VectorXd& g)
     known.g.conservativeResize(n);
 }
 
-GaussianProcess process_of(const Known& known)
-{
-    if (known.g.size() < 3)
-        throw std::invalid_argument("fewer than three evaluations answered");
-    const bool linear = known.g.size() >= 2 * (known.u.cols() + 1);
-    return fit_process({known.u, known.g, {}},
-                       {.trend = linear ? ProcessTrend::linear : ProcessTrend::constant});
-}
+/// The process of all that is known. Its parameters are fitted anew when a seventh more is known
+/// than at the last fit: fits cost more than all else.
+class Learner {
+  public:
+    const GaussianProcess& process_of(const Known& known)
+    {
+        if (known.g.size() < 3)
+            throw std::invalid_argument("fewer than three evaluations answered");
+        const Eigen::Index n = known.g.size();
+        const bool linear = n >= 2 * (known.u.cols() + 1);
+        const auto trend = linear ? ProcessTrend::linear : ProcessTrend::constant;
+        const bool anew = !last_ || last_->trend != trend || 7 * n > 8 * fitted_;
+        if (anew) fitted_ = n;
+        last_ = anew ? fit_process({known.u, known.g, {}}, {.trend = trend})
+                     : condition({known.u, known.g, {}}, last_->kernel, trend,
+                                 ProcessParameters(last_->parameters));
+        return *last_;
+    }
+
+  private:
+    std::optional<GaussianProcess> last_;
+    Eigen::Index fitted_ = 0; ///< points of the last fit
+};
 
 /// The density of the checks among weighed points, and what a check is worth.
 struct CheckPlan {
@@ -226,6 +241,7 @@ ActiveResult active_learning(const LimitState& s, const ActiveOptions& o)
     Ledger ledger;
     Known known;
     Checks checks;
+    Learner learner;
     const Eigen::MatrixXd first = first_design(s.dimension, o.seed);
     learn(known, first, limit_values(s, first, ledger));
     r.learned = ledger.evaluations;
@@ -234,7 +250,7 @@ ActiveResult active_learning(const LimitState& s, const ActiveOptions& o)
         const auto batch = std::min<Eigen::Index>(
             kActiveBatch, static_cast<Eigen::Index>(o.max_evaluations - ledger.evaluations));
         try {
-            const GaussianProcess g = process_of(known);
+            const GaussianProcess& g = learner.process_of(known);
             const WeighedPoints p = weighed_points(g, point_count(o.target_cov), seed);
             r.surrogate = p.probability;
             const CheckPlan plan = plan_checks(p);
