@@ -22,6 +22,9 @@ set(UQ_PUBLIC_HEADERS
     fields/field_site.hpp
     fields/kernel.hpp
     fields/spatial_sample.hpp
+    inference/adaptive_metropolis.hpp
+    inference/chain_diagnostics.hpp
+    inference/evidence.hpp
     marginals/beta.hpp
     marginals/constant.hpp
     marginals/empirical.hpp

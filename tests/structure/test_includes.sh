@@ -18,6 +18,7 @@ declare -A knows=(
     [uq/designs]="uq/marginals"
     [uq/fields]="uq/marginals uq/designs"
     [uq/estimates]="uq/marginals uq/designs"
+    [uq/inference]="uq/marginals uq/designs"
     [uq/sensitivity]="uq/marginals uq/designs uq/estimates"
     [uq/surrogates]="uq/marginals uq/designs uq/estimates uq/sensitivity"
     [uq/reliability]="uq/marginals uq/designs uq/estimates uq/sensitivity uq/surrogates"

@@ -9,7 +9,9 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -23,6 +25,9 @@ constexpr double kUnseen = 0.5;         ///< wrong answers about the event that 
 constexpr double kLeastPoints = 4000.0; ///< of the process, in a round
 constexpr double kMostPoints = 100000.0;
 constexpr std::size_t kLeastChecks = 16; ///< fewer do not tell their own scatter
+
+/// Scales of compression, over the median of |g|; infinite: none. Tuned.
+constexpr std::array kCompressions = {std::numeric_limits<double>::infinity(), 1.0, 0.25};
 
 void check_options(const LimitState& s, const ActiveOptions& o)
 {
@@ -64,8 +69,21 @@ void learn(Known& known, const Eigen::MatrixXd& u, const Eigen::VectorXd& g)
     known.g.conservativeResize(n);
 }
 
-/// The process of all that is known. Its parameters are fitted anew when a seventh more is known
-/// than at the last fit: fits cost more than all else.
+/// g, or asinh(g / scale), which keeps its sign and makes large values small.
+Eigen::VectorXd compressed(const Eigen::VectorXd& g, double scale)
+{
+    return std::isinf(scale) ? g : Eigen::VectorXd((g / scale).array().asinh());
+}
+
+/// Log likelihood of g itself.
+double likelihood(const GaussianProcess& p, const Eigen::VectorXd& g, double scale)
+{
+    if (std::isinf(scale)) return p.log_likelihood;
+    return p.log_likelihood - 0.5 * (g.array().square() + scale * scale).log().sum();
+}
+
+/// The process of all that is known, of g as it is or compressed, whichever is likelier. It is
+/// fitted anew when a seventh more is known than at the last fit: fits cost more than all else.
 class Learner {
   public:
     const GaussianProcess& process_of(const Known& known)
@@ -73,18 +91,40 @@ class Learner {
         if (known.g.size() < 3)
             throw std::invalid_argument("fewer than three evaluations answered");
         const Eigen::Index n = known.g.size();
-        const bool linear = n >= 2 * (known.u.cols() + 1);
-        const auto trend = linear ? ProcessTrend::linear : ProcessTrend::constant;
-        const bool anew = !last_ || last_->trend != trend || 7 * n > 8 * fitted_;
-        if (anew) fitted_ = n;
-        last_ = anew ? fit_process({known.u, known.g, {}}, {.trend = trend})
-                     : condition({known.u, known.g, {}}, last_->kernel, trend,
-                                 ProcessParameters(last_->parameters));
+        if (!last_ || 7 * n > 8 * fitted_)
+            fit(known);
+        else
+            last_ = condition({known.u, compressed(known.g, scale_), {}}, last_->kernel,
+                              last_->trend, ProcessParameters(last_->parameters));
         return *last_;
     }
 
   private:
+    void fit(const Known& known)
+    {
+        fitted_ = known.g.size();
+        const bool linear = fitted_ >= 2 * (known.u.cols() + 1);
+        const auto trend = linear ? ProcessTrend::linear : ProcessTrend::constant;
+        Eigen::VectorXd size = known.g.cwiseAbs();
+        std::ranges::nth_element(size, size.begin() + size.size() / 2);
+        const double middle = size(size.size() / 2);
+        last_.reset();
+        double most = -std::numeric_limits<double>::infinity();
+        for (const double share : kCompressions) {
+            const double scale = share * middle;
+            if (!(scale > 0.0)) continue;
+            GaussianProcess p =
+                fit_process({known.u, compressed(known.g, scale), {}}, {.trend = trend});
+            const double now = likelihood(p, known.g, scale);
+            if (last_ && !(now > most)) continue;
+            most = now;
+            scale_ = scale;
+            last_ = std::move(p);
+        }
+    }
+
     std::optional<GaussianProcess> last_;
+    double scale_ = 0.0;
     Eigen::Index fitted_ = 0; ///< points of the last fit
 };
 

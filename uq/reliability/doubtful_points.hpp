@@ -27,7 +27,7 @@ struct WeighedPoints {
 [[nodiscard]] WeighedPoints weighed_points(const GaussianProcess& g, Eigen::Index count,
                                            std::uint64_t seed);
 
-/// What is to be asked next, and what it is worth.
+/// Points to ask next, and their worth.
 struct NextPoints {
     Eigen::MatrixXd u;
     double gain; ///< share of the doubt that they take away [-], as the process sees it

@@ -29,7 +29,7 @@ double taken_away(double a2, double r)
     return sum * end / (2.0 * std::numbers::pi);
 }
 
-/// Some of the points, all of the same share of the doubt.
+/// Some of the points, each with the same share of the doubt.
 struct Candidates {
     Eigen::MatrixXd u;
     Eigen::VectorXd mean;
@@ -69,7 +69,7 @@ Eigen::VectorXd gains(const Candidates& c)
     return gain / static_cast<double>(n);
 }
 
-/// What is left of the covariance, once candidate `i` is known.
+/// Leaves the covariance that remains once candidate `i` is known.
 void know(Candidates& c, Eigen::Index i)
 {
     const double variance = c.covariance(i, i) + c.noise;
