@@ -21,6 +21,9 @@ set(UQ_PUBLIC_HEADERS
     fields/field_site.hpp
     fields/kernel.hpp
     fields/spatial_sample.hpp
+    inference/adaptive_metropolis.hpp
+    inference/chain_diagnostics.hpp
+    inference/evidence.hpp
     marginals/beta.hpp
     marginals/constant.hpp
     marginals/empirical.hpp
@@ -34,6 +37,7 @@ set(UQ_PUBLIC_HEADERS
     marginals/triangular.hpp
     marginals/uniform.hpp
     marginals/weibull.hpp
+    reliability/active_learning.hpp
     reliability/black_box.hpp
     reliability/control_variate.hpp
     reliability/crude_monte_carlo.hpp

@@ -1,4 +1,7 @@
 set(UQ_ANALYSIS_SOURCES
+    inference/adaptive_metropolis.cpp
+    inference/chain_diagnostics.cpp
+    inference/evidence.cpp
     sensitivity/correlation_measures.cpp
     sensitivity/delta_index.cpp
     sensitivity/hsic.cpp

@@ -1,4 +1,5 @@
 set(UQ_RELIABILITY_SOURCES
+    reliability/active_learning.cpp
     reliability/control_variate.cpp
     reliability/crude_monte_carlo.cpp
     reliability/design_methods.cpp
@@ -12,15 +13,18 @@ set(UQ_RELIABILITY_SOURCES
     reliability/form_search_constrained.cpp
     reliability/form_search_gradient.cpp
     reliability/form_search_hl_rf.cpp
+    reliability/gaussian_mixture.cpp
     reliability/importance_sampling.cpp
     reliability/kept_evaluations.cpp
     reliability/limit_state.cpp
     reliability/method_answers.cpp
     reliability/multi_fidelity.cpp
     reliability/multi_fidelity_plan.cpp
+    reliability/next_points.cpp
     reliability/reliability.cpp
     reliability/sorm.cpp
     reliability/sorm_paraboloid.cpp
     reliability/subset_simulation.cpp
     reliability/subset_simulation_chains.cpp
-    reliability/to_variables.cpp)
+    reliability/to_variables.cpp
+    reliability/weighed_points.cpp)

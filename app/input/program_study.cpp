@@ -39,8 +39,8 @@ Study read_program_study(const StudyFile& file)
             "[variables], in the unit of the program and without one");
     if (study.reliability.method == ReliabilityMethod::multi_fidelity)
         throw error_at(file, "reliability.method",
-                       "multi_fidelity needs a wall; write monte_carlo, form, importance or "
-                       "subset");
+                       "multi_fidelity needs a wall; write monte_carlo, form, importance, "
+                       "subset or active");
     return study;
 }
 

@@ -24,7 +24,8 @@ constexpr std::array kMethods = {named("monte_carlo", ReliabilityMethod::monte_c
                                  named("importance", ReliabilityMethod::importance),
                                  named("subset", ReliabilityMethod::subset),
                                  named("multi_fidelity", ReliabilityMethod::multi_fidelity),
-                                 named("sobol", ReliabilityMethod::sobol)};
+                                 named("sobol", ReliabilityMethod::sobol),
+                                 named("active", ReliabilityMethod::active)};
 /// Names of the responses, from their table, after other words.
 template <std::size_t N> constexpr auto with_responses(const std::array<Named, N>& others)
 {
@@ -99,13 +100,13 @@ constexpr Condition kWithStop{
 constexpr Condition kMultiFidelity{
     [](const Study& s) { return s.reliability.method == ReliabilityMethod::multi_fidelity; },
     "reliability.method is not multi_fidelity"};
-constexpr Condition kSampled{[](const Study& s) {
-                                 const ReliabilityMethod m = s.reliability.method;
-                                 return m == ReliabilityMethod::monte_carlo ||
-                                        m == ReliabilityMethod::importance ||
-                                        m == ReliabilityMethod::subset;
-                             },
-                             "reliability.method is not monte_carlo, importance or subset"};
+constexpr Condition kSampled{
+    [](const Study& s) {
+        const ReliabilityMethod m = s.reliability.method;
+        return m == ReliabilityMethod::monte_carlo || m == ReliabilityMethod::importance ||
+               m == ReliabilityMethod::subset || m == ReliabilityMethod::active;
+    },
+    "reliability.method is not monte_carlo, importance, subset or active"};
 constexpr Condition kUserStates{
     [](const Study& s) { return s.fragility.limit_states.find("user") != std::string::npos; },
     "fragility.limit_states does not name user"};
@@ -182,7 +183,7 @@ constexpr std::array kRandomKeys = {
         .field = kAt<&Study::uq, &UqInput::drawn>},
 
     Key{.name = "reliability.method", .kind = Kind::word, .names = kMethods,
-        .meaning = "form: design point, FORM and SORM; importance: sampling around it; subset: small probabilities; sobol: what the response depends on",
+        .meaning = "form: design point, FORM and SORM; importance: sampling around it; subset: small probabilities; active: small ones from few walls; sobol: what the response depends on",
         .field = kAt<&Study::reliability, &ReliabilityInput::method>},
     Key{.name = "reliability.response", .kind = Kind::word, .names = kResponses,
         .meaning = "response whose fall to the demand or below is the event; ultimate: at fragility.ultimate_share",

@@ -167,7 +167,8 @@ TEST_CASE("reliability: no method asks for more evaluations than its budget",
           "[app][reliability][slow]")
 {
     const Script script;
-    const std::string method = GENERATE("monte_carlo", "form", "importance", "subset", "sobol");
+    const std::string method =
+        GENERATE("monte_carlo", "form", "importance", "subset", "sobol", "active");
     const std::string budget = GENERATE("50", "137");
     const app::StudyFile file =
         external(script, "[reliability]\nmethod = " + method +
@@ -185,7 +186,8 @@ TEST_CASE(
     "reliability: a program that cannot start is a failure with its reason, at any budget",
     "[app][reliability]")
 {
-    const std::string method = GENERATE("monte_carlo", "form", "importance", "subset", "sobol");
+    const std::string method =
+        GENERATE("monte_carlo", "form", "importance", "subset", "sobol", "active");
     const app::StudyFile file = app::parse_study_text(
         "external.ini", "[model]\ncommand = /nosuch/program\nresponses = g\n[variables]\n"
                         "r = normal(mean 4, sd 1)\n[reliability]\ndemand = 0\nbudget = 60\n"

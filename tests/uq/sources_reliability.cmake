@@ -1,17 +1,21 @@
 set(TEST_UQ_RELIABILITY_SOURCES
     uq/reliability_problems.cpp
+    uq/test_active_learning.cpp
     uq/test_control_variate.cpp
     uq/test_crude_monte_carlo.cpp
     uq/test_evaluate.cpp
     uq/test_exceedance.cpp
     uq/test_external_program.cpp
     uq/test_form.cpp
+    uq/test_gaussian_mixture.cpp
     uq/test_importance_sampling.cpp
     uq/test_kept_evaluations.cpp
     uq/test_limit_state.cpp
     uq/test_multi_fidelity.cpp
     uq/test_multi_fidelity_plan.cpp
+    uq/test_next_points.cpp
     uq/test_reliability.cpp
     uq/test_sorm.cpp
     uq/test_subset_simulation.cpp
-    uq/test_to_variables.cpp)
+    uq/test_to_variables.cpp
+    uq/test_weighed_points.cpp)

@@ -95,7 +95,8 @@ TEST_CASE("reliability: every method has R - S within its doubt, and shows all i
     const auto method =
         GENERATE(uq::ReliabilityMethod::monte_carlo, uq::ReliabilityMethod::form,
                  uq::ReliabilityMethod::importance, uq::ReliabilityMethod::subset,
-                 uq::ReliabilityMethod::multi_fidelity, uq::ReliabilityMethod::sobol);
+                 uq::ReliabilityMethod::multi_fidelity, uq::ReliabilityMethod::sobol,
+                 uq::ReliabilityMethod::active);
     uq::ReliabilityProblem p = by(method, exact.limit);
     p.cheap = {{.model = exact.limit.model, .cost = 0.01, .threshold = exact.limit.threshold}};
     std::size_t seen = 0;
@@ -116,6 +117,9 @@ TEST_CASE("reliability: what is missing or too small is refused by name", "[uq][
     p.budget = 49;
     CHECK_THROWS_WITH(uq::reliability(p), Catch::Contains("must be at least 50"));
     CHECK(uq::budget_too_small(ReliabilityMethod::subset, 50, 2).empty());
+    p = by(ReliabilityMethod::active, event);
+    p.budget = 47;
+    CHECK_THROWS_WITH(uq::reliability(p), Catch::Contains("must be at least 48"));
     p = by(ReliabilityMethod::multi_fidelity, event);
     CHECK_THROWS_WITH(uq::reliability(p), Catch::Contains("cheap model"));
     p = by(ReliabilityMethod::form, event);

@@ -2,6 +2,7 @@
 
 #include "core/normal.hpp"
 #include "uq/designs/sobol.hpp"
+#include "uq/reliability/active_learning.hpp"
 #include "uq/reliability/crude_monte_carlo.hpp"
 #include "uq/reliability/design_methods.hpp"
 #include "uq/reliability/evaluate.hpp"
@@ -73,6 +74,30 @@ void two_fidelities(const ReliabilityProblem& p, ReliabilityAnswer& a)
     alone.method = "its expensive samples alone";
     alone.std_error = r.plain_std_error;
     alone.outcome = "for comparison";
+    a.methods.push_back(alone);
+}
+
+void learning(const ReliabilityProblem& p, ReliabilityAnswer& a)
+{
+    ActiveOptions o;
+    o.max_evaluations = static_cast<std::size_t>(p.budget);
+    o.target_cov = p.target_cov;
+    o.seed = p.seed;
+    const ActiveResult r = active_learning(p.event, o);
+    add("active learning", r.exceedance, a);
+    if (!r.trouble.empty()) {
+        a.methods.back().outcome = "there is no process of the response: " + r.trouble;
+        return;
+    }
+    if (r.exceedance.outcome == SamplingOutcome::none_passed)
+        a.methods.back().outcome = "the event was never seen: an upper bound, if the process "
+                                   "is right where it was not checked";
+    MethodAnswer alone;
+    alone.method = "its process alone";
+    alone.probability = r.surrogate;
+    alone.outcome = "for comparison: after " + std::to_string(r.learned) +
+                    " evaluations to learn from, " + std::to_string(r.surprises) + " of " +
+                    std::to_string(r.checks) + " checks contradicted the process";
     a.methods.push_back(alone);
 }
 
@@ -242,6 +267,9 @@ std::string budget_too_small(ReliabilityMethod method, int budget, Eigen::Index 
         return need(40, "twenty pilot samples of both models");
     case ReliabilityMethod::sobol:
         return need(10 * (d + 2), "ten rows of the number of inputs + 2 evaluations each");
+    case ReliabilityMethod::active:
+        return need(static_cast<int>(least_active_budget(dimension)),
+                    "first points, then two rounds of learning and two of checks");
     case ReliabilityMethod::monte_carlo:
         break;
     }
@@ -278,6 +306,9 @@ ReliabilityAnswer reliability(const ReliabilityProblem& problem, const OnBatch& 
         break;
     case ReliabilityMethod::sobol:
         variance_shares(p, a);
+        break;
+    case ReliabilityMethod::active:
+        learning(p, a);
         break;
     }
     tell_failures(a);

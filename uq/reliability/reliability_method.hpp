@@ -3,6 +3,14 @@
 
 namespace uq {
 
-enum class ReliabilityMethod { monte_carlo, form, importance, subset, multi_fidelity, sobol };
+enum class ReliabilityMethod {
+    monte_carlo,
+    form,
+    importance,
+    subset,
+    multi_fidelity,
+    sobol,
+    active
+};
 
 } // namespace uq

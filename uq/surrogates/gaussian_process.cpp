@@ -146,6 +146,29 @@ ProcessPrediction predict(const GaussianProcess& p, const Eigen::MatrixXd& x)
     return all;
 }
 
+Eigen::MatrixXd predict_covariance(const GaussianProcess& p, const Eigen::MatrixXd& x)
+{
+    check_columns(p, x);
+    const Eigen::MatrixXd scaled = over_lengths(x, p.parameters.lengths);
+    const auto lower = p.factor.triangularView<Eigen::Lower>();
+    Eigen::MatrixXd white(p.data.y.size(), x.rows()), all(x.rows(), x.rows());
+    for (Eigen::Index j = 0; j < x.rows(); ++j) {
+        white.col(j) = covariances(p, scaled.row(j));
+        const Eigen::VectorXd r2 = scaled_distances(scaled, scaled.row(j));
+        for (Eigen::Index i = 0; i < x.rows(); ++i)
+            all(i, j) = p.parameters.variance * process_correlation(p.kernel, r2(i));
+    }
+    lower.solveInPlace(white);
+    all -= white.transpose() * white;
+    if (p.trend_weights.size() > 0) {
+        Eigen::MatrixXd left =
+            trend_rows(p.trend, x).transpose() - p.white_trend.transpose() * white;
+        p.trend_factor.triangularView<Eigen::Lower>().solveInPlace(left);
+        all += left.transpose() * left;
+    }
+    return all;
+}
+
 ProcessLeaveOneOut leave_one_out(const GaussianProcess& p)
 {
     const Eigen::Index n = p.data.y.size();

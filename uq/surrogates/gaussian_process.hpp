@@ -65,6 +65,11 @@ struct ProcessPrediction {
 [[nodiscard]] ProcessPrediction predict(const GaussianProcess& process,
                                         const Eigen::MatrixXd& x);
 
+/// Covariance of f(x)' b + Z(x) between all pairs of rows, without noise; its diagonal is
+/// predict().variance to rounding.
+[[nodiscard]] Eigen::MatrixXd predict_covariance(const GaussianProcess& process,
+                                                 const Eigen::MatrixXd& x);
+
 /// The mean alone: O(n) a row in place of O(n^2).
 [[nodiscard]] Eigen::VectorXd predict_mean(const GaussianProcess& process,
                                            const Eigen::MatrixXd& x);

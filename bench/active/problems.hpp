@@ -1,0 +1,20 @@
+#pragma once
+/// Limit states with known probabilities, for active learning.
+
+#include "uq/reliability/limit_state.hpp"
+
+#include <string>
+#include <vector>
+
+namespace active_bench {
+
+struct BenchProblem {
+    std::string name;
+    std::string source;
+    uq::LimitState limit;
+    double exact; ///< by quadrature, to four digits or better
+};
+
+[[nodiscard]] std::vector<BenchProblem> bench_problems();
+
+} // namespace active_bench

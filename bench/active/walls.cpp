@@ -1,0 +1,89 @@
+#include "bench/active/walls.hpp"
+
+#include "app/input/study.hpp"
+#include "app/reliability/event.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace active_bench {
+namespace {
+
+struct WallEvent {
+    std::vector<std::string> keys;
+};
+
+const std::vector<WallEvent> kEvents = {
+    {{"reliability.response=peak_force", "reliability.demand=74 kN"}},
+    {{"reliability.response=peak_force", "reliability.demand=62 kN"}},
+    {{"reliability.response=ultimate_drift", "reliability.demand=0.5",
+      "solver.kinematics=finite"}}};
+
+struct WallRun {
+    std::string words;
+    std::size_t walls;
+    uq::MethodAnswer answer;
+};
+
+WallRun run(const WallEvent& event, const std::vector<std::string>& how)
+{
+    std::vector<std::string> keys = event.keys;
+    keys.insert(keys.end(), how.begin(), how.end());
+    app::Command command;
+    command.study = "configs/reliability.ini";
+    command.threads = static_cast<int>(std::thread::hardware_concurrency());
+    const app::Study study = app::read_study(command.study, keys);
+    const uq::ReliabilityProblem problem = app::wall_problem(study, command);
+    const uq::ReliabilityAnswer a = uq::reliability(problem);
+    return {problem.words, a.evaluations, a.methods.front()};
+}
+
+std::string shown(std::optional<double> x, const char* format)
+{
+    if (!x) return "-";
+    char text[40];
+    std::snprintf(text, sizeof text, format, *x);
+    return text;
+}
+
+} // namespace
+
+app::Table wall_table()
+{
+    app::Table table;
+    table.head = {"event",      "method", "seed",
+                  "walls",      "P",      "cov [%]",
+                  "lower",      "upper",  "subset at the same error",
+                  "times fewer"};
+    for (const WallEvent& event : kEvents) {
+        const WallRun subset =
+            run(event, {"reliability.method=subset", "reliability.budget=500",
+                        "reliability.target_cov=0.05"});
+        const auto cov = [](const WallRun& r) {
+            return r.answer.std_error.value_or(0.0) / r.answer.probability.value_or(1.0);
+        };
+        const auto add = [&](const WallRun& r, const std::string& seed) {
+            const double same =
+                static_cast<double>(subset.walls) * std::pow(cov(subset) / cov(r), 2);
+            table.rows.push_back({r.words, r.answer.method, seed, std::to_string(r.walls),
+                                  shown(r.answer.probability, "%.3g"),
+                                  shown(100.0 * cov(r), "%.1f"), shown(r.answer.lower, "%.3g"),
+                                  shown(r.answer.upper, "%.3g"), shown(same, "%.0f"),
+                                  shown(same / static_cast<double>(r.walls), "%.1f")});
+            std::fprintf(stderr, "%s, %s: %zu walls, %.3g +- %.1f %%\n", r.words.c_str(),
+                         r.answer.method.c_str(), r.walls, r.answer.probability.value_or(0.0),
+                         100.0 * cov(r));
+        };
+        add(subset, "1");
+        for (const char* seed : {"1", "2"})
+            add(run(event, {"reliability.method=active", "reliability.budget=400",
+                            "reliability.target_cov=0.1", std::string("uq.seed=") + seed}),
+                seed);
+    }
+    return table;
+}
+
+} // namespace active_bench
