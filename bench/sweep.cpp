@@ -1,6 +1,5 @@
 #include "bench/sweep.hpp"
 
-#include "core/moments.hpp"
 #include "dem/block/model.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "fragility/curve_reading.hpp"
@@ -87,9 +86,9 @@ std::vector<Answer> run_all(const std::vector<Case>& cases, const dem::Workers& 
     return answers;
 }
 
-core::Moments core::moments(const std::vector<double>& values)
+Moments moments(const std::vector<double>& values)
 {
-    core::Moments m;
+    Moments m;
     m.n = static_cast<int>(values.size());
     if (m.n < 2) return m;
     double sum = 0.0, squares = 0.0;

@@ -1,7 +1,6 @@
 #pragma once
 /// Many pushes of the paper's wall, read the same way, as ensembles.
 
-#include "core/moments.hpp"
 #include "dem/block/discretisation.hpp"
 #include "dem/solver/ensemble.hpp"
 #include "scenes/paper_wall.hpp"
@@ -40,11 +39,11 @@ struct Answer {
 
 [[nodiscard]] dem::WallMaterials case_materials(const Case& c, const dem::Model& model);
 
-struct core::Moments {
+struct Moments {
     double mean = 0.0;
     double cov = 0.0;
     int n = 0;
 };
-[[nodiscard]] core::Moments core::moments(const std::vector<double>& values);
+[[nodiscard]] Moments moments(const std::vector<double>& values);
 
 } // namespace bench
