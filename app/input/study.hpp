@@ -224,7 +224,7 @@ struct FragilityInput {
     std::vector<double> shaken_drifts = {0.005, 0.01};
     std::vector<double> shaken_residuals = {0.002}; ///< after the shaking
     double shaken_uplift = 0.5; ///< share of the lowest joint that opens, in [0, 1)
-    double pushed_limit = 0.0; ///< drift limit of a push: 80 % of it is a state; 0: none
+    double pushed_limit = 0.0;  ///< drift limit of a push: 80 % of it is a state; 0: none
 };
 
 struct Study {

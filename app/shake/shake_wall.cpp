@@ -4,8 +4,12 @@
 #include "app/input/wall_geometry.hpp"
 #include "app/text/config_error.hpp"
 #include "dem/block/model.hpp"
+#include "dem/shaking/shake_ensemble.hpp"
 
+#include <cstddef>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace app {
 
@@ -27,16 +31,33 @@ void shake_wall(const Study& study, const WantedWall& wall,
     const dem::Model model = model_of(moving);
     const dem::WallMaterials materials =
         wall_materials(moving, model.layout, wall.level, wall.draw);
-    for (const ShakingMotion& m : motions) {
-        dem::ShakePlan plan = shake_plan(study, m);
-        plan.progress = [&](double done, double top) { seen(m, done, top); };
-        try {
-            finished({m, dem::shake(model, materials, plan, moving.solver), plan.load,
-                      study.load.vertical_stress.at(wall.level)});
-        } catch (const std::invalid_argument& bad) {
-            throw ConfigError(study.source.path, 0, "", bad.what());
-        }
+    std::vector<ShakenWall> walls(motions.size());
+    std::vector<double> shares(motions.size(), 0.0); // that are done
+    dem::ShakenEnsemble all;
+    all.size = motions.size();
+    all.damps = study.shaking.contact_damping > 0.0;
+    all.history = [&](std::size_t i) {
+        dem::ShakePlan plan = shake_plan(study, motions[i]);
+        plan.progress = [&, i](double done, double top) {
+            shares[i] = done;
+            const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+            seen(motions[i], sum / static_cast<double>(shares.size()), top);
+        };
+        return dem::HistoryInput{materials, std::move(plan)};
+    };
+    all.done = [&](std::size_t i, dem::ShakeResult&& result) {
+        shares[i] = 1.0;
+        walls[i] = {motions[i], std::move(result), study.load.mass,
+                    study.load.vertical_stress.at(wall.level)};
+    };
+    try {
+        // One thread: `seen` is called in that of the caller.
+        dem::shake_ensemble(model, all, moving.solver,
+                            {.threads = 1, .scalar = motions.size() == 1});
+    } catch (const std::invalid_argument& bad) {
+        throw ConfigError(study.source.path, 0, "", bad.what());
     }
+    for (ShakenWall& w : walls) finished(std::move(w));
 }
 
 } // namespace app

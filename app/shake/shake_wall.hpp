@@ -14,12 +14,14 @@ namespace app {
 /// @throws ConfigError where it asks for small ones
 [[nodiscard]] Study shaken_study(const Study& study, int sample);
 
-/// Told how far a history is [0 to 1] and how far the top is out [m]; may throw Interrupted.
+/// Told how far all histories are [0 to 1], and how far the top is out in one of them [m]; may
+/// throw Interrupted.
 using ShakeProgress =
     std::function<void(const ShakingMotion& motion, double done, double displacement)>;
 
 /// @param study shaken_study
-/// @param finished takes each history when it is there
+/// Histories are shaken side by side in the lanes of a register.
+/// @param finished takes each history, in the order of the motions, when all are there
 /// @throws ConfigError where the wall cannot be shaken
 void shake_wall(const Study& study, const WantedWall& wall,
                 const std::vector<ShakingMotion>& motions, const ShakeProgress& seen,

@@ -32,7 +32,7 @@ class HistoryRun {
     /// the history is over at once.
     template <class Real> [[nodiscard]] bool load(ShakenWalls<Real>& walls, int lane);
 
-    /// What acts on the wall in the next step.
+    /// Motion of the ground in the next step.
     [[nodiscard]] ShakingInput<double> next() const;
 
     /// Looks at the wall after the step. Returns false when the history is over.

@@ -48,9 +48,9 @@ void load_lane(const Model& model, const StepTables& tables, const WallMaterials
                const std::vector<BlockMass>& masses, double dt, int lane,
                ShakenWalls<Real>& walls);
 
-/// Motion of the ground under each wall in a step: acceleration to the right and upwards [m/s2].
-/// The kick is 1, half of it in the first step, which starts from rest, and 0 in a lane without
-/// a wall.
+/// Motion of the ground under each wall in a step: acceleration to the right and upwards
+/// [m/s2]. The kick is 1, half of it in the first step, which starts from rest, and 0 in a lane
+/// without a wall.
 template <class Real> struct ShakingInput {
     Real x{0.0}, z{0.0}, kick{0.0};
 };
@@ -60,9 +60,9 @@ void shaking_step(const StepTables& tables, const SolverOptions& options,
                   const ShakingInput<Real>& input, ShakenWalls<Real>& walls);
 
 /// Kinetic energy of the rigid motions of each wall [J] at the end of the last step, to where
-/// half a step of the forces there brings the velocities. Half a step behind, the energy balance
-/// would miss what contacts do in half a step, which is much when blocks strike. The work of
-/// the ground is half a step behind, and so is what it has moved.
+/// half a step of the forces there brings the velocities. Half a step behind, the energy
+/// balance would miss what contacts do in half a step, which is much when blocks strike. The
+/// work of the ground is half a step behind, and so is what it has moved.
 template <class Real>
 [[nodiscard]] Real kinetic_energy(const StepTables& tables, const ShakenWalls<Real>& walls);
 

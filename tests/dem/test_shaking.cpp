@@ -207,7 +207,7 @@ TEST_CASE("shaking: a wall under a floor lifts at half a g, one under a jack at 
         INFO(dem::name_of(r.outcome) << " " << r.unbalance << " ledger " << r.residual);
         CHECK((r.outcome == dem::ShakeOutcome::stood || share > 1.0));
         CHECK(r.unbalance <= 1e-6);
-        CHECK(r.uplift == Approx(share > 1.0 ? 0.5 : 0.0)); // one end of two
+        CHECK((share > 1.0 ? r.uplift >= 0.5 : r.uplift == 0.0)); // one end of two, or both
         return r.last_opening > 0.0;
     };
     INFO("load " << c.load);

@@ -1,4 +1,4 @@
-#include "app/shake/pushed_limits.hpp"
+#include "app/study/pushed_limits.hpp"
 
 #include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_response.hpp"
