@@ -27,7 +27,7 @@ using PierHistory = std::vector<PierInstant>;
 /// Way of the load line to either side over which forces of piers are means, as a share of its
 /// height. A free choice: where a block slips a wall rings, and sums of piers miss the shear at
 /// the base by up to 2 % at one point of the curve, by 0.5 % over some.
-constexpr double kCalm = 1e-4;
+constexpr double kCalm = 2e-4;
 
 /// The same with each force the mean of those of the instants within `way` [m], as many to
 /// either side. Movements are left.
