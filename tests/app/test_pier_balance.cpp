@@ -130,9 +130,9 @@ std::vector<CutPier> cut_piers(const Study& study, const dem::Layout& layout,
     return all;
 }
 
-/// Largest misses at one moment, as shares of the largest shear, and of the largest axial force,
-/// that the pier has there in any cut, or of 5 % of the wall's where that is more. Of a pier that
-/// never carries so much, as shares of the wall's: it governs nothing.
+/// Largest misses at one moment, as shares of the largest shear, and of the largest axial
+/// force, that the pier has there in any cut, or of 5 % of the wall's where that is more. Those
+/// of a pier that never carries so much are shares of the wall's: it governs nothing.
 struct Misses {
     double shear = 0.0, normal = 0.0;
 };
