@@ -116,7 +116,7 @@ StudyWall with_other_way(StudyWall wall, StudyWall other, const ReadingRules& ru
 
 namespace {
 
-/// Of the walls of a study, how many have the smaller number to the first direction, to the
+/// How many walls of a study have the smaller number to the first direction, to the
 /// other, and the same to both.
 struct WayCount {
     std::size_t own = 0, other = 0, same = 0;
