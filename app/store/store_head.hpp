@@ -65,7 +65,7 @@ struct StoreHead {
     friend bool operator==(const StoreHead&, const StoreHead&) = default;
 };
 
-/// What the walls of a level are pushed for.
+/// The reason for which the walls of a level are pushed.
 enum class Round {
     own,    ///< the study
     turned, ///< the other direction

@@ -40,8 +40,8 @@ class OtherWay {
     std::future<std::vector<PushedWall>> walls_; ///< not valid where nothing is pushed
 };
 
-/// A wall of a study that was pushed both ways: the worse one stands for it. It has failed where
-/// one of both has.
+/// A wall of a study that was pushed both ways: the worse one stands for it. It has failed
+/// where one of both has.
 [[nodiscard]] StudyWall with_other_way(StudyWall wall, StudyWall other,
                                        const ReadingRules& rules);
 

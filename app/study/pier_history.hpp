@@ -1,5 +1,5 @@
 #pragma once
-/// What piers and spandrels carry and how far they move, at the points of a curve.
+/// Forces and movements of piers and spandrels at the points of a curve.
 
 #include "dem/scene/piers.hpp"
 
