@@ -8,7 +8,7 @@
 
 namespace fragility {
 
-/// What a limit state is read at.
+/// Point of a curve that a limit state is read at.
 enum class CodePart {
     none,          ///< its drift limit alone
     yield,         ///< of the equal-energy bilinear

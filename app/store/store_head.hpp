@@ -65,7 +65,7 @@ struct StoreHead {
     friend bool operator==(const StoreHead&, const StoreHead&) = default;
 };
 
-/// What the walls of a level are pushed for.
+/// The reason for which the walls of a level are pushed.
 enum class Round {
     own,    ///< the study
     turned, ///< the other direction
@@ -74,8 +74,8 @@ enum class Round {
 [[nodiscard]] Round round_of(const StoreLevel& level);
 
 /// Number of the study's own levels. A study of both directions has as many again after them,
-/// in the same order: wall (own_levels + k, i) is wall (k, i) pushed the other way. A study with
-/// an audit has as many again at the end.
+/// in the same order: wall (own_levels + k, i) is wall (k, i) pushed the other way. A study
+/// with an audit has as many again at the end.
 [[nodiscard]] std::uint32_t own_levels(const StoreHead& head);
 [[nodiscard]] Round round_of(const StoreHead& head, WallKey key);
 [[nodiscard]] inline bool is_audit(const StoreHead& head, WallKey key)

@@ -92,9 +92,31 @@ void OtherWay::add_to(std::vector<PushedWall>& walls)
         walls[i].other_way.push_back(std::move(others[i]));
 }
 
+StudyWall with_other_way(StudyWall wall, StudyWall other, const ReadingRules& rules)
+{
+    if (wall.failed || other.failed) {
+        const bool by_other = !wall.failed;
+        wall.reason = std::string("pushed to the ") +
+                      way_name(by_other ? -rules.direction : rules.direction) + ": " +
+                      (by_other ? other.reason : wall.reason);
+        wall.failed = true;
+        wall.reading = not_read(rules, "the wall failed");
+        return wall;
+    }
+    const bool by_other = peak_force(other.reading) < peak_force(wall.reading);
+    wall.ways = {std::move(wall.reading), std::move(other.reading)};
+    wall.reading = worse_way(wall.ways[0], wall.ways[1]);
+    wall.solver_error = std::max(wall.solver_error, other.solver_error);
+    if (by_other) {
+        wall.mechanism = other.mechanism;
+        wall.forces = std::move(other.forces);
+    }
+    return wall;
+}
+
 namespace {
 
-/// Of the walls of a study, how many have the smaller number to the first direction, to the
+/// How many walls of a study have the smaller number to the first direction, to the
 /// other, and the same to both.
 struct WayCount {
     std::size_t own = 0, other = 0, same = 0;

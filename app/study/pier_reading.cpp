@@ -95,27 +95,28 @@ double movement_at(const PierHistory& history, std::size_t pier, double place, d
 }
 
 PierReading read_pier(const Study& study, const dem::PierProbe& probe,
-                      const PierHistory& history, std::size_t i, const PushedWall& wall,
-                      const dem::Snapshot& moved, bool came_down)
+                      const PierHistory& history, const PierHistory& calm, std::size_t i,
+                      const PushedWall& wall, const dem::Snapshot& moved, bool came_down)
 {
     constexpr double kMoves = 1e-4; // [-], of its height: a pier that stands still has no mode
     PierReading r;
     r.pier = probe.piers().piers[i];
     const double way = push_way(study).direction, height = r.pier.at.z1 - r.pier.at.z0;
-    const dem::PierState peak = history[at_peak(history)].piers[i];
+    const dem::PierState peak = calm[at_peak(calm)].piers[i];
     r.normal_before = history.front().piers[i].force.normal;
     r.normal_at_peak = peak.force.normal;
     r.shear_at_peak = way * peak.force.shear;
     r.drift = way * history.back().piers[i].displacement / height;
     std::vector<double> displacement, force;
     MeanPlaces means(wall.result.curve);
-    const dem::PierState* strongest = &history.front().piers[i];
     for (const PierInstant& now : history) {
         displacement.push_back(way * movement_at(history, i, way * means.next(now), way));
         force.push_back(way * now.piers[i].force.shear);
+    }
+    const dem::PierState* strongest = &calm.front().piers[i];
+    for (const PierInstant& now : calm)
         if (way * now.piers[i].force.shear > way * strongest->force.shear)
             strongest = &now.piers[i];
-    }
     r.most_shear = way * strongest->force.shear;
     constexpr double kCarries = 0.05; // of the wall's largest force: a free choice
     r.carries = r.most_shear >= kCarries * std::abs(history[at_peak(history)].force);
@@ -249,13 +250,14 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
     if (dem::failed(wall.result.outcome) || came_down_at_once(wall) || history.size() < 2)
         return;
     const dem::Snapshot moved = telling(wall.result);
+    const PierHistory calm = calmed(history, kCalm * study.load.height);
     const bool came_down = wall.result.outcome == dem::Outcome::lost_equilibrium;
     for (std::size_t i = 0; i < probe.piers().piers.size(); ++i)
-        wall.piers.push_back(read_pier(study, probe, history, i, wall, moved, came_down));
+        wall.piers.push_back(read_pier(study, probe, history, calm, i, wall, moved, came_down));
     for (std::size_t i = 0; i < probe.piers().spandrels.size(); ++i)
-        wall.spandrels.push_back(read_spandrel(probe, history, i));
+        wall.spandrels.push_back(read_spandrel(probe, calm, i));
     if (wall.piers.empty()) return;
-    wall.pier_balance = balance_of(probe.piers(), history);
+    wall.pier_balance = balance_of(probe.piers(), calm);
     if (study.load.pattern == dem::LoadPattern::body)
         wall.pier_balance.shear = std::numeric_limits<double>::quiet_NaN();
     ReadingRules rules = reading_rules(study);

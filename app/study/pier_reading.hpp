@@ -4,6 +4,7 @@
 
 #include "app/input/study.hpp"
 #include "app/reading/wall_reading.hpp"
+#include "app/study/pier_history.hpp"
 #include "dem/scene/piers.hpp"
 
 #include <string>
@@ -13,15 +14,6 @@
 namespace app {
 
 struct PushedWall;
-
-/// Piers and spandrels at one curve point.
-struct PierInstant {
-    double displacement = 0.0, force = 0.0; ///< of the load line [m] [N]
-    double base_shear = 0.0;                ///< mean since the point before, as all forces [N]
-    std::vector<dem::PierState> piers; ///< in the order of dem::Piers; movements are of now
-    std::vector<dem::CutForce> spandrels;
-};
-using PierHistory = std::vector<PierInstant>;
 
 /// The drift limit of a limit state of a code for one pier.
 struct PierCap {
@@ -36,7 +28,7 @@ struct PierCap {
 struct PierReading {
     dem::Pier pier;
     double normal_before = 0.0;  ///< compression before the push [N]
-    double normal_at_peak = 0.0; ///< when the wall carries most [N]
+    double normal_at_peak = 0.0; ///< when the wall carries most [N]; forces are calmed()
     double shear_at_peak = 0.0;  ///< the same
     double most_shear = 0.0;     ///< in the push [N]
     double drift = 0.0;          ///< at the end of the push, over its own height [-]
@@ -57,7 +49,7 @@ struct SpandrelReading {
     double most_shear = 0.0;                          ///< in either sense [N]
 };
 
-/// Largest misses of equilibrium in the cuts through a storey, at any curve point.
+/// Largest misses of equilibrium in the cuts through a storey, calmed(), at any curve point.
 struct PierBalance {
     /// All piers against the shear at the base, over its largest [-]; NaN with body forces.
     double shear = 0.0;

@@ -39,13 +39,7 @@ PierWatch::PierWatch(const Study& study, std::size_t walls, dem::PushPlan& plan)
 
 void PierWatch::look(std::size_t wall, const dem::Snapshot& shot)
 {
-    PierInstant now{shot.displacement, shot.force, probe_->base_shear(shot), {}, {}};
-    const dem::Piers& all = probe_->piers();
-    for (std::size_t i = 0; i < all.piers.size(); ++i)
-        now.piers.push_back(probe_->pier(i, shot));
-    for (std::size_t i = 0; i < all.spandrels.size(); ++i)
-        now.spandrels.push_back(probe_->spandrel(i, shot));
-    walls_.at(wall).history.push_back(std::move(now));
+    walls_.at(wall).history.push_back(pier_instant(*probe_, shot));
 }
 
 void PierWatch::add_to(std::size_t wall, PushedWall& pushed)

@@ -2,8 +2,8 @@
 
 #include "app/input/limit_state_text.hpp"
 #include "app/store/store_reader.hpp"
-#include "app/study/both_ways.hpp"
 #include "app/study/history_names.hpp"
+#include "app/study/other_way.hpp"
 #include "app/study/stored_study.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_file_head.hpp"
@@ -121,29 +121,6 @@ void check_overrides(std::span<const std::string> overrides)
 void add_wall(StudyLevel& level, StudyWall&& wall)
 {
     (wall.failed ? level.failed_walls : level.walls).push_back(std::move(wall));
-}
-
-/// A wall that was pushed both ways: the worse one stands for it.
-StudyWall with_other_way(StudyWall wall, StudyWall other, const ReadingRules& rules)
-{
-    if (wall.failed || other.failed) {
-        const bool by_other = !wall.failed;
-        wall.reason = std::string("pushed to the ") +
-                      way_name(by_other ? -rules.direction : rules.direction) + ": " +
-                      (by_other ? other.reason : wall.reason);
-        wall.failed = true;
-        wall.reading = not_read(rules, "the wall failed");
-        return wall;
-    }
-    const bool by_other = peak_force(other.reading) < peak_force(wall.reading);
-    wall.ways = {std::move(wall.reading), std::move(other.reading)};
-    wall.reading = worse_way(wall.ways[0], wall.ways[1]);
-    wall.solver_error = std::max(wall.solver_error, other.solver_error);
-    if (by_other) {
-        wall.mechanism = other.mechanism;
-        wall.forces = std::move(other.forces);
-    }
-    return wall;
 }
 
 /// Joins the two pushes of each wall; a wall without one of them has not been run yet.

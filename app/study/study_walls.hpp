@@ -35,7 +35,7 @@ struct StudyWall {
     bool failed = false; ///< it gave no result: only key, reason and inputs mean anything
     std::string reason;  ///< why it failed
     WallReading reading; ///< of a wall that was pushed both ways the worse of both
-    /// Of a wall that was pushed both ways: to the direction of the study, and to the other.
+    /// A wall that was pushed both ways: to the direction of the study, and to the other.
     std::vector<WallReading> ways;
     dem::Mechanism mechanism;
     double solver_error =

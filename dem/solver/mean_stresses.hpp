@@ -32,7 +32,7 @@ class MeanStresses {
     }
 
   private:
-    /// Of so many steps the first is looked at.
+    /// The first of so many steps is looked at.
     static constexpr int kEvery = 4;
     struct Sums {
         std::vector<double> stress; ///< as WallState::stress, times way [Pa m]

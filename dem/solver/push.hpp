@@ -126,8 +126,8 @@ struct PushPlan {
     std::vector<double> targets = {0.03};
     double record_every = 5e-5;  ///< travelled displacement between curve points [m], > 0
     double snapshot_every = 0.0; ///< travelled displacement between snapshots [m]; 0 takes none
-    /// Whether these snapshots tell mean stresses, of the steps that the point of the curve is a
-    /// mean of. Forces of an instant ring where a block slips.
+    /// Whether these snapshots tell mean stresses, over the steps of which the point of the
+    /// curve is a mean. Forces of an instant ring where a block slips.
     bool mean_stresses = false;
     SnapshotSink sink; ///< of these snapshots; `push` calls its wall 0
     bool snapshot_at_peak = true;

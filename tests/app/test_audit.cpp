@@ -101,7 +101,8 @@ TEST_CASE("audit: the walls are the same whatever threads, shards, stops and lat
     stopped.file = file("stopped.h5");
     int turns = 0;
     stopped.seen = [&](const app::RunProgress& p) { // in the study, then in its audit
-        if (p.done > 0 && (p.round == app::Round::audit) == (turns == 1)) throw app::Interrupted{};
+        if (p.done > 0 && (p.round == app::Round::audit) == (turns == 1))
+            throw app::Interrupted{};
     };
     for (; turns < 2; ++turns) CHECK_FALSE(app::run_study(s, stopped).whole);
     CHECK(rows_of(file("stopped.h5")).size() < whole.size());

@@ -102,7 +102,6 @@ std::vector<double> levels_of(const dem::Layout& layout, const dem::Region& pier
 
 /// One pier, cut at each of its bed joints.
 struct CutPier {
-    int storey = 1;
     dem::PierProbe probe;
     std::vector<double> weight; ///< of the pier above each cut [N]
 };
@@ -126,32 +125,41 @@ std::vector<CutPier> cut_piers(const Study& study, const dem::Layout& layout,
             }
         }
         REQUIRE(cuts.piers.size() >= 2);
-        all.push_back({p.storey, dem::PierProbe(layout, cuts), weight});
+        all.push_back({dem::PierProbe(layout, cuts), weight});
     }
     return all;
 }
 
-/// Largest misses at one moment, as shares of the largest shear, and of the largest axial force,
-/// that the pier has there in any cut, or of 5 % of the wall's where that is more.
+/// Largest misses at one moment, as shares of the largest shear, and of the largest axial
+/// force, that the pier has there in any cut, or of 5 % of the wall's where that is more. Those
+/// of a pier that never carries so much are shares of the wall's: it governs nothing.
 struct Misses {
     double shear = 0.0, normal = 0.0;
 };
 
-Misses misses_of(const CutPier& pier, const dem::Snapshot& shot, double wall_shear,
-                 double wall_normal)
+Misses misses_of(const app::PierInstant& cuts, const std::vector<double>& weight, bool carries,
+                 double wall_shear, double wall_normal)
 {
-    constexpr double kCarries = 0.05;
+    const double least = carries ? 0.05 : 1.0;
     std::vector<double> shear, normal;
-    for (std::size_t c = 0; c < pier.weight.size(); ++c) {
-        const dem::CutForce f = pier.probe.pier(c, shot).force;
-        shear.push_back(f.shear);
-        normal.push_back(f.normal - pier.weight[c]);
+    for (std::size_t c = 0; c < weight.size(); ++c) {
+        shear.push_back(cuts.piers[c].force.shear);
+        normal.push_back(cuts.piers[c].force.normal - weight[c]);
     }
-    const auto spread = [](const std::vector<double>& v, double least) {
+    const auto spread = [](const std::vector<double>& v, double at_least) {
         const auto [low, high] = std::ranges::minmax(v);
-        return (high - low) / std::max({std::abs(low), std::abs(high), least});
+        return (high - low) / std::max({std::abs(low), std::abs(high), at_least});
     };
-    return {spread(shear, kCarries * wall_shear), spread(normal, kCarries * wall_normal)};
+    return {spread(shear, least * wall_shear), spread(normal, least * wall_normal)};
+}
+
+/// Forces as piers are read with.
+app::PierHistory calm_history(const Study& study, const dem::PierProbe& probe,
+                              const std::vector<dem::Snapshot>& shots)
+{
+    app::PierHistory history;
+    for (const dem::Snapshot& shot : shots) history.push_back(app::pier_instant(probe, shot));
+    return app::calmed(history, app::kCalm * study.load.height);
 }
 
 /// Where each limit state of the wall, and of each pier, is reached [m].
@@ -174,36 +182,43 @@ void check_cuts(const Study& study)
     const dem::PierProbe probe(layout,
                                dem::piers_of(app::wall_openings(study), wall_extent(study)));
     const std::vector<CutPier> piers = cut_piers(study, layout, probe.piers());
+    const app::PierHistory whole = calm_history(study, probe, p.shots);
+    std::vector<app::PierHistory> cuts;
+    for (const CutPier& pier : piers) cuts.push_back(calm_history(study, pier.probe, p.shots));
     double wall_shear = 0.0, wall_normal = 0.0;
-    for (const dem::Snapshot& s : p.shots)
-        wall_shear = std::max(wall_shear, std::abs(probe.base_shear(s)));
-    for (std::size_t i = 0; i < piers.size(); ++i)
-        wall_normal += probe.pier(i, p.shots.front()).force.normal;
+    for (const app::PierInstant& now : whole)
+        wall_shear = std::max(wall_shear, std::abs(now.base_shear));
+    for (const dem::PierState& pier : whole.front().piers) wall_normal += pier.force.normal;
 
-    const auto check = [&](const dem::Snapshot& shot, const char* what) {
+    const auto check = [&](std::size_t k, const char* what) {
         double shear = 0.0, normal = 0.0;
         for (std::size_t i = 0; i < piers.size(); ++i) {
-            INFO(what << ", " << 1e3 * shot.displacement << " mm, pier " << i + 1);
-            const Misses m = misses_of(piers[i], shot, wall_shear, wall_normal);
+            INFO(what << ", " << 1e3 * whole[k].displacement << " mm, pier " << i + 1);
+            const Misses m = misses_of(cuts[i][k], piers[i].weight, p.wall.piers[i].carries,
+                                       wall_shear, wall_normal);
             CHECK(m.shear < 0.005);
             CHECK(m.normal < 0.005);
-            const dem::CutForce f = probe.pier(i, shot).force;
-            shear += f.shear;
-            normal += f.normal;
+            shear += whole[k].piers[i].force.shear;
+            normal += whole[k].piers[i].force.normal;
         }
-        INFO(what << ", " << 1e3 * shot.displacement << " mm");
-        CHECK(std::abs(shear - probe.base_shear(shot)) < 0.005 * wall_shear);
-        CHECK(std::abs(shear - shot.force) < 0.005 * wall_shear);
+        INFO(what << ", " << 1e3 * whole[k].displacement << " mm");
+        CHECK(std::abs(shear - whole[k].base_shear) < 0.005 * wall_shear);
         CHECK(std::abs(normal - wall_normal) < 0.005 * wall_normal);
     };
-    check(
-        *std::ranges::max_element(p.shots, {}, [](const auto& s) { return std::abs(s.force); }),
-        "peak");
-    for (const double at : moments_of(p.wall))
-        check(*std::ranges::min_element(
-                  p.shots, {},
-                  [&](const auto& s) { return std::abs(std::abs(s.displacement) - at); }),
-              "limit state");
+    const auto peak = std::ranges::max_element(
+        whole, {}, [](const app::PierInstant& now) { return std::abs(now.force); });
+    check(static_cast<std::size_t>(peak - whole.begin()), "peak");
+    const double way = push_way(study).direction;
+    for (std::size_t i = 0; i < piers.size(); ++i) {
+        CHECK(p.wall.piers.at(i).normal_at_peak == peak->piers[i].force.normal);
+        CHECK(p.wall.piers.at(i).shear_at_peak == way * peak->piers[i].force.shear);
+    }
+    for (const double at : moments_of(p.wall)) {
+        const auto now = std::ranges::min_element(whole, {}, [&](const app::PierInstant& x) {
+            return std::abs(std::abs(x.displacement) - at);
+        });
+        check(static_cast<std::size_t>(now - whole.begin()), "limit state");
+    }
 }
 
 Study read(const std::string& name, std::vector<std::string> overrides)

@@ -105,7 +105,8 @@ TEST_CASE("code table: a limit state is read at what its rule says", "[fragility
     CHECK(at(R"("rule": "0.5 ultimate")") == near(0.7));
     const auto codes = table(state_text("LS", R"("rule": "2/3 CP")") + ",\n" +
                              state_text("CP", R"("rule": "drop 0.5")"));
-    CHECK(read_limit_states(c, codes.front(), {}).front().limit.displacement == near(4.0 / 3.0));
+    CHECK(read_limit_states(c, codes.front(), {}).front().limit.displacement ==
+          near(4.0 / 3.0));
 }
 
 TEST_CASE("code table: a drift alone is reached where the curve gets so far, and beside a rule "
