@@ -29,6 +29,10 @@ constexpr std::size_t kLeastChecks = 16; ///< fewer do not tell their own scatte
 /// Scales of compression, over the median of |g|; infinite: none. Tuned.
 constexpr std::array kCompressions = {std::numeric_limits<double>::infinity(), 1.0, 0.25};
 
+/// Points that a process has at most, and those above which its parameters stay: the cost of
+/// both grows with the cube.
+constexpr Eigen::Index kMostKnown = 600, kMostFitted = 200;
+
 void check_options(const LimitState& s, const ActiveOptions& o)
 {
     const auto require = [](bool good, const std::string& what) {
@@ -48,20 +52,22 @@ Eigen::MatrixXd first_design(Eigen::Index dimension, std::uint64_t seed)
     return kFirstSpread * u;
 }
 
-/// All evaluations that gave an answer.
+/// Evaluations that gave an answer, as far as the process can use them.
 struct Known {
     Eigen::MatrixXd u;
     Eigen::VectorXd g;
+    bool passed = false; ///< whether any evaluation at all saw the event
 };
 
 void learn(Known& known, const Eigen::MatrixXd& u, const Eigen::VectorXd& g)
 {
+    known.passed = known.passed || (g.array() <= 0.0).any(); // NaN is not
     const Eigen::Index before = known.g.size();
     Eigen::Index n = before;
     known.u.conservativeResize(before + g.size(), u.cols());
     known.g.conservativeResize(before + g.size());
     for (Eigen::Index i = 0; i < g.size(); ++i) {
-        if (std::isnan(g(i))) continue;
+        if (std::isnan(g(i)) || n == kMostKnown) continue;
         known.u.row(n) = u.row(i);
         known.g(n++) = g(i);
     }
@@ -91,7 +97,7 @@ class Learner {
         if (known.g.size() < 3)
             throw std::invalid_argument("fewer than three evaluations answered");
         const Eigen::Index n = known.g.size();
-        if (!last_ || 7 * n > 8 * fitted_)
+        if (!last_ || (7 * n > 8 * fitted_ && fitted_ < kMostFitted))
             fit(known);
         else
             last_ = condition({known.u, compressed(known.g, scale_), {}}, last_->kernel,
@@ -156,7 +162,8 @@ struct Checks {
     std::vector<double> if_passed; ///< Y if failed evaluations were passed
     std::vector<double> if_safe;   ///< Y if they were safe
     double expected = 0.0;         ///< sum of the variances that the processes expect
-    double points = 0.0;           ///< sum of (checks x standard error of P)^2
+    double points = 0.0;           ///< sum over points of (checks x standard error of P)^2
+    double with_points = 0.0;      ///< checks with the last points
     double event_weight = 0.0;     ///< sum over the checks
     std::size_t surprises = 0;
     std::size_t failed = 0;
@@ -182,7 +189,9 @@ void note(Checks& c, const WeighedPoints& p, const CheckPlan& plan,
         c.surprises += !failed && std::abs(seen - passing) > 0.5;
     }
     c.expected += n * plan.variance;
-    c.points += std::pow(n * p.std_error, 2);
+    c.points += (std::pow(c.with_points + n, 2) - std::pow(c.with_points, 2)) * p.std_error *
+                p.std_error;
+    c.with_points += n;
     c.event_weight += n * plan.event_weight;
 }
 
@@ -223,7 +232,7 @@ Exceedance summary(const Checks& c, const Known& known, const Ledger& ledger,
     e.upper = std::clamp(mean(c.if_passed), 0.0, 1.0);
     e.estimate.value = std::clamp(mean(c.value), 0.0, 1.0);
     e.estimate.std_error = std::sqrt(variance_of_mean(c, c.value));
-    const bool any = (known.g.array() <= 0.0).any();
+    const bool any = known.passed;
     if (!any || !(e.estimate.value > 0.0)) {
         e.outcome = SamplingOutcome::none_passed;
         e.estimate.interval.upper =
@@ -282,6 +291,9 @@ ActiveResult active_learning(const LimitState& s, const ActiveOptions& o)
     Known known;
     Checks checks;
     Learner learner;
+    WeighedPoints p;
+    CheckPlan plan;
+    Eigen::Index used = 0; // evaluations that p knows
     const Eigen::MatrixXd first = first_design(s.dimension, o.seed);
     learn(known, first, limit_values(s, first, ledger));
     r.learned = ledger.evaluations;
@@ -290,28 +302,32 @@ ActiveResult active_learning(const LimitState& s, const ActiveOptions& o)
         const auto batch = std::min<Eigen::Index>(
             kActiveBatch, static_cast<Eigen::Index>(o.max_evaluations - ledger.evaluations));
         try {
-            const GaussianProcess& g = learner.process_of(known);
-            const WeighedPoints p = weighed_points(g, point_count(o.target_cov), seed);
-            r.surrogate = p.probability;
-            const CheckPlan plan = plan_checks(p);
-            const NextPoints next = next_points(g, p, batch, seed);
-            const bool may_learn = 2 * ledger.evaluations < o.max_evaluations;
-            if (may_learn &&
-                learning_pays(needed_checks(p, plan, o.target_cov), next.gain, batch)) {
-                learn(known, next.u, limit_values(s, next.u, ledger));
-                r.learned += static_cast<std::size_t>(batch);
-                continue;
+            if (known.g.size() != used || used == 0) {
+                const GaussianProcess& g = learner.process_of(known);
+                used = known.g.size();
+                p = weighed_points(g, point_count(o.target_cov), seed);
+                plan = plan_checks(p);
+                checks.with_points = 0.0;
+                r.surrogate = p.probability;
+                const double needed = needed_checks(p, plan, o.target_cov);
+                const NextPoints next = next_points(g, p, batch, seed);
+                if (2 * ledger.evaluations < o.max_evaluations && used < kMostKnown &&
+                    learning_pays(needed, next.gain, batch)) {
+                    learn(known, next.u, limit_values(s, next.u, ledger));
+                    r.learned += static_cast<std::size_t>(batch);
+                    continue;
+                }
             }
-            Stream random(seed, 2, Purpose::bootstrap);
-            const std::vector<Eigen::Index> rows = pick_evenly(plan.chance, batch, random);
-            const Eigen::MatrixXd u = p.u(rows, Eigen::all);
-            const Eigen::VectorXd values = limit_values(s, u, ledger);
-            note(checks, p, plan, rows, values);
-            learn(known, u, values);
         } catch (const std::invalid_argument& no_process) {
             r.trouble = no_process.what();
             break;
         }
+        Stream random(seed, 2, Purpose::bootstrap);
+        const std::vector<Eigen::Index> rows = pick_evenly(plan.chance, batch, random);
+        const Eigen::MatrixXd u = p.u(rows, Eigen::all);
+        const Eigen::VectorXd values = limit_values(s, u, ledger);
+        note(checks, p, plan, rows, values);
+        learn(known, u, values);
         r.exceedance = summary(checks, known, ledger, o);
         if (r.exceedance.outcome == SamplingOutcome::target_reached) break;
     }
