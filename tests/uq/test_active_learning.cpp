@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Waarts (2000) as Echard et al. (2011) use it: P = 4.4616e-3 by quadrature.
+/// Waarts (2000) as Echard et al. (2011) use it: P = 4.4573e-3 by quadrature.
 uq::LimitState four_branches()
 {
     return problems::limit_state(2, [](const VectorXd& u) {
@@ -20,7 +20,7 @@ uq::LimitState four_branches()
         return std::min({bend - sum, bend + sum, off + cut, cut - off});
     });
 }
-constexpr double kFourBranches = 4.4616e-3;
+constexpr double kFourBranches = 4.4573e-3;
 
 uq::ActiveResult learned(const uq::LimitState& s, double target, std::uint64_t seed = 1,
                          std::size_t most = 1000)
