@@ -64,7 +64,8 @@ TEST_CASE("active learning: 1e-7 in two dimensions, 1e-3 in ten", "[uq][active_l
     CHECK(ten.exceedance.ledger.evaluations <= 100);
 }
 
-TEST_CASE("active learning: a process that is wrong leaves no bias", "[uq][active_learning]")
+TEST_CASE("active learning: a process that is wrong leaves no bias",
+          "[uq][active_learning][slow]")
 {
     // One of two planes, as by the toss of a coin: noise that is not normal. A process takes
     // it for normal, of standard deviation 2, and has P = 1 - Phi(2 / sqrt 5) = 0.186.
