@@ -1,4 +1,5 @@
 set(UQ_RELIABILITY_SOURCES
+    reliability/active_checks.cpp
     reliability/active_learning.cpp
     reliability/control_variate.cpp
     reliability/crude_monte_carlo.cpp
@@ -16,6 +17,7 @@ set(UQ_RELIABILITY_SOURCES
     reliability/gaussian_mixture.cpp
     reliability/importance_sampling.cpp
     reliability/kept_evaluations.cpp
+    reliability/limit_learner.cpp
     reliability/limit_state.cpp
     reliability/method_answers.cpp
     reliability/multi_fidelity.cpp

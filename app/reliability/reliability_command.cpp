@@ -13,6 +13,7 @@
 #include "app/study/interrupt.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
+#include "app/text/number_text.hpp"
 #include "core/normal.hpp"
 #include "uq/reliability/kept_evaluations.hpp"
 #include "uq/reliability/reliability.hpp"
@@ -28,13 +29,13 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-/// Shown with four digits; a small probability with as many as it needs, since decimals would
-/// hide it.
+/// Shown with four digits; a small probability in powers of ten, since decimals would hide it.
 Number cell(const std::optional<double>& x)
 {
     constexpr double kSmall = 1e-4;
     if (!x) return {};
-    return plain_number(*x, std::abs(*x) < kSmall ? kShortest : decimals_for(*x) + 1);
+    return std::abs(*x) < kSmall ? plain_number(rounded(*x, 4), kShortest)
+                                 : plain_number(*x, decimals_for(*x) + 1);
 }
 
 /// The problem, and how its numbers are shown.

@@ -64,7 +64,7 @@ BenchProblem two_sided_ten(double beta)
 {
     auto g = [=](const VectorXd& u) { return beta - std::abs(u.sum()) / std::sqrt(10.0); };
     return {"10 inputs, two sides", "closed form", problems::limit_state(10, g),
-            2.0 * tail(beta)};
+            2.0 * tail(beta), true};
 }
 
 /// Undamped oscillator under a rectangular pulse (Schueremans and Van Gemert 2005; Echard et

@@ -12,7 +12,8 @@ struct BenchProblem {
     std::string name;
     std::string source;
     uq::LimitState limit;
-    double exact; ///< by quadrature, to four digits or better
+    double exact;      ///< by quadrature, to four digits or better
+    bool slow = false; ///< repeated a fifth as often
 };
 
 [[nodiscard]] std::vector<BenchProblem> bench_problems();

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,7 +19,7 @@ struct WallEvent {
 
 const std::vector<WallEvent> kEvents = {
     {{"reliability.response=peak_force", "reliability.demand=74 kN"}},
-    {{"reliability.response=peak_force", "reliability.demand=62 kN"}},
+    {{"reliability.response=peak_force", "reliability.demand=32 kN"}},
     {{"reliability.response=ultimate_drift", "reliability.demand=0.5",
       "solver.kinematics=finite"}}};
 
@@ -60,7 +61,7 @@ app::Table wall_table()
                   "times fewer"};
     for (const WallEvent& event : kEvents) {
         const WallRun subset =
-            run(event, {"reliability.method=subset", "reliability.budget=500",
+            run(event, {"reliability.method=subset", "reliability.budget=400",
                         "reliability.target_cov=0.05"});
         const auto cov = [](const WallRun& r) {
             return r.answer.std_error.value_or(0.0) / r.answer.probability.value_or(1.0);
@@ -68,17 +69,20 @@ app::Table wall_table()
         const auto add = [&](const WallRun& r, const std::string& seed) {
             const double same =
                 static_cast<double>(subset.walls) * std::pow(cov(subset) / cov(r), 2);
+            const double p = r.answer.probability.value_or(1.0);
+            const double plain = (1.0 - p) / (p * cov(r) * cov(r));
             table.rows.push_back({r.words, r.answer.method, seed, std::to_string(r.walls),
                                   shown(r.answer.probability, "%.3g"),
                                   shown(100.0 * cov(r), "%.1f"), shown(r.answer.lower, "%.3g"),
-                                  shown(r.answer.upper, "%.3g"), shown(same, "%.0f"),
+                                  shown(r.answer.upper, "%.3g"), shown(plain, "%.0f"),
+                                  shown(same, "%.0f"),
                                   shown(same / static_cast<double>(r.walls), "%.1f")});
             std::fprintf(stderr, "%s, %s: %zu walls, %.3g +- %.1f %%\n", r.words.c_str(),
                          r.answer.method.c_str(), r.walls, r.answer.probability.value_or(0.0),
                          100.0 * cov(r));
         };
         add(subset, "1");
-        for (const char* seed : {"1", "2"})
+        for (const char* seed : {"1"})
             add(run(event, {"reliability.method=active", "reliability.budget=400",
                             "reliability.target_cov=0.1", std::string("uq.seed=") + seed}),
                 seed);

@@ -242,6 +242,27 @@ TEST_CASE("reliability: two fidelities of the wall agree with its expensive samp
           4.0 * std::sqrt(share * (1.0 - share) / n));
 }
 
+TEST_CASE("reliability: active learning on the wall has the same bits on any number of threads",
+          "[app][reliability][slow]")
+{
+    const app::Study s = reliability("method = active\ndemand = 30 kN\nbudget = 56\n");
+    const auto run = [&](int threads) {
+        app::Command c = at("0.5");
+        c.threads = threads;
+        std::vector<uq::Evaluated> seen;
+        const ReliabilityAnswer a = answer(wall_problem(s, c), seen);
+        CHECK(seen.size() == a.evaluations);
+        CHECK(seen.size() <= 56);
+        return a.methods.at(0);
+    };
+    const uq::MethodAnswer one = run(1), two = run(2);
+    REQUIRE(one.probability);
+    CHECK(*one.probability > 0.0);
+    CHECK(*one.probability == *two.probability);
+    CHECK(*one.std_error == *two.std_error);
+    CHECK(one.outcome == two.outcome);
+}
+
 TEST_CASE("reliability: what a wall cannot answer is refused", "[app][reliability]")
 {
     CHECK(complaint("").find("reliability.demand: missing") != std::string::npos);

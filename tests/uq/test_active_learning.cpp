@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Waarts (2000) as Echard et al. (2011) use it: P = 4.4616e-3 by quadrature.
+/// Waarts (2000) as Echard et al. (2011) use it: P = 4.4573e-3 by quadrature.
 uq::LimitState four_branches()
 {
     return problems::limit_state(2, [](const VectorXd& u) {
@@ -20,7 +20,7 @@ uq::LimitState four_branches()
         return std::min({bend - sum, bend + sum, off + cut, cut - off});
     });
 }
-constexpr double kFourBranches = 4.4616e-3;
+constexpr double kFourBranches = 4.4573e-3;
 
 uq::ActiveResult learned(const uq::LimitState& s, double target, std::uint64_t seed = 1,
                          std::size_t most = 1000)
@@ -64,33 +64,27 @@ TEST_CASE("active learning: 1e-7 in two dimensions, 1e-3 in ten", "[uq][active_l
     CHECK(ten.exceedance.ledger.evaluations <= 100);
 }
 
-TEST_CASE("active learning: what the process cannot know is left to the checks, without bias",
-          "[uq][active_learning]")
+TEST_CASE("active learning: a process that is wrong leaves no bias",
+          "[uq][active_learning][slow]")
 {
-    // scatter of half a standard deviation of the response, a function of the point alone
-    const uq::LimitState rough = problems::limit_state(2, [](const VectorXd& u) {
-        return 2.5 - u(0) + std::sin(1e6 * (u(0) + 2.0 * u(1))) / std::sqrt(2.0);
+    // One of two planes, as by the toss of a coin: noise that is not normal. A process takes
+    // it for normal, of standard deviation 2, and has P = 1 - Phi(2 / sqrt 5) = 0.186.
+    const uq::LimitState coin = problems::limit_state(2, [](const VectorXd& u) {
+        return 2.0 - u(0) + (std::sin(1e6 * (u(0) + 2.0 * u(1))) < 0.0 ? -2.0 : 2.0);
     });
-    double exact = 0.0; // sin of a uniform angle
-    constexpr int kAngles = 1000;
-    for (int i = 0; i < kAngles; ++i)
-        exact += 0.5 / kAngles *
-                 std::erfc((2.5 + std::sin(6.283185307179586 * (i + 0.5) / kAngles) /
-                                      std::sqrt(2.0)) /
-                           std::sqrt(2.0));
-    constexpr int kRuns = 8;
-    double sum = 0.0, squares = 0.0;
+    constexpr double kExact = 0.25 + 0.5 * 3.167124e-5;
+    constexpr int kRuns = 4;
+    double sum = 0.0;
     int held = 0;
     for (int run = 1; run <= kRuns; ++run) {
-        const uq::ActiveResult r = learned(rough, 0.3, static_cast<std::uint64_t>(run), 160);
-        sum += error(r, exact);
-        squares += std::pow(error(r, exact), 2);
-        held += r.exceedance.estimate.interval.lower <= exact &&
-                exact <= r.exceedance.estimate.interval.upper;
+        const uq::ActiveResult r = learned(coin, 0.12, static_cast<std::uint64_t>(run), 136);
+        sum += error(r, kExact);
+        held += r.exceedance.estimate.interval.lower <= kExact &&
+                kExact <= r.exceedance.estimate.interval.upper;
+        CHECK(r.exceedance.estimate.std_error > 0.08 * r.exceedance.estimate.value);
     }
-    CHECK(std::abs(sum) / kRuns < 3.0 * std::sqrt(squares) / kRuns + 0.02);
-    CHECK(std::sqrt(squares / kRuns) < 0.5);
-    CHECK(held >= kRuns - 2);
+    CHECK(std::abs(sum) / kRuns < 0.15);
+    CHECK(held >= kRuns - 1);
 }
 
 TEST_CASE("active learning: the same seed gives the same bits, another one other points",

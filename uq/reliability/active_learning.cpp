@@ -1,33 +1,23 @@
 #include "uq/reliability/active_learning.hpp"
 
-#include "uq/designs/sobol.hpp"
 #include "core/normal.hpp"
+#include "uq/designs/sobol.hpp"
+#include "uq/reliability/active_checks.hpp"
 #include "uq/reliability/doubtful_points.hpp"
+#include "uq/reliability/limit_learner.hpp"
 #include "uq/reliability/pick.hpp"
-#include "uq/surrogates/process_fit.hpp"
-
-#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace uq {
 namespace {
 
-constexpr double kFirstSpread = 1.5; ///< of the first points, standard deviations; tuned
-/// Shares of the checks drawn by doubt, by probability of the event and by the points alone.
-constexpr double kByDoubt = 0.6, kByEvent = 0.3, kByPoints = 0.1;
-constexpr double kUnseen = 0.5;         ///< wrong answers about the event that no check has met
+constexpr double kFirstSpread = 1.5;    ///< of the first points, standard deviations; tuned
 constexpr double kLeastPoints = 4000.0; ///< of the process, in a round
 constexpr double kMostPoints = 100000.0;
-constexpr std::size_t kLeastChecks = 16; ///< fewer do not tell their own scatter
-
-/// Scales of compression, over the median of |g|; infinite: none. Tuned.
-constexpr std::array kCompressions = {std::numeric_limits<double>::infinity(), 1.0, 0.25};
+constexpr double kFewChecks = 16.0; ///< needed anyway
 
 void check_options(const LimitState& s, const ActiveOptions& o)
 {
@@ -48,197 +38,6 @@ Eigen::MatrixXd first_design(Eigen::Index dimension, std::uint64_t seed)
     return kFirstSpread * u;
 }
 
-/// All evaluations that gave an answer.
-struct Known {
-    Eigen::MatrixXd u;
-    Eigen::VectorXd g;
-};
-
-void learn(Known& known, const Eigen::MatrixXd& u, const Eigen::VectorXd& g)
-{
-    const Eigen::Index before = known.g.size();
-    Eigen::Index n = before;
-    known.u.conservativeResize(before + g.size(), u.cols());
-    known.g.conservativeResize(before + g.size());
-    for (Eigen::Index i = 0; i < g.size(); ++i) {
-        if (std::isnan(g(i))) continue;
-        known.u.row(n) = u.row(i);
-        known.g(n++) = g(i);
-    }
-    known.u.conservativeResize(n, u.cols());
-    known.g.conservativeResize(n);
-}
-
-/// g, or asinh(g / scale), which keeps its sign and makes large values small.
-Eigen::VectorXd compressed(const Eigen::VectorXd& g, double scale)
-{
-    return std::isinf(scale) ? g : Eigen::VectorXd((g / scale).array().asinh());
-}
-
-/// Log likelihood of g itself.
-double likelihood(const GaussianProcess& p, const Eigen::VectorXd& g, double scale)
-{
-    if (std::isinf(scale)) return p.log_likelihood;
-    return p.log_likelihood - 0.5 * (g.array().square() + scale * scale).log().sum();
-}
-
-/// The process of all that is known, of g as it is or compressed, whichever is likelier. It is
-/// fitted anew when a seventh more is known than at the last fit: fits cost more than all else.
-class Learner {
-  public:
-    const GaussianProcess& process_of(const Known& known)
-    {
-        if (known.g.size() < 3)
-            throw std::invalid_argument("fewer than three evaluations answered");
-        const Eigen::Index n = known.g.size();
-        if (!last_ || 7 * n > 8 * fitted_)
-            fit(known);
-        else
-            last_ = condition({known.u, compressed(known.g, scale_), {}}, last_->kernel,
-                              last_->trend, ProcessParameters(last_->parameters));
-        return *last_;
-    }
-
-  private:
-    void fit(const Known& known)
-    {
-        fitted_ = known.g.size();
-        const bool linear = fitted_ >= 2 * (known.u.cols() + 1);
-        const auto trend = linear ? ProcessTrend::linear : ProcessTrend::constant;
-        Eigen::VectorXd size = known.g.cwiseAbs();
-        std::ranges::nth_element(size, size.begin() + size.size() / 2);
-        const double middle = size(size.size() / 2);
-        last_.reset();
-        double most = -std::numeric_limits<double>::infinity();
-        for (const double share : kCompressions) {
-            const double scale = share * middle;
-            if (!(scale > 0.0)) continue;
-            GaussianProcess p =
-                fit_process({known.u, compressed(known.g, scale), {}}, {.trend = trend});
-            const double now = likelihood(p, known.g, scale);
-            if (last_ && !(now > most)) continue;
-            most = now;
-            scale_ = scale;
-            last_ = std::move(p);
-        }
-    }
-
-    std::optional<GaussianProcess> last_;
-    double scale_ = 0.0;
-    Eigen::Index fitted_ = 0; ///< points of the last fit
-};
-
-/// The density of the checks among weighed points, and what a check is worth.
-struct CheckPlan {
-    Eigen::VectorXd chance;  ///< of each point, adds up to 1
-    double variance = 0.0;   ///< of a check, as the process expects it
-    double event_weight = 0; ///< phi / q where the event is sure
-};
-
-CheckPlan plan_checks(const WeighedPoints& p)
-{
-    const Eigen::ArrayXd doubt = p.passing.array() * (1.0 - p.passing.array());
-    const Eigen::VectorXd by_doubt = p.weight.array() * doubt.sqrt();
-    const Eigen::VectorXd by_event = p.weight.array() * p.passing.array();
-    CheckPlan c{
-        Eigen::VectorXd::Constant(p.u.rows(), kByPoints / static_cast<double>(p.u.rows()))};
-    if (by_doubt.sum() > 0.0) c.chance += kByDoubt / by_doubt.sum() * by_doubt;
-    if (by_event.sum() > 0.0) c.chance += kByEvent / by_event.sum() * by_event;
-    c.chance /= c.chance.sum();
-    c.variance = (p.weight.array().square() / c.chance.array() * doubt).sum();
-    c.event_weight = p.probability / kByEvent;
-    return c;
-}
-
-/// Checks so far, and what they add up to.
-struct Checks {
-    std::vector<double> value;     ///< Y of each
-    std::vector<double> if_passed; ///< Y if failed evaluations were passed
-    std::vector<double> if_safe;   ///< Y if they were safe
-    double expected = 0.0;         ///< sum of the variances that the processes expect
-    double points = 0.0;           ///< sum of (checks x standard error of P)^2
-    double event_weight = 0.0;     ///< sum over the checks
-    std::size_t surprises = 0;
-    std::size_t failed = 0;
-};
-
-void note(Checks& c, const WeighedPoints& p, const CheckPlan& plan,
-          const std::vector<Eigen::Index>& rows, const Eigen::VectorXd& g)
-{
-    const auto n = static_cast<double>(rows.size());
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        const Eigen::Index i = rows[k];
-        const double weight = p.weight(i) / plan.chance(i), passing = p.passing(i);
-        const auto value = [&](double seen) {
-            return p.probability + weight * (seen - passing);
-        };
-        const double now = g(static_cast<Eigen::Index>(k));
-        const bool failed = std::isnan(now);
-        const double seen = now <= 0.0 ? 1.0 : 0.0;
-        c.value.push_back(value(failed ? passing : seen));
-        c.if_safe.push_back(value(failed ? 0.0 : seen));
-        c.if_passed.push_back(value(failed ? 1.0 : seen));
-        c.failed += failed;
-        c.surprises += !failed && std::abs(seen - passing) > 0.5;
-    }
-    c.expected += n * plan.variance;
-    c.points += std::pow(n * p.std_error, 2);
-    c.event_weight += n * plan.event_weight;
-}
-
-double mean(const std::vector<double>& y)
-{
-    return std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());
-}
-
-/// Variance of the mean of checks.
-double variance_of_mean(const Checks& c, const std::vector<double>& y)
-{
-    const auto n = static_cast<double>(y.size());
-    const double middle = mean(y);
-    double squares = 0.0;
-    for (const double v : y) squares += (v - middle) * (v - middle);
-    const double scatter = n > 1.0 ? squares / (n * (n - 1.0)) : middle * middle;
-    const double unseen = kUnseen * c.event_weight / (n * n);
-    return std::max(scatter, c.expected / (n * n)) + c.points / (n * n) + unseen * unseen;
-}
-
-Exceedance summary(const Checks& c, const Known& known, const Ledger& ledger,
-                   const ActiveOptions& o)
-{
-    Exceedance e;
-    e.estimate.interval = {0.0, 1.0, o.confidence};
-    e.estimate.failed = ledger.failed.size();
-    e.estimate.n = ledger.evaluations - ledger.failed.size();
-    if (c.value.empty() || c.failed == c.value.size()) return e;
-    // Student's factor in place of the normal one: there are few checks
-    const double tail = 0.5 * (1.0 - o.confidence);
-    const double wide = gsl_cdf_tdist_Qinv(tail, static_cast<double>(c.value.size() - 1)) /
-                        gsl_cdf_ugaussian_Qinv(tail);
-    const auto interval = [&](const std::vector<double>& y) {
-        return log_interval(std::max(0.0, mean(y)), wide * std::sqrt(variance_of_mean(c, y)),
-                            o.confidence);
-    };
-    e.lower = std::clamp(mean(c.if_safe), 0.0, 1.0);
-    e.upper = std::clamp(mean(c.if_passed), 0.0, 1.0);
-    e.estimate.value = std::clamp(mean(c.value), 0.0, 1.0);
-    e.estimate.std_error = std::sqrt(variance_of_mean(c, c.value));
-    const bool any = (known.g.array() <= 0.0).any();
-    if (!any || !(e.estimate.value > 0.0)) {
-        e.outcome = SamplingOutcome::none_passed;
-        e.estimate.interval.upper =
-            std::min(1.0, e.upper + gsl_cdf_ugaussian_Qinv(tail) * wide *
-                                        std::sqrt(variance_of_mean(c, c.if_passed)));
-        return e;
-    }
-    e.estimate.interval.lower = e.lower > 0.0 ? interval(c.if_safe).lower : 0.0;
-    e.estimate.interval.upper = interval(c.if_passed).upper;
-    const bool reached =
-        c.value.size() >= kLeastChecks && coefficient_of_variation(e.estimate) <= o.target_cov;
-    e.outcome = reached ? SamplingOutcome::target_reached : SamplingOutcome::limit_reached;
-    return e;
-}
-
 /// Points of the process at which its own error is a third of the target.
 Eigen::Index point_count(double target_cov)
 {
@@ -256,8 +55,31 @@ double needed_checks(const WeighedPoints& p, const CheckPlan& plan, double targe
 bool learning_pays(double needed, double gain, Eigen::Index batch)
 {
     const double left = 1.0 - gain;
-    return needed * (1.0 - left * left) > static_cast<double>(batch) &&
-           needed > static_cast<double>(kLeastChecks);
+    return needed * (1.0 - left * left) > static_cast<double>(batch) && needed > kFewChecks;
+}
+
+/// The process of a round, and where it doubts.
+struct Round {
+    WeighedPoints points;
+    CheckPlan plan;
+    Eigen::Index known = 0; ///< evaluations behind it
+};
+
+/// Brings the round up to date with what is known.
+/// @return points to learn from; none: the round checks
+Eigen::MatrixXd prepare(Round& now, Learner& learner, Checks& checks, double target_cov,
+                        bool may_learn, Eigen::Index batch, std::uint64_t seed)
+{
+    if (now.known > 0 && now.known == learner.known()) return {};
+    const GaussianProcess& g = learner.process();
+    now.known = learner.known();
+    now.points = weighed_points(g, point_count(target_cov), seed);
+    now.plan = plan_checks(now.points);
+    checks.with_points = 0.0;
+    if (!may_learn || learner.full()) return {};
+    NextPoints next = next_points(g, now.points, batch, seed);
+    const double needed = needed_checks(now.points, now.plan, target_cov);
+    return learning_pays(needed, next.gain, batch) ? next.u : Eigen::MatrixXd();
 }
 
 } // namespace
@@ -279,43 +101,43 @@ ActiveResult active_learning(const LimitState& s, const ActiveOptions& o)
     check_options(s, o);
     ActiveResult r;
     Ledger ledger;
-    Known known;
     Checks checks;
     Learner learner;
+    Round now;
     const Eigen::MatrixXd first = first_design(s.dimension, o.seed);
-    learn(known, first, limit_values(s, first, ledger));
+    learner.learn(first, limit_values(s, first, ledger));
     r.learned = ledger.evaluations;
     for (std::uint64_t round = 1; ledger.evaluations < o.max_evaluations; ++round) {
         const std::uint64_t seed = replicate_seed(o.seed, round);
         const auto batch = std::min<Eigen::Index>(
             kActiveBatch, static_cast<Eigen::Index>(o.max_evaluations - ledger.evaluations));
+        Eigen::MatrixXd lesson;
         try {
-            const GaussianProcess& g = learner.process_of(known);
-            const WeighedPoints p = weighed_points(g, point_count(o.target_cov), seed);
-            r.surrogate = p.probability;
-            const CheckPlan plan = plan_checks(p);
-            const NextPoints next = next_points(g, p, batch, seed);
-            const bool may_learn = 2 * ledger.evaluations < o.max_evaluations;
-            if (may_learn &&
-                learning_pays(needed_checks(p, plan, o.target_cov), next.gain, batch)) {
-                learn(known, next.u, limit_values(s, next.u, ledger));
-                r.learned += static_cast<std::size_t>(batch);
-                continue;
-            }
-            Stream random(seed, 2, Purpose::bootstrap);
-            const std::vector<Eigen::Index> rows = pick_evenly(plan.chance, batch, random);
-            const Eigen::MatrixXd u = p.u(rows, Eigen::all);
-            const Eigen::VectorXd values = limit_values(s, u, ledger);
-            note(checks, p, plan, rows, values);
-            learn(known, u, values);
+            const bool may = 2 * ledger.evaluations < o.max_evaluations;
+            lesson = prepare(now, learner, checks, o.target_cov, may, batch, seed);
         } catch (const std::invalid_argument& no_process) {
             r.trouble = no_process.what();
             break;
         }
-        r.exceedance = summary(checks, known, ledger, o);
-        if (r.exceedance.outcome == SamplingOutcome::target_reached) break;
+        r.surrogate = now.points.probability;
+        if (lesson.rows() > 0) {
+            learner.learn(lesson, limit_values(s, lesson, ledger));
+            r.learned += static_cast<std::size_t>(batch);
+            continue;
+        }
+        Stream random(seed, 2, Purpose::bootstrap);
+        const std::vector<Eigen::Index> rows = pick_evenly(now.plan.chance, batch, random);
+        const Eigen::MatrixXd u = now.points.u(rows, Eigen::all);
+        const Eigen::VectorXd values = limit_values(s, u, ledger);
+        note(checks, now.points, now.plan, rows, values);
+        learner.learn(u, values);
+        if (reached(summary(checks, learner.passed(), ledger, o.confidence), o.target_cov,
+                    checks))
+            break;
     }
-    r.exceedance = summary(checks, known, ledger, o);
+    r.exceedance = summary(checks, learner.passed(), ledger, o.confidence);
+    if (reached(r.exceedance, o.target_cov, checks))
+        r.exceedance.outcome = SamplingOutcome::target_reached;
     r.checks = checks.value.size();
     r.surprises = checks.surprises;
     r.exceedance.ledger = std::move(ledger);
