@@ -18,6 +18,8 @@ constexpr double kFirstSpread = 1.5;    ///< of the first points, standard devia
 constexpr double kLeastPoints = 4000.0; ///< of the process, in a round
 constexpr double kMostPoints = 100000.0;
 constexpr double kFewChecks = 16.0; ///< needed anyway
+/// Change of ln P from one process to the next above which neither is worth a check; tuned.
+constexpr double kSettled = 0.4;
 
 void check_options(const LimitState& s, const ActiveOptions& o)
 {
@@ -73,13 +75,16 @@ Eigen::MatrixXd prepare(Round& now, Learner& learner, Checks& checks, double tar
     if (now.known > 0 && now.known == learner.known()) return {};
     const GaussianProcess& g = learner.process();
     now.known = learner.known();
+    const double before = now.points.probability;
     now.points = weighed_points(g, point_count(target_cov), seed);
+    const double change = std::abs(std::log(now.points.probability / before));
     now.plan = plan_checks(now.points);
     checks.with_points = 0.0;
     if (!may_learn || learner.full()) return {};
     NextPoints next = next_points(g, now.points, batch, seed);
     const double needed = needed_checks(now.points, now.plan, target_cov);
-    return learning_pays(needed, next.gain, batch) ? next.u : Eigen::MatrixXd();
+    const bool settled = change < kSettled; // NaN is not
+    return !settled || learning_pays(needed, next.gain, batch) ? next.u : Eigen::MatrixXd();
 }
 
 } // namespace

@@ -16,8 +16,8 @@ struct WeighedPoints {
     Eigen::VectorXd mean;     ///< of the process, unit of g
     Eigen::VectorXd variance; ///< of the process, without its noise
     Eigen::VectorXd passing;  ///< probability that g <= 0, noise included [-]
-    double probability;       ///< sum of weight x passing
-    double std_error;         ///< of the probability, since the points are few
+    double probability = 0.0; ///< sum of weight x passing
+    double std_error = 0.0;   ///< of the probability, since the points are few
 };
 
 /// Finds the region by subset simulation of the process (Papaioannou et al. 2015), as far as
