@@ -1,7 +1,7 @@
 #include "app/shake/shake_study.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
@@ -37,10 +37,11 @@ class HistoryRun {
   public:
     using Done = std::function<void(WallKey, const WallDraw&, ShakenHistory&&)>;
 
-    HistoryRun(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
+    HistoryRun(const PreparedStudy& ready, const HistoryPlan& plan, const SamplePlan& samples,
                const std::vector<WallKey>& histories, const Done& done)
-        : study_(study), plan_(plan), samples_(samples), histories_(histories), done_(done),
-          moving_(moving_study(study)), model_(model_of(moving_))
+        : study_(ready.study), plan_(plan), samples_(samples), histories_(histories),
+          done_(done), moving_(moving_study(ready.study)),
+          model_(model_of({moving_, ready.layout}))
     {
     }
 
@@ -132,8 +133,9 @@ std::string history_progress(const RunProgress& p)
 
 /// Shakes what the store does not have. Finished histories are stored whatever happens then.
 /// @param last set to how far it came
-void shake_pending(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
-                   const Command& command, Store& store, RunProgress& last)
+void shake_pending(const PreparedStudy& ready, const HistoryPlan& plan,
+                   const SamplePlan& samples, const Command& command, Store& store,
+                   RunProgress& last)
 {
     const std::vector<WallKey> histories =
         pending_walls(store, command.shard, command.rerun_failed);
@@ -144,7 +146,7 @@ void shake_pending(const Study& study, const HistoryPlan& plan, const SamplePlan
     Progress line(std::cerr, stderr_progress(command.quiet), steady_seconds,
                   static_cast<double>(last.before) / all);
     try {
-        run_histories(study, plan, samples, histories, command.threads,
+        run_histories(ready, plan, samples, histories, command.threads,
                       [&](WallKey key, const WallDraw& drawn, ShakenHistory&& h) {
                           last.failed += failed(h) ? 1 : 0;
                           ++last.done;
@@ -193,22 +195,24 @@ void check_size(const Study& study, const HistoryPlan& plan)
 
 bool is_shaken(const StudyFile& file) { return is_given(file, "shaking.records"); }
 
-void run_histories(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
-                   const std::vector<WallKey>& histories, int threads,
+void run_histories(const PreparedStudy& ready, const HistoryPlan& plan,
+                   const SamplePlan& samples, const std::vector<WallKey>& histories,
+                   int threads,
                    const std::function<void(WallKey, const WallDraw&, ShakenHistory&&)>& done)
 {
     if (histories.empty()) return;
     const auto most = static_cast<int>(std::min<std::size_t>(histories.size(), 1024));
-    HistoryRun(study, plan, samples, histories, done).run(std::clamp(threads, 1, most));
+    HistoryRun(ready, plan, samples, histories, done).run(std::clamp(threads, 1, most));
 }
 
 int shake_study_command(const Command& command)
 {
-    Study study = read_study(command.study, command.overrides);
+    PreparedStudy ready = prepare(read_study(command.study, command.overrides));
+    Study& study = ready.study;
     const HistoryPlan plan = history_plan(study);
     check_size(study, plan);
     study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
-    std::cerr << study_notes(study, command);
+    std::cerr << study_notes(ready, command.verb);
     if (!command.script.empty())
         throw ConfigError("drystone", 0, "--slurm",
                           "writes no job array of a study that shakes walls yet; give each "
@@ -223,7 +227,7 @@ int shake_study_command(const Command& command)
     if (fs::exists(file)) refuse_changed_records(study, plan, file);
     catch_interrupts();
     const std::vector<std::uint32_t> sizes = wall_sizes(study, plan, file);
-    const SamplePlan samples = sample_plan(study, layout_of(study), sizes);
+    const SamplePlan samples = sample_plan(study, ready.layout, sizes);
     StoreHead head = history_head(study, plan, samples, sizes);
     head.shard = static_cast<std::uint32_t>(command.shard.index);
     head.shards = static_cast<std::uint32_t>(command.shard.count);
@@ -233,7 +237,7 @@ int shake_study_command(const Command& command)
     {
         Store store(file, head);
         try {
-            shake_pending(study, plan, samples, command, store, last);
+            shake_pending(ready, plan, samples, command, store, last);
         } catch (const Interrupted&) {
             whole = false;
         } catch (const std::invalid_argument& bad) {
