@@ -2,6 +2,7 @@
 
 #include "app/input/code_file.hpp"
 #include "app/input/command_line.hpp"
+#include "app/input/keys_page.hpp"
 #include "app/input/material_presets.hpp"
 #include "app/output/markup.hpp"
 #include "app/program_version.hpp"
@@ -18,6 +19,7 @@ int help_command(const Command& command)
     const std::string topic = command.words.empty() ? "" : command.words.front();
     std::cout << (topic == "materials" ? materials_page()
                   : topic == "codes"   ? codes_page()
+                  : topic == "keys"    ? keys_page()
                                        : hung(help_text(verbs(), topic), terminal_width()));
     return 0;
 }

@@ -1,5 +1,6 @@
 #include "bench/accuracy_run.hpp"
 
+#include "app/input/prepared_study.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/text/number_text.hpp"
@@ -69,7 +70,7 @@ Answer push_answer(const app::Study& study, const dem::SolverOptions& options,
                    double most_seconds)
 {
     const double start = dem::thread_seconds();
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     const dem::WallMaterials materials = app::wall_materials(study, model.layout, 0, {});
     Answer a;
     try {
@@ -85,7 +86,7 @@ Answer push_answer(const app::Study& study, const dem::SolverOptions& options,
 
 WallFacts facts_of(const app::Study& study)
 {
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     const dem::WallMaterials w = app::wall_materials(study, model.layout, 0, {});
     return {w.base_joint.kn, dem::vertical_load(model, w)};
 }

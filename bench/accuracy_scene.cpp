@@ -1,5 +1,7 @@
 #include "bench/accuracy_scene.hpp"
 
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "app/text/number_text.hpp"
 #include "bench/accuracy_walls.hpp"
@@ -240,7 +242,7 @@ bool is_accepted(const AccuracyScene& scene)
 {
     try {
         const app::Study study = study_of(scene);
-        const dem::Model model = app::model_of(study);
+        const dem::Model model = app::model_of(app::prepare(study));
         dem::check(model, app::wall_materials(study, model.layout, 0, {}));
         return true;
     } catch (const std::runtime_error&) { // app::ConfigError

@@ -12,7 +12,7 @@ mkdir -p -- "$out"
 "${git[@]}" archive --prefix="drystone-$version/" HEAD | gzip -9n >"$out/drystone-$version.tar.gz"
 cmake --workflow --preset package
 cp -- build/package/*_"$version"_amd64.deb "$out"
-bash site/build.sh build/package/packaging/drystone-v1
+bash site/build.sh
 cp -- build/site/try/index.html "$out/drystone-try-$version.html"
 tar -C build/site -czf "$out/drystone-site-$version.tar.gz" .
 (cd -- "$out" && sha256sum -- * >SHA256SUMS)

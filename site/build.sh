@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bash site/build.sh [PROGRAM]   builds the site in build/site, which works from a folder: the documents with search, gallery, keys,
-# Python and C++ reference, the page that pushes a wall. PROGRAM prints the keys; by default the newest that is built.
+# bash site/build.sh   builds the site in build/site, which works from a folder: the documents with search, gallery, keys,
+# Python and C++ reference, the page that pushes a wall.
 # Exit 77: packages are missing.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
@@ -10,9 +10,7 @@ for command in mkdocs doxygen python3; do
         exit 77
     }
 done
-program=${1-$(ls -t build/*/app/drystone build/*/app/drystone-wall 2>/dev/null | head -n 1)}
-[[ -x $program ]] || { echo "no program is built; ./drystone --version builds it" >&2; exit 1; }
-/usr/bin/python3 site/pages.py . build/site-pages "$program"
+/usr/bin/python3 site/pages.py . build/site-pages
 /usr/bin/mkdocs build --quiet --clean --config-file site/mkdocs.yml
 /usr/bin/python3 site/offline_search.py build/site
 doxygen site/Doxyfile

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""pages.py ROOT OUT PROGRAM   gathers the pages of the site in OUT: the documents as they lie in the repository, the gallery
-(the pictures of README.md and docs/, with their commands), the keys as the program prints them, the docstrings of the module."""
+"""pages.py ROOT OUT   gathers the pages of the site in OUT: the documents as they lie in the repository, the gallery
+(the pictures of README.md and docs/, with their commands), the docstrings of the module."""
 import ast
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 
 COPIED = ["docs", "configs", "examples", "packaging", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE"]
@@ -42,11 +41,6 @@ def gallery(root, out):
     return len(items)
 
 
-def keys(out, program):
-    text = subprocess.run([program, "study", "--help"], capture_output=True, text=True, check=True).stdout
-    (out / "keys.md").write_text("# Keys of a study file\n\nAs `drystone study --help` prints them; `drystone help KEY` explains one.\n\n```\n" + text + "```\n", encoding="utf-8")
-
-
 def signature(node):
     return f"{node.name}({ast.unparse(node.args)})" + (f" -> {ast.unparse(node.returns)}" if node.returns else "")
 
@@ -72,13 +66,12 @@ def reference(root, out):
     return len(pages)
 
 
-def main(root, out, program):
+def main(root, out):
     root, out = pathlib.Path(root), pathlib.Path(out)
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     documents(root, out)
     pictures = gallery(root, out)
-    keys(out, program)
     modules = reference(root, out)
     (out / "try.md").write_text('---\nhide:\n  - navigation\n  - toc\n---\n# Try it\n\n<a class="md-button" href="try/index.html">On a page of its own</a>\n\n<iframe class="try" src="try/index.html" title="Push a stone wall"></iframe>\n', encoding="utf-8")
     (out / "cpp.md").write_text("# C++ reference\n\nOf the libraries' headers, by Doxygen: <a href=\"cpp/index.html\">open it</a>. How to link: [C++](docs/library.md).\n", encoding="utf-8")

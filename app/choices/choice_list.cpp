@@ -3,6 +3,7 @@
 #include "app/input/joint_laws.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/unit_cracks.hpp"
 #include "app/input/units.hpp"
 #include "app/text/config_error.hpp"
@@ -210,7 +211,7 @@ std::string before_text(const Study& study, std::string_view key)
 void read_change(ChoiceChange& change, const StudyFile& file)
 {
     try {
-        change.study = read_study(changed_file(file, change.assignments));
+        change.ready = prepare(read_study(changed_file(file, change.assignments)));
     } catch (const ConfigError& error) {
         const std::string text = error.what();
         const std::size_t at = text.find(change.key + ": ");
@@ -221,7 +222,7 @@ void read_change(ChoiceChange& change, const StudyFile& file)
             std::min(change.not_applied.find("; "), change.not_applied.size()));
         return;
     }
-    change.not_applied = std::string(why_no_effect(*find_key(change.key), change.study));
+    change.not_applied = std::string(why_no_effect(*find_key(change.key), change.ready.study));
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #pragma once
 /// Changes of a study's own wall, one at a time, that ask which choice matters here.
 
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 
 #include <span>
 #include <string>
@@ -15,8 +15,8 @@ struct ChoiceChange {
     std::string before;                   ///< "joint"
     std::string after;                    ///< "fixed"
     std::vector<std::string> assignments; ///< "wall.base=fixed", and what has to go with it
-    std::string not_applied; ///< why this wall has no such choice; empty: `study` is it
-    Study study;
+    std::string not_applied; ///< why this wall has no such choice; empty: `ready` is it
+    PreparedStudy ready;
 };
 
 /// All changes, in the order of a table. What does not apply says why.

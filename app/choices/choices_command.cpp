@@ -1,6 +1,7 @@
 #include "app/choices/choices_command.hpp"
 
 #include "app/choices/choice_table.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
@@ -33,7 +34,7 @@ ChoiceResult push_choice(const ChoiceChange& change, int level)
 {
     ChoiceResult r{change.key, change.before, change.after, change.not_applied, {}, 1.0};
     if (!change.not_applied.empty()) return r;
-    const Study& study = change.study;
+    const Study& study = change.ready.study;
     dem::PushPlan plan = push_plan(study);
     plan.snapshot_every = 0.0;
     plan.progress = [](double, double, double) {
@@ -52,7 +53,7 @@ ChoiceResult push_choice(const ChoiceChange& change, int level)
             r.reading = std::move(wall.reading);
     };
     try {
-        push_walls(study, model_of(study), plan, list, 1);
+        push_walls(study, model_of(change.ready), plan, list, 1);
     } catch (const ConfigError& error) {
         r.reason = error.what();
     }
@@ -102,7 +103,8 @@ int choices_command(const Command& command)
             "drystone", 0, "choices",
             "\"" + command.study +
                 "\" is a file of results; write the study file that it was made from");
-    const Study study = read_study(command.study, command.overrides);
+    const PreparedStudy ready = prepare(read_study(command.study, command.overrides));
+    const Study& study = ready.study;
     const int level = level_of(study, command.level);
     std::vector<std::filesystem::path> names = {"choices.svg"};
     for (const char* const ending : kTableEndings)
@@ -110,7 +112,7 @@ int choices_command(const Command& command)
     if (const std::string note = check_results(command.out, names, kChoicesList);
         !command.quiet)
         std::cerr << note;
-    std::vector<ChoiceChange> changes = {{"as it is", "", "", {}, "", study}};
+    std::vector<ChoiceChange> changes = {{"as it is", "", "", {}, "", ready}};
     for (ChoiceChange& c : choice_changes(command.study, command.overrides))
         changes.push_back(std::move(c));
     catch_interrupts();

@@ -1,7 +1,7 @@
 #include "app/commands.hpp"
 #include "app/fragility/calibration.hpp"
 #include "app/fragility/drift_csv.hpp"
-#include "app/input/study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
@@ -29,8 +29,8 @@ constexpr const char* kTable = "calibration";
 fs::path pushed_walls(const Command& command, const Csv& csv,
                       const std::vector<MeasuredTest>& tests)
 {
-    const Study study = read_study(command.study, command.overrides);
-    check_stresses(csv, tests, study.load.vertical_stress);
+    const PreparedStudy ready = prepare(read_study(command.study, command.overrides));
+    check_stresses(csv, tests, ready.study.load.vertical_stress);
     StudyRun run;
     run.file = fs::path(command.out) / "walls.h5";
     run.threads = command.threads;
@@ -40,7 +40,7 @@ fs::path pushed_walls(const Command& command, const Csv& csv,
         progress.update(static_cast<double>(p.before + p.done) / all, "pushing the walls");
     };
     catch_interrupts();
-    if (!run_study(study, run).whole)
+    if (!run_study(ready, run).whole)
         throw Interrupted{"the same command resumes where it stopped"};
     progress.finish("pushed all walls");
     return run.file;

@@ -19,6 +19,7 @@
 #include "app/input/key_reading.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/study_checks.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"

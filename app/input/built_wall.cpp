@@ -4,7 +4,6 @@
 #include "app/input/units.hpp"
 #include "app/text/words.hpp"
 #include "dem/scene/bond.hpp"
-#include "dem/scene/layout.hpp"
 #include "dem/scene/rubble.hpp"
 
 #include <algorithm>
@@ -44,19 +43,14 @@ void check_number(const Study& study)
                        "makes a wall of more than 100000 units; write larger ones");
 }
 
-/// Fills the wall with stones.
-void read_rubble(Study& study)
+/// Before any stone grows.
+void check_stones(const Study& study)
 {
     constexpr double kMostStones = 10000; // half a second to lay; pushing them takes days
-    const dem::WallGeometry& wall = study.wall;
     if (unit_count(study) > kMostStones)
         throw error_at(study.source, "wall.unit_length",
                        "makes a wall of more than 10000 stones; write larger ones, or draw "
                        "the wall");
-    for (dem::Outline& outline :
-         dem::rubble({wall.length, dem::top_of_course(wall, wall.courses), wall.unit_length,
-                      wall.course_height, wall.seed}))
-        study.geometry.units.push_back({std::move(outline), 0});
 }
 
 /// "x, z, width, height; ...", each with its unit.
@@ -75,10 +69,7 @@ void read_openings(Study& study)
                                            parse_quantity(v[2], "m"),
                                            parse_quantity(v[3], "m")});
         }
-        study.geometry.layers = {"lintel"};   // as which `scene` draws and exports them
-        dem::WallGeometry whole = study.wall; // whether the openings fit is no matter of cracks
-        whole.cracks = {.pattern = {dem::CrackPattern::Kind::none}};
-        static_cast<void>(dem::lay_out(whole, 0.0));
+        study.geometry.layers = {"lintel"}; // as which `scene` draws and exports them
     });
 }
 
@@ -93,10 +84,20 @@ void read_built_wall(Study& study)
 {
     if (!study.geometry.rubble) read_course_heights(study);
     check_number(study);
-    if (study.geometry.rubble) read_rubble(study);
+    if (study.geometry.rubble) check_stones(study);
     read_unit_cracks(study);
     read_openings(study);
-    check_pieces_of_units(study);
+}
+
+void grow_rubble(Study& study)
+{
+    if (!study.geometry.rubble) return;
+    const dem::WallGeometry& wall = study.wall;
+    study.geometry.units.clear();
+    for (dem::Outline& outline :
+         dem::rubble({wall.length, dem::top_of_course(wall, wall.courses), wall.unit_length,
+                      wall.course_height, wall.seed}))
+        study.geometry.units.push_back({std::move(outline), 0});
 }
 
 } // namespace app

@@ -9,8 +9,11 @@ namespace app {
 /// Number of units of a wall in courses, without openings, or of mean stones of rubble.
 [[nodiscard]] double unit_count(const Study& study);
 
-/// Reads the heights of courses, the stones of rubble, the patterns of cracks and the openings.
+/// Reads the heights of courses, the patterns of cracks and the openings.
 /// @throws ConfigError
 void read_built_wall(Study& study);
+
+/// Fills a wall of rubble with the stones of its seed.
+void grow_rubble(Study& study);
 
 } // namespace app

@@ -1,4 +1,5 @@
 #include "app/input/key_effects.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/build_cost.hpp"
@@ -26,10 +27,11 @@ std::string gigabytes(double bytes) { return fixed(std::max(bytes, 1e8) / 1e9, 1
 
 } // namespace
 
-std::string cost_note(const Study& study, Purpose purpose)
+std::string cost_note(const PreparedStudy& ready, Purpose purpose)
 {
+    const Study& study = ready.study;
     constexpr double kSeconds = 10.0, kBytes = 1e9, kMinute = 60.0;
-    const dem::BuildCost c = dem::build_cost(layout_of(study), study.discretisation);
+    const dem::BuildCost c = dem::build_cost(ready.layout, study.discretisation);
     const std::string time = c.seconds < kMinute ? fixed(std::max(c.seconds, 1.0), 0) + " s"
                                                  : fixed(c.seconds / kMinute, 0) + " min";
     const std::string text = "about " + time + " and " + gigabytes(c.bytes);

@@ -15,13 +15,6 @@
 namespace app {
 namespace {
 
-std::string default_text(const Key& key)
-{
-    if (!key.example.empty()) return "required";
-    if (!key.derived.rule.empty()) return std::string(key.derived.rule);
-    return value_text(key, Study{});
-}
-
 /// At least one blank before the next column.
 void fill_to(std::string& line, std::size_t column)
 {

@@ -3,6 +3,7 @@
 #include "app/input/joint_laws.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/material_presets.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/symmetry.hpp"
@@ -53,12 +54,13 @@ void refuse_drawn(const Study& study)
 namespace {
 
 /// A response is that of one push.
-void refuse_both_ways(const Study& study, const Verb& verb)
+void refuse_both_ways(const PreparedStudy& ready, const Verb& verb)
 {
+    const Study& study = ready.study;
     constexpr VerbSet kOnce = "reliability serve";
     if (study.load.direction == Direction::both && is_given(study.source, "load.direction") &&
         kOnce.has(verb.name) && push_way(study).direction != 0 &&
-        !dem::is_symmetric(layout_of(study)))
+        !dem::is_symmetric(ready.layout))
         throw error_at(study.source, "load.direction",
                        "both is for push, sheet and study; here a wall is pushed once: write "
                        "right or left, and run it for each");
@@ -66,24 +68,25 @@ void refuse_both_ways(const Study& study, const Verb& verb)
 
 } // namespace
 
-std::string study_notes(const Study& study, const Command& command)
+std::string study_notes(const PreparedStudy& ready, const Verb* verb)
 {
-    if (command.verb == nullptr) return "";
-    if (!reads(*command.verb, *find_key("uq.drawn"))) refuse_drawn(study);
-    refuse_both_ways(study, *command.verb);
-    std::string notes = effect_notes(study, *command.verb);
+    if (verb == nullptr) return "";
+    const Study& study = ready.study;
+    if (!reads(*verb, *find_key("uq.drawn"))) refuse_drawn(study);
+    refuse_both_ways(ready, *verb);
+    std::string notes = effect_notes(study, *verb);
     const std::string material = material_text(study.source);
-    if (reads(*command.verb, *find_key("wall.material")) && !material.empty())
+    if (reads(*verb, *find_key("wall.material")) && !material.empty())
         notes += "note: the wall is of " + material + ". Sources: drystone help materials\n";
-    if (reads(*command.verb, *find_key("joint.closure"))) notes += joint_law_notes(study);
+    if (reads(*verb, *find_key("joint.closure"))) notes += joint_law_notes(study);
     if (!study.load.scaled.empty())
         notes +=
             "note: load.protocol_scale: the protocol goes to " +
             fixed(study.load.max_displacement * 1e3, 2) +
             " mm; ultimate displacement of the mean wall pushed one way: " + study.load.scaled +
             '\n';
-    const bool pushes = reads(*command.verb, *find_key("output.record_every"));
-    notes += cost_note(study, pushes ? Purpose::push : Purpose::drawing);
+    const bool pushes = reads(*verb, *find_key("output.record_every"));
+    notes += cost_note(ready, pushes ? Purpose::push : Purpose::drawing);
     const std::string key = study.geometry.file.empty() ? "wall.outlines" : "wall.geometry";
     for (const std::string& note : study.geometry.notes)
         notes += "note: " + key + ": " + note + '\n';

@@ -1,7 +1,9 @@
 #pragma once
 /// Keys that are given and change nothing: a user must be told of them.
 
+#include "app/input/prepared_study.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/verb.hpp"
 
 #include <string>
@@ -20,15 +22,16 @@ namespace app {
 /// Cost of making the blocks, where that is much: a line for people; else nothing.
 /// @param purpose of a drawing nothing is refused
 /// @throws ConfigError where this machine has not the memory
-[[nodiscard]] std::string cost_note(const Study& study, Purpose purpose);
+[[nodiscard]] std::string cost_note(const PreparedStudy& ready, Purpose purpose);
 
 /// @throws ConfigError where the study names one wall (uq.drawn)
 void refuse_drawn(const Study& study);
 
 /// All notes on a study before it is run, for people: these, and what was closed, simplified or
-/// ignored of a drawing. Nothing for a command without a verb, as other programs make them.
+/// ignored of a drawing.
 /// @throws ConfigError where the study names one wall (uq.drawn) and the verb is not push, and
 /// where it asks for both directions and the verb pushes each wall once
-[[nodiscard]] std::string study_notes(const Study& study, const Command& command);
+/// @param verb that runs it; nullptr, as of other programs: nothing
+[[nodiscard]] std::string study_notes(const PreparedStudy& ready, const Verb* verb);
 
 } // namespace app

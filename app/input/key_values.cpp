@@ -123,4 +123,11 @@ std::string value_text(const Key& key, const Study& study)
     return format_quantities(values, key.unit);
 }
 
+std::string default_text(const Key& key)
+{
+    if (!key.example.empty()) return "required";
+    if (!key.derived.rule.empty()) return std::string(key.derived.rule);
+    return value_text(key, Study{});
+}
+
 } // namespace app

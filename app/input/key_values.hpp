@@ -30,4 +30,7 @@ namespace app {
 /// "[0, 90) deg", "whole or shifted"
 [[nodiscard]] std::string allowed_values(const Key& key);
 
+/// "required", the rule by which it follows from others, or the value.
+[[nodiscard]] std::string default_text(const Key& key);
+
 } // namespace app

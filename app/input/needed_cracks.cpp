@@ -1,5 +1,6 @@
 #include "app/input/needed_cracks.hpp"
 
+#include "app/input/prepared_study.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "dem/block/model.hpp"
 #include "dem/scene/snapshot_reading.hpp"
@@ -75,7 +76,7 @@ std::set<int> used_units(const Study& study, const dem::Model& model)
 std::vector<dem::Region> needed_cracks(const Study& study)
 {
     const Study s = coarse_study(study);
-    const dem::Model model = model_of(s);
+    const dem::Model model = model_of({s, layout_of(s)});
     const std::set<int> used = used_units(s, model);
     std::map<int, dem::Region> whole; // by unit
     for (const dem::Block& b : model.layout.blocks) {

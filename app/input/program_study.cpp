@@ -2,6 +2,7 @@
 
 #include "app/input/distribution_text.hpp"
 #include "app/input/key_reading.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/units.hpp"
 
 namespace app {

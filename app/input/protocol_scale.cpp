@@ -45,14 +45,15 @@ fragility::LimitDisplacement ultimate_of_mean_wall(const Study& s, const dem::Mo
 
 } // namespace
 
-void scale_protocol(Study& study)
+void scale_protocol(PreparedStudy& ready)
 {
+    Study& study = ready.study;
     const LoadInput& load = study.load;
     const bool followed =
         load.protocol != dem::Protocol::none && load.targets.empty() && load.amplitudes.empty();
     if (!load.scale_one_way || !followed) return;
     const Study s = one_way_study(study);
-    const dem::Model model = model_of(s);
+    const dem::Model model = model_of({s, ready.layout});
     double largest = 0.0; // [m]
     for (int level = 0; level < static_cast<int>(s.load.vertical_stress.size()); ++level) {
         const auto ultimate = ultimate_of_mean_wall(s, model, level);

@@ -2,7 +2,7 @@
 /// Protocols are scaled to what the wall can take: ISO 16670 by the mean ultimate displacement
 /// of walls pushed one way.
 
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 
 namespace app {
 
@@ -12,6 +12,6 @@ namespace app {
 /// and the wall under every stress is to come to its end in it. Where the force does not fall,
 /// load.max_displacement counts. What it found stands in LoadInput::scaled.
 /// @throws ConfigError if a push fails
-void scale_protocol(Study& study);
+void scale_protocol(PreparedStudy& ready);
 
 } // namespace app

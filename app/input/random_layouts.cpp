@@ -1,7 +1,6 @@
 #include "app/input/random_layouts.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace app {
 namespace {
@@ -17,16 +16,6 @@ bool is_random(const Study& study) { return !study.random.empty() || has_layouts
 std::uint32_t layout_seed(const Study& study, std::uint32_t sample)
 {
     return study.wall.seed + sample % static_cast<std::uint32_t>(study.geometry.layouts);
-}
-
-Study in_layout(const Study& study, std::uint32_t seed)
-{
-    StudyFile file = study.source;
-    std::erase_if(file.entries, [](const Entry& e) {
-        return e.key == "wall.layouts" || e.key == "wall.seed";
-    });
-    const std::string assignment[] = {"wall.seed=" + std::to_string(seed)};
-    return read_study(with_overrides(std::move(file), assignment));
 }
 
 void check_layouts(const Study& study)

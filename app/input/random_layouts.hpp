@@ -17,10 +17,6 @@ namespace app {
 /// Samples take the seeds wall.seed, wall.seed + 1, ... in turn, under every stress the same.
 [[nodiscard]] std::uint32_t layout_seed(const Study& study, std::uint32_t sample);
 
-/// The study with this layout alone, as wall.seed would give it.
-/// @throws ConfigError if the layout makes no wall
-[[nodiscard]] Study in_layout(const Study& study, std::uint32_t seed);
-
 /// Refuses keys that speak of single joints or units: they have no meaning across layouts.
 /// @throws ConfigError
 void check_layouts(const Study& study);

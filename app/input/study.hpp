@@ -27,10 +27,6 @@
 #include <string_view>
 #include <vector>
 
-namespace dem {
-struct Model;
-}
-
 namespace app {
 
 /// A wall that is drawn, or of rubble, in place of courses.
@@ -50,7 +46,7 @@ struct GeometryInput {
     std::string layer_stones;         ///< "NAME: E, Poisson's ratio, density; ..."
     std::vector<std::string> layers;  ///< whose stone is not the wall's
     std::vector<dem::Elastic> stones; ///< of these layers
-    std::vector<dem::DrawnUnit> units; ///< what was read, or the stones of rubble
+    std::vector<dem::DrawnUnit> units; ///< what was read, or the stones of rubble once grown
     std::vector<std::string>
         drawn_layers;               ///< all of a drawing; the layers of units count from 1
     std::vector<std::string> notes; ///< what was closed, simplified or ignored on the way
@@ -248,38 +244,11 @@ struct Study {
     StudyFile source; ///< what was given
 };
 
-/// The reason for which a study is read. A drawing needs no load: a height that does not fit
-/// the wall is told, not refused.
-enum class Purpose { push, drawing };
-
-/// @throws ConfigError at the first key that is unknown, missing, malformed, out of range or at
-/// odds with another
-[[nodiscard]] Study read_study(const StudyFile& file, Purpose purpose = Purpose::push);
-/// The same of a file of this name, with values of --set in place of its own.
-[[nodiscard]] Study read_study(const std::string& path, std::span<const std::string> overrides,
-                               Purpose purpose = Purpose::push);
-
-/// Whether a file has a section [model]: a study of another program.
-[[nodiscard]] bool is_program_study(const StudyFile& file);
-
-/// A study of another program: `program`, `uq`, `reliability`, and `random` with its
-/// [variables].
-/// @throws ConfigError as read_study
-[[nodiscard]] Study read_program_study(const StudyFile& file);
-
-/// The study in full, as a study file that reads back to the same study; values that were not
-/// given are marked "# default", values given on the command line "# --set".
-[[nodiscard]] std::string effective_configuration(const Study& study);
-
 /// @param level index in study.load.vertical_stress
 [[nodiscard]] StressLevel stress_level(const Study& study, int level);
 
 /// @param level index in study.load.vertical_stress
 [[nodiscard]] dem::Loads loads(const Study& study, int level);
-
-/// One for all levels: modes and masses of the first level's stiffness, which sets the step,
-/// not the answer. Each wall brings its own stress.
-[[nodiscard]] dem::Model model_of(const Study& study);
 
 /// Without progress.
 [[nodiscard]] dem::PushPlan push_plan(const Study& study);

@@ -59,56 +59,13 @@ void check_bond(const Study& study)
                    number(std::floor(most * 1e3) / 1e3, 3));
 }
 
-/// Openings were laid out before the default of lintel.bearing was known.
-dem::Layout layout_in_courses(const Study& study)
+void check_length(const Study& study)
 {
-    try {
-        return layout_of(study);
-    } catch (const std::invalid_argument& bad) {
-        if (study.wall.openings.empty()) throw;
-        refuse(study, "wall.openings", bad.what());
-    }
-}
-
-/// No block and no piece of joint may be a sliver: its stiffness would be an accident of the
-/// sizes.
-void check_pieces(const Study& study)
-{
-    constexpr double kSmallest = dem::kShortestUnit;
     const dem::WallGeometry& wall = study.wall;
     if (!is_drawn(study) && wall.length < wall.unit_length) {
         refuse(study, "wall.length",
                "must be at least one wall.unit_length, " +
                    quantity_text(wall.unit_length, "m"));
-    }
-    const std::string_view culprit =
-        find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
-    const auto refuse_piece = [&](const std::string& what, double length) {
-        if (openings_make_slivers(study, kSmallest))
-            refuse(study, "wall.openings",
-                   what + " beside an opening or its lintel would be " +
-                       number(std::round(length * 1e6) / 1e3, 17) +
-                       " mm long; move or widen the opening, or change lintel.bearing, so that "
-                       "none "
-                       "is below 1 mm");
-        refuse(study, culprit,
-               what + " would be " + number(std::round(length * 1e6) / 1e3, 17) +
-                   " mm long; choose wall.length, unit_length and bond so that none is below 1 "
-                   "mm");
-    };
-    if (!in_courses(study)) return; // as drawn
-    const dem::Layout layout = layout_in_courses(study);
-    for (const dem::Block& b : layout.blocks) {
-        const double extent = std::min(b.x1 - b.x0, b.z1 - b.z0);
-        if (layout.divided && extent < kSmallest && cracks_make_slivers(study, kSmallest))
-            refuse(study, find_entry(study.source, "unit.cracks") ? "unit.cracks" : culprit,
-                   "makes pieces below 1 mm; write fewer pieces, or larger cells");
-        if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
-    }
-    if (layout.divided || wall.length_cov > 0.0) return; // joints may come close to cracks
-    for (const dem::Face& f : layout.faces) {
-        const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
-        if (length < kSmallest) refuse_piece("a piece of joint", length);
     }
 }
 
@@ -281,12 +238,48 @@ void check_cycles(const Study& study)
                    fixed(kMostTurns, 0));
 }
 
+/// No block and no piece of joint may be a sliver: its stiffness would be an accident of the
+/// sizes.
+void check_blocks(const Study& study, const dem::Layout& layout)
+{
+    constexpr double kSmallest = dem::kShortestUnit;
+    const dem::WallGeometry& wall = study.wall;
+    const std::string_view culprit =
+        find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
+    const auto refuse_piece = [&](const std::string& what, double length) {
+        if (openings_make_slivers(study, kSmallest))
+            refuse(study, "wall.openings",
+                   what + " beside an opening or its lintel would be " +
+                       number(std::round(length * 1e6) / 1e3, 17) +
+                       " mm long; move or widen the opening, or change lintel.bearing, so that "
+                       "none "
+                       "is below 1 mm");
+        refuse(study, culprit,
+               what + " would be " + number(std::round(length * 1e6) / 1e3, 17) +
+                   " mm long; choose wall.length, unit_length and bond so that none is below 1 "
+                   "mm");
+    };
+    if (!in_courses(study)) return; // as drawn
+    for (const dem::Block& b : layout.blocks) {
+        const double extent = std::min(b.x1 - b.x0, b.z1 - b.z0);
+        if (layout.divided && extent < kSmallest && cracks_make_slivers(study, kSmallest))
+            refuse(study, find_entry(study.source, "unit.cracks") ? "unit.cracks" : culprit,
+                   "makes pieces below 1 mm; write fewer pieces, or larger cells");
+        if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
+    }
+    if (layout.divided || wall.length_cov > 0.0) return; // joints may come close to cracks
+    for (const dem::Face& f : layout.faces) {
+        const double length = std::hypot(f.to.x - f.from.x, f.to.z - f.from.z);
+        if (length < kSmallest) refuse_piece("a piece of joint", length);
+    }
+}
+
 void check_relations(const Study& study)
 {
     check_residuals(study);
     check_joint_laws(study);
     check_bond(study);
-    check_pieces(study);
+    check_length(study);
     check_zones(study);
     check_poisson(study);
     check_pattern(study);

@@ -2,6 +2,7 @@
 /// Rules that tie the values of a study to each other.
 
 #include "app/input/study.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <string>
 
@@ -13,6 +14,10 @@ void check_cycles(const Study& study);
 
 /// Why load.height does not fit the wall; empty if it does.
 [[nodiscard]] std::string unfit_height(const Study& study);
+
+/// Refuses blocks and pieces of joint of a wall in courses that are too short.
+/// @throws ConfigError at the value to change
+void check_blocks(const Study& study, const dem::Layout& layout);
 
 /// Everything else, once every value is known.
 /// @throws ConfigError at the value to change

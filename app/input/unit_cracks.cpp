@@ -1,6 +1,5 @@
 #include "app/input/unit_cracks.hpp"
 
-#include "app/input/needed_cracks.hpp"
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
@@ -194,12 +193,15 @@ void check_pieces_of_units(const Study& study)
                        "100000");
 }
 
-void find_needed_cracks(Study& study)
+bool asks_for_needed_cracks(const Study& study)
 {
-    if (trimmed(study.cracks.where) != kNeeded || !has_cracks(study)) return;
-    study.wall.cracks.where =
-        read_at(study.source, "unit.cracks_where", [&] { return needed_cracks(study); });
-    study.cracks.where = regions_text(study.wall.cracks.where);
+    return trimmed(study.cracks.where) == kNeeded && has_cracks(study);
+}
+
+void put_cracks(const std::vector<dem::Region>& boxes, Study& study)
+{
+    study.wall.cracks.where = boxes;
+    study.cracks.where = regions_text(boxes);
     if (study.cracks.elsewhere.empty()) study.cracks.elsewhere = "none";
 }
 

@@ -3,6 +3,8 @@
 
 #include "app/input/study.hpp"
 
+#include <vector>
+
 namespace app {
 
 /// Reads `unit.cracks` and what belongs to it into Study::wall. The region `toe` is the lower
@@ -16,10 +18,12 @@ void read_unit_cracks(Study& study);
 /// @throws ConfigError
 void check_pieces_of_units(const Study& study);
 
+/// Whether `unit.cracks_where = needed` has still to be carried out.
+[[nodiscard]] bool asks_for_needed_cracks(const Study& study);
+
 /// Puts boxes in the place of `unit.cracks_where = needed` (app/input/needed_cracks.hpp), in
-/// which form the study is kept. The study must be complete.
-/// @throws ConfigError
-void find_needed_cracks(Study& study);
+/// which form the study is kept.
+void put_cracks(const std::vector<dem::Region>& boxes, Study& study);
 
 /// Patterns of the units in the region of unit.cracks_where, and of the others, as the texts of
 /// the study say: they are there before the keys that depend on them are read.

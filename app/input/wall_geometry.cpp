@@ -148,7 +148,27 @@ dem::DrawnWall drawn_wall(const Study& study)
     return wall;
 }
 
-/// A block without joints has nothing to move by.
+double beam_height(const Study& study) { return study.beam.present ? study.beam.height : 0.0; }
+
+} // namespace
+
+bool is_drawn(const Study& study)
+{
+    return !study.geometry.units.empty() && !study.geometry.rubble;
+}
+
+std::string_view geometry_key(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    return !g.file.empty() ? "wall.geometry" : !g.outlines.empty() ? "wall.outlines" : "wall";
+}
+
+bool in_courses(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    return g.file.empty() && g.outlines.empty() && !g.rubble;
+}
+
 void require_joints(const Study& study, const dem::Layout& layout)
 {
     std::vector<char> has(layout.blocks.size());
@@ -175,35 +195,12 @@ void require_joints(const Study& study, const dem::Layout& layout)
                        " mm; draw it against its neighbours");
 }
 
-double beam_height(const Study& study) { return study.beam.present ? study.beam.height : 0.0; }
-
-} // namespace
-
-bool is_drawn(const Study& study)
-{
-    return !study.geometry.units.empty() && !study.geometry.rubble;
-}
-
-std::string_view geometry_key(const Study& study)
-{
-    const GeometryInput& g = study.geometry;
-    return !g.file.empty() ? "wall.geometry" : !g.outlines.empty() ? "wall.outlines" : "wall";
-}
-
-bool in_courses(const Study& study)
-{
-    const GeometryInput& g = study.geometry;
-    return g.file.empty() && g.outlines.empty() && !g.rubble;
-}
-
 void read_geometry(Study& study)
 {
     GeometryInput& g = study.geometry;
     const std::string_view key = geometry_key(study);
     if (g.file.empty() && g.outlines.empty()) {
         read_built_wall(study);
-        if (study.wall.base == dem::Base::fixed && !study.beam.present)
-            read_at(study.source, key, [&] { require_joints(study, layout_of(study)); });
         return;
     }
     if (!g.file.empty() && !g.outlines.empty())

@@ -16,6 +16,10 @@ namespace app {
 /// @throws ConfigError at the drawing, or at a key of the study
 void read_geometry(Study& study);
 
+/// A block without joints has nothing to move by.
+/// @throws ConfigError
+void require_joints(const Study& study, const dem::Layout& layout);
+
 /// Whether the study brings outlines of its own.
 [[nodiscard]] bool is_drawn(const Study& study);
 
@@ -44,7 +48,7 @@ void read_geometry(Study& study);
 /// Whether the masonry fills the rectangle around it with stones of one density.
 [[nodiscard]] bool is_full_rectangle(const Study& study);
 
-/// Layout of the wall with its beam.
+/// Layout of the wall with its beam. prepare() has it at hand (app/input/prepared_study.hpp).
 [[nodiscard]] dem::Layout layout_of(const Study& study);
 
 /// The same if no unit could crack.

@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
+#include "app/input/study_reading.hpp"
 
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/new/new_study.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/text/config_error.hpp"
@@ -35,7 +36,7 @@ void check_new_file(const std::string& path)
 void check_study(const std::string& path, const std::string& text)
 {
     try {
-        static_cast<void>(read_study(parse_study_text(path, text)));
+        static_cast<void>(prepare(read_study(parse_study_text(path, text))));
     } catch (const ConfigError& error) {
         throw ConfigError("drystone", 0, "new",
                           std::string("these answers make no wall, and nothing was written: ") +

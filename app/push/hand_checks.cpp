@@ -202,9 +202,8 @@ HandChecks limits_of(const Study& study, const PushedWall& w)
 
 } // namespace
 
-HandChecks hand_checks(const Study& study, const PushedWall& w)
+HandChecks hand_checks(const Study& study, const dem::Layout& layout, const PushedWall& w)
 {
-    const dem::Layout layout = layout_of(study);
     const bool closed_form = layout.coursed && !layout.mortar && study.wall.openings.empty();
     HandChecks h = closed_form ? limits_of(study, w) : loads_alone(study, w, layout);
     if (!dem::failed(w.result.outcome))

@@ -3,6 +3,7 @@
 /// Coulomb friction, and the largest compression at the base.
 
 #include "app/study/pushed_wall.hpp"
+#include "dem/scene/layout.hpp"
 
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ struct HandChecks {
 
 /// Limits of small displacements; units that crack, cohesion and the flexibility of the wall
 /// lower them.
-[[nodiscard]] HandChecks hand_checks(const Study& study, const PushedWall& wall);
+[[nodiscard]] HandChecks hand_checks(const Study& study, const dem::Layout& layout,
+                                     const PushedWall& wall);
 
 } // namespace app

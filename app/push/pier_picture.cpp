@@ -83,13 +83,13 @@ std::string draw_spandrel(const SpandrelReading& s, const Places& place)
 
 } // namespace
 
-std::string pier_picture(const Study& study, const PushedWall& wall)
+std::string pier_picture(const Study& study, const dem::Layout& layout, const PushedWall& wall)
 {
     constexpr double kWide = 900.0, kHigh = 700.0; // [px], at most
     const dem::Region extent = wall_extent(study);
     const double length = extent.x1 - extent.x0, height = extent.z1 - extent.z0;
     const Places place{extent, std::min(kWide / length, kHigh / height)};
-    std::string body = draw_stones(layout_of(study), place);
+    std::string body = draw_stones(layout, place);
     for (std::size_t i = 0; i < wall.piers.size(); ++i)
         body += draw_pier(wall.piers[i], i + 1, place);
     for (const SpandrelReading& s : wall.spandrels) body += draw_spandrel(s, place);

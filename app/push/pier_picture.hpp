@@ -8,6 +8,7 @@
 namespace app {
 
 /// SVG: the stones, each pier with its number, forces, drift and mode. The wall has piers.
-[[nodiscard]] std::string pier_picture(const Study& study, const PushedWall& wall);
+[[nodiscard]] std::string pier_picture(const Study& study, const dem::Layout& layout,
+                                       const PushedWall& wall);
 
 } // namespace app

@@ -2,9 +2,8 @@
 
 #include "app/input/key_effects.hpp"
 #include "app/input/random_layouts.hpp"
-#include "app/input/study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/units.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/output/backbones_csv.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/cycles_csv.hpp"
@@ -84,11 +83,12 @@ constexpr std::string_view kPushList = "drystone_push_files.txt";
 constexpr const char* kInterruptedCurve = "capacity_interrupted.csv";
 
 /// The files of one wall, but for the series.
-std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
-                                   const Command& command, const std::vector<TestCurve>& beside)
+std::vector<OutputFile> wall_files(const Study& used, const dem::Layout& layout,
+                                   const PushedWall& w, const Command& command,
+                                   const std::vector<TestCurve>& beside)
 {
     std::vector<OutputFile> files = {{"study.ini", configuration(used, command)},
-                                     {"summary.json", summary_json(used, w)}};
+                                     {"summary.json", summary_json(used, layout, w)}};
     if (dem::failed(w.result.outcome)) return files;
     files.push_back({"capacity.csv", capacity_text(w)});
     if (push_way(used).direction == 0) {
@@ -99,16 +99,16 @@ std::vector<OutputFile> wall_files(const Study& used, const PushedWall& w,
         files.push_back({"backbones.csv", backbones_csv(path)});
     }
     files.push_back({"capacity.svg", capacity_svg(used, w, beside)});
-    files.push_back({"wall.svg", pushed_picture(used, w)});
-    if (!w.piers.empty()) files.push_back({"piers.svg", pier_picture(used, w)});
+    files.push_back({"wall.svg", pushed_picture(used, layout, w)});
+    if (!w.piers.empty()) files.push_back({"piers.svg", pier_picture(used, layout, w)});
     const PushedWall* const other = other_way_of(w);
     if (other == nullptr || dem::failed(other->result.outcome)) return files;
     const Study turned = turned_round(used);
     const std::string way = way_name(push_way(turned).direction);
     files.push_back({"capacity_" + way + ".csv", capacity_text(*other)});
-    files.push_back({"wall_" + way + ".svg", pushed_picture(turned, *other)});
+    files.push_back({"wall_" + way + ".svg", pushed_picture(turned, layout, *other)});
     if (!other->piers.empty())
-        files.push_back({"piers_" + way + ".svg", pier_picture(turned, *other)});
+        files.push_back({"piers_" + way + ".svg", pier_picture(turned, layout, *other)});
     return files;
 }
 
@@ -158,19 +158,20 @@ std::vector<fs::path> wall_folders(const Study& study, const std::vector<WantedW
     return folders;
 }
 
-void write_all(const Command& command, const Study& study,
+void write_all(const Command& command, const PreparedStudy& ready,
                const std::vector<WantedWall>& wanted, const std::vector<PushedWall>& walls,
                PushedSeries& series, const std::optional<PushFilm>& film,
                const std::vector<TestCurve>& beside)
 {
+    const Study& study = ready.study;
     std::vector<OutputFile> files, moved;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const fs::path folder = wall_folder(walls.size(), walls[i].vertical_stress);
         const Study used = study.random.empty() ? study : with_drawn(study, wanted[i]);
-        for (OutputFile& f : wall_files(used, walls[i], command, beside))
+        for (OutputFile& f : wall_files(used, ready.layout, walls[i], command, beside))
             files.push_back({folder / f.name, std::move(f.content)});
         if (film && !dem::failed(walls[i].result.outcome))
-            files.push_back({folder / "film.svg", film->film(used, i, walls[i])});
+            files.push_back({folder / "film.svg", film->film(ready.layout, i, walls[i])});
         if (study.output.paraview && !dem::failed(walls[i].result.outcome))
             for (const OutputFile& f : series.seal(i, walls[i].result))
                 moved.push_back({folder / f.name, {}, f.from});
@@ -236,9 +237,10 @@ void check_folder(const Command& command, const Study& study,
 }
 
 /// With the layout of the wall that is pushed.
-Study pushed_study(const Study& study, std::optional<int> sample)
+PreparedStudy pushed_study(PreparedStudy ready, std::optional<int> sample)
 {
-    if (!has_layouts(study)) return study;
+    const Study& study = ready.study;
+    if (!has_layouts(study)) return ready;
     return in_layout(study, layout_seed(study, static_cast<std::uint32_t>(sample.value_or(0))));
 }
 
@@ -246,14 +248,16 @@ Study pushed_study(const Study& study, std::optional<int> sample)
 
 int push_command(const Command& command)
 {
-    const StudySource source = study_source(command);
-    const std::vector<WantedWall> wanted = wanted_walls(source, command);
+    StudySource source = study_source(command.study, command.overrides);
+    const std::vector<WantedWall> wanted =
+        wanted_walls(source, {command.sample, command.mean_wall, command.level});
     std::vector<TestCurve> beside;
     for (const std::string& path : command.beside) beside.push_back(read_test_curve(path));
-    std::cerr << study_notes(source.study, command);
+    std::cerr << study_notes(source.ready, command.verb);
     if (!source.other_revision.empty())
         std::cerr << wrapped("note: " + source.other_revision + "\n", terminal_width());
-    const Study study = pushed_study(source.study, command.sample);
+    const PreparedStudy ready = pushed_study(std::move(source.ready), command.sample);
+    const Study& study = ready.study;
     check_folder(command, study, wanted);
     catch_interrupts();
     PushedSeries series(command.out, wall_folders(study, wanted));
@@ -262,9 +266,9 @@ int push_command(const Command& command)
     std::optional<PushFilm> film;
     if (command.film) film.emplace(study, wanted.size(), plan);
     const auto [walls, whole, other_way_left_out] =
-        push_until_told(study, std::move(plan), wanted, command.threads, command.quiet);
+        push_until_told(ready, std::move(plan), wanted, command.threads, command.quiet);
     if (!whole) keep_curves(command, walls);
-    write_all(command, study, wanted, walls, series, film, beside);
+    write_all(command, ready, wanted, walls, series, film, beside);
     if (other_way_left_out)
         throw Interrupted{"all results of the push are in " + command.out +
                           "; only the push the other way was left out"};
@@ -272,7 +276,7 @@ int push_command(const Command& command)
               << as_text(limit_table(study, walls), terminal_width()) << pier_text(study, walls)
               << error_line(study, walls);
     for (const PushedWall& w : walls)
-        for (const std::string& remark : hand_checks(study, w).remarks)
+        for (const std::string& remark : hand_checks(study, ready.layout, w).remarks)
             std::cout << wrapped("remark: " + stress_text(w.vertical_stress) + ": " + remark +
                                      ".\n",
                                  terminal_width());

@@ -1,6 +1,5 @@
 #include "app/push/push_film.hpp"
 
-#include "app/input/wall_geometry.hpp"
 #include "app/output/film_svg.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study/wall_frames.hpp"
@@ -35,7 +34,8 @@ PushFilm::PushFilm(const Study& study, std::size_t walls, dem::PushPlan& plan) :
             }};
 }
 
-std::string PushFilm::film(const Study& study, std::size_t wall, const PushedWall& w) const
+std::string PushFilm::film(const dem::Layout& layout, std::size_t wall,
+                           const PushedWall& w) const
 {
     std::vector<dem::Snapshot> frames = walls_.at(wall).frames;
     if (frames.empty() || frames.back().displacement != w.result.at_end.displacement)
@@ -45,7 +45,7 @@ std::string PushFilm::film(const Study& study, std::size_t wall, const PushedWal
     FilmText text;
     text.title = "Wall under " + stress_text(w.vertical_stress);
     text.load_height = w.loads.height;
-    text.tints = stone_tints(layout_of(study));
+    text.tints = stone_tints(layout);
     return film_svg(frames, w.displacement, w.force, text);
 }
 

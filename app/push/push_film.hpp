@@ -18,7 +18,7 @@ class PushFilm {
     PushFilm(const Study& study, std::size_t walls, dem::PushPlan& plan);
 
     /// film.svg of a wall whose push gave a result.
-    [[nodiscard]] std::string film(const Study& study, std::size_t wall,
+    [[nodiscard]] std::string film(const dem::Layout& layout, std::size_t wall,
                                    const PushedWall& pushed) const;
 
   private:

@@ -1,6 +1,5 @@
 #include "app/push/push_until_told.hpp"
 
-#include "app/input/wall_geometry.hpp"
 #include "app/output/progress.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/other_way.hpp"
@@ -50,11 +49,12 @@ class EarlyEnd {
 
 } // namespace
 
-Pushed push_until_told(const Study& study, dem::PushPlan plan,
+Pushed push_until_told(const PreparedStudy& ready, dem::PushPlan plan,
                        const std::vector<WantedWall>& wanted, int threads, bool quiet)
 {
-    const dem::Model model = model_of(study);
-    PierWatch piers(study, wanted.size(), plan);
+    const Study& study = ready.study;
+    const dem::Model model = model_of(ready);
+    PierWatch piers(study, ready.layout, wanted.size(), plan);
     OtherWay other(study, model, wanted, threads, end_if_interrupted);
     std::vector<PushedWall> walls(wanted.size());
     Progress line(std::cerr, stderr_progress(quiet), steady_seconds);

@@ -2,7 +2,7 @@
 /// The walls of `drystone push`, with one line that shows how far they are, until they are done
 /// or the program is told to end.
 
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "dem/solver/push.hpp"
 
@@ -23,7 +23,7 @@ struct Pushed {
 /// @param plan where to push the walls
 /// @throws Interrupted (app/study/interrupt.hpp) where the program is told to end before any
 /// wall has a curve
-[[nodiscard]] Pushed push_until_told(const Study& study, dem::PushPlan plan,
+[[nodiscard]] Pushed push_until_told(const PreparedStudy& ready, dem::PushPlan plan,
                                      const std::vector<WantedWall>& wanted, int threads,
                                      bool quiet);
 

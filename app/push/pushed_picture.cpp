@@ -1,16 +1,15 @@
 #include "app/push/pushed_picture.hpp"
 
-#include "app/input/wall_geometry.hpp"
 #include "app/output/wall_svg.hpp"
 #include "app/study/study_walls.hpp"
 
 namespace app {
 
-std::string pushed_picture(const Study& study, const PushedWall& w)
+std::string pushed_picture(const Study& study, const dem::Layout& layout, const PushedWall& w)
 {
     WallPictureText text;
     text.title = "Wall under " + stress_text(w.vertical_stress);
-    text.tints = stone_tints(layout_of(study));
+    text.tints = stone_tints(layout);
     if (push_way(study).direction == 0) text.peak_name = "At the largest force";
     if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
     text.load_height = w.loads.height;

@@ -12,6 +12,7 @@ namespace app {
 /// down under its vertical load
 /// has none
 /// @throws std::invalid_argument as wall_picture
-[[nodiscard]] std::string pushed_picture(const Study& study, const PushedWall& wall);
+[[nodiscard]] std::string pushed_picture(const Study& study, const dem::Layout& layout,
+                                         const PushedWall& wall);
 
 } // namespace app

@@ -1,6 +1,7 @@
 #include "app/push/summary_json.hpp"
 
 #include "app/input/limit_state_text.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/program_version.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/study/both_ways.hpp"
@@ -186,7 +187,7 @@ Json checks(const HandChecks& h)
 
 } // namespace
 
-std::string summary_json(const Study& study, const PushedWall& w)
+std::string summary_json(const Study& study, const dem::Layout& layout, const PushedWall& w)
 {
     const bool whole = !dem::failed(w.result.outcome);
     const WallReading& r = w.reading;
@@ -233,7 +234,7 @@ std::string summary_json(const Study& study, const PushedWall& w)
         j["worse"] = worse(study, w, rules);
     }
     j["mechanism"] = mechanism(w, f);
-    j["hand_checks"] = checks(hand_checks(study, w));
+    j["hand_checks"] = checks(hand_checks(study, layout, w));
     j["energy_residual"] = or_null(energy_residual(w));
     j["solver_error_percent"] = or_null(100.0 * solver_error(w));
     j["energy"] = energy(w.result.energy);

@@ -9,6 +9,7 @@
 namespace app {
 
 /// Keys in a fixed order; what is not defined is null, never NaN.
-[[nodiscard]] std::string summary_json(const Study& study, const PushedWall& wall);
+[[nodiscard]] std::string summary_json(const Study& study, const dem::Layout& layout,
+                                       const PushedWall& wall);
 
 } // namespace app

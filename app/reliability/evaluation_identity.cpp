@@ -24,9 +24,9 @@ std::string section_text(std::span<const Key> keys, std::string_view section,
 
 } // namespace
 
-std::string wall_evaluations(const Study& study, const Command& command)
+std::string wall_evaluations(const Study& study, const std::string& level)
 {
-    const double stress = study.load.vertical_stress[level_of(study, command.level)];
+    const double stress = study.load.vertical_stress[level_of(study, level)];
     return identity_text(study) + section_text(study_keys(), "fragility", study) +
            "level = " + format_quantities({&stress, 1}, "MPa") + '\n';
 }

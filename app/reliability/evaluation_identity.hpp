@@ -3,7 +3,6 @@
 /// depend on. Evaluations that an interrupted run has left serve an analysis with the same
 /// text.
 
-#include "app/input/command.hpp"
 #include "app/input/study.hpp"
 
 #include <string>
@@ -12,7 +11,7 @@ namespace app {
 
 /// Identity of the study, rules of reading and vertical stress, however they were written.
 /// Method, budget and demand are not among them.
-[[nodiscard]] std::string wall_evaluations(const Study& study, const Command& command);
+[[nodiscard]] std::string wall_evaluations(const Study& study, const std::string& level);
 
 /// Keys and names of the variables of another program.
 [[nodiscard]] std::string program_evaluations(const Study& study);

@@ -2,8 +2,7 @@
 /// The event whose probability is sought, ready for the methods of uq/, and how its numbers are
 /// shown.
 
-#include "app/input/command.hpp"
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 #include "uq/reliability/reliability.hpp"
 
 #include <string>
@@ -11,9 +10,11 @@
 
 namespace app {
 
-/// From a study of walls: one level, the study's only one or --level.
+/// From a study of walls.
+/// @param level as level_of reads it
 /// @throws ConfigError
-[[nodiscard]] uq::ReliabilityProblem wall_problem(const Study& study, const Command& command);
+[[nodiscard]] uq::ReliabilityProblem wall_problem(const PreparedStudy& ready,
+                                                  const std::string& level, int threads);
 
 /// From a study of another program (docs/external_program.md).
 /// @throws ConfigError

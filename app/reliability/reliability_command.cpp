@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/input/study_reading.hpp"
 
 #include "app/input/key_effects.hpp"
 #include "app/output/atomic_output.hpp"
@@ -181,13 +182,16 @@ Question question_of(const Command& command)
 {
     const StudyFile file = with_overrides(read_study_file(command.study), command.overrides);
     const bool program = is_program_study(file);
-    const Study study = program ? read_program_study(file) : read_study(file);
+    const PreparedStudy ready =
+        program ? PreparedStudy{read_program_study(file), {}} : prepare(read_study(file));
+    const Study& study = ready.study;
     const uq::ReliabilityProblem problem =
-        program ? program_event(study, command.threads) : wall_problem(study, command);
+        program ? program_event(study, command.threads)
+                : wall_problem(ready, command.level, command.threads);
     Question q{problem, shown_inputs(study, problem.inputs), shown_response(study, problem),
-               program ? program_evaluations(study) : wall_evaluations(study, command)};
+               program ? program_evaluations(study) : wall_evaluations(study, command.level)};
     q.model += "response = " + std::to_string(q.problem.event.response) + '\n';
-    std::cerr << study_notes(study, command);
+    std::cerr << study_notes(ready, command.verb);
     return q;
 }
 

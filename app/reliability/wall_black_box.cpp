@@ -70,10 +70,11 @@ SamplePlan any_wall_plan(Study study, const dem::Layout& layout)
     return sample_plan(study, layout, one);
 }
 
-uq::BlackBox wall_model(const Study& study, const SamplePlan& plan, int level, int threads)
+uq::BlackBox wall_model(const PreparedStudy& ready, const SamplePlan& plan, int level,
+                        int threads)
 {
     const auto shared =
-        std::make_shared<Shared>(Shared{study, plan, model_of(study), level, threads});
+        std::make_shared<Shared>(Shared{ready.study, plan, model_of(ready), level, threads});
     return [shared](const uq::Samples& samples) { return ask(*shared, samples); };
 }
 

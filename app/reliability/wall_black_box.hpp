@@ -1,7 +1,7 @@
 #pragma once
 /// The wall of a study as a black box: random values in, responses out.
 
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "dem/scene/layout.hpp"
 #include "uq/reliability/black_box.hpp"
@@ -23,8 +23,8 @@ void check_random(const Study& study, const std::string& or_else = "");
 /// for demands below it.
 /// @param level index in study.load.vertical_stress
 /// @param threads >= 1
-[[nodiscard]] uq::BlackBox wall_model(const Study& study, const SamplePlan& plan, int level,
-                                      int threads);
+[[nodiscard]] uq::BlackBox wall_model(const PreparedStudy& ready, const SamplePlan& plan,
+                                      int level, int threads);
 
 /// Standard normal coordinates to the values of a wall.
 /// @throws ConfigError with Spatial::stratified, whose draws have no coordinates

@@ -1,6 +1,5 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_response.hpp"
 #include "app/reliability/event.hpp"
 #include "app/reliability/wall_black_box.hpp"
@@ -70,25 +69,27 @@ Study cheaper(const Study& study)
 }
 
 /// Relative cost of a wall: modes move through the contact points in every step.
-double cost_of(const Study& study)
+double cost_of(const PreparedStudy& ready)
 {
-    const dem::Model m = model_of(study);
-    return static_cast<double>(m.n_modes) * study.discretisation.contact_points;
+    const dem::Model m = model_of(ready);
+    return static_cast<double>(m.n_modes) * ready.study.discretisation.contact_points;
 }
 
 } // namespace
 
-uq::ReliabilityProblem wall_problem(const Study& study, const Command& command)
+uq::ReliabilityProblem wall_problem(const PreparedStudy& ready, const std::string& stress_name,
+                                    int threads)
 {
+    const Study& study = ready.study;
     refuse_layouts(study);
     check_random(study);
-    const int level = level_of(study, command.level);
+    const int level = level_of(study, stress_name);
     const Demand demand = demand_of(study);
     check_reached(study, demand);
-    const SamplePlan plan = any_wall_plan(study, layout_of(study));
+    const SamplePlan plan = any_wall_plan(study, ready.layout);
 
     uq::ReliabilityProblem p = asked_problem(study, plan.values.n_columns);
-    p.event.model = wall_model(study, plan, level, command.threads);
+    p.event.model = wall_model(ready, plan, level, threads);
     p.event.to_physical = wall_map(study, plan);
     p.event.response = static_cast<Eigen::Index>(study.reliability.response);
     p.event.threshold = demand.value;
@@ -103,10 +104,10 @@ uq::ReliabilityProblem wall_problem(const Study& study, const Command& command)
                 plan.inputs[i].key + (columns[i].size() > 1 ? "." + std::to_string(c + 1) : "");
     p.rough = true;
     if (p.method == ReliabilityMethod::multi_fidelity) {
-        const Study low = cheaper(study);
+        const PreparedStudy low{cheaper(study), ready.layout};
         uq::CheapModel cheap;
-        cheap.model = wall_model(low, plan, level, command.threads);
-        cheap.cost = cost_of(low) / cost_of(study);
+        cheap.model = wall_model(low, plan, level, threads);
+        cheap.cost = cost_of(low) / cost_of(ready);
         cheap.response = p.event.response;
         cheap.threshold = p.event.threshold;
         p.cheap.push_back(cheap);

@@ -1,7 +1,7 @@
 #include "app/report/report_command.hpp"
 
+#include "app/input/prepared_study.hpp"
 #include "app/input/random_layouts.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
@@ -24,10 +24,10 @@ namespace app {
 namespace {
 
 /// How many walls are shown: as asked for, else as many as kMostFilmedBlocks allows.
-std::size_t most_walls(const StudyWalls& study, const std::optional<int>& asked)
+std::size_t most_walls(const PreparedStudy& ready, const std::optional<int>& asked)
 {
     if (asked) return static_cast<std::size_t>(*asked);
-    return walls_in_page(layout_of(study.study).blocks.size());
+    return walls_in_page(ready.layout.blocks.size());
 }
 
 std::string chosen_text(std::size_t shown, std::size_t sound)
@@ -43,13 +43,14 @@ std::string chosen_text(std::size_t shown, std::size_t sound)
 /// The page so far, and the listed walls.
 struct Draft {
     const StudyWalls& study;
+    const PreparedStudy& ready; ///< the same study
     std::string title;
     WallList listed; ///< as walls_to_list
     Json data;
 
     [[nodiscard]] std::string page(const Replay& replay, const std::string& note) const
     {
-        return report_page(title, data, films_json(study, listed, replay, note));
+        return report_page(title, data, films_json(ready, listed, replay, note));
     }
 };
 
@@ -66,7 +67,7 @@ Json tested_data(const StudyWalls& study, const WallList& listed, bool quiet)
 }
 
 /// Films of walls, from the shelf or pushed again.
-Replay films_of(const StudyWalls& study, const WallList& walls, const Command& command,
+Replay films_of(const PreparedStudy& ready, const WallList& walls, const Command& command,
                 const FilmShelf& shelf)
 {
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);
@@ -74,7 +75,7 @@ Replay films_of(const StudyWalls& study, const WallList& walls, const Command& c
         return "pushing " + std::to_string(n) + " walls again";
     };
     Replay all =
-        replay(study, walls, command.threads, shelf, [&](std::size_t done, std::size_t wanted) {
+        replay(ready, walls, command.threads, shelf, [&](std::size_t done, std::size_t wanted) {
             progress.update(static_cast<double>(done) / static_cast<double>(wanted),
                             what(wanted));
         });
@@ -86,9 +87,9 @@ Replay films_of(const StudyWalls& study, const WallList& walls, const Command& c
 /// as large.
 void keep_in_page(const Draft& draft, Replay& replay)
 {
-    const Study& study = draft.study.study;
-    const std::size_t geometry = text_of(wall_geometry(layout_of(study))).size();
-    const std::size_t each = has_layouts(study) ? geometry : 0;
+    const PreparedStudy& ready = draft.ready;
+    const std::size_t geometry = text_of(wall_geometry(ready.layout)).size();
+    const std::size_t each = has_layouts(ready.study) ? geometry : 0;
     const std::size_t rest = draft.page({}, chosen_text(1, 2)).size() + geometry + 100;
     keep_first(replay, kMostPageBytes - std::min(rest, kMostPageBytes), each);
 }
@@ -103,11 +104,11 @@ struct Shown {
 Shown show_walls(const Draft& draft, const Command& command, const FilmShelf& shelf)
 {
     const StudyWalls& study = draft.study;
-    const auto walls = walls_to_show(draft.listed, most_walls(study, command.walls));
+    const auto walls = walls_to_show(draft.listed, most_walls(draft.ready, command.walls));
     const std::string other = other_revision_text(study.head);
     const std::string remark = other.empty() ? "" : " " + other;
     if (walls.empty()) return {{}, chosen_text(0, 0) + remark};
-    Shown shown{films_of(study, walls, command, shelf), {}};
+    Shown shown{films_of(draft.ready, walls, command, shelf), {}};
     if (!command.walls) keep_in_page(draft, shown.replay);
     std::size_t sound = 0;
     for (const StudyLevel& level : study.levels) sound += level.walls.size();
@@ -138,7 +139,8 @@ int report_command(const Command& command, const FilmShelf& shelf)
     const StudyWalls study = read_study_walls(file, command.overrides, Keep::everything);
     const std::string title =
         command.title.empty() ? "Drystone study " + file.stem().string() : command.title;
-    Draft draft{study, title, walls_to_list(study, kMostListed), {}};
+    const PreparedStudy ready = lay_again(study.study);
+    Draft draft{study, ready, title, walls_to_list(study, kMostListed), {}};
     draft.data = tested_data(study, draft.listed, command.quiet);
     draft.data["file"] = file.filename().string();
     const Shown shown = show_walls(draft, command, shelf);

@@ -10,7 +10,6 @@
 #include "app/fragility/model_doubt.hpp"
 #include "app/fragility/solver_error_table.hpp"
 #include "app/input/random_layouts.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/program_version.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/study/solver_error.hpp"
@@ -130,9 +129,10 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
 }
 
 /// @param seed of the layout
-Json geometry_of(const Study& study, std::uint32_t seed)
+Json geometry_of(const PreparedStudy& ready, std::uint32_t seed)
 {
-    return wall_geometry(layout_of(has_layouts(study) ? in_layout(study, seed) : study));
+    return wall_geometry(has_layouts(ready.study) ? in_layout(ready.study, seed).layout
+                                                  : ready.layout);
 }
 
 Json overview_json(const StudyWalls& study, const DriftData& data)
@@ -172,7 +172,7 @@ Json report_data(const StudyWalls& study, const WallList& listed, const FitProgr
             {"provenance", provenance_json(study)}};
 }
 
-Json films_json(const StudyWalls& study, const WallList& listed, const Replay& replay,
+Json films_json(const PreparedStudy& ready, const WallList& listed, const Replay& replay,
                 const std::string& note)
 {
     Json films = {{"note", note}, {"films", Json::array()}};
@@ -186,9 +186,9 @@ Json films_json(const StudyWalls& study, const WallList& listed, const Replay& r
         const auto film = of_wall.find(listed[w]);
         if (film == of_wall.end()) continue;
         const Film& f = *film->second;
-        const std::uint32_t seed = layout_seed(study.study, listed[w]->key.sample);
+        const std::uint32_t seed = layout_seed(ready.study, listed[w]->key.sample);
         const auto [at, first] = places.try_emplace(seed, places.size());
-        if (first) films["geometries"].push_back(geometry_of(study.study, seed));
+        if (first) films["geometries"].push_back(geometry_of(ready, seed));
         films["films"].push_back({{"wall", w},
                                   {"geometry", at->second},
                                   {"frames", f.frames},

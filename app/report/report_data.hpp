@@ -22,7 +22,8 @@ report_data(const StudyWalls& study, const WallList& listed, const FitProgress& 
 /// "data"}], "geometries"}, without geometry where there are none.
 /// @param replay walls pushed again, all of them listed; may be empty
 /// @param note which walls were chosen, or why there are none
-[[nodiscard]] nlohmann::ordered_json films_json(const StudyWalls& study, const WallList& listed,
-                                                const Replay& replay, const std::string& note);
+[[nodiscard]] nlohmann::ordered_json films_json(const PreparedStudy& ready,
+                                                const WallList& listed, const Replay& replay,
+                                                const std::string& note);
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "app/report/report_parts.hpp"
 
+#include "app/input/prepared_study.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/fragility_text.hpp"
@@ -56,7 +57,8 @@ std::string way_text(const PushWay& way)
 std::string bond_text(const Study& study)
 {
     if (study.geometry.rubble)
-        return "of " + count_of(study.geometry.units.size(), "stone") + " of rubble";
+        return "of " + count_of(lay_again(study).study.geometry.units.size(), "stone") +
+               " of rubble"; // a study that is read has not grown them
     if (!is_drawn(study))
         return "in " + count_of(static_cast<std::size_t>(study.wall.courses), "course");
     const GeometryInput& g = study.geometry;

@@ -1,7 +1,6 @@
 #include "app/report/report_replay.hpp"
 
 #include "app/input/units.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/push_layouts.hpp"
 #include "app/study/wall_frames.hpp"
@@ -28,16 +27,16 @@ bool same_as_stored(const StudyWall& stored, const PushedWall& wall)
 }
 
 /// Pushes the walls at places `missing` of `all` and puts their films there.
-void push_missing(const StudyWalls& r, const std::vector<std::size_t>& missing, int threads,
-                  Replay& all, const std::function<void(std::size_t, std::size_t)>& seen)
+void push_missing(const PreparedStudy& ready, const std::vector<std::size_t>& missing,
+                  int threads, Replay& all,
+                  const std::function<void(std::size_t, std::size_t)>& seen)
 {
-    const Study& study = r.study;
-    const dem::Layout layout = layout_of(study);
+    const Study& study = ready.study;
     PushList list;
     list.size = missing.size();
     list.wall = [&](std::size_t i) -> WantedWall {
         const StudyWall& wall = *all.walls[missing[i]];
-        return {static_cast<int>(wall.key.level), stored_draw(study, layout, wall)};
+        return {static_cast<int>(wall.key.level), stored_draw(study, ready.layout, wall)};
     };
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         const StudyWall& stored = *all.walls[missing[i]];
@@ -49,14 +48,14 @@ void push_missing(const StudyWalls& r, const std::vector<std::size_t>& missing, 
     dem::PushPlan plan = filmed_plan(study);
     plan.progress = [](double, double, double) { end_if_interrupted(); };
     push_in_layouts(
-        study, plan, list, [&](std::size_t i) { return all.walls[missing[i]]->key.sample; },
+        ready, plan, list, [&](std::size_t i) { return all.walls[missing[i]]->key.sample; },
         threads);
 }
 
 } // namespace
 
-Replay replay(const StudyWalls& r, const WallList& walls, int threads, const FilmShelf& shelf,
-              const std::function<void(std::size_t, std::size_t)>& seen)
+Replay replay(const PreparedStudy& ready, const WallList& walls, int threads,
+              const FilmShelf& shelf, const std::function<void(std::size_t, std::size_t)>& seen)
 {
     Replay all;
     all.walls = walls;
@@ -69,7 +68,7 @@ Replay replay(const StudyWalls& r, const WallList& walls, int threads, const Fil
         else
             missing.push_back(i);
     }
-    if (!missing.empty()) push_missing(r, missing, threads, all, seen);
+    if (!missing.empty()) push_missing(ready, missing, threads, all, seen);
     return all;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Stored walls pushed again, to be shown.
 
+#include "app/input/prepared_study.hpp"
 #include "app/report/film_shelf.hpp"
 #include "app/report/report_choice.hpp"
 #include "app/report/report_film.hpp"
@@ -20,10 +21,10 @@ struct Replay {
 };
 
 /// Values come from the file, not from the design, so that it need not be the same.
-/// @param study read with Keep::everything
+/// @param walls read with Keep::everything
 /// @param shelf films of walls that need not be pushed
 /// @param seen walls pushed so far, and in all
-[[nodiscard]] Replay replay(const StudyWalls& study, const WallList& walls, int threads,
+[[nodiscard]] Replay replay(const PreparedStudy& study, const WallList& walls, int threads,
                             const FilmShelf& shelf,
                             const std::function<void(std::size_t, std::size_t)>& seen);
 

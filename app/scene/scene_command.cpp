@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/input/study_reading.hpp"
 
 #include "app/drawing/write_drawing.hpp"
 #include "app/input/key_effects.hpp"
@@ -134,17 +135,17 @@ std::string layouts_text(const Study& study)
 
 int scene_command(const Command& command)
 {
-    const StudySource source = study_source(command, Purpose::drawing);
-    const Study& study = source.study;
+    const StudySource source = study_source(command.study, command.overrides, Purpose::drawing);
+    const Study& study = source.ready.study;
     const fs::path out = command.out;
     if (const std::string note = check_results(
             out, {"scene.json", "scene.dxf", "scene.svg", "joints.csv"}, kSceneList);
         !command.quiet)
         std::cerr << note;
-    const dem::Layout layout = layout_of(study);
+    const dem::Layout& layout = source.ready.layout;
     const dem::Layout whole = whole_units(study);
     const std::vector<DrawnBlock> units = scene_units(study, whole);
-    std::cerr << study_notes(study, command);
+    std::cerr << study_notes(source.ready, command.verb);
     if (!study.load.unfit_height.empty())
         std::cerr << "note: load.height: " << study.load.unfit_height
                   << ". The wall is drawn; push and study refuse it.\n";

@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/input/study_reading.hpp"
 
 #include "app/input/key_effects.hpp"
 #include "app/serve/http_server.hpp"
@@ -55,12 +56,12 @@ void say(const HttpOptions& options, int port, const std::vector<ServedModel>& m
 
 int serve_command(const Command& command)
 {
-    const Study given = read_study(command.study, command.overrides);
+    const PreparedStudy given = prepare(read_study(command.study, command.overrides));
     const ServedStudy served = served_study(given, command.inputs);
-    std::cerr << study_notes(given, command);
-    const dem::Model model = model_of(served.study);
+    std::cerr << study_notes(given, command.verb);
+    const dem::Model model = model_of(served.ready);
     catch_interrupts();
-    WallQueue queue(served.study, model, command.threads);
+    WallQueue queue(served.ready.study, model, command.threads);
     const std::vector<ServedModel> models = served_models(
         served, std::filesystem::path(command.study).stem().string(),
         command.responses.empty() ? std::vector<std::string>{"peak_force"} : command.responses,

@@ -3,7 +3,6 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/reading/wall_response.hpp"
 #include "app/reliability/wall_black_box.hpp"
 #include "app/sampling/sample_plan.hpp"
@@ -188,16 +187,17 @@ std::string model_name(const Study& study, const std::string& name, double stres
 
 } // namespace
 
-ServedStudy served_study(const Study& study, const std::vector<std::string>& inputs)
+ServedStudy served_study(const PreparedStudy& ready, const std::vector<std::string>& inputs)
 {
-    ServedStudy served{study, inputs.empty() && study.uq.spatial != Spatial::stratified};
+    const Study& study = ready.study;
+    ServedStudy served{ready, inputs.empty() && study.uq.spatial != Spatial::stratified};
     if (!inputs.empty()) {
-        served.study.random.clear();
+        served.ready.study.random.clear();
         for (const std::string& name : inputs)
-            served.study.random.push_back(input_named(study, name));
+            served.ready.study.random.push_back(input_named(study, name));
     }
-    refuse_layouts(served.study);
-    check_random(served.study, ", or name inputs: --input joint.friction_angle");
+    refuse_layouts(served.ready.study);
+    check_random(served.ready.study, ", or name inputs: --input joint.friction_angle");
     return served;
 }
 
@@ -205,9 +205,9 @@ std::vector<ServedModel> served_models(const ServedStudy& served, const std::str
                                        const std::vector<std::string>& responses,
                                        const WallPush& push)
 {
-    const Study& study = served.study;
+    const Study& study = served.ready.study;
     const auto shared =
-        std::make_shared<Shared>(Shared{layout_of(study), study.random, {}, {}, push});
+        std::make_shared<Shared>(Shared{served.ready.layout, study.random, {}, {}, push});
     shared->sites = sites_of(study.random, study.uq.spatial, shared->layout);
     const std::vector<ServedColumn> outputs = output_columns(responses, *shared);
     std::vector<ServedModel> models;

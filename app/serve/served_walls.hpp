@@ -3,7 +3,7 @@
 /// push out, all in SI.
 
 #include "app/input/command.hpp"
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/serve/umbridge.hpp"
 #include "app/study/pushed_wall.hpp"
 
@@ -19,7 +19,7 @@ using WallPush = std::function<PushedWall(WantedWall)>;
 
 /// A study whose random variables are the inputs of the server.
 struct ServedStudy {
-    Study study;
+    PreparedStudy ready;
     bool distributions = false; ///< each input has one, with coordinates
 };
 
@@ -27,7 +27,7 @@ struct ServedStudy {
 /// Empty: the random variables
 /// of the study
 /// @throws ConfigError if there is none, or one cannot be an input
-[[nodiscard]] ServedStudy served_study(const Study& study,
+[[nodiscard]] ServedStudy served_study(const PreparedStudy& ready,
                                        const std::vector<std::string>& inputs);
 
 /// Under each vertical stress the model NAME_normal, whose inputs are standard normal

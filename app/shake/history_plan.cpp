@@ -1,6 +1,7 @@
 #include "app/shake/history_plan.hpp"
 
 #include "app/input/random_layouts.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/shake/history_row.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/history_names.hpp"

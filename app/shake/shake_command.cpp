@@ -1,8 +1,7 @@
 #include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/study.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/table.hpp"
@@ -48,12 +47,12 @@ Table shaken_table(const std::vector<ShakenWall>& walls)
     return t;
 }
 
-std::string shaken_picture(const Study& study, const ShakenWall& w)
+std::string shaken_picture(const PreparedStudy& ready, const ShakenWall& w)
 {
     WallPictureText text;
     text.title = w.motion.name;
-    text.tints = stone_tints(layout_of(study));
-    if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
+    text.tints = stone_tints(ready.layout);
+    if (ready.study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
     text.load_height = w.result.top_height;
     text.both_name = text.end_name;
     return wall_picture(w.result.at_end, w.result.at_end, text);
@@ -65,10 +64,12 @@ int shake_command(const Command& command)
 {
     if (command.study.ends_with(".h5"))
         throw ConfigError(command.study, 0, "", "shake reads a study file; give STUDY.ini");
-    const StudySource source = study_source(command);
-    const std::vector<ShakingMotion> motions = shaking_motions(source.study);
-    const std::vector<WantedWall> wanted = wanted_walls(source, command);
-    const Study study = shaken_study(source.study, command.sample.value_or(0));
+    const StudySource source = study_source(command.study, command.overrides);
+    const std::vector<ShakingMotion> motions = shaking_motions(source.ready.study);
+    const std::vector<WantedWall> wanted =
+        wanted_walls(source, {command.sample, command.mean_wall, command.level});
+    const PreparedStudy ready = shaken_study(source.ready, command.sample.value_or(0));
+    const Study& study = ready.study;
     if (wanted.size() != 1) static_cast<void>(level_of(study, command.level)); // throws
     const WantedWall& wall = wanted.front();
     std::vector<std::filesystem::path> folders, names;
@@ -81,7 +82,7 @@ int shake_command(const Command& command)
              {"study.ini", "summary.json", "history.csv", "history.svg", "wall.svg"})
             names.push_back(folders.back() / name);
     }
-    std::cerr << study_notes(study, command);
+    std::cerr << study_notes(ready, command.verb);
     if (const std::string note = check_results(command.out, names, kShakeList); !command.quiet)
         std::cerr << note;
     catch_interrupts();
@@ -96,11 +97,11 @@ int shake_command(const Command& command)
             progress.emplace(std::cerr, stderr_progress(command.quiet), steady_seconds);
         progress->update(done, m.name + ", " + fixed(top * 1e3, 1) + " mm");
     };
-    shake_wall(study, wall, motions, seen, [&](ShakenWall&& shaken) {
+    shake_wall(ready, wall, motions, seen, [&](ShakenWall&& shaken) {
         if (progress) progress->finish(shaken.motion.name);
         progress.reset();
         const std::string picture =
-            shake_failed(shaken.result) ? "" : shaken_picture(study, shaken);
+            shake_failed(shaken.result) ? "" : shaken_picture(ready, shaken);
         for (OutputFile& f : shake_files(shaken, text, picture))
             files.push_back({folders[walls.size()] / f.name, std::move(f.content)});
         walls.push_back(std::move(shaken));

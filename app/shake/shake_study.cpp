@@ -1,7 +1,7 @@
 #include "app/shake/shake_study.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
@@ -39,19 +39,21 @@ class HistoryRuns {
   public:
     using Done = std::function<void(WallKey, const WallDraw&, ShakenHistory&&)>;
 
-    HistoryRuns(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
+    HistoryRuns(const PreparedStudy& ready, const HistoryPlan& plan, const SamplePlan& samples,
                 const std::vector<WallKey>& histories, const Done& done)
-        : study_(study), plan_(plan), samples_(samples), histories_(histories), done_(done),
-          moving_(moving_study(study)), model_(model_of(moving_))
+        : ready_(ready), plan_(plan), samples_(samples), histories_(histories),
+          done_(done), moving_(moving_study(ready.study)),
+          model_(model_of({moving_, ready.layout}))
     {
     }
 
     void run(int threads)
     {
-        if (study_.shaking.push) limits_ = pushed_limits(study_, samples_, walls(), threads);
+        if (ready_.study.shaking.push)
+            limits_ = pushed_limits(ready_, samples_, walls(), threads);
         dem::ShakenEnsemble all;
         all.size = histories_.size();
-        all.damps = study_.shaking.contact_damping > 0.0;
+        all.damps = ready_.study.shaking.contact_damping > 0.0;
         all.history = [this](std::size_t i) { return begin(i); };
         all.done = [this](std::size_t i, dem::ShakeResult&& result) {
             end(i, std::move(result));
@@ -102,7 +104,7 @@ class HistoryRuns {
             done_(key, begun.draw, std::move(begun.history));
             return {};
         }
-        in.plan = shake_plan(study_, begun.history.motion);
+        in.plan = shake_plan(ready_.study, begun.history.motion);
         in.plan.record_every = kNoHistory;
         in.plan.progress = [](double, double) { end_if_interrupted(); };
         const std::lock_guard lock(mutex_);
@@ -121,7 +123,7 @@ class HistoryRuns {
         done_(histories_[i], begun.draw, std::move(begun.history));
     }
 
-    const Study& study_;
+    const PreparedStudy& ready_;
     const HistoryPlan& plan_;
     const SamplePlan& samples_;
     const std::vector<WallKey>& histories_;
@@ -145,8 +147,9 @@ std::string history_progress(const RunProgress& p)
 
 /// Shakes what the store does not have. Finished histories are stored whatever happens then.
 /// @param last set to how far it came
-void shake_pending(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
-                   const Command& command, Store& store, RunProgress& last)
+void shake_pending(const PreparedStudy& ready, const HistoryPlan& plan,
+                   const SamplePlan& samples, const Command& command, Store& store,
+                   RunProgress& last)
 {
     const std::vector<WallKey> histories =
         pending_walls(store, command.shard, command.rerun_failed);
@@ -157,7 +160,7 @@ void shake_pending(const Study& study, const HistoryPlan& plan, const SamplePlan
     Progress line(std::cerr, stderr_progress(command.quiet), steady_seconds,
                   static_cast<double>(last.before) / all);
     try {
-        run_histories(study, plan, samples, histories, command.threads,
+        run_histories(ready, plan, samples, histories, command.threads,
                       [&](WallKey key, const WallDraw& drawn, ShakenHistory&& h) {
                           last.failed += failed(h) ? 1 : 0;
                           ++last.done;
@@ -206,22 +209,24 @@ void check_size(const Study& study, const HistoryPlan& plan)
 
 bool is_shaken(const StudyFile& file) { return is_given(file, "shaking.records"); }
 
-void run_histories(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
-                   const std::vector<WallKey>& histories, int threads,
+void run_histories(const PreparedStudy& ready, const HistoryPlan& plan,
+                   const SamplePlan& samples, const std::vector<WallKey>& histories,
+                   int threads,
                    const std::function<void(WallKey, const WallDraw&, ShakenHistory&&)>& done)
 {
     if (histories.empty()) return;
     const auto most = static_cast<int>(std::min<std::size_t>(histories.size(), 1024));
-    HistoryRuns(study, plan, samples, histories, done).run(std::clamp(threads, 1, most));
+    HistoryRuns(ready, plan, samples, histories, done).run(std::clamp(threads, 1, most));
 }
 
 int shake_study_command(const Command& command)
 {
-    Study study = read_study(command.study, command.overrides);
+    PreparedStudy ready = prepare(read_study(command.study, command.overrides));
+    Study& study = ready.study;
     const HistoryPlan plan = history_plan(study);
     check_size(study, plan);
     study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
-    std::cerr << study_notes(study, command);
+    std::cerr << study_notes(ready, command.verb);
     if (!command.script.empty())
         throw ConfigError("drystone", 0, "--slurm",
                           "writes no job array of a study that shakes walls yet; give each "
@@ -236,7 +241,7 @@ int shake_study_command(const Command& command)
     if (fs::exists(file)) refuse_changed_records(study, plan, file);
     catch_interrupts();
     const std::vector<std::uint32_t> sizes = wall_sizes(study, plan, file);
-    const SamplePlan samples = sample_plan(study, layout_of(study), sizes);
+    const SamplePlan samples = sample_plan(study, ready.layout, sizes);
     StoreHead head = history_head(study, plan, samples, sizes);
     head.shard = static_cast<std::uint32_t>(command.shard.index);
     head.shards = static_cast<std::uint32_t>(command.shard.count);
@@ -246,7 +251,7 @@ int shake_study_command(const Command& command)
     {
         Store store(file, head);
         try {
-            shake_pending(study, plan, samples, command, store, last);
+            shake_pending(ready, plan, samples, command, store, last);
         } catch (const Interrupted&) {
             whole = false;
         } catch (const std::invalid_argument& bad) {

@@ -2,7 +2,7 @@
 /// `drystone study` of a study whose walls are shaken.
 
 #include "app/input/command.hpp"
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/shake/history_row.hpp"
 #include "app/study/study_runner.hpp"
 
@@ -22,8 +22,9 @@ namespace app {
 /// number.
 /// @param done takes each history when it is there, one at a time, in no order
 /// @throws Interrupted; what `done` throws
-void run_histories(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
-                   const std::vector<WallKey>& histories, int threads,
+void run_histories(const PreparedStudy& ready, const HistoryPlan& plan,
+                   const SamplePlan& samples, const std::vector<WallKey>& histories,
+                   int threads,
                    const std::function<void(WallKey, const WallDraw&, ShakenHistory&&)>& done);
 
 } // namespace app

@@ -1,7 +1,6 @@
 #include "app/shake/shake_wall.hpp"
 
 #include "app/input/random_layouts.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/text/config_error.hpp"
 #include "dem/block/model.hpp"
 #include "dem/shaking/shake_ensemble.hpp"
@@ -13,22 +12,23 @@
 
 namespace app {
 
-Study shaken_study(const Study& given, int sample)
+PreparedStudy shaken_study(PreparedStudy ready, int sample)
 {
-    refuse_small(given);
-    Study study = given;
-    if (has_layouts(study))
-        study = in_layout(study, layout_seed(study, static_cast<std::uint32_t>(sample)));
-    study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
-    return study;
+    refuse_small(ready.study);
+    if (has_layouts(ready.study))
+        ready = in_layout(ready.study,
+                          layout_seed(ready.study, static_cast<std::uint32_t>(sample)));
+    ready.study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
+    return ready;
 }
 
-void shake_wall(const Study& study, const WantedWall& wall,
+void shake_wall(const PreparedStudy& ready, const WantedWall& wall,
                 const std::vector<ShakingMotion>& motions, const ShakeProgress& seen,
                 const std::function<void(ShakenWall&&)>& finished)
 {
+    const Study& study = ready.study;
     const Study moving = moving_study(study);
-    const dem::Model model = model_of(moving);
+    const dem::Model model = model_of({moving, ready.layout});
     const dem::WallMaterials materials =
         wall_materials(moving, model.layout, wall.level, wall.draw);
     std::vector<ShakenWall> walls(motions.size());

@@ -1,6 +1,7 @@
 #pragma once
 /// One wall of a study under each record and intensity.
 
+#include "app/input/prepared_study.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "app/shake/shake_files.hpp"
 #include "app/shake/shaking_motions.hpp"
@@ -12,7 +13,7 @@ namespace app {
 
 /// The study in the layout of a sample, with displacements of any size.
 /// @throws ConfigError where it asks for small ones
-[[nodiscard]] Study shaken_study(const Study& study, int sample);
+[[nodiscard]] PreparedStudy shaken_study(PreparedStudy ready, int sample);
 
 /// Told how far all histories are [0 to 1], and how far the top is out in one of them [m]; may
 /// throw Interrupted.
@@ -23,7 +24,7 @@ using ShakeProgress =
 /// Histories are shaken side by side in the lanes of a register.
 /// @param finished takes each history, in the order of the motions, when all are there
 /// @throws ConfigError where the wall cannot be shaken
-void shake_wall(const Study& study, const WantedWall& wall,
+void shake_wall(const PreparedStudy& ready, const WantedWall& wall,
                 const std::vector<ShakingMotion>& motions, const ShakeProgress& seen,
                 const std::function<void(ShakenWall&&)>& finished);
 

@@ -78,10 +78,10 @@ std::string end_name(const Study& study, const dem::PushResult& r)
                      : "At the end";
 }
 
-std::string mechanism_of(const Study& study, const PushedWall& w)
+std::string mechanism_of(const Study& study, const dem::Layout& layout, const PushedWall& w)
 {
     WallPictureText text;
-    text.tints = stone_tints(layout_of(study));
+    text.tints = stone_tints(layout);
     text.load_height = w.loads.height;
     if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
     const dem::PushResult& r = w.result;
@@ -151,11 +151,11 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
 /// The wall of the study's numbers, each random value its mean.
 std::vector<WantedWall> mean_wall(const StudySource& source, const Command& command)
 {
-    Command mean = command;
-    mean.mean_wall = !source.study.random.empty() || has_layouts(source.study);
-    if (source.study.uq.drawn.empty())
-        static_cast<void>(level_of(source.study, command.level)); // one wall alone
-    return wanted_walls(source, mean);
+    const Study& study = source.ready.study;
+    const bool mean = !study.random.empty() || has_layouts(study);
+    if (study.uq.drawn.empty())
+        static_cast<void>(level_of(study, command.level)); // one wall alone
+    return wanted_walls(source, {command.sample, command.mean_wall || mean, command.level});
 }
 
 std::string title_of(const Command& command)
@@ -163,22 +163,22 @@ std::string title_of(const Command& command)
     return command.title.empty() ? fs::path(command.study).stem().string() : command.title;
 }
 
-Sheet sheet_of(const Study& study, const PushedWall& w, const StudyWalls* stored, int level,
-               const Command& command)
+Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& w,
+               const StudyWalls* stored, int level, const Command& command)
 {
     const StudyLevel* const walls =
         stored == nullptr ? nullptr : &stored->levels.at(static_cast<std::size_t>(level));
     Sheet s;
     s.title = title_of(command);
     s.subtitle = subtitle(study, w);
-    s.answer = answer_sentences(study, w);
+    s.answer = answer_sentences(study, layout, w);
     s.drawing = drawing_of(study);
     Chart curve = capacity_chart(study, w);
     curve.title = "";
     curve.width = 560.0;
     curve.height = 300.0;
     s.curve = line_chart(curve);
-    s.mechanism = mechanism_of(study, w);
+    s.mechanism = mechanism_of(study, layout, w);
     s.limits = limits_of(study, w, walls);
     if (walls != nullptr)
         s.spread_head = "drift [%] of 16, 50, 84 % of " + std::to_string(walls->walls.size()) +
@@ -197,8 +197,8 @@ Sheet sheet_of(const Study& study, const PushedWall& w, const StudyWalls* stored
 int sheet_command(const Command& command)
 {
     if (command.study.ends_with(".h5")) check_is_study(command.study);
-    const StudySource source = study_source(command);
-    const Study& study = source.study;
+    const StudySource source = study_source(command.study, command.overrides);
+    const Study& study = source.ready.study;
     const std::vector<WantedWall> wanted = mean_wall(source, command);
     if (const std::string note = check_replaced(command.out, kSheetMark); !command.quiet)
         std::cerr << note;
@@ -206,12 +206,12 @@ int sheet_command(const Command& command)
     std::optional<StudyWalls> stored;
     if (command.study.ends_with(".h5"))
         stored = read_study_walls(command.study, command.overrides, Keep::readings);
-    std::cerr << wrapped(study_notes(study, command), terminal_width());
+    std::cerr << wrapped(study_notes(source.ready, command.verb), terminal_width());
     catch_interrupts();
     dem::PushPlan plan = push_plan(study);
     plan.snapshot_every = 0.0;
     const Pushed pushed =
-        push_until_told(study, std::move(plan), wanted, command.threads, command.quiet);
+        push_until_told(source.ready, std::move(plan), wanted, command.threads, command.quiet);
     if (!pushed.whole) throw Interrupted{"no sheet was written"};
     const PushedWall& wall = pushed.walls.front();
     if (dem::failed(wall.result.outcome))
@@ -220,9 +220,10 @@ int sheet_command(const Command& command)
     const Study used = study.random.empty() ? study : with_drawn(study, wanted.front());
     const fs::path out = command.out;
     if (out.has_parent_path()) make_folder(out.parent_path());
-    write_file(out, sheet_page(sheet_of(used, wall, stored ? &*stored : nullptr,
-                                        wanted.front().level, command)));
-    for (const std::string& s : answer_sentences(used, wall))
+    write_file(out,
+               sheet_page(sheet_of(used, source.ready.layout, wall, stored ? &*stored : nullptr,
+                                   wanted.front().level, command)));
+    for (const std::string& s : answer_sentences(used, source.ready.layout, wall))
         std::cout << wrapped(s + "\n", terminal_width());
     std::cout << out.string() << " written\n"
               << wrapped(print_pdf(out, pdf_of(out)) + "\n", terminal_width());

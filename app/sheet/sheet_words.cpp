@@ -51,11 +51,12 @@ std::string way_words(const Study& study, bool other)
     return direction == 0 ? "to and fro" : direction > 0 ? "to the right" : "to the left";
 }
 
-std::string strength_sentence(const Study& study, const PushedWall& w)
+std::string strength_sentence(const Study& study, const dem::Layout& layout,
+                              const PushedWall& w)
 {
     std::string text = "Pushed " + way_words(study, false) + ", the wall carries " +
                        kilonewtons(peak_force(w.reading));
-    const double vertical = hand_checks(study, w).vertical_load;
+    const double vertical = hand_checks(study, layout, w).vertical_load;
     if (vertical > 0.0)
         text += ", " + fixed(peak_force(w.reading) / vertical, 2) +
                 " of the vertical load on its top";
@@ -172,11 +173,12 @@ std::string spread_sentence(const StudyWalls& stored, std::size_t level)
 
 } // namespace
 
-std::vector<std::string> answer_sentences(const Study& study, const PushedWall& wall)
+std::vector<std::string> answer_sentences(const Study& study, const dem::Layout& layout,
+                                          const PushedWall& wall)
 {
     if (!wall.reading.no_reading.empty())
         return {sentence("No curve can be read: " + wall.reading.no_reading)};
-    std::vector<std::string> all = {strength_sentence(study, wall),
+    std::vector<std::string> all = {strength_sentence(study, layout, wall),
                                     limit_sentence(study, wall)};
     if (!came_down_at_once(wall)) all.push_back(failure_sentence(study, wall));
     return all;

@@ -20,8 +20,8 @@ struct Assumption {
 };
 
 /// A few sentences that answer how much the wall carries, how far it goes, and how it fails.
-[[nodiscard]] std::vector<std::string> answer_sentences(const Study& study,
-                                                        const PushedWall& wall);
+[[nodiscard]] std::vector<std::string>
+answer_sentences(const Study& study, const dem::Layout& layout, const PushedWall& wall);
 
 /// The choices that move the answer most, at most `most`.
 [[nodiscard]] std::vector<Assumption> assumptions(const Study& study, std::size_t most);

@@ -1,9 +1,7 @@
 #include "app/study/drawn_wall.hpp"
 
 #include "app/input/units.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/text/words.hpp"
-#include "dem/scene/layout.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -29,14 +27,14 @@ const std::vector<double>& read_part(const Study& study, std::string_view part,
     throw BadValue(in_quotes(name) + " is not a distribution of this study");
 }
 
-WallDraw parse_draw(const Study& study, const std::vector<std::string_view>& parts)
+WallDraw parse_draw(const PreparedStudy& ready, const std::vector<std::string_view>& parts)
 {
+    const Study& study = ready.study;
     if (parts.size() == 2 && parts.back() == kMean) return {};
     std::vector<std::vector<double>> values(study.random.size());
     for (std::size_t i = 1; i < parts.size(); ++i)
         if (!parts[i].empty()) static_cast<void>(read_part(study, parts[i], values));
-    const dem::Layout layout = layout_of(study);
-    const std::vector<int> sites = sites_of(study.random, study.uq.spatial, layout);
+    const std::vector<int> sites = sites_of(study.random, study.uq.spatial, ready.layout);
     std::vector<double> all;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (std::cmp_not_equal(values[i].size(), sites[i]))
@@ -71,11 +69,12 @@ std::string drawn_text(const Study& study, const WantedWall& wall)
     return text;
 }
 
-WantedWall drawn_wall(const Study& study)
+WantedWall drawn_wall(const PreparedStudy& ready)
 {
+    const Study& study = ready.study;
     return read_at(study.source, "uq.drawn", [&]() -> WantedWall {
         const auto parts = split(study.uq.drawn, ";");
-        return {level_at(study, parts.front()), parse_draw(study, parts)};
+        return {level_at(study, parts.front()), parse_draw(ready, parts)};
     });
 }
 

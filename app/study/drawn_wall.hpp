@@ -2,6 +2,7 @@
 /// uq.drawn: one wall of a study, written down so that it can be pushed again with the same
 /// bits.
 
+#include "app/input/prepared_study.hpp"
 #include "app/sampling/wall_draw.hpp"
 
 #include <string>
@@ -19,7 +20,7 @@ namespace app {
 
 /// The wall that study.uq.drawn names.
 /// @throws ConfigError about uq.drawn
-[[nodiscard]] WantedWall drawn_wall(const Study& study);
+[[nodiscard]] WantedWall drawn_wall(const PreparedStudy& ready);
 
 /// The study with this wall written into it.
 [[nodiscard]] Study with_drawn(Study study, const WantedWall& wall);

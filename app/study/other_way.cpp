@@ -1,7 +1,7 @@
 #include "app/study/other_way.hpp"
 
+#include "app/input/prepared_study.hpp"
 #include "app/input/random_layouts.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
@@ -49,7 +49,9 @@ std::vector<PushedWall> push_other_way(const Study& study, const dem::Model& mod
     const Study other = turned_round(study);
     dem::PushPlan plan = push_plan(other);
     plan.snapshot_every = 0.0;
-    PierWatch piers(other, wanted.size(), plan);
+    std::optional<dem::Model> own; // a toe that is held changes sides
+    if (other.wall != study.wall) own = model_of(lay_again(other));
+    PierWatch piers(other, (own ? *own : model).layout, wanted.size(), plan);
     plan.progress = [&](double, double, double) {
         if (interrupted()) throw Interrupted();
         if (look) look();
@@ -61,8 +63,6 @@ std::vector<PushedWall> push_other_way(const Study& study, const dem::Model& mod
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         walls[i] = std::move(wall);
     };
-    std::optional<dem::Model> own; // a toe that is held changes sides
-    if (other.wall != study.wall) own = model_of(other);
     push_walls(other, own ? *own : model, plan, list, threads);
     for (std::size_t i = 0; i < walls.size(); ++i) piers.add_to(i, walls[i]);
     return walls;
@@ -166,7 +166,7 @@ std::string other_way_remark(const StudyWalls& walls)
 {
     const Study& study = walls.study;
     if (has_turned(walls.head)) return both_ways_remark(walls);
-    if (has_layouts(study) || !has_other_way(study, layout_of(study))) return "";
+    if (has_layouts(study) || !has_other_way(study, lay_again(study).layout)) return "";
     const int direction = push_way(study).direction;
     return std::string("The wall is not symmetric, and all walls were pushed to the ") +
            way_name(direction) + "; to the " + way_name(-direction) +

@@ -8,11 +8,12 @@
 
 namespace app {
 
-PierWatch::PierWatch(const Study& study, std::size_t walls, dem::PushPlan& plan)
+PierWatch::PierWatch(const Study& study, const dem::Layout& layout, std::size_t walls,
+                     dem::PushPlan& plan)
     : study_(study), walls_(walls)
 {
     if (!tells_piers(study)) return;
-    probe_.emplace(layout_of(study), dem::piers_of(wall_openings(study), wall_extent(study)));
+    probe_.emplace(layout, dem::piers_of(wall_openings(study), wall_extent(study)));
     const double every = plan.snapshot_every;
     plan.snapshot_every = plan.record_every;
     plan.mean_stresses = true;

@@ -16,7 +16,8 @@ class PierWatch {
   public:
     /// Has `plan` take a snapshot at every curve point, and hands those on that it would have
     /// taken. Lives longer than the push.
-    PierWatch(const Study& study, std::size_t walls, dem::PushPlan& plan);
+    PierWatch(const Study& study, const dem::Layout& layout, std::size_t walls,
+              dem::PushPlan& plan);
     PierWatch(const PierWatch&) = delete;
     PierWatch& operator=(const PierWatch&) = delete;
 

@@ -94,7 +94,7 @@ class LayoutRun {
     void push(const Group& group)
     {
         if (ended_) throw Left();
-        std::optional<Study> own;
+        std::optional<PreparedStudy> own;
         std::optional<dem::Model> model;
         try {
             own = in_layout(study_, group.seed);
@@ -113,7 +113,7 @@ class LayoutRun {
         part.done = [&](std::size_t i, const WallDraw& draw, PushedWall&& wall) {
             hand_on(group.walls[i], draw, std::move(wall));
         };
-        push_walls(*own, *model, plan_, part, threads_);
+        push_walls(own->study, *model, plan_, part, threads_);
     }
 
     void refuse(const Group& group, const std::string& why)
@@ -138,11 +138,12 @@ class LayoutRun {
 
 } // namespace
 
-void push_in_layouts(const Study& study, const dem::PushPlan& plan, const PushList& list,
-                     const SampleOf& sample, int threads)
+void push_in_layouts(const PreparedStudy& ready, const dem::PushPlan& plan,
+                     const PushList& list, const SampleOf& sample, int threads)
 {
+    const Study& study = ready.study;
     if (list.size == 0) return;
-    if (!has_layouts(study)) return push_walls(study, model_of(study), plan, list, threads);
+    if (!has_layouts(study)) return push_walls(study, model_of(ready), plan, list, threads);
     LayoutRun(study, plan, list, groups_of(study, list.size, sample), threads).run();
 }
 

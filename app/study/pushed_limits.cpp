@@ -1,6 +1,6 @@
 #include "app/study/pushed_limits.hpp"
 
-#include "app/input/wall_geometry.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/reading/wall_response.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "app/study/push_walls.hpp"
@@ -10,7 +10,7 @@
 
 namespace app {
 
-std::map<WallKey, double> pushed_limits(const Study& study, const SamplePlan& samples,
+std::map<WallKey, double> pushed_limits(const PreparedStudy& ready, const SamplePlan& samples,
                                         const std::vector<WallKey>& walls, int threads)
 {
     std::map<WallKey, double> limits;
@@ -26,7 +26,7 @@ std::map<WallKey, double> pushed_limits(const Study& study, const SamplePlan& sa
         const double limit = known_ultimate(wall.reading) / wall.loads.height;
         if (std::isfinite(limit) && limit > 0.0) limits.emplace(walls[i], limit);
     };
-    push_walls(study, model_of(study), push_plan(study), list, threads);
+    push_walls(ready.study, model_of(ready), push_plan(ready.study), list, threads);
     return limits;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Drift limits of the walls of a study of histories when they are pushed.
 
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_row.hpp"
 
@@ -14,7 +14,7 @@ namespace app {
 /// push failed are left out.
 /// @param walls their samples are numbers of walls
 /// @throws Interrupted
-[[nodiscard]] std::map<WallKey, double> pushed_limits(const Study& study,
+[[nodiscard]] std::map<WallKey, double> pushed_limits(const PreparedStudy& ready,
                                                       const SamplePlan& samples,
                                                       const std::vector<WallKey>& walls,
                                                       int threads);

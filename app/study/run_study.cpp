@@ -1,7 +1,6 @@
 #include "app/study/run_study.hpp"
 
 #include "app/input/random_layouts.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/replaced_file.hpp"
 #include "app/output/table_files.hpp"
@@ -11,7 +10,6 @@
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_stopping.hpp"
 #include "app/study/study_walls.hpp"
-#include "dem/scene/layout.hpp"
 
 #include <cstdint>
 #include <tuple>
@@ -21,24 +19,24 @@ namespace app {
 namespace {
 
 /// The study as the walls of a round are pushed.
-Study study_of(const Study& study, Round round)
+PreparedStudy study_of(const PreparedStudy& ready, Round round)
 {
     switch (round) {
     case Round::turned:
-        return turned_round(study);
+        return lay_again(turned_round(ready.study));
     case Round::audit:
-        return audit_study(study);
+        return audit_study(ready);
     default:
-        return study;
+        return ready;
     }
 }
 
 /// Pushes the walls of a round that the store does not have.
 /// @param last what to push, and set to how far it came
-void run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan, Store& store,
-                 RunProgress& last)
+void run_pending(const PreparedStudy& ready, const StudyRun& run, const SamplePlan& plan,
+                 Store& store, RunProgress& last)
 {
-    const Deal deal = deal_of(study);
+    const Deal deal = deal_of(ready.study);
     const std::vector<WallKey> walls =
         pending_walls(store, run.shard, run.rerun_failed, deal, last.round);
     const std::size_t all = walls_of(store.head(), run.shard, deal, last.round).size();
@@ -51,7 +49,7 @@ void run_pending(const Study& study, const StudyRun& run, const SamplePlan& plan
     };
     const RunProgress start = last;
     seen(start);
-    run_walls(study_of(study, last.round), plan, walls, run.threads, store, seen,
+    run_walls(study_of(ready, last.round), plan, walls, run.threads, store, seen,
               last.round == Round::own ? run.frames : FrameTaker(), start);
 }
 
@@ -74,11 +72,12 @@ void refuse_other_deal(const Study& study, const StudyRun& run)
 
 /// Brings the file to the last of `sizes`.
 /// @param end takes whether it ran to the end, and the walls of this round
-void work_on(const Study& study, const StudyRun& run, const std::vector<std::uint32_t>& sizes,
-             StudyRunEnd& end)
+void work_on(const PreparedStudy& ready, const StudyRun& run,
+             const std::vector<std::uint32_t>& sizes, StudyRunEnd& end)
 {
+    const Study& study = ready.study;
     refuse_other_deal(study, run);
-    const SamplePlan plan = sample_plan(study, layout_of(study), sizes);
+    const SamplePlan plan = sample_plan(study, ready.layout, sizes);
     StoreHead head = head_of(study, plan, sizes);
     head.shard = static_cast<std::uint32_t>(run.shard.index);
     head.shards = static_cast<std::uint32_t>(run.shard.count);
@@ -86,9 +85,9 @@ void work_on(const Study& study, const StudyRun& run, const std::vector<std::uin
     Store store(run.file, head);
     RunProgress last, turned{.round = Round::turned}, audit{.round = Round::audit};
     try {
-        run_pending(study, run, plan, store, last);
-        run_pending(study, run, plan, store, turned);
-        run_pending(study, run, plan, store, audit);
+        run_pending(ready, run, plan, store, last);
+        run_pending(ready, run, plan, store, turned);
+        run_pending(ready, run, plan, store, audit);
         end.whole = true;
     } catch (const Interrupted&) {
         end.whole = false;
@@ -106,12 +105,13 @@ std::string summary_stem(const std::filesystem::path& file)
 
 } // namespace
 
-StudyRunEnd run_study(const Study& study, const StudyRun& run)
+StudyRunEnd run_study(const PreparedStudy& ready, const StudyRun& run)
 {
+    const Study& study = ready.study;
     if (run.file.has_parent_path()) make_folder(run.file.parent_path());
     std::vector<std::uint32_t> sizes = design_sizes(study, run.file);
     StudyRunEnd end;
-    work_on(study, run, sizes, end);
+    work_on(ready, run, sizes, end);
     if (study.uq.stop == kNoStop || !is_random(study)) return end;
     while (end.whole) {
         const StoppingState state =
@@ -119,7 +119,7 @@ StudyRunEnd run_study(const Study& study, const StudyRun& run)
         end.remark = state.remark;
         if (state.next <= sizes.back()) break;
         sizes.push_back(state.next);
-        work_on(study, run, sizes, end);
+        work_on(ready, run, sizes, end);
     }
     return end;
 }

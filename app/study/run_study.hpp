@@ -35,7 +35,7 @@ struct StudyRunEnd {
 /// Adds samples until the rule of the study is content, if it has one.
 /// @throws ConfigError, StoreError, and what `seen` throws but Interrupted; walls that are
 /// finished are kept
-[[nodiscard]] StudyRunEnd run_study(const Study& study, const StudyRun& run);
+[[nodiscard]] StudyRunEnd run_study(const PreparedStudy& ready, const StudyRun& run);
 
 /// Asks before a run what study_summary would replace.
 /// @throws ConfigError if a file of its name is there and was not written by an earlier run

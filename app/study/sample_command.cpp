@@ -3,14 +3,12 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/replaced_file.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/wanted_walls.hpp"
-#include "dem/scene/layout.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -57,19 +55,18 @@ Row row(const Study& study, const SamplePlan& plan, int level, int sample)
 
 int sample_command(const Command& command)
 {
-    const StudySource source = study_source(command);
-    const Study& study = source.study;
+    const StudySource source = study_source(command.study, command.overrides);
+    const Study& study = source.ready.study;
     if (!is_random(study))
         throw error_at(study.source, "joint.friction_angle",
                        "nothing to draw: no value of this study is a distribution; write e.g. "
                        "\"friction_angle = normal(mean 31.8 deg, cov 0.20)\"");
-    std::cerr << study_notes(study, command);
+    std::cerr << study_notes(source.ready, command.verb);
     if (const std::string note =
             check_replaced(command.out, "level,vertical_stress [MPa],sample");
         !command.quiet)
         std::cerr << note;
-    const dem::Layout layout = layout_of(study);
-    const SamplePlan plan = sample_plan(study, layout, source.sizes);
+    const SamplePlan plan = sample_plan(study, source.ready.layout, source.sizes);
     Table table = head_of(study, plan);
     for (std::size_t level = 0; level < study.load.vertical_stress.size(); ++level)
         for (std::uint32_t sample = 0; sample < source.sizes.back(); ++sample)

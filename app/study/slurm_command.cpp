@@ -1,6 +1,5 @@
 #include "app/study/slurm_command.hpp"
 
-#include "app/input/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/replaced_file.hpp"
@@ -115,10 +114,11 @@ int shard_count(std::size_t walls, double seconds, int threads)
 }
 
 /// [s] of one core for a wall, from the first walls of the study under all its levels.
-double seconds_per_wall(const Study& study)
+double seconds_per_wall(const PreparedStudy& ready)
 {
+    const Study& study = ready.study;
     const std::vector<std::uint32_t> sizes = {samples_of(study)};
-    const SamplePlan plan = sample_plan(study, layout_of(study), sizes);
+    const SamplePlan plan = sample_plan(study, ready.layout, sizes);
     const int levels = static_cast<int>(study.load.vertical_stress.size());
     PushList pilot;
     pilot.size = std::min<std::size_t>(dem::solver_lanes(), wall_count(study));
@@ -131,7 +131,7 @@ double seconds_per_wall(const Study& study)
         seconds += wall.result.cost.seconds;
     };
     push_in_layouts(
-        study, bare_plan(study), pilot,
+        ready, bare_plan(study), pilot,
         [&](std::size_t i) {
             return static_cast<std::uint32_t>(i) / static_cast<std::uint32_t>(levels);
         },
@@ -166,11 +166,12 @@ std::string slurm_script(const Command& command, int shards, double minutes)
 
 } // namespace
 
-int write_slurm_script(const Study& study, const Command& command)
+int write_slurm_script(const PreparedStudy& ready, const Command& command)
 {
     if (const std::string note = check_replaced(command.script, kHead); !command.quiet)
         std::cerr << note;
-    const double seconds = seconds_per_wall(study);
+    const Study& study = ready.study;
+    const double seconds = seconds_per_wall(ready);
     const std::size_t walls = wall_count(study);
     const int shards = command.shard.count > 1
                            ? command.shard.count

@@ -1,7 +1,7 @@
 #pragma once
 /// The study that a file of results says it holds.
 
-#include "app/input/study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/store/store_head.hpp"
 
 #include <filesystem>

@@ -1,6 +1,7 @@
 #include "app/study/study_command.hpp"
 
 #include "app/input/key_effects.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/study/interrupt.hpp"
@@ -89,11 +90,11 @@ class RunLine {
 };
 
 /// Pushes the walls, with a line on stderr meanwhile.
-StudyRunEnd run_with_line(const Study& study, StudyRun run, bool quiet)
+StudyRunEnd run_with_line(const PreparedStudy& ready, StudyRun run, bool quiet)
 {
     RunLine line(quiet);
     run.seen = [&](const RunProgress& p) { line.see(p); };
-    return run_study(study, run);
+    return run_study(ready, run);
 }
 
 void check_stop(const Study& study, const Command& command)
@@ -108,10 +109,11 @@ void check_stop(const Study& study, const Command& command)
 
 int study_command(const Command& command, const FrameTaker& frames)
 {
-    const Study study = read_study(command.study, command.overrides);
+    const PreparedStudy ready = prepare(read_study(command.study, command.overrides));
+    const Study& study = ready.study;
     check_stop(study, command);
-    std::cerr << study_notes(study, command);
-    if (!command.script.empty()) return write_slurm_script(study, command);
+    std::cerr << study_notes(ready, command.verb);
+    if (!command.script.empty()) return write_slurm_script(ready, command);
     StudyRun run;
     run.file = shard_file(command.out, command.shard);
     run.shard = command.shard;
@@ -121,7 +123,7 @@ int study_command(const Command& command, const FrameTaker& frames)
     if (command.shard.count == 1) check_summary(run.file);
     if (!command.quiet) say_levels(study, run.shard);
     catch_interrupts();
-    const StudyRunEnd end = run_with_line(study, run, command.quiet);
+    const StudyRunEnd end = run_with_line(ready, run, command.quiet);
     const StudySummary summary = study_summary(run.file, command.shard.count == 1);
     std::cout << as_text(summary.table, terminal_width())
               << wrapped(summary.remarks, terminal_width()) << end.remark << resumed_text(end)

@@ -1,6 +1,7 @@
 #include "app/study/study_file_head.hpp"
 
 #include "app/input/random_layouts.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/store/wall_file.hpp"
 #include "app/study/both_ways.hpp"

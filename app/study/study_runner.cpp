@@ -59,17 +59,18 @@ std::vector<WallKey> pending_walls(const Store& store, Shard shard, bool rerun_f
     return pending;
 }
 
-Study audit_study(Study study)
+PreparedStudy audit_study(PreparedStudy ready)
 {
-    study.solver = dem::slower(study.solver, kAuditSlower);
-    return study;
+    ready.study.solver = dem::slower(ready.study.solver, kAuditSlower);
+    return ready;
 }
 
-RunProgress run_walls(const Study& study, const SamplePlan& plan,
+RunProgress run_walls(const PreparedStudy& ready, const SamplePlan& plan,
                       const std::vector<WallKey>& walls, int threads, Store& store,
                       const std::function<void(const RunProgress&)>& seen,
                       const FrameTaker& frames, RunProgress start)
 {
+    const Study& study = ready.study;
     RunProgress so_far = start;
     so_far.all = walls.size();
     RowBuffer rows(store);
@@ -90,7 +91,7 @@ RunProgress run_walls(const Study& study, const SamplePlan& plan,
     };
     try {
         push_in_layouts(
-            study, frames ? filmed_plan(study) : bare_plan(study), list,
+            ready, frames ? filmed_plan(study) : bare_plan(study), list,
             [&](std::size_t i) { return walls[i].sample; }, threads);
     } catch (...) {
         rows.flush();

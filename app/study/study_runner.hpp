@@ -2,7 +2,7 @@
 /// Runs the walls of a study that its file does not have yet.
 
 #include "app/input/command.hpp"
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store.hpp"
 #include "app/study/wall_frames.hpp"
@@ -40,7 +40,7 @@ enum class Deal {
                                                  Round round = Round::own);
 
 /// The study as its audit pushes it, kAuditSlower times slower.
-[[nodiscard]] Study audit_study(Study study);
+[[nodiscard]] PreparedStudy audit_study(PreparedStudy ready);
 
 struct RunProgress {
     std::size_t done = 0, failed = 0, all = 0; ///< walls of this run
@@ -55,7 +55,7 @@ struct RunProgress {
 /// @param seen after each wall
 /// @param frames of each wall that gives a result, in no order
 /// @throws StoreError if the disk refuses; Interrupted. Finished walls are kept.
-RunProgress run_walls(const Study& study, const SamplePlan& plan,
+RunProgress run_walls(const PreparedStudy& ready, const SamplePlan& plan,
                       const std::vector<WallKey>& walls, int threads, Store& store,
                       const std::function<void(const RunProgress&)>& seen,
                       const FrameTaker& frames = {}, RunProgress start = {});

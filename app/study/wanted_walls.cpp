@@ -1,17 +1,17 @@
 #include "app/study/wanted_walls.hpp"
 
 #include "app/input/random_layouts.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/units.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/drawn_wall.hpp"
 #include "app/study/stored_study.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/words.hpp"
-#include "dem/scene/layout.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -30,54 +30,55 @@ int level_of(const Study& study, const std::string& text)
     }
 }
 
-StudySource study_source(const Command& command, Purpose purpose)
+StudySource study_source(const std::string& path, std::span<const std::string> overrides,
+                         Purpose purpose)
 {
-    if (!command.study.ends_with(".h5")) {
-        const Study study = read_study(command.study, command.overrides, purpose);
-        return {study, {samples_of(study)}, {}};
+    if (!path.ends_with(".h5")) {
+        Study study = read_study(path, overrides, purpose);
+        const std::uint32_t samples = samples_of(study);
+        return {prepare(std::move(study)), {samples}, {}};
     }
-    const StoreHead head = read_head(command.study);
-    return {stored_study(command.study, head, command.overrides, purpose), head.design_sizes,
+    const StoreHead head = read_head(path);
+    return {prepare(stored_study(path, head, overrides, purpose)), head.design_sizes,
             other_revision_text(head)};
 }
 
-std::vector<WantedWall> wanted_walls(const StudySource& source, const Command& command)
+std::vector<WantedWall> wanted_walls(const StudySource& source, const WallChoice& choice)
 {
-    const Study& study = source.study;
+    const Study& study = source.ready.study;
     if (!study.uq.drawn.empty()) {
-        if (command.sample || command.mean_wall || !command.level.empty())
+        if (choice.sample || choice.mean || !choice.level.empty())
             throw error_at(study.source, "uq.drawn",
                            "names the wall that is pushed; remove it, or --sample and --level");
-        return {drawn_wall(study)};
+        return {drawn_wall(source.ready)};
     }
-    if (!command.sample) {
-        if (!study.random.empty() && !command.mean_wall)
+    if (!choice.sample) {
+        if (!study.random.empty() && !choice.mean)
             throw error_at(
                 study.source, study.random.front().key,
                 "is a distribution, but a push takes numbers; write --sample 0 for the "
                 "first wall of the study, --sample mean for that of the means, or --set " +
                     study.random.front().key + "=...");
-        if (has_layouts(study) && !command.mean_wall)
+        if (has_layouts(study) && !choice.mean)
             throw error_at(study.source, "wall.layouts",
                            "a push takes one layout; write --sample 0 for the first wall of "
                            "the study, --sample mean for the layout of wall.seed, or --set "
                            "wall.layouts=1");
-        if (!command.level.empty()) return {{level_of(study, command.level), {}}};
+        if (!choice.level.empty()) return {{level_of(study, choice.level), {}}};
         std::vector<WantedWall> all;
         for (std::size_t i = 0; i < study.load.vertical_stress.size(); ++i)
             all.push_back({static_cast<int>(i), {}});
         return all;
     }
     const int samples = static_cast<int>(source.sizes.back());
-    if (*command.sample >= samples)
+    if (*choice.sample >= samples)
         throw ConfigError("drystone", 0, "--sample",
-                          std::to_string(*command.sample) + " is out of range; the study has " +
+                          std::to_string(*choice.sample) + " is out of range; the study has " +
                               std::to_string(samples) +
                               (samples == 1 ? " sample" : " samples") + ", from 0");
-    const int level = level_of(study, command.level);
-    const dem::Layout layout = layout_of(study);
-    const SamplePlan plan = sample_plan(study, layout, source.sizes);
-    return {{level, draw(plan, level, *command.sample)}};
+    const int level = level_of(study, choice.level);
+    const SamplePlan plan = sample_plan(study, source.ready.layout, source.sizes);
+    return {{level, draw(plan, level, *choice.sample)}};
 }
 
 } // namespace app

@@ -1,8 +1,9 @@
 #include "python/src/loaded_study.hpp"
 
 #include "app/input/option.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/input/random_layouts.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
@@ -38,7 +39,7 @@ app::StudySource with_wall(const std::string& path, const std::vector<std::strin
     all.insert(all.end(), overrides.begin(), overrides.end());
     app::Study study = app::read_study(app::with_overrides(std::move(file), all));
     const std::uint32_t samples = app::samples_of(study);
-    return {std::move(study), {samples}, {}};
+    return {app::prepare(std::move(study)), {samples}, {}};
 }
 
 app::StudySource source_of(const std::string& path, const std::vector<std::string>& overrides,
@@ -47,10 +48,7 @@ app::StudySource source_of(const std::string& path, const std::vector<std::strin
     if (path.empty() || !wall.empty()) return with_wall(path, overrides, wall);
     std::optional<Hdf5Turn> turn;
     if (path.ends_with(".h5")) turn.emplace();
-    app::Command command;
-    command.study = path;
-    command.overrides = overrides;
-    return app::study_source(command);
+    return app::study_source(path, overrides);
 }
 
 } // namespace
@@ -59,37 +57,34 @@ std::shared_ptr<LoadedStudy> load_study(const std::string& path,
                                         const std::vector<std::string>& overrides,
                                         const std::vector<std::string>& wall)
 {
-    app::StudySource source = source_of(path, overrides, wall);
-    dem::Layout layout = layout_of(source.study);
     return std::make_shared<LoadedStudy>(
-        LoadedStudy{std::move(source), std::move(layout), {}, {}, {}});
+        LoadedStudy{source_of(path, overrides, wall), {}, {}, {}});
 }
 
 const app::SamplePlan& plan_of(LoadedStudy& study)
 {
     if (!study.plan)
-        study.plan = app::sample_plan(study.source.study, study.layout, study.source.sizes);
+        study.plan = app::sample_plan(study.source.ready.study, study.source.ready.layout,
+                                      study.source.sizes);
     return *study.plan;
 }
 
 const dem::Model& model_of(LoadedStudy& study)
 {
-    if (!study.model) study.model = app::model_of(study.source.study);
+    if (!study.model) study.model = app::model_of(study.source.ready);
     return *study.model;
 }
 
 std::shared_ptr<LoadedStudy> study_of(const std::shared_ptr<LoadedStudy>& study, int sample)
 {
-    const app::Study& all = study->source.study;
+    const app::Study& all = study->source.ready.study;
     if (!app::has_layouts(all)) return study;
     const std::uint32_t seed = app::layout_seed(all, static_cast<std::uint32_t>(sample));
     std::shared_ptr<LoadedStudy>& own = study->layouts[seed];
     if (!own) {
         app::StudySource source{app::in_layout(all, seed), study->source.sizes,
                                 study->source.other_revision};
-        dem::Layout layout = layout_of(source.study);
-        own = std::make_shared<LoadedStudy>(
-            LoadedStudy{std::move(source), std::move(layout), {}, {}, {}});
+        own = std::make_shared<LoadedStudy>(LoadedStudy{std::move(source), {}, {}, {}});
     }
     return own;
 }
@@ -101,9 +96,9 @@ std::vector<app::PushedWall> push_beside_python(LoadedStudy& study,
     const dem::Model& model = model_of(study);
     std::vector<app::PushedWall> walls(wanted.size());
     beside_python([&](Caller& python) {
-        dem::PushPlan plan = app::push_plan(study.source.study);
+        dem::PushPlan plan = app::push_plan(study.source.ready.study);
         plan.snapshot_every =
-            snapshots == Snapshots::all ? study.source.study.output.snapshot_every : 0.0;
+            snapshots == Snapshots::all ? study.source.ready.study.output.snapshot_every : 0.0;
         plan.snapshot_at_peak = snapshots != Snapshots::none;
         plan.progress = [&](double, double, double) { python.end_if_asked(); };
         app::PushList list;
@@ -116,11 +111,11 @@ std::vector<app::PushedWall> push_beside_python(LoadedStudy& study,
         std::optional<app::PierWatch> piers; // of one wall, as `drystone push` does
         std::optional<app::OtherWay> other;
         if (wanted.size() == 1) {
-            piers.emplace(study.source.study, 1, plan);
-            other.emplace(study.source.study, model, wanted, all,
+            piers.emplace(study.source.ready.study, model.layout, 1, plan);
+            other.emplace(study.source.ready.study, model, wanted, all,
                           [&] { python.end_if_asked(); });
         }
-        app::push_walls(study.source.study, model, plan, list,
+        app::push_walls(study.source.ready.study, model, plan, list,
                         other ? other->threads_left() : all);
         if (piers) piers->add_to(0, walls.front());
         if (other) other->add_to(walls);

@@ -6,7 +6,6 @@
 #include "app/study/pushed_wall.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "dem/block/model.hpp"
-#include "dem/scene/layout.hpp"
 
 #include <cstdint>
 #include <map>
@@ -19,7 +18,6 @@ namespace bindings {
 
 struct LoadedStudy {
     app::StudySource source;
-    dem::Layout layout;
     std::optional<app::SamplePlan> plan; ///< made when it is first needed
     std::optional<dem::Model> model;     ///< made when it is first needed
     std::map<std::uint32_t, std::shared_ptr<LoadedStudy>>

@@ -1,3 +1,4 @@
+#include "app/input/study_reading.hpp"
 #include "app/shake/shake_wall.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/beside_python.hpp"
@@ -39,15 +40,13 @@ py::dict history_of(const app::ShakenWall& wall, const std::string& study)
 std::vector<py::dict> shake(const std::shared_ptr<LoadedStudy>& study,
                             std::optional<int> sample, bool mean, const std::string& level)
 {
-    app::Command command;
-    command.sample = sample;
-    command.mean_wall = mean;
-    command.level = level;
-    const std::vector<app::ShakingMotion> motions = app::shaking_motions(study->source.study);
-    const app::Study shaken = app::shaken_study(study->source.study, sample.value_or(0));
-    const int asked = app::level_of(study->source.study, level);
+    const std::vector<app::ShakingMotion> motions =
+        app::shaking_motions(study->source.ready.study);
+    const app::PreparedStudy shaken =
+        app::shaken_study(study->source.ready, sample.value_or(0));
+    const int asked = app::level_of(study->source.ready.study, level);
     app::WantedWall wanted;
-    for (app::WantedWall& wall : app::wanted_walls(study->source, command))
+    for (app::WantedWall& wall : app::wanted_walls(study->source, {sample, mean, level}))
         if (wall.level == asked) wanted = std::move(wall);
     std::vector<app::ShakenWall> walls;
     beside_python([&](Caller& python) {
@@ -56,7 +55,7 @@ std::vector<py::dict> shake(const std::shared_ptr<LoadedStudy>& study,
             [&](const app::ShakingMotion&, double, double) { python.end_if_asked(); },
             [&](app::ShakenWall&& wall) { walls.push_back(std::move(wall)); });
     });
-    const std::string text = app::effective_configuration(shaken);
+    const std::string text = app::effective_configuration(shaken.study);
     std::vector<py::dict> all;
     for (const app::ShakenWall& wall : walls) all.push_back(history_of(wall, text));
     return all;

@@ -1,6 +1,7 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/option.hpp"
 #include "app/input/study_file.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/units.hpp"
 #include "app/input/verb.hpp"
 #include "app/input/wall_geometry.hpp"
@@ -33,14 +34,14 @@ using StudyPointer = std::shared_ptr<LoadedStudy>;
 std::string notes(const LoadedStudy& study)
 {
     const app::Verb verb{.name = "study", .sections = app::kWallSections};
-    return app::effect_notes(study.source.study, verb);
+    return app::effect_notes(study.source.ready.study, verb);
 }
 
 int samples(const LoadedStudy& study) { return static_cast<int>(study.source.sizes.back()); }
 
 std::map<std::string, double> bond(const LoadedStudy& study)
 {
-    const dem::Layout whole = app::whole_units(study.source.study);
+    const dem::Layout whole = app::whole_units(study.source.ready.study);
     const dem::BondIndices i = dem::bond_indices(whole);
     const dem::QualityTerms q = dem::quality_terms(i, whole);
     return {{"trace", i.trace},
@@ -57,9 +58,11 @@ std::map<std::string, double> bond(const LoadedStudy& study)
 
 void check_level(const LoadedStudy& study, int level)
 {
-    if (level < 0 || level >= static_cast<int>(study.source.study.load.vertical_stress.size()))
-        throw py::index_error("level " + std::to_string(level) + ": the study has " +
-                              std::to_string(study.source.study.load.vertical_stress.size()));
+    if (level < 0 ||
+        level >= static_cast<int>(study.source.ready.study.load.vertical_stress.size()))
+        throw py::index_error(
+            "level " + std::to_string(level) + ": the study has " +
+            std::to_string(study.source.ready.study.load.vertical_stress.size()));
 }
 
 void check_sample(const LoadedStudy& study, int sample)
@@ -137,14 +140,11 @@ WallOfStudy push(const StudyPointer& study, std::optional<int> sample, bool mean
                  const std::string& level, int threads, bool frames)
 {
     const Snapshots snapshots = frames ? Snapshots::all : Snapshots::at_peak;
-    app::Command command;
-    command.sample = sample;
-    command.mean_wall = mean;
-    command.level = level;
-    const std::vector<app::WantedWall> all = app::wanted_walls(study->source, command);
-    if (!study->source.study.uq.drawn.empty())
+    const std::vector<app::WantedWall> all =
+        app::wanted_walls(study->source, {sample, mean, level});
+    if (!study->source.ready.study.uq.drawn.empty())
         return std::move(with_study(study, all, {sample}, threads, snapshots).front());
-    const int asked = app::level_of(study->source.study, level);
+    const int asked = app::level_of(study->source.ready.study, level);
     for (const app::WantedWall& wall : all)
         if (wall.level == asked)
             return std::move(with_study(study_of(study, sample.value_or(0)), {wall}, {sample},
@@ -193,8 +193,9 @@ std::vector<WallOfStudy> push_values(const StudyPointer& study, int level,
         throw app::BadValue("inputs: must have two axes, one row per wall and one column per "
                             "input, not " +
                             std::to_string(values.ndim()));
-    const app::Study& s = study->source.study;
-    const std::vector<int> sites = app::sites_of(s.random, s.uq.spatial, study->layout);
+    const app::Study& s = study->source.ready.study;
+    const std::vector<int> sites =
+        app::sites_of(s.random, s.uq.spatial, study->source.ready.layout);
     std::vector<app::WantedWall> wanted;
     const auto width = static_cast<std::size_t>(values.shape(1));
     const double* from = values.data(); // row by row
@@ -208,9 +209,9 @@ std::vector<WallOfStudy> push_values(const StudyPointer& study, int level,
 void run(const LoadedStudy& study, const std::string& out, int threads, bool rerun_failed,
          const py::object& progress)
 {
-    app::refuse_drawn(study.source.study);
-    if (!study.source.study.shaking.records.empty())
-        throw app::error_at(study.source.study.source, "shaking.records",
+    app::refuse_drawn(study.source.ready.study);
+    if (!study.source.ready.study.shaking.records.empty())
+        throw app::error_at(study.source.ready.study.source, "shaking.records",
                             "this study shakes walls, and run() pushes them; write "
                             "\"drystone study STUDY.ini\", or take [shaking] out");
     const Hdf5Turn turn;
@@ -224,7 +225,7 @@ void run(const LoadedStudy& study, const std::string& out, int threads, bool rer
             if (progress.is_none()) return python.end_if_asked();
             python.visit([&] { progress(p.done, p.failed, p.all); });
         };
-        whole = app::run_study(study.source.study, asked).whole;
+        whole = app::run_study(study.source.ready, asked).whole;
         if (whole) (void)app::study_summary(out, true);
     });
     if (!whole)
@@ -244,17 +245,24 @@ void bind_study(py::module_& m)
         .def_property_readonly("samples", &samples)
         .def_property_readonly(
             "vertical_stress",
-            [](const LoadedStudy& s) { return s.source.study.load.vertical_stress; })
-        .def_property_readonly(
-            "configuration",
-            [](const LoadedStudy& s) { return app::effective_configuration(s.source.study); })
+            [](const LoadedStudy& s) { return s.source.ready.study.load.vertical_stress; })
+        .def_property_readonly("configuration",
+                               [](const LoadedStudy& s) {
+                                   return app::effective_configuration(s.source.ready.study);
+                               })
         .def("level_of",
              [](const LoadedStudy& s, const std::string& text) {
-                 return app::level_of(s.source.study, text);
+                 return app::level_of(s.source.ready.study, text);
              })
         .def("columns", &columns)
-        .def("joints", [](const LoadedStudy& s) { return places(app::joint_places(s.layout)); })
-        .def("cracks", [](const LoadedStudy& s) { return places(app::crack_places(s.layout)); })
+        .def("joints",
+             [](const LoadedStudy& s) {
+                 return places(app::joint_places(s.source.ready.layout));
+             })
+        .def("cracks",
+             [](const LoadedStudy& s) {
+                 return places(app::crack_places(s.source.ready.layout));
+             })
         .def("draws", &draws, py::arg("level"))
         .def("push", &push, py::arg("sample"), py::arg("mean"), py::arg("level"),
              py::arg("threads"), py::arg("frames"))

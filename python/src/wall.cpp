@@ -35,7 +35,7 @@ py::array_t<double> view(const std::vector<double>& numbers, const py::object& o
 
 app::Study study_as_used(const WallOfStudy& w)
 {
-    const app::Study& study = w.study->source.study;
+    const app::Study& study = w.study->source.ready.study;
     return study.random.empty() ? study : app::with_drawn(study, {w.level, w.draw});
 }
 
@@ -47,7 +47,7 @@ std::string picture(const WallOfStudy& w)
             "no picture: the numbers of this run broke; summary[\"outcome\"] says how");
     if (r.at_peak.blocks.empty() && !w.wall.displacement.empty())
         throw std::runtime_error("no picture: push this wall with frames=True");
-    return app::pushed_picture(study_as_used(w), w.wall);
+    return app::pushed_picture(study_as_used(w), w.study->source.ready.layout, w.wall);
 }
 
 /// Outlines of the blocks as they stand, [m].
@@ -148,8 +148,9 @@ void bind_wall(py::module_& m)
         .def("frames", &frames)
         .def("cycles", &cycles)
         .def("backbone", &backbone, py::arg("direction"))
-        .def("summary_json",
-             [](const WallOfStudy& w) { return app::summary_json(study_as_used(w), w.wall); });
+        .def("summary_json", [](const WallOfStudy& w) {
+            return app::summary_json(study_as_used(w), w.study->source.ready.layout, w.wall);
+        });
 }
 
 } // namespace bindings

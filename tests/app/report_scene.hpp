@@ -1,6 +1,7 @@
 #pragma once
 /// A small study run into a file, for tests of its report.
 
+#include "app/input/prepared_study.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_runner.hpp"
@@ -18,7 +19,7 @@ inline void run_study(const std::filesystem::path& file, const std::string& uq,
                       const std::string& reason = "", const app::FrameTaker& frames = {})
 {
     const app::Study study = study_scenes::study(uq);
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     const std::vector<std::uint32_t> sizes = {app::samples_of(study)};
     const app::SamplePlan plan = sample_plan(study, model.layout, sizes);
     app::StoreHead head = head_of(study, plan, sizes);
@@ -38,7 +39,7 @@ inline void run_study(const std::filesystem::path& file, const std::string& uq,
         store.append({&row, 1});
         walls.pop_back();
     }
-    app::run_walls(study, plan, walls, 2, store, {}, frames);
+    app::run_walls(app::prepare(study), plan, walls, 2, store, {}, frames);
     store.compact();
 }
 
@@ -52,7 +53,7 @@ inline app::PushedWall push_one(const app::Study& study, const app::WallDraw& dr
     list.done = [&](std::size_t, const app::WallDraw&, app::PushedWall&& wall) {
         pushed = std::move(wall);
     };
-    app::push_walls(study, app::model_of(study), app::push_plan(study), list, 1);
+    app::push_walls(study, app::model_of(app::prepare(study)), app::push_plan(study), list, 1);
     return pushed;
 }
 

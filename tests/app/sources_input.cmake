@@ -15,6 +15,7 @@ set(TEST_APP_INPUT_SOURCES
     app/test_needed_cracks.cpp
     app/test_new_study.cpp
     app/test_protocol_scale.cpp
+    app/test_prepared_study.cpp
     app/test_push_end.cpp
     app/test_sheet.cpp
     app/test_study.cpp

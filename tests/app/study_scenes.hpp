@@ -1,7 +1,8 @@
 #pragma once
 /// Small studies with distributions.
 
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 
 #include <string>
 
@@ -39,7 +40,9 @@ fidelity = simple
 
 inline app::Study study(const std::string& uq, const std::string& text = kSmall)
 {
-    return app::read_study(app::parse_study_text("study.ini", text + "[uq]\n" + uq));
+    return app::prepare(
+               app::read_study(app::parse_study_text("study.ini", text + "[uq]\n" + uq)))
+        .study;
 }
 
 } // namespace study_scenes

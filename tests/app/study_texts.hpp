@@ -2,7 +2,8 @@
 /// Studies that several tests read.
 
 #include "app/bad_input/cases.hpp"
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 
 #include <string>
@@ -195,8 +196,9 @@ model_factor_force = none
 
 inline app::Study read(const std::string& text, const std::vector<std::string>& overrides = {})
 {
-    return app::read_study(
-        app::with_overrides(app::parse_study_text("study.ini", text), overrides));
+    return app::prepare(app::read_study(app::with_overrides(
+                            app::parse_study_text("study.ini", text), overrides)))
+        .study;
 }
 
 inline app::Study read_good(const std::vector<std::string>& overrides = {})

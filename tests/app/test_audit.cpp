@@ -1,5 +1,7 @@
 /// uq.audit: walls of a study pushed again more slowly, beside the study.
 
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/study/run_study.hpp"
@@ -28,8 +30,9 @@ Study audited(int audit = 2, int samples = 3)
     const std::vector<std::string> set = {
         "uq.samples=" + std::to_string(samples), "uq.audit=" + std::to_string(audit),
         "solver.fidelity=rigid", "solver.steps_per_mm=100", "load.max_displacement=1 mm"};
-    return app::read_study(
-        app::with_overrides(app::parse_study_text("study.ini", study_scenes::kSmall), set));
+    return app::prepare(app::read_study(app::with_overrides(
+                            app::parse_study_text("study.ini", study_scenes::kSmall), set)))
+        .study;
 }
 
 app::StudyRunEnd run(const Study& s, const fs::path& file, int threads = 1,
@@ -39,7 +42,7 @@ app::StudyRunEnd run(const Study& s, const fs::path& file, int threads = 1,
     r.file = file;
     r.threads = threads;
     r.shard = shard;
-    return app::run_study(s, r);
+    return app::run_study(app::prepare(s), r);
 }
 
 /// All walls of a file, those of the audit at the end.
@@ -71,7 +74,7 @@ TEST_CASE("audit: its walls are those of the study pushed alone four times slowe
     const app::WallRow &own = rows[3], &slow = rows[8]; // 1 MPa, sample 0
     CHECK(slow.key == app::WallKey{3, 0});
     CHECK(scenes::same_bits(own.inputs, slow.inputs));
-    const dem::Model model = app::model_of(s);
+    const dem::Model model = app::model_of(app::prepare(s));
     const std::vector<std::uint32_t> sizes = {3};
     const app::SamplePlan plan = sample_plan(s, model.layout, sizes);
     const dem::WallMaterials m = app::wall_materials(s, model.layout, 1, app::draw(plan, 1, 0));
@@ -104,7 +107,7 @@ TEST_CASE("audit: the walls are the same whatever threads, shards, stops and lat
         if (p.done > 0 && (p.round == app::Round::audit) == (turns == 1))
             throw app::Interrupted{};
     };
-    for (; turns < 2; ++turns) CHECK_FALSE(app::run_study(s, stopped).whole);
+    for (; turns < 2; ++turns) CHECK_FALSE(app::run_study(app::prepare(s), stopped).whole);
     CHECK(rows_of(file("stopped.h5")).size() < whole.size());
     CHECK(run(s, file("stopped.h5")).whole);
     CHECK(same(rows_of(file("stopped.h5")), whole));
@@ -158,7 +161,7 @@ TEST_CASE("audit: more walls than there are means all of them", "[app][audit]")
     const Study s = audited(50);
     const std::vector<std::uint32_t> sizes = {3};
     const app::StoreHead head =
-        app::head_of(s, sample_plan(s, app::model_of(s).layout, sizes), sizes);
+        app::head_of(s, sample_plan(s, app::model_of(app::prepare(s)).layout, sizes), sizes);
     REQUIRE(head.levels.size() == 4);
     CHECK(head.levels[2].samples == 3);
     CHECK(head.levels[2].slower == 4);

@@ -2,8 +2,9 @@
 
 #include "app/bad_input/cases.hpp"
 #include "app/input/command_line.hpp"
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/input/study_file.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/text/config_error.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,7 +17,7 @@ namespace {
 std::string complaint(const std::string& text)
 {
     try {
-        (void)app::read_study(app::parse_study_text("study.ini", text));
+        (void)app::prepare(app::read_study(app::parse_study_text("study.ini", text))).study;
     } catch (const app::ConfigError& error) {
         return error.what();
     }

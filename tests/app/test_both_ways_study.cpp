@@ -45,7 +45,7 @@ app::StudyRunEnd run(const Study& s, const fs::path& file, int threads = 1,
     r.file = file;
     r.threads = threads;
     r.shard = shard;
-    return app::run_study(s, r);
+    return app::run_study(app::prepare(s), r);
 }
 
 /// All walls of a file, those that were pushed the other way at the end.
@@ -146,7 +146,7 @@ TEST_CASE("both ways: walls are the same whatever threads, shards, stops and lat
         if (p.done > 0 && (p.round == app::Round::turned) == (turns == 1))
             throw app::Interrupted{};
     };
-    for (; turns < 2; ++turns) CHECK_FALSE(app::run_study(s, stopped).whole);
+    for (; turns < 2; ++turns) CHECK_FALSE(app::run_study(app::prepare(s), stopped).whole);
     const app::StudyWalls part = app::read_study_walls(file("stopped.h5"));
     CHECK(part.levels[0].missing + part.levels[1].missing > 0); // pushed one way is not pushed
     CHECK(run(s, file("stopped.h5")).whole);

@@ -66,11 +66,12 @@ TEST_CASE("choices: each change differs from the study in its own key alone", "[
     }
     CHECK(keys.size() == 13);
     CHECK(applied >= 9);
-    CHECK(change_of(all, "solver.kinematics").study.solver.kinematics ==
+    CHECK(change_of(all, "solver.kinematics").ready.study.solver.kinematics ==
           dem::Kinematics::small);
-    CHECK(change_of(all, "wall.base").study.wall.base == dem::Base::fixed);
-    CHECK(app::push_plan(change_of(all, "load.direction").study).targets == std::vector{-1e-3});
-    CHECK(change_of(all, "joint.closure").study.parameters.joint.closure ==
+    CHECK(change_of(all, "wall.base").ready.study.wall.base == dem::Base::fixed);
+    CHECK(app::push_plan(change_of(all, "load.direction").ready.study).targets ==
+          std::vector{-1e-3});
+    CHECK(change_of(all, "joint.closure").ready.study.parameters.joint.closure ==
           dem::Closure::exponential);
 }
 
@@ -101,7 +102,7 @@ TEST_CASE("choices: joints that close keep their stiffness when they no longer d
     const app::ChoiceChange& c = change_of(all, "joint.closure");
     INFO(c.not_applied);
     // k_0 + sigma / V_m = 4 + 0.5e6 / 1e-4 / 1e9 GPa/m
-    CHECK(c.study.parameters.joint.normal_stiffness == std::vector{9e9});
+    CHECK(c.ready.study.parameters.joint.normal_stiffness == std::vector{9e9});
 }
 
 TEST_CASE("choices: the largest change comes first, and a limit not reached is a bound",

@@ -1,6 +1,8 @@
 /// load.direction: pushes to the right, to the left, and both.
 
 #include "app/input/key_effects.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/verb.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/other_way.hpp"
@@ -29,7 +31,7 @@ app::Study with(Overrides overrides, const Overrides& more)
 /// The wall of the means.
 app::PushedWall pushed(const app::Study& study)
 {
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     app::PushedWall wall;
     app::PushList list;
     list.size = 1;
@@ -132,12 +134,10 @@ TEST_CASE("direction: a reliability analysis of a wall that is not symmetric ref
           "[app][direction]")
 {
     const app::Verb verb{.name = "reliability", .sections = app::kWallSections};
-    app::Command command;
-    command.verb = &verb;
     const Overrides both = {"load.direction=both"};
-    CHECK_THROWS_WITH(app::study_notes(with(kDoor, both), command),
+    CHECK_THROWS_WITH(app::study_notes(app::prepare(with(kDoor, both)), &verb),
                       Catch::Contains("load.direction") &&
                           Catch::Contains("write right or left"));
-    CHECK_NOTHROW(app::study_notes(with({}, both), command));
-    CHECK_NOTHROW(app::study_notes(with(kDoor, {"load.direction=left"}), command));
+    CHECK_NOTHROW(app::study_notes(app::prepare(with({}, both)), &verb));
+    CHECK_NOTHROW(app::study_notes(app::prepare(with(kDoor, {"load.direction=left"})), &verb));
 }

@@ -3,7 +3,8 @@
 /// recipes.
 
 #include "app/input/command_line.hpp"
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/verbs.hpp"
 #include "scenes/temporary_folder.hpp"
 
@@ -119,7 +120,7 @@ TEST_CASE("docs: every shipped study reads, and every value of it says where it 
 {
     for (const fs::path& path : files(kRoot / "configs", ".ini")) {
         INFO(path.filename());
-        CHECK_NOTHROW(app::read_study(app::read_study_file(path.string())));
+        CHECK_NOTHROW(app::prepare(app::read_study(app::read_study_file(path.string()))).study);
         std::istringstream text(scenes::read_text(path));
         for (std::string line; std::getline(text, line);) {
             INFO(line);
@@ -142,8 +143,9 @@ TEST_CASE("docs: every command of every page is one, and its study reads", "[app
             REQUIRE_NOTHROW(command = app::parse_command_line(app::verbs(), all));
             if (!command.study.starts_with("configs/")) continue;
             const std::string study = (kRoot / command.study).string();
-            CHECK_NOTHROW(app::read_study(
-                app::with_overrides(app::read_study_file(study), command.overrides)));
+            CHECK_NOTHROW(app::prepare(app::read_study(app::with_overrides(
+                                           app::read_study_file(study), command.overrides)))
+                              .study);
             ++read;
         }
     CHECK(read > 20);

@@ -1,5 +1,7 @@
 #include "app/drawing_scenes.hpp"
 #include "app/input/drawn_ends.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/scene/scene_units.hpp"
 #include "dem/scene/bond_indices.hpp"
@@ -45,7 +47,9 @@ app::Study wall_of(const std::vector<scenes::Outline>& blocks, const std::string
     const scenes::TemporaryFolder folder;
     std::ofstream(folder.path / "w.json") << scenes::json_text(blocks);
     std::ofstream(folder.path / "study.ini") << kWall << load;
-    return app::read_study(app::read_study_file((folder.path / "study.ini").string()));
+    return app::prepare(
+               app::read_study(app::read_study_file((folder.path / "study.ini").string())))
+        .study;
 }
 
 /// Stack bond: two courses of five stones, with these feet and tops [mm].
@@ -81,8 +85,9 @@ std::string refusal_of(const std::string& wall, const std::string& file = "w.jso
                   (file.empty() ? "" : "geometry = " + file + "\n") + wall);
     std::ofstream(folder.path / "study.ini") << study << kBeam;
     try {
-        static_cast<void>(
-            app::read_study(app::read_study_file((folder.path / "study.ini").string())));
+        static_cast<void>(app::prepare(app::read_study(app::read_study_file(
+                                           (folder.path / "study.ini").string())))
+                              .study);
     } catch (const std::exception& e) {
         return e.what();
     }

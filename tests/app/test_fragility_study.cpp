@@ -1,4 +1,5 @@
 #include "app/fragility/fragility_command.hpp"
+#include "app/input/prepared_study.hpp"
 
 #include "app/input/command_line.hpp"
 #include "app/store/store.hpp"
@@ -38,7 +39,7 @@ struct File {
 void run_study(const fs::path& path, std::size_t walls, std::uint32_t shards = 1)
 {
     const app::Study s = study_scenes::study("samples = 3");
-    const dem::Model model = app::model_of(s);
+    const dem::Model model = app::model_of(app::prepare(s));
     const std::vector<std::uint32_t> sizes = {3};
     const app::SamplePlan plan = sample_plan(s, model.layout, sizes);
     app::StoreHead head = app::head_of(s, plan, sizes);
@@ -46,7 +47,7 @@ void run_study(const fs::path& path, std::size_t walls, std::uint32_t shards = 1
     app::Store store(path, head);
     auto keys = pending_walls(store, {0, static_cast<int>(shards)}, false);
     keys.resize(std::min(walls, keys.size()));
-    app::run_walls(s, plan, keys, 2, store, {});
+    app::run_walls(app::prepare(s), plan, keys, 2, store, {});
     store.compact();
 }
 
@@ -136,7 +137,7 @@ TEST_CASE(
 {
     const File file;
     const app::Study s = study_scenes::study("samples = 1");
-    const dem::Model model = app::model_of(s);
+    const dem::Model model = app::model_of(app::prepare(s));
     const std::vector<std::uint32_t> sizes = {1};
     app::StoreHead head = app::head_of(s, sample_plan(s, model.layout, sizes), sizes);
     const std::size_t at = head.configuration.find("residual_friction_angle");

@@ -1,5 +1,6 @@
 /// Remarks of a push: what its numbers do not say by themselves.
 
+#include "app/input/wall_geometry.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study_texts.hpp"
@@ -28,12 +29,18 @@ app::PushedWall pushed(double peak)
     return w;
 }
 
+/// Checks of the wall in the good study with these keys.
+app::HandChecks checks_of(const Overrides& keys, const app::PushedWall& wall)
+{
+    const app::Study study = study_texts::read_good(keys);
+    return app::hand_checks(study, app::layout_of(study), wall);
+}
+
 /// Remarks of the wall in the good study with these keys, one to a line.
 std::string remarks(const app::PushedWall& wall, const Overrides& keys = {})
 {
     std::string text;
-    for (const std::string& r : app::hand_checks(study_texts::read_good(keys), wall).remarks)
-        text += r + "\n";
+    for (const std::string& r : checks_of(keys, wall).remarks) text += r + "\n";
     return text;
 }
 
@@ -54,8 +61,7 @@ TEST_CASE("hand checks: a peak under a beam that does not turn is held against t
           "[app][hand_checks]")
 {
     const Overrides fixed = {"beam.rotation=fixed"};
-    const double limit =
-        *app::hand_checks(study_texts::read_good(fixed), pushed(1e3)).rocking_limit;
+    const double limit = *checks_of(fixed, pushed(1e3)).rocking_limit;
     const std::string high = remarks(pushed(3.0 * limit), fixed);
     CHECK_THAT(high, Catch::Contains("50.0 % above the limit of rocking in double bending"));
     CHECK_THAT(remarks(pushed(1.5 * limit), fixed), !Catch::Contains("double bending"));

@@ -2,6 +2,8 @@
 
 #include "app/input/joint_laws.hpp"
 #include "app/input/key_effects.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/study_texts.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,7 +25,9 @@ constexpr app::Verb kPush{
 
 app::Study shipped(const std::string& name)
 {
-    return app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/" + name));
+    return app::prepare(
+               app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/" + name)))
+        .study;
 }
 
 bool has_mixed_law(const dem::JointMaterial& j)

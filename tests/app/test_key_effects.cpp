@@ -2,7 +2,9 @@
 
 #include "app/input/key_effects.hpp"
 #include "app/input/key_values.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/input/random_layouts.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/units.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/push_walls.hpp"
@@ -189,15 +191,16 @@ const std::string kRubble = [] {
 
 Study read(const std::string& text, const std::vector<std::string>& overrides = {})
 {
-    return app::read_study(
-        app::with_overrides(app::parse_study_text("study.ini", text), overrides));
+    return app::prepare(app::read_study(app::with_overrides(
+                            app::parse_study_text("study.ini", text), overrides)))
+        .study;
 }
 
 /// Every number that a push of the first sample gives, under all stress levels, and how the
 /// stones of the second lie.
 std::vector<double> outputs(const Study& s)
 {
-    const dem::Model model = app::model_of(s);
+    const dem::Model model = app::model_of(app::prepare(s));
     const std::vector<std::uint32_t> sizes = {
         s.random.empty() ? 1u : static_cast<std::uint32_t>(s.uq.samples)};
     const app::SamplePlan plan = app::sample_plan(s, model.layout, sizes);

@@ -1,9 +1,11 @@
+#include "app/input/keys_page.hpp"
 #include "app/input/material_presets.hpp"
+#include "app/input/prepared_study.hpp"
 
 #include "app/input/key_effects.hpp"
 #include "app/input/key_reading.hpp"
-#include "app/input/study.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 
 #include <catch2/catch.hpp>
@@ -36,8 +38,9 @@ vertical_stress = 0.30, 0.50 MPa
 
 Study read(const std::vector<std::string>& overrides)
 {
-    return app::read_study(
-        app::with_overrides(app::parse_study_text("study.ini", kWall), overrides));
+    return app::prepare(app::read_study(app::with_overrides(
+                            app::parse_study_text("study.ini", kWall), overrides)))
+        .study;
 }
 
 std::string refusal(const std::vector<std::string>& overrides)
@@ -80,7 +83,7 @@ TEST_CASE("material presets: the sandstone is that of configs/closure.ini",
           "[app][material_presets]")
 {
     const std::string file = std::string(DRYSTONE_SOURCE_DIR) + "/configs/closure.ini";
-    const Study paper = app::read_study(file, {});
+    const Study paper = app::prepare(app::read_study(file, {})).study;
     const Study preset = read({"wall.material=dry_sandstone"});
     const app::Parameters &a = paper.parameters, &b = preset.parameters;
     CHECK(b.joint.closure == a.joint.closure);
@@ -122,7 +125,8 @@ TEST_CASE("material presets: a study that is written out is the same study",
         const Study s = read({"wall.material=ashlar_lime", more});
         const std::string text = app::effective_configuration(s);
         CHECK(text.find("# wall.material\n") != std::string::npos);
-        const Study again = app::read_study(app::parse_study_text("study.ini", text));
+        const Study again =
+            app::prepare(app::read_study(app::parse_study_text("study.ini", text))).study;
         for (const app::Key& key : app::study_keys()) {
             INFO(key.name);
             CHECK(key.field.get(again) == key.field.get(s));
@@ -152,4 +156,10 @@ TEST_CASE("material presets: docs/materials.md is current", "[app][material_pres
 {
     INFO("write it anew: ./drystone help materials > docs/materials.md");
     CHECK(page("docs/materials.md") == app::materials_page());
+}
+
+TEST_CASE("keys page: docs/keys.md is current", "[app][keys_page]")
+{
+    INFO("write it anew: ./drystone help keys > docs/keys.md");
+    CHECK(page("docs/keys.md") == app::keys_page());
 }

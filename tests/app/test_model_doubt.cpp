@@ -3,6 +3,8 @@
 #include "app/fragility/tested_walls.hpp"
 #include "app/fragility_scenes.hpp"
 #include "app/input/model_factor_text.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/units.hpp"
 #include "app/study_scenes.hpp"
 
@@ -24,7 +26,7 @@ app::Study tested(const std::string& more = "")
     std::string text = study_scenes::kSmall;
     text.replace(text.find("length = 0.60 m"), 15, "length = 1.00 m");
     text.replace(text.find("courses = 4"), 11, "courses = 10");
-    return app::read_study(app::parse_study_text("study.ini", text + more));
+    return app::prepare(app::read_study(app::parse_study_text("study.ini", text + more))).study;
 }
 
 /// Whether the value of each wall lies in the 90 % interval that the other walls give.

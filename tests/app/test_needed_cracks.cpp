@@ -2,6 +2,8 @@
 /// strength.
 
 #include "app/input/needed_cracks.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/unit_cracks.hpp"
 #include "app/study_texts.hpp"
 #include "dem/block/model.hpp"
@@ -23,7 +25,7 @@ app::Study wall_with(const std::string& where, const std::string& strength = "2 
 
 double peak(const app::Study& study)
 {
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     const dem::PushResult r =
         dem::push(model, study_texts::materials(study, 0), app::push_plan(study), study.solver);
     double force = 0.0;

@@ -1,7 +1,8 @@
+#include "app/input/prepared_study.hpp"
 #include "app/new/new_study.hpp"
 
 #include "app/commands.hpp"
-#include "app/input/study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "scenes/temporary_folder.hpp"
@@ -37,7 +38,7 @@ app::Study study_of(const app::Answers& given)
     const std::string text =
         app::new_study_text(app::answers(given, nullptr, out), "house.ini");
     CHECK(out.str().empty());
-    return app::read_study(app::parse_study_text("house.ini", text));
+    return app::prepare(app::read_study(app::parse_study_text("house.ini", text))).study;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "app/fragility/fragility_command.hpp"
 #include "app/fragility_keys.hpp"
 #include "app/fragility_scenes.hpp"
+#include "app/input/prepared_study.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/report/report_choice.hpp"
@@ -89,10 +90,10 @@ void check_shares(const Outputs& o)
 void check_push(const Outputs& o)
 {
     const app::Study& study = o.walls.study;
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     const app::SamplePlan plan = sample_plan(study, model.layout, o.walls.head.design_sizes);
     const app::PushedWall w = scenes::push_one(study, app::draw(plan, 1, 0), 1);
-    const Json push = Json::parse(app::summary_json(study, w));
+    const Json push = Json::parse(app::summary_json(study, model.layout, w));
     const std::size_t row = o.walls.levels[0].walls.size();
     const app::Table& walls = table(o, "walls");
     const auto written = [&](const std::string& head) { // as programs get it

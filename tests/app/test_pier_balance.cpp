@@ -1,5 +1,6 @@
 /// Hand checks of piers: shear and axial force of each against the equilibrium of cuts.
 
+#include "app/input/prepared_study.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
@@ -69,10 +70,10 @@ struct Pushed {
 
 Pushed pushed(const Study& study)
 {
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     dem::PushPlan plan = app::push_plan(study);
     plan.snapshot_every = plan.record_every; // handed on by the watch
-    app::PierWatch watch(study, 1, plan);
+    app::PierWatch watch(study, model.layout, 1, plan);
     Pushed p;
     app::PushList list;
     list.size = 1;

@@ -1,5 +1,6 @@
 /// Piers read off pushes: each as a wall of its own, and the wall by the pier that governs.
 
+#include "app/input/prepared_study.hpp"
 #include "app/push/limit_table.hpp"
 #include "app/push/pier_picture.hpp"
 #include "app/push/pier_table.hpp"
@@ -58,10 +59,10 @@ app::Study with(Overrides overrides, const Overrides& more = {})
 /// @param shots takes a snapshot at every point of the curve
 app::PushedWall pushed(const app::Study& study, std::vector<dem::Snapshot>* shots = nullptr)
 {
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     dem::PushPlan plan = app::push_plan(study);
     plan.snapshot_every = shots == nullptr ? 0.0 : plan.record_every;
-    app::PierWatch watch(study, 1, plan);
+    app::PierWatch watch(study, model.layout, 1, plan);
     app::PushedWall wall;
     app::PushList list;
     list.size = 1;
@@ -178,7 +179,7 @@ TEST_CASE("pier reading: the wall's limit is where the first pier reaches its ow
     REQUIRE(app::piers_remarks(study, wall).size() == 1);
     CHECK(app::piers_remarks(study, wall).front().find("pier " + std::to_string(first)) !=
           std::string::npos);
-    const std::string picture = app::pier_picture(study, wall);
+    const std::string picture = app::pier_picture(study, app::layout_of(study), wall);
     for (const char* const text : {"pier 1", "pier 3", " kN"})
         CHECK(picture.find(text) != std::string::npos);
 }
@@ -197,12 +198,12 @@ TEST_CASE("pier reading: snapshots that a push was to keep are kept beside those
             .take = [&](std::size_t, dem::Snapshot&& s) { at.push_back(s.displacement); },
             .forget = [&](std::size_t) { at.clear(); }};
         std::optional<app::PierWatch> watch;
-        if (watched) watch.emplace(study, 1, plan);
+        if (watched) watch.emplace(study, app::layout_of(study), 1, plan);
         app::PushList list;
         list.size = 1;
         list.wall = [](std::size_t) { return app::WantedWall{}; };
         list.done = [](std::size_t, const app::WallDraw&, app::PushedWall&&) {};
-        app::push_walls(study, app::model_of(study), plan, list, 1);
+        app::push_walls(study, app::model_of(app::prepare(study)), plan, list, 1);
         return at;
     };
     const std::vector<double> plain = taken(false);

@@ -1,6 +1,8 @@
 /// Protocols that go as far as the wall can be pushed one way.
 
 #include "app/input/limit_state_text.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/study_texts.hpp"
 #include "dem/block/model.hpp"
 #include "dem/solver/push.hpp"
@@ -29,7 +31,7 @@ TEST_CASE(
         return study_texts::read_good(more);
     };
     const Study one_way = with({});
-    const dem::Model model = model_of(one_way);
+    const dem::Model model = model_of(prepare(one_way));
     const dem::PushResult r = dem::push(model, study_texts::materials(one_way, 0),
                                         push_plan(one_way), one_way.solver);
     std::vector<double> x, f;

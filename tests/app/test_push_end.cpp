@@ -1,5 +1,6 @@
 /// Where a push ends unless the study says it.
 
+#include "app/input/study_reading.hpp"
 #include "app/study_texts.hpp"
 
 #include <catch2/catch.hpp>

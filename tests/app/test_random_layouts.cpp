@@ -1,6 +1,8 @@
 /// Studies whose samples lie in random layouts of their own.
 
+#include "app/input/prepared_study.hpp"
 #include "app/input/random_layouts.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_film.hpp"
@@ -36,20 +38,22 @@ Study layouts(const std::vector<std::string>& more, const char* bond = "wall.bon
     all.insert(all.end(), more.begin(), more.end());
     if (std::ranges::none_of(more, [](const auto& m) { return m.starts_with("wall.seed"); }))
         all.emplace_back("wall.seed=11");
-    return app::read_study(
-        app::with_overrides(app::parse_study_text("study.ini", study_scenes::kSmall), all));
+    return app::prepare(app::read_study(app::with_overrides(
+                            app::parse_study_text("study.ini", study_scenes::kSmall), all)))
+        .study;
 }
 
-void run(const Study& s, const std::filesystem::path& file, int threads)
+void run(const app::PreparedStudy& ready, const std::filesystem::path& file, int threads)
 {
+    const Study& s = ready.study;
     const std::vector<std::uint32_t> sizes = {app::samples_of(s)};
-    const app::SamplePlan plan = sample_plan(s, layout_of(s), sizes);
+    const app::SamplePlan plan = sample_plan(s, ready.layout, sizes);
     app::Store store(file, app::head_of(s, plan, sizes));
-    app::run_walls(s, plan, pending_walls(store, {}, false), threads, store, {});
+    app::run_walls(ready, plan, pending_walls(store, {}, false), threads, store, {});
     store.compact();
 }
 
-std::vector<app::WallRow> rows_of(const Study& s, int threads)
+std::vector<app::WallRow> rows_of(const app::PreparedStudy& s, int threads)
 {
     const scenes::TemporaryFolder folder;
     const auto file = folder.path / "study.h5";
@@ -65,13 +69,13 @@ TEST_CASE("random layouts: each wall is that of its layout pushed alone, to the 
           "[app][random_layouts]")
 {
     const Study s = layouts({"wall.layouts=3"});
-    const std::vector<app::WallRow> rows = rows_of(s, 2);
+    const std::vector<app::WallRow> rows = rows_of(app::prepare(s), 2);
     REQUIRE(rows.size() == 10);
     const std::vector<std::uint32_t> sizes = {5};
     const app::SamplePlan plan = sample_plan(s, layout_of(s), sizes);
     for (const app::WallRow& row : rows) {
         const Study own = layouts({"wall.seed=" + std::to_string(11 + row.key.sample % 3)});
-        const dem::Model model = app::model_of(own);
+        const dem::Model model = app::model_of(app::prepare(own));
         const int level = static_cast<int>(row.key.level);
         const app::WallDraw d = app::draw(plan, level, static_cast<int>(row.key.sample));
         const app::PushedWall w =
@@ -82,7 +86,7 @@ TEST_CASE("random layouts: each wall is that of its layout pushed alone, to the 
         CHECK(row.curve.force == w.force);
     }
     for (const int threads : {1, 5}) {
-        const std::vector<app::WallRow> again = rows_of(s, threads);
+        const std::vector<app::WallRow> again = rows_of(app::prepare(s), threads);
         for (std::size_t i = 0; i < rows.size(); ++i)
             CHECK(again[i].curve.force == rows[i].curve.force);
     }
@@ -100,7 +104,7 @@ TEST_CASE("random layouts: lengths of units alone make samples, the same under e
     CHECK(s.random.empty());
     CHECK(app::is_random(s));
     CHECK(app::samples_of(s) == 5);
-    const std::vector<app::WallRow> rows = rows_of(s, 2);
+    const std::vector<app::WallRow> rows = rows_of(app::prepare(s), 2);
     REQUIRE(rows.size() == 10);
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<double>> forces;
     for (const app::WallRow& row : rows)
@@ -118,12 +122,12 @@ TEST_CASE("random layouts: the page has the stones of each wall that it shows",
     const scenes::TemporaryFolder folder;
     const auto file = folder.path / "study.h5";
     const Study s = layouts({"wall.layouts=3"});
-    run(s, file, 2);
+    run(app::prepare(s), file, 2);
     const app::StudyWalls walls = app::read_study_walls(file, {}, app::Keep::everything);
     const app::WallList listed = app::walls_to_list(walls, 100);
-    const app::Replay replay = app::replay(walls, listed, 2, {}, {});
+    const app::Replay replay = app::replay(app::prepare(walls.study), listed, 2, {}, {});
     CHECK(replay.different == 0);
-    const auto films = app::films_json(walls, listed, replay, "");
+    const auto films = app::films_json(app::prepare(walls.study), listed, replay, "");
     CHECK(films["geometries"].size() == 3);
     REQUIRE(films["films"].size() == 10);
     for (const auto& film : films["films"]) {
@@ -138,15 +142,16 @@ TEST_CASE(
     "random layouts: a layout that makes no wall is the failure of its walls, by its reason",
     "[app][random_layouts]")
 {
-    Study s = layouts({"wall.layouts=5"});
-    s.source = app::with_overrides(s.source, std::vector<std::string>{"wall.length=0.01 m"});
+    app::PreparedStudy s = app::prepare(layouts({"wall.layouts=5"}));
+    s.study.wall.unit_length = 0.0;
     for (const int threads : {1, 3}) {
         const std::vector<app::WallRow> rows = rows_of(s, threads);
         CHECK(rows.size() == 10);
         for (const app::WallRow& row : rows) {
             CHECK(row.status != app::kWallOk);
-            CHECK(row.reason.find("at least one wall.unit_length") != std::string::npos);
-            CHECK(row.inputs.size() == s.random.size());
+            CHECK(row.reason.find("a wall of rubble needs positive sizes") !=
+                  std::string::npos);
+            CHECK(row.inputs.size() == s.study.random.size());
         }
     }
 }
@@ -167,7 +172,7 @@ TEST_CASE("random layouts: what done throws ends the run and is thrown, whatever
             throw std::runtime_error("the disk is full");
         };
         CHECK_THROWS_WITH(app::push_in_layouts(
-                              s, app::bare_plan(s), list,
+                              app::prepare(s), app::bare_plan(s), list,
                               [](std::size_t i) { return static_cast<std::uint32_t>(i); },
                               threads),
                           "the disk is full");

@@ -1,4 +1,6 @@
 #include "app/commands.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/reliability/event.hpp"
 #include "app/study_scenes.hpp"
 #include "app/text/config_error.hpp"
@@ -34,22 +36,21 @@ ReliabilityAnswer answer(const ReliabilityProblem& p, std::vector<uq::Evaluated>
 app::Study reliability(const std::string& text, const std::string& uq = "")
 {
     std::string all = study_scenes::kSmall;
-    return app::read_study(app::parse_study_text("study.ini", all + "[uq]\nseed = 2\n" + uq +
-                                                                  "[reliability]\n" + text));
+    return app::prepare(
+               app::read_study(app::parse_study_text(
+                   "study.ini", all + "[uq]\nseed = 2\n" + uq + "[reliability]\n" + text)))
+        .study;
 }
 
-app::Command at(const std::string& level)
+ReliabilityProblem problem_at(const app::Study& study, const std::string& level)
 {
-    app::Command c;
-    c.level = level;
-    c.threads = 2;
-    return c;
+    return wall_problem(app::prepare(study), level, 2);
 }
 
 std::string complaint(const std::string& text, const std::string& uq = "")
 {
     try {
-        (void)wall_problem(reliability(text, uq), at("0.50 MPa"));
+        (void)problem_at(reliability(text, uq), "0.50 MPa");
     } catch (const app::ConfigError& e) {
         return e.what();
     }
@@ -212,7 +213,7 @@ TEST_CASE("reliability: Monte Carlo on the wall counts the walls at or below the
 {
     const app::Study s =
         reliability("response = peak_force\ndemand = 34 kN\nbudget = 60\ntarget_cov = 0.001\n");
-    const ReliabilityProblem p = wall_problem(s, at("0.5"));
+    const ReliabilityProblem p = problem_at(s, "0.5");
     std::vector<uq::Evaluated> seen;
     const ReliabilityAnswer a = answer(p, seen);
     REQUIRE(seen.size() == 60);
@@ -233,7 +234,7 @@ TEST_CASE("reliability: two fidelities of the wall agree with its expensive samp
     const app::Study s =
         reliability("method = multi_fidelity\ndemand = 34 kN\nbudget = 200\ncheap = rigid\n");
     std::vector<uq::Evaluated> seen;
-    const ReliabilityAnswer a = answer(wall_problem(s, at("0.5")), seen);
+    const ReliabilityAnswer a = answer(problem_at(s, "0.5"), seen);
     REQUIRE(a.methods.front().probability);
     double below = 0.0;
     for (const uq::Evaluated& e : seen) below += e.response <= 34e3 ? 1.0 : 0.0;
@@ -247,10 +248,8 @@ TEST_CASE("reliability: active learning on the wall has the same bits on any num
 {
     const app::Study s = reliability("method = active\ndemand = 30 kN\nbudget = 56\n");
     const auto run = [&](int threads) {
-        app::Command c = at("0.5");
-        c.threads = threads;
         std::vector<uq::Evaluated> seen;
-        const ReliabilityAnswer a = answer(wall_problem(s, c), seen);
+        const ReliabilityAnswer a = answer(wall_problem(app::prepare(s), "0.5", threads), seen);
         CHECK(seen.size() == a.evaluations);
         CHECK(seen.size() <= 56);
         return a.methods.at(0);

@@ -1,3 +1,4 @@
+#include "app/input/prepared_study.hpp"
 #include "app/report/report_parts.hpp"
 
 #include "app/report/report_data.hpp"
@@ -38,7 +39,7 @@ TEST_CASE(
     CHECK(walls.front()->forces.back() > 0.0);
     const auto data = app::report_data(study, walls);
     CHECK_FALSE(data["tables"]["cycles"]["rows"].empty());
-    const app::Replay r = app::replay(study, walls, 2, {}, {});
+    const app::Replay r = app::replay(app::prepare(study.study), walls, 2, {}, {});
     CHECK(r.different == 0);
     CHECK(r.films.front().frames == frames + 1);
 }
@@ -50,7 +51,7 @@ TEST_CASE("report cycles: a film goes through every cycle, to both sides and bac
     const auto file = folder.path / "small.h5";
     scenes::run_study(file, "samples = 1\n[load]\namplitudes = 1, 2 mm");
     const app::Study study = app::read_study_walls(file).study;
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     const auto frames =
         app::frames_of(dem::push(model,
                                  app::materials(study.parameters, study.wall.course_height,

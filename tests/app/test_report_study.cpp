@@ -1,3 +1,5 @@
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_replay.hpp"
@@ -19,7 +21,8 @@ TEST_CASE("report configuration: the stored study file reads back to the study t
 {
     const app::Study study = study_scenes::study("samples = 5");
     const std::string text = app::effective_configuration(study);
-    CHECK(app::identity_text(app::read_study(app::parse_study_text("s", text))) ==
+    CHECK(app::identity_text(
+              app::prepare(app::read_study(app::parse_study_text("s", text))).study) ==
           app::identity_text(study));
 }
 
@@ -28,8 +31,10 @@ TEST_CASE("report configuration: values that follow from drawn ones still follow
 {
     const app::Study study = study_scenes::study("samples = 5");
     const app::Study back =
-        app::read_study(app::parse_study_text("s", app::effective_configuration(study)));
-    const dem::Layout layout = app::model_of(study).layout;
+        app::prepare(
+            app::read_study(app::parse_study_text("s", app::effective_configuration(study))))
+            .study;
+    const dem::Layout layout = app::model_of(app::prepare(study)).layout;
     app::WallDraw draw;
     for (const app::RandomInput& input : study.random)
         draw.values.push_back({0.8 * input.mean});
@@ -49,7 +54,7 @@ TEST_CASE("report replay: stored walls pushed again are those stored, to the bit
     app::StudyWalls study = app::read_study_walls(file, {}, app::Keep::everything);
     REQUIRE(study.inputs.size() == 5);
     const app::WallList walls = app::walls_to_list(study, 100);
-    const app::Replay r = app::replay(study, walls, 2, {}, {});
+    const app::Replay r = app::replay(app::prepare(study.study), walls, 2, {}, {});
     CHECK(r.different == 0);
     REQUIRE(r.films.size() == walls.size());
     CHECK(r.films.front().frames == app::kFilmFrames + 1);
@@ -57,7 +62,7 @@ TEST_CASE("report replay: stored walls pushed again are those stored, to the bit
     dem::FailureMode& mode = study.levels.back().walls.back().reading.mode;
     mode =
         mode == dem::FailureMode::mixed ? dem::FailureMode::rocking : dem::FailureMode::mixed;
-    CHECK(app::replay(study, walls, 2, {}, {}).different == 2);
+    CHECK(app::replay(app::prepare(study.study), walls, 2, {}, {}).different == 2);
 }
 
 TEST_CASE(
@@ -80,9 +85,9 @@ TEST_CASE(
     const app::StudyWalls study = read(file), unfilmed = read(bare);
     const app::WallList walls = app::walls_to_list(study, 100),
                         others = app::walls_to_list(unfilmed, 100);
-    const app::Replay pushed = app::replay(study, walls, 2, {}, {}),
-                      kept = app::replay(study, walls, 2, all, {}),
-                      mixed = app::replay(study, walls, 2, one, {});
+    const app::Replay pushed = app::replay(app::prepare(study.study), walls, 2, {}, {}),
+                      kept = app::replay(app::prepare(study.study), walls, 2, all, {}),
+                      mixed = app::replay(app::prepare(study.study), walls, 2, one, {});
     CHECK(pushed.pushed == 6);
     CHECK(kept.pushed == 0);
     CHECK(mixed.pushed == 5);
@@ -135,7 +140,7 @@ TEST_CASE("report data: a study without a wall, and inputs without a distributio
     const app::WallList listed = app::walls_to_list(study, 100);
     const auto data = app::report_data(study, listed);
     CHECK(data["running"].empty());
-    CHECK(app::films_json(study, listed, {}, "note")["films"].empty());
+    CHECK(app::films_json(app::prepare(study.study), listed, {}, "note")["films"].empty());
     for (app::StudyLevel& level : study.levels) level.walls.clear();
     CHECK_NOTHROW(app::report_data(study, {}));
 }

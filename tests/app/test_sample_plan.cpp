@@ -1,3 +1,5 @@
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/sampling/wall_sites.hpp"
@@ -270,7 +272,9 @@ TEST_CASE("sample plan: the configuration that a study keeps makes the same wall
 {
     const Study s = study("samples = 4\nspatial = independent");
     const Study again =
-        app::read_study(app::parse_study_text("kept.ini", effective_configuration(s)));
+        app::prepare(
+            app::read_study(app::parse_study_text("kept.ini", effective_configuration(s))))
+            .study;
     CHECK(identity_text(again) == identity_text(s));
     const dem::Layout layout = layout_of(s);
     for (int i = 0; i < 4; ++i) {

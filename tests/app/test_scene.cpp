@@ -1,5 +1,7 @@
 #include "app/commands.hpp"
 #include "app/input/key_effects.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/scene/scene_units.hpp"
 #include "dem/scene/polygon.hpp"
@@ -79,7 +81,9 @@ std::string drawn_study(const fs::path& folder, const std::string& drawing)
 
 app::Study study_of(const std::string& file, const std::vector<std::string>& overrides = {})
 {
-    return app::read_study(app::with_overrides(app::read_study_file(file), overrides));
+    return app::prepare(
+               app::read_study(app::with_overrides(app::read_study_file(file), overrides)))
+        .study;
 }
 
 } // namespace
@@ -201,11 +205,9 @@ TEST_CASE("scene units: a unit that a crack parts is whole again, with its own c
 TEST_CASE("scene command: what was closed or simplified of a drawing is said", "[app][scene]")
 {
     const app::Verb verb{.name = "scene", .sections = "wall"};
-    app::Command c;
-    c.verb = &verb;
     const app::Study study =
         study_of(std::string(DRYSTONE_SOURCE_DIR) + "/configs/picture.ini");
-    const std::string text = app::study_notes(study, c);
+    const std::string text = app::study_notes(app::prepare(study), &verb);
     CHECK(text.find("note: wall.geometry: 49 stones") != std::string::npos);
 }
 
@@ -232,13 +234,14 @@ TEST_CASE(
     const app::Study fine =
         study_of(kWall, {"solver.contact_points=100", "solver.zones_per_interval=1",
                          "wall.length=50 m"});
-    CHECK_THROWS_WITH(app::cost_note(fine, app::Purpose::push),
+    CHECK_THROWS_WITH(app::cost_note(app::prepare(fine), app::Purpose::push),
                       Catch::Contains("solver.contact_points: the blocks would take about"));
-    CHECK_THAT(app::cost_note(fine, app::Purpose::drawing), Catch::StartsWith("note: making"));
+    CHECK_THAT(app::cost_note(app::prepare(fine), app::Purpose::drawing),
+               Catch::StartsWith("note: making"));
     const app::Study high =
         study_of(kWall, {"wall.length=60 mm", "wall.unit_length=6 mm", "wall.courses=2",
                          "wall.course_height=6 mm", "beam.height=10 m", "load.height=10 m"});
-    CHECK_THROWS_WITH(app::cost_note(high, app::Purpose::push),
+    CHECK_THROWS_WITH(app::cost_note(app::prepare(high), app::Purpose::push),
                       Catch::Contains("beam.height: the beam would take about"));
-    CHECK(app::cost_note(study_of(kWall), app::Purpose::push).empty());
+    CHECK(app::cost_note(app::prepare(study_of(kWall)), app::Purpose::push).empty());
 }

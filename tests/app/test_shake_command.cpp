@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/shake/shaking_motions.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
@@ -108,11 +109,14 @@ TEST_CASE("shake command: a pulse gives a history whose largest drift the summar
 
 TEST_CASE("shake command: intensities scale each record by the measure", "[app][shake]")
 {
-    const app::Study study = app::read_study(app::parse_study_text(
-        "study.ini", std::string(kWall) +
-                         "[load]\nvertical_stress = 0 MPa\n[shaking]\n"
-                         "records = half_sine(peak 0.5 g, duration 0.3 s), "
-                         "sine(peak 1 g, period 0.3 s)\nintensities = 0.1, 0.2 g\n"));
+    const app::Study study =
+        app::prepare(
+            app::read_study(app::parse_study_text(
+                "study.ini", std::string(kWall) +
+                                 "[load]\nvertical_stress = 0 MPa\n[shaking]\n"
+                                 "records = half_sine(peak 0.5 g, duration 0.3 s), "
+                                 "sine(peak 1 g, period 0.3 s)\nintensities = 0.1, 0.2 g\n")))
+            .study;
     const std::vector<app::ShakingMotion> motions = app::shaking_motions(study);
     REQUIRE(motions.size() == 4);
     double peak = 0.0;

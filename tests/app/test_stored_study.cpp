@@ -1,3 +1,5 @@
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/study/stored_study.hpp"
 
 #include "app/store/store_error.hpp"
@@ -14,7 +16,7 @@ namespace {
 
 app::Study shipped(const std::string& name, const std::vector<std::string>& set = {})
 {
-    return app::read_study(DRYSTONE_SOURCE_DIR "/configs/" + name, set);
+    return app::prepare(app::read_study(DRYSTONE_SOURCE_DIR "/configs/" + name, set)).study;
 }
 
 app::StoreHead head_of_study(const app::Study& study)

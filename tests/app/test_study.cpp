@@ -1,4 +1,5 @@
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/unit_cracks.hpp"
 
 #include "app/input/study_keys.hpp"
@@ -30,7 +31,9 @@ std::string without_courses()
 
 app::Study shipped(const std::string& name)
 {
-    return app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/" + name));
+    return app::prepare(
+               app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/" + name)))
+        .study;
 }
 
 } // namespace

@@ -103,11 +103,7 @@ TEST_CASE("study identity: evaluations of a wall belong to its stress, however i
           "[app][study_identity]")
 {
     const app::Study study = study_scenes::study("samples = 2");
-    const auto at = [&](const std::string& level) {
-        app::Command command;
-        command.level = level;
-        return wall_evaluations(study, command);
-    };
+    const auto at = [&](const std::string& level) { return wall_evaluations(study, level); };
     CHECK(at("0.5") == at("0.50 MPa"));
     CHECK(at("0.5") == at("500 kPa"));
     CHECK(at("0.5") != at("1"));
@@ -116,11 +112,9 @@ TEST_CASE("study identity: evaluations of a wall belong to its stress, however i
 TEST_CASE("study identity: evaluations of a wall follow the rules by which it is read",
           "[app][study_identity]")
 {
-    app::Command command;
-    command.level = "0.5";
     const auto text = [&](const std::string& rules) {
         return wall_evaluations(study_scenes::study("samples = 2\n[fragility]\n" + rules),
-                                command);
+                                "0.5");
     };
     CHECK(text("ultimate_share = 0.7") != text("ultimate_share = 0.8"));
     CHECK(text("ultimate_share = 0.70") == text("ultimate_share = 0.7"));

@@ -1,3 +1,5 @@
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/pushed_wall.hpp"
@@ -32,11 +34,12 @@ Ran run(const Study& s, int threads = 2)
 {
     const scenes::TemporaryFolder folder;
     const fs::path file = folder.path / "study.h5";
-    Ran r{app::model_of(s), {}, {}};
+    Ran r{app::model_of(app::prepare(s)), {}, {}};
     const std::vector<std::uint32_t> sizes = {app::samples_of(s)};
     r.plan = sample_plan(s, r.model.layout, sizes);
     app::Store store(file, app::head_of(s, r.plan, sizes));
-    app::run_walls(s, r.plan, pending_walls(store, {}, false), threads, store, {});
+    app::run_walls(app::prepare(s), r.plan, pending_walls(store, {}, false), threads, store,
+                   {});
     store.compact();
     app::StoreReader(file).for_each_row(
         [&](const app::WallRow& row) { r.rows.push_back(row); });
@@ -46,7 +49,7 @@ Ran run(const Study& s, int threads = 2)
 /// By dem::push, one wall in plain doubles.
 app::PushedWall pushed_alone(const Study& s, int level, const app::WallDraw& draw)
 {
-    const dem::Model model = app::model_of(s);
+    const dem::Model model = app::model_of(app::prepare(s));
     const dem::WallMaterials m = app::wall_materials(s, model.layout, level, draw);
     return app::read_wall(s, level, dem::push(model, m, app::push_plan(s), s.solver));
 }
@@ -112,8 +115,10 @@ TEST_CASE("study runner: a draw that makes no wall is a failed wall, and the oth
     // joint.wall_modulus is 768 and 1057 MPa
     const std::vector<std::string> soft = {"stone.young_modulus=normal(mean 2 GPa, cov 0.5)",
                                            "uq.samples=10"};
-    const Ran r = run(app::read_study(
-        app::with_overrides(app::parse_study_text("study.ini", study_scenes::kSmall), soft)));
+    const Ran r =
+        run(app::prepare(app::read_study(app::with_overrides(
+                             app::parse_study_text("study.ini", study_scenes::kSmall), soft)))
+                .study);
     REQUIRE(r.rows.size() == 20);
     int failed = 0;
     for (const app::WallRow& row : r.rows) {
@@ -178,8 +183,8 @@ TEST_CASE("study runner: a shard that another version shared out is not gone on 
     app::StudyRun part;
     part.file = folder.path / "part.h5";
     part.shard = {0, 2};
-    REQUIRE(app::run_study(s, part).whole);
-    CHECK(app::run_study(s, part).before == 4);
+    REQUIRE(app::run_study(app::prepare(s), part).whole);
+    CHECK(app::run_study(app::prepare(s), part).before == 4);
     const dem::Layout layout = app::layout_of(s);
     const std::vector<std::uint32_t> sizes = {4};
     const app::SamplePlan plan = sample_plan(s, layout, sizes);
@@ -187,10 +192,10 @@ TEST_CASE("study runner: a shard that another version shared out is not gone on 
     head.shards = 2;
     part.file = folder.path / "old.h5";
     app::Store old(part.file, head); // the walls of even numbers: those of level 0
-    app::run_walls(s, plan, {{0, 0}, {0, 1}}, 1, old, {});
+    app::run_walls(app::prepare(s), plan, {{0, 0}, {0, 1}}, 1, old, {});
     old.compact();
     CHECK_THROWS_WITH(
-        app::run_study(s, part),
+        app::run_study(app::prepare(s), part),
         Catch::Contains("has wall (level 0, sample 1), which is not of this shard"));
 }
 
@@ -206,12 +211,12 @@ TEST_CASE("study runner: a run that goes on tells what was there before it",
         seen.push_back(p);
         if (p.done == 4 && p.before == 0) throw app::Interrupted();
     };
-    const app::StudyRunEnd first = app::run_study(s, run);
+    const app::StudyRunEnd first = app::run_study(app::prepare(s), run);
     CHECK_FALSE(first.whole);
     CHECK(first.before == 0);
     CHECK(first.now == 4);
     seen.clear();
-    const app::StudyRunEnd rest = app::run_study(s, run);
+    const app::StudyRunEnd rest = app::run_study(app::prepare(s), run);
     CHECK(rest.whole);
     CHECK(rest.before == 4);
     CHECK(rest.now == 6);

@@ -1,6 +1,7 @@
 /// Tests of the scene that a study hands to the solver.
 
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/study_texts.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,7 +24,9 @@ TEST_CASE("study: the shipped moduli give the joint stiffness of Eq. 2 at every 
           "[app][study]")
 {
     const app::Study study =
-        app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/levels.ini"));
+        app::prepare(
+            app::read_study(app::read_study_file(DRYSTONE_SOURCE_DIR "/configs/levels.ini")))
+            .study;
     const std::vector<double> kn = {5.87e9, 8.08e9, 9.70e9, 11.34e9, 13.03e9}; // [Pa/m]
     const std::vector<double> stress = {0.15e6, 0.50e6, 0.75e6, 1.00e6, 1.25e6};
     for (int level = 0; level < 5; ++level) {

@@ -1,3 +1,5 @@
+#include "app/input/study_reading.hpp"
+#include "app/input/wall_geometry.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/study_texts.hpp"
 
@@ -11,6 +13,11 @@
 #include <vector>
 
 namespace {
+
+std::string summary_of(const app::Study& study, const app::PushedWall& w)
+{
+    return app::summary_json(study, app::layout_of(study), w);
+}
 
 using app::PushedWall;
 using Json = nlohmann::ordered_json;
@@ -90,7 +97,7 @@ PushedWall broken_wall()
 
 Json summary(const PushedWall& w)
 {
-    return Json::parse(app::summary_json(study_texts::read_good(), w));
+    return Json::parse(summary_of(study_texts::read_good(), w));
 }
 
 /// Whether any number anywhere in a JSON value is not finite.
@@ -221,7 +228,7 @@ TEST_CASE("summary: the solver's error is there in percent, and above the accura
     w.result.solver_error = 0.023;
     const app::Study study = study_texts::read_good({"solver.accuracy=2 %"});
     const auto remarks = [&] {
-        return Json::parse(app::summary_json(study, w)).at("hand_checks").at("remarks").dump();
+        return Json::parse(summary_of(study, w)).at("hand_checks").at("remarks").dump();
     };
     w.result.slowdowns = 2;
     CHECK(summary(w).at("solver_error_percent").get<double>() == Approx(2.3));
@@ -236,7 +243,7 @@ TEST_CASE("summary: the solver's error is there in percent, and above the accura
 TEST_CASE("summary: a wall whose numbers broke has null for every number of its run",
           "[app][summary_json]")
 {
-    const std::string text = app::summary_json(study_texts::read_good(), broken_wall());
+    const std::string text = summary_of(study_texts::read_good(), broken_wall());
     const Json j = Json::parse(text);
     CHECK_FALSE(has_broken_number(j));
     CHECK(j.at("outcome") == "not finite");
@@ -292,7 +299,7 @@ TEST_CASE("summary: hand checks are those of a rigid wall, and a force beyond th
     base.contacts[0].sigma = -0.4e6;
     base.contacts[1].sigma = -2.5e6;
     w.result.at_end.faces = {base};
-    const Json j = Json::parse(app::summary_json(study, w)).at("hand_checks");
+    const Json j = Json::parse(summary_of(study, w)).at("hand_checks");
     // 0.5 MPa on 0.2 m2 and a beam of 0.5 kN; ten courses of 0.4 kN
     CHECK(j.at("vertical_load_kN").get<double>() == Approx(100.5));
     CHECK(j.at("wall_weight_kN").get<double>() == Approx(4.0));
@@ -317,7 +324,7 @@ TEST_CASE("summary: hand checks of body forces are those of a rigid wall",
     w.loads.pattern = dem::LoadPattern::body;
     w.loads.gravity = 10.0;
     w.result.weight = 4.5e3;
-    const Json j = Json::parse(app::summary_json(study, w)).at("hand_checks");
+    const Json j = Json::parse(summary_of(study, w)).at("hand_checks");
     // Nine courses of 0.4 kN that can turn, and a beam of 0.5 kN: f = 4.1 * 0.5 / (3.6 * 0.45 +
     // 0.5 * 0.95)
     const double f = 2.05 / (3.6 * 0.45 + 0.5 * 0.95);
@@ -359,7 +366,7 @@ TEST_CASE("summary: a joint that slid off its neighbour with small displacements
         joint.contacts[1].sigma = sigma;
         w.result.at_end.faces = {joint};
         const app::Study study = study_texts::read_good({"solver.kinematics=" + kinematics});
-        const Json j = Json::parse(app::summary_json(study, w)).at("hand_checks");
+        const Json j = Json::parse(summary_of(study, w)).at("hand_checks");
         return j.at("remarks").dump().find("a joint that is 100 mm long has slid by 26 mm") !=
                std::string::npos;
     };
@@ -464,7 +471,7 @@ TEST_CASE("summary: what others read by name comes in a fixed order", "[app][sum
 TEST_CASE("summary: the study inside it is the one that ran", "[app][summary_json]")
 {
     const app::Study study = study_texts::read_good({"wall.courses=7", "load.height=0.75m"});
-    const Json j = Json::parse(app::summary_json(study, good_wall()));
+    const Json j = Json::parse(summary_of(study, good_wall()));
     const std::string text = j.at("study").get<std::string>();
     CHECK(text == app::effective_configuration(study));
     CHECK(study_texts::read(text).wall.courses == 7);

@@ -1,3 +1,5 @@
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/reading/wall_reading.hpp"
 
 #include "app/fragility_keys.hpp"
@@ -24,8 +26,10 @@ const std::vector<double> kForce = {0.0, 40e3, 50e3, 30e3};
 /// Reading rules of a small study with some keys changed.
 app::ReadingRules rules(const std::vector<std::string>& overrides = {})
 {
-    return app::reading_rules(app::read_study(app::with_overrides(
-        app::parse_study_text("study.ini", study_scenes::kSmall), overrides)));
+    return app::reading_rules(
+        app::prepare(app::read_study(app::with_overrides(
+                         app::parse_study_text("study.ini", study_scenes::kSmall), overrides)))
+            .study);
 }
 
 std::vector<double> negative(std::vector<double> values)
@@ -59,7 +63,7 @@ void check_stored(const std::filesystem::path& file, const std::vector<std::stri
 {
     const app::StudyWalls walls = app::read_study_walls(file, overrides, app::Keep::everything);
     const app::Study& study = walls.study;
-    const dem::Model model = app::model_of(study);
+    const dem::Model model = app::model_of(app::prepare(study));
     const app::SamplePlan plan = sample_plan(study, model.layout, walls.head.design_sizes);
     for (const app::StudyLevel& level : walls.levels)
         for (const app::StudyWall& w : level.walls) {

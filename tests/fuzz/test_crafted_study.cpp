@@ -1,3 +1,5 @@
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "fuzz/crafted_hdf5.hpp"
 
 #include "app/child_process.hpp"
@@ -26,7 +28,10 @@ fs::path whole_study(const fs::path& folder)
     run.file = folder / "whole.h5";
     run.threads = 1;
     static_cast<void>(app::run_study(
-        app::read_study(DRYSTONE_SOURCE_DIR "/tests/study/small.ini", set), run));
+        app::prepare(
+            app::prepare(app::read_study(DRYSTONE_SOURCE_DIR "/tests/study/small.ini", set))
+                .study),
+        run));
     return run.file;
 }
 

@@ -1,4 +1,5 @@
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/text/config_error.hpp"
 #include "uq/designs/stream.hpp"
 
@@ -104,10 +105,12 @@ TEST_CASE("study fuzz: ten thousand broken study files are read or refused with 
         std::string text = originals[random.below(originals.size())];
         for (std::uint64_t n = random.below(4) + 1; n > 0; --n) mutate(text, random);
         try {
-            const app::Study study = app::read_study(app::parse_study_text("fuzz.ini", text));
+            const app::Study study =
+                app::prepare(app::read_study(app::parse_study_text("fuzz.ini", text))).study;
             // what was read reads back
-            (void)app::read_study(
-                app::parse_study_text("again.ini", app::effective_configuration(study)));
+            (void)app::prepare(app::read_study(app::parse_study_text(
+                                   "again.ini", app::effective_configuration(study))))
+                .study;
             ++read;
         } catch (const app::ConfigError& e) {
             INFO(e.what());

@@ -1,6 +1,7 @@
 /// The functions that the page calls. Texts go in as UTF-8 in the module's memory, answers come
 /// out as JSON: {"error": "..."} with the program's own message where an input is wrong.
 
+#include "app/input/study_reading.hpp"
 #include "try/wasm/page_json.hpp"
 
 #include "app/input/study_file.hpp"
@@ -36,6 +37,7 @@ DRYSTONE_IMPORT(wall) void wall_done(const char* json, std::size_t size);
 namespace {
 
 using app::Json;
+using app::PreparedStudy;
 using app::Study;
 
 std::string answer;
@@ -61,14 +63,14 @@ void say(void (*to)(const char*, std::size_t), const Json& json)
     to(text.data(), text.size());
 }
 
-Study study_of(const char* text, std::size_t size)
+PreparedStudy study_of(const char* text, std::size_t size)
 {
     const app::StudyFile file = app::parse_study_text(kName, {text, size});
     Study study = app::read_study(file);
     if (study.load.vertical_stress.size() != 1)
         throw app::error_at(file, "load.vertical_stress",
                             "this page takes one stress at a time");
-    return study;
+    return app::prepare(std::move(study));
 }
 
 /// A push takes numbers.
@@ -93,15 +95,16 @@ dem::PushPlan shown_plan(const Study& study, int frames)
     return plan;
 }
 
-Json result_of(const Study& study, const app::PushedWall& w)
+Json result_of(const PreparedStudy& ready, const app::PushedWall& w)
 {
-    Json j = {{"summary", app::json_of(app::summary_json(study, w))},
+    const Study& study = ready.study;
+    Json j = {{"summary", app::json_of(app::summary_json(study, ready.layout, w))},
               {"curve", page::curve_json(w)},
               {"limits", page::limits_json(study, w.reading, w.loads.height)}};
     if (dem::failed(w.result.outcome)) return j;
     j["capacity.csv"] = app::capacity_text(w);
     j["capacity.svg"] = app::capacity_svg(study, w, {});
-    j["wall.svg"] = app::pushed_picture(study, w);
+    j["wall.svg"] = app::pushed_picture(study, ready.layout, w);
     return j;
 }
 
@@ -126,13 +129,14 @@ DRYSTONE_EXPORT(look) const char* look(const char* text, std::size_t size)
 DRYSTONE_EXPORT(push) const char* push(const char* text, std::size_t size, int frames)
 {
     return answered([&] {
-        const Study study = study_of(text, size);
+        const PreparedStudy ready = study_of(text, size);
+        const Study& study = ready.study;
         refuse_random(study);
-        const dem::Model model = app::model_of(study);
+        const dem::Model model = app::model_of(ready);
         dem::PushResult result =
             dem::push(model, app::wall_materials(study, model.layout, 0, {}),
                       shown_plan(study, frames), study.solver);
-        return result_of(study, app::read_wall(study, 0, std::move(result)));
+        return result_of(ready, app::read_wall(study, 0, std::move(result)));
     });
 }
 
@@ -141,8 +145,9 @@ DRYSTONE_EXPORT(walls)
 const char* walls(const char* text, std::size_t size, int first, int step)
 {
     return answered([&]() -> Json {
-        const Study study = study_of(text, size);
-        const dem::Model model = app::model_of(study);
+        const PreparedStudy ready = study_of(text, size);
+        const Study& study = ready.study;
+        const dem::Model model = app::model_of(ready);
         const std::uint32_t samples = study.uq.samples;
         const app::SamplePlan plan = app::sample_plan(study, model.layout, {&samples, 1});
         std::vector<int> mine;

@@ -5,6 +5,7 @@
 #include "app/input/key_values.hpp"
 #include "app/input/limit_state_text.hpp"
 #include "app/input/study_keys.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/verb.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
@@ -87,9 +88,10 @@ Json keys_json()
     return all;
 }
 
-Json scene_json(const app::Study& study)
+Json scene_json(const app::PreparedStudy& ready)
 {
-    const dem::Layout layout = app::layout_of(study);
+    const app::Study& study = ready.study;
+    const dem::Layout& layout = ready.layout;
     Json blocks = Json::array(), cracks = Json::array();
     for (std::size_t b = 0; b < layout.blocks.size(); ++b)
         blocks.push_back({{"outline", point_list(outline_of(layout.blocks[b]))},

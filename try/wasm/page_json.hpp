@@ -1,6 +1,7 @@
 #pragma once
 /// Everything that the page shows, as JSON.
 
+#include "app/input/prepared_study.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/text/json_text.hpp"
 #include "dem/scene/snapshot.hpp"
@@ -14,7 +15,7 @@ namespace page {
 
 /// Corners of the stones, cracks in them, the line of the load; the study in full and notes on
 /// it.
-[[nodiscard]] app::Json scene_json(const app::Study& study);
+[[nodiscard]] app::Json scene_json(const app::PreparedStudy& ready);
 
 /// The blocks of a push with all points of their outlines, and its faces with their points
 /// there.

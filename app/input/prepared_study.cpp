@@ -1,0 +1,83 @@
+#include "app/input/prepared_study.hpp"
+
+#include "app/input/built_wall.hpp"
+#include "app/input/needed_cracks.hpp"
+#include "app/input/protocol_scale.hpp"
+#include "app/input/study_checks.hpp"
+#include "app/input/unit_cracks.hpp"
+#include "app/input/wall_geometry.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace app {
+namespace {
+
+/// Only openings make a wall in courses that cannot be laid.
+dem::Layout laid_out(const Study& study)
+{
+    const bool openings = !study.wall.openings.empty();
+    return read_at(study.source, openings ? "wall.openings" : geometry_key(study),
+                   [&] { return layout_of(study); });
+}
+
+void find_needed_cracks(PreparedStudy& ready)
+{
+    if (!asks_for_needed_cracks(ready.study)) return;
+    const auto boxes = read_at(ready.study.source, "unit.cracks_where",
+                               [&] { return needed_cracks(ready.study); });
+    put_cracks(boxes, ready.study);
+    ready.layout = laid_out(ready.study);
+}
+
+} // namespace
+
+PreparedStudy lay_again(Study study)
+{
+    grow_rubble(study);
+    if (!is_drawn(study)) check_pieces_of_units(study);
+    dem::Layout layout = laid_out(study);
+    check_blocks(study, layout);
+    if (!is_drawn(study) && study.wall.base == dem::Base::fixed && !study.beam.present)
+        require_joints(study, layout);
+    return {std::move(study), std::move(layout)};
+}
+
+PreparedStudy prepare(Study study)
+{
+    PreparedStudy ready = lay_again(std::move(study));
+    find_needed_cracks(ready);
+    scale_protocol(ready);
+    return ready;
+}
+
+PreparedStudy in_layout(const Study& study, std::uint32_t seed)
+{
+    Study own = study;
+    own.wall.seed = seed;
+    own.geometry.layouts = 1;
+    std::vector<Entry>& entries = own.source.entries;
+    std::erase_if(entries, [](const Entry& e) {
+        return e.key == "wall.layouts" || e.key == "wall.seed";
+    });
+    entries.push_back({"wall.seed", std::to_string(seed)}); // as --set
+    return lay_again(std::move(own));
+}
+
+dem::Model model_of(const PreparedStudy& ready)
+{
+    const Study& study = ready.study;
+    const Parameters& p = study.parameters;
+    const double h = study.wall.course_height;
+    const StressLevel first = stress_level(study, 0);
+    return read_at(study.source, geometry_key(study), [&] {
+        return dem::discretise(ready.layout, p.stone, study.beam, loads(study, 0),
+                               {joint_material(p, h, first), crack_material(p, h, first)},
+                               study.discretisation);
+    });
+}
+
+} // namespace app
