@@ -6,6 +6,7 @@ import sys
 
 BEGIN = "<!-- bench/shaken_walls.sh writes what follows -->"
 END = "<!-- bench/shaken_walls.sh wrote what stands above -->"
+WIDEST = 100.0  # ratio of the ends of an interval that is printed
 MEASURES = (("pga", "g"), ("pgv", "m/s"), ("sa", "g"))
 NAMES = {"pga": "PGA [g]", "pgv": "PGV [m/s]", "sa": "Sa(0.3 s) [g]"}
 
@@ -24,7 +25,10 @@ def with_band(row, name, unit=""):
     low, high = value(row[f"{name} lower{unit}"]), value(row[f"{name} upper{unit}"])
     if not middle:
         return "no curve"
-    return f"{middle} [{low}, {high}]" if low and high else middle
+    if not (low and high):
+        return middle
+    useful = float(high) <= WIDEST * float(low)
+    return f"{middle} [{low}, {high}]" if useful else f"{middle} [?]"
 
 
 def table(head, body):
@@ -45,9 +49,13 @@ def chosen(path):
 
 def fragility_table(work):
     limits = {m: chosen(work / m / "intensity_limits.csv") for m, _ in MEASURES}
+    peaks = [float(r["median pga [g]"]) for r in rows(work / "pga" / "intensity_stripes.csv")]
     body = []
     for key, row in limits["pga"].items():
         cells = [with_band(limits[m][key], "median", f" [{unit}]") for m, unit in MEASURES]
+        median = row["median [g]"]
+        if median and not min(peaks) <= float(median) <= max(peaks):
+            cells[0] += " \\*"
         body.append([*key, *cells, value(row["dispersion"], 2), row["method"], f"{row['reached']} of {row['n']}"])
     head = ["stress [MPa]", "state", *(NAMES[m] for m, _ in MEASURES), "dispersion on PGA", "method", "reached"]
     return table(head, body)
@@ -91,11 +99,15 @@ def main():
     count = sum(int(r["histories"]) for r in stripes)
     failed = sum(int(r["failed"]) for r in stripes)
     limits = rows(work / "pga" / "intensity_limits.csv")[0]
+    peaks = [float(r["median pga [g]"]) for r in stripes]
+    asked = int(limits["walls"]) * int(limits["records"]) * len({(r["stress [MPa]"], r["intensity"]) for r in stripes})
+    part = "" if count == asked else f" of {asked}"
     text = (
-        f"{count} histories ({failed} failed): {limits['walls']} walls under each stress x {limits['records']} motions x "
+        f"{count}{part} histories ({failed} failed): {limits['walls']} walls under each stress x {limits['records']} motions x "
         f"{len({r['intensity'] for r in stripes})} intensities. **In-plane shaking of dry-joint walls is verified against closed forms and not "
         "validated: no open test of such a wall is known.** Median intensities at which a state is reached, with 95 % intervals "
-        "clustered by record and by wall where there are any:\n\n"
+        "clustered by record and by wall where there are any ([?]: wider than 1 to 100). \\*: beyond the "
+        f"intensities of the study, {min(peaks):g} to {max(peaks):g} g: read off the law, or along a line from zero.\n\n"
         f"{fragility_table(work)}\n\n"
         "Shares of the histories that reached each state, and modes where the walls turned back or fell, in percent:\n\n"
         f"{stripe_table(work)}\n\n"
