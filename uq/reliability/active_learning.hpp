@@ -35,8 +35,8 @@ struct ActiveResult {
 
 /// Rounds of kActiveBatch evaluations, each with the process of all evaluations before it. A
 /// round learns (next_points) where the probability is another by half than by the process
-/// before, and as long as that saves more checks than it costs, as the process sees it, but with
-/// at most half of the budget; else it checks: points u_i drawn in the
+/// before, and as long as that saves more checks than it costs, as the process sees it, but
+/// with at most half of the budget; else it checks: points u_i drawn in the
 /// known density q, which favours doubt and the event, give
 ///
 ///   Y_i = P_i + (phi / q)(u_i) (I(u_i) - passing_i(u_i)),

@@ -9,8 +9,8 @@ namespace uq {
 
 /// The process is of g as it is, or of asinh(g / scale), which keeps its sign and makes large
 /// values small, whichever is likelier. It is fitted anew when a seventh more is known than at
-/// the last fit; from 200 points on its parameters stay, and 600 points are all that it has: the
-/// cost of both grows with the cube.
+/// the last fit; from 200 points on its parameters stay, and 600 points are all that it has:
+/// the cost of both grows with the cube.
 class Learner {
   public:
     /// Adds evaluations; those that gave no answer (NaN) are left out.
