@@ -41,9 +41,8 @@ class HistoryRuns {
 
     HistoryRuns(const PreparedStudy& ready, const HistoryPlan& plan, const SamplePlan& samples,
                 const std::vector<WallKey>& histories, const Done& done)
-        : ready_(ready), plan_(plan), samples_(samples), histories_(histories),
-          done_(done), moving_(moving_study(ready.study)),
-          model_(model_of({moving_, ready.layout}))
+        : ready_(ready), plan_(plan), samples_(samples), histories_(histories), done_(done),
+          moving_(moving_study(ready.study)), model_(model_of({moving_, ready.layout}))
     {
     }
 

@@ -1,7 +1,7 @@
 #include "bench/active/problems.hpp"
 
-#include "uq/designs/sobol.hpp"
 #include "core/normal.hpp"
+#include "uq/designs/sobol.hpp"
 #include "uq/reliability_problems.hpp"
 
 #include <algorithm>

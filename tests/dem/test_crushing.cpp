@@ -206,7 +206,8 @@ TEST_CASE("crushing: a row of blocks carries f_c A, and its weakest joint costs 
     CHECK(r.residual < 0.01);
 }
 
-TEST_CASE("crushing: a rigid wall turns about the middle of its crushed toe", "[dem][crushing][slow]")
+TEST_CASE("crushing: a rigid wall turns about the middle of its crushed toe",
+          "[dem][crushing][slow]")
 {
     const double strength = 2.625e6, n = 105e3; // a = N / (f_c t) = 0.2 m
     const dem::PushResult r = toe(strength, dem::Kinematics::small, 5e-3);

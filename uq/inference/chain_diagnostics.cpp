@@ -33,7 +33,8 @@ Eigen::MatrixXd normal_scores(const Eigen::MatrixXd& draws)
         std::size_t end = first + 1;
         while (end < n && y[order[end]] == y[order[first]]) ++end;
         const double rank = 0.5 * static_cast<double>(first + 1 + end);
-        const double score = core::normal_quantile((rank - 0.375) / (static_cast<double>(n) + 0.25));
+        const double score =
+            core::normal_quantile((rank - 0.375) / (static_cast<double>(n) + 0.25));
         for (; first < end; ++first) scores.data()[order[first]] = score;
     }
     return scores;
