@@ -27,6 +27,12 @@ Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions&)
     throw ConfigError(path.string(), 0, "", kNoFiles);
 }
 
+std::string read_bytes(const std::string& path, std::size_t, const std::string&,
+                       const std::string&)
+{
+    throw ConfigError(path, 0, "", kNoFiles);
+}
+
 std::string read_small_file(const std::string& path)
 {
     throw ConfigError(path, 0, "", kNoFiles);
