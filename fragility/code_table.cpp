@@ -38,17 +38,17 @@ std::string listed(std::initializer_list<std::string_view> words)
 void check_keys(const CodeNode& object, const std::string& name,
                 std::initializer_list<std::string_view> known)
 {
-    for (const auto& [key, value] : object.members)
-        if (std::ranges::find(known, key) == known.end())
-            throw CodeTableError(value.line, name,
-                                 "\"" + key + "\" is not a key here; known: " + listed(known));
+    for (const CodeNode& member : object.members)
+        if (std::ranges::find(known, member.key) == known.end())
+            throw CodeTableError(member.line, name,
+                                 "\"" + member.key +
+                                     "\" is not a key here; known: " + listed(known));
 }
 
 const CodeNode* find(const CodeNode& object, std::string_view key)
 {
-    for (const auto& [name, value] : object.members)
-        if (name == key) return &value;
-    return nullptr;
+    const auto found = std::ranges::find(object.members, key, &CodeNode::key);
+    return found == object.members.end() ? nullptr : &*found;
 }
 
 /// The text of a key; empty where it is not written.
@@ -101,7 +101,8 @@ void read_drifts(const CodeNode& drifts, const std::string& where, CodeState& st
             throw CodeTableError(value.line, where + "." + key, bad.what());
         }
     };
-    for (const auto& [key, value] : drifts.members) {
+    for (const CodeNode& value : drifts.members) {
+        const std::string& key = value.key;
         const std::string text = text_of(drifts, key, where + ".");
         if (key == "times")
             state.times = read_at(value, key, [&] { return positive_number(text); });

@@ -42,10 +42,11 @@ class CodeTextReader : public nlohmann::json_sax<nlohmann::json> {
     bool key(string_t& name) override
     {
         auto& members = begun_.back().members;
-        if (std::ranges::any_of(members, [&](const auto& m) { return m.first == name; }))
+        if (std::ranges::find(members, name, &CodeNode::key) != members.end())
             throw CodeTableError(line(), name, "stands twice in one object; keep one of them");
-        members.emplace_back(name, CodeNode{});
-        members.back().second.line = line();
+        members.emplace_back();
+        members.back().key = name;
+        members.back().line = line();
         return true;
     }
     bool parse_error(std::size_t, const std::string&,
@@ -71,8 +72,9 @@ class CodeTextReader : public nlohmann::json_sax<nlohmann::json> {
         } else if (begun_.back().kind == CodeNode::Kind::list) {
             begun_.back().elements.push_back(std::move(node));
         } else {
-            CodeNode& value = begun_.back().members.back().second;
+            CodeNode& value = begun_.back().members.back();
             node.line = value.line;
+            node.key = value.key;
             value = std::move(node);
         }
         return true;

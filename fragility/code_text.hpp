@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace fragility {
@@ -11,10 +10,11 @@ namespace fragility {
 struct CodeNode {
     enum class Kind { text, list, object, other };
     Kind kind = Kind::other;
-    int line = 1; ///< of the key, or where the part begins, from 1
+    int line = 1;    ///< of the key, or where the part begins, from 1
+    std::string key; ///< of a member of an object
     std::string text;
     std::vector<CodeNode> elements;
-    std::vector<std::pair<std::string, CodeNode>> members; ///< in the order of the text
+    std::vector<CodeNode> members; ///< of an object, in the order of the text
 };
 
 /// @throws CodeTableError where it is no JSON, or a key stands twice in an object
