@@ -1,6 +1,7 @@
 #include "bench/active/walls.hpp"
 
-#include "app/input/study.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/reliability/event.hpp"
 
 #include <cmath>
@@ -33,11 +34,10 @@ WallRun run(const WallEvent& event, const std::vector<std::string>& how)
 {
     std::vector<std::string> keys = event.keys;
     keys.insert(keys.end(), how.begin(), how.end());
-    app::Command command;
-    command.study = "configs/reliability.ini";
-    command.threads = static_cast<int>(std::thread::hardware_concurrency());
-    const app::Study study = app::read_study(command.study, keys);
-    const uq::ReliabilityProblem problem = app::wall_problem(study, command);
+    const app::PreparedStudy ready =
+        app::prepare(app::read_study(std::string("configs/reliability.ini"), keys));
+    const auto threads = static_cast<int>(std::thread::hardware_concurrency());
+    const uq::ReliabilityProblem problem = app::wall_problem(ready, "", threads);
     const uq::ReliabilityAnswer a = uq::reliability(problem);
     return {problem.words, a.evaluations, a.methods.front()};
 }
