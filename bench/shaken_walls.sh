@@ -3,11 +3,11 @@
 #
 # The walls of configs/shaken_study.ini: shaken, pushed one way and pushed to and fro. WORK (default runs/shaken_walls) keeps the
 # files of the studies, so that a second run only does what is missing.
-# DRYSTONE_PROGRAM: the program. DRYSTONE_SAMPLES: walls under each stress (default that of the study).
+# DRYSTONE_PROGRAM: the program (default ./drystone). DRYSTONE_SAMPLES: walls under each stress (default that of the study).
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 work=${1:-runs/shaken_walls}
-program=${DRYSTONE_PROGRAM:-build/release/app/drystone}
+program=${DRYSTONE_PROGRAM:-./drystone}
 set=()
 if [[ -n ${DRYSTONE_SAMPLES:-} ]]; then set=(--set "uq.samples=$DRYSTONE_SAMPLES"); fi
 mkdir -p -- "$work"

@@ -20,8 +20,8 @@ namespace app {
 using ShakeProgress =
     std::function<void(const ShakingMotion& motion, double done, double displacement)>;
 
-/// @param study shaken_study
-/// Histories are shaken side by side in the lanes of a register.
+/// Shakes the wall under all motions side by side, in the lanes of a register.
+/// @param ready as shaken_study gives it
 /// @param finished takes each history, in the order of the motions, when all are there
 /// @throws ConfigError where the wall cannot be shaken
 void shake_wall(const PreparedStudy& ready, const WantedWall& wall,

@@ -54,8 +54,6 @@ class HistoryRun {
 
     void set_clock(const StepLimits& limits);
     [[nodiscard]] double damped_fraction(const StepLimits& limits) const;
-    [[nodiscard]] bool settle(WallState<double>& wall);
-    void release(WallState<double>& wall);
     [[nodiscard]] double ground(const std::vector<double>& acceleration) const;
     template <class Real>
     [[nodiscard]] double displacement(const WallState<Real>& state, int lane) const;
