@@ -1,7 +1,6 @@
 #include "app/study/both_ways.hpp"
 
 #include "app/input/random_layouts.hpp"
-#include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 #include "dem/scene/symmetry.hpp"
@@ -62,12 +61,12 @@ const PushedWall* other_way_of(const PushedWall& wall)
     return wall.other_way.empty() ? nullptr : &wall.other_way.front();
 }
 
-bool pushes_both_ways(const Study& study)
+bool pushes_both_ways(const Study& study, const dem::Layout& layout)
 {
     if (study.load.direction != Direction::both || !is_given(study.source, "load.direction") ||
         push_way(study).direction == 0)
         return false;
-    if (!has_layouts(study) && dem::is_symmetric(layout_of(study))) return false;
+    if (!has_layouts(study) && dem::is_symmetric(layout)) return false;
     refuse_cracks_of_one_way(study);
     return true;
 }

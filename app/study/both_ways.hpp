@@ -14,7 +14,7 @@ namespace app {
 /// Whether the walls of a study are pushed both ways: where the study asks for it, and walls
 /// are not symmetric.
 /// @throws ConfigError where cracks are placed for one direction
-[[nodiscard]] bool pushes_both_ways(const Study& study);
+[[nodiscard]] bool pushes_both_ways(const Study& study, const dem::Layout& layout);
 
 /// @throws ConfigError where cracks are placed for one direction
 void refuse_cracks_of_one_way(const Study& study);

@@ -78,7 +78,7 @@ void work_on(const PreparedStudy& ready, const StudyRun& run,
     const Study& study = ready.study;
     refuse_other_deal(study, run);
     const SamplePlan plan = sample_plan(study, ready.layout, sizes);
-    StoreHead head = head_of(study, plan, sizes);
+    StoreHead head = head_of(study, ready.layout, plan, sizes);
     head.shard = static_cast<std::uint32_t>(run.shard.index);
     head.shards = static_cast<std::uint32_t>(run.shard.count);
     head.sessions = {this_session(run.threads)};

@@ -96,10 +96,11 @@ std::size_t wall_count(const Study& study)
 }
 
 /// Walls that would take as long as all pushes of the study and of its audit.
-double effort(const Study& study)
+double effort(const PreparedStudy& ready)
 {
+    const Study& study = ready.study;
     const std::uint32_t audit = std::min<std::uint32_t>(samples_of(study), study.uq.audit);
-    const double ways = pushes_both_ways(study) ? 2.0 : 1.0;
+    const double ways = pushes_both_ways(study, ready.layout) ? 2.0 : 1.0;
     return ways * static_cast<double>(wall_count(study)) +
            static_cast<double>(study.load.vertical_stress.size()) * audit * kAuditSlower;
 }
@@ -175,8 +176,8 @@ int write_slurm_script(const PreparedStudy& ready, const Command& command)
     const std::size_t walls = wall_count(study);
     const int shards = command.shard.count > 1
                            ? command.shard.count
-                           : shard_count(walls, effort(study) * seconds, command.threads);
-    const double minutes = effort(study) * seconds / 60.0 / shards / command.threads;
+                           : shard_count(walls, effort(ready) * seconds, command.threads);
+    const double minutes = effort(ready) * seconds / 60.0 / shards / command.threads;
     const fs::path file = command.script;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, slurm_script(command, shards, minutes));

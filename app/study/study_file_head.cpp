@@ -49,14 +49,15 @@ std::string other_revision_text(const StoreHead& head)
            ", which gives other numbers for the same walls (CHANGELOG.md).";
 }
 
-StoreHead head_of(const Study& study, const SamplePlan& plan, std::vector<std::uint32_t> sizes)
+StoreHead head_of(const Study& study, const dem::Layout& layout, const SamplePlan& plan,
+                  std::vector<std::uint32_t> sizes)
 {
     StoreHead head;
     head.configuration = effective_configuration(study);
     head.identity = identity_text(study);
     for (const double stress : study.load.vertical_stress)
         head.levels.push_back({stress, sizes.back()});
-    if (pushes_both_ways(study))
+    if (pushes_both_ways(study, layout))
         for (const double stress : study.load.vertical_stress)
             head.levels.push_back({stress, sizes.back(), 1, true});
     const auto audit = std::min<std::uint32_t>(sizes.back(), study.uq.audit);

@@ -31,7 +31,7 @@ void check_is_study(const std::filesystem::path& file);
 /// one.
 [[nodiscard]] std::string other_revision_text(const StoreHead& head);
 
-[[nodiscard]] StoreHead head_of(const Study& study, const SamplePlan& plan,
-                                std::vector<std::uint32_t> sizes);
+[[nodiscard]] StoreHead head_of(const Study& study, const dem::Layout& layout,
+                                const SamplePlan& plan, std::vector<std::uint32_t> sizes);
 
 } // namespace app

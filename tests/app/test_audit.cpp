@@ -160,8 +160,8 @@ TEST_CASE("audit: more walls than there are means all of them", "[app][audit]")
 {
     const Study s = audited(50);
     const std::vector<std::uint32_t> sizes = {3};
-    const app::StoreHead head =
-        app::head_of(s, sample_plan(s, app::model_of(app::prepare(s)).layout, sizes), sizes);
+    const dem::Layout layout = app::prepare(s).layout;
+    const app::StoreHead head = app::head_of(s, layout, sample_plan(s, layout, sizes), sizes);
     REQUIRE(head.levels.size() == 4);
     CHECK(head.levels[2].samples == 3);
     CHECK(head.levels[2].slower == 4);

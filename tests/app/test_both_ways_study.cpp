@@ -1,9 +1,11 @@
 /// Studies with load.direction = both: each wall is pushed both ways, the worse one counts.
 
+#include "app/input/wall_geometry.hpp"
 #include "app/study/both_ways.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/run_study.hpp"
+#include "app/study/solver_error.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study_scenes.hpp"
 #include "app/text/config_error.hpp"
@@ -204,11 +206,13 @@ TEST_CASE("both ways: a symmetric wall is pushed once, and cracks placed for one
           "refused",
           "[app][both_ways_study]")
 {
-    CHECK(app::pushes_both_ways(with_door("both")));
-    CHECK_FALSE(app::pushes_both_ways(with_door("right")));
-    CHECK_FALSE(app::pushes_both_ways(with_door("both", {}, "0.2 m")));
-    CHECK_FALSE(app::pushes_both_ways(study_scenes::study("samples = 3"))); // not asked for
-    CHECK_THROWS_WITH(app::pushes_both_ways(
-                          with_door("both", {"unit.cracks=thirds", "unit.cracks_where=toe"})),
+    const auto both = [](const Study& s) {
+        return app::pushes_both_ways(s, app::layout_of(s));
+    };
+    CHECK(both(with_door("both")));
+    CHECK_FALSE(both(with_door("right")));
+    CHECK_FALSE(both(with_door("both", {}, "0.2 m")));
+    CHECK_FALSE(both(study_scenes::study("samples = 3"))); // not asked for
+    CHECK_THROWS_WITH(both(with_door("both", {"unit.cracks=thirds", "unit.cracks_where=toe"})),
                       Catch::Contains("load.direction: unit.cracks_where = toe"));
 }

@@ -48,7 +48,7 @@ void run(const app::PreparedStudy& ready, const std::filesystem::path& file, int
     const Study& s = ready.study;
     const std::vector<std::uint32_t> sizes = {app::samples_of(s)};
     const app::SamplePlan plan = sample_plan(s, ready.layout, sizes);
-    app::Store store(file, app::head_of(s, plan, sizes));
+    app::Store store(file, app::head_of(s, ready.layout, plan, sizes));
     app::run_walls(ready, plan, pending_walls(store, {}, false), threads, store, {});
     store.compact();
 }

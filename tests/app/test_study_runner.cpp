@@ -37,7 +37,7 @@ Ran run(const Study& s, int threads = 2)
     Ran r{app::model_of(app::prepare(s)), {}, {}};
     const std::vector<std::uint32_t> sizes = {app::samples_of(s)};
     r.plan = sample_plan(s, r.model.layout, sizes);
-    app::Store store(file, app::head_of(s, r.plan, sizes));
+    app::Store store(file, app::head_of(s, r.model.layout, r.plan, sizes));
     app::run_walls(app::prepare(s), r.plan, pending_walls(store, {}, false), threads, store,
                    {});
     store.compact();
@@ -188,7 +188,7 @@ TEST_CASE("study runner: a shard that another version shared out is not gone on 
     const dem::Layout layout = app::layout_of(s);
     const std::vector<std::uint32_t> sizes = {4};
     const app::SamplePlan plan = sample_plan(s, layout, sizes);
-    app::StoreHead head = app::head_of(s, plan, sizes);
+    app::StoreHead head = app::head_of(s, layout, plan, sizes);
     head.shards = 2;
     part.file = folder.path / "old.h5";
     app::Store old(part.file, head); // the walls of even numbers: those of level 0
