@@ -3,6 +3,7 @@
 #include "app/fragility/table_texts.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
+#include "fragility/drift.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -20,14 +21,15 @@ void add_cycle(const StudyWalls& study, const StudyWall& w, std::size_t k, Cycle
     const fragility::Cycle& c = w.cycles[k];
     const std::optional<double> damping = fragility::equivalent_damping(c);
     if (!c.closed || !damping) return;
-    all.drift.push_back(100.0 * fragility::amplitude(c) / study.height);
+    all.drift.push_back(fragility::percent_drift(fragility::amplitude(c), study.height));
     all.damping.push_back(100.0 * *damping);
     all.energy.push_back(c.energy);
     const auto first = fragility::secant_stiffness(w.cycles.front()),
                now = fragility::secant_stiffness(c);
     if (first && now && *first > 0.0) all.stiffness.push_back(*now / *first);
     if (c.residual_plus && c.residual_minus)
-        all.residual.push_back(50.0 * (*c.residual_plus - *c.residual_minus) / study.height);
+        all.residual.push_back(fragility::percent_drift(
+            0.5 * (*c.residual_plus - *c.residual_minus), study.height));
 }
 
 void add_damping(const StudyWalls& walls, int mode, std::vector<NamedPicture>& pictures)

@@ -6,6 +6,7 @@
 #include "app/study/solver_error.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
+#include "fragility/drift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -139,7 +140,8 @@ DriftData drift_data(const StudyWalls& walls)
             if (misses_accuracy(w.solver_error, walls.study))
                 wall.solver_error = w.solver_error;
             for (const auto& limit : w.reading.limits)
-                wall.limits.push_back(fragility::observation(limit, 100.0 / walls.height));
+                wall.limits.push_back(
+                    fragility::observation(limit, fragility::percent_per_metre(walls.height)));
             group.walls.push_back(std::move(wall));
         }
         data.groups.push_back(std::move(group));

@@ -4,6 +4,7 @@
 #include "app/output/chart_svg.hpp"
 #include "app/study/fragility_text.hpp"
 #include "core/sample_quantile.hpp"
+#include "fragility/drift.hpp"
 
 #include <algorithm>
 
@@ -84,9 +85,10 @@ std::vector<MeanPoint> mean_points(const StudyWalls& walls, const StudyLevel& le
             break;
         std::ranges::sort(forces);
         const MeanOf m = mean_of(forces, walls.study.fragility.confidence);
-        points.push_back({100.0 * walls.step * static_cast<double>(i) / walls.height, m.value,
-                          core::sample_quantile(forces, 0.16),
-                          core::sample_quantile(forces, 0.84), forces.size(), m.interval});
+        points.push_back(
+            {fragility::drift(100.0 * walls.step * static_cast<double>(i), walls.height),
+             m.value, core::sample_quantile(forces, 0.16), core::sample_quantile(forces, 0.84),
+             forces.size(), m.interval});
     }
     return points;
 }

@@ -1,6 +1,7 @@
 #include "app/output/capacity_csv.hpp"
 
 #include "app/text/number_text.hpp"
+#include "fragility/drift.hpp"
 
 #include <cstddef>
 #include <stdexcept>
@@ -27,7 +28,7 @@ std::string capacity_csv(std::span<const double> displacement, std::span<const d
     table += '\n';
     for (std::size_t i = 0; i < displacement.size(); ++i) {
         table += number(displacement[i] * 1e3, kDigits) + ',';
-        table += number(displacement[i] / height * 100.0, kDigits) + ',';
+        table += number(100.0 * fragility::drift(displacement[i], height), kDigits) + ',';
         table += number(force[i] * 1e-3, kDigits);
         for (const CurveColumn& c : more) table += ',' + number(c.values[i], kDigits);
         table += '\n';

@@ -6,6 +6,7 @@
 #include "app/output/wall_view.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/snapshot_reading.hpp"
+#include "fragility/drift.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,9 +28,10 @@ std::string captions(const MovingWall& film, Pixel at, double load_height)
     std::string drawn;
     for (std::size_t i = 0; i < film.frames.size(); ++i) {
         const dem::Snapshot& wall = *film.frames[i];
-        const std::string text = fixed(wall.displacement * 1e3, 1) + " mm,  drift " +
-                                 fixed(100.0 * wall.displacement / load_height, 2) + " %,  " +
-                                 fixed(wall.force * 1e-3, 1) + " kN";
+        const std::string text =
+            fixed(wall.displacement * 1e3, 1) + " mm,  drift " +
+            fixed(fragility::percent_drift(wall.displacement, load_height), 2) + " %,  " +
+            fixed(wall.force * 1e-3, 1) + " kN";
         const bool last = i + 1 == film.frames.size();
         const std::size_t all = film.frames.size() + film.frames.size() / kFilmHold - 1;
         const auto time = [&](std::size_t k) {
@@ -81,7 +83,7 @@ Chart curve_chart(std::span<const double> displacement, std::span<const double> 
     chart.y_label = "Horizontal force [kN]";
     chart.width = kWide - kWallWide;
     chart.height = kHigh - kTop;
-    chart.top = TopAxis{"Drift [%]", 100.0 / (load_height * 1e3)};
+    chart.top = TopAxis{"Drift [%]", fragility::percent_per_metre(load_height * 1e3)};
     Series curve{.colour = "#0072B2", .width = 2.0};
     for (std::size_t i = 0; i < displacement.size(); ++i) {
         curve.x.push_back(displacement[i] * 1e3);

@@ -7,6 +7,7 @@
 #include "app/output/wall_view.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/snapshot_reading.hpp"
+#include "fragility/drift.hpp"
 
 #include <algorithm>
 #include <array>
@@ -158,10 +159,10 @@ std::string draw_scale_bar(const Page& page, const WallView& view)
 std::string draw_heading(const Panel& panel, const Page& page, double load_height)
 {
     const dem::Snapshot& wall = panel.wall;
-    const std::string numbers = never_rounded_away(wall.displacement * 1e3, 1) +
-                                " mm,  drift " +
-                                never_rounded_away(wall.displacement / load_height * 100.0, 2) +
-                                " %,  " + load_text(wall.force, page) + " kN";
+    const std::string numbers =
+        never_rounded_away(wall.displacement * 1e3, 1) + " mm,  drift " +
+        never_rounded_away(100.0 * fragility::drift(wall.displacement, load_height), 2) +
+        " %,  " + load_text(wall.force, page) + " kN";
     const double after_name = panel.left + text_width(panel.name, 15.0) + 18.0;
     return svg_text({panel.left, page.top - 30.0}, panel.name,
                     "font-size=\"15\" font-weight=\"bold\"") +

@@ -5,6 +5,7 @@
 #include "app/study/fragility_text.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
+#include "fragility/drift.hpp"
 
 #include <cmath>
 #include <map>
@@ -102,7 +103,7 @@ Chart empty_chart(const std::string& title, double height)
     chart.title = title;
     chart.x_label = "Displacement [mm]";
     chart.y_label = "Horizontal force [kN]";
-    chart.top = TopAxis{"Drift [%]", 100.0 / (height * 1e3)};
+    chart.top = TopAxis{"Drift [%]", fragility::percent_per_metre(height * 1e3)};
     return chart;
 }
 

@@ -3,6 +3,7 @@
 #include "app/shake/shake_files.hpp"
 #include "app/study/history_names.hpp"
 #include "dem/scene/mechanism.hpp"
+#include "fragility/drift.hpp"
 #include "ground/intensity.hpp"
 
 #include <algorithm>
@@ -40,10 +41,10 @@ bool fell(const ReadHistory& r) { return r.h.result.outcome == dem::ShakeOutcome
 // clang-format off
 constexpr std::array kHistoryResponses = {
     HistoryResponse{"max_drift", "-", "largest displacement of the top from its place at rest, over its height; of a wall that fell, up to there",
-        [](const ReadHistory& r) { return r.h.result.most_displacement / r.h.result.top_height; }},
+        [](const ReadHistory& r) { return fragility::drift(r.h.result.most_displacement, r.h.result.top_height); }},
     HistoryResponse{"max_drift_time", "s", "when", [](const ReadHistory& r) { return r.h.result.most_at; }},
     HistoryResponse{"residual_drift", "-", "after the shaking: mean of the last fifth of the free vibration; not of a wall that fell",
-        [](const ReadHistory& r) { return fell(r) ? kNoValue : r.h.result.residual_displacement / r.h.result.top_height; }},
+        [](const ReadHistory& r) { return fell(r) ? kNoValue : fragility::drift(r.h.result.residual_displacement, r.h.result.top_height); }},
     HistoryResponse{"collapse_time", "s", "when the wall had come down by 2 % of its height; only of one that fell",
         [](const ReadHistory& r) { return fell(r) ? r.h.result.collapse_time : kNoValue; }},
     HistoryResponse{"first_opening", "s", "when the first dry contact opened or closed; 0: none", [](const ReadHistory& r) { return r.h.result.first_opening; }},

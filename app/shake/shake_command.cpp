@@ -15,6 +15,7 @@
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
+#include "fragility/drift.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -34,7 +35,7 @@ Table shaken_table(const std::vector<ShakenWall>& walls)
         const dem::ShakeResult& r = w.result;
         const bool failed = shake_failed(r), fell = r.outcome == dem::ShakeOutcome::collapsed;
         const auto drift = [&](double x) {
-            return Number{.value = 100.0 * x / r.top_height, .decimals = 3};
+            return Number{.value = fragility::percent_drift(x, r.top_height), .decimals = 3};
         };
         t.rows.push_back({w.motion.name, Number{.value = peak_ground_g(w), .decimals = 3},
                           failed ? Number{} : drift(r.most_displacement),

@@ -6,6 +6,7 @@
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
 #include "dem/solver/solver_revision.hpp"
+#include "fragility/drift.hpp"
 #include "ground/motion_facts.hpp"
 #include "ground/record.hpp"
 
@@ -20,7 +21,7 @@ std::string shaken_history_csv(const dem::ShakeResult& r)
     for (const dem::HistoryPoint& p : r.history)
         text += number(p.time, kDigits) + ',' + number(p.ground / ground::kGravity, kDigits) +
                 ',' + number(p.displacement * 1e3, kDigits) + ',' +
-                number(100.0 * p.displacement / r.top_height, kDigits) + ',' +
+                number(fragility::percent_drift(p.displacement, r.top_height), kDigits) + ',' +
                 number(p.base_shear * 1e-3, kDigits) + '\n';
     return text;
 }
@@ -35,7 +36,7 @@ std::string shaken_history_svg(const ShakenWall& w)
     s.colour = palette(0);
     for (const dem::HistoryPoint& p : w.result.history) {
         s.x.push_back(p.time);
-        s.y.push_back(100.0 * p.displacement / w.result.top_height);
+        s.y.push_back(fragility::percent_drift(p.displacement, w.result.top_height));
     }
     c.series.push_back(s);
     return line_chart(c);
@@ -48,7 +49,7 @@ std::string shaken_summary(const ShakenWall& w, const std::string& study)
     const dem::ShakeResult& r = w.result;
     const bool failed = shake_failed(r), fell = r.outcome == dem::ShakeOutcome::collapsed;
     const auto drift = [&](double x) {
-        return failed ? Json(nullptr) : or_null(100.0 * x / r.top_height);
+        return failed ? Json(nullptr) : or_null(fragility::percent_drift(x, r.top_height));
     };
     Json j;
     j["motion"] = w.motion.name;

@@ -26,6 +26,7 @@
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
+#include "fragility/drift.hpp"
 #include "fragility/observed_quantile.hpp"
 
 #include <array>
@@ -109,7 +110,8 @@ std::string spread_of(const StudyLevel& level, std::size_t state, double height)
     constexpr std::array kShares = {0.16, 0.50, 0.84};
     std::vector<fragility::Observation> all;
     for (const StudyWall& w : level.walls)
-        if (const auto o = fragility::observation(w.reading.limits.at(state), 100.0 / height))
+        if (const auto o = fragility::observation(w.reading.limits.at(state),
+                                                  fragility::percent_per_metre(height)))
             all.push_back(*o);
     if (all.empty()) return "";
     std::string text;
@@ -134,9 +136,10 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
     std::vector<SheetLimit> all;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const fragility::LimitDisplacement& limit = worse.limits.at(i);
-        SheetLimit row{state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
-                       cell_text(limit_cell(limit, 100.0 / w.loads.height, 2)), names[i].rule,
-                       ""};
+        SheetLimit row{
+            state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
+            cell_text(limit_cell(limit, fragility::percent_per_metre(w.loads.height), 2)),
+            names[i].rule, ""};
         const std::string pier = pier_rule(study, worse_push(w, i), names[i], limit);
         if (!pier.empty() && !names[i].rule.starts_with("3/4")) row.rule = pier;
         if (other_way_of(w) != nullptr) row.rule += ways_text(worse_way_name(study, w, i));

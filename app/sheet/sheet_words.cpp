@@ -12,6 +12,7 @@
 #include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
+#include "fragility/drift.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,9 +74,10 @@ std::string limit_sentence(const Study& study, const PushedWall& w)
     const bool by_other =
         other != nullptr && limit.displacement != w.reading.ultimate.displacement;
     const std::string left = percent_text(study.fragility.ultimate_share);
-    const std::string at = millimetres(limit.displacement) + ", " +
-                           fixed(100.0 * limit.displacement / w.loads.height, 2) +
-                           " % of its height";
+    const std::string at =
+        millimetres(limit.displacement) + ", " +
+        fixed(fragility::percent_drift(limit.displacement, w.loads.height), 2) +
+        " % of its height";
     const std::string way = way_words(study, by_other) + " ";
     if (is_observed(limit))
         return sentence(way + "its force is down to " + left + " of the peak at " + at);

@@ -3,6 +3,7 @@
 #include "app/input/limit_state_text.hpp"
 #include "app/study/pier_remark.hpp"
 #include "app/study/pushed_wall.hpp"
+#include "fragility/drift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +107,7 @@ PierReading read_pier(const Study& study, const dem::PierProbe& probe,
     r.normal_before = history.front().piers[i].force.normal;
     r.normal_at_peak = peak.force.normal;
     r.shear_at_peak = way * peak.force.shear;
-    r.drift = way * history.back().piers[i].displacement / height;
+    r.drift = fragility::drift(way * history.back().piers[i].displacement, height);
     std::vector<double> displacement, force;
     MeanPlaces means(wall.result.curve);
     for (const PierInstant& now : history) {
