@@ -6,6 +6,7 @@
 #include "app/input/material_presets.hpp"
 #include "app/output/markup.hpp"
 #include "app/program_version.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/verbs.hpp"
 #include "app/version.hpp"
 #include "dem/solver/solver_revision.hpp"
@@ -20,6 +21,7 @@ int help_command(const Command& command)
     std::cout << (topic == "materials" ? materials_page()
                   : topic == "codes"   ? codes_page()
                   : topic == "keys"    ? keys_page()
+                  : topic == "numbers" ? numbers_page()
                                        : hung(help_text(verbs(), topic), terminal_width()));
     return 0;
 }

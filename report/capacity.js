@@ -13,10 +13,10 @@ export function wallName(data, w) {
 /** What a wall was and did, in lines. */
 export function wallText(data, w) {
     const wall = data.walls[w];
-    const ultimate = { observed: `ultimate at ${fixed(wall.ultimate)} mm`, censored: `no ultimate up to ${fixed(wall.ultimate)} mm`, none: 'no ultimate' };
+    const ultimate = { observed: `ultimate at ${fixed(wall.ultimate_displacement_mm)} mm`, censored: `no ultimate up to ${fixed(wall.ultimate_displacement_mm)} mm`, none: 'no ultimate' };
     const lines = [
         wallName(data, w),
-        wall.mode === 'failed' ? `failed: ${wall.reason}` : `${wall.mode}, peak ${fixed(wall.peak)} kN, ${ultimate[wall.reading]}`,
+        wall.mode === 'failed' ? `failed: ${wall.reason}` : `${wall.mode}, peak ${fixed(wall.peak_force_kN)} kN, ${ultimate[wall.reading]}`,
         ...data.inputs.map((input, i) => `${input.count > 1 ? 'mean ' : ''}${words(input.key)} ${figures(wall.inputs[i])} ${input.unit === '-' ? '' : input.unit}`),
     ];
     return lines.join('\n');
@@ -57,7 +57,7 @@ export class Capacity {
     /** Walls of the level by peak force. */
     members() {
         const walls = this.data.walls.map((wall, w) => w).filter((w) => this.data.walls[w].level === this.level && this.curves.counts[w] > 1);
-        return walls.sort((a, b) => this.data.walls[a].peak - this.data.walls[b].peak);
+        return walls.sort((a, b) => this.data.walls[a].peak_force_kN - this.data.walls[b].peak_force_kN);
     }
 
     drawWalls(level) {
@@ -166,7 +166,7 @@ export class Capacity {
             const next = this.walls[(here + step + this.walls.length) % this.walls.length];
             const { u } = this.drawn;
             const peak = this.data.walls[next];
-            this.pointer = { left: u.valToPos(peak.peak_at ?? 0, 'x'), top: u.valToPos(peak.peak ?? 0, 'y') };
+            this.pointer = { left: u.valToPos(peak.peak_displacement_mm ?? 0, 'x'), top: u.valToPos(peak.peak_force_kN ?? 0, 'y') };
             this.hover(next);
             this.spoken.textContent = wallText(this.data, next);
         } else if ((e.key === 'Enter' || e.key === ' ') && this.hovered !== null) this.told.wall(this.hovered);

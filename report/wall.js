@@ -293,7 +293,7 @@ export class WallView {
         if (!this.film) return;
         const d = this.film.displacement(this.t) * 1e3;
         const f = this.capacity?.force(this.wall, d, this.t) ?? null;
-        const force = f === null ? null : { value: f, share: Math.min(1, Math.abs(f / (this.data.walls[this.wall].peak || 1))) };
+        const force = f === null ? null : { value: f, share: Math.min(1, Math.abs(f / (this.data.walls[this.wall].peak_force_kN || 1))) };
         this.drawing.draw(this.film, this.t, this.scale, this.shown, this.largest, force);
         this.factor.textContent = `${fixed(this.scale, this.scale < 10 ? 1 : 0)} times`;
         const drift = fixed(d / (10 * this.data.height), 2);

@@ -1,8 +1,7 @@
 #include "app/choices/choice_table.hpp"
 
-#include "app/output/cells.hpp"
 #include "app/output/svg_elements.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/study/number_cells.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
@@ -17,10 +16,7 @@ double relative(double value, double base)
     return base > 0.0 && std::isfinite(value) ? value / base - 1.0 : kUnknown;
 }
 
-double limit_of(const WallReading& r)
-{
-    return is_defined(r.ultimate) ? r.ultimate.displacement : kUnknown;
-}
+double limit_of(const WallReading& r) { return displacement_of(r.ultimate); }
 
 Number change_cell(double change, Sense sense)
 {
@@ -36,18 +32,26 @@ bool comparable(const WallReading& r, const WallReading& base)
            std::isfinite(limit_of(base));
 }
 
-Row cells_of(const ChoiceResult& c, const WallReading& base)
+/// A cell of a choice that could be applied.
+template <class Value> TableColumn<ChoiceResult> applied(const Head& head, Value value)
 {
-    const WallReading& r = *c.reading;
-    Row row = {plain_number(peak_force(r) * 1e-3, 2),
-               change_cell(relative(peak_force(r), peak_force(base)), Sense::equal),
-               limit_cell(r.ultimate, 1e3, 1), limit_cell(r.ultimate, 100.0 / c.height, 2)};
+    return {head, [value](const ChoiceResult& c) -> Cell {
+                return c.reading ? Cell(value(*c.reading)) : Cell();
+            }};
+}
+
+TableColumn<ChoiceResult> number_of(const WallNumber& n, unsigned holds = 0)
+{
+    return {number_head(n, holds), [&n, holds](const ChoiceResult& c) -> Cell {
+                return c.reading ? Cell(number_cell(n, *c.reading, c.height, holds)) : Cell();
+            }};
+}
+
+Number limit_change(const WallReading& r, const WallReading& base)
+{
     const Sense sense = is_censored(r.ultimate) ? Sense::above : Sense::equal;
-    row.emplace_back(comparable(r, base)
-                         ? change_cell(relative(limit_of(r), limit_of(base)), sense)
-                         : Number{});
-    row.emplace_back(std::string(name(r.mode)));
-    return row;
+    return comparable(r, base) ? change_cell(relative(limit_of(r), limit_of(base)), sense)
+                               : Number{};
 }
 
 void sort_bars(std::vector<Tornado::Bar>& bars)
@@ -106,25 +110,32 @@ Table choice_results(const ChoiceResult& base, const std::vector<ChoiceResult>& 
                 "marks walls that had not "
                 "come down so far. Changes are those from the first row.";
     t.keys = 2;
-    t.head = {"choice",
-              "changed to",
-              {"now", kDetail},
-              "peak [kN]",
-              "change of peak [%]",
-              {"ultimate [mm]", kCensored | kDetail},
-              {"drift [%]", kCensored},
-              {"change of limit [%]", kCensored},
-              "mode",
-              {"note", kNote}};
-    add_row(t,
-            joined({"as it is", std::string(), std::string()}, cells_of(base, *base.reading)));
-    for (const ChoiceResult& c : all) {
-        Row row = {c.key, c.after, c.before};
-        if (c.reading)
-            add_row(t, joined(std::move(row), cells_of(c, *base.reading)));
-        else
-            add_row(t, std::move(row), "not applied: " + c.reason);
-    }
+    const WallReading& from = *base.reading;
+    std::vector<ChoiceResult> rows = {base};
+    rows.front().key = "as it is";
+    rows.front().before = rows.front().after = {};
+    rows.insert(rows.end(), all.begin(), all.end());
+    fill(t,
+         TableColumns<ChoiceResult>{
+             {"choice", &ChoiceResult::key},
+             {"changed to", &ChoiceResult::after},
+             {{"now", kDetail}, &ChoiceResult::before},
+             number_of(wall_number("peak_force")),
+             applied("change of peak [%]",
+                     [&](const WallReading& r) {
+                         return change_cell(relative(peak_force(r), peak_force(from)),
+                                            Sense::equal);
+                     }),
+             number_of(wall_number("ultimate_displacement"), kCensored | kDetail),
+             number_of(wall_number("ultimate_drift"), kCensored),
+             applied({"change of limit [%]", kCensored},
+                     [&](const WallReading& r) { return limit_change(r, from); }),
+             applied("mode", [](const WallReading& r) { return std::string(name(r.mode)); }),
+             {{"note", kNote},
+              [](const ChoiceResult& c) {
+                  return c.reading ? std::string() : "not applied: " + c.reason;
+              }}},
+         rows);
     return t;
 }
 

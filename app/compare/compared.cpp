@@ -3,16 +3,17 @@
 #include "app/output/cells.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/push/test_curve.hpp"
-#include "app/reading/wall_reading.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mean_cells.hpp"
 #include "app/study/mode_share.hpp"
+#include "app/study/number_cells.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/text_file.hpp"
+#include "fragility/drift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,8 @@ Compared of_level(const StudyWalls& study, const StudyLevel& level)
         if (w.reading.stiffness) stiffness.push_back(*w.reading.stiffness);
         if (const auto o = fragility::observation(w.reading.ultimate, 1e3))
             limits.push_back(*o);
-        if (const auto o = fragility::observation(w.reading.ultimate, 100.0 / study.height))
+        if (const auto o = fragility::observation(w.reading.ultimate,
+                                                  fragility::percent_per_metre(study.height)))
             drifts.push_back(*o);
     }
     const double confidence = study.study.fragility.confidence;
@@ -87,11 +89,19 @@ std::vector<Compared> of_study(const std::string& path)
     return all;
 }
 
-std::optional<double> number_in(const Json& json, const char* key)
+std::optional<double> number_in(const Json& json, const std::string& key)
 {
     const auto found = json.find(key);
     if (found == json.end() || !found->is_number()) return std::nullopt;
     return found->get<double>();
+}
+
+/// As summary.json has it, by its present key or that of earlier versions.
+Number number_in(const Json& json, const WallNumber& n)
+{
+    auto x = number_in(json, summary_key(n));
+    if (!x && !n.old_key.empty()) x = number_in(json, std::string(n.old_key));
+    return x ? plain_number(*x, n.decimals) : Number{};
 }
 
 Number limit_in(const Json& j, double scale, int decimals)
@@ -121,10 +131,6 @@ Compared of_push(const fs::path& folder)
     } catch (const Json::exception&) {
         throw ConfigError(path, 0, "", "is not the summary of a push; push the wall again");
     }
-    const auto cell = [&](const char* key, double scale, int decimals) {
-        const auto x = number_in(j, key);
-        return x ? plain_number(*x * scale, decimals) : Number{};
-    };
     Compared c;
     c.name = folder.filename().empty() ? folder.parent_path().filename().string()
                                        : folder.filename().string();
@@ -134,11 +140,12 @@ Compared of_push(const fs::path& folder)
     const auto mode = j.find("mode");
     c.cells = {std::isnan(c.stress) ? Number{} : stress_cell(c.stress),
                count(1),
-               cell("peak_force_kN", 1.0, 2),
-               cell("displacement_at_peak_mm", 1.0, 2),
-               cell("stiffness_kN_per_mm", 1.0, 1),
+               number_in(j, wall_number("peak_force")),
+               number_in(j, wall_number("peak_displacement")),
+               number_in(j, wall_number("secant_stiffness")),
                limit_in(j, 1.0, 1),
-               std::isnan(height) ? Number{} : limit_in(j, 0.1 / height, 2),
+               std::isnan(height) ? Number{}
+                                  : limit_in(j, 1e-3 * fragility::percent_per_metre(height), 2),
                mode != j.end() && mode->is_string() ? mode->get<std::string>() : std::string()};
     if (fs::exists(folder / "capacity.csv")) {
         const TestCurve curve = read_test_curve((folder / "capacity.csv").string());
@@ -167,9 +174,9 @@ Compared of_test(const std::string& path)
     c.peak = peak_force(r);
     c.cells = {Number{},
                count(1),
-               plain_number(peak_force(r) * 1e-3, 2),
-               plain_number(peak_displacement(r) * 1e3, 2),
-               r.stiffness ? plain_number(*r.stiffness * 1e-6, 1) : Number{},
+               number_cell(wall_number("peak_force"), peak_force(r)),
+               number_cell(wall_number("peak_displacement"), peak_displacement(r)),
+               number_cell(wall_number("secant_stiffness"), r.stiffness.value_or(kNoNumber)),
                limit_cell(r.ultimate, 1e3, 1),
                Number{},
                std::string("measured")};
@@ -220,11 +227,11 @@ Table compared_table(const std::vector<Compared>& all)
     t.head = {"wall",
               "stress [MPa]",
               "walls",
-              {"peak [kN]", kError},
-              {"at [mm]", kError},
-              {"stiffness [kN/mm]", kError},
-              {"ultimate [mm]", kInterval | kCensored},
-              {"drift [%]", kInterval | kCensored},
+              number_head(wall_number("peak_force"), kError),
+              number_head(wall_number("peak_displacement"), kError),
+              number_head(wall_number("secant_stiffness"), kError),
+              number_head(wall_number("ultimate_displacement"), kInterval | kCensored),
+              number_head(wall_number("ultimate_drift"), kInterval | kCensored),
               "mode",
               "peak to the first [%]"};
     for (const Compared& c : all) {

@@ -4,6 +4,7 @@
 #include "app/fragility/model_doubt.hpp"
 #include "app/fragility/table_texts.hpp"
 #include "app/output/cells.hpp"
+#include "app/study/number_cells.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 #include "uq/estimates/estimate.hpp"
@@ -172,7 +173,8 @@ Table answer_table(const StudyWalls& walls, const DriftData& data)
 {
     const std::vector<std::size_t> states = severest_states(data);
     Table t = titled_table("answer", words_of(data));
-    t.head = {"stress [MPa]", {"peak [kN]", kInterval}, "how it fails"};
+    t.head = {"stress [MPa]", number_head(wall_number("peak_force"), kInterval),
+              "how it fails"};
     for (const std::size_t s : states)
         t.head.emplace_back(drift_head(data, state_name(data.states[s]) + " drift"));
     t.head.emplace_back("how sure");

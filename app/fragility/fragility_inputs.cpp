@@ -20,12 +20,12 @@ struct Sample {
     Eigen::VectorXd y;
 };
 
-Sample sample_of(const StudyWalls& walls, const StudyLevel& level, Response response)
+Sample sample_of(const StudyWalls& walls, const StudyLevel& level, const WallNumber& response)
 {
-    const bool force = response == Response::peak_force;
     WallList used;
     for (const StudyWall& w : level.walls)
-        if (force ? w.reading.peak.has_value() : is_observed(w.reading.ultimate))
+        if (std::isfinite(response.reading(w.reading, walls.height)) &&
+            !(response.ends_with_push && response.is_bound(w.reading)))
             used.push_back(&w);
     const auto n = static_cast<Eigen::Index>(used.size());
     const auto d = static_cast<Eigen::Index>(walls.inputs.size());
@@ -33,7 +33,7 @@ Sample sample_of(const StudyWalls& walls, const StudyLevel& level, Response resp
     for (Eigen::Index i = 0; i < n; ++i) {
         const StudyWall& w = *used[i];
         for (Eigen::Index j = 0; j < d; ++j) s.x(i, j) = w.inputs[j];
-        s.y(i) = force ? w.reading.peak->force * 1e-3 : w.reading.ultimate.displacement * 1e3;
+        s.y(i) = response.reading(w.reading, walls.height) * response.unit.scale;
     }
     return s;
 }
@@ -60,7 +60,8 @@ const char* note_on(const Influence& i, const Influences& all)
     return i.standardised ? "" : "The regression cannot tell this input from the others.";
 }
 
-void add_rows(const StudyWalls& walls, const StudyLevel& level, Response response, Table& t)
+void add_rows(const StudyWalls& walls, const StudyLevel& level, const WallNumber& response,
+              Table& t)
 {
     const Influences found = influences(walls, level, response);
     for (const Influence& i : found.inputs)
@@ -73,12 +74,8 @@ void add_rows(const StudyWalls& walls, const StudyLevel& level, Response respons
 
 } // namespace
 
-const char* words(Response response)
-{
-    return response == Response::peak_force ? "peak force" : "ultimate displacement";
-}
-
-Influences influences(const StudyWalls& walls, const StudyLevel& level, Response response)
+Influences influences(const StudyWalls& walls, const StudyLevel& level,
+                      const WallNumber& response)
 {
     const double confidence = walls.study.fragility.confidence;
     const Sample s = sample_of(walls, level, response);
@@ -114,8 +111,9 @@ Table input_table(const StudyWalls& walls)
               "R2",
               {"note", kNote}};
     for (const StudyLevel& level : walls.levels)
-        for (const Response r : {Response::peak_force, Response::ultimate})
-            add_rows(walls, level, r, t);
+        for (const WallNumber* const response :
+             {&wall_number("peak_force"), &wall_number("ultimate_displacement")})
+            add_rows(walls, level, *response, t);
     return t;
 }
 

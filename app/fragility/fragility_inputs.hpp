@@ -3,6 +3,7 @@
 
 #include "app/fragility/fragility_output.hpp"
 #include "app/output/table.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/study/study_walls.hpp"
 
 #include "uq/estimates/estimate.hpp"
@@ -13,9 +14,6 @@
 
 namespace app {
 
-enum class Response { peak_force, ultimate };
-[[nodiscard]] const char* words(Response response); ///< "peak force", "ultimate displacement"
-
 /// Influence of an input on a response; nothing where that cannot be told.
 struct Influence {
     std::string key;
@@ -25,13 +23,12 @@ struct Influence {
 };
 
 struct Influences {
-    std::size_t walls =
-        0;           ///< used: of the ultimate displacement those on which it was observed
-    double r2 = 0.0; ///< of the regression of ranks [-]; NaN: too few walls
+    std::size_t walls = 0;         ///< used: those on which the response was observed
+    double r2 = 0.0;               ///< of the regression of ranks [-]; NaN: too few walls
     std::vector<Influence> inputs; ///< without values below 4 walls
 };
 [[nodiscard]] Influences influences(const StudyWalls& walls, const StudyLevel& level,
-                                    Response response);
+                                    const WallNumber& response);
 
 /// Per vertical stress, response and input: correlations of values and of ranks, standardised
 /// rank regression, share explained. Ultimate displacement: of the walls on which it was

@@ -3,6 +3,7 @@
 #include "app/fragility/drift_fits.hpp"
 #include "app/fragility/limit_drifts.hpp"
 #include "app/fragility/table_texts.hpp"
+#include "app/output/table_columns.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/text/words.hpp"
 #include "core/interval.hpp"
@@ -58,12 +59,18 @@ std::string first_names_of(const DriftData& data, std::size_t state)
     return names_of(data, state);
 }
 
-/// Adds the row of each group and limit state.
-template <class Add> void add_rows(const DriftData& data, Add add, Table& t)
+/// A group and a limit state: one row for all states of one rule.
+struct StateRow {
+    std::size_t g, state;
+};
+
+std::vector<StateRow> rows_of(const DriftData& data)
 {
+    std::vector<StateRow> rows;
     for (std::size_t g = 0; g < data.groups.size(); ++g)
         for (std::size_t s = 0; s < data.states.size(); ++s)
-            if (!names_of(data, s).empty()) add(data, g, s, t);
+            if (!names_of(data, s).empty()) rows.push_back({g, s});
+    return rows;
 }
 
 /// " 2 of 50 walls miss the accuracy asked of the solver: the brackets hold whatever their
@@ -77,65 +84,121 @@ std::string inaccurate_text(const DriftGroup& group, std::size_t state)
            "walls lie within their error.";
 }
 
-/// The drifts; a drift limit that is set is a plain number: it has no interval.
-void add_quantiles(const LimitDrifts& limits, const std::vector<fragility::Cap>& caps, Row& row)
-{
-    for (const fragility::LimitQuantile& q : limits.quantiles.at) {
-        const int d = decimals_for(q.value.value_or(q.interval.lower));
-        const bool cap =
-            q.value && std::ranges::count(caps, *q.value, &fragility::Cap::value) > 0;
-        row.emplace_back(cap ? plain_number(*q.value, d) : quantile_cell(q, d));
-    }
-}
+/// The limit drifts of a row, chosen once.
+struct LimitsRow {
+    const DriftGroup* group;
+    std::string names;
+    LimitDrifts drifts;
+    bool set = false;                   ///< some drifts are drift limits that are set
+    std::vector<fragility::Cap> caps{}; ///< those drift limits
+    bool fitted = true;                 ///< else only a bound of the median is known
+    double tested = 0.0;                ///< [%]
+    std::string source{};               ///< of the drifts: "law", "observed", "limit"
+    std::string note{};
+};
 
-/// Dispersion, error of ln median, total dispersion with that of the model.
-Row dispersion_cells(const LimitDrifts& limits, const fragility::ModelFactor& factor)
+LimitsRow limits_row(const DriftData& data, const StateRow& at)
 {
-    if (limits.quantiles.source == fragility::QuantileSource::law)
-        return {with_interval(limits.law.dispersion, limits.law.dispersion_interval, 2),
-                plain_number(limits.law.median_error, 3),
-                plain_number(std::hypot(limits.law.predictive_dispersion,
-                                        fragility::model_dispersion(factor)),
-                             2)};
-    const auto dispersion = dispersion_of(limits);
-    return {dispersion ? Cell(plain_number(*dispersion, 2)) : Cell()};
-}
-
-void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& t)
-{
-    const DriftGroup& group = data.groups[g];
-    const auto observations = limits_of(group, state);
-    const LimitDrifts limits = limit_drifts(data, g, state);
-    const fragility::PerformanceLimits& law = limits.law;
-    const auto add = [&](const Row& cells, std::string note) {
-        const std::string more = inaccurate_text(group, state);
-        add_row(t, cells, note + (note.empty() || more.empty() ? "" : " ") + more);
-    };
-    const double tested = limits.quantiles.tested_to;
-    const double end = std::isfinite(tested) ? tested : known_to(observations);
-    const bool any = law.n > 0.0;
-    Row row = {group_cell(group),
-               names_of(data, state),
-               count(law.n),
-               any ? plain_number(100.0 * law.censored_share, 0) : Number{},
-               any ? plain_number(end, decimals_for(end)) : Number{},
-               source_text(limits.quantiles)};
-    if (const std::string limit = limit_text(data, g, state); !limit.empty()) {
+    const DriftGroup& group = data.groups[at.g];
+    const auto observations = limits_of(group, at.state);
+    LimitsRow r{&group, names_of(data, at.state), limit_drifts(data, at.g, at.state)};
+    const fragility::LimitQuantiles& q = r.drifts.quantiles;
+    r.tested = std::isfinite(q.tested_to) ? q.tested_to : known_to(observations);
+    if (const std::string limit = limit_text(data, at.g, at.state); !limit.empty()) {
         const bool alone = only_limits(observations);
-        row.back() = alone ? "limit" : "observed";
-        add_quantiles(limits, fragility::caps(observations), row);
-        return add(
-            row,
-            limit + (alone ? "." : ": the drifts are those observed (Kaplan-Meier), no law."));
+        r.set = true;
+        r.caps = fragility::caps(observations);
+        r.source = alone ? "limit" : "observed";
+        r.note =
+            limit + (alone ? "." : ": the drifts are those observed (Kaplan-Meier), no law.");
+    } else if (r.drifts.law.fitted || fragility::is_mixture(q.source)) {
+        r.source = source_text(q);
+        r.note = source_note(r.drifts);
+    } else {
+        r.fitted = false;
+        r.note = without_fit(r.drifts.law, group);
     }
-    const bool mixed = fragility::is_mixture(limits.quantiles.source);
-    if (!law.fitted && !mixed) {
-        row.back() = Cell();
-        const int d = decimals_for(law.bound.median_above);
-        return add(joined(row, {{}, {}, median_bound(law.bound, d)}), without_fit(law, group));
+    const std::string more = inaccurate_text(group, at.state);
+    r.note += (r.note.empty() || more.empty() ? "" : " ") + more;
+    return r;
+}
+
+constexpr std::size_t kMedian = 2; // of the five shares
+
+/// A drift limit that is set is a plain number: it has no interval.
+Cell quantile_of(const LimitsRow& r, std::size_t share)
+{
+    if (!r.fitted) {
+        const auto& bound = r.drifts.law.bound;
+        if (share != kMedian) return {};
+        return median_bound(bound, decimals_for(bound.median_above));
     }
-    add_quantiles(limits, {}, row);
-    add(joined(row, dispersion_cells(limits, group.model.factor)), source_note(limits));
+    if (share >= r.drifts.quantiles.at.size()) return {};
+    const fragility::LimitQuantile& q = r.drifts.quantiles.at[share];
+    const int d = decimals_for(q.value.value_or(q.interval.lower));
+    const bool cap =
+        q.value && std::ranges::count(r.caps, *q.value, &fragility::Cap::value) > 0;
+    return cap ? plain_number(*q.value, d) : quantile_cell(q, d);
+}
+
+/// Whether one law of all walls gives the drifts.
+bool of_a_law(const LimitsRow& r)
+{
+    return r.fitted && !r.set && r.drifts.quantiles.source == fragility::QuantileSource::law;
+}
+
+Cell dispersion_cell(const LimitsRow& r)
+{
+    if (!r.fitted || r.set) return {};
+    if (of_a_law(r))
+        return with_interval(r.drifts.law.dispersion, r.drifts.law.dispersion_interval, 2);
+    const auto dispersion = dispersion_of(r.drifts);
+    return dispersion ? Cell(plain_number(*dispersion, 2)) : Cell();
+}
+
+TableColumns<LimitsRow> limit_columns_of(const DriftData& data)
+{
+    const auto of_any = [](auto number) {
+        return [number](const LimitsRow& r) {
+            return r.drifts.law.n > 0.0 ? number(r) : Number{};
+        };
+    };
+    const auto of_law = [](auto value, int decimals) {
+        return [value, decimals](const LimitsRow& r) {
+            return of_a_law(r) ? Cell(plain_number(value(r), decimals)) : Cell();
+        };
+    };
+    TableColumns<LimitsRow> all = {
+        {data.group_head, [](const LimitsRow& r) { return group_cell(*r.group); }},
+        {"limit state", &LimitsRow::names},
+        {"n", [](const LimitsRow& r) { return count(r.drifts.law.n); }},
+        {"censored [%]", of_any([](const LimitsRow& r) {
+             return plain_number(100.0 * r.drifts.law.censored_share, 0);
+         })},
+        {{drift_head(data, "tested up to"), kDetail}, of_any([](const LimitsRow& r) {
+             return plain_number(r.tested, decimals_for(r.tested));
+         })},
+        {{"drifts from", kProgramsOnly}, &LimitsRow::source}};
+    for (std::size_t i = 0;
+         const char* const share :
+         {"5 % drift", "16 % drift", "median drift", "84 % drift", "95 % drift"}) {
+        all.push_back({{drift_head(data, share),
+                        kInterval | kCensored | (i == kMedian ? 0U : unsigned{kDetail})},
+                       [i](const LimitsRow& r) { return quantile_of(r, i); }});
+        ++i;
+    }
+    append(all, {{{"dispersion", kInterval}, dispersion_cell},
+                 {{"std error of ln median", kProgramsOnly},
+                  of_law([](const LimitsRow& r) { return r.drifts.law.median_error; }, 3)},
+                 {{"total dispersion", kProgramsOnly},
+                  of_law(
+                      [](const LimitsRow& r) {
+                          return std::hypot(r.drifts.law.predictive_dispersion,
+                                            fragility::model_dispersion(r.group->model.factor));
+                      },
+                      2)},
+                 {{"note", kNote}, &LimitsRow::note}});
+    return all;
 }
 
 void add_tests(const DriftData& data, std::size_t g, std::size_t state, Table& t)
@@ -247,23 +310,9 @@ Table performance_table(const DriftData& data)
     Table t = titled_table("performance_limits", words_of(data));
     if (!data.no_limit.empty()) t.caption += " " + data.no_limit;
     t.keys = 2;
-    t.head = {data.group_head,
-              "limit state",
-              "n",
-              "censored [%]",
-              {drift_head(data, "tested up to"), kDetail},
-              {"drifts from", kProgramsOnly}};
-    for (const char* const share :
-         {"5 % drift", "16 % drift", "median drift", "84 % drift", "95 % drift"}) {
-        const bool median = std::string_view(share) == "median drift";
-        t.head.emplace_back(drift_head(data, share),
-                            kInterval | kCensored | (median ? 0U : unsigned{kDetail}));
-    }
-    t.head.insert(t.head.end(), {{"dispersion", kInterval},
-                                 {"std error of ln median", kProgramsOnly},
-                                 {"total dispersion", kProgramsOnly},
-                                 {"note", kNote}});
-    add_rows(data, add_limits, t);
+    std::vector<LimitsRow> rows;
+    for (const StateRow& at : rows_of(data)) rows.push_back(limits_row(data, at));
+    fill(t, limit_columns_of(data), rows);
     return t;
 }
 
@@ -300,7 +349,7 @@ Table fit_table(const DriftData& data)
               "p of two heaps",
               {"samples", kProgramsOnly},
               {"note", kNote}};
-    add_rows(data, add_tests, t);
+    for (const auto& [g, state] : rows_of(data)) add_tests(data, g, state, t);
     return t;
 }
 

@@ -2,34 +2,63 @@
 
 #include "app/fragility/table_texts.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/number_cells.hpp"
 
 namespace app {
 namespace {
 
-void add_wall(const StudyWalls& study, const StudyWall& w, Table& t)
+using Wall = const StudyWall*;
+
+std::string note_on(const StudyWall& w)
 {
-    const WallReading& r = w.reading;
-    Row row = {
-        stress_cell(study.levels[w.key.level].stress),   count(w.key.sample),
-        std::string(w.failed ? "failed" : name(r.mode)), plain_number(peak_force(r) * 1e-3, 2),
-        plain_number(peak_displacement(r) * 1e3, 2),     limit_cell(r.ultimate, 1e3, 2)};
-    for (const fragility::LimitDisplacement& d : r.limits)
-        row.emplace_back(limit_cell(d, 1e3, 2));
-    const dem::ModeThresholds& thresholds = study.study.fragility.mode;
-    row = joined(
-        row, w.failed ? Row(5)
-                      : Row{std::string(name(code_mode(w.mechanism, r.dropped, thresholds))),
-                            count(w.mechanism.cracked_units),
-                            plain_number(w.mechanism.rotation_share, 2),
-                            plain_number(w.mechanism.sliding_share, 2),
-                            plain_number(100.0 * w.solver_error, 2)});
-    for (const double x : w.inputs) row.emplace_back(plain_number(x, decimals_for(x) + 2));
-    add_row(t, row,
-            w.failed ? "Failed: " + w.reason + "."
-            : r.slid
-                ? "Slid whole, which counts as rocking; drift limits of codes are those of a "
-                  "wall that does not rock."
-                : r.no_reading);
+    if (w.failed) return "Failed: " + w.reason + ".";
+    return w.reading.slid
+               ? "Slid whole, which counts as rocking; drift limits of codes are those of a "
+                 "wall that does not rock."
+               : w.reading.no_reading;
+}
+
+/// A number of a wall; nothing where it would be a fact of one that failed.
+TableColumn<Wall> number_of(const StudyWalls& study, const WallNumber& n, unsigned holds = 0)
+{
+    return {number_head(n, holds), [&n, holds, height = study.height](Wall w) -> Cell {
+                if (n.fact != nullptr && w->failed) return {};
+                return number_cell(n, source_of(*w, height), holds);
+            }};
+}
+
+TableColumns<Wall> columns_of(const StudyWalls& study)
+{
+    TableColumns<Wall> all = {
+        {"stress [MPa]",
+         [&](Wall w) { return stress_cell(study.levels[w->key.level].stress); }},
+        {"sample", [](Wall w) { return count(w->key.sample); }},
+        {"mode",
+         [](Wall w) { return std::string(w->failed ? "failed" : name(w->reading.mode)); }},
+        number_of(study, wall_number("peak_force")),
+        number_of(study, wall_number("peak_displacement")),
+        number_of(study, wall_number("ultimate_displacement"), kCensored)};
+    for (std::size_t i = 0; i < study.states.size(); ++i)
+        all.push_back({{state_name(study.states[i]) + " [mm]", kCensored | kProgramsOnly},
+                       [i](Wall w) { return limit_cell(w->reading.limits.at(i), 1e3, 2); }});
+    all.push_back({{"mode of codes", kProgramsOnly}, [&](Wall w) -> Cell {
+                       if (w->failed) return {};
+                       return std::string(name(code_mode(w->mechanism, w->reading.dropped,
+                                                         study.study.fragility.mode)));
+                   }});
+    append(all, {number_of(study, wall_number("cracked_units")),
+                 number_of(study, wall_number("rotation_share")),
+                 number_of(study, wall_number("sliding_share")),
+                 number_of(study, wall_number("solver_error"))});
+    for (std::size_t i = 0; i < study.inputs.size(); ++i) {
+        const StoredInput& input = study.inputs[i];
+        all.push_back({(input.count > 1 ? "mean " : "") + input.key + " [" + input.unit + "]",
+                       [i](Wall w) {
+                           return plain_number(w->inputs[i], decimals_for(w->inputs[i]) + 2);
+                       }});
+    }
+    all.push_back({{"note", kNote}, [](Wall w) { return note_on(*w); }});
+    return all;
 }
 
 } // namespace
@@ -45,19 +74,7 @@ Table wall_table(const StudyWalls& study, const WallList& walls)
                     " walls: those with the lowest sample numbers under each stress; drystone "
                     "fragility writes all of them into walls.csv. " +
                     t.caption;
-    t.head = {"stress [MPa]", "sample",       "mode",
-              "peak [kN]",    "at peak [mm]", {"ultimate [mm]", kCensored}};
-    for (const StateName& s : study.states)
-        t.head.emplace_back(state_name(s) + " [mm]", kCensored | kProgramsOnly);
-    t.head.emplace_back("mode of codes", kProgramsOnly);
-    for (const char* const head :
-         {"cracked units", "rotation share", "sliding share", "solver error [%]"})
-        t.head.emplace_back(head);
-    for (const StoredInput& input : study.inputs)
-        t.head.emplace_back((input.count > 1 ? "mean " : "") + input.key + " [" + input.unit +
-                            "]");
-    t.head.emplace_back("note", kNote);
-    for (const StudyWall* w : walls) add_wall(study, *w, t);
+    fill(t, columns_of(study), walls);
     return t;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/fragility/table_texts.hpp"
 #include "app/output/cells.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "uq/estimates/estimate.hpp"
 #include "uq/estimates/latin_error.hpp"
 
@@ -93,7 +94,7 @@ Table sampling_error_table(const StudyWalls& walls)
             fell.member.push_back(is_observed(w.reading.ultimate));
             fell.y.push_back(1e3 * w.reading.ultimate.displacement);
         }
-        add_mean(walls, level, "peak [kN]", peak, 2, t);
+        add_mean(walls, level, head_text(wall_number("peak_force")), peak, 2, t);
         for (const int mode : modes_of(walls)) {
             Values share;
             for (const StudyWall& w : level.walls) {

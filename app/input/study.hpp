@@ -131,7 +131,7 @@ enum class FieldKernel {
     all          ///< the same of the whole wall
 };
 
-/// Quantity that a stopping rule looks at: uq.samples alone, or a row of kWallResponses, or the
+/// Quantity that a stopping rule looks at: uq.samples alone, or a row of kWallNumbers, or the
 /// share of mixed walls.
 constexpr int kNoStop = -1, kStopAtMixedShare = -2;
 
@@ -145,7 +145,7 @@ struct UqInput {
     std::vector<double> correlation_length; ///< [m]; two for exponential_l1: along x and z
     double matern_nu = 1.5;                 ///< smoothness [-]
     double group_correlation = 0.5;         ///< [-], in [0, 1]
-    int stop = kNoStop;            ///< kNoStop, kStopAtMixedShare or a row of kWallResponses
+    int stop = kNoStop;            ///< kNoStop, kStopAtMixedShare or a row of kWallNumbers
     double stop_half_width = 0.05; ///< of the 95 % interval [-], > 0
     int most_samples = 1000;       ///< upper limit of the stopping rule
     int audit = 0;       ///< walls of each stress that are pushed again more slowly, >= 0
@@ -158,7 +158,7 @@ using uq::ReliabilityMethod;
 /// For the verb reliability: the probability that a response falls to a demand or below.
 struct ReliabilityInput {
     ReliabilityMethod method = ReliabilityMethod::monte_carlo;
-    int response = 0;         ///< row of kWallResponses (app/reading/wall_response.hpp)
+    int response = 0;         ///< row of kWallNumbers (app/reading/wall_numbers.hpp)
     std::string demand;       ///< "40 kN", "15 mm", or a drift in percent: "1.2"
     int budget = 1000;        ///< evaluations at most, >= 10
     double target_cov = 0.10; ///< stop once the probability is known as well [-]

@@ -3,7 +3,7 @@
 #include "app/input/limit_state_text.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/study_key_table.hpp"
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "fragility/code_table.hpp"
 
 #include <algorithm>
@@ -29,10 +29,9 @@ constexpr std::array kMethods = {named("monte_carlo", ReliabilityMethod::monte_c
 /// Names of the responses, from their table, after other words.
 template <std::size_t N> constexpr auto with_responses(const std::array<Named, N>& others)
 {
-    std::array<Named, N + kWallResponses.size()> names;
+    std::array<Named, N + kJudged> names;
     std::ranges::copy(others, names.begin());
-    for (std::size_t i = 0; i < kWallResponses.size(); ++i)
-        names[N + i] = named(kWallResponses[i].name, i);
+    for (std::size_t i = 0; i < kJudged; ++i) names[N + i] = named(kWallNumbers[i].name, i);
     return names;
 }
 constexpr auto kResponses = with_responses(std::array<Named, 0>{});

@@ -1,9 +1,9 @@
 #include "app/push/level_table.hpp"
 
-#include "app/output/cells.hpp"
 #include "app/study/both_ways.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/number_cells.hpp"
 
 #include <algorithm>
 #include <string>
@@ -12,21 +12,22 @@ namespace app {
 
 namespace {
 
-Row level_row(const PushedWall& w)
+/// A push, and its direction.
+struct LevelRow {
+    const PushedWall* wall;
+    const char* way;
+};
+
+std::string mode_of(const PushedWall& w)
 {
-    const WallReading& r = w.reading;
-    return {stress_cell(w.vertical_stress),
-            plain_number(peak_force(r) * 1e-3, 2),
-            plain_number(peak_displacement(r) * 1e3, 2),
-            r.stiffness ? plain_number(*r.stiffness * 1e-6, 1) : Number{},
-            limit_cell(r.ultimate, 1e3, 2),
-            limit_cell(r.ultimate, 100.0 / w.loads.height, 2),
-            std::string(dem::failed(w.result.outcome) ? "failed"
-                        : came_down_at_once(w)        ? ""
-                                                      : name(r.mode)),
-            count(w.mechanism.cracked_units),
-            plain_number(100.0 * solver_error(w), 2),
-            plain_number(100.0 * energy_residual(w), 4)};
+    if (dem::failed(w.result.outcome)) return "failed";
+    return came_down_at_once(w) ? "" : std::string(name(w.reading.mode));
+}
+
+TableColumn<LevelRow> number_of(const WallNumber& n, unsigned holds = 0)
+{
+    return number_column<LevelRow>(n, holds,
+                                   [](const LevelRow& r) { return source_of(*r.wall); });
 }
 
 } // namespace
@@ -39,30 +40,31 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
                 "; '>' marks walls whose force had not come down so far when the push "
                 "ended. Solver error: of the peak, by the speed of the push." +
                 backbone_text(study);
-    t.head = {"stress [MPa]",
-              "peak [kN]",
-              "at [mm]",
-              "stiffness [kN/mm]",
-              {"ultimate [mm]", kCensored},
-              {"drift [%]", kCensored | kDetail},
-              "mode",
-              "cracked units",
-              {"solver error [%]", kDetail},
-              {"energy residual [%]", kDetail}};
     const bool both = std::ranges::any_of(walls, other_way_of);
-    if (both) {
-        t.head.insert(t.head.begin() + 1, "pushed to the");
-        t.keys = 2;
-    }
     const int direction = push_way(study).direction;
-    const auto add = [&](const PushedWall& w, int way) {
-        t.rows.push_back(level_row(w));
-        if (both) t.rows.back().insert(t.rows.back().begin() + 1, std::string(way_name(way)));
-    };
+    std::vector<LevelRow> rows;
     for (const PushedWall& w : walls) {
-        add(w, direction);
-        if (const PushedWall* const other = other_way_of(w)) add(*other, -direction);
+        rows.push_back({&w, way_name(direction)});
+        if (const PushedWall* const other = other_way_of(w))
+            rows.push_back({other, way_name(-direction)});
     }
+    TableColumns<LevelRow> columns = {{"stress [MPa]", [](const LevelRow& r) {
+                                           return stress_cell(r.wall->vertical_stress);
+                                       }}};
+    if (both) {
+        t.keys = 2;
+        columns.push_back({"pushed to the", [](const LevelRow& r) { return r.way; }});
+    }
+    append(columns, {number_of(wall_number("peak_force")),
+                     number_of(wall_number("peak_displacement")),
+                     number_of(wall_number("secant_stiffness")),
+                     number_of(wall_number("ultimate_displacement"), kCensored),
+                     number_of(wall_number("ultimate_drift"), kCensored | kDetail),
+                     {"mode", [](const LevelRow& r) { return mode_of(*r.wall); }},
+                     number_of(wall_number("cracked_units")),
+                     number_of(wall_number("solver_error"), kDetail),
+                     number_of(wall_number("energy_residual"), kDetail)});
+    fill(t, columns, rows);
     return t;
 }
 

@@ -3,13 +3,24 @@
 #include "app/input/limit_state_text.hpp"
 #include "app/push/pier_table.hpp"
 #include "app/study/both_ways.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/study/number_cells.hpp"
 
 #include <algorithm>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace app {
+
+namespace {
+
+/// A limit state of a wall, of both directions the one that reaches it first.
+struct LimitRow {
+    const PushedWall* wall;
+    std::size_t state;
+    fragility::LimitDisplacement limit;
+};
+
+} // namespace
 
 Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
 {
@@ -19,31 +30,35 @@ Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
         "Limit states of each wall; '>' marks limit states that the wall had not reached when "
         "the push ended.";
     t.keys = 2;
-    t.head = {"stress [MPa]",
-              "limit state",
-              {"displacement [mm]", kCensored},
-              {"drift [%]", kCensored},
-              {"note", kNote}};
     ReadingRules rules = reading_rules(study);
     rules.by_piers = std::ranges::any_of(walls, [](const auto& w) { return !w.piers.empty(); });
     const std::vector<StateName> names = state_names(rules);
     for (const StateName& n : names) t.caption += " " + state_name(n) + ": " + n.rule + ".";
-    const bool both = std::ranges::any_of(walls, other_way_of);
-    if (both) {
-        t.head.insert(t.head.end() - 1, "pushed to the");
-        t.caption += " Of both directions, the one that reaches the limit state first.";
-    }
+    std::vector<LimitRow> rows;
     for (const PushedWall& w : walls) {
         const WallReading worse = worse_way(w);
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const fragility::LimitDisplacement& limit = worse.limits.at(i);
-            Row row = {stress_cell(w.vertical_stress), state_name(names[i]),
-                       limit_cell(limit, 1e3, 2), limit_cell(limit, 100.0 / w.loads.height, 3)};
-            if (both) row.emplace_back(worse_way_name(study, w, i));
-            const std::string pier = pier_note(study, worse_push(w, i), names[i], limit);
-            add_row(t, std::move(row), std::string(limit.reason) + pier);
-        }
+        for (std::size_t i = 0; i < names.size(); ++i)
+            rows.push_back({&w, i, worse.limits.at(i)});
     }
+    TableColumns<LimitRow> columns = {
+        {"stress [MPa]",
+         [](const LimitRow& r) { return stress_cell(r.wall->vertical_stress); }},
+        {"limit state", [&](const LimitRow& r) { return state_name(names[r.state]); }}};
+    append(columns,
+           limit_columns<LimitRow>([](const LimitRow& r) { return r.limit; },
+                                   [](const LimitRow& r) { return r.wall->loads.height; }));
+    if (std::ranges::any_of(walls, other_way_of)) {
+        t.caption += " Of both directions, the one that reaches the limit state first.";
+        columns.push_back({"pushed to the", [&](const LimitRow& r) {
+                               return worse_way_name(study, *r.wall, r.state);
+                           }});
+    }
+    columns.push_back({{"note", kNote}, [&](const LimitRow& r) {
+                           return std::string(r.limit.reason) +
+                                  pier_note(study, worse_push(*r.wall, r.state), names[r.state],
+                                            r.limit);
+                       }});
+    fill(t, columns, rows);
     return t;
 }
 

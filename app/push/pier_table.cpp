@@ -2,13 +2,13 @@
 
 #include "app/input/limit_state_text.hpp"
 #include "app/study/both_ways.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/study/number_cells.hpp"
 #include "app/text/number_text.hpp"
 #include "fragility/code_table.hpp"
 
 #include <algorithm>
 #include <span>
-#include <utility>
+#include <vector>
 
 namespace app {
 namespace {
@@ -27,22 +27,60 @@ std::vector<CapState> caps_of(const Study& study)
     return caps;
 }
 
-/// Stress, direction and number stand before every row.
-template <class Rows>
-void each_wall(const Study& study, std::span<const PushedWall> walls, Rows rows)
+template <class Take>
+void each_push(const Study& study, std::span<const PushedWall> walls, Take take)
 {
     const int direction = push_way(study).direction;
     for (const PushedWall& w : walls) {
-        rows(w, way_name(direction));
-        if (const PushedWall* const other = other_way_of(w)) rows(*other, way_name(-direction));
+        take(w, way_name(direction));
+        if (const PushedWall* const other = other_way_of(w)) take(*other, way_name(-direction));
     }
 }
+
+/// A pier or a spandrel of a push.
+template <class Part> struct PartRow {
+    const PushedWall* wall;
+    const char* way;
+    std::size_t place;
+    const Part* part;
+};
+using PierRow = PartRow<PierReading>;
+using SpandrelRow = PartRow<SpandrelReading>;
+
+/// One row for each part of each push.
+template <class Part>
+std::vector<PartRow<Part>> rows_of(const Study& study, std::span<const PushedWall> walls,
+                                   std::vector<Part> PushedWall::*parts)
+{
+    std::vector<PartRow<Part>> rows;
+    each_push(study, walls, [&](const PushedWall& w, const char* way) {
+        for (std::size_t i = 0; i < (w.*parts).size(); ++i)
+            rows.push_back({&w, way, i, &(w.*parts)[i]});
+    });
+    return rows;
+}
+
+/// Stress, direction and number stand before every row.
+template <class R> TableColumns<R> keys_of(const char* part)
+{
+    return {{"stress [MPa]", [](const R& r) { return stress_cell(r.wall->vertical_stress); }},
+            {"pushed to the", [](const R& r) { return r.way; }},
+            {part, [](const R& r) { return count(r.place + 1); }}};
+}
+
+/// A number of a part in SI, shown as `scale` times it.
+template <class R, class Value>
+TableColumn<R> number_of(Head head, int decimals, double scale, Value value)
+{
+    return {head, [=](const R& r) { return plain_number(scale * value(*r.part), decimals); }};
+}
+
+double height_of(const PierReading& p) { return p.pier.at.z1 - p.pier.at.z0; }
 
 } // namespace
 
 Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
 {
-    const std::vector<CapState> caps = caps_of(study);
     Table t;
     t.title = "Piers";
     t.caption =
@@ -53,49 +91,35 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
         "nothing. Limit: drift that a code allows this pier; reached: movement of the "
         "load when the pier reaches it, '>' where the push ended before.";
     t.keys = 3;
-    t.head = {"stress [MPa]",
-              "pushed to the",
-              "pier",
-              {"storey", kDetail},
-              {"from [m]", kDetail},
-              {"to [m]", kDetail},
-              {"height [m]", kDetail},
-              {"N before [kN]", kDetail},
-              "N [kN]",
-              "V [kN]",
-              {"largest V [kN]", kDetail},
-              "drift [%]",
-              "mode",
-              {"H0/D", kDetail}};
-    for (const CapState& c : caps) {
-        t.head.emplace_back(c.code + " " + c.state + " limit [%]");
-        t.head.emplace_back(c.code + " " + c.state + " reached [mm]", kCensored);
+    using Pier = const PierReading&;
+    auto columns = keys_of<PierRow>("pier");
+    append(
+        columns,
+        {{{"storey", kDetail}, [](const PierRow& r) { return count(r.part->pier.storey); }},
+         number_of<PierRow>({"from [m]", kDetail}, 2, 1.0, [](Pier p) { return p.pier.at.x0; }),
+         number_of<PierRow>({"to [m]", kDetail}, 2, 1.0, [](Pier p) { return p.pier.at.x1; }),
+         number_of<PierRow>({"height [m]", kDetail}, 2, 1.0, height_of),
+         number_of<PierRow>({"N before [kN]", kDetail}, 1, 1e-3,
+                            [](Pier p) { return p.normal_before; }),
+         number_of<PierRow>("N [kN]", 1, 1e-3, [](Pier p) { return p.normal_at_peak; }),
+         number_of<PierRow>("V [kN]", 1, 1e-3, [](Pier p) { return p.shear_at_peak; }),
+         number_of<PierRow>({"largest V [kN]", kDetail}, 1, 1e-3,
+                            [](Pier p) { return p.most_shear; }),
+         number_of<PierRow>("drift [%]", 3, 100.0, [](Pier p) { return p.drift; }),
+         {"mode", [](const PierRow& r) { return std::string(mode_text(*r.part)); }},
+         number_of<PierRow>({"H0/D", kDetail}, 2, 1.0, [](Pier p) { return p.slenderness; })});
+    for (const CapState& c : caps_of(study)) {
+        const auto cap = [c](Pier p) -> const PierCap& { return *cap_of(p, c.code, c.state); };
+        columns.push_back({c.code + " " + c.state + " limit [%]", [cap](const PierRow& r) {
+                               const double drift = cap(*r.part).drift;
+                               return drift > 0.0 ? Cell(plain_number(100.0 * drift, 2))
+                                                  : Cell();
+                           }});
+        columns.push_back(
+            {{c.code + " " + c.state + " reached [mm]", kCensored},
+             [cap](const PierRow& r) { return limit_cell(cap(*r.part).wall, 1e3, 2); }});
     }
-    each_wall(study, walls, [&](const PushedWall& w, const char* way) {
-        for (std::size_t i = 0; i < w.piers.size(); ++i) {
-            const PierReading& p = w.piers[i];
-            Row row = {stress_cell(w.vertical_stress),
-                       std::string(way),
-                       count(static_cast<int>(i) + 1),
-                       count(p.pier.storey),
-                       plain_number(p.pier.at.x0, 2),
-                       plain_number(p.pier.at.x1, 2),
-                       plain_number(p.pier.at.z1 - p.pier.at.z0, 2),
-                       plain_number(p.normal_before * 1e-3, 1),
-                       plain_number(p.normal_at_peak * 1e-3, 1),
-                       plain_number(p.shear_at_peak * 1e-3, 1),
-                       plain_number(p.most_shear * 1e-3, 1),
-                       plain_number(100.0 * p.drift, 3),
-                       std::string(mode_text(p)),
-                       plain_number(p.slenderness, 2)};
-            for (const CapState& c : caps) {
-                const PierCap& cap = *cap_of(p, c.code, c.state);
-                row.emplace_back(cap.drift > 0.0 ? plain_number(100.0 * cap.drift, 2) : Cell());
-                row.emplace_back(limit_cell(cap.wall, 1e3, 2));
-            }
-            t.rows.push_back(std::move(row));
-        }
-    });
+    fill(t, columns, rows_of(study, walls, &PushedWall::piers));
     return t;
 }
 
@@ -107,27 +131,26 @@ Table pier_limit_table(const Study& study, const std::vector<PushedWall>& walls)
                 "end against its lower end; drifts are over its own height; '>' marks limit "
                 "states that it had not reached when the push ended.";
     t.keys = 4;
-    t.head = {"stress [MPa]",
-              "pushed to the",
-              "pier",
-              "limit state",
-              {"displacement [mm]", kCensored},
-              {"drift [%]", kCensored},
-              {"note", kNote}};
     const std::vector<StateName> names = state_names(reading_rules(study));
-    each_wall(study, walls, [&](const PushedWall& w, const char* way) {
-        for (std::size_t i = 0; i < w.piers.size(); ++i)
-            for (std::size_t s = 0; s < names.size(); ++s) {
-                const PierReading& p = w.piers[i];
-                const fragility::LimitDisplacement& limit = p.own.limits.at(s);
-                add_row(t,
-                        {stress_cell(w.vertical_stress), std::string(way),
-                         count(static_cast<int>(i) + 1), state_name(names[s]),
-                         limit_cell(limit, 1e3, 2),
-                         limit_cell(limit, 100.0 / (p.pier.at.z1 - p.pier.at.z0), 3)},
-                        std::string(limit.reason));
-            }
-    });
+    struct StateRow : PierRow {
+        std::size_t state;
+        [[nodiscard]] const fragility::LimitDisplacement& limit() const
+        {
+            return part->own.limits.at(state);
+        }
+    };
+    std::vector<StateRow> rows;
+    for (const PierRow& pier : rows_of(study, walls, &PushedWall::piers))
+        for (std::size_t s = 0; s < names.size(); ++s) rows.push_back({pier, s});
+    auto columns = keys_of<StateRow>("pier");
+    columns.push_back(
+        {"limit state", [&](const StateRow& r) { return state_name(names[r.state]); }});
+    append(columns,
+           limit_columns<StateRow>([](const StateRow& r) { return r.limit(); },
+                                   [](const StateRow& r) { return height_of(*r.part); }));
+    columns.push_back(
+        {{"note", kNote}, [](const StateRow& r) { return std::string(r.limit().reason); }});
+    fill(t, columns, rows);
     return t;
 }
 
@@ -140,20 +163,20 @@ Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls)
         "wall carries most: N, compression along the wall; V, by how much its right half "
         "presses its left half down.";
     t.keys = 3;
-    t.head = {"stress [MPa]", "pushed to the", "spandrel", "from [m]",      "to [m]",
-              "height [m]",   "N [kN]",        "V [kN]",   "largest V [kN]"};
-    each_wall(study, walls, [&](const PushedWall& w, const char* way) {
-        for (std::size_t i = 0; i < w.spandrels.size(); ++i) {
-            const SpandrelReading& s = w.spandrels[i];
-            t.rows.push_back({stress_cell(w.vertical_stress), std::string(way),
-                              count(static_cast<int>(i) + 1), plain_number(s.spandrel.at.x0, 2),
-                              plain_number(s.spandrel.at.x1, 2),
-                              plain_number(s.spandrel.at.z1 - s.spandrel.at.z0, 2),
-                              plain_number(s.normal_at_peak * 1e-3, 1),
-                              plain_number(s.shear_at_peak * 1e-3, 1),
-                              plain_number(s.most_shear * 1e-3, 1)});
-        }
-    });
+    using Spandrel = const SpandrelReading&;
+    auto columns = keys_of<SpandrelRow>("spandrel");
+    append(
+        columns,
+        {number_of<SpandrelRow>("from [m]", 2, 1.0,
+                                [](Spandrel s) { return s.spandrel.at.x0; }),
+         number_of<SpandrelRow>("to [m]", 2, 1.0, [](Spandrel s) { return s.spandrel.at.x1; }),
+         number_of<SpandrelRow>("height [m]", 2, 1.0,
+                                [](Spandrel s) { return s.spandrel.at.z1 - s.spandrel.at.z0; }),
+         number_of<SpandrelRow>("N [kN]", 1, 1e-3, [](Spandrel s) { return s.normal_at_peak; }),
+         number_of<SpandrelRow>("V [kN]", 1, 1e-3, [](Spandrel s) { return s.shear_at_peak; }),
+         number_of<SpandrelRow>("largest V [kN]", 1, 1e-3,
+                                [](Spandrel s) { return s.most_shear; })});
+    fill(t, columns, rows_of(study, walls, &PushedWall::spandrels));
     return t;
 }
 
@@ -205,7 +228,7 @@ std::string pier_paragraph(const PushedWall& w, const char* way)
 std::vector<std::string> piers_remarks(const Study& study, const PushedWall& wall)
 {
     std::vector<std::string> all;
-    each_wall(study, {&wall, 1}, [&](const PushedWall& w, const char* way) {
+    each_push(study, {&wall, 1}, [&](const PushedWall& w, const char* way) {
         if (!w.piers.empty() && !caps_of(study).empty())
             all.push_back(piers_remark(study, w, way));
     });

@@ -11,6 +11,7 @@
 #include "app/version.hpp"
 #include "dem/solver/energy_parts.hpp"
 #include "dem/solver/solver_revision.hpp"
+#include "fragility/drift.hpp"
 
 namespace app {
 
@@ -34,60 +35,79 @@ Json limit_states(const WallReading& reading, const ReadingRules& rules)
                         {"name", names[i].name},
                         {"rule", names[i].rule},
                         {"displacement_mm", displacement_mm(limit)},
-                        {"drift_percent",
-                         is_defined(limit) ? or_null(100.0 * limit.displacement / rules.height)
-                                           : Json(nullptr)},
+                        {"drift_percent", or_null(fragility::percent_drift(
+                                              displacement_of(limit), rules.height))},
                         {"reading", name(limit.reading)},
                         {"reason", limit.reason}});
     }
     return list;
 }
 
+void add_number(const WallNumber& n, const WallSource& wall, Json& j)
+{
+    const double x = value(n, wall);
+    const bool count = n.decimals == 0 && n.unit.name == "-";
+    j[summary_key(n)] = count ? Json(static_cast<std::int64_t>(x)) : or_null(x, n.unit.scale);
+}
+
+void add_numbers(const WallSource& wall, Json& j, const auto&... numbers)
+{
+    (add_number(numbers, wall, j), ...);
+}
+
+/// Numbers of one direction, one backbone, or the worse of both directions.
+Json readings(const WallSource& wall)
+{
+    Json j = Json::object();
+    add_numbers(wall, j, wall_number("peak_force"), wall_number("peak_displacement"),
+                wall_number("ultimate_displacement"), wall_number("ultimate_drift"));
+    j["ultimate_censored"] = is_censored(wall.reading.ultimate);
+    add_number(wall_number("secant_stiffness"), wall, j);
+    return j;
+}
+
+Json with_limits(Json j, const WallReading& reading, const ReadingRules& rules)
+{
+    j["no_reading"] = reading.no_reading;
+    j["limit_states"] = limit_states(reading, rules);
+    return j;
+}
+
 /// Backbones of a push that turns back, by direction.
-Json backbones(const WallReading& reading, const ReadingRules& rules)
+Json backbones(const PushedWall& w, const ReadingRules& rules)
 {
     Json all = Json::object();
-    for (std::size_t i = 0; i < reading.backbones.size(); ++i) {
-        const WallReading& r = reading.backbones[i];
-        all[std::string(fragility::kSideNames[i])] = {
-            {"peak_force_kN", or_null(peak_force(r) * kToKn)},
-            {"displacement_at_peak_mm", or_null(peak_displacement(r) * kToMm)},
-            {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
-            {"ultimate_censored", is_censored(r.ultimate)},
-            {"stiffness_kN_per_mm", or_null(r.stiffness, 1e-6)},
-            {"no_reading", r.no_reading},
-            {"limit_states", limit_states(r, rules)}};
+    for (std::size_t i = 0; i < w.reading.backbones.size(); ++i) {
+        const WallReading& r = w.reading.backbones[i];
+        all[std::string(fragility::kSideNames[i])] =
+            with_limits(readings(source_of(w, r)), r, rules);
     }
     return all;
+}
+
+Json mode_json(const PushedWall& w)
+{
+    const bool moved = !dem::failed(w.result.outcome) && !came_down_at_once(w);
+    return moved ? Json(name(w.reading.mode)) : Json(nullptr);
 }
 
 /// The push the other way.
 Json other_way(const PushedWall& other, const ReadingRules& rules)
 {
-    const WallReading& r = other.reading;
-    const bool moved = !dem::failed(other.result.outcome) && !came_down_at_once(other);
-    return {{"direction", way_name(-rules.direction)},
-            {"peak_force_kN", or_null(peak_force(r) * kToKn)},
-            {"displacement_at_peak_mm", or_null(peak_displacement(r) * kToMm)},
-            {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
-            {"ultimate_censored", is_censored(r.ultimate)},
-            {"mode", moved ? Json(name(r.mode)) : Json(nullptr)},
-            {"stiffness_kN_per_mm", or_null(r.stiffness, 1e-6)},
-            {"no_reading", r.no_reading},
-            {"limit_states", limit_states(r, rules)}};
+    Json j = {{"direction", way_name(-rules.direction)}};
+    j.update(readings(source_of(other)));
+    j["mode"] = mode_json(other);
+    return with_limits(j, other.reading, rules);
 }
 
 /// The smaller of each number of both directions.
 Json worse(const Study& study, const PushedWall& w, const ReadingRules& rules)
 {
     const WallReading r = worse_way(w);
-    Json limits = limit_states(r, rules);
-    for (std::size_t i = 0; i < limits.size(); ++i)
-        limits[i]["direction"] = worse_way_name(study, w, i);
-    return {{"peak_force_kN", or_null(peak_force(r) * kToKn)},
-            {"ultimate_displacement_mm", displacement_mm(r.ultimate)},
-            {"ultimate_censored", is_censored(r.ultimate)},
-            {"limit_states", limits}};
+    Json j = with_limits(readings(source_of(w, r)), r, rules);
+    for (std::size_t i = 0; i < j["limit_states"].size(); ++i)
+        j["limit_states"][i]["direction"] = worse_way_name(study, w, i);
+    return j;
 }
 
 /// "ntc"; of a code with several drift limits "mine CP".
@@ -151,26 +171,21 @@ Json energy(const dem::Energy& e)
 Json mechanism(const PushedWall& w, const FragilityInput& f)
 {
     const dem::ModeThresholds& t = f.mode;
-    return {{"rotation_share", or_null(w.mechanism.rotation_share)},
-            {"turning_share", or_null(w.mechanism.turning_share)},
-            {"sliding_share", or_null(w.mechanism.sliding_share)},
-            {"cracked_units", w.mechanism.cracked_units},
-            {"spalled_units", w.mechanism.spalled_units},
-            {"cracked_contacts", w.mechanism.cracked_contacts},
-            {"crushed_contacts", w.mechanism.crushed_contacts},
-            {"crushed_through_mm2", or_null(w.mechanism.crushed_area * 1e6)},
-            {"brittle_crushing_contacts", w.result.brittle_crushing_contacts},
-            {"snap_back_contacts", w.result.snap_back_contacts},
-            {"shear_snap_back_contacts", w.result.shear_snap_back_contacts},
-            {"crack_contacts", w.result.crack_contacts},
-            {"contacts_softened_in_tension", w.result.softened_in_tension},
-            {"contacts_softened_in_shear", w.result.softened_in_shear},
-            {"slid_whole", w.reading.slid},
-            {"mode_rule", mode_rule_text(f)},
-            {"mode_thresholds",
-             {{"rotation_share", t.rotation_share},
-              {"cracked_units", t.cracked_units},
-              {"modes", t.modes == dem::ModeRule::paper ? 2 : 3}}}};
+    Json j = Json::object();
+    add_numbers(source_of(w), j, wall_number("rotation_share"), wall_number("turning_share"),
+                wall_number("sliding_share"), wall_number("cracked_units"),
+                wall_number("spalled_units"), wall_number("cracked_contacts"),
+                wall_number("crushed_contacts"), wall_number("crushed_area"),
+                wall_number("brittle_crushing_contacts"), wall_number("snap_back_contacts"),
+                wall_number("shear_snap_back_contacts"), wall_number("crack_contacts"),
+                wall_number("contacts_softened_in_tension"),
+                wall_number("contacts_softened_in_shear"));
+    j["slid_whole"] = w.reading.slid;
+    j["mode_rule"] = mode_rule_text(f);
+    j["mode_thresholds"] = {{"rotation_share", t.rotation_share},
+                            {"cracked_units", t.cracked_units},
+                            {"modes", t.modes == dem::ModeRule::paper ? 2 : 3}};
+    return j;
 }
 
 Json checks(const HandChecks& h)
@@ -189,7 +204,7 @@ Json checks(const HandChecks& h)
 
 std::string summary_json(const Study& study, const dem::Layout& layout, const PushedWall& w)
 {
-    const bool whole = !dem::failed(w.result.outcome);
+    const WallSource source = source_of(w);
     const WallReading& r = w.reading;
     const FragilityInput& f = study.fragility;
     ReadingRules rules = reading_rules(study);
@@ -198,33 +213,29 @@ std::string summary_json(const Study& study, const dem::Layout& layout, const Pu
     Json j;
     j["vertical_stress_MPa"] = or_null(w.vertical_stress * kToMpa);
     j["outcome"] = name(w.result.outcome);
-    j["peak_force_kN"] = or_null(peak_force(r) * kToKn);
+    j.update(readings(source));
     if (w.loads.pattern == dem::LoadPattern::body) {
         j["peak_load_factor"] = or_null(peak_force(r) / w.result.weight);
         j["load_factor_rule"] = "horizontal body force over weight; displacements are means "
                                 "over the wall by weight";
     }
-    j["displacement_at_peak_mm"] = or_null(peak_displacement(r) * kToMm);
     j["peak_is_last_point"] = r.peak ? Json(r.peak->at_end) : Json(nullptr);
-    j["ultimate_displacement_mm"] = displacement_mm(r.ultimate);
-    j["ultimate_censored"] = is_censored(r.ultimate);
     j["ultimate_rule"] =
         ultimate_text(f) + "; if it never does, censored at the last displacement";
-    j["collapse_displacement_mm"] = displacement_mm(r.collapse);
+    add_number(wall_number("collapse_displacement"), source, j);
     j["collapse_censored"] = is_censored(r.collapse);
     j["collapse_rule"] =
         "force after the peak first comes down to zero, or the wall comes down; if neither "
         "happens, censored at the last displacement";
-    j["mode"] = whole && !came_down_at_once(w) ? Json(name(r.mode)) : Json(nullptr);
-    j["stiffness_kN_per_mm"] = or_null(r.stiffness, 1e-6);
+    j["mode"] = mode_json(w);
     j["stiffness_rule"] = "secant at 30 % of the peak";
     j["no_reading"] = r.no_reading;
     j["load_height_m"] = or_null(w.loads.height);
-    j["settlement_mm"] = whole ? or_null(w.result.settlement * kToMm) : Json(nullptr);
+    add_number(wall_number("settlement"), source, j);
     j["limit_states"] = limit_states(r, rules);
     if (!r.backbones.empty()) {
         j["read_on"] = fragility::kSideNames[static_cast<int>(rules.backbone)];
-        j["backbones"] = backbones(r, rules);
+        j["backbones"] = backbones(w, rules);
     }
     add_piers(w, rules, j);
     if (const PushedWall* const other = other_way_of(w)) {
@@ -235,16 +246,13 @@ std::string summary_json(const Study& study, const dem::Layout& layout, const Pu
     }
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, layout, w));
-    j["energy_residual"] = or_null(energy_residual(w));
-    j["solver_error_percent"] = or_null(100.0 * solver_error(w));
+    j["energy_residual"] = or_null(value(wall_number("energy_residual"), source));
+    add_number(wall_number("solver_error"), source, j);
     j["energy"] = energy(w.result.energy);
     j["settled_before_push"] = w.result.settled;
-    j["step_fraction"] = w.result.step_fraction;
-    j["step_reductions"] = w.result.step_reductions;
-    j["slow_starts"] = w.result.slow_starts;
-    j["slowdowns"] = w.result.slowdowns;
-    j["steps"] = w.result.cost.steps;
-    j["contact_updates"] = w.result.cost.contact_updates;
+    add_numbers(source, j, wall_number("step_fraction"), wall_number("step_reductions"),
+                wall_number("slow_starts"), wall_number("slowdowns"), wall_number("steps"),
+                wall_number("contact_updates"));
     j["solver_seconds"] = w.result.cost.seconds;
     j["contact_updates_per_second"] =
         or_null(static_cast<double>(w.result.cost.contact_updates) / w.result.cost.seconds);

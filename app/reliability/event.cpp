@@ -1,7 +1,7 @@
 #include "app/reliability/event.hpp"
 
 #include "app/input/units.hpp"
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 
 #include "app/text/words.hpp"
 
@@ -64,8 +64,8 @@ std::vector<ShownNumber> shown_inputs(const Study& study, const std::vector<std:
 ShownNumber shown_response(const Study& study, const uq::ReliabilityProblem& problem)
 {
     if (!asks_program(study)) {
-        const WallResponse& r = kWallResponses.at(study.reliability.response);
-        return {std::string(r.name) + " [" + std::string(r.unit) + "]", r.scale};
+        const WallNumber& r = kWallNumbers.at(study.reliability.response);
+        return {std::string(r.name) + " [" + std::string(r.unit.name) + "]", r.unit.scale};
     }
     std::istringstream names(study.program.responses);
     std::string name;

@@ -1,6 +1,6 @@
 #include "app/reliability/wall_black_box.hpp"
 
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/wall_frames.hpp"
 #include "dem/block/model.hpp"
@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-constexpr auto kWidth = static_cast<Eigen::Index>(kWallResponses.size());
+constexpr auto kWidth = static_cast<Eigen::Index>(kJudged);
 
 /// State shared by all calls; the model may outlive its maker.
 struct Shared {
@@ -24,8 +24,8 @@ struct Shared {
 /// Why there is no answer; empty if there is.
 std::string answer(const PushedWall& w, Eigen::Ref<Eigen::RowVectorXd> y)
 {
-    for (std::size_t i = 0; i < kWallResponses.size(); ++i)
-        y(static_cast<Eigen::Index>(i)) = kWallResponses[i].read(w.reading, w.loads.height);
+    for (std::size_t i = 0; i < kJudged; ++i)
+        y(static_cast<Eigen::Index>(i)) = kWallNumbers[i].reading(w.reading, w.loads.height);
     if (!w.reading.no_reading.empty()) return std::string(w.reading.no_reading);
     return y.allFinite() ? std::string() : std::string(w.reading.ultimate.reason);
 }

@@ -1,6 +1,6 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/units.hpp"
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/reliability/event.hpp"
 #include "app/reliability/wall_black_box.hpp"
 #include "app/sampling/sample_plan.hpp"
@@ -20,9 +20,9 @@ struct Demand {
     std::string words;
 };
 
-const WallResponse& response_of(const Study& study)
+const WallNumber& response_of(const Study& study)
 {
-    return kWallResponses.at(study.reliability.response);
+    return kWallNumbers.at(study.reliability.response);
 }
 
 /// The demand in the unit of its response.
@@ -32,25 +32,26 @@ Demand demand_of(const Study& study)
     if (text.empty())
         throw error_at(study.source, "reliability.demand",
                        "missing; write e.g. \"demand = 40 kN\" under [reliability]");
-    const WallResponse& r = response_of(study);
-    const bool percent = r.unit == "%";
+    const WallNumber& r = response_of(study);
+    const bool percent = r.unit.name == "%";
     if (percent && text.ends_with('%'))
         text = std::string(trimmed(text.substr(0, text.size() - 1)));
-    const double value = read_at(study.source, "reliability.demand",
-                                 [&] { return parse_quantity(text, percent ? "" : r.unit); });
-    return {percent ? value / r.scale : value,
-            std::string(r.words) + " <= " + text + (percent ? " %" : "")};
+    const double value = read_at(study.source, "reliability.demand", [&] {
+        return parse_quantity(text, percent ? "" : r.unit.name);
+    });
+    return {percent ? value / r.unit.scale : value,
+            words(r) + " <= " + text + (percent ? " %" : "")};
 }
 
 /// A push that ends before the demand can never show it.
 void check_reached(const Study& study, const Demand& demand)
 {
-    const WallResponse& r = response_of(study);
+    const WallNumber& r = response_of(study);
     const double last = push_way(study).farthest;
     WallReading farthest;
     farthest.peak = fragility::Peak{0.0, last, true};
     farthest.ultimate = {last, fragility::Reading::censored, {}};
-    if (r.ends_with_push && demand.value >= r.read(farthest, study.load.height))
+    if (r.ends_with_push && demand.value >= r.reading(farthest, study.load.height))
         throw error_at(study.source, "reliability.demand",
                        "must be below the end of the push, load.max_displacement = " +
                            number(last * 1e3, 12) + " mm");

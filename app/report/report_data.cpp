@@ -47,17 +47,17 @@ Json wall_json(const StudyWall& w)
     Json inputs = Json::array();
     for (const double x : w.inputs) inputs.push_back(shown(x, 5));
     const WallReading& r = first_way(w); // beside its curve
-    return {{"level", w.key.level},
-            {"sample", w.key.sample},
-            {"mode", w.failed ? "failed" : name(r.mode)},
-            {"reason", w.reason},
-            {"peak", shown(peak_force(r) * 1e-3, 6)},
-            {"peak_at", shown(peak_displacement(r) * 1e3, 5)},
-            {"ultimate",
-             is_defined(r.ultimate) ? shown(r.ultimate.displacement * 1e3, 5) : Json(nullptr)},
-            {"reading", is_defined(r.ultimate) ? name(r.ultimate.reading) : "none"},
-            {"cracked", w.mechanism.cracked_units},
-            {"inputs", inputs}};
+    Json j = {{"level", w.key.level},
+              {"sample", w.key.sample},
+              {"mode", w.failed ? "failed" : name(r.mode)},
+              {"reason", w.reason},
+              {"reading", is_defined(r.ultimate) ? name(r.ultimate.reading) : "none"},
+              {"inputs", inputs}};
+    for (const WallNumber* const n :
+         {&wall_number("peak_force"), &wall_number("peak_displacement"),
+          &wall_number("ultimate_displacement")})
+        j[summary_key(*n)] = shown(n->reading(r, 1.0) * n->unit.scale, 6);
+    return j;
 }
 
 Json walls_json(const WallList& listed)

@@ -133,8 +133,9 @@ Json sensitivity_json(const StudyWalls& study)
 {
     Json all = Json::array();
     for (std::size_t level = 0; level < study.levels.size(); ++level)
-        for (const Response response : {Response::peak_force, Response::ultimate}) {
-            const Influences found = influences(study, study.levels[level], response);
+        for (const WallNumber* const response :
+             {&wall_number("peak_force"), &wall_number("ultimate_displacement")}) {
+            const Influences found = influences(study, study.levels[level], *response);
             Json bars = Json::array();
             for (const Influence& i : found.inputs) {
                 if (!i.spearman) continue; // does not vary
@@ -142,7 +143,7 @@ Json sensitivity_json(const StudyWalls& study)
                 if (i.partial) bars.back()["prcc"] = bar_of(*i.partial);
             }
             all.push_back({{"level", level},
-                           {"response", words(response)},
+                           {"response", words(*response)},
                            {"walls", found.walls},
                            {"bars", bars}});
         }

@@ -3,7 +3,7 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/reliability/wall_black_box.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/sampling/wall_sites.hpp"
@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -23,44 +22,12 @@
 namespace app {
 namespace {
 
-/// A number of a wall that can be asked for.
-struct Output {
-    ServedColumn column;
-    std::function<double(const PushedWall&)> read;
-};
-
-/// By name: those of kWallResponses, and the columns that the file of a study has for each
-/// wall.
-std::map<std::string, Output> known_outputs()
-{
-    std::map<std::string, Output> all;
-    const auto add = [&all](const ServedColumn& column, auto read) {
-        all.try_emplace(column.name, Output{column, read});
-    };
-    for (const WallResponse& r : kWallResponses)
-        add({std::string(r.name), std::string(r.unit == "%" ? "-" : si_unit(r.unit)),
-             std::string(r.words)},
-            [&r](const PushedWall& w) { return r.read(w.reading, w.loads.height); });
-    add({"ultimate_censored", "-", "1: the ultimate displacement is only a lower bound"},
-        [](const PushedWall& w) { return is_censored(w.reading.ultimate) ? 1.0 : 0.0; });
-    const auto add_stored = [&add](const std::vector<Column>& columns, auto WallRow::*values) {
-        for (std::size_t i = 0; i < columns.size(); ++i)
-            add({columns[i].name, columns[i].unit, columns[i].meaning},
-                [i, values](const PushedWall& w) {
-                    return static_cast<double>((row_of({}, {}, w).*values)[i]);
-                });
-    };
-    add_stored(response_columns(), &WallRow::responses);
-    add_stored(count_columns(), &WallRow::counts);
-    return all;
-}
-
 /// Data that all models of a server share.
 struct Shared {
     dem::Layout layout;
     std::vector<RandomInput> inputs;
     std::vector<int> sites; ///< of each input
-    std::vector<std::function<double(const PushedWall&)>> outputs;
+    std::vector<const WallNumber*> outputs;
     WallPush push;
 };
 
@@ -96,18 +63,17 @@ RandomInput input_named(const Study& study, const std::string& name)
 
 std::vector<ServedColumn> output_columns(const std::vector<std::string>& names, Shared& shared)
 {
-    const std::map<std::string, Output> known = known_outputs();
     std::vector<ServedColumn> columns;
     for (const std::string& name : names) {
-        const auto found = known.find(name);
-        if (found == known.end()) {
+        const auto* const n = std::ranges::find(kWallNumbers, name, &WallNumber::name);
+        if (n == kWallNumbers.end()) {
             std::vector<std::string_view> all; // clang++ 14 has no std::views
-            for (const auto& output : known) all.push_back(output.first);
+            for (const WallNumber& known : kWallNumbers) all.push_back(known.name);
             throw ConfigError("drystone", 0, "--response",
                               in_quotes(name) + " is not a response; " + suggestion(name, all));
         }
-        columns.push_back(found->second.column);
-        shared.outputs.push_back(found->second.read);
+        columns.push_back({name, std::string(n->unit.si), meaning(*n)});
+        shared.outputs.push_back(n);
     }
     return columns;
 }
@@ -119,7 +85,7 @@ std::vector<double> answer(const Shared& shared, const PushedWall& wall)
     if (wall.result.outcome == dem::Outcome::no_wall) throw BadValue(why);
     if (!why.empty()) throw std::runtime_error(why);
     std::vector<double> y;
-    for (const auto& output : shared.outputs) y.push_back(output(wall));
+    for (const WallNumber* n : shared.outputs) y.push_back(value(*n, source_of(wall)));
     return y;
 }
 

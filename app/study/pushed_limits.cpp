@@ -1,7 +1,7 @@
 #include "app/study/pushed_limits.hpp"
 
 #include "app/input/prepared_study.hpp"
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "app/study/push_walls.hpp"
 #include "dem/block/model.hpp"
@@ -23,7 +23,7 @@ std::map<WallKey, double> pushed_limits(const PreparedStudy& ready, const Sample
         return wanted;
     };
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
-        const double limit = known_ultimate(wall.reading) / wall.loads.height;
+        const double limit = value(wall_number("ultimate_drift"), source_of(wall));
         if (std::isfinite(limit) && limit > 0.0) limits.emplace(walls[i], limit);
     };
     push_walls(ready.study, model_of(ready), push_plan(ready.study), list, threads);

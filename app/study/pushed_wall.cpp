@@ -2,8 +2,6 @@
 
 #include "app/input/limit_state_text.hpp"
 
-#include <limits>
-
 namespace app {
 
 namespace {
@@ -74,17 +72,21 @@ PushedWall no_wall(const Study& study, int level, const std::string& why)
     return w;
 }
 
-double energy_residual(const PushedWall& w)
+WallSource source_of(const PushedWall& w) { return source_of(w, w.reading); }
+
+WallSource source_of(const PushedWall& w, const WallReading& reading)
 {
-    return w.result.outcome == dem::Outcome::not_finite
-               ? std::numeric_limits<double>::quiet_NaN()
-               : w.result.residual;
+    return {reading,
+            w.loads.height,
+            w.mechanism,
+            solver_error(w),
+            w.displacement.empty() ? kNoNumber : w.displacement.back(),
+            &w.result};
 }
 
 double solver_error(const PushedWall& w)
 {
-    return dem::failed(w.result.outcome) ? std::numeric_limits<double>::quiet_NaN()
-                                         : w.result.solver_error;
+    return dem::failed(w.result.outcome) ? kNoNumber : w.result.solver_error;
 }
 
 bool came_down_at_once(const PushedWall& w)

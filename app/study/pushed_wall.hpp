@@ -2,7 +2,7 @@
 /// One wall pushed: what was run, and how it is read.
 
 #include "app/input/study.hpp"
-#include "app/reading/wall_reading.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "app/study/pier_reading.hpp"
 #include "dem/scene/mechanism.hpp"
@@ -36,9 +36,11 @@ struct PushedWall {
 /// A draw that makes no wall: nothing was pushed, and the wall counts as failed.
 [[nodiscard]] PushedWall no_wall(const Study& study, int level, const std::string& why);
 
-/// Largest share of the work that the energy ledger misses, wherever it was read [-]; NaN where
-/// the numbers of the run broke.
-[[nodiscard]] double energy_residual(const PushedWall& wall);
+/// What its numbers are taken from (kWallNumbers); lives as long as the wall.
+[[nodiscard]] WallSource source_of(const PushedWall& wall);
+
+/// The same with another reading of it, such as that of one backbone.
+[[nodiscard]] WallSource source_of(const PushedWall& wall, const WallReading& reading);
 
 /// Estimated error of the peak force by the speed of the drive [-], >= 0; NaN where the run
 /// gave no result.

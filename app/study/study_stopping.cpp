@@ -1,6 +1,6 @@
 #include "app/study/study_stopping.hpp"
 
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/text/number_text.hpp"
 #include "fragility/observed_quantile.hpp"
 #include "uq/estimates/stopping.hpp"
@@ -37,21 +37,20 @@ double value_of(const WallReading& wall, const Study& study)
 {
     if (study.uq.stop == kStopAtMixedShare)
         return wall.mode == dem::FailureMode::mixed ? 0.0 : 1.0;
-    return kWallResponses.at(study.uq.stop).read(wall, study.load.height);
+    return kWallNumbers.at(study.uq.stop).reading(wall, study.load.height);
 }
 
 /// A response that walls outlast is judged by its median of Kaplan and Meier: the mean of the
 /// walls that the push was long enough for would be too small, and its interval too narrow.
 bool stops_at_median(const Study& study)
 {
-    return study.uq.stop != kStopAtMixedShare &&
-           kWallResponses.at(study.uq.stop).ends_with_push;
+    return study.uq.stop != kStopAtMixedShare && kWallNumbers.at(study.uq.stop).ends_with_push;
 }
 
 std::optional<uq::Estimate> stopping_median(const StudyLevel& level, const Study& study,
                                             double confidence)
 {
-    const WallResponse& response = kWallResponses.at(study.uq.stop);
+    const WallNumber& response = kWallNumbers.at(study.uq.stop);
     std::vector<fragility::Observation> walls;
     for (const StudyWall& w : level.walls)
         if (const double x = value_of(w.reading, study); !std::isnan(x))
@@ -85,7 +84,7 @@ std::string stopping_words(const StudyLevel& level, const Study& study,
     std::string text =
         std::to_string(level.walls.size() + level.failed_walls.size()) + " walls, ";
     if (stops_at_median(study)) {
-        const WallResponse& response = kWallResponses.at(study.uq.stop);
+        const WallNumber& response = kWallNumbers.at(study.uq.stop);
         const auto n = std::ranges::count_if(
             level.walls, [&](const StudyWall& w) { return response.is_bound(w.reading); });
         if (n > 0) text += std::to_string(n) + " of them outlast the push, ";

@@ -6,6 +6,7 @@
 #include "app/study/mean_cells.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/mode_share.hpp"
+#include "app/study/number_cells.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pier_remark.hpp"
 #include "app/study/solver_error.hpp"
@@ -68,14 +69,16 @@ StudySummary summarise(const StudyWalls& walls)
         "the largest); inaccurate: walls above the " +
         error_text(walls.study.solver.accuracy) + " asked for (solver.accuracy)." +
         backbone_text(walls.study);
-    s.table.head = {"stress [MPa]", "walls", "failed", {"peak [kN]", kError}, "COV"};
+    s.table.head = {"stress [MPa]", "walls", "failed",
+                    number_head(wall_number("peak_force"), kError), "COV"};
     const std::vector<int> modes = modes_of(walls);
     for (const int mode : modes)
         s.table.head.emplace_back(std::string(mode_name(mode)) + " [%]", kInterval);
-    s.table.head.insert(s.table.head.end(), {{"ultimate [mm]", kInterval | kCensored},
+    s.table.head.insert(s.table.head.end(), {number_head(wall_number("ultimate_displacement"),
+                                                         kInterval | kCensored),
                                              "observed",
                                              "censored",
-                                             "solver error [%]",
+                                             number_head(wall_number("solver_error")),
                                              {"solver error of 95 % [%]", kProgramsOnly},
                                              "inaccurate"});
     for (const StudyLevel& level : walls.levels) {

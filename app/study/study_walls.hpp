@@ -3,7 +3,7 @@
 /// rule, tables and page are made of this and nothing else.
 
 #include "app/input/study.hpp"
-#include "app/reading/wall_reading.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/store/merge.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
@@ -54,6 +54,12 @@ struct StudyWall {
 [[nodiscard]] inline const WallReading& first_way(const StudyWall& wall)
 {
     return wall.ways.empty() ? wall.reading : wall.ways.front();
+}
+
+/// What its numbers are taken from (kWallNumbers); lives as long as the wall.
+[[nodiscard]] inline WallSource source_of(const StudyWall& wall, double height)
+{
+    return {wall.reading, height, wall.mechanism, wall.solver_error};
 }
 
 /// kRocking, kSliding or kMixed

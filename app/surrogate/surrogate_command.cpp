@@ -33,8 +33,8 @@ std::vector<OutputFile> surrogate_files(const SurrogateStudy& s)
 
 int surrogate_command(const Command& command)
 {
-    const WallResponse& response =
-        surrogate_response(command.of.empty() ? kWallResponses.front().name : command.of);
+    const WallNumber& response =
+        surrogate_response(command.of.empty() ? kWallNumbers.front().name : command.of);
     check_is_study(command.study);
     if (const std::string note =
             check_results(command.out, {"surrogate.json", "surrogate.csv"});

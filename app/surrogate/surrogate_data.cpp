@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace app {
 
-const WallResponse& surrogate_response(std::string_view name)
+const WallNumber& surrogate_response(std::string_view name)
 {
     std::vector<std::string_view> names;
-    for (const WallResponse& r : kWallResponses) {
+    for (const WallNumber& r : std::span(kWallNumbers).first<kJudged>()) {
         if (r.name == name) return r;
         names.push_back(r.name);
     }
@@ -47,7 +48,7 @@ std::vector<std::size_t> surrogate_inputs(const StudyWalls& walls)
 
 SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
                                  const std::vector<std::size_t>& inputs,
-                                 const WallResponse& response)
+                                 const WallNumber& response)
 {
     const StudyLevel& from = walls.levels[level];
     SurrogatePoints p;
@@ -56,7 +57,7 @@ SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
     std::vector<double> y;
     WallList used;
     for (const StudyWall& w : from.walls) {
-        const double value = response.read(w.reading, walls.height);
+        const double value = response.reading(w.reading, walls.height);
         if (std::isfinite(value) && response.is_bound(w.reading))
             p.bounds.push_back(w.key);
         else if (!std::isfinite(value))
@@ -65,7 +66,7 @@ SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
             ++p.beyond;
         else {
             used.push_back(&w);
-            y.push_back(value * response.scale);
+            y.push_back(value * response.unit.scale);
         }
     }
     const auto n = static_cast<Eigen::Index>(used.size());

@@ -1,7 +1,7 @@
 #pragma once
 /// Walls of a stored study as points of a surrogate: random values and one response.
 
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/study/study_walls.hpp"
 
 #include <Eigen/Core>
@@ -28,9 +28,9 @@ struct SurrogatePoints {
                 beyond = 0; ///< walls that gave no result; more than kMostSurrogateWalls
 };
 
-/// The row of kWallResponses.
+/// One of the first kJudged rows of kWallNumbers.
 /// @throws ConfigError about --of naming those that there are
-[[nodiscard]] const WallResponse& surrogate_response(std::string_view name);
+[[nodiscard]] const WallNumber& surrogate_response(std::string_view name);
 
 /// Places in StudyWalls::inputs of those that vary.
 /// @throws ConfigError where nothing is random, an input has one value per joint, or its
@@ -39,6 +39,6 @@ struct SurrogatePoints {
 
 [[nodiscard]] SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
                                                const std::vector<std::size_t>& inputs,
-                                               const WallResponse& response);
+                                               const WallNumber& response);
 
 } // namespace app

@@ -97,7 +97,7 @@ std::string surrogate_json(const SurrogateStudy& s)
     Json j = {{"format", "drystone surrogate 1"},
               {"study", s.walls->name},
               {"response", std::string(s.response->name)},
-              {"unit", std::string(s.response->unit)}};
+              {"unit", std::string(s.response->unit.name)}};
     j["inputs"] = Json::array();
     for (const std::size_t k : s.inputs) j["inputs"].push_back(input_json(s, k));
     j["surrogates"] = Json::array();

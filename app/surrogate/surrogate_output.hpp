@@ -12,7 +12,7 @@ namespace app {
 /// Everything that the verb writes is made of this.
 struct SurrogateStudy {
     const StudyWalls* walls;
-    const WallResponse* response;
+    const WallNumber* response;
     std::vector<std::size_t> inputs; ///< places in StudyWalls::inputs
     std::vector<LevelSurrogate> levels;
 };

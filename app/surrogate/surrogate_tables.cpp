@@ -27,7 +27,7 @@ std::string joined_sentences(const std::vector<std::string>& sentences)
 
 std::string with_unit(const SurrogateStudy& s, const std::string& name)
 {
-    return name + " [" + std::string(s.response->unit) + "]";
+    return name + " [" + std::string(s.response->unit.name) + "]";
 }
 
 void add_index_row(const SurrogateStudy& s, const LevelSurrogate& l, std::size_t k,
@@ -60,12 +60,11 @@ std::string left_out_text(const SurrogateStudy& s, const LevelSurrogate& l)
     const std::string at = stress_text(l.points.stress) + ": ";
     if (!l.points.without.empty())
         text += at + counted(l.points.without.size(), "wall has", "walls have") + " no " +
-                std::string(s.response->words) + " and " +
-                (l.points.without.size() == 1 ? "is" : "are") +
+                words(*s.response) + " and " + (l.points.without.size() == 1 ? "is" : "are") +
                 " left out: " + named(*s.walls, l.points.without, kNamedWalls) + "\n";
     if (!l.points.bounds.empty())
         text += at + counted(l.points.bounds.size(), "wall outlasts", "walls outlast") +
-                " the push, so that only a bound of the " + std::string(s.response->words) +
+                " the push, so that only a bound of the " + words(*s.response) +
                 " is known, and " + (l.points.bounds.size() == 1 ? "is" : "are") +
                 " left out: " + named(*s.walls, l.points.bounds, kNamedWalls) +
                 ". What is learned holds for the others; push further to keep them.\n";
@@ -83,8 +82,8 @@ std::string left_out_text(const SurrogateStudy& s, const LevelSurrogate& l)
 Table surrogate_table(const SurrogateStudy& s)
 {
     Table t;
-    t.title = "How well the " + std::string(s.response->words) +
-              " of a wall is predicted without running it";
+    t.title =
+        "How well the " + words(*s.response) + " of a wall is predicted without running it";
     t.caption = "Q2 is the share of the variance that is explained on walls left out, RMSE the "
                 "error there: of the "
                 "Gaussian process by leave-one-out in closed form, of the polynomial chaos "
@@ -114,7 +113,7 @@ Table surrogate_table(const SurrogateStudy& s)
 Table surrogate_index_table(const SurrogateStudy& s)
 {
     Table t;
-    t.title = "What the " + std::string(s.response->words) + " depends on";
+    t.title = "What the " + words(*s.response) + " depends on";
     t.caption = "Shares of the variance from the coefficients of the polynomial chaos (Sobol'; "
                 "of the input alone, and with "
                 "its interactions); delta (Borgonovo) and HSIC from the walls alone, with the "
@@ -137,7 +136,7 @@ Table surrogate_wall_table(const SurrogateStudy& s)
     t.title = "Walls and what is predicted of them";
     t.caption = "Predictions of the better surrogate, fitted without the wall.";
     t.keys = 2;
-    t.head = {"stress [MPa]", "sample", with_unit(s, std::string(s.response->words)),
+    t.head = {"stress [MPa]", "sample", with_unit(s, words(*s.response)),
               with_unit(s, "predicted")};
     for (const LevelSurrogate& l : s.levels)
         for (Eigen::Index i = 0; i < l.left_out.size(); ++i)
@@ -151,7 +150,7 @@ Table surrogate_wall_table(const SurrogateStudy& s)
 std::string surrogate_picture(const SurrogateStudy& s, const LevelSurrogate& l)
 {
     const std::string what =
-        std::string(s.response->words) + " [" + std::string(s.response->unit) + "]";
+        words(*s.response) + " [" + std::string(s.response->unit.name) + "]";
     Chart c;
     c.title = "Predicted without the wall, " + stress_text(l.points.stress);
     c.x_label = what;

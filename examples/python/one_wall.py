@@ -11,7 +11,7 @@ wall_ini = pathlib.Path(__file__).parents[2] / "configs/wall.ini"
 for angle in (25.0, 31.8):
     wall = drystone.push(wall_ini, set={"joint.friction_angle": f"{angle} deg", "solver.fidelity": "simple"})
     plt.plot(1e3 * wall.displacement, 1e-3 * wall.force, label=f"{angle}°: {wall.summary['mode']}")
-    print(f"{angle}°: {wall.summary['peak_force_kN']:.1f} kN at {wall.summary['displacement_at_peak_mm']:.1f} mm")
+    print(f"{angle}°: {wall.summary['peak_force_kN']:.1f} kN at {wall.summary['peak_displacement_mm']:.1f} mm")
 plt.xlabel("displacement [mm]")
 plt.ylabel("horizontal load [kN]")
 plt.legend()

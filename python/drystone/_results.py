@@ -80,13 +80,14 @@ class Results:
 
     def readings(self, set: Mapping[str, Value] | None = None) -> dict[str, numpy.ndarray]:
         """How each wall is read: "mode" ("rocking", "sliding", "mixed"; "" of a wall that gave no result), "ultimate_displacement"
-        [m], and the drift [%] of each limit state, "ntc SLV". "ntc SLV censored": True where the drift is a lower bound.
+        and "collapse_displacement" [m], "ultimate_drift" [-], and the drift [%] of each limit state, "ntc SLV". "ntc SLV censored":
+        True where the drift is a lower bound. docs/numbers.md says what they are.
 
         :param set: fragility.key: value, in place of the study's
         """
-        modes, ultimate, states = _core.read_readings(self.path, self._stamp, _overrides(set))
+        modes, readings = _core.read_readings(self.path, self._stamp, _overrides(set))
         columns = {"mode": numpy.array(modes, str)}
-        for name, (values, censored) in [("ultimate_displacement", ultimate), *states]:
+        for name, values, censored in readings:
             columns[name] = values
             columns[f"{name} censored"] = numpy.array(censored, bool)
         return columns

@@ -36,6 +36,13 @@ class Curve(NamedTuple):
     """[N]"""
 
 
+class _Summary(dict):
+    """Finds numbers by the keys of earlier versions, too."""
+
+    def __missing__(self, key: str) -> Any:
+        return self[_core.old_summary_keys()[key]]
+
+
 class Push:
     """One wall pushed. Its curve is an array of numpy, to be plotted as it is."""
 
@@ -94,7 +101,7 @@ class Push:
         """What summary.json of the command line holds: peak_force_kN, ultimate_displacement_mm, mode, ... What is not
         defined on this wall is None."""
         if self._summary is None:
-            self._summary = json.loads(self._wall.summary_json())
+            self._summary = json.loads(self._wall.summary_json(), object_hook=_Summary)
         return self._summary
 
     def capacity_csv(self) -> str:

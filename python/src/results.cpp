@@ -4,6 +4,7 @@
 #include "app/study/study_file_head.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/check_sum.hpp"
+#include "fragility/drift.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/beside_python.hpp"
 #include "python/src/bind.hpp"
@@ -11,8 +12,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <limits>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -220,40 +219,49 @@ py::dict read_other_way(const std::string& path, const std::string& stamp)
 
 /// Readings of walls one below the other. NaN: not defined on this wall.
 struct ReadingColumn {
+    std::string name;
     std::vector<double> values;
     std::vector<bool> censored; ///< the value is a lower bound
 
-    void add(const std::optional<fragility::Observation>& reading)
+    void add(double value, bool bound)
     {
-        values.push_back(reading ? reading->lower : std::numeric_limits<double>::quiet_NaN());
-        censored.push_back(reading && reading->upper > reading->lower);
+        values.push_back(value);
+        censored.push_back(bound);
     }
-    py::tuple taken() { return py::make_tuple(array_of(std::move(values)), censored); }
+    py::tuple taken() { return py::make_tuple(name, array_of(std::move(values)), censored); }
 };
 
-/// How each wall is read, in the order of read_walls: modes, ultimate displacements [m], and of
-/// each limit state the name and the drifts [%].
+/// How each wall is read, in the order of read_walls: modes, and by name the readings in SI
+/// that no column of the file holds, and the drifts of limit states [%].
 py::tuple read_readings(const std::string& path, const std::string& stamp,
                         const std::vector<std::string>& overrides)
 {
     const Hdf5Turn turn;
     check_stamp(app::StoreReader(path), path, stamp);
     const app::StudyWalls study = app::read_study_walls(path, overrides, app::Keep::readings);
-    py::list modes, states;
-    ReadingColumn ultimate;
-    std::vector<ReadingColumn> limits(study.states.size());
+    std::vector<const app::WallNumber*> numbers;
+    std::vector<ReadingColumn> columns;
+    for (const app::WallNumber& n : app::kWallNumbers)
+        if (n.kept == app::Kept::no && n.is_bound != nullptr) {
+            numbers.push_back(&n);
+            columns.push_back({std::string(n.name), {}, {}});
+        }
+    for (const app::StateName& s : study.states)
+        columns.push_back({app::state_name(s), {}, {}});
+    py::list modes, all;
     for (const app::StudyWall* const wall : app::all_walls(study)) {
         const app::WallReading& r = wall->reading;
         const bool read = !wall->failed && r.no_reading.empty();
         modes.append(read ? std::string(name(r.mode)) : std::string());
-        ultimate.add(read ? fragility::observation(r.ultimate) : std::nullopt);
-        for (std::size_t s = 0; s < limits.size(); ++s)
-            limits[s].add(read ? fragility::observation(r.limits.at(s), 100.0 / study.height)
-                               : std::nullopt);
+        auto column = columns.begin();
+        for (const app::WallNumber* const n : numbers)
+            (column++)->add(n->reading(r, study.height), n->is_bound(r));
+        for (const fragility::LimitDisplacement& limit : r.limits)
+            (column++)->add(fragility::percent_drift(app::displacement_of(limit), study.height),
+                            is_censored(limit));
     }
-    for (std::size_t s = 0; s < limits.size(); ++s)
-        states.append(py::make_tuple(app::state_name(study.states[s]), limits[s].taken()));
-    return py::make_tuple(modes, ultimate.taken(), states);
+    for (ReadingColumn& c : columns) all.append(c.taken());
+    return py::make_tuple(modes, all);
 }
 
 } // namespace

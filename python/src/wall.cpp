@@ -115,10 +115,20 @@ py::tuple backbone(const WallOfStudy& w, int direction)
     return py::make_tuple(array_of(std::move(b.displacement)), array_of(std::move(b.force)));
 }
 
+/// Keys of summary.json of earlier versions, with what they are called now.
+py::dict old_summary_keys()
+{
+    py::dict keys;
+    for (const app::WallNumber& n : app::kWallNumbers)
+        if (!n.old_key.empty()) keys[py::str(std::string(n.old_key))] = app::summary_key(n);
+    return keys;
+}
+
 } // namespace
 
 void bind_wall(py::module_& m)
 {
+    m.def("old_summary_keys", &old_summary_keys);
     py::class_<WallOfStudy> type(m, "Wall");
     make_here_alone(type);
     type.def_property_readonly("level", [](const WallOfStudy& w) { return w.level; })

@@ -11,4 +11,5 @@ set(TEST_APP_PUSH_SOURCES
     app/test_scene.cpp
     app/test_pushed_series.cpp
     app/test_summary_json.cpp
-    app/test_table.cpp)
+    app/test_table.cpp
+    app/test_wall_numbers.cpp)

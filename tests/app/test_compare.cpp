@@ -98,7 +98,7 @@ TEST_CASE("compare: a push and a test in one table, one chart and one page", "[a
         folder.path / "wall" / "summary.json",
         R"({"vertical_stress_MPa": 0.5, "peak_force_kN": 45.0, "displacement_at_peak_mm": 4.0,
                 "ultimate_displacement_mm": 20.0, "ultimate_censored": true,
-                "stiffness_kN_per_mm": null, "load_height_m": 1.0, "mode": "rocking"})");
+                "stiffness_kN_per_mm": 25.0, "load_height_m": 1.0, "mode": "rocking"})");
     file_of(folder.path / "wall" / "capacity.csv",
             "displacement_mm,drift_percent,force_kN\n0,0,0\n4,0.4,45\n");
     app::Command c;
@@ -109,8 +109,8 @@ TEST_CASE("compare: a push and a test in one table, one chart and one page", "[a
     CHECK(app::compare_command(c) == 0);
     CHECK(app::compare_command(c) == 0); // replaces its own
     const std::string csv = scenes::read_text(folder.path / "out" / "compare.csv");
-    CHECK(csv.find("\nwall,0.5,1,45,") != std::string::npos);
-    CHECK(csv.find(",11.1") != std::string::npos); // 50 / 45
+    CHECK(csv.find("\nwall,0.5,1,45,,4,,25,") != std::string::npos); // keys of version 0.2
+    CHECK(csv.find(",11.1") != std::string::npos);                   // 50 / 45
     CHECK(terminal.text().find("> 20.0") != std::string::npos);
     CHECK(terminal.text().find("> 2.00") != std::string::npos);
     const std::string page = scenes::read_text(folder.path / "out" / "compare.html");

@@ -1,6 +1,6 @@
 #include "app/study/study_stopping.hpp"
 
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/wall_scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -21,8 +21,8 @@ app::StudyWalls walls_of(int fell, int stood, std::string_view response, double 
         study.levels[0].walls.push_back(
             scenes::read_wall({0, static_cast<std::uint32_t>(i)}, 40e3,
                               i < fell ? 0.010 + 1e-4 * i : 0.030, i >= fell));
-    const auto row = std::ranges::find(app::kWallResponses, response, &app::WallResponse::name);
-    study.study.uq.stop = static_cast<int>(row - app::kWallResponses.begin());
+    const auto row = std::ranges::find(app::kWallNumbers, response, &app::WallNumber::name);
+    study.study.uq.stop = static_cast<int>(row - app::kWallNumbers.begin());
     study.study.uq.samples = fell + stood;
     study.study.uq.stop_half_width = half_width;
     study.study.load.height = 1.0;

@@ -1,11 +1,13 @@
 #include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "app/push/level_table.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/study_texts.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -141,9 +143,9 @@ TEST_CASE("summary: numbers are in the units of their keys", "[app][summary_json
     const auto value = [&j](const char* key) { return j.at(key).get<double>(); };
     CHECK(value("vertical_stress_MPa") == Approx(0.5).epsilon(1e-14));
     CHECK(value("peak_force_kN") == Approx(50.0).epsilon(1e-14));
-    CHECK(value("displacement_at_peak_mm") == Approx(12.0).epsilon(1e-14));
+    CHECK(value("peak_displacement_mm") == Approx(12.0).epsilon(1e-14));
     CHECK(value("ultimate_displacement_mm") == Approx(18.0).epsilon(1e-14));
-    CHECK(value("stiffness_kN_per_mm") == Approx(25.0).epsilon(1e-14));
+    CHECK(value("secant_stiffness_kN_per_mm") == Approx(25.0).epsilon(1e-14));
     CHECK(value("settlement_mm") == Approx(0.7).epsilon(1e-14));
     CHECK(value("load_height_m") == Approx(1.1).epsilon(1e-14));
     CHECK(value("solver_seconds") == 0.25);
@@ -249,10 +251,11 @@ TEST_CASE("summary: a wall whose numbers broke has null for every number of its 
     CHECK(j.at("outcome") == "not finite");
     CHECK(j.at("no_reading") == "the numbers of this run are not finite");
     CHECK(null_keys(j) ==
-          std::set<std::string>{"peak_force_kN", "displacement_at_peak_mm",
+          std::set<std::string>{"peak_force_kN", "peak_displacement_mm",
                                 "collapse_displacement_mm", "peak_is_last_point",
-                                "ultimate_displacement_mm", "mode", "stiffness_kN_per_mm",
-                                "settlement_mm", "energy_residual", "solver_error_percent"});
+                                "ultimate_displacement_mm", "ultimate_drift_percent", "mode",
+                                "secant_stiffness_kN_per_mm", "settlement_mm",
+                                "energy_residual", "solver_error_percent"});
     CHECK(null_keys(j.at("energy")).size() == 7);
     CHECK(null_keys(j.at("mechanism")) ==
           std::set<std::string>{"rotation_share", "sliding_share"});
@@ -276,8 +279,8 @@ TEST_CASE("summary: numbers that left their range are null, one by one", "[app][
     CHECK(j.at("mechanism").at("sliding_share").is_null());
     CHECK(j.at("energy").at("kinetic_J").is_null());
     CHECK(j.at("peak_force_kN").is_null());
-    CHECK(j.at("stiffness_kN_per_mm").is_null());
-    CHECK(j.at("displacement_at_peak_mm").get<double>() == Approx(12.0).epsilon(1e-14));
+    CHECK(j.at("secant_stiffness_kN_per_mm").is_null());
+    CHECK(j.at("peak_displacement_mm").get<double>() == Approx(12.0).epsilon(1e-14));
 }
 
 TEST_CASE("summary: hand checks are those of a rigid wall, and a force beyond them is remarked",
@@ -396,9 +399,9 @@ TEST_CASE("summary: a wall that is not read has a mode", "[app][summary_json]")
     w.reading.no_reading = "the push never goes to this side";
     const Json j = summary(w);
     CHECK(null_keys(j) ==
-          std::set<std::string>{"peak_force_kN", "displacement_at_peak_mm",
-                                "peak_is_last_point", "ultimate_displacement_mm",
-                                "collapse_displacement_mm", "stiffness_kN_per_mm"});
+          std::set<std::string>{"peak_force_kN", "peak_displacement_mm", "peak_is_last_point",
+                                "ultimate_displacement_mm", "ultimate_drift_percent",
+                                "collapse_displacement_mm", "secant_stiffness_kN_per_mm"});
     CHECK(j.at("ultimate_censored") == false);
     CHECK(j.at("mode") == "mixed");
 }
@@ -426,21 +429,43 @@ TEST_CASE(
     CHECK(summary(w).at("mode").is_null());
 }
 
+TEST_CASE("summary: the table of levels has the same numbers", "[app][summary_json]")
+{
+    PushedWall w = good_wall();
+    w.result.solver_error = 0.004;
+    w.result.residual = 3e-5;
+    const Json j = summary(w);
+    const app::PlainTable t = app::plain(app::level_table(study_texts::read_good(), {w}));
+    int same = 0;
+    for (const app::WallNumber& n : app::kWallNumbers) {
+        const auto at = std::ranges::find(t.head, app::head_text(n));
+        const Json& in = j.contains(app::summary_key(n)) ? j : j.at("mechanism");
+        const auto number = in.find(app::summary_key(n));
+        if (at == t.head.end() || number == in.end() || !number->is_number()) continue;
+        INFO(n.name);
+        const auto& cell = t.rows.front().at(static_cast<std::size_t>(at - t.head.begin()));
+        CHECK(std::get<double>(cell) == number->get<double>());
+        ++same;
+    }
+    CHECK(same == 7);
+}
+
 TEST_CASE("summary: what others read by name comes in a fixed order", "[app][summary_json]")
 {
     const std::vector<std::string> expected = {"vertical_stress_MPa",
                                                "outcome",
                                                "peak_force_kN",
-                                               "displacement_at_peak_mm",
-                                               "peak_is_last_point",
+                                               "peak_displacement_mm",
                                                "ultimate_displacement_mm",
+                                               "ultimate_drift_percent",
                                                "ultimate_censored",
+                                               "secant_stiffness_kN_per_mm",
+                                               "peak_is_last_point",
                                                "ultimate_rule",
                                                "collapse_displacement_mm",
                                                "collapse_censored",
                                                "collapse_rule",
                                                "mode",
-                                               "stiffness_kN_per_mm",
                                                "stiffness_rule",
                                                "no_reading",
                                                "load_height_m",

@@ -86,7 +86,7 @@ class PythonHasWhatTheFilesHave(InFolder):
         self.assertEqual(len(rows), 18)
         self.assertEqual([row["mode"] for row in rows], readings["mode"].tolist())
         height = 1.1e3  # [mm]
-        for name, column, to_mm in (("ultimate_displacement", "ultimate", 1e3), *((s, s, height / 100) for s in results.limit_states)):
+        for name, column, to_mm in (("ultimate_displacement", "ultimate", 1e3), ("ultimate_drift", "ultimate", height), *((s, s, height / 100) for s in results.limit_states)):
             for value, censored, row in zip(readings[name] * to_mm, readings[f"{name} censored"], rows):
                 wanted = row[f"{column} [mm]"]
                 self.assertEqual(math.isnan(value), wanted == "", name)

@@ -31,6 +31,9 @@ class PushIsThatOfTheCommandLine(InFolder):
         self.assertEqual(wall.vertical_stress, 0.5e6)
         self.assertEqual(wall.drift[-1], wall.displacement[-1] / 1.1)
         self.assertFalse(wall.force.flags.writeable or wall.failed)
+        self.assertEqual(wall.summary["displacement_at_peak_mm"], wall.summary["peak_displacement_mm"]) # of version 0.2
+        self.assertEqual(wall.summary["mechanism"]["crushed_through_mm2"], wall.summary["mechanism"]["crushed_area_mm2"])
+        self.assertRaises(KeyError, lambda: wall.summary["peak"])
 
     def test_other_way_of_a_wall_that_is_not_symmetric(self):
         wall = self.check(WALL, {**CHEAP, "wall.openings": "0.2 m, 0 m, 0.2 m, 0.3 m"})

@@ -63,7 +63,7 @@ function showCurve(at = null) {
     const levels = [];
     if (summary) {
         const u = summary.ultimate_displacement_mm;
-        if (summary.peak_force_kN !== null) dots.push({ x: summary.displacement_at_peak_mm, y: summary.peak_force_kN, text: `peak ${fixed(summary.peak_force_kN, 1)} kN`, colour: colour('--accent') });
+        if (summary.peak_force_kN !== null) dots.push({ x: summary.peak_displacement_mm, y: summary.peak_force_kN, text: `peak ${fixed(summary.peak_force_kN, 1)} kN`, colour: colour('--accent') });
         if (u !== null && !summary.ultimate_censored) dots.push({ x: u, y: 0.8 * summary.peak_force_kN, text: `80 %: ${fixed(u, 1)} mm`, colour: colour('--crack') });
         const checks = summary.hand_checks;
         if (checks.rigid_rocking_limit_kN !== null) levels.push({ y: checks.rigid_rocking_limit_kN, text: 'rigid rocking' });
@@ -245,11 +245,11 @@ function answers({ summary, limits }) {
     const failed = summary.peak_force_kN === null;
     const tiles = [
         ['Peak force', failed ? '–' : fixed(summary.peak_force_kN, 2), 'kN'],
-        ['at', fixed(summary.displacement_at_peak_mm, 1), 'mm'],
+        ['at', fixed(summary.peak_displacement_mm, 1), 'mm'],
         ['Down to 80 % at', summary.ultimate_displacement_mm === null ? '–' : (summary.ultimate_censored ? '> ' : '') + fixed(summary.ultimate_displacement_mm, 1), 'mm'],
         ['Mode', summary.mode ?? summary.outcome, ''],
         ['Cracked stones', String(summary.mechanism.cracked_units), ''],
-        ['Stiffness', fixed(summary.stiffness_kN_per_mm, 1), 'kN/mm'],
+        ['Stiffness', fixed(summary.secant_stiffness_kN_per_mm, 1), 'kN/mm'],
         ['Solver error', summary.solver_error_percent === null ? '–' : digits(summary.solver_error_percent, 2), '%'],
     ];
     $('tiles').replaceChildren(...tiles.map(([name, value, unit]) => element('div', {}, element('dt', {}, name), element('dd', {}, value, ' ', element('small', {}, unit)))));
