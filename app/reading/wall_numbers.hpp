@@ -172,7 +172,7 @@ consteval const WallNumber& wall_number(std::string_view name)
 /// "peak force"
 [[nodiscard]] std::string words(const WallNumber& number);
 
-/// Of a column of a table: "peak [kN]".
+/// Head of a column of a table: "peak [kN]".
 [[nodiscard]] std::string head_text(const WallNumber& number);
 
 /// Name in summary.json: "peak_force_kN", "solver_error_percent", "steps".

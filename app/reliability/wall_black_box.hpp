@@ -18,9 +18,9 @@ void check_random(const Study& study, const std::string& or_else = "");
 /// How any wall of the study is drawn, by whoever draws the samples.
 [[nodiscard]] SamplePlan any_wall_plan(Study study, const dem::Layout& layout);
 
-/// Columns of the answer, in SI: the first kJudged of kWallNumbers. Where the force never falls to the
-/// ultimate share of the peak, the ultimate displacement is the end of the push: a bound, good
-/// for demands below it.
+/// Columns of the answer, in SI: the first kJudged of kWallNumbers. Where the force never falls
+/// to the ultimate share of the peak, the ultimate displacement is the end of the push: a
+/// bound, good for demands below it.
 /// @param level index in study.load.vertical_stress
 /// @param threads >= 1
 [[nodiscard]] uq::BlackBox wall_model(const PreparedStudy& ready, const SamplePlan& plan,

@@ -36,7 +36,7 @@ struct PushedWall {
 /// A draw that makes no wall: nothing was pushed, and the wall counts as failed.
 [[nodiscard]] PushedWall no_wall(const Study& study, int level, const std::string& why);
 
-/// What its numbers are taken from (kWallNumbers); lives as long as the wall.
+/// Source of its numbers (kWallNumbers), no longer than the wall lives.
 [[nodiscard]] WallSource source_of(const PushedWall& wall);
 
 /// The same with another reading of it, such as that of one backbone.

@@ -56,7 +56,7 @@ struct StudyWall {
     return wall.ways.empty() ? wall.reading : wall.ways.front();
 }
 
-/// What its numbers are taken from (kWallNumbers); lives as long as the wall.
+/// Source of its numbers (kWallNumbers), no longer than the wall lives.
 [[nodiscard]] inline WallSource source_of(const StudyWall& wall, double height)
 {
     return {wall.reading, height, wall.mechanism, wall.solver_error};
