@@ -102,7 +102,9 @@ std::string drift_text(const DriftData& data, std::size_t group, std::size_t sta
     const auto observed = limits_of(data.groups[group], state);
     if (observed.empty()) return {};
     if (const auto limit = doubted_limit(data, group, state)) return doubted_text(*limit);
-    const std::string cap = limit_text(data, group, state);
+    std::string cap = limit_text(data, group, state);
+    if (cap.empty()) cap = pier_text(data, group, state);
+    if (!cap.empty() && cap.front() == 'D') cap.front() = 'd';
     const auto caps = fragility::caps(observed);
     const auto drifts = limit_drifts(data, group, state).quantiles.at;
     std::string median;

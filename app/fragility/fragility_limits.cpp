@@ -107,8 +107,10 @@ void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& 
     const auto observations = limits_of(group, state);
     const LimitDrifts limits = limit_drifts(data, g, state);
     const fragility::PerformanceLimits& law = limits.law;
+    const std::string pier = pier_text(data, g, state);
     const auto add = [&](const Row& cells, std::string note) {
         const std::string more = inaccurate_text(group, state);
+        if (!pier.empty()) note += (note.empty() ? "" : " ") + pier + ".";
         add_row(t, cells, note + (note.empty() || more.empty() ? "" : " ") + more);
     };
     const double tested = limits.quantiles.tested_to;
@@ -135,7 +137,8 @@ void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& 
         return add(joined(row, {{}, {}, median_bound(law.bound, d)}), without_fit(law, group));
     }
     add_quantiles(limits, {}, row);
-    add(joined(row, dispersion_cells(limits, group.model.factor)), source_note(limits));
+    const auto factor = pier.empty() ? group.model.factor : fragility::ModelFactor{};
+    add(joined(row, dispersion_cells(limits, factor)), source_note(limits));
 }
 
 void add_tests(const DriftData& data, std::size_t g, std::size_t state, Table& t)

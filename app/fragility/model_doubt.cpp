@@ -70,9 +70,12 @@ void add_drift(const DriftData& data, std::size_t g, std::size_t s, Table& t)
     Row row = {group_cell(group), names_of_row(data, s), count(observations.size())};
     const auto limit = doubted_limit(data, g, s);
     if (!limit) {
-        const std::string code = limit_text(data, g, s);
+        const std::string code = limit_text(data, g, s), pier = pier_text(data, g, s);
         return add_row(t, row,
-                       !code.empty()          ? code + ": no property of the walls."
+                       !code.empty() ? code + ": no property of the walls."
+                       : !pier.empty()
+                           ? pier + ": the error of the model, at the ultimate drift, does "
+                                    "not concern it."
                        : observations.empty() ? "No wall gave a result."
                                               : "Too few walls reached it.");
     }
@@ -123,7 +126,9 @@ std::optional<DoubtedLimit> doubted_limit(const DriftData& data, std::size_t g,
 {
     const DriftGroup& group = data.groups[g];
     const auto observations = limits_of(group, state);
-    if (observations.empty() || !limit_text(data, g, state).empty()) return {};
+    if (observations.empty() || !limit_text(data, g, state).empty() ||
+        !pier_text(data, g, state).empty())
+        return {};
     const fragility::ModelFactor& factor = group.model.factor;
     const double confidence = data.options.confidence;
     const LimitDrifts limits = limit_drifts(data, g, state);

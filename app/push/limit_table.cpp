@@ -40,7 +40,7 @@ Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
             Row row = {stress_cell(w.vertical_stress), state_name(names[i]),
                        limit_cell(limit, 1e3, 2), limit_cell(limit, 100.0 / w.loads.height, 3)};
             if (both) row.emplace_back(worse_way_name(study, w, i));
-            const std::string pier = pier_note(study, worse_push(w, i), names[i], limit);
+            const std::string pier = pier_note(study, worse_push(w, i), names[i], i);
             add_row(t, std::move(row), std::string(limit.reason) + pier);
         }
     }

@@ -12,6 +12,7 @@
 #include "app/input/random_layouts.hpp"
 #include "app/program_version.hpp"
 #include "app/report/report_parts.hpp"
+#include "app/study/pier_shares.hpp"
 #include "app/study/solver_error.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text/json_text.hpp"
@@ -124,6 +125,10 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
         {"walls", wall_table(study, listed)}};
     Json all = Json::object();
     for (const auto& [name, table] : tables) all[name] = table_json(name, table);
+    if (!study.piers.empty()) {
+        all["pier_limits"] = table_json("pier_limits", pier_share_table(study));
+        all["piers"] = table_json("piers", study_pier_table(study));
+    }
     if (!study.pushed_one_way) all["cycles"] = table_json("cycles", cycle_table(study));
     return all;
 }

@@ -137,7 +137,7 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
         SheetLimit row{state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
                        cell_text(limit_cell(limit, 100.0 / w.loads.height, 2)), names[i].rule,
                        ""};
-        const std::string pier = pier_rule(study, worse_push(w, i), names[i], limit);
+        const std::string pier = pier_rule(study, worse_push(w, i), names[i], i);
         if (!pier.empty() && !names[i].rule.starts_with("3/4")) row.rule = pier;
         if (other_way_of(w) != nullptr) row.rule += ways_text(worse_way_name(study, w, i));
         if (pier.empty() && !limit.reason.empty())
