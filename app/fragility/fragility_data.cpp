@@ -91,12 +91,11 @@ std::string pier_text(const DriftData& data, std::size_t group, std::size_t stat
         if (state < w.piers.size() && w.piers[state] > 0) ++piers[w.piers[state]];
     std::string text;
     for (const auto& [pier, walls] : piers)
-        text += (text.empty() ? "Drift limit of a pier: pier " : ", pier ") +
-                std::to_string(pier) + " " +
+        text += (text.empty() ? "pier " : ", pier ") + std::to_string(pier) + ": " +
                 number(100.0 * static_cast<double>(walls) /
                            static_cast<double>(limits_of(g, state).size()),
                        3) +
-                (text.empty() ? " % of walls" : " %");
+                " %";
     return text;
 }
 

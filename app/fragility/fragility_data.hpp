@@ -93,8 +93,8 @@ limits_at(const DriftGroup& group, std::size_t state, ErrorEnd end, int mode = -
 [[nodiscard]] std::string limit_text(const DriftData& data, std::size_t group,
                                      std::size_t state);
 
-/// Where a drift limit of a pier comes first: "Drift limit of a pier: pier 3 85 % of walls, pier
-/// 4 10 %". Empty where it never does.
+/// Piers whose drift limit comes first: "pier 3: 85 %, pier 4: 10 %" of the walls. Empty where
+/// that of none does.
 [[nodiscard]] std::string pier_text(const DriftData& data, std::size_t group,
                                     std::size_t state);
 

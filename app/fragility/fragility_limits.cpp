@@ -101,6 +101,11 @@ Row dispersion_cells(const LimitDrifts& limits, const fragility::ModelFactor& fa
     return {dispersion ? Cell(plain_number(*dispersion, 2)) : Cell()};
 }
 
+std::string pier_note(const std::string& piers)
+{
+    return "Drift limit of " + piers + " of walls.";
+}
+
 void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& t)
 {
     const DriftGroup& group = data.groups[g];
@@ -110,7 +115,7 @@ void add_limits(const DriftData& data, std::size_t g, std::size_t state, Table& 
     const std::string pier = pier_text(data, g, state);
     const auto add = [&](const Row& cells, std::string note) {
         const std::string more = inaccurate_text(group, state);
-        if (!pier.empty()) note += (note.empty() ? "" : " ") + pier + ".";
+        if (!pier.empty()) note += (note.empty() ? "" : " ") + pier_note(pier);
         add_row(t, cells, note + (note.empty() || more.empty() ? "" : " ") + more);
     };
     const double tested = limits.quantiles.tested_to;

@@ -100,7 +100,7 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
     }
     if (mixed) reasons += name + "through the 16, 50 and 84 % drifts of the mixture";
     const std::string pier = pier_text(data, g, state);
-    if (!pier.empty()) reasons += name + "d" + pier.substr(1);
+    if (!pier.empty()) reasons += name + "drift limit of " + pier + " of walls";
     const fragility::ModelFactor factor =
         pier.empty() ? data.groups[g].model.factor : fragility::ModelFactor{};
     const bool doubted = pier.empty() && data.groups[g].model.source != "none";

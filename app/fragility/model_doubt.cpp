@@ -71,13 +71,15 @@ void add_drift(const DriftData& data, std::size_t g, std::size_t s, Table& t)
     const auto limit = doubted_limit(data, g, s);
     if (!limit) {
         const std::string code = limit_text(data, g, s), pier = pier_text(data, g, s);
-        return add_row(t, row,
-                       !code.empty() ? code + ": no property of the walls."
-                       : !pier.empty()
-                           ? pier + ": the error of the model, at the ultimate drift, does "
-                                    "not concern it."
-                       : observations.empty() ? "No wall gave a result."
-                                              : "Too few walls reached it.");
+        return add_row(
+            t, row,
+            !code.empty() ? code + ": no property of the walls."
+            : !pier.empty()
+                ? "Drift limit of " + pier +
+                      " of walls: the error of the model, at the ultimate drift, does "
+                      "not concern it."
+            : observations.empty() ? "No wall gave a result."
+                                   : "Too few walls reached it.");
     }
     const bool all_reached = std::ranges::all_of(
         observations, [](const Observation& o) { return o.lower == o.upper; });

@@ -184,7 +184,7 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
         s.spread_head = "drift [%] of 16, 50, 84 % of " + std::to_string(walls->walls.size()) +
                         " random walls";
     s.piers = pier_paragraphs(study, w);
-    s.assumed = assumptions(study, s.piers.empty() ? 4 : 3); // as many as there is room for
+    s.assumed = assumptions(study, 4 - std::min<std::size_t>(s.piers.size(), 2)); // room for
     s.certainty = certainty_sentences(study, w, stored, static_cast<std::size_t>(level));
     s.footer = "Drystone " + std::string(kVersion) + ", in-plane push of " + command.study +
                ". A help for the engineer, who answers for it; not for out-of-plane failure "

@@ -35,12 +35,12 @@ const fragility::CodeState* code_state(const StudyWalls& study, const StateName&
     return at == code->states.end() ? nullptr : &*at;
 }
 
-/// "pier 3 in 17, pier 1 in 2"
+/// "pier 3 17, pier 1 2"
 std::string counts_of(const StudyWalls& study, const StudyLevel& level, std::size_t state)
 {
     std::string text;
     for (const GoverningPier& g : governing_piers(study, level, state))
-        text += (text.empty() ? "" : ", ") + governing_text(study, g) + " in " +
+        text += (text.empty() ? "" : ", ") + governing_text(study, g) + ": " +
                 std::to_string(g.walls);
     return text;
 }
@@ -135,9 +135,8 @@ std::string governing_text(const StudyWalls& study, const GoverningPier& who)
     const std::string what =
         who.pier > 0 ? "pier " + std::to_string(who.pier) : "the fall of the force";
     if (!has_turned(study.head)) return what;
-    return what + (who.direction == 0
-                       ? ", pushed either way"
-                       : std::string(", pushed to the ") + way_name(who.direction));
+    return what + (who.direction == 0 ? " either way"
+                                      : std::string(" to the ") + way_name(who.direction));
 }
 
 std::string pier_sentence(const StudyWalls& study)
@@ -151,12 +150,12 @@ std::string pier_sentence(const StudyWalls& study)
             const std::string counts = counts_of(study, level, s);
             if (counts.empty()) continue;
             text += (text.empty() ? "" : "; ") + state_name(study.states[s]) +
-                    (study.levels.size() > 1 ? " at " + stress_text(level.stress) : "") + ": " +
-                    counts;
+                    (study.levels.size() > 1 ? " at " + stress_text(level.stress) : "") +
+                    " by " + counts;
         }
     return "Drift limits of codes are those of piers, numbered from the left, storey by "
            "storey: "
-           "a wall reaches one when its first pier does. Walls by what governs: " +
+           "a wall reaches one when its first pier does. Numbers of walls by what governs: " +
            text + ".";
 }
 

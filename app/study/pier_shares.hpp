@@ -27,7 +27,7 @@ struct GoverningPier {
 [[nodiscard]] std::vector<GoverningPier>
 governing_piers(const StudyWalls& study, const StudyLevel& level, std::size_t state);
 
-/// "pier 3, pushed to the left"; "fall of the force"; "not reached".
+/// "pier 3 to the left"; "the fall of the force"; "not reached".
 [[nodiscard]] std::string governing_text(const StudyWalls& study, const GoverningPier& who);
 
 /// The piers in a sentence: which governs how often. Of a file that holds none, where there
