@@ -5,6 +5,7 @@
 #include "app/compare/compare_command.hpp"
 #include "app/fragility/fragility_command.hpp"
 #include "app/fragility/say_answer.hpp"
+#include "app/input/sheet_offer.hpp"
 #include "app/report/report_command.hpp"
 #include "app/shake/shake_study.hpp"
 #include "app/sheet/sheet_command.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iostream>
 
 namespace app {
 namespace {
@@ -42,7 +44,10 @@ int study_then_report(const Command& study)
         study, [&](auto key, auto mode, auto frames) { films.put(key, mode, frames); });
     tables.quiet = page.quiet = study.quiet;
     try {
-        return std::max({code, fragility_command(tables), report_command(page, films)});
+        const int made =
+            std::max({code, fragility_command(tables), report_command(page, films)});
+        std::cout << sheet_offer(file) << '\n';
+        return made;
     } catch (const Interrupted&) {
         throw Interrupted{"all walls are in " + file.string() +
                           ", and the same command makes the tables and the page"};

@@ -40,7 +40,7 @@ async function curvesAndWall(data) {
         },
     });
     left.append(data.films.note ? note(data.films.note) : '',
-        note(`Bands are ${percent(data)} confidence intervals of the mean of five walls or more; mean curves stop where fewer than 90 % of the walls are still being pushed.${data.loops ? ' The push is cyclic: curves are backbones, the wall shown has its loops below.' : ''}`));
+        note(`Bands are ${percent(data)} confidence intervals of the mean of five walls or more; mean curves stop where fewer than 90 % of the walls are still being pushed.${data.loops ? ' The push is cyclic: curves are backbones, the wall shown has its loops below.' : ''}${data.ways ? ` ${data.ways}` : ''}`));
     if (!data.films.films.length) return;
     view = new WallView(data, right, capacity);
     await view.open(data.films.films[0].wall);
@@ -56,6 +56,10 @@ function statistics(data) {
     add('fragility', 'limits_with_doubt', 'performance_limits', 'forces_with_doubt');
     document.getElementById('fragility').append(folded('For statisticians: the laws and their parameters',
         note('beta: standard deviation of ln(drift), in earthquake engineering the dispersion. AIC: Akaike\'s information criterion, lower is better; it compares laws on the same walls.'), table(data.tables.law_parameters)));
+    if (data.tables.pier_limits) {
+        section('piers', 'Piers', note('The drift limits of codes are those of piers, numbered from the left, storey by storey: the wall reaches one when its first pier does.'));
+        add('piers', 'pier_limits', 'piers');
+    }
     modes(data, section('modes', 'Failure modes'));
     add('modes', 'modes', 'means_by_mode');
     document.getElementById('modes').append(folded('For statisticians: where the modes change',

@@ -103,7 +103,8 @@ std::string drift_text(const DriftData& data, std::size_t group, std::size_t sta
     const auto observed = limits_of(data.groups[group], state);
     if (observed.empty()) return {};
     if (const auto limit = doubted_limit(data, group, state)) return doubted_text(*limit);
-    const std::string cap = limit_text(data, group, state);
+    const std::string cap = limit_text(data, group, state),
+                      pier = pier_text(data, group, state);
     const auto caps = fragility::caps(observed);
     const auto drifts = limit_drifts(data, group, state).quantiles.at;
     std::string median;
@@ -113,6 +114,7 @@ std::string drift_text(const DriftData& data, std::size_t group, std::size_t sta
         median = above(drifts[kMedian].interval.lower);
     else if (std::ranges::count(caps, *drifts[kMedian].value, &fragility::Cap::value) == 0)
         median = fixed(*drifts[kMedian].value, kDriftDecimals);
+    if (!pier.empty()) median += " (" + pier + ")";
     return median + (median.empty() || cap.empty() ? "" : "; ") + cap;
 }
 
@@ -173,6 +175,9 @@ Table answer_table(const StudyWalls& walls, const DriftData& data)
 {
     const std::vector<std::size_t> states = severest_states(data);
     Table t = titled_table("answer", words_of(data));
+    if (!walls.piers.empty())
+        t.caption +=
+            " In brackets, piers whose drift limit comes first, and in how many walls.";
     t.head = {"stress [MPa]", number_head(wall_number("peak_force"), kInterval),
               "how it fails"};
     for (const std::size_t s : states)

@@ -31,6 +31,7 @@
 #include "app/study/interrupt.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/pier_shares.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/text_file.hpp"
@@ -291,6 +292,10 @@ FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
                                       {"solver_error", solver_error_table(walls)},
                                       {"sampling_errors", sampling_error_table(walls)},
                                       {"walls", wall_table(walls, all_walls(walls))}};
+    if (!walls.piers.empty()) {
+        tables.insert(tables.begin(), {{"pier_limits", pier_share_table(walls), true},
+                                       {"piers", study_pier_table(walls), true}});
+    }
     if (!walls.inputs.empty()) tables.push_back({"inputs", input_table(walls)});
     if (!walls.pushed_one_way) tables.push_back({"cycles", cycle_table(walls)});
     tables.push_back({"measured_drifts", measured_drifts()});

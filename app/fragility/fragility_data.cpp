@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace app {
 
@@ -83,6 +84,22 @@ std::string limit_text(const DriftData& data, std::size_t group, std::size_t sta
     return text;
 }
 
+std::string pier_text(const DriftData& data, std::size_t group, std::size_t state)
+{
+    std::map<int, std::size_t> piers;
+    const DriftGroup& g = data.groups[group];
+    for (const DriftWall& w : g.walls)
+        if (state < w.piers.size() && w.piers[state] > 0) ++piers[w.piers[state]];
+    std::string text;
+    for (const auto& [pier, walls] : piers)
+        text += (text.empty() ? "pier " : ", pier ") + std::to_string(pier) + ": " +
+                number(100.0 * static_cast<double>(walls) /
+                           static_cast<double>(limits_of(g, state).size()),
+                       3) +
+                " %";
+    return text;
+}
+
 std::string drift_head(const DriftData& data, const std::string& what)
 {
     return data.unit.empty() ? what : what + " [" + data.unit + "]";
@@ -123,7 +140,8 @@ DriftData drift_data(const StudyWalls& walls)
     if (const std::string yield = no_yield_remark(walls); !yield.empty())
         data.no_limit += (data.no_limit.empty() ? "" : " ") + yield;
     data.model_text = factor_text(walls.study, Answer::drift);
-    if (const std::string piers = pier_remark(walls.study); !piers.empty())
+    if (const std::string piers = pier_remark(walls.study);
+        !piers.empty() && walls.piers.empty())
         data.drift += "; " + piers;
     data.group_head = "stress [MPa]";
     const std::vector<int> modes = modes_of(walls);
@@ -139,9 +157,13 @@ DriftData drift_data(const StudyWalls& walls)
             DriftWall wall{static_cast<int>(mode - modes.begin()), {}};
             if (misses_accuracy(w.solver_error, walls.study))
                 wall.solver_error = w.solver_error;
-            for (const auto& limit : w.reading.limits)
-                wall.limits.push_back(
-                    fragility::observation(limit, fragility::percent_per_metre(walls.height)));
+            wall.piers = w.reading.governing;
+            for (std::size_t s = 0; s < w.reading.limits.size(); ++s) {
+                auto o = fragility::observation(w.reading.limits[s],
+                                                fragility::percent_per_metre(walls.height));
+                if (o && s < wall.piers.size() && wall.piers[s] > 0) o->capped = false;
+                wall.limits.push_back(o);
+            }
             group.walls.push_back(std::move(wall));
         }
         data.groups.push_back(std::move(group));

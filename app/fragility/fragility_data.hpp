@@ -28,6 +28,9 @@ struct DriftWall {
     /// Error by the speed of the solver's drive [-] of a wall that misses the accuracy of its
     /// study; else 0.
     double solver_error = 0.0;
+    /// WallReading::governing: such a limit is no drift limit that is set, as it differs from
+    /// wall to wall, and the error of the model does not concern it.
+    std::vector<int> piers{};
 };
 
 /// A law fitted to limit drifts and its tests.
@@ -89,6 +92,11 @@ limits_at(const DriftGroup& group, std::size_t state, ErrorEnd end, int mode = -
 /// 53 fell before" where walls did. Empty where it never does.
 [[nodiscard]] std::string limit_text(const DriftData& data, std::size_t group,
                                      std::size_t state);
+
+/// Piers whose drift limit comes first: "pier 3: 85 %, pier 4: 10 %" of the walls. Empty where
+/// that of none does.
+[[nodiscard]] std::string pier_text(const DriftData& data, std::size_t group,
+                                    std::size_t state);
 
 /// Whether every wall that reached the limit state reached such a limit: a row without any
 /// number of the walls' own.

@@ -95,7 +95,13 @@ struct LimitsRow {
     double tested = 0.0;                ///< [%]
     std::string source{};               ///< of the drifts: "law", "observed", "limit"
     std::string note{};
+    std::string piers{}; ///< that govern, with their shares
 };
+
+void add_sentence(std::string& text, const std::string& more)
+{
+    text += (text.empty() || more.empty() ? "" : " ") + more;
+}
 
 LimitsRow limits_row(const DriftData& data, const StateRow& at)
 {
@@ -118,8 +124,9 @@ LimitsRow limits_row(const DriftData& data, const StateRow& at)
         r.fitted = false;
         r.note = without_fit(r.drifts.law, group);
     }
-    const std::string more = inaccurate_text(group, at.state);
-    r.note += (r.note.empty() || more.empty() ? "" : " ") + more;
+    r.piers = pier_text(data, at.g, at.state);
+    if (!r.piers.empty()) add_sentence(r.note, "Drift limit of " + r.piers + " of walls.");
+    add_sentence(r.note, inaccurate_text(group, at.state));
     return r;
 }
 
@@ -154,6 +161,12 @@ Cell dispersion_cell(const LimitsRow& r)
         return with_interval(r.drifts.law.dispersion, r.drifts.law.dispersion_interval, 2);
     const auto dispersion = dispersion_of(r.drifts);
     return dispersion ? Cell(plain_number(*dispersion, 2)) : Cell();
+}
+
+/// A drift limit of a pier, which a code sets, has no doubt of the model.
+fragility::ModelFactor factor_of(const LimitsRow& r)
+{
+    return r.piers.empty() ? r.group->model.factor : fragility::ModelFactor{};
 }
 
 TableColumns<LimitsRow> limit_columns_of(const DriftData& data)
@@ -194,7 +207,7 @@ TableColumns<LimitsRow> limit_columns_of(const DriftData& data)
                   of_law(
                       [](const LimitsRow& r) {
                           return std::hypot(r.drifts.law.predictive_dispersion,
-                                            fragility::model_dispersion(r.group->model.factor));
+                                            fragility::model_dispersion(factor_of(r)));
                       },
                       2)},
                  {{"note", kNote}, &LimitsRow::note}});

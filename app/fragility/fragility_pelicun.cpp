@@ -99,10 +99,14 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
         return {};
     }
     if (mixed) reasons += name + "through the 16, 50 and 84 % drifts of the mixture";
-    const fragility::ModelFactor& factor = data.groups[g].model.factor;
+    const std::string pier = pier_text(data, g, state);
+    if (!pier.empty()) reasons += name + "drift limit of " + pier + " of walls";
+    const fragility::ModelFactor factor =
+        pier.empty() ? data.groups[g].model.factor : fragility::ModelFactor{};
+    const bool doubted = pier.empty() && data.groups[g].model.source != "none";
     return Parameters{found->median * radians * factor.median,
                       fragility::dispersions(found->dispersion, found->error, factor),
-                      factor.median, data.groups[g].model.source != "none", end};
+                      factor.median, doubted, end};
 }
 
 std::vector<std::string> sets_of(const DriftData& data)

@@ -70,11 +70,16 @@ void add_drift(const DriftData& data, std::size_t g, std::size_t s, Table& t)
     Row row = {group_cell(group), names_of_row(data, s), count(observations.size())};
     const auto limit = doubted_limit(data, g, s);
     if (!limit) {
-        const std::string code = limit_text(data, g, s);
-        return add_row(t, row,
-                       !code.empty()          ? code + ": no property of the walls."
-                       : observations.empty() ? "No wall gave a result."
-                                              : "Too few walls reached it.");
+        const std::string code = limit_text(data, g, s), pier = pier_text(data, g, s);
+        return add_row(
+            t, row,
+            !code.empty() ? code + ": no property of the walls."
+            : !pier.empty()
+                ? "Drift limit of " + pier +
+                      " of walls: the error of the model, at the ultimate drift, does "
+                      "not concern it."
+            : observations.empty() ? "No wall gave a result."
+                                   : "Too few walls reached it.");
     }
     const bool all_reached = std::ranges::all_of(
         observations, [](const Observation& o) { return o.lower == o.upper; });
@@ -123,7 +128,9 @@ std::optional<DoubtedLimit> doubted_limit(const DriftData& data, std::size_t g,
 {
     const DriftGroup& group = data.groups[g];
     const auto observations = limits_of(group, state);
-    if (observations.empty() || !limit_text(data, g, state).empty()) return {};
+    if (observations.empty() || !limit_text(data, g, state).empty() ||
+        !pier_text(data, g, state).empty())
+        return {};
     const fragility::ModelFactor& factor = group.model.factor;
     const double confidence = data.options.confidence;
     const LimitDrifts limits = limit_drifts(data, g, state);

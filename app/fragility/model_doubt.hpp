@@ -12,8 +12,8 @@
 namespace app {
 
 /// A limit drift with the doubt of the model, from the law that describes the walls or else
-/// from the shares observed; nothing where there are no walls, or where a drift limit of a code
-/// or of the user comes first, which is no property of the walls.
+/// from the shares observed; nothing where there are no walls, or where a drift limit of a
+/// code, of a pier or of the user comes first.
 [[nodiscard]] std::optional<fragility::DoubtedLimit>
 doubted_limit(const DriftData& data, std::size_t group, std::size_t state);
 

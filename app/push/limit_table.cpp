@@ -56,7 +56,7 @@ Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
     columns.push_back({{"note", kNote}, [&](const LimitRow& r) {
                            return std::string(r.limit.reason) +
                                   pier_note(study, worse_push(*r.wall, r.state), names[r.state],
-                                            r.limit);
+                                            r.state);
                        }});
     fill(t, columns, rows);
     return t;

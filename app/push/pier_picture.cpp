@@ -57,8 +57,9 @@ std::string draw_pier(const PierReading& p, std::size_t number, const Places& pl
                       svg_attribute("fill", "#0072B2") + svg_attribute("fill-opacity", "0.16") +
                           edge("#0072B2", 1.6));
     const std::array<std::string, 5> lines = {
-        "pier " + std::to_string(number), "N " + fixed(p.normal_at_peak * 1e-3, 1) + " kN",
-        "V " + fixed(p.shear_at_peak * 1e-3, 1) + " kN", fixed(100.0 * p.drift, 2) + " %",
+        "pier " + std::to_string(number),
+        "N " + fixed(p.facts.normal_at_peak * 1e-3, 1) + " kN",
+        "V " + fixed(p.facts.shear_at_peak * 1e-3, 1) + " kN", fixed(100.0 * p.drift, 2) + " %",
         std::string(mode_text(p))};
     constexpr double kLine = 15.0;
     double y = 0.5 * (corner.y + far.y) - 0.5 * kLine * static_cast<double>(lines.size() - 1);

@@ -100,14 +100,15 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
          number_of<PierRow>({"to [m]", kDetail}, 2, 1.0, [](Pier p) { return p.pier.at.x1; }),
          number_of<PierRow>({"height [m]", kDetail}, 2, 1.0, height_of),
          number_of<PierRow>({"N before [kN]", kDetail}, 1, 1e-3,
-                            [](Pier p) { return p.normal_before; }),
-         number_of<PierRow>("N [kN]", 1, 1e-3, [](Pier p) { return p.normal_at_peak; }),
-         number_of<PierRow>("V [kN]", 1, 1e-3, [](Pier p) { return p.shear_at_peak; }),
+                            [](Pier p) { return p.facts.normal_before; }),
+         number_of<PierRow>("N [kN]", 1, 1e-3, [](Pier p) { return p.facts.normal_at_peak; }),
+         number_of<PierRow>("V [kN]", 1, 1e-3, [](Pier p) { return p.facts.shear_at_peak; }),
          number_of<PierRow>({"largest V [kN]", kDetail}, 1, 1e-3,
-                            [](Pier p) { return p.most_shear; }),
+                            [](Pier p) { return p.facts.most_shear; }),
          number_of<PierRow>("drift [%]", 3, 100.0, [](Pier p) { return p.drift; }),
          {"mode", [](const PierRow& r) { return std::string(mode_text(*r.part)); }},
-         number_of<PierRow>({"H0/D", kDetail}, 2, 1.0, [](Pier p) { return p.slenderness; })});
+         number_of<PierRow>({"H0/D", kDetail}, 2, 1.0,
+                            [](Pier p) { return p.facts.slenderness; })});
     for (const CapState& c : caps_of(study)) {
         const auto cap = [c](Pier p) -> const PierCap& { return *cap_of(p, c.code, c.state); };
         columns.push_back({c.code + " " + c.state + " limit [%]", [cap](const PierRow& r) {
@@ -216,8 +217,8 @@ std::string pier_paragraph(const PushedWall& w, const char* way)
         text += (i == 0 ? "" : "; ") + std::to_string(i + 1) + " (" +
                 fixed(p.pier.at.x1 - p.pier.at.x0, 2) + " x " +
                 fixed(p.pier.at.z1 - p.pier.at.z0, 2) + " m) N " +
-                fixed(p.normal_at_peak * 1e-3, 0) + " kN, V " +
-                fixed(p.shear_at_peak * 1e-3, 0) + " kN, " + fixed(100.0 * p.drift, 2) +
+                fixed(p.facts.normal_at_peak * 1e-3, 0) + " kN, V " +
+                fixed(p.facts.shear_at_peak * 1e-3, 0) + " kN, " + fixed(100.0 * p.drift, 2) +
                 " %, " + std::string(mode_text(p));
     }
     return text + ".";
@@ -266,30 +267,29 @@ struct Governing {
     const PierCap* cap = nullptr;
 };
 
-/// The pier whose drift limit a limit state is, or a share of it.
 Governing governing(const Study& study, const PushedWall& wall, const StateName& state,
-                    const fragility::LimitDisplacement& limit)
+                    std::size_t index)
 {
-    if (!fragility::is_capped(limit)) return {};
-    const std::string capped = capped_state(study, state);
-    const int first = governing_pier(wall.piers, state.set, capped);
-    if (capped.empty() || first == 0) return {};
-    return {first, cap_of(wall.piers[static_cast<std::size_t>(first) - 1], state.set, capped)};
+    const std::vector<int>& piers = wall.reading.governing;
+    const int pier = index < piers.size() ? piers[index] : 0;
+    if (pier == 0) return {};
+    return {pier, cap_of(wall.piers[static_cast<std::size_t>(pier) - 1], state.set,
+                         capped_state(study, state))};
 }
 
 } // namespace
 
 std::string pier_note(const Study& study, const PushedWall& wall, const StateName& state,
-                      const fragility::LimitDisplacement& limit)
+                      std::size_t index)
 {
-    const int first = governing(study, wall, state, limit).pier;
+    const int first = governing(study, wall, state, index).pier;
     return first == 0 ? "" : "; pier " + std::to_string(first) + " is the first to reach it";
 }
 
 std::string pier_rule(const Study& study, const PushedWall& wall, const StateName& state,
-                      const fragility::LimitDisplacement& limit)
+                      std::size_t index)
 {
-    const Governing g = governing(study, wall, state, limit);
+    const Governing g = governing(study, wall, state, index);
     if (g.pier == 0) return {};
     return "pier " + std::to_string(g.pier) + " reaches the drift that " + state.set +
            " allows it, " + number(100.0 * g.cap->drift, 3) + " %";

@@ -32,13 +32,12 @@ namespace app {
 
 /// "; pier 3 is the first to reach it" of a limit state that the drift limit of a code governs;
 /// else empty.
+/// @param index of this state in WallReading::limits
 [[nodiscard]] std::string pier_note(const Study& study, const PushedWall& wall,
-                                    const StateName& state,
-                                    const fragility::LimitDisplacement& limit);
+                                    const StateName& state, std::size_t index);
 
 /// "pier 3 reaches the drift that ntc allows it, 0.5 %" of such a limit state; else empty.
 [[nodiscard]] std::string pier_rule(const Study& study, const PushedWall& wall,
-                                    const StateName& state,
-                                    const fragility::LimitDisplacement& limit);
+                                    const StateName& state, std::size_t index);
 
 } // namespace app

@@ -2,6 +2,7 @@
 
 #include "app/input/key_effects.hpp"
 #include "app/input/random_layouts.hpp"
+#include "app/input/sheet_offer.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/units.hpp"
 #include "app/output/backbones_csv.hpp"
@@ -281,6 +282,12 @@ int push_command(const Command& command)
                                      ".\n",
                                  terminal_width());
     std::cout << "written to " << command.out << '\n';
+    if (walls.front().reading.peak)
+        std::cout << sheet_offer(fs::path(command.out) /
+                                     wall_folder(walls.size(), walls.front().vertical_stress) /
+                                     "study.ini",
+                                 fs::path(command.study).stem().string())
+                  << '\n';
     for (const PushedWall& w : walls)
         if (dem::failed(w.result.outcome))
             std::cerr << "drystone: " << stress_text(w.vertical_stress)

@@ -3,7 +3,6 @@
 #include "app/output/progress.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/other_way.hpp"
-#include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
@@ -54,7 +53,6 @@ Pushed push_until_told(const PreparedStudy& ready, dem::PushPlan plan,
 {
     const Study& study = ready.study;
     const dem::Model model = model_of(ready);
-    PierWatch piers(study, ready.layout, wanted.size(), plan);
     OtherWay other(study, model, wanted, threads, end_if_interrupted);
     std::vector<PushedWall> walls(wanted.size());
     Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
@@ -78,7 +76,6 @@ Pushed push_until_told(const PreparedStudy& ready, dem::PushPlan plan,
     };
     push_walls(study, model, plan, list, other.threads_left());
     if (finished != wanted.size() || end.cut()) return {std::move(walls), false};
-    for (std::size_t i = 0; i < walls.size(); ++i) piers.add_to(i, walls[i]);
     try {
         other.add_to(walls);
     } catch (const Interrupted&) {

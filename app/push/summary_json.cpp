@@ -124,7 +124,7 @@ Json piers(const PushedWall& w, const ReadingRules& rules)
         const PierReading& p = w.piers[i];
         ReadingRules own = rules;
         own.height = p.pier.at.z1 - p.pier.at.z0;
-        own.slenderness = p.slenderness;
+        own.slenderness = p.facts.slenderness;
         own.by_piers = false;
         Json caps = Json::object();
         for (const PierCap& cap : p.caps)
@@ -137,14 +137,14 @@ Json piers(const PushedWall& w, const ReadingRules& rules)
                        {"to_m", or_null(p.pier.at.x1)},
                        {"bottom_m", or_null(p.pier.at.z0)},
                        {"top_m", or_null(p.pier.at.z1)},
-                       {"axial_before_kN", or_null(p.normal_before * kToKn)},
-                       {"axial_at_peak_kN", or_null(p.normal_at_peak * kToKn)},
-                       {"shear_at_peak_kN", or_null(p.shear_at_peak * kToKn)},
-                       {"largest_shear_kN", or_null(p.most_shear * kToKn)},
+                       {"axial_before_kN", or_null(p.facts.normal_before * kToKn)},
+                       {"axial_at_peak_kN", or_null(p.facts.normal_at_peak * kToKn)},
+                       {"shear_at_peak_kN", or_null(p.facts.shear_at_peak * kToKn)},
+                       {"largest_shear_kN", or_null(p.facts.most_shear * kToKn)},
                        {"drift_at_end_percent", or_null(100.0 * p.drift)},
                        {"mode", p.moved ? Json(name(p.mode)) : Json(nullptr)},
                        {"carries", p.carries},
-                       {"h0_over_d", or_null(p.slenderness)},
+                       {"h0_over_d", or_null(p.facts.slenderness)},
                        {"drift_limits", caps},
                        {"limit_states", limit_states(p.own, own)}});
     }

@@ -40,12 +40,25 @@ std::vector<double> turned_round(std::span<const double> values)
 /// Drift limits of a set for one wall, by limit state [m]: they depend on what moves.
 std::vector<double> caps_of(std::size_t set, dem::FailureMode mode, const ReadingRules& rules)
 {
-    if (rules.by_piers)
-        return set < rules.pier_caps.size() ? rules.pier_caps[set] : std::vector<double>{};
     std::vector<double> caps;
+    if (rules.by_piers) {
+        if (set >= rules.pier_caps.size()) return caps;
+        for (const PierLimit& limit : rules.pier_caps[set]) caps.push_back(limit.displacement);
+        return caps;
+    }
     for (const fragility::CodeState& s : rules.sets[set].states)
         caps.push_back(rules.height * fragility::drift_limit(s, name(mode), rules.slenderness));
     return caps;
+}
+
+/// The pier whose drift limit a limit state of a set is, or whose it is a share of.
+int governing_pier(std::size_t set, std::size_t state, const fragility::LimitDisplacement& d,
+                   const ReadingRules& rules)
+{
+    if (!fragility::is_capped(d) || set >= rules.pier_caps.size()) return 0;
+    const fragility::CodeState& s = rules.sets[set].states[state];
+    const bool share = s.drifts.empty() && s.of >= 0;
+    return rules.pier_caps[set][share ? static_cast<std::size_t>(s.of) : state].pier;
 }
 
 /// A curve to read, in its own direction.
@@ -85,12 +98,16 @@ WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism&
     if (loaded) options.no_yield = kBeyondYield;
     for (std::size_t set = 0; set < rules.sets.size(); ++set) {
         const std::vector<double> caps = caps_of(set, mode, rules);
-        for (const auto& s :
-             fragility::read_limit_states(curve, rules.sets[set], caps, options))
-            w.limits.push_back(s.limit);
+        const auto found = fragility::read_limit_states(curve, rules.sets[set], caps, options);
+        for (std::size_t s = 0; s < found.size(); ++s) {
+            w.limits.push_back(found[s].limit);
+            if (rules.by_piers)
+                w.governing.push_back(governing_pier(set, s, found[s].limit, rules));
+        }
     }
     for (const auto& s : fragility::read_limit_states(curve, user_states(rules), options))
         w.limits.push_back(s.limit);
+    if (rules.by_piers) w.governing.resize(w.limits.size(), 0);
     return w;
 }
 
@@ -254,6 +271,11 @@ dem::FailureMode code_mode(const dem::Mechanism& mechanism, bool dropped,
     return dem::failure_mode(mechanism, dropped, three);
 }
 
+bool same_limit(const fragility::LimitDisplacement& a, const fragility::LimitDisplacement& b)
+{
+    return a.displacement == b.displacement && a.reading == b.reading;
+}
+
 WallReading worse_of(const WallReading& a, const WallReading& b)
 {
     WallReading w;
@@ -262,8 +284,12 @@ WallReading worse_of(const WallReading& a, const WallReading& b)
     w.ultimate = fragility::worse(a.ultimate, b.ultimate);
     w.dropped = is_observed(w.ultimate);
     w.collapse = fragility::worse(a.collapse, b.collapse);
-    for (std::size_t i = 0; i < a.limits.size(); ++i)
+    for (std::size_t i = 0; i < a.limits.size(); ++i) {
         w.limits.push_back(fragility::worse(a.limits[i], b.limits[i]));
+        if (a.governing.empty() || b.governing.empty()) continue;
+        const bool by_a = same_limit(w.limits[i], a.limits[i]);
+        w.governing.push_back(by_a ? a.governing[i] : b.governing[i]);
+    }
     return w;
 }
 

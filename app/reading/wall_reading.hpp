@@ -23,6 +23,14 @@ struct UserState {
     std::string cap;                 ///< as written: "1.0 %"
 };
 
+/// A drift limit of a code by the piers of a wall.
+struct PierLimit {
+    /// Of the load line when a pier first reaches its drift limit [m]; 0: the limit state has
+    /// none.
+    double displacement = 0.0;
+    int pier = 0; ///< that pier, from 1; 0: none reached it
+};
+
 /// How walls are read. It has no influence on how a wall moves.
 struct ReadingRules {
     std::vector<fragility::Code> sets; ///< codes, each once
@@ -36,9 +44,7 @@ struct ReadingRules {
     /// Whether the drift limits of codes are those of piers; else they follow from height and
     /// mode.
     bool by_piers = false;
-    /// By set and limit state, the movement of the load line when a pier first reaches its
-    /// drift limit [m]; 0: the state has none.
-    std::vector<std::vector<double>> pier_caps;
+    std::vector<std::vector<PierLimit>> pier_caps; ///< by set and limit state
 };
 
 /// A limit state to read, before any wall is read.
@@ -59,6 +65,9 @@ struct WallReading {
     fragility::LimitDisplacement ultimate; ///< [m]
     fragility::LimitDisplacement collapse; ///< no force left, or the wall came down [m]
     std::vector<fragility::LimitDisplacement> limits; ///< [m], in the order of state_names
+    /// Of walls whose piers are told apart, by limit state: the pier, from 1, whose drift limit
+    /// it is, or whose it is a share of; 0: the limit is the wall's own.
+    std::vector<int> governing;
     /// Readings of each backbone of a push that turns back, in the order of fragility::Side,
     /// without a mode. Mean and worse of a push that never leaves one side are those of that
     /// side.
@@ -76,6 +85,9 @@ struct WallReading {
 /// @param settled whether the wall was at rest under its vertical load before it was pushed
 [[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
                                const ReadingRules& rules, bool settled = false);
+
+[[nodiscard]] bool same_limit(const fragility::LimitDisplacement& a,
+                              const fragility::LimitDisplacement& b);
 
 /// The smaller of each number of two walls that were read; what is not defined for one is not
 /// defined. Mode and backbones are those of neither.

@@ -12,6 +12,8 @@
 #include "app/input/random_layouts.hpp"
 #include "app/program_version.hpp"
 #include "app/report/report_parts.hpp"
+#include "app/study/both_ways.hpp"
+#include "app/study/pier_shares.hpp"
 #include "app/study/solver_error.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text/json_text.hpp"
@@ -124,6 +126,10 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
         {"walls", wall_table(study, listed)}};
     Json all = Json::object();
     for (const auto& [name, table] : tables) all[name] = table_json(name, table);
+    if (!study.piers.empty()) {
+        all["pier_limits"] = table_json("pier_limits", pier_share_table(study));
+        all["piers"] = table_json("piers", study_pier_table(study));
+    }
     if (!study.pushed_one_way) all["cycles"] = table_json("cycles", cycle_table(study));
     return all;
 }
@@ -146,6 +152,15 @@ Json overview_json(const StudyWalls& study, const DriftData& data)
             {"sure", o.sure}};
 }
 
+/// Which push a curve is of, where walls were pushed both ways; else empty.
+std::string curve_ways(const StudyWalls& study)
+{
+    if (!has_turned(study.head)) return {};
+    return std::string("Curves and films of single walls: pushed to the ") +
+           way_name(study.rules.direction) +
+           "; means and tables: the direction in which a wall carries less.";
+}
+
 } // namespace
 
 Json report_data(const StudyWalls& study, const WallList& listed, const FitProgress& seen)
@@ -160,6 +175,7 @@ Json report_data(const StudyWalls& study, const WallList& listed, const FitProgr
             {"confidence", study.study.fragility.confidence},
             {"walls", walls_json(listed)},
             {"curves", curves_json(study, listed)},
+            {"ways", curve_ways(study)},
             {"means", mean_curves_json(study)},
             {"loops", loops_json(study, listed)},
             {"damping", damping_json(study)},

@@ -8,7 +8,7 @@
 #include "app/study/mode_rule.hpp"
 #include "app/study/mode_share.hpp"
 #include "app/study/other_way.hpp"
-#include "app/study/pier_remark.hpp"
+#include "app/study/pier_shares.hpp"
 #include "app/text/number_text.hpp"
 #include "uq/estimates/estimate.hpp"
 
@@ -220,7 +220,7 @@ std::vector<std::string> how_sure(const StudyWalls& study)
                        "(censored): the fits count it so, and the means leave it out.");
     }
     for (const std::string& remark :
-         {no_yield_remark(study), other_way_remark(study), pier_sentence(study.study)})
+         {no_yield_remark(study), other_way_remark(study), pier_sentence(study)})
         if (!remark.empty()) text.push_back(remark);
     text.push_back("Brackets are " + percent_text(study.study.fragility.confidence) +
                    " confidence intervals. They reflect the number of walls, not errors of "

@@ -140,7 +140,7 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
             state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
             cell_text(limit_cell(limit, fragility::percent_per_metre(w.loads.height), 2)),
             names[i].rule, ""};
-        const std::string pier = pier_rule(study, worse_push(w, i), names[i], limit);
+        const std::string pier = pier_rule(study, worse_push(w, i), names[i], i);
         if (!pier.empty() && !names[i].rule.starts_with("3/4")) row.rule = pier;
         if (other_way_of(w) != nullptr) row.rule += ways_text(worse_way_name(study, w, i));
         if (pier.empty() && !limit.reason.empty())
@@ -187,7 +187,7 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
         s.spread_head = "drift [%] of 16, 50, 84 % of " + std::to_string(walls->walls.size()) +
                         " random walls";
     s.piers = pier_paragraphs(study, w);
-    s.assumed = assumptions(study, s.piers.empty() ? 4 : 3); // as many as there is room for
+    s.assumed = assumptions(study, 4 - std::min<std::size_t>(s.piers.size(), 2)); // room for
     s.certainty = certainty_sentences(study, w, stored, static_cast<std::size_t>(level));
     s.footer = "Drystone " + std::string(kVersion) + ", in-plane push of " + command.study +
                ". A help for the engineer, who answers for it; not for out-of-plane failure "

@@ -103,6 +103,9 @@ std::string limits_table(const Sheet& s)
     return body;
 }
 
+/// Height that the picture of the mechanism can give up for a longer table [mm].
+constexpr double kGivenUp = 19.0;
+
 /// Height of the paragraphs on piers [mm].
 double piers_height(const Sheet& s)
 {
@@ -116,8 +119,8 @@ double piers_height(const Sheet& s)
 /// Height of the box of the table [mm]: rules that are long take two lines.
 double table_height(const Sheet& s)
 {
-    constexpr double kLine = 4.3, kHead = 17.0, kMost = 76.0;
-    const std::size_t in_line = s.spread_head.empty() ? 95 : 68; // characters
+    constexpr double kLine = 4.3, kHead = 17.0, kMost = 76.0 + kGivenUp;
+    const std::size_t in_line = s.spread_head.empty() ? 95 : 58; // characters
     std::size_t lines =
         (s.limits.size() > kMostSheetLimits ? 1 : 0) + (s.spread_head.empty() ? 0 : 1);
     for (std::size_t i = 0; i < std::min(s.limits.size(), kMostSheetLimits); ++i)
@@ -154,16 +157,18 @@ std::string sheet_page(const Sheet& s)
         std::string(kSheetMark) + "\n<title>" + xml_escape(s.title) + "</title>\n<style>" +
         std::string(kStyle) + "</style>\n</head>\n<body>\n<main>\n";
     // The height of the table follows its rows; the lists below take what is left.
-    const double limits = table_height(s), lists = 168.0 + limits;
+    const double limits = table_height(s), given_up = std::clamp(limits - 76.0, 0.0, kGivenUp),
+                 table = 168.0 - given_up, lists = table + limits;
     page += box(kLeft, 9.0, kWide, 31.0, head(s));
     page += box(kLeft, 41.0, 66.0, 58.0,
                 heading("The wall") + fitted_picture(s.drawing, 66.0, 52.0));
     page += box(80.0, 41.0, 118.0, 58.0,
                 heading("Force over movement of the top, with all limits") +
                     fitted_picture(s.curve, 118.0, 52.0));
-    page += box(kLeft, 100.0, kWide, 67.0,
-                heading("How it moves and fails") + fitted_picture(s.mechanism, kWide, 61.0));
-    page += box(kLeft, 168.0, kWide, limits, limits_table(s));
+    page += box(kLeft, 100.0, kWide, 67.0 - given_up,
+                heading("How it moves and fails") +
+                    fitted_picture(s.mechanism, kWide, 61.0 - given_up));
+    page += box(kLeft, table, kWide, limits, limits_table(s));
     page += box(kLeft, lists, kHalf, 287.0 - lists,
                 "<div class=\"small\">" + assumed_list(s) + "</div>");
     page += box(kRight, lists, kHalf, 287.0 - lists,

@@ -67,6 +67,18 @@ void give_columns(Dimensions& dimensions, const std::string& group,
     for (const Column& c : columns) dimensions.give(group + "/" + c.name, {"/wall"});
 }
 
+void give_piers(Dimensions& d, const StorePiers& piers)
+{
+    if (piers.places.empty()) return;
+    d.add("/pier", piers.places.size());
+    for (const char* name :
+         {"/piers/from", "/piers/to", "/piers/bottom", "/piers/top", "/piers/storey"})
+        d.give(name, {"/pier"});
+    for (const Column& c : piers.facts) d.give("/piers/" + c.name, {"/wall", "/pier"});
+    for (const char* name : {"/piers/movement", "/piers/shear"})
+        d.give(name, {"/curve_point", "/pier"});
+}
+
 } // namespace
 
 void put_dimensions(const hdf5::File& file, const StoreHead& head, std::uint64_t walls,
@@ -100,6 +112,7 @@ void put_dimensions(const hdf5::File& file, const StoreHead& head, std::uint64_t
     d.give("/curves/offset", {"/curve_end"});
     for (const char* name : {"/curves/displacement", "/curves/force"})
         d.give(name, {"/curve_point"});
+    give_piers(d, head.piers);
 }
 
 } // namespace app

@@ -221,6 +221,13 @@ void check_head(const StoreHead& head)
     check_columns("responses", head.responses);
     check_columns("counts", head.counts);
     check_columns("cost", head.cost);
+    check_columns("piers", head.piers.facts);
+    require(head.piers.places.size() <= kMostPiers,
+            "there must be at most " + std::to_string(kMostPiers) + " piers");
+    for (const StorePier& p : head.piers.places)
+        require(std::isfinite(p.from) && std::isfinite(p.to) && std::isfinite(p.bottom) &&
+                    std::isfinite(p.top) && p.from < p.to && p.bottom < p.top,
+                "a pier must have a width and a height");
 }
 
 void check_row(const StoreHead& head, const WallRow& row)
@@ -243,6 +250,14 @@ void check_row(const StoreHead& head, const WallRow& row)
     length("forces of the curve", row.curve.force.size(), row.curve.displacement.size());
     require_row(row.curve.force.size() <= kMostPoints,
                 "the curve has more than " + std::to_string(kMostPoints) + " points");
+    const std::size_t piers = head.piers.places.size();
+    length("facts of piers", row.piers.facts.size(), piers * head.piers.facts.size());
+    length("movements of piers", row.piers.movement.size(), piers * row.curve.force.size());
+    length("shears of piers", row.piers.shear.size(), piers * row.curve.force.size());
+    for (const auto* values : {&row.piers.facts, &row.piers.movement, &row.piers.shear})
+        require_row(std::ranges::none_of(
+                        *values, [](double v) { return !std::isnan(v) && !is_sound(v); }),
+                    "a number of a pier is not a finite number of at most 1e30");
     check_sound(row, row.inputs, "input");
     if (row.status == kWallOk) {
         check_sound(row, row.curve.displacement, "displacement");
@@ -303,6 +318,10 @@ std::string study_text(const StoreHead& head)
     add("response", head.responses);
     add("count", head.counts);
     add("cost", head.cost);
+    add("pier", head.piers.facts);
+    for (const StorePier& p : head.piers.places)
+        text += "pier at " + std::to_string(p.from) + " to " + std::to_string(p.to) + " m, " +
+                std::to_string(p.bottom) + " to " + std::to_string(p.top) + " m\n";
     return text;
 }
 

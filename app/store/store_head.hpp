@@ -37,6 +37,21 @@ struct StoreLevel {
     friend bool operator==(const StoreLevel&, const StoreLevel&) = default;
 };
 
+/// A pier of a wall with openings: where it is [m], and in which storey, from 1 at the bottom.
+struct StorePier {
+    double from = 0.0, to = 0.0, bottom = 0.0, top = 0.0;
+    std::uint32_t storey = 1;
+    friend bool operator==(const StorePier&, const StorePier&) = default;
+};
+
+/// Piers that all walls of a study have, and the facts that are stored of each.
+struct StorePiers {
+    std::vector<StorePier> places; ///< empty: piers are not told apart
+    std::vector<Column> facts;
+    friend bool operator==(const StorePiers&, const StorePiers&) = default;
+};
+constexpr std::size_t kMostPiers = 1000;
+
 /// One process that added walls. Text only; differs between runs of the same study.
 struct StoreSession {
     std::string program_version;
@@ -62,6 +77,7 @@ struct StoreHead {
     std::vector<Column> inputs, responses, counts, cost;
     bool single_precision_curves = false; ///< curves are rounded to float when a wall is added
     std::vector<StoreSession> sessions;   ///< oldest first
+    StorePiers piers{};
     friend bool operator==(const StoreHead&, const StoreHead&) = default;
 };
 

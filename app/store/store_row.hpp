@@ -45,6 +45,13 @@ struct WallCurve {
 
 constexpr std::size_t kMaxReason = 500; ///< [bytes] kept of WallRow::reason
 
+/// Piers of a wall; nothing in studies whose piers are not told apart. By pier within a fact,
+/// and within a point of the curve.
+struct PierRow {
+    std::vector<double> facts;           ///< of StoreHead::piers; NaN: not defined
+    std::vector<double> movement, shear; ///< at the points of the curve [m] [N]; NaN: not read
+};
+
 /// Everything but `cost` is the same bit for bit whenever the wall is run again. Sizes are
 /// those of the columns of StoreHead; NaN: not defined.
 struct WallRow {
@@ -56,6 +63,7 @@ struct WallRow {
     std::vector<std::int64_t> counts;
     std::vector<double> cost; ///< not reproducible: seconds
     WallCurve curve;
+    PierRow piers{};
 };
 
 } // namespace app

@@ -1,6 +1,7 @@
 #include "app/store/stored_head.hpp"
 
 #include "app/store/hdf5_dataset.hpp"
+#include "app/store/pier_datasets.hpp"
 #include "app/store/store_error.hpp"
 
 #include <sstream>
@@ -133,6 +134,7 @@ void put_head(const hdf5::File& file, const StoreHead& head)
     for (const char* group :
          {"/levels", "/sessions", "/walls", "/responses", "/counts", "/cost", "/curves"})
         hdf5::make_group(file, group);
+    if (!head.piers.places.empty()) hdf5::make_group(file, "/piers");
     hdf5::put_texts(file, "/configuration", {head.configuration});
     hdf5::put_texts(file, "/identity", {head.identity});
     std::vector<double> stress;
@@ -181,6 +183,7 @@ void put_columns(const hdf5::File& file, const StoreHead& head)
         {{"displacement", "m", "of the top of the wall"}, {"force", "N", "horizontal load"}},
         true);
     put_attribute(file, "/walls/inputs", "missing", missing);
+    put_piers(file, head.piers);
 }
 
 StoreHead stored_head(const hdf5::File& file)
@@ -214,6 +217,7 @@ StoreHead stored_head(const hdf5::File& file)
     head.responses = columns(file, "/responses");
     head.counts = columns(file, "/counts");
     head.cost = columns(file, "/cost");
+    head.piers = stored_piers(file);
     head.single_precision_curves =
         Dataset(file, "/curves/force").value_bytes() == sizeof(float);
     try {

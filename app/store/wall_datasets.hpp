@@ -2,10 +2,12 @@
 /// The datasets of a wall file with one row per wall, or per point of a curve.
 
 #include "app/store/hdf5_dataset.hpp"
+#include "app/store/pier_datasets.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +42,7 @@ class WallDatasets {
     const StoreHead* head_;
     std::vector<hdf5::Dataset> numbers_; ///< one number per wall each: key, status, columns
     hdf5::Dataset reason_, inputs_, offset_, displacement_, force_;
+    std::optional<PierDatasets> piers_; ///< where piers are told apart
 };
 
 } // namespace app

@@ -30,11 +30,6 @@ bool both_are_read(const PushedWall& wall)
     return other != nullptr && other->reading.peak && wall.reading.peak;
 }
 
-bool same(const fragility::LimitDisplacement& a, const fragility::LimitDisplacement& b)
-{
-    return a.displacement == b.displacement && a.reading == b.reading;
-}
-
 } // namespace
 
 std::string turned_word(const Study& study)
@@ -100,13 +95,14 @@ const PushedWall& worse_push(const PushedWall& wall, std::size_t state)
     if (!both_are_read(wall)) return wall;
     const PushedWall& other = wall.other_way.front();
     const fragility::LimitDisplacement& own = wall.reading.limits.at(state);
-    return same(own, fragility::worse(own, other.reading.limits.at(state))) ? wall : other;
+    return same_limit(own, fragility::worse(own, other.reading.limits.at(state))) ? wall
+                                                                                  : other;
 }
 
 std::string worse_way_name(const Study& study, const PushedWall& wall, std::size_t state)
 {
-    if (both_are_read(wall) &&
-        same(wall.reading.limits.at(state), wall.other_way.front().reading.limits.at(state)))
+    if (both_are_read(wall) && same_limit(wall.reading.limits.at(state),
+                                          wall.other_way.front().reading.limits.at(state)))
         return "both";
     const int direction = push_way(study).direction;
     return way_name(&worse_push(wall, state) == &wall ? direction : -direction);

@@ -3,7 +3,6 @@
 #include "app/input/prepared_study.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/study/interrupt.hpp"
-#include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
 #include "dem/block/contact_count.hpp"
 
@@ -51,7 +50,6 @@ std::vector<PushedWall> push_other_way(const Study& study, const dem::Model& mod
     plan.snapshot_every = 0.0;
     std::optional<dem::Model> own; // a toe that is held changes sides
     if (other.wall != study.wall) own = model_of(lay_again(other));
-    PierWatch piers(other, (own ? *own : model).layout, wanted.size(), plan);
     plan.progress = [&](double, double, double) {
         if (interrupted()) throw Interrupted();
         if (look) look();
@@ -64,7 +62,6 @@ std::vector<PushedWall> push_other_way(const Study& study, const dem::Model& mod
         walls[i] = std::move(wall);
     };
     push_walls(other, own ? *own : model, plan, list, threads);
-    for (std::size_t i = 0; i < walls.size(); ++i) piers.add_to(i, walls[i]);
     return walls;
 }
 
@@ -106,6 +103,7 @@ StudyWall with_other_way(StudyWall wall, StudyWall other, const ReadingRules& ru
     const bool by_other = peak_force(other.reading) < peak_force(wall.reading);
     wall.ways = {std::move(wall.reading), std::move(other.reading)};
     wall.reading = worse_way(wall.ways[0], wall.ways[1]);
+    wall.turned_piers = std::move(other.piers);
     wall.solver_error = std::max(wall.solver_error, other.solver_error);
     if (by_other) {
         wall.mechanism = other.mechanism;

@@ -1,5 +1,6 @@
 #include "app/study/pier_history.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -55,6 +56,13 @@ PierHistory calmed(const PierHistory& history, double way)
         if (n > 0) set_mean(history, k - n, k + n, calm[k]);
     }
     return calm;
+}
+
+std::size_t at_peak(const PierHistory& history)
+{
+    const auto most = std::ranges::max_element(
+        history, {}, [](const PierInstant& i) { return std::abs(i.force); });
+    return static_cast<std::size_t>(most - history.begin());
 }
 
 } // namespace app

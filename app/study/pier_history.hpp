@@ -3,6 +3,7 @@
 
 #include "dem/scene/piers.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace app {
@@ -25,5 +26,8 @@ constexpr double kCalm = 2e-4;
 /// The same with each force the mean of those of the instants within `way` [m], as many to
 /// either side. Movements are left.
 [[nodiscard]] PierHistory calmed(const PierHistory& history, double way);
+
+/// The instant at which the wall carries most.
+[[nodiscard]] std::size_t at_peak(const PierHistory& history);
 
 } // namespace app

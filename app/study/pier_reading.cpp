@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace app {
@@ -19,21 +18,21 @@ using fragility::Reading;
 constexpr double kNever = 1e9; ///< [m]: a limit that no wall reaches
 
 /// Where the load line is when a pier first reaches a movement of its own.
-LimitDisplacement wall_at(const PierHistory& history, std::size_t pier, double movement,
-                          double way)
+/// @param place of the load line at each point, in the direction of the push [m]
+LimitDisplacement wall_at(std::span<const double> place, std::span<const double> moved,
+                          double movement)
 {
-    double before = way * history.front().piers[pier].displacement,
-           wall_before = way * history.front().displacement;
-    for (const PierInstant& now : history) {
-        const double moved = way * now.piers[pier].displacement, wall = way * now.displacement;
-        if (moved >= movement) {
-            const double share = moved > before ? (movement - before) / (moved - before) : 1.0;
-            return {wall_before + std::max(share, 0.0) * (wall - wall_before),
+    double before = moved.front(), wall_before = place.front();
+    for (std::size_t k = 0; k < place.size(); ++k) {
+        if (moved[k] >= movement) {
+            const double share =
+                moved[k] > before ? (movement - before) / (moved[k] - before) : 1.0;
+            return {wall_before + std::max(share, 0.0) * (place[k] - wall_before),
                     Reading::observed,
                     {}};
         }
-        before = moved;
-        wall_before = wall;
+        before = moved[k];
+        wall_before = place[k];
     }
     return {wall_before, Reading::censored, "the push ended before"};
 }
@@ -44,104 +43,35 @@ dem::Snapshot telling(const dem::PushResult& r)
     return r.at_half ? dem::movement_since(*r.at_half, r.at_end) : r.at_drop.value_or(r.at_end);
 }
 
-/// H0 / D, from the moments at both ends.
-double slenderness_of(const dem::Pier& p, const dem::CutForce& f, double most)
+PierReading read_pier(const PierRules& how, const dem::Pier& pier, const PierFacts& facts,
+                      const fragility::Curve& wall)
 {
-    if (f.shear == 0.0) return most;
-    const double top = f.moment - (p.at.z1 - p.cut) * f.shear,
-                 bottom = f.moment + (p.cut - p.at.z0) * f.shear;
-    const double span = std::max(std::abs(top), std::abs(bottom)) / std::abs(f.shear);
-    return std::min(most, span / (p.at.x1 - p.at.x0));
-}
-
-std::size_t at_peak(const PierHistory& history)
-{
-    const auto most = std::ranges::max_element(
-        history, {}, [](const PierInstant& i) { return std::abs(i.force); });
-    return static_cast<std::size_t>(most - history.begin());
-}
-
-/// Where the load line was in the middle of the steps that the forces of an instant are means
-/// of: at the point of the curve that has its force.
-class MeanPlaces {
-  public:
-    explicit MeanPlaces(const std::vector<dem::CurvePoint>& curve) : curve_(curve) {}
-    /// [m]; instants are asked for in their order.
-    double next(const PierInstant& now)
-    {
-        for (std::size_t p = next_; p < curve_.size(); ++p)
-            if (curve_[p].force == now.force) {
-                next_ = p + 1;
-                return curve_[p].displacement;
-            }
-        return now.displacement;
-    }
-
-  private:
-    const std::vector<dem::CurvePoint>& curve_;
-    std::size_t next_ = 0;
-};
-
-/// Movement of a pier where the load line was at `place`, which is way times that place [m].
-double movement_at(const PierHistory& history, std::size_t pier, double place, double way)
-{
-    const auto after = std::ranges::lower_bound(
-        history, place, {}, [way](const PierInstant& p) { return way * p.displacement; });
-    if (after == history.end()) return history.back().piers[pier].displacement;
-    const double b = after->piers[pier].displacement, at = way * after->displacement;
-    if (after == history.begin()) return b;
-    const auto before = std::prev(after);
-    const double a = before->piers[pier].displacement, from = way * before->displacement;
-    return a + (place - from) / (at - from) * (b - a);
-}
-
-PierReading read_pier(const Study& study, const dem::PierProbe& probe,
-                      const PierHistory& history, const PierHistory& calm, std::size_t i,
-                      const PushedWall& wall, const dem::Snapshot& moved, bool came_down)
-{
-    constexpr double kMoves = 1e-4; // [-], of its height: a pier that stands still has no mode
     PierReading r;
-    r.pier = probe.piers().piers[i];
-    const double way = push_way(study).direction, height = r.pier.at.z1 - r.pier.at.z0;
-    const dem::PierState peak = calm[at_peak(calm)].piers[i];
-    r.normal_before = history.front().piers[i].force.normal;
-    r.normal_at_peak = peak.force.normal;
-    r.shear_at_peak = way * peak.force.shear;
-    r.drift = fragility::drift(way * history.back().piers[i].displacement, height);
-    std::vector<double> displacement, force;
-    MeanPlaces means(wall.result.curve);
-    for (const PierInstant& now : history) {
-        displacement.push_back(way * movement_at(history, i, way * means.next(now), way));
-        force.push_back(way * now.piers[i].force.shear);
-    }
-    const dem::PierState* strongest = &calm.front().piers[i];
-    for (const PierInstant& now : calm)
-        if (way * now.piers[i].force.shear > way * strongest->force.shear)
-            strongest = &now.piers[i];
-    r.most_shear = way * strongest->force.shear;
+    r.pier = pier;
+    r.facts = facts;
+    const double height = pier.at.z1 - pier.at.z0;
+    r.drift = fragility::drift(facts.end_movement, height);
+    double most = 0.0;
+    for (const double force : wall.force) most = std::max(most, std::abs(force));
     constexpr double kCarries = 0.05; // of the wall's largest force: a free choice
-    r.carries = r.most_shear >= kCarries * std::abs(history[at_peak(history)].force);
-    r.slenderness = slenderness_of(r.pier, strongest->force,
-                                   study.load.height / (r.pier.at.x1 - r.pier.at.x0));
-    const dem::Snapshot alone = probe.alone(i, moved);
-    dem::Mechanism mechanism;
-    r.moved = !alone.blocks.empty() && std::abs(alone.displacement) > kMoves * height;
-    if (r.moved) mechanism = dem::mechanism(alone, height);
-
-    ReadingRules rules = reading_rules(study);
+    r.carries = facts.most_shear >= kCarries * most;
+    r.moved = facts.moved > 0.0;
+    ReadingRules rules = how.wall;
     rules.height = height;
-    rules.slenderness = r.slenderness;
+    rules.slenderness = facts.slenderness;
     rules.direction = 0; // its movement may come back
     rules.backbone = fragility::Side::right;
-    r.own = read({displacement, force, came_down}, mechanism, rules, true);
-    r.mode = code_mode(mechanism, r.own.dropped, rules.mode);
-    for (const fragility::Code& code : pier_codes(study))
+    r.own = read({facts.movement, facts.shear, wall.came_down}, facts.mechanism, rules, true);
+    r.mode = code_mode(facts.mechanism, r.own.dropped, rules.mode);
+    std::vector<double> place;
+    for (const double u : wall.displacement) place.push_back(how.wall.direction * u);
+    for (const fragility::Code& code : how.codes)
         for (const fragility::CodeState& state : code.states) {
             if (state.drifts.empty()) continue;
-            const double drift = fragility::drift_limit(state, name(r.mode), r.slenderness);
-            r.caps.push_back(
-                {code.name, state.name, drift,
-                 drift > 0.0 ? wall_at(history, i, drift * height, way) : LimitDisplacement{}});
+            const double drift = fragility::drift_limit(state, name(r.mode), facts.slenderness);
+            r.caps.push_back({code.name, state.name, drift,
+                              drift > 0.0 ? wall_at(place, facts.movement, drift * height)
+                                          : LimitDisplacement{}});
         }
     return r;
 }
@@ -190,26 +120,6 @@ PierBalance balance_of(const dem::Piers& all, const PierHistory& history)
     return b;
 }
 
-/// By set and limit state, where the load line is when a pier first reaches its limit [m].
-std::vector<std::vector<double>> caps_by_piers(const ReadingRules& rules,
-                                               const std::vector<PierReading>& piers)
-{
-    std::vector<std::vector<double>> caps;
-    for (const fragility::Code& code : rules.sets) {
-        caps.emplace_back();
-        for (const fragility::CodeState& state : code.states) {
-            const int first = governing_pier(piers, code.name, state.name);
-            caps.back().push_back(
-                state.drifts.empty() ? 0.0
-                : first == 0
-                    ? kNever
-                    : cap_of(piers[static_cast<std::size_t>(first) - 1], code.name, state.name)
-                          ->wall.displacement);
-        }
-    }
-    return caps;
-}
-
 } // namespace
 
 std::string_view mode_text(const PierReading& pier)
@@ -245,27 +155,58 @@ int governing_pier(const std::vector<PierReading>& piers, std::string_view code,
     return first;
 }
 
+PierRules pier_rules(const Study& study) { return {reading_rules(study), pier_codes(study)}; }
+
+std::vector<PierReading> read_piers(const PierRules& rules, std::span<const dem::Pier> piers,
+                                    std::span<const PierFacts> facts,
+                                    const fragility::Curve& wall)
+{
+    std::vector<PierReading> found;
+    for (std::size_t i = 0; i < piers.size(); ++i)
+        found.push_back(read_pier(rules, piers[i], facts[i], wall));
+    return found;
+}
+
+ReadingRules with_piers(ReadingRules rules, const std::vector<PierReading>& piers)
+{
+    rules.by_piers = true;
+    rules.pier_caps.clear();
+    for (const fragility::Code& code : rules.sets) {
+        rules.pier_caps.emplace_back();
+        for (const fragility::CodeState& state : code.states) {
+            const int first =
+                state.drifts.empty() ? 0 : governing_pier(piers, code.name, state.name);
+            PierLimit limit{state.drifts.empty() ? 0.0 : kNever, first};
+            if (first > 0)
+                limit.displacement =
+                    cap_of(piers[static_cast<std::size_t>(first) - 1], code.name, state.name)
+                        ->wall.displacement;
+            rules.pier_caps.back().push_back(limit);
+        }
+    }
+    return rules;
+}
+
 void read_piers(const Study& study, const dem::PierProbe& probe, const PierHistory& history,
                 PushedWall& wall)
 {
     if (dem::failed(wall.result.outcome) || came_down_at_once(wall) || history.size() < 2)
         return;
-    const dem::Snapshot moved = telling(wall.result);
     const PierHistory calm = calmed(history, kCalm * study.load.height);
     const bool came_down = wall.result.outcome == dem::Outcome::lost_equilibrium;
-    for (std::size_t i = 0; i < probe.piers().piers.size(); ++i)
-        wall.piers.push_back(read_pier(study, probe, history, calm, i, wall, moved, came_down));
+    const fragility::Curve curve{wall.displacement, wall.force, came_down};
+    const PierRules rules = pier_rules(study);
+    wall.piers =
+        read_piers(rules, probe.piers().piers,
+                   pier_facts(study, probe, history, calm, wall, telling(wall.result)), curve);
     for (std::size_t i = 0; i < probe.piers().spandrels.size(); ++i)
         wall.spandrels.push_back(read_spandrel(probe, calm, i));
     if (wall.piers.empty()) return;
     wall.pier_balance = balance_of(probe.piers(), calm);
     if (study.load.pattern == dem::LoadPattern::body)
         wall.pier_balance.shear = std::numeric_limits<double>::quiet_NaN();
-    ReadingRules rules = reading_rules(study);
-    rules.by_piers = true;
-    rules.pier_caps = caps_by_piers(rules, wall.piers);
-    wall.reading = read({wall.displacement, wall.force, came_down}, wall.mechanism, rules,
-                        wall.result.settled);
+    wall.reading =
+        read(curve, wall.mechanism, with_piers(rules.wall, wall.piers), wall.result.settled);
 }
 
 } // namespace app

@@ -4,9 +4,11 @@
 
 #include "app/input/study.hpp"
 #include "app/reading/wall_reading.hpp"
+#include "app/study/pier_facts.hpp"
 #include "app/study/pier_history.hpp"
 #include "dem/scene/piers.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,13 +29,8 @@ struct PierCap {
 /// Forces and movements count in the direction of the push.
 struct PierReading {
     dem::Pier pier;
-    double normal_before = 0.0;  ///< compression before the push [N]
-    double normal_at_peak = 0.0; ///< when the wall carries most [N]; forces are calmed()
-    double shear_at_peak = 0.0;  ///< the same
-    double most_shear = 0.0;     ///< in the push [N]
-    double drift = 0.0;          ///< at the end of the push, over its own height [-]
-    double slenderness =
-        0.0; ///< H0 / D where it carries most: M / (V D) at the end with the larger moment [-]
+    PierFacts facts;
+    double drift = 0.0; ///< at the end of the push, over its own height [-]
     bool moved = false; ///< else it has no mode
     /// Whether it ever carries 5 % of the wall's largest force. Others govern nothing: the wall
     /// would hardly lose anything with them.
@@ -59,8 +56,27 @@ struct PierBalance {
 /// Whether the program tells piers apart: openings, and a push that goes one way.
 [[nodiscard]] bool tells_piers(const Study& study);
 
-/// Reads the piers of a wall, and the wall itself again: drift limits of codes are those of the
-/// pier that reaches its own first.
+/// How piers are read: the rules of their wall, and the codes whose drift limits are told.
+struct PierRules {
+    ReadingRules wall;
+    std::vector<fragility::Code> codes;
+};
+[[nodiscard]] PierRules pier_rules(const Study& study);
+
+/// The one place where piers are read, of a push or of the file of a study.
+/// @param facts of each of these piers
+/// @param wall curve as the solver wrote it
+[[nodiscard]] std::vector<PierReading> read_piers(const PierRules& rules,
+                                                  std::span<const dem::Pier> piers,
+                                                  std::span<const PierFacts> facts,
+                                                  const fragility::Curve& wall);
+
+/// Rules for the wall of these piers: drift limits of codes are those of the pier that reaches
+/// its own first.
+[[nodiscard]] ReadingRules with_piers(ReadingRules rules,
+                                      const std::vector<PierReading>& piers);
+
+/// Reads the piers of a wall that was pushed, and the wall itself again, with_piers().
 /// @param history of at least two points
 void read_piers(const Study& study, const dem::PierProbe& probe, const PierHistory& history,
                 PushedWall& wall);

@@ -8,9 +8,8 @@
 
 namespace app {
 
-PierWatch::PierWatch(const Study& study, const dem::Layout& layout, std::size_t walls,
-                     dem::PushPlan& plan)
-    : study_(study), walls_(walls)
+PierWatch::PierWatch(const Study& study, const dem::Layout& layout, dem::PushPlan& plan)
+    : study_(study)
 {
     if (!tells_piers(study)) return;
     probe_.emplace(layout, dem::piers_of(wall_openings(study), wall_extent(study)));
@@ -20,9 +19,9 @@ PierWatch::PierWatch(const Study& study, const dem::Layout& layout, std::size_t 
     plan.sink = {
         .take =
             [this, every, next = plan.sink.take](std::size_t wall, dem::Snapshot&& shot) {
-                look(wall, shot);
+                Watched& w = watched(wall);
+                w.history.push_back(pier_instant(*probe_, shot));
                 constexpr double kRounding = 1e-9; // as dem/solver/wall_run.cpp
-                Watched& w = walls_.at(wall);
                 if (every <= 0.0 || std::abs(shot.displacement) < w.next * (1.0 - kRounding))
                     return;
                 w.next += every;
@@ -33,21 +32,27 @@ PierWatch::PierWatch(const Study& study, const dem::Layout& layout, std::size_t 
             },
         .forget =
             [this, next = plan.sink.forget](std::size_t wall) {
-                walls_.at(wall) = {};
+                watched(wall) = {};
                 if (next) next(wall);
             }};
 }
 
-void PierWatch::look(std::size_t wall, const dem::Snapshot& shot)
+PierWatch::Watched& PierWatch::watched(std::size_t wall)
 {
-    walls_.at(wall).history.push_back(pier_instant(*probe_, shot));
+    const std::lock_guard lock(mutex_);
+    return walls_[wall];
 }
 
 void PierWatch::add_to(std::size_t wall, PushedWall& pushed)
 {
     if (!probe_) return;
-    pushed.result.snapshots = std::move(walls_.at(wall).kept);
-    read_piers(study_, *probe_, walls_.at(wall).history, pushed);
+    Watched w;
+    {
+        const std::lock_guard lock(mutex_);
+        if (auto known = walls_.extract(wall)) w = std::move(known.mapped());
+    }
+    pushed.result.snapshots = std::move(w.kept);
+    read_piers(study_, *probe_, w.history, pushed);
 }
 
 } // namespace app

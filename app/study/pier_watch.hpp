@@ -6,6 +6,8 @@
 #include "dem/solver/push.hpp"
 
 #include <cstddef>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -15,14 +17,13 @@ namespace app {
 class PierWatch {
   public:
     /// Has `plan` take a snapshot at every curve point, and hands those on that it would have
-    /// taken. Lives longer than the push.
-    PierWatch(const Study& study, const dem::Layout& layout, std::size_t walls,
-              dem::PushPlan& plan);
+    /// taken. Lives longer than the push. Study and layout must outlive it.
+    PierWatch(const Study& study, const dem::Layout& layout, dem::PushPlan& plan);
     PierWatch(const PierWatch&) = delete;
     PierWatch& operator=(const PierWatch&) = delete;
 
     /// read_piers() of a wall that is pushed, and the snapshots that no sink took. Once for a
-    /// wall.
+    /// wall; its history is given up.
     void add_to(std::size_t wall, PushedWall& pushed);
 
   private:
@@ -31,11 +32,12 @@ class PierWatch {
         double next = 0.0;               ///< way to the next snapshot that is handed on [m]
         std::vector<dem::Snapshot> kept; ///< where nobody takes them
     };
-    void look(std::size_t wall, const dem::Snapshot& shot);
+    Watched& watched(std::size_t wall);
 
-    Study study_;
+    const Study& study_;
     std::optional<dem::PierProbe> probe_;
-    std::vector<Watched> walls_;
+    std::mutex mutex_;                     ///< of the map; each wall is of one thread
+    std::map<std::size_t, Watched> walls_; ///< that are on their way
 };
 
 } // namespace app

@@ -1,6 +1,7 @@
 #include "app/study/push_walls.hpp"
 
 #include "app/study/interrupt.hpp"
+#include "app/study/pier_watch.hpp"
 #include "dem/block/model.hpp"
 #include "dem/solver/ensemble.hpp"
 
@@ -16,6 +17,8 @@ void push_walls(const Study& study, const dem::Model& model, const dem::PushPlan
 {
     std::mutex mutex; // of `started` and of list.done
     std::map<std::size_t, WantedWall> started;
+    dem::PushPlan watched = plan;
+    PierWatch piers(study, model.layout, watched);
     dem::Ensemble ensemble;
     ensemble.size = list.size;
     ensemble.open = list.open;
@@ -41,13 +44,15 @@ void push_walls(const Study& study, const dem::Model& model, const dem::PushPlan
     ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
         const std::lock_guard lock(mutex);
         const WantedWall wanted = std::move(started.extract(i).mapped());
-        list.done(i, wanted.draw, read_wall(study, wanted.level, std::move(result)));
+        PushedWall wall = read_wall(study, wanted.level, std::move(result));
+        piers.add_to(i, wall);
+        list.done(i, wanted.draw, std::move(wall));
         if (!list.keeps_begun) end_if_interrupted();
     };
     dem::Workers workers;
     workers.threads = threads;
     workers.scalar = list.size <= static_cast<std::size_t>(threads); // no register to fill
-    dem::push_ensemble(model, ensemble, plan, study.solver, workers);
+    dem::push_ensemble(model, ensemble, watched, study.solver, workers);
 }
 
 } // namespace app

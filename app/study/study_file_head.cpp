@@ -5,6 +5,7 @@
 #include "app/store/store_reader.hpp"
 #include "app/store/wall_file.hpp"
 #include "app/study/both_ways.hpp"
+#include "app/study/pier_columns.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_identity.hpp"
 #include "app/text/config_error.hpp"
@@ -69,6 +70,7 @@ StoreHead head_of(const Study& study, const dem::Layout& layout, const SamplePla
     head.responses = response_columns();
     head.counts = count_columns();
     head.cost = cost_columns();
+    head.piers = stored_piers_of(study);
     head.single_precision_curves = study.output.single_precision_curves;
     return head;
 }

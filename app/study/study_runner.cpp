@@ -1,6 +1,7 @@
 #include "app/study/study_runner.hpp"
 
 #include "app/input/random_layouts.hpp"
+#include "app/study/pier_columns.hpp"
 #include "app/study/push_layouts.hpp"
 #include "app/study/row_buffer.hpp"
 #include "app/study/study_columns.hpp"
@@ -84,7 +85,9 @@ RunProgress run_walls(const PreparedStudy& ready, const SamplePlan& plan,
         const bool failed = dem::failed(wall.result.outcome);
         so_far.failed += failed ? 1 : 0;
         ++so_far.done;
-        rows.add(row_of(walls[i], drawn, wall));
+        WallRow row = row_of(walls[i], drawn, wall);
+        row.piers = pier_row(wall, store.head().piers);
+        rows.add(std::move(row));
         if (frames && !failed)
             frames(walls[i], wall.reading.mode, frames_of(std::move(wall.result)));
         if (seen) seen(so_far);

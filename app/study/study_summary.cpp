@@ -8,7 +8,7 @@
 #include "app/study/mode_share.hpp"
 #include "app/study/number_cells.hpp"
 #include "app/study/other_way.hpp"
-#include "app/study/pier_remark.hpp"
+#include "app/study/pier_shares.hpp"
 #include "app/study/solver_error.hpp"
 
 #include <string>
@@ -97,7 +97,7 @@ std::string study_remarks(const StudyWalls& walls)
     std::string text = trouble_text(walls);
     for (const std::string& remark :
          {solver_error_text(walls), no_limit_remark(walls), no_yield_remark(walls),
-          other_way_remark(walls), pier_sentence(walls.study)})
+          other_way_remark(walls), pier_sentence(walls)})
         if (!remark.empty()) text += remark + "\n";
     return text;
 }

@@ -4,6 +4,7 @@
 #include "app/store/store_reader.hpp"
 #include "app/study/history_names.hpp"
 #include "app/study/other_way.hpp"
+#include "app/study/pier_columns.hpp"
 #include "app/study/stored_study.hpp"
 #include "app/study/study_columns.hpp"
 #include "app/study/study_file_head.hpp"
@@ -57,6 +58,14 @@ Columns columns_of(const std::filesystem::path& file, const StoreHead& head)
             place_of(head.responses, "solver_error", &Column::name)};
 }
 
+std::vector<PierReading> piers_of_row(const StudyWalls& all, const ReadingRules& rules,
+                                      const WallRow& row, const fragility::Curve& curve)
+{
+    const std::vector<PierFacts> facts = pier_facts_of(row.piers, all.head.piers);
+    if (facts.size() != all.piers.size() || facts.empty()) return {};
+    return read_piers({rules, all.pier_rules.codes}, all.piers, facts, curve);
+}
+
 StudyWall read_wall(const StudyWalls& all, const ReadingRules& rules, const Columns& c,
                     const WallRow& row, Keep keep)
 {
@@ -81,8 +90,13 @@ StudyWall read_wall(const StudyWalls& all, const ReadingRules& rules, const Colu
     const bool came_down =
         row.counts[c.outcome] == static_cast<std::int64_t>(dem::Outcome::lost_equilibrium);
     const bool settled = c.settled && row.counts[*c.settled] != 0;
+    const fragility::Curve curve{row.curve.displacement, row.curve.force, came_down};
+    const std::vector<PierReading> piers = piers_of_row(all, rules, row, curve);
     w.reading =
-        read({row.curve.displacement, row.curve.force, came_down}, w.mechanism, rules, settled);
+        read(curve, w.mechanism, piers.empty() ? rules : with_piers(rules, piers), settled);
+    for (const PierReading& p : piers)
+        w.piers.push_back({mode_text(p), p.drift, p.facts.slenderness, p.facts.normal_at_peak,
+                           p.facts.shear_at_peak});
     if (keep == Keep::readings) return w;
     if (w.reading.no_reading.empty()) {
         const fragility::Backbone b =
@@ -159,6 +173,9 @@ StudyWalls study_of(const std::filesystem::path& file, const StoreHead& head,
             ", shard " + std::to_string(head.shard + 1) + " of " + std::to_string(head.shards);
     walls.study = stored_study(file, head, overrides);
     walls.rules = reading_rules(walls.study);
+    walls.piers = piers_of(head.piers);
+    if (!walls.piers.empty()) walls.pier_rules = pier_rules(walls.study);
+    walls.rules.by_piers = !walls.piers.empty();
     walls.states = state_names(walls.rules);
     walls.inputs = stored_inputs(head.inputs);
     add_marginals(walls.study, walls.inputs);

@@ -7,6 +7,7 @@
 #include "app/store/merge.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
+#include "app/study/pier_reading.hpp"
 #include "app/study/stored_input.hpp"
 #include "app/study/stress_text.hpp"
 #include "fragility/cyclic_curve.hpp"
@@ -30,6 +31,14 @@ constexpr std::size_t kCurveSteps = 120;       ///< of the grid of displacements
 
 constexpr double kUnknownError = std::numeric_limits<double>::quiet_NaN();
 
+/// A pier of a wall, as read_piers() read it.
+struct StudyPier {
+    std::string_view mode;            ///< mode_text()
+    double drift = 0.0;               ///< at the end of the push, over its own height [-]
+    double slenderness = 0.0;         ///< H0 / D [-]
+    double normal = 0.0, shear = 0.0; ///< when the wall carries most [N]
+};
+
 struct StudyWall {
     WallKey key;
     bool failed = false; ///< it gave no result: only key, reason and inputs mean anything
@@ -37,6 +46,9 @@ struct StudyWall {
     WallReading reading; ///< of a wall that was pushed both ways the worse of both
     /// A wall that was pushed both ways: to the direction of the study, and to the other.
     std::vector<WallReading> ways;
+    /// To the direction of the study, and to the other where walls are pushed both ways; empty:
+    /// not told apart.
+    std::vector<StudyPier> piers, turned_piers;
     dem::Mechanism mechanism;
     double solver_error =
         kUnknownError; ///< of the peak force [-], >= 0; NaN: failed, or a file without it
@@ -87,9 +99,11 @@ struct StudyWalls {
     std::vector<StoredInput> inputs;
     std::vector<StudyLevel> levels;
     StoreHead head;
-    double height = 1.0;        ///< of the load line [m]
-    double step = 0.0;          ///< of StudyWall::forces [m]
-    bool pushed_one_way = true; ///< else walls are read on their backbones
+    std::vector<dem::Pier> piers; ///< of every wall; empty: not told apart, or not stored
+    PierRules pier_rules;         ///< where they are
+    double height = 1.0;          ///< of the load line [m]
+    double step = 0.0;            ///< of StudyWall::forces [m]
+    bool pushed_one_way = true;   ///< else walls are read on their backbones
     bool shared =
         false; ///< one design for all levels: walls of two levels depend on each other
 };

@@ -15,6 +15,7 @@ drystone_tests(app_fragility
         app/test_fragility_study.cpp
         app/test_fragility_text.cpp
         app/test_model_doubt.cpp
+        app/test_pier_study.cpp
         app/test_solver_error.cpp
         fragility/test_user_limit_states.cpp
     LIBRARIES drystone_app_fragility drystone_app_verbs nlohmann_json::nlohmann_json)

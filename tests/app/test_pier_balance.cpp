@@ -2,7 +2,6 @@
 
 #include "app/input/prepared_study.hpp"
 #include "app/input/wall_geometry.hpp"
-#include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/wall_openings.hpp"
 #include "dem/block/model.hpp"
@@ -72,8 +71,7 @@ Pushed pushed(const Study& study)
 {
     const dem::Model model = app::model_of(app::prepare(study));
     dem::PushPlan plan = app::push_plan(study);
-    plan.snapshot_every = plan.record_every; // handed on by the watch
-    app::PierWatch watch(study, model.layout, 1, plan);
+    plan.snapshot_every = plan.record_every; // handed on by those who watch the piers
     Pushed p;
     app::PushList list;
     list.size = 1;
@@ -82,7 +80,6 @@ Pushed pushed(const Study& study)
         p.wall = std::move(w);
     };
     app::push_walls(study, model, plan, list, 1);
-    watch.add_to(0, p.wall);
     p.shots = p.wall.result.snapshots;
     return p;
 }
@@ -211,8 +208,8 @@ void check_cuts(const Study& study)
     check(static_cast<std::size_t>(peak - whole.begin()), "peak");
     const double way = push_way(study).direction;
     for (std::size_t i = 0; i < piers.size(); ++i) {
-        CHECK(p.wall.piers.at(i).normal_at_peak == peak->piers[i].force.normal);
-        CHECK(p.wall.piers.at(i).shear_at_peak == way * peak->piers[i].force.shear);
+        CHECK(p.wall.piers.at(i).facts.normal_at_peak == peak->piers[i].force.normal);
+        CHECK(p.wall.piers.at(i).facts.shear_at_peak == way * peak->piers[i].force.shear);
     }
     for (const double at : moments_of(p.wall)) {
         const auto now = std::ranges::min_element(whole, {}, [&](const app::PierInstant& x) {

@@ -22,7 +22,9 @@ template <class T>
            same_bits(a.inputs, b.inputs) && same_bits(a.responses, b.responses) &&
            same_bits(a.counts, b.counts) &&
            same_bits(a.curve.displacement, b.curve.displacement) &&
-           same_bits(a.curve.force, b.curve.force);
+           same_bits(a.curve.force, b.curve.force) && same_bits(a.piers.facts, b.piers.facts) &&
+           same_bits(a.piers.movement, b.piers.movement) &&
+           same_bits(a.piers.shear, b.piers.shear);
 }
 
 } // namespace scenes

@@ -1,0 +1,25 @@
+#pragma once
+/// Piers in the file of a study: one table says which facts are stored.
+
+#include "app/store/store_head.hpp"
+#include "app/store/store_row.hpp"
+#include "app/study/pier_facts.hpp"
+#include "app/study/pushed_wall.hpp"
+
+#include <vector>
+
+namespace app {
+
+/// Places of the piers of a study's walls, and columns of their facts; nothing where piers are
+/// not told apart.
+[[nodiscard]] StorePiers stored_piers_of(const Study& study);
+
+/// The piers of a wall as a row; NaN throughout where nothing was read of them.
+[[nodiscard]] PierRow pier_row(const PushedWall& wall, const StorePiers& piers);
+
+/// Facts of a row that is stored; nothing where nothing was read of its piers.
+[[nodiscard]] std::vector<PierFacts> pier_facts_of(const PierRow& row, const StorePiers& piers);
+
+[[nodiscard]] std::vector<dem::Pier> piers_of(const StorePiers& piers);
+
+} // namespace app

@@ -1,0 +1,256 @@
+#include "app/study/pier_shares.hpp"
+
+#include "app/output/cells.hpp"
+#include "app/study/both_ways.hpp"
+#include "app/study/fragility_text.hpp"
+#include "app/study/pier_remark.hpp"
+#include "app/text/number_text.hpp"
+#include "core/sample_quantile.hpp"
+#include "fragility/code_table.hpp"
+#include "fragility/share.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+namespace app {
+namespace {
+
+/// The direction whose limit is that of the wall.
+int direction_of(const StudyWalls& study, const StudyWall& wall, std::size_t state)
+{
+    const int own = study.rules.direction;
+    if (wall.ways.size() != 2) return own;
+    const auto &a = wall.ways[0].limits.at(state), &b = wall.ways[1].limits.at(state);
+    if (same_limit(a, b)) return 0;
+    return same_limit(wall.reading.limits.at(state), a) ? own : -own;
+}
+
+const fragility::CodeState* code_state(const StudyWalls& study, const StateName& state)
+{
+    const fragility::Code* const code = fragility::find_code(study.rules.sets, state.set);
+    if (code == nullptr) return nullptr;
+    const auto at = std::ranges::find(code->states, state.name, &fragility::CodeState::name);
+    return at == code->states.end() ? nullptr : &*at;
+}
+
+/// "pier 3 17, pier 1 2"
+std::string counts_of(const StudyWalls& study, const StudyLevel& level, std::size_t state)
+{
+    std::string text;
+    for (const GoverningPier& g : governing_piers(study, level, state))
+        text += (text.empty() ? "" : ", ") + governing_text(study, g) + ": " +
+                std::to_string(g.walls);
+    return text;
+}
+
+/// Walls and the piers that one push of them moved.
+struct Side {
+    int direction = 1;
+    const std::vector<StudyPier>& (*piers)(const StudyWall&);
+};
+
+double median_of(std::vector<double> values)
+{
+    std::ranges::sort(values);
+    const std::size_t n = values.size();
+    return n == 0 ? 0.0 : 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+}
+
+void add_pier(const StudyWalls& study, const StudyLevel& level, const Side& side,
+              std::size_t pier, Table& t)
+{
+    constexpr std::array<std::string_view, 5> kModes = {"rocking", "sliding", "mixed",
+                                                        "carries little", "stands still"};
+    std::array<std::size_t, kModes.size()> modes{};
+    std::vector<double> normal, shear, drift, slenderness;
+    for (const StudyWall& w : level.walls) {
+        const std::vector<StudyPier>& piers = side.piers(w);
+        if (piers.empty()) continue;
+        const StudyPier& p = piers.at(pier);
+        normal.push_back(1e-3 * p.normal);
+        shear.push_back(1e-3 * p.shear);
+        drift.push_back(100.0 * p.drift);
+        slenderness.push_back(p.slenderness);
+        for (std::size_t m = 0; m < kModes.size(); ++m) modes[m] += kModes[m] == p.mode;
+    }
+    const dem::Region& at = study.piers[pier].at;
+    Row row = {stress_cell(level.stress),
+               std::string(way_name(side.direction)),
+               count(pier + 1),
+               count(study.piers[pier].storey),
+               plain_number(at.x0, 2),
+               plain_number(at.x1, 2),
+               plain_number(at.z1 - at.z0, 2),
+               count(normal.size())};
+    if (normal.empty()) return add_row(t, row);
+    for (const auto& [values, decimals] :
+         {std::pair{&normal, 1}, {&shear, 1}, {&drift, 2}, {&slenderness, 2}})
+        row.emplace_back(plain_number(median_of(*values), decimals));
+    for (const std::size_t n : modes)
+        row.emplace_back(plain_number(
+            100.0 * static_cast<double>(n) / static_cast<double>(normal.size()), 0));
+    add_row(t, row);
+}
+
+} // namespace
+
+std::vector<std::size_t> pier_states(const StudyWalls& study)
+{
+    std::vector<std::size_t> states;
+    for (std::size_t s = 0; s < study.states.size() && !study.piers.empty(); ++s) {
+        const fragility::CodeState* const state = code_state(study, study.states[s]);
+        if (state != nullptr && !state->drifts.empty()) states.push_back(s);
+    }
+    return states;
+}
+
+std::vector<GoverningPier> governing_piers(const StudyWalls& study, const StudyLevel& level,
+                                           std::size_t state)
+{
+    using Who = std::tuple<int, int, int>; // in the order of rows
+    constexpr int kForce = 1 << 20, kNotReached = kForce + 1;
+    std::map<Who, std::size_t> found;
+    for (const StudyWall& w : level.walls) {
+        const fragility::LimitDisplacement& limit = w.reading.limits.at(state);
+        if (!is_defined(limit)) continue;
+        const int pier = state < w.reading.governing.size() ? w.reading.governing[state] : 0;
+        const bool reached = is_observed(limit);
+        ++found[{!reached    ? kNotReached
+                 : pier == 0 ? kForce
+                             : pier,
+                 reached ? -direction_of(study, w, state) : 0, pier}];
+    }
+    std::vector<GoverningPier> all;
+    for (const auto& [who, walls] : found)
+        all.push_back(
+            {std::get<2>(who), -std::get<1>(who), std::get<0>(who) != kNotReached, walls});
+    return all;
+}
+
+std::string governing_text(const StudyWalls& study, const GoverningPier& who)
+{
+    if (!who.reached) return "not reached";
+    const std::string what =
+        who.pier > 0 ? "pier " + std::to_string(who.pier) : "the fall of the force";
+    if (!has_turned(study.head)) return what;
+    return what + (who.direction == 0 ? " either way"
+                                      : std::string(" to the ") + way_name(who.direction));
+}
+
+std::string pier_sentence(const StudyWalls& study)
+{
+    if (study.piers.empty()) return pier_sentence(study.study);
+    const std::vector<std::size_t> states = pier_states(study);
+    if (states.empty()) return {};
+    std::string text;
+    for (const StudyLevel& level : study.levels)
+        for (const std::size_t s : states) {
+            const std::string counts = counts_of(study, level, s);
+            if (counts.empty()) continue;
+            text += (text.empty() ? "" : "; ") + state_name(study.states[s]) +
+                    (study.levels.size() > 1 ? " at " + stress_text(level.stress) : "") +
+                    " by " + counts;
+        }
+    return "Drift limits of codes are those of piers, numbered from the left, storey by "
+           "storey: "
+           "a wall reaches one when its first pier does. Numbers of walls by what governs: " +
+           text + ".";
+}
+
+Table pier_share_table(const StudyWalls& study)
+{
+    Table t;
+    t.title = "Piers that govern";
+    t.caption =
+        "Share of the walls whose limit state is the drift limit of this pier, which it "
+        "is the first to reach; the fall of the force where that comes before. Piers "
+        "are numbered from the left, storey by storey from the bottom. Brackets: " +
+        percent_text(study.study.fragility.confidence) +
+        " intervals, which hold whatever walls that failed would have done.";
+    t.keys = 2;
+    t.head = {"stress [MPa]", "limit state", "governs"};
+    const bool both = has_turned(study.head);
+    if (both) t.head.emplace_back("pushed to the");
+    t.head.insert(t.head.end(),
+                  {"walls", "n", {"share [%]", kInterval}, {"median drift [%]", kDetail}});
+    for (const StudyLevel& level : study.levels)
+        for (const std::size_t s : pier_states(study)) {
+            const std::vector<GoverningPier> all = governing_piers(study, level, s);
+            std::size_t n = 0;
+            for (const GoverningPier& g : all) n += g.walls;
+            for (const GoverningPier& g : all) {
+                Row row = {stress_cell(level.stress), state_name(study.states[s]),
+                           !g.reached   ? std::string("not reached")
+                           : g.pier > 0 ? "pier " + std::to_string(g.pier)
+                                        : std::string("fall of the force")};
+                if (both)
+                    row.emplace_back(std::string(!g.reached         ? ""
+                                                 : g.direction == 0 ? "both"
+                                                                    : way_name(g.direction)));
+                const fragility::Share share = fragility::share(
+                    static_cast<double>(g.walls), static_cast<double>(n),
+                    static_cast<double>(level.failed_walls.size()),
+                    core::BinomialInterval::wilson, study.study.fragility.confidence);
+                std::vector<double> drifts;
+                for (const StudyWall& w : level.walls) {
+                    const auto& limit = w.reading.limits.at(s);
+                    if (g.reached && is_observed(limit) &&
+                        w.reading.governing.at(s) == g.pier &&
+                        direction_of(study, w, s) == g.direction)
+                        drifts.push_back(100.0 * limit.displacement / study.height);
+                }
+                row = joined(row,
+                             {count(g.walls), count(n), percent(share.value, share.interval, 0),
+                              drifts.empty() ? Number{} : plain_number(median_of(drifts), 3)});
+                add_row(t, row);
+            }
+        }
+    return t;
+}
+
+Table study_pier_table(const StudyWalls& study)
+{
+    Table t;
+    t.title = "Piers";
+    t.caption =
+        "Medians over the walls. N: compression, V: shear, in a cut through all piers of "
+        "a storey, when the wall carries most. Drift: of the upper end of a pier "
+        "against its lower end, over its own height, at the end of the push. H0/D: "
+        "moment over shear and length, when the pier carries most. Shares of the walls "
+        "in which it fails so; 'carries little': never 5 % of the wall's force, such a "
+        "pier governs nothing.";
+    t.keys = 3;
+    t.head = {"stress [MPa]",
+              "pushed to the",
+              "pier",
+              {"storey", kDetail},
+              {"from [m]", kDetail},
+              {"to [m]", kDetail},
+              {"height [m]", kDetail},
+              {"n", kDetail},
+              "N [kN]",
+              "V [kN]",
+              "drift [%]",
+              {"H0/D", kDetail},
+              "rocking [%]",
+              "sliding [%]",
+              "mixed [%]",
+              {"carries little [%]", kDetail},
+              {"stands still [%]", kDetail}};
+    const int own = study.rules.direction;
+    std::vector<Side> sides = {
+        {own, [](const StudyWall& w) -> const std::vector<StudyPier>& { return w.piers; }}};
+    if (has_turned(study.head))
+        sides.push_back({-own, [](const StudyWall& w) -> const std::vector<StudyPier>& {
+                             return w.turned_piers;
+                         }});
+    for (const StudyLevel& level : study.levels)
+        for (const Side& side : sides)
+            for (std::size_t p = 0; p < study.piers.size(); ++p)
+                add_pier(study, level, side, p, t);
+    return t;
+}
+
+} // namespace app
