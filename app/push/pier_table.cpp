@@ -44,8 +44,8 @@ template <class Part> struct PartRow {
     std::size_t place;
     const Part* part;
 };
-using PierRow = PartRow<PierReading>;
-using SpandrelRow = PartRow<SpandrelReading>;
+using PierPart = PartRow<PierReading>;
+using SpandrelPart = PartRow<SpandrelReading>;
 
 /// One row for each part of each push.
 template <class Part>
@@ -92,33 +92,34 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
         "load when the pier reaches it, '>' where the push ended before.";
     t.keys = 3;
     using Pier = const PierReading&;
-    auto columns = keys_of<PierRow>("pier");
+    auto columns = keys_of<PierPart>("pier");
     append(
         columns,
-        {{{"storey", kDetail}, [](const PierRow& r) { return count(r.part->pier.storey); }},
-         number_of<PierRow>({"from [m]", kDetail}, 2, 1.0, [](Pier p) { return p.pier.at.x0; }),
-         number_of<PierRow>({"to [m]", kDetail}, 2, 1.0, [](Pier p) { return p.pier.at.x1; }),
-         number_of<PierRow>({"height [m]", kDetail}, 2, 1.0, height_of),
-         number_of<PierRow>({"N before [kN]", kDetail}, 1, 1e-3,
-                            [](Pier p) { return p.facts.normal_before; }),
-         number_of<PierRow>("N [kN]", 1, 1e-3, [](Pier p) { return p.facts.normal_at_peak; }),
-         number_of<PierRow>("V [kN]", 1, 1e-3, [](Pier p) { return p.facts.shear_at_peak; }),
-         number_of<PierRow>({"largest V [kN]", kDetail}, 1, 1e-3,
-                            [](Pier p) { return p.facts.most_shear; }),
-         number_of<PierRow>("drift [%]", 3, 100.0, [](Pier p) { return p.drift; }),
-         {"mode", [](const PierRow& r) { return std::string(mode_text(*r.part)); }},
-         number_of<PierRow>({"H0/D", kDetail}, 2, 1.0,
-                            [](Pier p) { return p.facts.slenderness; })});
+        {{{"storey", kDetail}, [](const PierPart& r) { return count(r.part->pier.storey); }},
+         number_of<PierPart>({"from [m]", kDetail}, 2, 1.0,
+                             [](Pier p) { return p.pier.at.x0; }),
+         number_of<PierPart>({"to [m]", kDetail}, 2, 1.0, [](Pier p) { return p.pier.at.x1; }),
+         number_of<PierPart>({"height [m]", kDetail}, 2, 1.0, height_of),
+         number_of<PierPart>({"N before [kN]", kDetail}, 1, 1e-3,
+                             [](Pier p) { return p.facts.normal_before; }),
+         number_of<PierPart>("N [kN]", 1, 1e-3, [](Pier p) { return p.facts.normal_at_peak; }),
+         number_of<PierPart>("V [kN]", 1, 1e-3, [](Pier p) { return p.facts.shear_at_peak; }),
+         number_of<PierPart>({"largest V [kN]", kDetail}, 1, 1e-3,
+                             [](Pier p) { return p.facts.most_shear; }),
+         number_of<PierPart>("drift [%]", 3, 100.0, [](Pier p) { return p.drift; }),
+         {"mode", [](const PierPart& r) { return std::string(mode_text(*r.part)); }},
+         number_of<PierPart>({"H0/D", kDetail}, 2, 1.0,
+                             [](Pier p) { return p.facts.slenderness; })});
     for (const CapState& c : caps_of(study)) {
         const auto cap = [c](Pier p) -> const PierCap& { return *cap_of(p, c.code, c.state); };
-        columns.push_back({c.code + " " + c.state + " limit [%]", [cap](const PierRow& r) {
+        columns.push_back({c.code + " " + c.state + " limit [%]", [cap](const PierPart& r) {
                                const double drift = cap(*r.part).drift;
                                return drift > 0.0 ? Cell(plain_number(100.0 * drift, 2))
                                                   : Cell();
                            }});
         columns.push_back(
             {{c.code + " " + c.state + " reached [mm]", kCensored},
-             [cap](const PierRow& r) { return limit_cell(cap(*r.part).wall, 1e3, 2); }});
+             [cap](const PierPart& r) { return limit_cell(cap(*r.part).wall, 1e3, 2); }});
     }
     fill(t, columns, rows_of(study, walls, &PushedWall::piers));
     return t;
@@ -133,7 +134,7 @@ Table pier_limit_table(const Study& study, const std::vector<PushedWall>& walls)
                 "states that it had not reached when the push ended.";
     t.keys = 4;
     const std::vector<StateName> names = state_names(reading_rules(study));
-    struct StateRow : PierRow {
+    struct StateRow : PierPart {
         std::size_t state;
         [[nodiscard]] const fragility::LimitDisplacement& limit() const
         {
@@ -141,7 +142,7 @@ Table pier_limit_table(const Study& study, const std::vector<PushedWall>& walls)
         }
     };
     std::vector<StateRow> rows;
-    for (const PierRow& pier : rows_of(study, walls, &PushedWall::piers))
+    for (const PierPart& pier : rows_of(study, walls, &PushedWall::piers))
         for (std::size_t s = 0; s < names.size(); ++s) rows.push_back({pier, s});
     auto columns = keys_of<StateRow>("pier");
     columns.push_back(
@@ -165,18 +166,20 @@ Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls)
         "presses its left half down.";
     t.keys = 3;
     using Spandrel = const SpandrelReading&;
-    auto columns = keys_of<SpandrelRow>("spandrel");
+    auto columns = keys_of<SpandrelPart>("spandrel");
     append(
         columns,
-        {number_of<SpandrelRow>("from [m]", 2, 1.0,
-                                [](Spandrel s) { return s.spandrel.at.x0; }),
-         number_of<SpandrelRow>("to [m]", 2, 1.0, [](Spandrel s) { return s.spandrel.at.x1; }),
-         number_of<SpandrelRow>("height [m]", 2, 1.0,
-                                [](Spandrel s) { return s.spandrel.at.z1 - s.spandrel.at.z0; }),
-         number_of<SpandrelRow>("N [kN]", 1, 1e-3, [](Spandrel s) { return s.normal_at_peak; }),
-         number_of<SpandrelRow>("V [kN]", 1, 1e-3, [](Spandrel s) { return s.shear_at_peak; }),
-         number_of<SpandrelRow>("largest V [kN]", 1, 1e-3,
-                                [](Spandrel s) { return s.most_shear; })});
+        {number_of<SpandrelPart>("from [m]", 2, 1.0,
+                                 [](Spandrel s) { return s.spandrel.at.x0; }),
+         number_of<SpandrelPart>("to [m]", 2, 1.0, [](Spandrel s) { return s.spandrel.at.x1; }),
+         number_of<SpandrelPart>(
+             "height [m]", 2, 1.0,
+             [](Spandrel s) { return s.spandrel.at.z1 - s.spandrel.at.z0; }),
+         number_of<SpandrelPart>("N [kN]", 1, 1e-3,
+                                 [](Spandrel s) { return s.normal_at_peak; }),
+         number_of<SpandrelPart>("V [kN]", 1, 1e-3, [](Spandrel s) { return s.shear_at_peak; }),
+         number_of<SpandrelPart>("largest V [kN]", 1, 1e-3,
+                                 [](Spandrel s) { return s.most_shear; })});
     fill(t, columns, rows_of(study, walls, &PushedWall::spandrels));
     return t;
 }
