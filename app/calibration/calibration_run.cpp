@@ -61,9 +61,15 @@ uq::CalibrationProblem problem_of(const Study& study, const CalibratedInputs& in
     return p;
 }
 
-Taught taught(const uq::CalibrationProblem& problem, std::uint64_t seed)
+/// Chains that only tell where to push walls, or what the tests under other stresses say.
+uq::CalibrationOptions short_chains()
 {
-    uq::CalibrationOptions o;
+    return {.metropolis = {.warm_up = 3000, .draws = 4000}, .longer = 1, .evidence = false};
+}
+
+Taught taught(const uq::CalibrationProblem& problem, std::uint64_t seed,
+              uq::CalibrationOptions o = {})
+{
     o.metropolis.seed = seed;
     Taught t;
     t.posterior = uq::calibrate(problem, o);
@@ -84,12 +90,25 @@ without_level(uq::CalibrationProblem p, const CalibrationData& data, std::size_t
     return p;
 }
 
-/// Fits the surrogates and both posteriors.
-void teach(CalibrationRun& run, const Study& study, const CalibratedInputs& inputs,
-           const CalibrationData& data, int threads)
+void fit_surrogates(CalibrationRun& run, const Study& study, const CalibratedInputs& inputs,
+                    const CalibrationData& data, int threads)
 {
     run.surrogates = surrogates_of(study, data, threads);
     run.model = answer_model(run.surrogates, inputs.all);
+}
+
+/// The posterior that the study asks for, as far as it tells where to push walls.
+Taught first_taught(const CalibrationRun& run, const Study& study,
+                    const CalibratedInputs& inputs, const CalibrationData& data)
+{
+    uq::CalibrationProblem problem = problem_of(study, inputs, data, run);
+    problem.discrepancy = study.calibration.discrepancy;
+    return taught(problem, study.uq.seed, short_chains());
+}
+
+void teach_both(CalibrationRun& run, const Study& study, const CalibratedInputs& inputs,
+                const CalibrationData& data, int threads)
+{
     const uq::CalibrationProblem problem = problem_of(study, inputs, data, run);
     on_threads(2, threads, [&](std::size_t i) {
         uq::CalibrationProblem p = problem;
@@ -143,15 +162,19 @@ void check_by_pushes(CalibrationRun& run, const PreparedStudy& ready,
                                        "pushing walls at points of the posterior");
                               });
     };
-    const Eigen::MatrixXd u = checked_points(answer_of(ready.study, run), 0);
+    const Study& study = ready.study;
+    const auto points = [&](std::size_t part) {
+        return checked_points(first_taught(run, study, inputs, data), part);
+    };
+    const Eigen::MatrixXd u = points(0);
     const Eigen::MatrixXd y = pushed(u, 0);
     run.miss = missed(run.model, u, y);
     if (!is_large(run.miss)) return;
     run.first_miss = run.miss;
     add_walls(data, u, y);
     seen(0.0, "learning these walls");
-    teach(run, ready.study, inputs, data, threads);
-    const Eigen::MatrixXd other = checked_points(answer_of(ready.study, run), 1);
+    fit_surrogates(run, study, inputs, data, threads);
+    const Eigen::MatrixXd other = points(1);
     run.miss = missed(run.model, other, pushed(other, 1));
 }
 
@@ -185,16 +208,18 @@ CalibrationRun run_calibration(const PreparedStudy& ready, const CalibratedInput
     const Study& study = ready.study;
     CalibrationRun run;
     seen(0.0, "learning the walls");
-    teach(run, study, inputs, data, threads);
+    fit_surrogates(run, study, inputs, data, threads);
     if (is_pushed_again(ready)) check_by_pushes(run, ready, inputs, data, threads, seen);
-    seen(0.5, "leaving out one stress after the other");
+    seen(0.0, "drawing from the posterior");
+    teach_both(run, study, inputs, data, threads);
+    seen(0.6, "leaving out one stress after the other");
     uq::CalibrationProblem problem = problem_of(study, inputs, data, run);
     problem.discrepancy = study.calibration.discrepancy;
     run.prior = prior_answers(problem, study.uq.seed);
     run.left_out.resize(study.load.vertical_stress.size());
     on_threads(run.left_out.size(), threads, [&](std::size_t level) {
         if (const auto p = without_level(problem, data, level))
-            run.left_out[level] = taught(*p, study.uq.seed).further;
+            run.left_out[level] = taught(*p, study.uq.seed, short_chains()).further;
     });
     return run;
 }

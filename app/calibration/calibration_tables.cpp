@@ -74,6 +74,16 @@ DrawsSummary prior_of(const CalibratedInput& in)
     return {at(0.5), {at(kTail), at(1.0 - kTail), kTableShare}};
 }
 
+/// Normal score of the posterior's median: how far the tests moved the input, in standard
+/// deviations of its prior.
+double moved(const CalibrationReport& r, std::size_t i)
+{
+    std::vector<double> scores;
+    for (const uq::CalibrationPoint& at : answer_of(*r.study, *r.run).points)
+        scores.push_back((r.inputs->factor * at.z)(static_cast<Eigen::Index>(i)));
+    return summary_of(scores).median;
+}
+
 /// The width of the posterior's interval over that of the prior.
 double width_left(const CalibrationReport& r, std::size_t i)
 {
@@ -89,13 +99,15 @@ Table teaching_table(const CalibrationReport& r)
     Table t;
     t.title = "What the tests teach of the inputs";
     t.caption =
-        "Median and 90 % interval. Width left: of the interval with discrepancy" +
-        std::string(r.study->calibration.discrepancy ? "" : " (not asked for: without)") +
-        ", over that of the prior.";
+        "Median and 90 % interval. Moved: of the median " +
+        std::string(r.study->calibration.discrepancy ? "with" : "without") +
+        " discrepancy, in standard deviations of the prior (normal scores); width left: "
+        "of that interval, over the prior's.";
     t.head = {"input",
               {"prior", kInterval},
-              {"posterior", kInterval},
-              {"without discrepancy", kInterval},
+              {"with discrepancy", kInterval},
+              {"without", kInterval},
+              "moved [sd]",
               "width left [%]"};
     for (std::size_t i = 0; i < r.inputs->inputs.size(); ++i) {
         const CalibratedInput& in = r.inputs->inputs[i];
@@ -105,7 +117,7 @@ Table teaching_table(const CalibrationReport& r)
             {with_unit(in.key, in.unit), interval_cell(prior, decimals),
              interval_cell(summary_of(values_of_input(r, r.run->with, i)), decimals),
              interval_cell(summary_of(values_of_input(r, r.run->without, i)), decimals),
-             plain_number(100.0 * width_left(r, i), 0)});
+             plain_number(moved(r, i), 2), plain_number(100.0 * width_left(r, i), 0)});
     }
     return t;
 }
@@ -121,8 +133,8 @@ Table further_wall_table(const CalibrationReport& r)
               "stress [MPa]",
               "tests",
               {"prior", kInterval},
-              {"predicted", kInterval},
-              {"without discrepancy", kInterval},
+              {"with discrepancy", kInterval},
+              {"without", kInterval},
               {"by other stresses", kInterval}};
     for (std::size_t a = 0; a < r.data->answers.size(); ++a) {
         const CalibratedAnswer& answer = r.data->answers[a];
@@ -235,11 +247,12 @@ Table posterior_table(const CalibrationReport& r)
 
 std::string answer_text(const CalibrationReport& r)
 {
-    constexpr double kLearned = 0.9; // of the prior's width; choice
+    // of the prior's width, and in its standard deviations; choice
+    constexpr double kNarrowed = 0.9, kMoved = 0.25;
     std::string learned, nothing;
     for (std::size_t i = 0; i < r.inputs->inputs.size(); ++i) {
         const CalibratedInput& in = r.inputs->inputs[i];
-        if (!(width_left(r, i) < kLearned)) {
+        if (!(width_left(r, i) < kNarrowed || std::abs(moved(r, i)) > kMoved)) {
             nothing += (nothing.empty() ? "" : ", ") + in.key;
             continue;
         }

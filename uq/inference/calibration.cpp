@@ -253,7 +253,8 @@ CalibrationPosterior calibrate(const CalibrationProblem& problem, const Calibrat
         steps.warm_up *= kLonger;
         steps.draws *= kLonger;
     }
-    posterior.evidence = bridge_evidence(f, posterior.chains, o.metropolis.seed);
+    if (o.evidence)
+        posterior.evidence = bridge_evidence(f, posterior.chains, o.metropolis.seed);
     return posterior;
 }
 

@@ -68,8 +68,9 @@ struct CalibrationPoint {
                                     const CalibrationPoint& point);
 
 struct CalibrationOptions {
-    MetropolisOptions metropolis{.warm_up = 5000, .draws = 15000};
+    MetropolisOptions metropolis{.warm_up = 4000, .draws = 8000};
     int longer = 2; ///< times that the chains are made four times as long, until they agree
+    bool evidence = true; ///< false: it is 0
 };
 
 constexpr double kConvergedRHat = 1.01, kConvergedSize = 400.0; // Vehtari et al. 2021
