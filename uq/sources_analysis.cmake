@@ -1,5 +1,6 @@
 set(UQ_ANALYSIS_SOURCES
     inference/adaptive_metropolis.cpp
+    inference/calibration.cpp
     inference/chain_diagnostics.cpp
     inference/evidence.cpp
     sensitivity/correlation_measures.cpp

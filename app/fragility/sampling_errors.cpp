@@ -58,7 +58,7 @@ bool in_hypercube(const Study& study)
                        study.uq.design == uq::DesignKind::latin_centred ||
                        study.uq.design == uq::DesignKind::latin_optimised;
     return latin && study.uq.spatial == Spatial::none && study.uq.pearson.empty() &&
-           !study.random.empty();
+           study.uq.together.empty() && !study.random.empty();
 }
 
 std::optional<double> log_peak_error(const StudyWalls& walls, const StudyLevel& level)

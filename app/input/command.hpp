@@ -48,7 +48,8 @@ struct Command {
     std::string address = "127.0.0.1"; ///< at which a server listens
     int port = 4242;                   ///< of a server; 0: any free one
     std::vector<std::string> hosts; ///< further names of a server, and of pages that may ask it
-    std::vector<std::string> inputs; ///< keys that a server takes; empty: the random variables
+    std::vector<std::string> inputs;  ///< keys that a server takes; empty: the random variables
+    std::vector<std::string> predict; ///< further stresses, of a calibration
     std::vector<std::string> responses;         ///< that a server gives; empty: the peak force
     std::optional<int> walls;                   ///< number of walls that a page shows, >= 0
     std::string title;                          ///< of a page; empty: that of the study

@@ -201,6 +201,12 @@ uq::Marginal parse_distribution(std::string_view text, std::string_view unit)
     }
 }
 
+std::vector<double> empirical_values(std::string_view text, std::string_view unit)
+{
+    if (split_call(text).name != "empirical") return {};
+    return parse_quantities(inside(text), unit);
+}
+
 std::string canonical_distribution(std::string_view text, std::string_view unit)
 {
     const std::string name(split_call(text).name);

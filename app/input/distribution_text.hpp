@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace app {
 
@@ -24,6 +25,12 @@ namespace app {
 /// @return in SI
 /// @throws BadValue
 [[nodiscard]] uq::Marginal parse_distribution(std::string_view text, std::string_view unit);
+
+/// The values of empirical(...) in the order in which they stand there, in SI; nothing for
+/// another distribution.
+/// @throws BadValue
+[[nodiscard]] std::vector<double> empirical_values(std::string_view text,
+                                                   std::string_view unit);
 
 /// The same distribution in a fixed form: parameters by name, each number as short as it can
 /// be, in `unit`. However the numbers of a distribution were written, this text is the same.

@@ -90,6 +90,8 @@ std::vector<Option> table()
         {"threads", "N", "number of threads (default: " + std::to_string(default_threads()) + ", all of this machine)",
          "push study reliability report sheet choices serve calibrate", false,
          [](Command& c, Text v) { c.threads = whole_number(v, 1, 1024); }},
+        {"predict", "STRESS", "further vertical stress, such as \"0.75 MPa\", under which a new wall is predicted; may be repeated", "calibrate", true,
+         [](Command& c, Text v) { c.predict.push_back(some_text(v)); }},
         {"quiet", "", "no progress on stderr (default: progress)",
          "push study sample reliability fragility report sheet choices compare curves merge serve calibrate record surrogate shake", false,
          [](Command& c, Text) { c.quiet = true; }},

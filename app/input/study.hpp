@@ -148,9 +148,10 @@ struct UqInput {
     int stop = kNoStop;            ///< kNoStop, kStopAtMixedShare or a row of kWallNumbers
     double stop_half_width = 0.05; ///< of the 95 % interval [-], > 0
     int most_samples = 1000;       ///< upper limit of the stopping rule
-    int audit = 0;       ///< walls of each stress that are pushed again more slowly, >= 0
-    std::string pearson; ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
-    std::string drawn;   ///< one wall alone (app/study/drawn_wall.hpp); empty: all
+    int audit = 0;        ///< walls of each stress that are pushed again more slowly, >= 0
+    std::string pearson;  ///< "joint.friction_angle joint.stiffness_factor 0.3, ..."
+    std::string together; ///< keys whose empirical values are read row by row; empty: none
+    std::string drawn;    ///< one wall alone (app/study/drawn_wall.hpp); empty: all
 };
 
 using uq::ReliabilityMethod;
@@ -200,6 +201,13 @@ struct ShakingInput {
     ShakingDesign design = ShakingDesign::crossed;
 };
 
+/// For the verb calibrate: which inputs tests shall teach, and how far the model may be wrong.
+struct CalibrationInput {
+    std::string inputs;      ///< keys between commas, or "all"; empty: a factor alone
+    bool discrepancy = true; ///< of the model under each stress
+    double scatter = 0.25;   ///< scale of half-normal priors, of ln [-], > 0
+};
+
 /// How walls are read, by every verb. Moves no wall.
 struct FragilityInput {
     std::string limit_states = "paper, ntc"; ///< sets: codes, user
@@ -237,6 +245,7 @@ struct Study {
     UqInput uq;
     ReliabilityInput reliability;
     ProgramInput program;
+    CalibrationInput calibration;
     FragilityInput fragility;
     std::vector<RandomInput> random;  ///< in the order of the keys; the fields hold their means
     std::vector<ParameterRule> rules; ///< for parameters that were not given and follow others

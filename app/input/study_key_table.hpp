@@ -56,12 +56,13 @@ inline constexpr Range kStrength{'[', 0, 1000, ']'};   // [MPa]
 inline constexpr Range kFactor{'(', 0, 1000, ']'};     // [-]
 inline constexpr Range kShearEnergy{'(', 0, 1e6, ']'}; // [N/m]
 
-[[nodiscard]] std::span<const Key> wall_keys();    ///< wall, stone, lintel
-[[nodiscard]] std::span<const Key> joint_keys();   ///< joint
-[[nodiscard]] std::span<const Key> unit_keys();    ///< unit
-[[nodiscard]] std::span<const Key> support_keys(); ///< beam, base
-[[nodiscard]] std::span<const Key> shaking_keys(); ///< shaking
-[[nodiscard]] std::span<const Key> solver_keys();  ///< load, solver, output
-[[nodiscard]] std::span<const Key> random_keys();  ///< uq, reliability, fragility
+[[nodiscard]] std::span<const Key> wall_keys();        ///< wall, stone, lintel
+[[nodiscard]] std::span<const Key> joint_keys();       ///< joint
+[[nodiscard]] std::span<const Key> unit_keys();        ///< unit
+[[nodiscard]] std::span<const Key> support_keys();     ///< beam, base
+[[nodiscard]] std::span<const Key> shaking_keys();     ///< shaking
+[[nodiscard]] std::span<const Key> solver_keys();      ///< load, solver, output
+[[nodiscard]] std::span<const Key> random_keys();      ///< uq, reliability, fragility
+[[nodiscard]] std::span<const Key> calibration_keys(); ///< calibration
 
 } // namespace app

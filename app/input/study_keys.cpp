@@ -10,8 +10,9 @@ std::span<const Key> study_keys()
 {
     static const std::vector<Key> all = [] {
         std::vector<Key> keys;
-        for (const auto part : {wall_keys(), joint_keys(), unit_keys(), support_keys(),
-                                shaking_keys(), solver_keys(), random_keys()})
+        for (const auto part :
+             {wall_keys(), joint_keys(), unit_keys(), support_keys(), shaking_keys(),
+              solver_keys(), random_keys(), calibration_keys()})
             keys.insert(keys.end(), part.begin(), part.end());
         return keys;
     }();

@@ -165,7 +165,8 @@ std::string effective_configuration(const Study& study)
             (key.name == "joint.initial_stiffness" || key.name == "joint.maximum_closure");
         // How results are read is no part of the walls: a later version reads them its own way.
         const bool reading =
-            entry == nullptr && (section == "fragility" || section == "reliability");
+            entry == nullptr &&
+            (section == "fragility" || section == "reliability" || section == "calibration");
         // The height of body forces is no choice: it would be refused.
         const bool told = entry == nullptr && key.name == "load.height" &&
                           study.load.pattern == dem::LoadPattern::body;

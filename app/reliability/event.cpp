@@ -21,6 +21,10 @@ uq::ReliabilityProblem asked_problem(const Study& study, Eigen::Index dimension)
     if (const std::string why = uq::budget_too_small(p.method, p.budget, dimension);
         !why.empty())
         throw error_at(study.source, "reliability.budget", why);
+    if (p.method == ReliabilityMethod::sobol && !study.uq.together.empty())
+        throw error_at(study.source, "uq.together",
+                       "inputs whose values stand row by row depend on each other, and Sobol' "
+                       "indices are of independent ones; remove it");
     if (p.method == ReliabilityMethod::sobol && !study.uq.pearson.empty())
         throw error_at(
             study.source, "uq.pearson",

@@ -2,6 +2,7 @@
 
 #include "app/sampling/study_dependence.hpp"
 #include "app/sampling/study_kernel.hpp"
+#include "app/sampling/study_rows.hpp"
 #include "app/sampling/wall_sites.hpp"
 #include "core/normal.hpp"
 #include "uq/designs/design.hpp"
@@ -85,6 +86,7 @@ SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
                     {},
                     joint_sites(layout),
                     crack_sites(layout)};
+    plan.values.together = joint_rows(study);
     for (const double stress : study.load.vertical_stress) {
         plan.seeds.push_back(level_seed(study.uq, stress));
         plan.design.push_back(design_of(study, plan.values, plan.seeds.back(), sizes));

@@ -3,6 +3,7 @@
 #include "app/input/distribution_text.hpp"
 #include "app/input/key_values.hpp"
 #include "app/input/wall_geometry.hpp"
+#include "app/sampling/study_rows.hpp"
 #include "app/store/store_head.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/solver/solver_revision.hpp"
@@ -57,6 +58,8 @@ std::string with_short_numbers(const std::string& text)
 std::string value_of(const Key& key, const Study& study)
 {
     if (key.name == "wall.outlines" && is_drawn(study)) return outlines_mark(study);
+    if (is_together(study, key.name)) // in the order of the rows
+        return with_short_numbers(find_entry(study.source, key.name)->value);
     const bool random = std::ranges::count(study.random, key.name, &RandomInput::key) > 0;
     const bool named = key.name == "wall.layer_stones"; // layers can have numbers for names
     if (key.kind == Kind::text && !named) return with_short_numbers(value_text(key, study));
@@ -76,7 +79,9 @@ std::string identity_text(const Study& study)
         // How a wall has moved is read, and stored, where the force came down to this share.
         const bool stored =
             key.name == "fragility.ultimate_share" && push_plan(study).drop > 0.0;
-        if (section == "reliability" || (section == "fragility" && !stored)) continue;
+        if (section == "reliability" || section == "calibration" ||
+            (section == "fragility" && !stored))
+            continue;
         if (is_drawn(study) && says_how_a_file_is_read(key))
             continue; // its outlines stand for it
         const std::string value = value_of(key, study);

@@ -126,10 +126,10 @@ StudyWall wall_of(const StudyWalls& all, const Columns& c, const std::filesystem
 void check_overrides(std::span<const std::string> overrides)
 {
     for (const std::string& o : overrides)
-        if (!o.starts_with("fragility."))
-            throw ConfigError(
-                "--set", 0, o.substr(0, o.find('=')),
-                "the walls have been pushed already; only fragility.* can be set here");
+        if (!o.starts_with("fragility.") && !o.starts_with("calibration."))
+            throw ConfigError("--set", 0, o.substr(0, o.find('=')),
+                              "the walls have been pushed already; only fragility.* (and in "
+                              "calibrate calibration.*) can be set here");
 }
 
 void add_wall(StudyLevel& level, StudyWall&& wall)

@@ -45,7 +45,8 @@ int surrogate_command(const Command& command)
     std::vector<uq::PolynomialFamily> families;
     for (const std::size_t k : s.inputs)
         families.push_back(uq::family_of(*walls.inputs[k].marginal));
-    const bool dependent = dependence_of(walls.study).has_value();
+    const bool dependent =
+        dependence_of(walls.study).has_value() || !walls.study.uq.together.empty();
     for (std::size_t level = 0; level < walls.levels.size(); ++level)
         s.levels.push_back(fit_surrogate(surrogate_points(walls, level, s.inputs, response),
                                          families, dependent, walls.study.uq.seed));

@@ -121,8 +121,9 @@ LevelSurrogate fit_surrogate(SurrogatePoints points,
     if (!s.doubts.empty())
         s.no_indices = s.doubts.front();
     else if (dependent)
-        s.no_indices = "The inputs depend on each other (uq.pearson): shares of the variance "
-                       "are not defined.";
+        s.no_indices =
+            "The inputs depend on each other (uq.pearson, uq.together): shares of the variance "
+            "are not defined.";
     else if (!(s.chaos_error.q2 >= kTrustedQ2))
         s.no_indices =
             "The chaos, which gives the indices, explains less than half of the variance.";

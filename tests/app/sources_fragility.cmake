@@ -17,5 +17,6 @@ drystone_tests(app_fragility
         app/test_model_doubt.cpp
         app/test_pier_study.cpp
         app/test_solver_error.cpp
+        app/test_tested_factor.cpp
         fragility/test_user_limit_states.cpp
-    LIBRARIES drystone_app_fragility drystone_app_verbs nlohmann_json::nlohmann_json)
+    LIBRARIES drystone_app_calibration drystone_app_fragility drystone_app_verbs nlohmann_json::nlohmann_json)

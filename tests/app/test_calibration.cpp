@@ -1,175 +1,225 @@
+#include "app/calibration/calibration_output.hpp"
 #include "app/commands.hpp"
-#include "app/fragility/calibration.hpp"
-#include "app/fragility_scenes.hpp"
 #include "app/input/command_line.hpp"
-#include "app/input/model_factor_text.hpp"
+#include "app/input/study_reading.hpp"
+#include "app/input/wall_geometry.hpp"
+#include "app/sampling/sample_plan.hpp"
 #include "app/study_scenes.hpp"
 #include "app/text/config_error.hpp"
 #include "app/verbs.hpp"
 #include "scenes/temporary_folder.hpp"
+#include "tests/uq/latin_scene.hpp"
+#include "uq/designs/stream.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
-using app::Answer;
-using scenes::cell;
-using scenes::number_in;
+namespace fs = std::filesystem;
 
 namespace {
 
-app::Csv table(const std::string& text) { return app::parse_csv("tests.csv", text); }
-
-/// Tests whose peaks and drops are those of the walls times a factor.
-std::string tests_of(const app::StudyWalls& walls, double factor)
+app::Study study_of(const std::string& calibration, const std::string& uq = "samples = 25\n")
 {
-    const std::vector<app::MeasuredTest> ones = {
-        {"", walls.levels[0].stress, 1.0, 1.0, false, 2},
-        {"", walls.levels[1].stress, 1.0, 1.0, false, 3}};
-    const app::Csv none = table("stress,peak\n1,1\n");
-    const auto peaks = app::tests_over_walls(none, ones, walls, Answer::force);
-    std::string text = "wall;stress [MPa];peak [kN]\n";
-    for (const double scatter : {0.9, 1.0, 1.1111111111})
-        for (const app::TestedWall& w : peaks)
-            text += "W" + std::to_string(text.size()) + ";" + std::to_string(w.stress / 1e6) +
-                    ";" + std::to_string(factor * scatter * w.predicted) + "\n";
-    return text;
+    return app::read_study(
+        app::parse_study_text("study.ini", std::string(study_scenes::kSmall) + "[uq]\n" + uq +
+                                               "[calibration]\n" + calibration));
 }
 
-void refused(const std::string& text, const std::string& message)
+void refused(const std::string& calibration, const std::string& message,
+             const std::string& uq = "samples = 25\n")
 {
-    CHECK_THROWS_WITH(app::measured_tests(table(text)), Catch::Contains(message));
+    CHECK_THROWS_WITH(app::calibrated_inputs(study_of(calibration, uq)),
+                      Catch::Contains(message));
 }
+
+/// Points of a smooth answer of three inputs, the last of which does nothing.
+app::AnswerPoints points(int n, double noise)
+{
+    app::AnswerPoints p;
+    p.u = 4.0 * scenes::latin_hypercube(n, 3, 5).array() - 2.0;
+    p.y = 3.0 + 0.2 * p.u.col(0).array() + 0.05 * p.u.col(1).array().square();
+    uq::Stream random(3, 0, uq::Purpose::monte_carlo);
+    for (double& y : p.y) y += noise * random.normal();
+    return p;
+}
+
+/// Runs the verb in a folder, on the small wall.
+class Calibrating {
+  public:
+    explicit Calibrating(const std::string& calibration)
+    {
+        std::ofstream(path("study.ini"))
+            << study_scenes::kSmall << "[uq]\nsamples = 10\n[calibration]\n"
+            << calibration;
+    }
+    [[nodiscard]] std::string path(const std::string& name) const
+    {
+        return (folder_.path / name).string();
+    }
+    int run(const std::string& tests, const std::string& from, const std::string& out,
+            std::vector<std::string> more = {}) const
+    {
+        std::ofstream(path("tests.csv")) << tests;
+        std::vector<std::string> words = {"calibrate", path(from), path("tests.csv"),
+                                          "--out",     path(out),  "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        return app::calibrate_command(app::parse_command_line(app::verbs(), words));
+    }
+    [[nodiscard]] std::string text(const std::string& name) const
+    {
+        return scenes::read_text(folder_.path / name);
+    }
+
+  private:
+    scenes::TemporaryFolder folder_;
+};
+
+const std::string kTwoInputs = "inputs = joint.friction_angle, unit.tensile_strength\n";
+const std::string kPeaks = "wall,stress [MPa],peak [kN]\nA,0.5,17\nB,0.5,18\nC,1,29\n";
 
 } // namespace
 
-TEST_CASE("calibration: tests that are twice the walls give a factor of two",
-          "[app][calibration]")
+TEST_CASE(
+    "calibration: coordinates of inputs have independent standard normal priors, and lead "
+    "back",
+    "[app][calibration]")
 {
-    const app::StudyWalls walls = scenes::study_walls(30);
-    const app::Csv csv = table(tests_of(walls, 2.0));
-    const auto c = app::calibrated(
-        app::tests_over_walls(csv, app::measured_tests(csv), walls, Answer::force));
-    REQUIRE(c.factor);
-    CHECK(c.factor->factor.median == Approx(2.0).epsilon(1e-5));
-    CHECK(c.factor->factor.dispersion > 0.08);
-    CHECK(c.factor->factor.dispersion < 0.25);
-    const app::Calibration drift = app::calibrated({});
-    CHECK_FALSE(drift.factor);
-    const std::string lines = app::factor_lines(drift, c, "tests.csv over s.h5");
-    // the line is one that a study takes, with the same factor
-    const auto at = lines.find("model_factor_force = ") + 21;
-    const auto choice = app::parse_model_factor(lines.substr(at, lines.find(" #", at) - at));
-    REQUIRE(choice.given);
-    CHECK(choice.given->median == Approx(2.0).epsilon(5e-3));
-    CHECK(choice.given->dispersion ==
-          Approx(fragility::model_dispersion(c.factor->factor)).epsilon(5e-3));
-    CHECK_THAT(lines,
-               Catch::Contains("# model_factor: no factor: 0 tests have a measured value"));
-    const app::Table t = app::calibration_table(drift, c);
-    REQUIRE(t.rows.size() == 6);
-    CHECK(scenes::sound(t));
-    CHECK(number_in(t, 2, "ratio").value == Approx(2.0).epsilon(1e-5));
-    CHECK(number_in(t, 2, "interval by the others").lower < 2.0);
-    CHECK(number_in(t, 2, "interval by the others").upper > 2.0);
+    const app::CalibratedInputs c = app::calibrated_inputs(
+        study_of("inputs = unit.tensile_strength, joint.friction_angle\n",
+                 "samples = 25\npearson = joint.friction_angle unit.tensile_strength 0.6\n"));
+    REQUIRE(c.inputs.size() == 2);
+    CHECK(c.inputs[0].key == "joint.friction_angle"); // in the order of the keys
+    CHECK_FALSE(c.all);
+    const Eigen::Vector2d u(0.7, -1.1);
+    const Eigen::VectorXd x = app::to_values(c, u);
+    CHECK((app::to_coordinates(c, x) - u).norm() < 1e-9);
+    // the first is its marginal's quantile, the second is drawn up with it
+    CHECK(c.inputs[0].scale * x(0) == Approx(31.8 * (1.0 + 0.2 * 0.7)).epsilon(1e-3));
+    CHECK(app::to_values(c, Eigen::Vector2d(2.0, 0.0))(1) >
+          app::to_values(c, Eigen::Vector2d(0.0, 0.0))(1));
+    CHECK(app::calibrated_inputs(study_of("inputs = all\n")).all);
 }
 
-TEST_CASE("calibration: a table of tests has stresses, peaks, drops and bounds",
+TEST_CASE("calibration: inputs that tests cannot teach are refused in plain words",
           "[app][calibration]")
 {
-    const auto tests = app::measured_tests(
-        table("wall;stress [MPa];peak [kN];drop [mm];censored\n"
-              "A;0,5;41,5;12,6;no\nB;0,5;48,2;22,7;yes\nC;1;NA;9,3;0\nD;1;80;;\n"));
-    REQUIRE(tests.size() == 4);
-    CHECK(tests[0].name == "A");
-    CHECK(tests[0].stress == Approx(0.5e6));
-    CHECK(*tests[0].peak == Approx(41.5));
-    CHECK(*tests[1].drop == Approx(22.7));
-    CHECK(tests[1].censored);
-    CHECK_FALSE(tests[0].censored);
-    CHECK_FALSE(tests[2].peak);
-    CHECK_FALSE(tests[3].drop); // and its censoring is not asked for
+    refused(
+        "inputs = joint.fiction_angle\n",
+        "study.ini:32: calibration.inputs: \"joint.fiction_angle\" is not a distribution of "
+        "this study; did you mean \"joint.friction_angle\"?");
+    refused("inputs = all, joint.friction_angle\n", "names an input twice");
+    refused("inputs = all\n", "varies from joint to joint",
+            "samples = 25\nspatial = independent\n");
+    refused("inputs = joint.friction_angle\n", "is correlated with unit.tensile_strength",
+            "samples = 25\npearson = joint.friction_angle unit.tensile_strength 0.6\n");
+    refused("inputs = all\n",
+            "3 walls under each stress are too few to learn 5 inputs; write 25",
+            "samples = 3\n");
+    CHECK_THROWS_WITH(study_of("discrepancy = no\n"),
+                      Catch::Contains("there is no calibration.inputs"));
 }
 
-TEST_CASE("calibration: mistakes of a table are named by file, line and column",
+TEST_CASE("calibration: a surrogate says how far it is off on walls left out",
           "[app][calibration]")
 {
-    refused("stress [MPa],peak [kN]\n", "tests.csv");
-    refused("peak [kN]\n40\n", "tests.csv:1: stress [MPa]: there is no such column");
-    refused("stress [MPa]\n1\n", "tests.csv:1: peak [kN], drop [mm]: there is neither");
-    refused("stress [kPa],peak [kN]\n500,40\n", "tests.csv:1: stress [kPa]: is not in MPa");
-    refused("stress [MPa],drop [%]\n1,2\n", "tests.csv:1: drop [%]: is not in mm");
-    refused("stress [MPa],peak [kN]\n0.5,forty\n", "tests.csv:2: ");
-    refused("stress [MPa],peak [kN]\n0.5,40\n0.5,0\n", "tests.csv:3: ");
-    refused("stress [MPa],peak [kN]\n0.5,-4\n", "tests.csv:2: ");
-    refused("stress [MPa],peak [kN]\n0.5,nan\n", "tests.csv:2: ");
-    refused("stress [MPa],peak [kN]\n,40\n", "tests.csv:2: ");
-    refused("stress [MPa],peak [kN]\n0.5,NA\n", "nothing was measured in this row");
-    refused("stress [MPa],drop [mm],censored\n0.5,4,perhaps\n",
-            "does not say whether the value is a bound");
+    const app::AnswerSurrogate smooth = app::fit_answer(points(40, 0.0));
+    CHECK(smooth.q2 > 0.999);
+    CHECK(smooth.left_out < 0.01);
+    const app::AnswerSurrogate jerky = app::fit_answer(points(40, 0.1));
+    CHECK(jerky.left_out > 0.07);
+    CHECK(std::sqrt(app::noise_of(jerky)) == Approx(0.1).epsilon(0.4));
+    app::AnswerPoints same = points(40, 0.0);
+    same.y.setConstant(2.5);
+    const app::AnswerSurrogate constant = app::fit_answer(same);
+    CHECK_FALSE(constant.process);
+    const Eigen::Vector3d at(0.5, 0.5, 0.5);
+    // what the process does not know is shared by all tests, or scatter of walls
+    const auto shared = app::answer_model({smooth, jerky, constant}, true)(at),
+               scatter = app::answer_model({smooth, jerky, constant}, false)(at);
+    CHECK(shared.mean(0) == Approx(3.0 + 0.1 + 0.0125).epsilon(1e-3));
+    CHECK(shared.mean(2) == 2.5);
+    CHECK(shared.variance(1) - scatter.variance(1) ==
+          Approx(app::noise_of(jerky)).epsilon(1e-9));
+    CHECK(shared.variance(2) == 0.0);
 }
 
-TEST_CASE("calibration: a stress that the study does not have, is refused; walls that stood "
-          "give no factor",
+TEST_CASE("calibration: what a surrogate misses is counted on walls that have the answer",
           "[app][calibration]")
 {
-    const app::StudyWalls walls = scenes::study_walls(30);
-    const auto over = [&](const std::string& text, Answer answer) {
-        const app::Csv csv = table(text);
-        return app::tests_over_walls(csv, app::measured_tests(csv), walls, answer);
+    const uq::AnswerModel model = [](const Eigen::VectorXd&) {
+        return uq::ModelAnswers{Eigen::VectorXd::Zero(2), Eigen::VectorXd::Zero(2)};
     };
-    CHECK_THROWS_WITH(over("stress,peak\n0.123,40\n", Answer::force),
-                      Catch::StartsWith("tests.csv:2: stress: 0.123 MPa is none of the study"));
-    app::StudyWalls stood = walls;
-    for (app::StudyLevel& level : stood.levels)
-        for (app::StudyWall& w : level.walls)
-            w.reading.ultimate = {0.028, fragility::Reading::censored, {}};
-    const app::Csv csv =
-        table("stress,drop\n" + std::to_string(walls.levels[0].stress / 1e6) + ",10\n");
-    const auto c = app::calibrated(
-        app::tests_over_walls(csv, app::measured_tests(csv), stood, Answer::drift));
-    CHECK_FALSE(c.factor);
-    CHECK_THAT(c.reason, Catch::Contains("fewer than half of the study's walls fell"));
-    CHECK(cell(app::calibration_table(c, {}), 0, "ratio").empty());
+    Eigen::MatrixXd pushed(3, 2);
+    pushed << 0.3, std::nan(""), 0.4, -0.2, 0.0, std::nan("");
+    const auto miss = app::missed(model, Eigen::MatrixXd::Zero(3, 1), pushed);
+    CHECK(miss[0].walls == 3);
+    CHECK(miss[0].root_mean_square == Approx(0.5 / std::sqrt(3.0)));
+    CHECK(miss[1].walls == 1);
+    CHECK(miss[1].root_mean_square == Approx(0.2));
 }
 
-TEST_CASE("calibration: the verb pushes the walls of a study and writes its lines",
+TEST_CASE(
+    "calibration: the verb teaches inputs, and its posterior is a study whose draws stand "
+    "row by row",
+    "[app][calibration]")
+{
+    const Calibrating c(kTwoInputs);
+    CHECK_THROWS_WITH(c.run("stress,peak\n0.7,20\n", "study.ini", "out"),
+                      Catch::Contains("tests.csv:2: stress: 0.7 MPa is none of the study's"));
+    CHECK_FALSE(fs::exists(c.path("out"))); // before any wall is pushed
+    REQUIRE(c.run(kPeaks, "study.ini", "out", {"--threads", "1"}) == 0);
+    const std::string posterior = c.text("out/posterior.ini"),
+                      draws = c.text("out/posterior.csv");
+    CHECK(draws.starts_with("draw,joint.friction_angle [deg],unit.tensile_strength [MPa],"));
+    for (const char* const name : {"calibration.csv", "inputs.md", "further_wall.tex",
+                                   "scatter.csv", "inputs.svg", "peak.svg"})
+        CHECK(fs::exists(c.path("out/" + std::string(name))));
+    CHECK_THAT(posterior, Catch::Contains("model_factor_force      = lognormal(median 1, "));
+    // the same walls, on more threads
+    REQUIRE(c.run(kPeaks, "out/walls.h5", "again", {"--threads", "3"}) == 0);
+    CHECK(c.text("again/posterior.csv") == draws);
+    const std::size_t list = posterior.find("= empirical(");
+    const std::string values = posterior.substr(list, posterior.find(')', list) - list);
+    CHECK_THAT(c.text("again/posterior.ini"), Catch::Contains(values));
+
+    const app::Study study = app::read_study(app::parse_study_text("posterior.ini", posterior));
+    CHECK(study.calibration.inputs.empty());
+    const std::vector<std::uint32_t> sizes = {10};
+    const app::SamplePlan plan = app::sample_plan(study, app::layout_of(study), sizes);
+    const auto& rows = plan.values.together.rows;
+    REQUIRE(rows.size() == 200);
+    for (int k = 0; k < 10; ++k) {
+        const auto values = app::draw(plan, 0, k).values;
+        const auto found = std::ranges::count_if(rows, [&](const std::vector<double>& row) {
+            return row[0] == values[0].front() && row[1] == values[2].front();
+        });
+        CHECK(found >= 1);
+    }
+}
+
+TEST_CASE("calibration: the verb predicts under a further stress, and says what it cannot use",
           "[app][calibration]")
 {
-    const scenes::TemporaryFolder folder;
-    const std::string study = (folder.path / "study.ini").string(),
-                      tests = (folder.path / "tests.csv").string(),
-                      out = (folder.path / "out").string();
-    std::ofstream(study) << study_scenes::kSmall << "[uq]\nsamples = 2\n";
-    const auto run = [&](const std::string& rows, const std::string& source) {
-        std::ofstream(tests) << "stress [MPa],peak [kN]\n" << rows;
-        return app::calibrate_command(app::parse_command_line(
-            app::verbs(), {"calibrate", source, tests, "--out", out, "--quiet"}));
-    };
-    CHECK_THROWS_WITH(run("0.5,20\n0.7,20\n", study),
-                      Catch::Contains("tests.csv:3: stress: 0.7 MPa is none of the study's"));
-    CHECK_FALSE(std::filesystem::exists(out)); // before any wall is pushed
-    CHECK(run("0.5,20\n0.5,22\n1.0,38\n", study) == 0);
-    const std::string lines = scenes::read_text(folder.path / "out" / "model_factor.ini");
-    CHECK_THAT(lines, Catch::Contains("\nmodel_factor_force = lognormal(median "));
-    CHECK(std::filesystem::exists(folder.path / "out" / "calibration.csv"));
-    // its own walls, read as a file of results, say the same
-    const std::string walls = (folder.path / "out" / "walls.h5").string();
-    CHECK(run("0.5,20\n0.5,22\n1.0,38\n", walls) == 0);
-    CHECK(scenes::read_text(folder.path / "out" / "model_factor.ini") == lines);
-    CHECK(run("0.5,20\n0.5,22\n", walls) == 1);
-    CHECK_THAT(scenes::read_text(folder.path / "out" / "model_factor.ini"),
-               Catch::Contains("# model_factor_force: no factor: 2 tests have"));
-}
-
-TEST_CASE("calibration: two values and a bound are too few for a factor", "[app][calibration]")
-{
-    const auto c = app::calibrated({{"A", 1e6, 10.0, 12.0, false},
-                                    {"B", 1e6, 11.0, 12.0, false},
-                                    {"C", 2e6, 12.0, 12.0, true}});
-    CHECK_FALSE(c.factor);
-    CHECK(c.reason == "no factor: 2 tests have a measured value, and 3 are needed");
+    // a law of closure has no value for each stress
+    Calibrating c(kTwoInputs + "discrepancy = no\n");
+    std::string text = c.text("study.ini");
+    text.replace(text.find("wall_modulus = 768, 1057 MPa"), 28, "normal_stiffness = 8 GPa/m");
+    std::ofstream(c.path("study.ini")) << text;
+    REQUIRE(c.run("stress,peak,drop\n0.5,17,3\n1,29,NA\n", "study.ini", "out",
+                  {"--predict", "0.75 MPa", "--predict", "0.5 MPa"}) == 0);
+    const std::string walls = c.text("out/further_wall.csv");
+    CHECK_THAT(walls, Catch::Contains("peak force [kN],0.75,0,"));
+    CHECK_THAT(walls, !Catch::Contains("displacement at the drop")); // all walls stood
+    CHECK_THROWS_WITH(c.run(kPeaks, "out/walls.h5", "other", {"--predict", "0.75 MPa"}),
+                      Catch::Contains("--predict: the walls of"));
+    CHECK_THROWS_WITH(c.run(kPeaks, "study.ini", "other", {"--predict", "0.75"}),
+                      Catch::StartsWith("drystone: --predict: missing unit"));
+    CHECK_THROWS_WITH(c.run("stress,drop\n0.5,3\n", "out/walls.h5", "other"),
+                      Catch::Contains("no test is left to learn from. Not used, displacement "
+                                      "at the drop under 0.50 MPa: 10 of 10 walls outlast"));
 }

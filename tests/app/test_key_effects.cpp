@@ -305,7 +305,8 @@ std::set<std::string_view> sweep(const std::string& text)
     const std::vector<double> before = outputs(base);
     for (const Key& key : app::study_keys()) {
         if (!app::reads(kPush, key) || app::section_of(key.name) == "fragility") continue;
-        if (key.name == "uq.drawn") continue; // which wall is pushed: test_push_command
+        // which wall is pushed: test_push_command; rows of lists: test_sample_plan
+        if (key.name == "uq.drawn" || key.name == "uq.together") continue;
         const std::string value = other_value(key, base);
         INFO(key.name << " = " << value);
         Study changed;

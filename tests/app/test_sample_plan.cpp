@@ -334,3 +334,42 @@ TEST_CASE("sample plan: a joint whose residual friction follows its own does not
     for (const dem::JointMaterial& joint : w.joints)
         CHECK(joint.wear.tan_phi_res == Approx(joint.tan_phi).epsilon(1e-14));
 }
+
+TEST_CASE("sample plan: uq.together reads lists row by row; what has no rows is refused",
+          "[app][sample_plan]")
+{
+    std::string text = study_scenes::kSmall;
+    const auto put = [&](std::string_view old, std::string_view now) {
+        text.replace(text.find(old), old.size(), now);
+    };
+    put("friction_angle = normal(mean 31.8 deg, cov 0.20)\nstiffness_factor = normal(mean 1, "
+        "cov "
+        "0.25)",
+        "friction_angle = empirical(33, 29, 31 deg)\nstiffness_factor = empirical(0.8, 1.3, "
+        "1)");
+    const std::string together = "together = joint.friction_angle, joint.stiffness_factor\n";
+    const Study s = study("samples = 6\n" + together, text);
+    const SamplePlan plan = plan_of(s);
+    for (int k = 0; k < 6; ++k) {
+        const WallDraw wall = app::draw(plan, 0, k);
+        const double angle = std::round(wall.values[0].front() * 180.0 / std::numbers::pi);
+        CHECK(wall.values[1].front() == (angle == 33.0 ? 0.8 : angle == 29.0 ? 1.3 : 1.0));
+    }
+    // another order of the rows is another study
+    std::string other = text;
+    other.replace(other.find("33, 29"), 6, "29, 33");
+    CHECK(identity_text(study("samples = 6\n" + together, other)) != identity_text(s));
+    const auto refused = [&](const std::string& uq, const std::string& message) {
+        CHECK_THROWS_WITH(plan_of(study("samples = 6\n" + uq, text)), Catch::Contains(message));
+    };
+    refused("together = joint.friction_angle\n", "uq.together: names one input");
+    refused("together = joint.friction_angle, joint.friction\n", "is not a random input");
+    refused("together = joint.friction_angle, joint.friction_angle\n", "is named twice");
+    refused("together = joint.friction_angle, unit.tensile_strength\n",
+            "unit.tensile_strength is not a list");
+    refused(together + "spatial = independent\n", "varies from joint to joint");
+    refused(together + "pearson = joint.friction_angle joint.stiffness_factor 0.1\n",
+            "stands in uq.pearson too");
+    put("empirical(0.8, 1.3, 1)", "empirical(0.8, 1.3)");
+    refused(together, "joint.stiffness_factor has 2 values, and the first input has 3");
+}

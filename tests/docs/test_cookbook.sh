@@ -25,12 +25,13 @@ cheap() { # of $line
     line=${line%%  #*}
     # a tenth of the samples; wall 1 in place of wall 17
     line=$(sed -E 's/(samples=[0-9]+)0\b/\1/; s/--sample ([0-9])[0-9]+/--sample \1/' <<<"$line")
-    [[ $line =~ \./drystone\ (push|study|sample|reliability|sheet|choices)\ (configs/|house\.ini) ]] || return 0
+    [[ $line =~ \./drystone\ (push|study|sample|reliability|sheet|choices|calibrate)\ (configs/|house\.ini) ]] || return 0
     add solver.fidelity=rigid
     add solver.steps_per_mm=100
     add "load.max_displacement=3 mm"
     add "solver.accuracy=20 %"
     case $line in
+        *" calibrate "*) add uq.samples=10 && add "calibration.inputs=joint.friction_angle, unit.friction_angle" ;;
         *" study "* | *" sample "*) add uq.samples=8 && add uq.most_samples=60 ;;
         *" reliability "*) line=${line/fidelity=rigid/fidelity=simple} && add reliability.cheap=rigid && add reliability.budget=60 ;;
     esac

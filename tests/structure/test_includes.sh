@@ -43,6 +43,7 @@ declare -A knows=(
     [app/push]="app/text dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
     [app/report]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/surrogate]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
+    [app/calibration]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/fragility]="core app/text dem/ fragility ground uq/ app app/reading app/store app/input app/output app/sampling app/study"
     [try/wasm]="app/text app/drawing dem/ fragility app/reading app/input app/sampling app/study app/push"
     [python/src]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/shake app/study app/push app/fragility"

@@ -79,6 +79,23 @@ Eigen::MatrixXd in_cube(Eigen::MatrixXd x)
 
 } // namespace
 
+TEST_CASE("spatial sample: inputs that belong together take one row of their table, chosen by "
+          "the first",
+          "[uq][spatial_sample]")
+{
+    SpatialPlan plan = plan_of(false, true);
+    plan.together.inputs = {3, 0};
+    plan.together.rows = {{10.0, 0.5}, {20.0, 0.1}, {30.0, 0.9}, {30.0, 0.2}};
+    const Eigen::MatrixXd x = sampled(plan, DesignKind::latin_random, {8}, 3);
+    Eigen::VectorXd count = Eigen::VectorXd::Zero(4);
+    for (Eigen::Index i = 0; i < 8; ++i)
+        for (std::size_t k = 0; k < 4; ++k)
+            count(static_cast<Eigen::Index>(k)) +=
+                x(i, 3) == plan.together.rows[k][0] && x(i, 0) == plan.together.rows[k][1];
+    CHECK(count == Eigen::VectorXd::Constant(4, 2.0)); // eight strata, four rows
+    CHECK(x.col(1) == sampled(plan_of(false, true), DesignKind::latin_random, {8}, 3).col(1));
+}
+
 TEST_CASE("spatial sample: means of random Latin samples scatter as what is left inside the "
           "strata",
           "[uq][spatial_sample]")

@@ -26,7 +26,8 @@ enum class Purpose : std::uint64_t {
     markov_chain = 10,    ///< subset simulation
     importance = 11,      ///< importance sampling
     search = 12,          ///< starting points of optimisers
-    replicate = 13        ///< seeds of replicated designs
+    replicate = 13,       ///< seeds of replicated designs
+    prediction = 14       ///< errors of further tests
 };
 
 /// 64 random bits: draw `i` of a stream.

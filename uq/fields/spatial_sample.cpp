@@ -69,12 +69,24 @@ std::vector<double> over_sites(const SpatialPlan& plan, const SpatialInput& inpu
     return {field.data(), field.data() + field.size()};
 }
 
+/// Puts one row of the table in place of the values of its inputs.
+void take_row(const JointRows& together, const Coordinates& z,
+              std::vector<std::vector<double>>& values)
+{
+    if (together.inputs.empty()) return;
+    const auto n = static_cast<double>(together.rows.size());
+    const double at = core::normal_cdf(z[together.inputs.front()].front()) * n;
+    const auto& row = together.rows[static_cast<std::size_t>(std::min(at, n - 1.0))];
+    for (std::size_t k = 0; k < row.size(); ++k) values[together.inputs[k]] = {row[k]};
+}
+
 } // namespace
 
 SpatialPlan spatial_plan(std::vector<SpatialInput> inputs, std::vector<FieldBasis> fields,
                          std::optional<NormalCopula> dependence, bool latin)
 {
-    SpatialPlan plan{std::move(inputs), std::move(fields), std::move(dependence), false, {}, 0};
+    SpatialPlan plan{
+        std::move(inputs), std::move(fields), std::move(dependence), false, {}, 0, {}};
     number_columns(plan);
     plan.reordered = plan.dependence && latin &&
                      std::ranges::all_of(plan.inputs, [](const SpatialInput& input) {
@@ -106,6 +118,7 @@ std::vector<std::vector<double>> draw(const SpatialPlan& plan, const Eigen::Vect
         values.push_back(over_sites(plan, plan.inputs[i], z[i], random));
         for (double& value : values.back()) value = from_normal(plan.inputs[i].marginal, value);
     }
+    take_row(plan.together, z, values);
     return values;
 }
 

@@ -33,6 +33,14 @@ struct SpatialInput {
     std::size_t field = 0; ///< which of SpatialPlan::fields, for OverSites::field
 };
 
+/// Inputs of one value each whose values belong together, as draws of a posterior do. A sample
+/// takes one row.
+struct JointRows {
+    std::vector<std::size_t> inputs; ///< empty: there are none
+    /// Ascending in the first input, whose coordinate chooses the row.
+    std::vector<std::vector<double>> rows;
+};
+
 struct SpatialPlan {
     std::vector<SpatialInput> inputs;
     std::vector<FieldBasis> fields;
@@ -41,6 +49,7 @@ struct SpatialPlan {
     bool reordered = false; ///< dependence comes from the order of the rows of the design
     std::vector<std::vector<int>> columns; ///< of the design, of each input
     int n_columns = 0;
+    JointRows together{};
 };
 
 /// @param latin whether the design is a Latin hypercube. If it is and every input has one

@@ -34,6 +34,8 @@ const std::vector<BadCommand> kCommands = {
         "drystone: new: these answers make no wall, and nothing was written: house.ini:19: wall.openings: an opening must begin and end between two courses"},
     {"an answer to another verb", {"push", "study.ini", "--stress", "1 MPa"},
         "drystone: --stress: not an option of push; leave it out"},
+    {"a further stress for another verb", {"push", "study.ini", "--predict", "1 MPa"},
+        "drystone: --predict: not an option of push; leave it out"},
     {"status of a study file", {"status", "study.ini"},
         "study.ini: is not the file of a study; give the FILE.h5 that drystone study wrote"},
     {"one thing to compare", {"compare", "runs/a"},

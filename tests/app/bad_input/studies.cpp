@@ -67,7 +67,7 @@ constexpr std::array kStudies = {
     BadStudy{"unknown section", "[stone]", "[stones]",
         "study.ini:7: [stones]: unknown section; did you mean \"stone\"?"},
     BadStudy{"unknown section like no other", "[load]", "[earthquake]\n[load]",
-        "study.ini:22: [earthquake]: unknown section; use wall, stone, lintel, joint, unit, beam, base, shaking, load, solver, output, uq, reliability or fragility"},
+        "study.ini:22: [earthquake]: unknown section; use wall, stone, lintel, joint, unit, beam, base, shaking, load, solver, output, uq, reliability, fragility or calibration"},
     BadStudy{"unknown key", "thickness = 0.20 m", "thicknes = 0.20 m",
         "study.ini:6: wall.thicknes: unknown key; did you mean \"wall.thickness\"?"},
     BadStudy{"a key in capitals", "courses = 10", "Courses = 10",

@@ -1,4 +1,4 @@
-#include "app/fragility/calibration.hpp"
+#include "app/calibration/tested_factor.hpp"
 
 #include "app/fragility/drift_csv.hpp"
 #include "app/input/model_factor_text.hpp"
@@ -18,33 +18,6 @@ namespace {
 
 constexpr std::size_t kFewestTests = 3;
 
-/// The column of this name, which may have its unit in brackets and no other.
-std::optional<std::size_t> column_of(const Csv& csv, std::string_view name,
-                                     std::string_view unit)
-{
-    for (std::size_t c = 0; c < csv.head.size(); ++c) {
-        const std::string& head = csv.head[c];
-        if (bare_name(head) != name) continue;
-        const bool has_unit = head.find_first_of("[(") != std::string::npos;
-        if (has_unit && head.find(unit) == std::string::npos)
-            throw ConfigError(csv.path, 1, head,
-                              "is not in " + std::string(unit) + "; convert it, and write \"" +
-                                  std::string(name) + " [" + std::string(unit) + "]\"");
-        return c;
-    }
-    return {};
-}
-
-std::optional<double> positive_at(const Csv& csv, const CsvRow& row,
-                                  std::optional<std::size_t> column)
-{
-    if (!column || is_missing(trimmed(row.cells[*column]))) return {};
-    const double x = number_at(csv, row, *column);
-    if (!(x > 0.0) || !std::isfinite(x))
-        refuse_cell(csv, row, *column, "must be above 0; write NA if it was not measured");
-    return x;
-}
-
 /// Median of the walls: peaks [kN], or displacements at the drop [mm]; nothing where fewer than
 /// half of them are known.
 std::optional<double> median_of(const StudyLevel& level, Answer answer, double confidence)
@@ -60,8 +33,6 @@ std::optional<double> median_of(const StudyLevel& level, Answer answer, double c
     constexpr std::array kHalf = {0.5};
     return fragility::observed_quantiles(values, kHalf, confidence).front().value;
 }
-
-bool same_stress(double a, double b) { return std::abs(a - b) <= 1e-6 * a; }
 
 std::vector<double> stresses_of(const StudyWalls& walls)
 {
@@ -83,7 +54,7 @@ std::optional<core::Interval> by_others(const std::vector<TestedWall>& walls,
     return core::Interval{std::exp(interval.lower), std::exp(interval.upper), 0.90};
 }
 
-void add_rows_of(const Calibration& c, const char* what, int decimals, Table& t)
+void add_rows_of(const TestedFactor& c, const char* what, int decimals, Table& t)
 {
     for (std::size_t i = 0; i < c.walls.size(); ++i) {
         const TestedWall& w = c.walls[i];
@@ -104,7 +75,7 @@ void add_rows_of(const Calibration& c, const char* what, int decimals, Table& t)
     }
 }
 
-std::string line_of(const char* key, const Calibration& c)
+std::string line_of(const char* key, const TestedFactor& c)
 {
     if (!c.factor) return "# " + std::string(key) + ": " + c.reason + "\n";
     const EstimatedFactor& e = *c.factor;
@@ -115,50 +86,6 @@ std::string line_of(const char* key, const Calibration& c)
 }
 
 } // namespace
-
-std::vector<MeasuredTest> measured_tests(const Csv& csv)
-{
-    check_rows(csv);
-    const auto stress = column_of(csv, "stress", "MPa"), peak = column_of(csv, "peak", "kN"),
-               drop = column_of(csv, "drop", "mm"), censored = column_of(csv, "censored", ""),
-               wall = column_of(csv, "wall", "");
-    if (!stress)
-        throw ConfigError(csv.path, 1, "stress [MPa]",
-                          "there is no such column; name the vertical stress of each test");
-    if (!peak && !drop)
-        throw ConfigError(csv.path, 1, "peak [kN], drop [mm]",
-                          "there is neither column; give at least one of them");
-    std::vector<MeasuredTest> tests;
-    for (const CsvRow& row : csv.rows) {
-        MeasuredTest t;
-        t.line = row.line;
-        if (wall) t.name = trimmed(row.cells[*wall]);
-        const auto s = positive_at(csv, row, stress);
-        if (!s) refuse_cell(csv, row, *stress, "empty cell; write the vertical stress in MPa");
-        t.stress = *s * 1e6;
-        t.peak = positive_at(csv, row, peak);
-        t.drop = positive_at(csv, row, drop);
-        if (!t.peak && !t.drop)
-            refuse_cell(csv, row, peak ? *peak : *drop,
-                        "nothing was measured in this row; remove it");
-        if (censored && t.drop) t.censored = read_censored(csv, row, *censored);
-        tests.push_back(std::move(t));
-    }
-    return tests;
-}
-
-void check_stresses(const Csv& csv, std::span<const MeasuredTest> tests,
-                    std::span<const double> stresses)
-{
-    std::string all;
-    for (const double s : stresses) all += (all.empty() ? "" : ", ") + stress_text(s);
-    for (const MeasuredTest& t : tests)
-        if (std::ranges::none_of(stresses, [&](double s) { return same_stress(t.stress, s); }))
-            throw ConfigError(csv.path, t.line, "stress",
-                              number(t.stress / 1e6, 6) +
-                                  " MPa is none of the study's stresses (" + all +
-                                  "); add it to load.vertical_stress");
-}
 
 std::vector<TestedWall> tests_over_walls(const Csv& csv, const std::vector<MeasuredTest>& tests,
                                          const StudyWalls& walls, Answer answer)
@@ -177,9 +104,9 @@ std::vector<TestedWall> tests_over_walls(const Csv& csv, const std::vector<Measu
     return over;
 }
 
-Calibration calibrated(std::vector<TestedWall> walls)
+TestedFactor tested_factor(std::vector<TestedWall> walls)
 {
-    Calibration c{std::move(walls), {}, {}};
+    TestedFactor c{std::move(walls), {}, {}};
     const auto seen =
         static_cast<std::size_t>(std::ranges::count(c.walls, false, &TestedWall::at_least));
     if (std::ranges::count(c.walls, 0.0, &TestedWall::predicted) > 0)
@@ -195,7 +122,7 @@ Calibration calibrated(std::vector<TestedWall> walls)
     return c;
 }
 
-Table calibration_table(const Calibration& drift, const Calibration& force)
+Table factor_table(const TestedFactor& drift, const TestedFactor& force)
 {
     Table t;
     t.title = "Tests over the walls of the study";
@@ -220,7 +147,7 @@ Table calibration_table(const Calibration& drift, const Calibration& force)
     return t;
 }
 
-std::string factor_lines(const Calibration& drift, const Calibration& force,
+std::string factor_lines(const TestedFactor& drift, const TestedFactor& force,
                          const std::string& source)
 {
     return "# Test over prediction: " + source +

@@ -1,0 +1,162 @@
+#include "app/calibration/calibration_data.hpp"
+
+#include "app/text/config_error.hpp"
+#include "app/text/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+/// The walls of a level that have the answer, and how many have none or only a bound.
+struct LevelAnswer {
+    AnswerPoints points;
+    std::size_t without = 0, bounds = 0;
+};
+
+LevelAnswer answer_of(const StudyLevel& level, const StudyWalls& walls,
+                      const CalibratedInputs& inputs, const TestedQuantity& quantity)
+{
+    std::vector<std::size_t> places;
+    for (const CalibratedInput& in : inputs.inputs) places.push_back(*input_of(walls, in.key));
+    LevelAnswer a;
+    a.without = level.failed_walls.size();
+    std::vector<Eigen::VectorXd> u;
+    std::vector<double> y;
+    for (const StudyWall& w : level.walls) {
+        const double value = quantity.read(w.reading) * quantity.scale;
+        if (!(value > 0.0 && std::isfinite(value))) {
+            ++a.without;
+            continue;
+        }
+        if (quantity.is_bound(w.reading)) ++a.bounds;
+        Eigen::VectorXd x(static_cast<Eigen::Index>(places.size()));
+        for (std::size_t i = 0; i < places.size(); ++i)
+            x(static_cast<Eigen::Index>(i)) =
+                w.inputs[places[i]] / walls.inputs[places[i]].scale;
+        u.push_back(to_coordinates(inputs, x));
+        y.push_back(std::log(value));
+    }
+    a.points.u.resize(static_cast<Eigen::Index>(u.size()),
+                      static_cast<Eigen::Index>(places.size()));
+    a.points.y.resize(static_cast<Eigen::Index>(u.size()));
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        a.points.u.row(static_cast<Eigen::Index>(i)) = u[i].transpose();
+        a.points.y(static_cast<Eigen::Index>(i)) = y[i];
+    }
+    return a;
+}
+
+bool is_measured(const std::vector<MeasuredTest>& tests, const TestedQuantity& quantity)
+{
+    return std::ranges::any_of(
+        tests, [&](const MeasuredTest& t) { return (t.*quantity.measured).has_value(); });
+}
+
+/// Why an answer cannot be used; empty if it can.
+std::string trouble(const LevelAnswer& a, const TestedQuantity& quantity, double stress,
+                    int least)
+{
+    const auto n = static_cast<std::size_t>(a.points.y.size());
+    const std::string at = std::string(quantity.words) + " under " + stress_text(stress);
+    if (n < static_cast<std::size_t>(least))
+        return at + ": only " + counted(n, "wall has", "walls have") + " one, and " +
+               std::to_string(least) + " are needed";
+    if (quantity.ends_with_test &&
+        static_cast<double>(a.bounds) > kMostOutlasting * static_cast<double>(n))
+        return at + ": " + std::to_string(a.bounds) + " of " + std::to_string(n) +
+               " walls outlast their push; push them further (load.max_displacement, "
+               "solver.kinematics = finite)";
+    return {};
+}
+
+void add_answer(CalibrationData& data, std::size_t quantity, std::size_t level,
+                const StudyWalls& walls, const CalibratedInputs& inputs)
+{
+    const TestedQuantity& q = kTestedQuantities[quantity];
+    const double stress = walls.levels[level].stress;
+    LevelAnswer a = answer_of(walls.levels[level], walls, inputs, q);
+    const std::string why = trouble(a, q, stress, fewest_walls(inputs.inputs.size()));
+    if (!why.empty()) {
+        data.remarks.push_back("Not used, " + why + ".");
+        return;
+    }
+    if (a.without + a.bounds > 0)
+        data.remarks.push_back(std::string(q.words) + " under " + stress_text(stress) + ": " +
+                               counted(a.without, "wall", "walls") + " without it left out, " +
+                               counted(a.bounds, "wall", "walls") +
+                               " taken at the end of the push.");
+    data.answers.push_back({quantity, 0, level, stress, std::move(a.points)});
+}
+
+/// Only quantities that have an answer with a test have a kind.
+void number_kinds(CalibrationData& data)
+{
+    std::erase_if(data.answers, [&](const CalibratedAnswer& a) {
+        return std::ranges::count(data.quantities, a.quantity) == 0;
+    });
+    for (CalibratedAnswer& a : data.answers)
+        a.kind = static_cast<std::size_t>(std::ranges::find(data.quantities, a.quantity) -
+                                          data.quantities.begin());
+}
+
+void use_tests(CalibrationData& data, const std::vector<MeasuredTest>& tests)
+{
+    std::size_t left_out = 0;
+    for (const std::size_t quantity : data.quantities) {
+        const TestedQuantity& q = kTestedQuantities[quantity];
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            const MeasuredTest& t = tests[i];
+            const std::optional<double>& value = t.*q.measured;
+            if (!value) continue;
+            const auto found =
+                std::ranges::find_if(data.answers, [&](const CalibratedAnswer& a) {
+                    return a.quantity == quantity && same_stress(a.stress, t.stress);
+                });
+            if (found == data.answers.end())
+                ++left_out;
+            else
+                data.tests.push_back({i, static_cast<std::size_t>(found - data.answers.begin()),
+                                      *value, q.ends_with_test && t.censored, t.error});
+        }
+    }
+    if (left_out > 0)
+        data.remarks.push_back(counted(left_out, "measured value has", "measured values have") +
+                               " no answer of the model to stand beside, and " +
+                               (left_out == 1 ? "is" : "are") + " left out.");
+}
+
+} // namespace
+
+CalibrationData calibration_data(const Study& study, const CalibratedInputs& inputs,
+                                 const StudyWalls& walls,
+                                 const std::vector<MeasuredTest>& tests)
+{
+    CalibrationData data;
+    for (std::size_t q = 0; q < kTestedQuantities.size(); ++q) {
+        if (!is_measured(tests, kTestedQuantities[q])) continue;
+        const std::size_t before = data.answers.size();
+        for (std::size_t l = 0; l < walls.levels.size(); ++l)
+            add_answer(data, q, l, walls, inputs);
+        if (data.answers.size() > before) data.quantities.push_back(q);
+    }
+    number_kinds(data);
+    use_tests(data, tests);
+    if (data.tests.empty()) {
+        std::string all;
+        for (const std::string& r : data.remarks) all += " " + r;
+        throw error_at(study.source, "calibration.inputs",
+                       "no test is left to learn from." + all);
+    }
+    if (std::ranges::all_of(data.tests, [&](const UsedTest& t) {
+            const Eigen::VectorXd& y = data.answers[t.answer].points.y;
+            return y.maxCoeff() - y.minCoeff() < 1e-9;
+        }))
+        throw error_at(study.source, "calibration.inputs",
+                       "what was measured is the same on all walls of the study: it does not "
+                       "depend on the inputs, and tests teach nothing about them");
+    return data;
+}
+
+} // namespace app

@@ -1,0 +1,56 @@
+#pragma once
+/// Files and words of a calibration of inputs.
+
+#include "app/calibration/calibration_run.hpp"
+#include "app/output/table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Everything that the verb writes is made of this.
+struct CalibrationReport {
+    const Study* study;
+    const CalibratedInputs* inputs;
+    const std::vector<MeasuredTest>* tests;
+    const CalibrationData* data;
+    const CalibrationRun* run;
+};
+
+/// Rows by input: prior and posterior, median and interval, and how much narrower it became.
+[[nodiscard]] Table teaching_table(const CalibrationReport& r);
+
+/// Rows by quantity and stress: one further wall, by the prior, with all tests, without the
+/// discrepancy, and by the tests under all other stresses.
+[[nodiscard]] Table further_wall_table(const CalibrationReport& r);
+
+/// Rows by test: measured, and what is predicted of it without the tests of its stress.
+[[nodiscard]] Table test_table(const CalibrationReport& r);
+
+/// Rows by quantity: discrepancy and scatter of repeats, and the error of the surrogates.
+[[nodiscard]] Table scatter_table(const CalibrationReport& r);
+
+/// The points of the posterior: inputs in their units, discrepancy and scatter.
+[[nodiscard]] Table posterior_table(const CalibrationReport& r);
+
+/// Densities of all inputs, in standard deviations of their priors.
+[[nodiscard]] std::string density_picture(const CalibrationReport& r);
+
+/// Tests and further walls over the stress.
+/// @param kind in CalibrationData::quantities
+[[nodiscard]] std::string further_wall_picture(const CalibrationReport& r, std::size_t kind);
+
+/// What the tests teach, in sentences.
+[[nodiscard]] std::string answer_text(const CalibrationReport& r);
+
+/// Convergence, evidence, checks and what is left out, in sentences.
+[[nodiscard]] std::string doubt_text(const CalibrationReport& r);
+
+/// A study file whose calibrated inputs have the posterior's draws, row by row, and whose
+/// factors of the model are those of a stress that was not tested.
+/// @param source of the tests, for its comment
+[[nodiscard]] std::string posterior_study(const CalibrationReport& r,
+                                          const std::string& source);
+
+} // namespace app

@@ -1,0 +1,37 @@
+#pragma once
+/// True walls at points of a posterior.
+
+#include "app/calibration/calibration_data.hpp"
+#include "app/input/prepared_study.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace app {
+
+/// Whether a wall of the study is one push of one layout, and can be pushed again by its inputs
+/// alone.
+[[nodiscard]] bool is_pushed_again(const PreparedStudy& ready);
+
+/// ln of the answers of walls with these inputs, a row for each and a column for each answer;
+/// NaN where a wall does not have it. Other random inputs are drawn, row by row, from the seed.
+/// @param u coordinates, a row for each wall
+/// @param seen is told how many walls are done
+/// @throws Interrupted
+[[nodiscard]] Eigen::MatrixXd
+pushed_answers(const PreparedStudy& ready, const CalibratedInputs& inputs,
+               const std::vector<CalibratedAnswer>& answers, const Eigen::MatrixXd& u,
+               std::uint64_t seed, int threads, const std::function<void(std::size_t)>& seen);
+
+/// What a surrogate misses on true walls.
+struct SurrogateMiss {
+    std::size_t walls = 0;         ///< that have the answer
+    double root_mean_square = 0.0; ///< of ln
+};
+[[nodiscard]] std::vector<SurrogateMiss>
+missed(const uq::AnswerModel& model, const Eigen::MatrixXd& u, const Eigen::MatrixXd& pushed);
+
+} // namespace app

@@ -1,0 +1,155 @@
+#include "app/calibration/measured_tests.hpp"
+
+#include "app/fragility/drift_csv.hpp"
+#include "app/study/stress_text.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string_view>
+
+namespace app {
+namespace {
+
+struct TestColumn {
+    std::size_t place;
+    bool second_unit; ///< its unit is the second of those allowed
+};
+
+/// The column of this name, which may have one of these units in brackets and no other.
+std::optional<TestColumn> column_of(const Csv& csv, std::string_view name,
+                                    std::initializer_list<std::string_view> units)
+{
+    for (std::size_t c = 0; c < csv.head.size(); ++c) {
+        const std::string& head = csv.head[c];
+        if (bare_name(head) != name) continue;
+        const std::size_t bracket = head.find_first_of("[(");
+        if (bracket == std::string::npos) return TestColumn{c, false};
+        const std::string_view unit =
+            trimmed(std::string_view(head).substr(bracket + 1, head.size() - bracket - 2));
+        const auto found = std::ranges::find(units, unit);
+        if (found == units.end())
+            throw ConfigError(csv.path, 1, head,
+                              "is not in " + listed(units) + "; convert it, and write \"" +
+                                  std::string(name) + " [" + std::string(*units.begin()) +
+                                  "]\"");
+        return TestColumn{c, found != units.begin()};
+    }
+    return {};
+}
+
+/// Nothing where the cell says that the value is not known.
+std::optional<double> positive_at(const Csv& csv, const CsvRow& row,
+                                  std::optional<TestColumn> column)
+{
+    if (!column || is_missing(trimmed(row.cells[column->place]))) return {};
+    const double x = number_at(csv, row, column->place);
+    if (!(x > 0.0) || !std::isfinite(x))
+        refuse_cell(csv, row, column->place,
+                    "must be above 0; write NA if it was not measured");
+    return x;
+}
+
+/// "22.7", or "> 22.7" where the test ended before.
+void read_drop(const Csv& csv, CsvRow row, std::optional<TestColumn> column, double height,
+               MeasuredTest& t)
+{
+    if (!column) return;
+    std::string& cell = row.cells[column->place];
+    const std::string_view text = trimmed(cell);
+    if (text.starts_with('>')) {
+        t.censored = true;
+        cell = trimmed(text.substr(text.starts_with(">=") ? 2 : 1));
+    }
+    t.drop = positive_at(csv, row, column);
+    if (t.censored && !t.drop)
+        refuse_cell(csv, row, column->place, "a bound without a number; write e.g. \"> 22.7\"");
+    constexpr double kMillimetres = 1e3, kPercent = 1e-2;
+    if (t.drop && column->second_unit) *t.drop *= kPercent * height * kMillimetres;
+}
+
+double error_at(const Csv& csv, const CsvRow& row, std::optional<TestColumn> column)
+{
+    if (!column || is_missing(trimmed(row.cells[column->place]))) return 0.0;
+    const double sigma = number_at(csv, row, column->place);
+    const double share = column->second_unit ? sigma / 100.0 : sigma;
+    if (!(share >= 0.0 && share <= 1.0))
+        refuse_cell(csv, row, column->place,
+                    "must be a share of the measured value in [0, 1], or in % under \"sigma "
+                    "[%]\"");
+    return share;
+}
+
+/// The columns that a table of tests may have.
+struct TestColumns {
+    std::optional<TestColumn> stress, peak, stiffness, drop, censored, sigma, wall;
+};
+
+TestColumns test_columns(const Csv& csv)
+{
+    TestColumns c{column_of(csv, "stress", {"MPa"}),      column_of(csv, "peak", {"kN"}),
+                  column_of(csv, "stiffness", {"kN/mm"}), column_of(csv, "drop", {"mm", "%"}),
+                  column_of(csv, "censored", {"-"}),      column_of(csv, "sigma", {"-", "%"}),
+                  column_of(csv, "wall", {"-"})};
+    if (!c.stress)
+        throw ConfigError(csv.path, 1, "stress [MPa]",
+                          "there is no such column; name the vertical stress of each test");
+    if (!c.peak && !c.stiffness && !c.drop)
+        throw ConfigError(csv.path, 1, "peak [kN], stiffness [kN/mm], drop [mm]",
+                          "there is none of these columns; give at least one of them");
+    return c;
+}
+
+} // namespace
+
+std::vector<MeasuredTest> measured_tests(const Csv& csv, double height)
+{
+    check_rows(csv);
+    const TestColumns c = test_columns(csv);
+    std::vector<MeasuredTest> tests;
+    for (const CsvRow& row : csv.rows) {
+        MeasuredTest t;
+        t.line = row.line;
+        if (c.wall) t.name = trimmed(row.cells[c.wall->place]);
+        const auto s = positive_at(csv, row, c.stress);
+        if (!s)
+            refuse_cell(csv, row, c.stress->place,
+                        "empty cell; write the vertical stress in MPa");
+        t.stress = *s * 1e6;
+        t.peak = positive_at(csv, row, c.peak);
+        t.stiffness = positive_at(csv, row, c.stiffness);
+        read_drop(csv, row, c.drop, height, t);
+        if (!t.peak && !t.stiffness && !t.drop)
+            refuse_cell(csv, row,
+                        (c.peak   ? c.peak
+                         : c.drop ? c.drop
+                                  : c.stiffness)
+                            ->place,
+                        "nothing was measured in this row; remove it");
+        if (c.censored && t.drop)
+            t.censored = read_censored(csv, row, c.censored->place) || t.censored;
+        t.error = error_at(csv, row, c.sigma);
+        tests.push_back(std::move(t));
+    }
+    return tests;
+}
+
+void check_stresses(const Csv& csv, std::span<const MeasuredTest> tests,
+                    std::span<const double> stresses)
+{
+    std::string all;
+    for (const double s : stresses) all += (all.empty() ? "" : ", ") + stress_text(s);
+    for (const MeasuredTest& t : tests)
+        if (std::ranges::none_of(stresses, [&](double s) { return same_stress(t.stress, s); }))
+            throw ConfigError(csv.path, t.line, "stress",
+                              number(t.stress / 1e6, 6) +
+                                  " MPa is none of the study's stresses (" + all +
+                                  "); add it to load.vertical_stress");
+}
+
+bool same_stress(double a, double b) { return std::abs(a - b) <= 1e-6 * a; }
+
+} // namespace app

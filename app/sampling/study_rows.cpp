@@ -1,0 +1,87 @@
+#include "app/sampling/study_rows.hpp"
+
+#include "app/input/distribution_text.hpp"
+#include "app/input/key_values.hpp"
+#include "app/input/study_keys.hpp"
+#include "app/sampling/study_dependence.hpp"
+#include "app/text/words.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace app {
+namespace {
+
+[[noreturn]] void refuse_rows(const Study& study, const std::string& why)
+{
+    throw error_at(study.source, "uq.together", why);
+}
+
+/// The values of the input at this place, in the order in which they stand there.
+std::vector<double> listed_values(const Study& study, std::size_t place)
+{
+    const RandomInput& input = study.random[place];
+    if (study.uq.spatial != Spatial::none && input.varies != Varies::by_wall)
+        refuse_rows(study, input.key + " varies from joint to joint; write uq.spatial = none");
+    const Key& key = *find_key(input.key);
+    const std::vector<double> values =
+        empirical_values(find_entry(study.source, input.key)->value, key.unit);
+    if (values.empty())
+        refuse_rows(study, input.key + " is not a list; write empirical(...) with a value for "
+                                       "each row");
+    for (const double x : values)
+        if (!in_range(x, key))
+            throw error_at(study.source, input.key,
+                           "a value is out of range; must be in " + allowed_values(key));
+    return values;
+}
+
+std::size_t place_named(const Study& study, std::string_view word)
+{
+    std::vector<std::string_view> names;
+    for (const RandomInput& r : study.random) names.push_back(r.key);
+    const auto found = std::ranges::find(names, word);
+    if (found == names.end())
+        refuse_rows(study, in_quotes(word) + " is not a random input of this study; " +
+                               (names.empty() ? "there is none" : suggestion(word, names)));
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+} // namespace
+
+bool is_together(const Study& study, std::string_view key)
+{
+    return !study.uq.together.empty() &&
+           std::ranges::count(split(study.uq.together, ","), key) > 0;
+}
+
+uq::JointRows joint_rows(const Study& study)
+{
+    uq::JointRows t;
+    if (study.uq.together.empty()) return t;
+    const auto dependence = dependence_of(study);
+    for (const std::string_view word : split(study.uq.together, ",")) {
+        const std::size_t place = place_named(study, word);
+        if (std::ranges::count(t.inputs, place) > 0)
+            refuse_rows(study, std::string(word) + " is named twice; keep one");
+        const auto row = static_cast<Eigen::Index>(place);
+        if (dependence && (dependence->rho_z.row(row).array() != 0.0).count() > 1)
+            refuse_rows(study, std::string(word) +
+                                   " stands in uq.pearson too: its dependence is "
+                                   "given twice; take it out of one of them");
+        const std::vector<double> values = listed_values(study, place);
+        if (t.inputs.empty()) t.rows.resize(values.size());
+        if (values.size() != t.rows.size())
+            refuse_rows(study, std::string(word) + " has " + std::to_string(values.size()) +
+                                   " values, and the first input has " +
+                                   std::to_string(t.rows.size()) + "; a row needs one of each");
+        for (std::size_t k = 0; k < values.size(); ++k) t.rows[k].push_back(values[k]);
+        t.inputs.push_back(place);
+    }
+    if (t.inputs.size() < 2) refuse_rows(study, "names one input; name two or more");
+    std::ranges::stable_sort(t.rows, {}, [](const auto& row) { return row.front(); });
+    return t;
+}
+
+} // namespace app

@@ -1,0 +1,20 @@
+#pragma once
+/// Random inputs of a study whose values stand row by row: uq.together.
+
+#include "app/input/study.hpp"
+#include "uq/fields/spatial_sample.hpp"
+
+#include <string_view>
+
+namespace app {
+
+/// Whether uq.together names this key.
+[[nodiscard]] bool is_together(const Study& study, std::string_view key);
+
+/// The rows of the inputs that uq.together names; none if it names none.
+/// @throws ConfigError if it names fewer than two inputs, one that is not empirical(...) or
+/// varies inside the wall, lists of different lengths, a value out of the range of its key, or
+/// one that uq.pearson names, too
+[[nodiscard]] uq::JointRows joint_rows(const Study& study);
+
+} // namespace app
