@@ -25,12 +25,12 @@ LevelAnswer answer_of(const StudyLevel& level, const StudyWalls& walls,
     std::vector<Eigen::VectorXd> u;
     std::vector<double> y;
     for (const StudyWall& w : level.walls) {
-        const double value = quantity.read(w.reading) * quantity.scale;
+        const double value = shown(quantity, w.reading);
         if (!(value > 0.0 && std::isfinite(value))) {
             ++a.without;
             continue;
         }
-        if (quantity.is_bound(w.reading)) ++a.bounds;
+        if (is_bound(quantity, w.reading)) ++a.bounds;
         Eigen::VectorXd x(static_cast<Eigen::Index>(places.size()));
         for (std::size_t i = 0; i < places.size(); ++i)
             x(static_cast<Eigen::Index>(i)) =
@@ -63,7 +63,7 @@ std::string trouble(const LevelAnswer& a, const TestedQuantity& quantity, double
     if (n < static_cast<std::size_t>(least))
         return at + ": only " + counted(n, "wall has", "walls have") + " one, and " +
                std::to_string(least) + " are needed";
-    if (quantity.ends_with_test &&
+    if (quantity.number->ends_with_push &&
         static_cast<double>(a.bounds) > kMostOutlasting * static_cast<double>(n))
         return at + ": " + std::to_string(a.bounds) + " of " + std::to_string(n) +
                " walls outlast their push; push them further (load.max_displacement, "
@@ -118,7 +118,7 @@ void use_tests(CalibrationData& data, const std::vector<MeasuredTest>& tests)
                 ++left_out;
             else
                 data.tests.push_back({i, static_cast<std::size_t>(found - data.answers.begin()),
-                                      *value, q.ends_with_test && t.censored, t.error});
+                                      *value, q.number->ends_with_push && t.censored, t.error});
         }
     }
     if (left_out > 0)

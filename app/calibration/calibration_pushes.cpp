@@ -30,7 +30,7 @@ WallDraw draw_at(const Study& study, const CalibratedInputs& inputs, const Eigen
 
 bool is_pushed_again(const PreparedStudy& ready)
 {
-    return !has_layouts(ready.study) && !pushes_both_ways(ready.study) &&
+    return !has_layouts(ready.study) && !pushes_both_ways(ready.study, ready.layout) &&
            ready.study.uq.spatial == Spatial::none;
 }
 
@@ -57,7 +57,7 @@ Eigen::MatrixXd pushed_answers(const PreparedStudy& ready, const CalibratedInput
         for (std::size_t a = 0; a < answers.size(); ++a) {
             if (answers[a].level != i % levels || !wall.reading.no_reading.empty()) continue;
             const TestedQuantity& q = kTestedQuantities[answers[a].quantity];
-            const double value = q.read(wall.reading) * q.scale;
+            const double value = shown(q, wall.reading);
             if (value > 0.0 && std::isfinite(value))
                 y(static_cast<Eigen::Index>(i / levels), static_cast<Eigen::Index>(a)) =
                     std::log(value);

@@ -139,7 +139,7 @@ Table further_wall_table(const CalibrationReport& r)
     for (std::size_t a = 0; a < r.data->answers.size(); ++a) {
         const CalibratedAnswer& answer = r.data->answers[a];
         const TestedQuantity& q = quantity_of(r, answer);
-        t.rows.push_back({with_unit(q.words, q.unit), stress_cell(answer.stress),
+        t.rows.push_back({with_unit(q.words, q.number->unit.name), stress_cell(answer.stress),
                           count(std::ranges::count(r.data->tests, a, &UsedTest::answer)),
                           further_cell(r.run->prior, a, q.decimals),
                           further_cell(r.run->with.further, a, q.decimals),
@@ -170,7 +170,8 @@ Table test_table(const CalibrationReport& r)
         const bool known = std::isfinite(by.value);
         const bool holds = used.at_least ? used.value <= by.upper
                                          : used.value >= by.lower && used.value <= by.upper;
-        t.rows.push_back({test.name, with_unit(q.name, q.unit), stress_cell(answer.stress),
+        t.rows.push_back({test.name, with_unit(q.name, q.number->unit.name),
+                          stress_cell(answer.stress),
                           Number{.value = used.value,
                                  .decimals = q.decimals,
                                  .sense = used.at_least ? Sense::above : Sense::equal},

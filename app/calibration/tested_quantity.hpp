@@ -2,41 +2,43 @@
 /// The numbers of a wall that tests measure.
 
 #include "app/calibration/measured_tests.hpp"
-#include "app/reading/wall_response.hpp"
+#include "app/reading/wall_numbers.hpp"
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <string_view>
 
 namespace app {
 
 struct TestedQuantity {
-    std::string_view name;                   ///< of its column: "peak"
-    std::string_view words;                  ///< "peak force"
-    std::string_view unit;                   ///< "kN"
-    double scale;                            ///< shown value / value in SI
-    int decimals;                            ///< of tables
-    double (*read)(const WallReading& wall); ///< [SI]; NaN: not defined on this wall
-    bool (*is_bound)(const WallReading& wall);
+    std::string_view name;    ///< of its column: "peak"
+    std::string_view words;   ///< "peak force"
+    const WallNumber* number; ///< a reading that does not depend on the height
+    int decimals;             ///< of tables
     std::optional<double> MeasuredTest::*measured; ///< shown value
-    bool ends_with_test; ///< a test that ended before can only say that it is larger
     /// The key of the model's error of it in a study; empty: there is none.
     std::string_view factor_key;
 };
 
-[[nodiscard]] inline double secant_stiffness(const WallReading& w)
+inline constexpr std::array kTestedQuantities = {
+    TestedQuantity{"peak", "peak force", &wall_number("peak_force"), 1, &MeasuredTest::peak,
+                   "fragility.model_factor_force"},
+    TestedQuantity{"stiffness", "stiffness", &wall_number("secant_stiffness"), 2,
+                   &MeasuredTest::stiffness, ""},
+    TestedQuantity{"drop", "displacement at the drop", &wall_number("ultimate_displacement"), 1,
+                   &MeasuredTest::drop, "fragility.model_factor"}};
+
+/// Shown value; NaN: not defined on this wall.
+[[nodiscard]] inline double shown(const TestedQuantity& q, const WallReading& wall)
 {
-    return w.stiffness.value_or(std::numeric_limits<double>::quiet_NaN());
+    constexpr double kAnyHeight = 1.0;
+    return q.number->unit.scale * q.number->reading(wall, kAnyHeight);
 }
 
-inline constexpr std::array kTestedQuantities = {
-    TestedQuantity{"peak", "peak force", "kN", 1e-3, 1, peak_force, still_rising,
-                   &MeasuredTest::peak, false, "fragility.model_factor_force"},
-    TestedQuantity{"stiffness", "stiffness", "kN/mm", 1e-6, 2, secant_stiffness,
-                   [](const WallReading&) { return false; }, &MeasuredTest::stiffness, false,
-                   ""},
-    TestedQuantity{"drop", "displacement at the drop", "mm", 1e3, 1, known_ultimate, never_fell,
-                   &MeasuredTest::drop, true, "fragility.model_factor"}};
+/// Whether the push ended before the wall had shown it.
+[[nodiscard]] inline bool is_bound(const TestedQuantity& q, const WallReading& wall)
+{
+    return q.number->is_bound != nullptr && q.number->is_bound(wall);
+}
 
 } // namespace app
