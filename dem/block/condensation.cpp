@@ -14,7 +14,7 @@ namespace dem {
 
 namespace {
 
-constexpr double kRounding = 1e-7; // [m] of the coordinates of a level or vertical edge
+constexpr double kEdgeRounding = 1e-7; // [m] of the coordinates of a level or vertical edge
 
 bool same(double a, double b) { return std::abs(a - b) < kSamePlace; }
 
@@ -125,10 +125,10 @@ double place_on(const BlockEdge& e, Point p)
     const double dx = e.to.x - e.from.x, dz = e.to.z - e.from.z;
     const double length = std::hypot(dx, dz);
     double s = 0.0, off = 0.0;
-    if (std::abs(dx) < kRounding) {
+    if (std::abs(dx) < kEdgeRounding) {
         off = p.x - e.from.x;
         s = (p.z - e.from.z) / dz;
-    } else if (std::abs(dz) < kRounding) {
+    } else if (std::abs(dz) < kEdgeRounding) {
         off = p.z - e.from.z;
         s = (p.x - e.from.x) / dx;
     } else {
