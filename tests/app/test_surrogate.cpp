@@ -91,7 +91,7 @@ TEST_CASE("surrogate: dependent inputs have no shares of the variance", "[app][s
 TEST_CASE("surrogate: an unknown response is named with those that there are",
           "[app][surrogate]")
 {
-    CHECK(surrogate_response("ultimate_drift").unit == "%");
+    CHECK(surrogate_response("ultimate_drift").unit.name == "%");
     CHECK_THROWS_WITH(surrogate_response("peak_forse"),
                       Catch::Contains("--of") && Catch::Contains("peak_force"));
 }
