@@ -156,8 +156,8 @@ constexpr std::array kVerbs = {
          .run = choices_command},
     Verb{.name = "compare",
          .words = "A B...",
-         .meaning =
-             "studies (FILE.h5), folders of pushes and measured curves (.csv) side by side",
+         .meaning = "studies (FILE.h5), folders of pushes and of fragility, measured curves "
+                    "(.csv) side by side",
          .example = "drystone compare runs/wall runs/other_wall",
          .suffix = "_compare",
          .least = 2,

@@ -8,16 +8,26 @@ import { folded, scrolled, table, provenance } from './tables.js';
 
 const note = (text) => element('p', { class: 'note' }, text);
 
+const about = (...texts) => element('details', { class: 'about' }, element('summary', {}, 'About this table'), ...texts.filter(Boolean).map(note));
+
+/** A table with its columns as rows. */
+const turned = ({ head, rows }) => ({ head: [head[0], ...rows.map((r) => r[0])], rows: head.slice(1).map((name, c) => [name, ...rows.map((r) => r[c + 1])]) });
+
 /** The answer: a sentence, and the drifts of each stress. */
 function overview(data) {
     const { lead, answers, solver } = data.overview;
     const host = section('overview', 'Overview', element('p', { class: 'lead' }, lead));
-    if (answers.rows.length) host.append(scrolled(answers, 'Peak force, mode and drift limits of each stress'), note(answers.note));
-    if (solver) host.append(note(solver));
+    const phone = matchMedia('(max-width: 500px)').matches;
+    if (answers.rows.length) {
+        // A phone has room for the columns of one or two stresses below each other, and for the picture, but not for what is said about them.
+        const shown = phone && answers.rows.length <= 2 ? turned(answers) : answers;
+        host.append(scrolled(shown, 'Peak force, mode and drift limits of each stress'), phone ? about(answers.note, solver) : note(answers.note));
+    }
+    if (solver && !phone) host.append(note(solver));
 }
 
 /** What stands behind the answer. */
-function about(data) {
+function behind(data) {
     const list = (title, lines) => element('div', {}, element('h3', {}, title), element('ul', {}, ...lines.map((l) => element('li', {}, l))));
     section('about', 'The study', element('div', { class: 'pair' }, list('What was run', data.overview.run), list('How sure', data.overview.sure)), list('What came out', data.overview.found), table(data.tables.results), table(data.tables.solver_error));
 }
@@ -80,7 +90,7 @@ async function start() {
     data.films = JSON.parse(text('films'));
     overview(data);
     await curvesAndWall(data);
-    about(data);
+    behind(data);
     statistics(data);
     section('walls', 'All walls', table(data.tables.walls));
     provenance(data, section('provenance', 'Provenance'));

@@ -1,6 +1,7 @@
 #include "app/compare/compare_command.hpp"
 
 #include "app/compare/compared.hpp"
+#include "app/compare/compared_limits.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/svg_elements.hpp"
@@ -28,8 +29,19 @@ std::string html_table(const Table& table)
     return body + "</tr>\n</table>\n";
 }
 
-std::string page(const Table& table, const std::string& chart)
+/// A table with its chart before it.
+struct Part {
+    std::string name; ///< of its files
+    Table table;
+    std::string chart;
+};
+
+std::string page(const std::vector<Part>& parts)
 {
+    std::string body;
+    for (const Part& p : parts)
+        body += "<h1>" + xml_escape(p.table.title) + "</h1>\n" + p.chart + "<div>\n" +
+                html_table(p.table) + "</div>\n<p>" + xml_escape(p.table.caption) + "</p>\n";
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
            "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<title>Walls side by side</title>\n<style>\n"
@@ -39,32 +51,41 @@ std::string page(const Table& table, const std::string& chart)
            "th, td { text-align: left; padding: 3px 10px 3px 0; border-bottom: 1px solid #ccc; "
            "white-space: nowrap }\n"
            "svg { max-width: 100%; height: auto }\np { color: #555 "
-           "}\n</style>\n</head>\n<body>\n<h1>" +
-           xml_escape(table.title) + "</h1>\n" + chart + "<div>\n" + html_table(table) +
-           "</div>\n<p>" + xml_escape(table.caption) + "</p>\n</body>\n</html>\n";
+           "}\n</style>\n</head>\n<body>\n" +
+           body + "</body>\n</html>\n";
 }
 
 } // namespace
 
 int compare_command(const Command& command)
 {
-    std::vector<std::filesystem::path> names = {"compare.svg", "compare.html"};
+    std::vector<std::filesystem::path> names = {"compare.svg", "limits.svg", "compare.html"};
     for (const char* const ending : kTableEndings)
-        names.push_back(std::string("compare") + ending);
+        for (const char* const name : {"compare", "limits"})
+            names.push_back(std::string(name) + ending);
     if (const std::string note = check_results(command.out, names, kCompareList);
         !command.quiet)
         std::cerr << note;
     std::vector<Compared> all;
-    for (const std::string& path : command.words)
+    std::vector<ComparedLimit> limits;
+    for (const std::string& path : command.words) {
         for (Compared& c : read_compared(path)) all.push_back(std::move(c));
-    const Table table = compared_table(all);
-    const std::string chart = compared_chart(all);
+        for (ComparedLimit& l : read_limits(path)) limits.push_back(std::move(l));
+    }
+    std::vector<Part> parts;
+    if (!all.empty()) parts.push_back({"compare", compared_table(all), compared_chart(all)});
+    if (!limits.empty())
+        parts.push_back({"limits", compared_limit_table(limits), compared_limit_chart(limits)});
     std::vector<OutputFile> files;
-    add_table(files, "compare", table);
-    files.push_back({"compare.svg", chart});
-    files.push_back({"compare.html", page(table, chart)});
+    for (const Part& p : parts) {
+        add_table(files, p.name, p.table);
+        files.push_back({p.name + ".svg", p.chart});
+        std::cout << (&p == &parts.front() ? "" : "\n" + p.table.title + "\n")
+                  << as_text(p.table, terminal_width());
+    }
+    files.push_back({"compare.html", page(parts)});
     write_results(command.out, files, kCompareList);
-    std::cout << as_text(table, terminal_width()) << "written to " << command.out << '\n';
+    std::cout << "written to " << command.out << '\n';
     return 0;
 }
 

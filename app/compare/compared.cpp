@@ -1,5 +1,6 @@
 #include "app/compare/compared.hpp"
 
+#include "app/compare/compared_limits.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/chart_svg.hpp"
 #include "app/push/test_curve.hpp"
@@ -204,12 +205,14 @@ const Compared& reference(const std::vector<Compared>& all, const Compared& c)
 std::vector<Compared> read_compared(const std::string& path)
 {
     if (path.ends_with(".h5")) return of_study(path);
+    const fs::path folder = path;
+    if (fs::exists(folder / kFragilityFile) && !fs::exists(folder / "summary.json")) return {};
     if (fs::is_directory(path)) return {of_push(path)};
     if (path.ends_with(".csv")) return {of_test(path)};
     throw ConfigError(
         path, 0, "",
-        "cannot be compared; give a FILE.h5, the folder of a push, or a .csv with "
-        "displacement_mm,force_kN");
+        "cannot be compared; give a FILE.h5, the folder of a push or of fragility, or a .csv "
+        "with displacement_mm,force_kN");
 }
 
 Table compared_table(const std::vector<Compared>& all)

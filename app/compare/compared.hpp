@@ -18,7 +18,8 @@ struct Compared {
     std::vector<double> displacement, force; ///< [m] [N]; of a study the mean of its walls
 };
 
-/// Reads FILE.h5 (a row for each stress), the folder of a push, or a CSV of a measured curve.
+/// Reads FILE.h5 (a row for each stress), the folder of a push, or a CSV of a measured curve;
+/// the folder of `fragility` has no curves and gives nothing (compared_limits.hpp).
 /// @throws ConfigError, StoreError
 [[nodiscard]] std::vector<Compared> read_compared(const std::string& path);
 

@@ -34,6 +34,7 @@ struct Command {
     bool report = false;               ///< tables and page follow the study
     std::vector<std::string> beside;   ///< measured curves that pictures show
     bool film = false;                 ///< a moving picture of each wall that is pushed
+    std::string video;                 ///< the same as this GIF or WebM; empty: none
     bool partial = false;              ///< shards are merged although walls are missing
     std::vector<std::string> drift;    ///< columns of a table
     std::vector<std::string> censored; ///< of a table: for all drifts, or one for each

@@ -224,6 +224,37 @@ void set_out(const Verb& verb, Command& command)
     if (verb.out == OutKind::folder) check_out_folder(command);
 }
 
+/// `--film wall.gif`: the option stands alone, too, so that Boost gets it without the name.
+/// @return that name, taken out of the arguments
+std::string take_video(std::vector<std::string>& arguments)
+{
+    constexpr std::string_view kFilm = "--film";
+    const auto ending = [](const std::string& name) { return fs::path(name).extension(); };
+    const auto is_film = [&](const std::string& name) {
+        constexpr std::array<std::string_view, 8> kKinds = {".gif", ".webm", ".svg",  ".mp4",
+                                                            ".avi", ".mov",  ".apng", ".mkv"};
+        return std::ranges::find(kKinds, ending(name).string()) != kKinds.end();
+    };
+    std::string name;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        std::string& a = arguments[i];
+        if (a.starts_with("--film=")) {
+            name = a.substr(kFilm.size() + 1);
+            a = kFilm;
+            break;
+        }
+        if (a != kFilm || i + 1 == arguments.size() || !is_film(arguments[i + 1])) continue;
+        name = arguments[i + 1];
+        arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        break;
+    }
+    if (!name.empty() && ending(name) != ".gif" && ending(name) != ".webm")
+        refuse("--film", in_quotes(name) +
+                             " is no film that can be made; write a name that "
+                             "ends in .gif or .webm, or --film alone for film.svg");
+    return name;
+}
+
 void check_study_options(const Command& command)
 {
     if (command.study.ends_with(".h5") &&
@@ -253,9 +284,11 @@ void check_study_options(const Command& command)
 } // namespace
 
 Command parse_command_line(std::span<const Verb> verbs,
-                           const std::vector<std::string>& arguments)
+                           const std::vector<std::string>& given_arguments)
 {
     Command command;
+    std::vector<std::string> arguments = given_arguments;
+    command.video = take_video(arguments);
     command.threads = default_threads();
     if (asks_about_option(arguments)) {
         command.verb = &known_verb(verbs, "help");

@@ -156,23 +156,11 @@ WallView film_view(const std::vector<const dem::Snapshot*>& frames)
     return view;
 }
 
-} // namespace
-
-std::string film_svg(std::span<const dem::Snapshot> frames,
-                     std::span<const double> displacement, std::span<const double> force,
-                     const FilmText& text)
+/// One film, or one picture of it: seen by what plays nothing, the last of film.frames.
+std::string film_page(const MovingWall& film, std::span<const double> displacement,
+                      std::span<const double> force, const FilmText& text)
 {
-    if (frames.size() < 2) throw std::invalid_argument("film: two frames are needed");
-    if (!(text.load_height > 0.0))
-        throw std::invalid_argument("film: the height of the load must be positive");
-    const std::size_t shapes = frames[0].blocks.size() + frames[0].faces.size() / 3;
-    const auto most = static_cast<std::size_t>(
-        std::clamp(static_cast<int>(kMostShapes / std::max<std::size_t>(shapes, 1)),
-                   kFewestPictures, kFilmPictures));
-    MovingWall film{chosen(frames, most), {}, {}};
-    film.view = film_view(film.frames);
-    film.clock = svg_attribute("dur", number(kSeconds, 3) + "s") + "repeatCount=\"indefinite\"";
-    const WallBox rest = box_of(frames[0].blocks, 0.0);
+    const WallBox rest = box_of(film.frames.front()->blocks, 0.0);
     const Pixel left = film.view.place({rest.low.x, rest.low.z}),
                 right = film.view.place({rest.high.x, rest.low.z});
     const std::string wall = moving_wall(film, text.tints);
@@ -189,6 +177,44 @@ std::string film_svg(std::span<const dem::Snapshot> frames,
         moving_curve(film, curve_chart(displacement, force, text.load_height));
     return svg_page(kWide, kHigh, text.title.empty() ? "A wall that is pushed" : text.title,
                     body);
+}
+
+void check_film(std::span<const dem::Snapshot> frames, const FilmText& text)
+{
+    if (frames.size() < 2) throw std::invalid_argument("film: two frames are needed");
+    if (!(text.load_height > 0.0))
+        throw std::invalid_argument("film: the height of the load must be positive");
+}
+
+} // namespace
+
+std::string film_svg(std::span<const dem::Snapshot> frames,
+                     std::span<const double> displacement, std::span<const double> force,
+                     const FilmText& text)
+{
+    check_film(frames, text);
+    const std::size_t shapes = frames[0].blocks.size() + frames[0].faces.size() / 3;
+    const auto most = static_cast<std::size_t>(
+        std::clamp(static_cast<int>(kMostShapes / std::max<std::size_t>(shapes, 1)),
+                   kFewestPictures, kFilmPictures));
+    MovingWall film{chosen(frames, most), {}, {}};
+    film.view = film_view(film.frames);
+    film.clock = svg_attribute("dur", number(kSeconds, 3) + "s") + "repeatCount=\"indefinite\"";
+    return film_page(film, displacement, force, text);
+}
+
+std::vector<std::string> film_stills(std::span<const dem::Snapshot> frames,
+                                     std::span<const double> displacement,
+                                     std::span<const double> force, const FilmText& text)
+{
+    check_film(frames, text);
+    const MovingWall film{chosen(frames, kFilmStills), {}, {}};
+    const WallView view = film_view(film.frames);
+    std::vector<std::string> stills;
+    for (const dem::Snapshot* const frame : film.frames)
+        stills.push_back(film_page({{film.frames.front(), frame}, view, "dur=\"1s\""},
+                                   displacement, force, text));
+    return stills;
 }
 
 } // namespace app

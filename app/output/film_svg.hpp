@@ -7,11 +7,13 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace app {
 
 /// Frames of a film. Between two of them motion is straight.
 constexpr int kFilmPictures = 40, kFewestPictures = 12;
+constexpr std::size_t kFilmStills = 80; ///< at most, of a film of pictures
 
 struct FilmText {
     std::string title = {};
@@ -28,5 +30,12 @@ struct FilmText {
 [[nodiscard]] std::string film_svg(std::span<const dem::Snapshot> frames,
                                    std::span<const double> displacement,
                                    std::span<const double> force, const FilmText& text);
+
+/// The same film as pictures that stand still, for programs that make a film of them.
+/// @throws as film_svg()
+[[nodiscard]] std::vector<std::string> film_stills(std::span<const dem::Snapshot> frames,
+                                                   std::span<const double> displacement,
+                                                   std::span<const double> force,
+                                                   const FilmText& text);
 
 } // namespace app

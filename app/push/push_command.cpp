@@ -5,10 +5,13 @@
 #include "app/input/sheet_offer.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/units.hpp"
+#include "app/output/atomic_output.hpp"
 #include "app/output/backbones_csv.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/cycles_csv.hpp"
+#include "app/output/film_video.hpp"
 #include "app/output/markup.hpp"
+#include "app/output/replaced_file.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
 #include "app/push/capacity_svg.hpp"
@@ -245,6 +248,39 @@ PreparedStudy pushed_study(PreparedStudy ready, std::optional<int> sample)
     return in_layout(study, layout_seed(study, static_cast<std::uint32_t>(sample.value_or(0))));
 }
 
+/// "wall.gif", of several walls "wall_0.50_MPa.gif".
+fs::path video_of(const Command& command, std::size_t walls, double stress)
+{
+    fs::path name = command.video;
+    if (walls > 1)
+        name.replace_filename(name.stem().string() + "_" + folder_of(stress).string() +
+                              name.extension().string());
+    return name;
+}
+
+void check_video(const fs::path& file, bool quiet)
+{
+    if (const std::string note = check_replaced(file, video_mark(file)); !quiet)
+        std::cerr << note;
+}
+
+/// Films in a file of their own; a line for each.
+std::string write_videos(const Command& command, const PreparedStudy& ready,
+                         const std::vector<PushedWall>& walls,
+                         const std::optional<PushFilm>& film)
+{
+    std::string said;
+    if (command.video.empty() || !film) return said;
+    const fs::path folder = fs::path(command.video).parent_path();
+    if (!folder.empty()) make_folder(folder);
+    for (std::size_t i = 0; i < walls.size(); ++i)
+        if (!dem::failed(walls[i].result.outcome))
+            said += write_video(video_of(command, walls.size(), walls[i].vertical_stress),
+                                film->stills(ready.layout, i, walls[i])) +
+                    "\n";
+    return said;
+}
+
 } // namespace
 
 int push_command(const Command& command)
@@ -260,6 +296,9 @@ int push_command(const Command& command)
     const PreparedStudy ready = pushed_study(std::move(source.ready), command.sample);
     const Study& study = ready.study;
     check_folder(command, study, wanted);
+    for (const double stress : study.load.vertical_stress)
+        if (!command.video.empty())
+            check_video(video_of(command, wanted.size(), stress), command.quiet);
     catch_interrupts();
     PushedSeries series(command.out, wall_folders(study, wanted));
     dem::PushPlan plan = push_plan(study);
@@ -281,7 +320,8 @@ int push_command(const Command& command)
             std::cout << wrapped("remark: " + stress_text(w.vertical_stress) + ": " + remark +
                                      ".\n",
                                  terminal_width());
-    std::cout << "written to " << command.out << '\n';
+    std::cout << "written to " << command.out << '\n'
+              << wrapped(write_videos(command, ready, walls, film), terminal_width());
     if (walls.front().reading.peak)
         std::cout << sheet_offer(fs::path(command.out) /
                                      wall_folder(walls.size(), walls.front().vertical_stress) /

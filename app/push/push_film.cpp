@@ -34,19 +34,36 @@ PushFilm::PushFilm(const Study& study, std::size_t walls, dem::PushPlan& plan) :
             }};
 }
 
-std::string PushFilm::film(const dem::Layout& layout, std::size_t wall,
-                           const PushedWall& w) const
+std::vector<dem::Snapshot> PushFilm::frames_of(std::size_t wall, const PushedWall& w) const
 {
     std::vector<dem::Snapshot> frames = walls_.at(wall).frames;
     if (frames.empty() || frames.back().displacement != w.result.at_end.displacement)
         frames.push_back(w.result.at_end);
     if (frames.size() < 2)
         frames.insert(frames.begin(), frames.front()); // it came down at once
-    FilmText text;
-    text.title = "Wall under " + stress_text(w.vertical_stress);
-    text.load_height = w.loads.height;
-    text.tints = stone_tints(layout);
-    return film_svg(frames, w.displacement, w.force, text);
+    return frames;
+}
+
+namespace {
+
+FilmText film_text(const dem::Layout& layout, const PushedWall& w)
+{
+    return {"Wall under " + stress_text(w.vertical_stress), w.loads.height,
+            stone_tints(layout)};
+}
+
+} // namespace
+
+std::string PushFilm::film(const dem::Layout& layout, std::size_t wall,
+                           const PushedWall& w) const
+{
+    return film_svg(frames_of(wall, w), w.displacement, w.force, film_text(layout, w));
+}
+
+std::vector<std::string> PushFilm::stills(const dem::Layout& layout, std::size_t wall,
+                                          const PushedWall& w) const
+{
+    return film_stills(frames_of(wall, w), w.displacement, w.force, film_text(layout, w));
 }
 
 } // namespace app

@@ -21,11 +21,17 @@ class PushFilm {
     [[nodiscard]] std::string film(const dem::Layout& layout, std::size_t wall,
                                    const PushedWall& pushed) const;
 
+    /// The same as pictures.
+    [[nodiscard]] std::vector<std::string> stills(const dem::Layout& layout, std::size_t wall,
+                                                  const PushedWall& pushed) const;
+
   private:
     struct Taken {
         std::size_t seen = 0;
         std::vector<dem::Snapshot> frames;
     };
+    [[nodiscard]] std::vector<dem::Snapshot> frames_of(std::size_t wall,
+                                                       const PushedWall& pushed) const;
     std::vector<Taken> walls_;
     std::size_t every_ = 1; ///< of the snapshots that are taken
 };

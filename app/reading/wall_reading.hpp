@@ -25,8 +25,8 @@ struct UserState {
 
 /// A drift limit of a code by the piers of a wall.
 struct PierLimit {
-    /// Of the load line when a pier first reaches its drift limit [m]; 0: the limit state has
-    /// none.
+    /// Place of the load line when a pier first reaches its drift limit [m]; 0: the limit state
+    /// has none.
     double displacement = 0.0;
     int pier = 0; ///< that pier, from 1; 0: none reached it
 };
@@ -65,8 +65,8 @@ struct WallReading {
     fragility::LimitDisplacement ultimate; ///< [m]
     fragility::LimitDisplacement collapse; ///< no force left, or the wall came down [m]
     std::vector<fragility::LimitDisplacement> limits; ///< [m], in the order of state_names
-    /// Of walls whose piers are told apart, by limit state: the pier, from 1, whose drift limit
-    /// it is, or whose it is a share of; 0: the limit is the wall's own.
+    /// By limit state the pier, from 1, whose drift limit it is, or whose it is a share of; 0:
+    /// the limit is the wall's own. Empty where piers are not told apart.
     std::vector<int> governing;
     /// Readings of each backbone of a push that turns back, in the order of fragility::Side,
     /// without a mode. Mean and worse of a push that never leaves one side are those of that

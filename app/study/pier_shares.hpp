@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// What makes walls reach a limit state.
+/// A cause by which walls reach a limit state.
 struct GoverningPier {
     int pier = 0;        ///< from 1; 0: not a drift limit of a pier
     int direction = 0;   ///< of the push that reaches it first: 1, -1, 0: both together

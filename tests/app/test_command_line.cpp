@@ -110,7 +110,16 @@ TEST_CASE("command line: help tells of an option, with its hyphens or without",
         CHECK(has(text, option.meaning));
     }
     CHECK(help("--film") == "--film\n      write a moving picture of the push, film.svg, for a "
-                            "page or a talk\n  taken by  push\n");
+                            "page or a talk; with a name, --film wall.gif or wall.webm, that "
+                            "file too (needs ffmpeg)\n  taken by  push\n");
+    const app::Command gif = parse({"push", "--film", "wall.gif", "wall.ini"});
+    CHECK(gif.film);
+    CHECK(gif.video == "wall.gif");
+    CHECK(gif.words == std::vector<std::string>{"wall.ini"});
+    CHECK(parse({"push", "wall.ini", "--film=a.webm"}).video == "a.webm");
+    CHECK(parse({"push", "--film", "wall.ini"}).video.empty());
+    CHECK_THROWS_WITH(parse({"push", "wall.ini", "--film", "wall.mp4"}),
+                      Catch::Contains("write a name that ends in .gif or .webm"));
     CHECK(has(help("--shard"), "--shard I/N\n"));
     CHECK(has(help("film"), "  --film  "));
     CHECK_THROWS_WITH(help("--flim"), Catch::Contains("did you mean \"--film\"?"));

@@ -1,5 +1,6 @@
 #include "app/compare/compare_command.hpp"
 #include "app/compare/compared.hpp"
+#include "app/compare/compared_limits.hpp"
 #include "app/push/test_curve.hpp"
 #include "app/text/config_error.hpp"
 #include "scenes/temporary_folder.hpp"
@@ -55,6 +56,40 @@ TEST_CASE("compare: a measured curve is read as a computed one", "[app][compare]
     const std::string left = "displacement [mm];force [kN]\n0;0\n-5;-50\n-10;-37,5\n";
     const auto other = app::read_compared(file_of(folder.path / "left.csv", left));
     CHECK(value(other.front().cells[5]) == Approx(9.0));
+}
+
+TEST_CASE("compare: folders of fragility are laid side by side by their limit drifts",
+          "[app][compare]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto write = [&](const char* name, const std::string& median, const char* state) {
+        fs::create_directory(folder.path / name);
+        file_of(folder.path / name / "fragility.json",
+                R"({"tables": {"performance_limits": {"rows": [{"stress [MPa]": 0.5, "n": 20,
+                    "limit state": ")" +
+                    std::string(state) + R"(", "16 % drift [%]": 0.4, "median drift [%]": )" +
+                    median + R"(, "median drift lower [%]": 0.45, "median drift upper [%]": 1.9,
+                    "84 % drift lower [%]": 2.5, "84 % drift [%]": null}]}}})");
+        return (folder.path / name).string();
+    };
+    auto all = app::read_limits(write("a", "0.5", "ntc SLC"));
+    for (const char* const state : {"ntc SLC", "ec8 NC"})
+        for (auto& limit : app::read_limits(write("b", "0.6", state))) all.push_back(limit);
+    REQUIRE(all.size() == 3);
+    CHECK(app::read_compared((folder.path / "a").string()).empty()); // no curves
+    const app::Table t = app::compared_limit_table(all);
+    REQUIRE(t.rows.size() == 3);
+    CHECK(value(t.rows[0].back()) == Approx(0.0).margin(1e-9));
+    CHECK(value(t.rows[1].back()) == Approx(20.0));             // of the same limit state
+    CHECK(value(t.rows[2].back()) == Approx(0.0).margin(1e-9)); // another, the first of it
+    CHECK(std::get<app::Number>(t.rows[0][6]).sense == app::Sense::above);
+    CHECK(std::get<app::Number>(t.rows[0][6]).lower == Approx(2.5));
+    const std::string chart = app::compared_limit_chart(all);
+    CHECK(chart.find("ntc SLC") != std::string::npos); // the last of the first
+    CHECK(app::read_limits((folder.path / "nothing").string()).empty());
+    file_of(folder.path / "a" / "fragility.json", "{}");
+    CHECK_THROWS_WITH(app::read_limits((folder.path / "a").string()),
+                      Catch::Contains("has no table of limit drifts"));
 }
 
 TEST_CASE("compare: peaks are related to the first wall under the same stress",

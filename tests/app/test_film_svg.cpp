@@ -1,13 +1,18 @@
 #include "app/output/film_svg.hpp"
 
+#include "app/output/film_video.hpp"
+#include "app/output/run_program.hpp"
 #include "app/output/wall_marks.hpp"
 #include "tests/scenes/snapshot_scenes.hpp"
+#include "tests/scenes/temporary_folder.hpp"
 #include "tests/scenes/xml_tree.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <regex>
 #include <stdexcept>
 #include <string>
@@ -109,6 +114,49 @@ TEST_CASE("film: larger walls have fewer frames, and the file stays small", "[ap
     CHECK(text.size() < 700'000);
     for (const auto& shape : elements(scenes::parse_xml(text), "polygon"))
         for (const auto& motion : elements(shape, "animate")) CHECK(values_of(motion) < 20);
+}
+
+TEST_CASE("film: its pictures show the frames one after the other, from one place",
+          "[app][film_svg]")
+{
+    const Scene s = scene(11, false);
+    const std::vector<std::string> stills =
+        app::film_stills(s.frames, s.displacement, s.force, {});
+    REQUIRE(stills.size() == 11);
+    const auto dot = [](const std::string& picture) {
+        const auto page = scenes::parse_xml(picture);
+        return std::stod(scenes::attribute(elements(page, "circle").front(), "cx"));
+    };
+    for (std::size_t i = 1; i < stills.size(); ++i)
+        CHECK(dot(stills[i]) - dot(stills[i - 1]) ==
+              Approx(dot(stills[1]) - dot(stills[0])).margin(0.2));
+    CHECK(dot(stills[10]) - dot(stills[0]) > 100.0);
+}
+
+TEST_CASE("film: a GIF and a WebM of it are made where ffmpeg is installed, else it is said "
+          "what to install",
+          "[app][film_svg]")
+{
+    const scenes::TemporaryFolder folder;
+    const Scene s = scene(3, false);
+    const std::vector<std::string> stills =
+        app::film_stills(s.frames, s.displacement, s.force, {});
+    for (const char* const name : {"wall.gif", "wall.webm"}) {
+        const std::filesystem::path file = folder.path / name;
+        const std::string said = app::write_video(file, stills);
+        if (app::is_missing(app::run_program({"ffmpeg", "-version"}))) {
+            CHECK(said.find("apt install ffmpeg") != std::string::npos);
+            CHECK(std::filesystem::is_empty(folder.path));
+            continue;
+        }
+        CHECK(said == file.string() + " written");
+        std::ifstream in(file, std::ios::binary);
+        std::string begin(100, '\0');
+        in.read(begin.data(), 100);
+        CHECK(begin.find(app::video_mark(file)) != std::string::npos);
+        std::filesystem::remove(file);
+        CHECK(std::filesystem::is_empty(folder.path)); // nothing else is left
+    }
 }
 
 TEST_CASE("film: one frame is no film", "[app][film_svg]")

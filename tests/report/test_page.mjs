@@ -127,6 +127,15 @@ claims['the answer stands first, with a picture on the first screen, on a desk a
         });
 };
 
+claims['a phone shows all of the answer for one stress without scrolling to the side'] = () =>
+    withPage({ width: 390, height: 844, mobile: true }, async (page) => {
+        const far = await page.evaluate(`Math.max(...[...document.querySelectorAll('#overview td')].map((c) => c.getBoundingClientRect().right))`);
+        assert.ok(far <= 390, `a cell ends at ${far} px`);
+        const rows = await page.evaluate(`[...document.querySelectorAll('#overview tbody tr')].map((r) => r.firstChild.textContent)`);
+        assert.ok(rows.includes('how it fails') && rows.includes('ntc SLC drift [%]'), `${rows}`);
+        assert.ok((await page.evaluate(`document.querySelector('svg.wall').getBoundingClientRect().top`)) < 0.75 * 844);
+    }, `${folder}/one_stress.html`);
+
 claims['what a table says stands before what is said about it'] = () =>
     withPage({}, async (page) => {
         const order = await page.evaluate(`[...document.querySelectorAll('[id^=table-]')].map((t) => {
