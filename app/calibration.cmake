@@ -7,6 +7,7 @@ drystone_app_library(calibration
     calibration/calibration_run.cpp
     calibration/calibration_surrogate.cpp
     calibration/calibration_tables.cpp
+    calibration/calibration_words.cpp
     calibration/measured_tests.cpp
     calibration/posterior_study.cpp
     calibration/tested_factor.cpp)

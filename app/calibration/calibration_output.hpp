@@ -4,7 +4,9 @@
 #include "app/calibration/calibration_run.hpp"
 #include "app/output/table.hpp"
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -17,6 +19,19 @@ struct CalibrationReport {
     const CalibrationData* data;
     const CalibrationRun* run;
 };
+
+/// An input before and after the tests, in its shown unit.
+struct InputChange {
+    DrawsSummary prior, with, without; ///< discrepancy
+    DrawsSummary asked;                ///< the one of both that the study asks for
+    /// Normal score of the median of that one: standard deviations of the prior.
+    double moved = 0.0;
+    double width_left = 1.0; ///< its interval over that of the prior [-]
+};
+[[nodiscard]] InputChange input_change(const CalibrationReport& r, std::size_t input);
+
+/// "joint.friction_angle [deg]"
+[[nodiscard]] std::string with_unit(std::string_view name, std::string_view unit);
 
 /// Rows by input: prior and posterior, median and interval, and how much narrower it became.
 [[nodiscard]] Table teaching_table(const CalibrationReport& r);
@@ -41,7 +56,7 @@ struct CalibrationReport {
 /// @param kind in CalibrationData::quantities
 [[nodiscard]] std::string further_wall_picture(const CalibrationReport& r, std::size_t kind);
 
-/// What the tests teach, in sentences.
+/// The answer in sentences: which inputs the tests teach.
 [[nodiscard]] std::string answer_text(const CalibrationReport& r);
 
 /// Convergence, evidence, checks and what is left out, in sentences.

@@ -26,7 +26,7 @@ pushed_answers(const PreparedStudy& ready, const CalibratedInputs& inputs,
                const std::vector<CalibratedAnswer>& answers, const Eigen::MatrixXd& u,
                std::uint64_t seed, int threads, const std::function<void(std::size_t)>& seen);
 
-/// What a surrogate misses on true walls.
+/// Error of a surrogate on true walls.
 struct SurrogateMiss {
     std::size_t walls = 0;         ///< that have the answer
     double root_mean_square = 0.0; ///< of ln

@@ -1,5 +1,5 @@
 #pragma once
-/// What the walls of a study say between them: a Gaussian process of the ln of each answer.
+/// The answers of walls that were never pushed: a Gaussian process of the ln of each answer.
 
 #include "uq/inference/calibration.hpp"
 #include "uq/surrogates/gaussian_process.hpp"

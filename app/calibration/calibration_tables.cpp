@@ -1,7 +1,5 @@
 #include "app/calibration/calibration_output.hpp"
 #include "app/output/cells.hpp"
-#include "app/text/number_text.hpp"
-#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,24 +12,9 @@ const TestedQuantity& quantity_of(const CalibrationReport& r, const CalibratedAn
     return kTestedQuantities[r.data->quantities[a.kind]];
 }
 
-std::string with_unit(std::string_view name, std::string_view unit)
-{
-    return std::string(name) + (unit.empty() ? "" : " [" + std::string(unit) + "]");
-}
-
 Number interval_cell(const DrawsSummary& s, int decimals)
 {
     return with_interval(s.median, s.interval, decimals);
-}
-
-/// Draws of an input in its shown unit.
-std::vector<double> values_of_input(const CalibrationReport& r, const Taught& t, std::size_t i)
-{
-    std::vector<double> values;
-    for (const uq::CalibrationPoint& at : t.points)
-        values.push_back(r.inputs->inputs[i].scale *
-                         to_values(*r.inputs, at.z)(static_cast<Eigen::Index>(i)));
-    return values;
 }
 
 /// A further wall in its shown unit; nothing where there are no draws.
@@ -67,31 +50,6 @@ Number percent_missed(const CalibrationReport& r, std::size_t kind,
     return walls > 0.0 ? plain_number(100.0 * std::sqrt(sum / walls), 1) : Number{};
 }
 
-DrawsSummary prior_of(const CalibratedInput& in)
-{
-    const auto at = [&](double p) { return in.scale * uq::quantile(in.marginal, p); };
-    constexpr double kTail = 0.5 * (1.0 - kTableShare);
-    return {at(0.5), {at(kTail), at(1.0 - kTail), kTableShare}};
-}
-
-/// Normal score of the posterior's median: how far the tests moved the input, in standard
-/// deviations of its prior.
-double moved(const CalibrationReport& r, std::size_t i)
-{
-    std::vector<double> scores;
-    for (const uq::CalibrationPoint& at : answer_of(*r.study, *r.run).points)
-        scores.push_back((r.inputs->factor * at.z)(static_cast<Eigen::Index>(i)));
-    return summary_of(scores).median;
-}
-
-/// The width of the posterior's interval over that of the prior.
-double width_left(const CalibrationReport& r, std::size_t i)
-{
-    const auto prior = prior_of(r.inputs->inputs[i]).interval;
-    const auto now = summary_of(values_of_input(r, answer_of(*r.study, *r.run), i)).interval;
-    return (now.upper - now.lower) / (prior.upper - prior.lower);
-}
-
 } // namespace
 
 Table teaching_table(const CalibrationReport& r)
@@ -111,13 +69,11 @@ Table teaching_table(const CalibrationReport& r)
               "width left [%]"};
     for (std::size_t i = 0; i < r.inputs->inputs.size(); ++i) {
         const CalibratedInput& in = r.inputs->inputs[i];
-        const DrawsSummary prior = prior_of(in);
-        const int decimals = std::max(1, decimals_for(prior.median));
-        t.rows.push_back(
-            {with_unit(in.key, in.unit), interval_cell(prior, decimals),
-             interval_cell(summary_of(values_of_input(r, r.run->with, i)), decimals),
-             interval_cell(summary_of(values_of_input(r, r.run->without, i)), decimals),
-             plain_number(moved(r, i), 2), plain_number(100.0 * width_left(r, i), 0)});
+        const InputChange c = input_change(r, i);
+        const int decimals = std::max(1, decimals_for(c.prior.median));
+        t.rows.push_back({with_unit(in.key, in.unit), interval_cell(c.prior, decimals),
+                          interval_cell(c.with, decimals), interval_cell(c.without, decimals),
+                          plain_number(c.moved, 2), plain_number(100.0 * c.width_left, 0)});
     }
     return t;
 }
@@ -244,65 +200,6 @@ Table posterior_table(const CalibrationReport& r)
         t.rows.push_back(std::move(row));
     }
     return t;
-}
-
-std::string answer_text(const CalibrationReport& r)
-{
-    // of the prior's width, and in its standard deviations; choice
-    constexpr double kNarrowed = 0.9, kMoved = 0.25;
-    std::string learned, nothing;
-    for (std::size_t i = 0; i < r.inputs->inputs.size(); ++i) {
-        const CalibratedInput& in = r.inputs->inputs[i];
-        if (!(width_left(r, i) < kNarrowed || std::abs(moved(r, i)) > kMoved)) {
-            nothing += (nothing.empty() ? "" : ", ") + in.key;
-            continue;
-        }
-        const DrawsSummary now = summary_of(values_of_input(r, answer_of(*r.study, *r.run), i));
-        const int decimals = std::max(1, decimals_for(now.median));
-        learned += (learned.empty() ? "" : "; ") + in.key + " " +
-                   fixed(prior_of(in).median, decimals) + " before, " +
-                   fixed(now.median, decimals) + " [" + fixed(now.interval.lower, decimals) +
-                   ", " + fixed(now.interval.upper, decimals) + "]" +
-                   (in.unit.empty() ? "" : " " + in.unit);
-    }
-    std::string text = "The answer: what " +
-                       counted(r.data->tests.size(), "measured value", "measured values") +
-                       (r.data->tests.size() == 1 ? " teaches: " : " teach: ") +
-                       (learned.empty() ? "next to nothing of any input" : learned) + ".";
-    if (!nothing.empty() && !learned.empty())
-        text += " Of " + nothing + " they teach next to nothing.";
-    return text + "\n";
-}
-
-std::string doubt_text(const CalibrationReport& r)
-{
-    const uq::CalibrationPosterior& p = answer_of(*r.study, *r.run).posterior;
-    std::string text;
-    if (!uq::has_converged(p))
-        text += "Not converged: the chains do not agree yet (R-hat " + fixed(p.r_hat, 3) +
-                ", to be at most 1.01), or say too little (" + fixed(p.effective, 0) +
-                " effective draws, to be 400 or more). Do not use these numbers; name fewer "
-                "inputs in calibration.inputs.\n";
-    else
-        text += "The chains agree: R-hat " + fixed(p.r_hat, 3) + ", " + fixed(p.effective, 0) +
-                " effective draws.\n";
-    const uq::Evidence a = r.run->with.posterior.evidence,
-                       b = r.run->without.posterior.evidence;
-    text += "ln of the evidence: " + fixed(a.log_value, 2) + " +- " + fixed(a.std_error, 2) +
-            " with discrepancy, " + fixed(b.log_value, 2) + " +- " + fixed(b.std_error, 2) +
-            " without. Compare it with that of another law for the same tests: the larger one "
-            "is the better bet, by exp(difference) to 1.\n";
-    if (r.run->miss.empty())
-        text +=
-            "Not checked by true walls: the walls of this study are pushed both ways or lie "
-            "in several layouts.\n";
-    else if (!r.run->first_miss.empty())
-        text += "The surrogate missed true walls at points of the posterior by more than " +
-                fixed(100.0 * kLargeMiss, 0) +
-                " %: they were added to the walls of the study, and the fit was made once "
-                "more.\n";
-    for (const std::string& remark : r.data->remarks) text += remark + "\n";
-    return text;
 }
 
 } // namespace app

@@ -4,6 +4,7 @@
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -55,17 +56,15 @@ std::string other_pairs(const CalibrationReport& r)
 
 std::string posterior_study(const CalibrationReport& r, const std::string& source)
 {
-    std::vector<std::string> values = {"calibration.inputs="};
-    const auto given = [&](const char* key) { return is_given(r.study->source, key); };
-    for (const char* const key : {"calibration.discrepancy", "calibration.scatter"})
-        if (given(key)) values.push_back(std::string(key) + "=");
+    std::vector<std::string> values;
     std::string together;
     for (std::size_t i = 0; i < r.inputs->inputs.size(); ++i) {
         values.push_back(empirical_text(r, i));
         together += (i == 0 ? "" : ", ") + r.inputs->inputs[i].key;
     }
     if (r.inputs->inputs.size() > 1) values.push_back("uq.together=" + together);
-    if (given("uq.pearson")) values.push_back("uq.pearson=" + other_pairs(r));
+    if (const std::string pairs = other_pairs(r); !pairs.empty())
+        values.push_back("uq.pearson=" + pairs);
     const Taught& answer = answer_of(*r.study, *r.run);
     for (std::size_t kind = 0; kind < r.data->quantities.size(); ++kind) {
         const TestedQuantity& q = kTestedQuantities[r.data->quantities[kind]];
@@ -74,7 +73,11 @@ std::string posterior_study(const CalibrationReport& r, const std::string& sourc
         values.push_back(std::string(q.factor_key) + "=" + model_factor_text(factor));
     }
     StudyFile file = r.study->source;
-    std::erase_if(file.entries, [](const Entry& e) { return e.preset; });
+    std::erase_if(file.entries, [&](const Entry& e) {
+        return e.preset || e.key.starts_with("calibration.") || e.key == "uq.pearson" ||
+               std::ranges::any_of(
+                   values, [&](const std::string& v) { return v.starts_with(e.key + "="); });
+    });
     const Study study = read_study(with_overrides(std::move(file), values));
     return "# Posterior of " + source + ": the inputs of uq.together have " +
            std::to_string(kWrittenDraws) +

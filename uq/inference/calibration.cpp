@@ -79,8 +79,7 @@ Discrepancy discrepancy_of(const AnswerTests& a, double prior)
 double log_beyond(const std::vector<AnswerTests::Bound>& bounds, const Discrepancy& d)
 {
     if (bounds.empty()) return 0.0;
-    const auto& first = bounds.front();
-    if (bounds.size() == 1)
+    if (const auto& first = bounds.front(); bounds.size() == 1)
         return log_survival((first.residual - d.mean) /
                             std::sqrt(d.variance + first.deviation * first.deviation));
     constexpr double kFar = 7.0; // [standard deviations]
@@ -165,7 +164,7 @@ void diagnose_all(CalibrationPosterior& posterior)
     }
 }
 
-/// A discrepancy that is not against the bounds: drawn without them, kept as often as they hold.
+/// A discrepancy: drawn without the bounds, kept as often as they hold.
 double drawn_discrepancy(const AnswerTests& a, double prior, Stream& random)
 {
     constexpr int kTries = 1000;
