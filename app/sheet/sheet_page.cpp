@@ -119,13 +119,14 @@ double piers_height(const Sheet& s)
 /// Height of the box of the table [mm]: rules that are long take two lines.
 double table_height(const Sheet& s)
 {
-    constexpr double kLine = 4.3, kHead = 17.0, kMost = 76.0 + kGivenUp;
+    constexpr double kLine = 4.3, kFurther = 3.2, kHead = 17.0, kMost = 76.0 + kGivenUp;
     const std::size_t in_line = s.spread_head.empty() ? 95 : 58; // characters
-    std::size_t lines =
-        (s.limits.size() > kMostSheetLimits ? 1 : 0) + (s.spread_head.empty() ? 0 : 1);
-    for (std::size_t i = 0; i < std::min(s.limits.size(), kMostSheetLimits); ++i)
-        lines += 1 + s.limits[i].rule.size() / in_line;
-    return std::min(kMost, kHead + kLine * static_cast<double>(lines) + piers_height(s));
+    std::size_t further = s.spread_head.empty() ? 0 : 1;         // lines within a row
+    const std::size_t shown = std::min(s.limits.size(), kMostSheetLimits),
+                      rows = shown + (s.limits.size() > shown ? 1 : 0);
+    for (std::size_t i = 0; i < shown; ++i) further += s.limits[i].rule.size() / in_line;
+    return std::min(kMost, kHead + kLine * static_cast<double>(rows) +
+                               kFurther * static_cast<double>(further) + piers_height(s));
 }
 
 std::string assumed_list(const Sheet& s)

@@ -10,6 +10,7 @@
 #include "app/study/fragility_text.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/pier_remark.hpp"
+#include "app/study/pier_shares.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 #include "fragility/drift.hpp"
@@ -214,9 +215,11 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
     add(no_limit_remark(study, wall.reading));
     add(no_yield_remark(wall.reading));
     if (wall.piers.empty()) add(pier_remark(study));
-    if (stored != nullptr)
+    if (stored != nullptr) {
         add(spread_sentence(*stored, level));
-    else
+        const std::string piers = pier_counts(*stored, stored->levels.at(level));
+        if (!piers.empty()) add("Random walls by what governs: " + piers);
+    } else
         add("One wall of mean values was pushed. Stones and mortar scatter: a study of random "
             "walls tells how far the answer spreads");
     if (const std::string material = material_text(study.source); !material.empty())

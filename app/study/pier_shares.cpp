@@ -139,20 +139,25 @@ std::string governing_text(const StudyWalls& study, const GoverningPier& who)
                                       : std::string(" to the ") + way_name(who.direction));
 }
 
-std::string pier_sentence(const StudyWalls& study)
+std::string pier_counts(const StudyWalls& study, const StudyLevel& level)
 {
-    if (study.piers.empty()) return pier_sentence(study.study);
-    const std::vector<std::size_t> states = pier_states(study);
-    if (states.empty()) return {};
     std::string text;
-    for (const StudyLevel& level : study.levels)
-        for (const std::size_t s : states) {
-            const std::string counts = counts_of(study, level, s);
-            if (counts.empty()) continue;
+    for (const std::size_t s : pier_states(study))
+        if (const std::string counts = counts_of(study, level, s); !counts.empty())
             text += (text.empty() ? "" : "; ") + state_name(study.states[s]) +
                     (study.levels.size() > 1 ? " at " + stress_text(level.stress) : "") +
                     " by " + counts;
-        }
+    return text;
+}
+
+std::string pier_sentence(const StudyWalls& study)
+{
+    if (study.piers.empty()) return pier_sentence(study.study);
+    std::string text;
+    for (const StudyLevel& level : study.levels)
+        if (const std::string counts = pier_counts(study, level); !counts.empty())
+            text += (text.empty() ? "" : "; ") + counts;
+    if (text.empty()) return text;
     return "Drift limits of codes are those of piers, numbered from the left, storey by "
            "storey: "
            "a wall reaches one when its first pier does. Numbers of walls by what governs: " +

@@ -30,6 +30,10 @@ governing_piers(const StudyWalls& study, const StudyLevel& level, std::size_t st
 /// "pier 3 to the left"; "the fall of the force"; "not reached".
 [[nodiscard]] std::string governing_text(const StudyWalls& study, const GoverningPier& who);
 
+/// "ntc SLC by pier 2 to the right: 7, pier 3 to the left: 13; ec8 NC by ...": numbers of walls
+/// of a level. Empty without piers.
+[[nodiscard]] std::string pier_counts(const StudyWalls& study, const StudyLevel& level);
+
 /// The piers in a sentence: which governs how often. Of a file that holds none, where there
 /// should be, the reason why limits are not those of piers. Empty of walls without piers.
 [[nodiscard]] std::string pier_sentence(const StudyWalls& study);

@@ -101,6 +101,41 @@ TEST_CASE("sheet: it is never two pages", "[app][sheet]")
     CHECK_FALSE(fs::exists(folder.path / "a.pdf.part"));
 }
 
+TEST_CASE("sheet: paragraphs on piers get the room they need from the picture above the table",
+          "[app][sheet]")
+{
+    struct Box {
+        double top, height; // [mm]
+    };
+    const auto boxes = [](const app::Sheet& s) {
+        const std::string page = app::sheet_page(s);
+        std::vector<Box> all;
+        for (std::size_t at = page.find("<section "); at != std::string::npos;
+             at = page.find("<section ", at + 1)) {
+            const auto number = [&](const char* name) {
+                return std::stod(page.substr(page.find(name, at) + std::string(name).size()));
+            };
+            all.push_back({number(";top:"), number(";height:")});
+        }
+        return all;
+    };
+    app::Sheet s;
+    s.drawing = s.curve = s.mechanism = svg(400, 300);
+    for (int i = 0; i < 9; ++i) s.limits.push_back({"state", "1", "2", "a rule", ""});
+    const std::vector<Box> without = boxes(s);
+    s.spread_head = "of random walls";
+    s.piers = {std::string(260, 'w'), std::string(260, 'w')};
+    for (app::SheetLimit& l : s.limits) l.rule = std::string(100, 'w');
+    const std::vector<Box> with = boxes(s);
+    constexpr std::size_t kMechanism = 3, kTable = 4, kLists = 5;
+    REQUIRE(with.size() == 8);
+    CHECK(without[kMechanism].height == Approx(67.0));
+    CHECK(with[kTable].height > without[kTable].height + 30.0);
+    CHECK(with[kMechanism].top + with[kMechanism].height <= with[kTable].top);
+    CHECK(with[kTable].top + with[kTable].height <= with[kLists].top + 1e-6);
+    CHECK(with[kLists].height > 38.0);
+}
+
 TEST_CASE("sheet: of many limits the first are shown, the others counted", "[app][sheet]")
 {
     const std::string page = app::sheet_page(full_sheet());
