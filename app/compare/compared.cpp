@@ -90,15 +90,8 @@ std::vector<Compared> of_study(const std::string& path)
     return all;
 }
 
-std::optional<double> number_in(const Json& json, const std::string& key)
-{
-    const auto found = json.find(key);
-    if (found == json.end() || !found->is_number()) return std::nullopt;
-    return found->get<double>();
-}
-
 /// As summary.json has it, by its present key or that of earlier versions.
-Number number_in(const Json& json, const WallNumber& n)
+Number shown_in(const Json& json, const WallNumber& n)
 {
     auto x = number_in(json, summary_key(n));
     if (!x && !n.old_key.empty()) x = number_in(json, std::string(n.old_key));
@@ -141,9 +134,9 @@ Compared of_push(const fs::path& folder)
     const auto mode = j.find("mode");
     c.cells = {std::isnan(c.stress) ? Number{} : stress_cell(c.stress),
                count(1),
-               number_in(j, wall_number("peak_force")),
-               number_in(j, wall_number("peak_displacement")),
-               number_in(j, wall_number("secant_stiffness")),
+               shown_in(j, wall_number("peak_force")),
+               shown_in(j, wall_number("peak_displacement")),
+               shown_in(j, wall_number("secant_stiffness")),
                limit_in(j, 1.0, 1),
                std::isnan(height) ? Number{}
                                   : limit_in(j, 1e-3 * fragility::percent_per_metre(height), 2),

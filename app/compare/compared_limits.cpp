@@ -50,13 +50,6 @@ std::vector<ComparedLimit> limits_of_study(const std::string& path)
     return all;
 }
 
-std::optional<double> number_in(const Json& row, const std::string& key)
-{
-    const auto at = row.find(key);
-    if (at == row.end() || !at->is_number()) return {};
-    return at->get<double>();
-}
-
 /// A drift of a row of performance_limits and its interval.
 Number drift_of(const Json& row, const std::string& name)
 {

@@ -14,6 +14,13 @@ Json or_null(std::optional<double> x, double scale)
 
 Json json_of(const std::string& text) { return Json::parse(text); }
 
+std::optional<double> number_in(const Json& object, const std::string& key)
+{
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number()) return {};
+    return found->get<double>();
+}
+
 std::string text_of(const Json& json, int indent)
 {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);

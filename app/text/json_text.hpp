@@ -17,6 +17,9 @@ using Json = nlohmann::ordered_json;
 /// which JSON has no number.
 [[nodiscard]] Json or_null(std::optional<double> x, double scale = 1.0);
 
+/// The number of this key; nothing where there is none, or something else.
+[[nodiscard]] std::optional<double> number_in(const Json& object, const std::string& key);
+
 /// Bytes that are not UTF-8 become the replacement character.
 /// @param indent spaces for each level; -1: all on one line
 [[nodiscard]] std::string text_of(const Json& json, int indent = -1);
