@@ -122,7 +122,7 @@ claims['the answer stands first, with a picture on the first screen, on a desk a
             const top = (selector) => page.evaluate(`document.querySelector('${selector}').getBoundingClientRect().top`);
             const [answer, picture] = [await top('#overview table'), await top('svg.wall')];
             assert.ok(answer < picture && picture < 0.75 * screen.height, `answer at ${answer}, picture at ${picture} of ${screen.height} px`);
-            const heads = await page.evaluate(`[...document.querySelectorAll('#overview th')].map((h) => h.textContent)`);
+            const heads = await page.evaluate(`[...document.querySelectorAll('#overview th, #overview td:first-child')].map((h) => h.textContent)`);
             for (const head of ['how it fails', 'ntc SLC drift [%]', 'paper ultimate drift [%]', 'how sure']) assert.ok(heads.includes(head), `${heads}`);
         });
 };
@@ -135,6 +135,13 @@ claims['a phone shows all of the answer for one stress without scrolling to the 
         assert.ok(rows.includes('how it fails') && rows.includes('ntc SLC drift [%]'), `${rows}`);
         assert.ok((await page.evaluate(`document.querySelector('svg.wall').getBoundingClientRect().top`)) < 0.75 * 844);
     }, `${folder}/one_stress.html`);
+
+claims['walls with openings have a section on piers, and it is said which push a curve is of'] = () =>
+    withPage({}, async (page) => {
+        const rows = await page.evaluate(`[...document.querySelectorAll('#table-pier_limits tbody tr, #table-piers tbody tr')].map((r) => r.textContent)`);
+        assert.ok(rows.length >= 4 + 2 && rows.some((r) => r.includes('ntc SLC') && /pier [12]|fall of the force|not reached/.test(r)), rows.join('; '));
+        assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /single walls: pushed to the right; means and tables: the direction in which a wall carries less/);
+    }, `${folder}/piers.html`);
 
 claims['what a table says stands before what is said about it'] = () =>
     withPage({}, async (page) => {
