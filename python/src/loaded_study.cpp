@@ -5,7 +5,6 @@
 #include "app/input/random_layouts.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/study/other_way.hpp"
-#include "app/study/pier_watch.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/study_file_head.hpp"
 #include "python/src/beside_python.hpp"
@@ -108,16 +107,12 @@ std::vector<app::PushedWall> push_beside_python(LoadedStudy& study,
             walls[i] = std::move(wall);
         };
         const int all = threads > 0 ? threads : app::default_threads();
-        std::optional<app::PierWatch> piers; // of one wall, as `drystone push` does
-        std::optional<app::OtherWay> other;
-        if (wanted.size() == 1) {
-            piers.emplace(study.source.ready.study, model.layout, 1, plan);
+        std::optional<app::OtherWay> other; // of one wall, as `drystone push` does
+        if (wanted.size() == 1)
             other.emplace(study.source.ready.study, model, wanted, all,
                           [&] { python.end_if_asked(); });
-        }
         app::push_walls(study.source.ready.study, model, plan, list,
                         other ? other->threads_left() : all);
-        if (piers) piers->add_to(0, walls.front());
         if (other) other->add_to(walls);
     });
     return walls;
