@@ -108,10 +108,9 @@ std::vector<app::PushedWall> push_beside_python(LoadedStudy& study,
         };
         const int all = threads > 0 ? threads : app::default_threads();
         std::optional<app::OtherWay> other; // of one wall, as `drystone push` does
-        if (wanted.size() == 1) {
+        if (wanted.size() == 1)
             other.emplace(study.source.ready.study, model, wanted, all,
                           [&] { python.end_if_asked(); });
-        }
         app::push_walls(study.source.ready.study, model, plan, list,
                         other ? other->threads_left() : all);
         if (other) other->add_to(walls);

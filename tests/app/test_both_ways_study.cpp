@@ -192,6 +192,7 @@ TEST_CASE("both ways: a wall that gives no result one way is a failed wall that 
     bad.status = 4;
     bad.reason = "lost";
     bad.curve = {};
+    bad.piers.movement = bad.piers.shear = {};
     app::Store store(folder.path / "b.h5", head);
     store.append(rows);
     store.compact();
