@@ -41,7 +41,7 @@ const std::vector<BadCommand> kCommands = {
     {"one thing to compare", {"compare", "runs/a"},
         "drystone: compare: missing A B...; write \"drystone compare runs/wall runs/other_wall\""},
     {"a thing that cannot be compared", {"compare", "study.ini", "study.ini"},
-        "study.ini: cannot be compared; give a FILE.h5, the folder of a push, or a .csv with displacement_mm,force_kN"},
+        "study.ini: cannot be compared; give a FILE.h5, the folder of a push or of fragility, or a .csv with displacement_mm,force_kN"},
     {"a measured curve that is not there", {"push", "study.ini", "--sample", "mean", "--beside", "none.csv"},
         "none.csv: cannot be read (No such file or directory); give a table with displacement_mm,force_kN"},
     {"choices of one stress of several", {"choices", "study.ini"},
