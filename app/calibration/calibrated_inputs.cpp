@@ -23,19 +23,12 @@ constexpr const char* kKey = "calibration.inputs";
 /// Places in Study::random, ascending.
 std::vector<std::size_t> places_of(const Study& study)
 {
-    std::vector<std::string_view> names;
     std::vector<std::size_t> places;
-    for (const RandomInput& r : study.random) names.push_back(r.key);
     for (const std::string_view word : split(study.calibration.inputs, ",")) {
-        if (word == "all") {
-            for (std::size_t i = 0; i < names.size(); ++i) places.push_back(i);
-            continue;
-        }
-        const auto found = std::ranges::find(names, word);
-        if (found == names.end())
-            refuse(study, in_quotes(word) + " is not a distribution of this study; " +
-                              (names.empty() ? "there is none" : suggestion(word, names)));
-        places.push_back(static_cast<std::size_t>(found - names.begin()));
+        if (word != "all")
+            places.push_back(input_named(study, word, kKey));
+        else
+            for (std::size_t i = 0; i < study.random.size(); ++i) places.push_back(i);
     }
     std::ranges::sort(places);
     if (std::ranges::adjacent_find(places) != places.end())

@@ -145,8 +145,8 @@ Table scatter_table(const CalibrationReport& r)
     Table t;
     t.title = "How wrong the model is, and how far tests scatter";
     t.caption = "Standard deviations of ln, median and 90 % interval. Surrogate: root mean "
-                "square error "
-                "in percent on walls left out, and on true walls at points of the posterior.";
+                "square error in percent on walls left out, and on true walls at points of the "
+                "posterior.";
     t.head = {"quantity",
               "tests",
               {"discrepancy", kInterval},

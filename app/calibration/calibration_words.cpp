@@ -83,8 +83,10 @@ std::string doubt_text(const CalibrationReport& r)
     std::string text;
     if (!uq::has_converged(p))
         text += "Not converged: the chains do not agree yet (R-hat " + fixed(p.r_hat, 3) +
-                ", to be at most 1.01), or say too little (" + fixed(p.effective, 0) +
-                " effective draws, to be 400 or more). Do not use these numbers; name fewer "
+                ", to be at most " + fixed(uq::kConvergedRHat, 2) + "), or say too little (" +
+                fixed(p.effective, 0) + " effective draws, to be " +
+                fixed(uq::kConvergedSize, 0) +
+                " or more). Do not use these numbers; name fewer "
                 "inputs in calibration.inputs.\n";
     else
         text += "The chains agree: R-hat " + fixed(p.r_hat, 3) + ", " + fixed(p.effective, 0) +
@@ -97,8 +99,8 @@ std::string doubt_text(const CalibrationReport& r)
             "is the better bet, by exp(difference) to 1.\n";
     if (r.run->miss.empty())
         text +=
-            "Not checked by true walls: the walls of this study are pushed both ways or lie "
-            "in several layouts.\n";
+            "Not checked by true walls: the walls of this study are pushed both ways, lie in "
+            "several layouts or vary from joint to joint.\n";
     else if (!r.run->first_miss.empty())
         text += "The surrogate missed true walls at points of the posterior by more than " +
                 fixed(100.0 * kLargeMiss, 0) +

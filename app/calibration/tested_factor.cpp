@@ -127,12 +127,10 @@ Table factor_table(const TestedFactor& drift, const TestedFactor& force)
     Table t;
     t.title = "Tests over the walls of the study";
     t.caption = "Predicted: median of the study's walls under the same stress (Kaplan and "
-                "Meier). Drop: "
-                "displacement in mm at which the force fell to the ultimate share of the peak; "
-                "peak: force "
-                "in kN. Interval: of the ratio of one further test, by all other tests (90 %, "
-                "hierarchical "
-                "normal model of ln ratio, docs/fragility.md).";
+                "Meier). Drop: displacement in mm at which the force fell to the ultimate "
+                "share of the peak; peak: force in kN. Interval: of the ratio of one further "
+                "test, by all other tests (90 %, hierarchical normal model of ln ratio, "
+                "docs/fragility.md).";
     t.keys = 2;
     t.head = {"wall",
               "measured value",

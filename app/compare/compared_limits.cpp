@@ -7,6 +7,7 @@
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/text_file.hpp"
+#include "fragility/drift.hpp"
 #include "fragility/observed_quantile.hpp"
 
 #include <algorithm>
@@ -31,8 +32,8 @@ std::vector<ComparedLimit> limits_of_study(const std::string& path)
         for (std::size_t s = 0; s < study.states.size(); ++s) {
             std::vector<fragility::Observation> walls;
             for (const StudyWall& w : level.walls)
-                if (const auto o =
-                        fragility::observation(w.reading.limits.at(s), 100.0 / study.height))
+                if (const auto o = fragility::observation(
+                        w.reading.limits.at(s), fragility::percent_per_metre(study.height)))
                     walls.push_back(*o);
             if (walls.empty()) continue;
             ComparedLimit c{study.name, state_name(study.states[s]), stress_cell(level.stress),

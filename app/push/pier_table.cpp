@@ -3,6 +3,7 @@
 #include "app/input/limit_state_text.hpp"
 #include "app/study/both_ways.hpp"
 #include "app/study/number_cells.hpp"
+#include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
 #include "fragility/code_table.hpp"
 
@@ -83,13 +84,10 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
 {
     Table t;
     t.title = "Piers";
-    t.caption =
-        "N: compression, V: shear, in a cut through all piers of a storey, when the wall "
-        "carries most. Drift: of the upper end of a pier against its lower end, over its own "
-        "height, at the end of the push. H0/D: moment over shear and length, when the pier "
-        "carries most. 'Carries little': never 5 % of the wall's force; such a pier governs "
-        "nothing. Limit: drift that a code allows this pier; reached: movement of the "
-        "load when the pier reaches it, '>' where the push ended before.";
+    t.caption = std::string(kPierNumbers) +
+                " 'Carries little': never 5 % of the wall's force; such a pier governs "
+                "nothing. Limit: drift that a code allows this pier; reached: movement of the "
+                "load when the pier reaches it, '>' where the push ended before.";
     t.keys = 3;
     using Pier = const PierReading&;
     auto columns = keys_of<PierPart>("pier");

@@ -11,20 +11,11 @@
 namespace app {
 namespace {
 
+constexpr const char* kPearson = "uq.pearson";
+
 [[noreturn]] void refuse(const Study& study, const std::string& why)
 {
-    throw error_at(study.source, "uq.pearson", why);
-}
-
-Eigen::Index input_named(const Study& study, const std::string& key)
-{
-    std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < study.random.size(); ++i) {
-        if (study.random[i].key == key) return static_cast<Eigen::Index>(i);
-        names.push_back(study.random[i].key);
-    }
-    refuse(study, in_quotes(key) + " is not a random input of this study; " +
-                      (names.empty() ? "there is none" : suggestion(key, names)));
+    throw error_at(study.source, kPearson, why);
 }
 
 void check_pair(const Study& study, Eigen::Index a, Eigen::Index b)
@@ -49,14 +40,27 @@ void read_pair(const Study& study, const std::string& item, Eigen::MatrixXd& r)
         refuse(study, in_quotes(trimmed(item)) +
                           " is not two inputs and their correlation; write e.g. "
                           "\"joint.friction_angle joint.stiffness_factor 0.3\"");
-    const Eigen::Index i = input_named(study, a), j = input_named(study, b);
+    const auto i = static_cast<Eigen::Index>(input_named(study, a, kPearson)),
+               j = static_cast<Eigen::Index>(input_named(study, b, kPearson));
     check_pair(study, i, j);
     if (r(i, j) != 0.0) refuse(study, a + " and " + b + " are given twice; keep one of them");
     r(i, j) = r(j, i) =
-        read_at(study.source, "uq.pearson", [&] { return parse_quantity(value, ""); });
+        read_at(study.source, kPearson, [&] { return parse_quantity(value, ""); });
 }
 
 } // namespace
+
+std::size_t input_named(const Study& study, std::string_view word, const char* key)
+{
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < study.random.size(); ++i) {
+        if (study.random[i].key == word) return i;
+        names.push_back(study.random[i].key);
+    }
+    throw error_at(study.source, key,
+                   in_quotes(word) + " is not a random input of this study; " +
+                       (names.empty() ? "there is none" : suggestion(word, names)));
+}
 
 std::optional<uq::NormalCopula> dependence_of(const Study& study)
 {
@@ -67,7 +71,7 @@ std::optional<uq::NormalCopula> dependence_of(const Study& study)
     Eigen::MatrixXd pearson = Eigen::MatrixXd::Identity(n, n);
     std::istringstream list(study.uq.pearson);
     for (std::string item; std::getline(list, item, ',');) read_pair(study, item, pearson);
-    return read_at(study.source, "uq.pearson",
+    return read_at(study.source, kPearson,
                    [&] { return uq::normal_copula(variables, pearson); });
 }
 

@@ -1,12 +1,20 @@
 #pragma once
-/// Correlation between the random inputs of a study: uq.pearson.
+/// Random inputs of a study by name, and their correlation: uq.pearson.
 
 #include "app/input/study.hpp"
 #include "uq/designs/normal_copula.hpp"
 
+#include <cstddef>
 #include <optional>
+#include <string_view>
 
 namespace app {
+
+/// Place in Study::random of the input with this name.
+/// @param key that names it: "uq.pearson"
+/// @throws ConfigError where there is none
+[[nodiscard]] std::size_t input_named(const Study& study, std::string_view word,
+                                      const char* key);
 
 /// The dependence of the inputs through the normal copula; nothing if all are independent.
 /// @throws ConfigError if uq.pearson names something that is not a random input, or asks for a

@@ -13,9 +13,11 @@
 namespace app {
 namespace {
 
+constexpr const char* kTogether = "uq.together";
+
 [[noreturn]] void refuse_rows(const Study& study, const std::string& why)
 {
-    throw error_at(study.source, "uq.together", why);
+    throw error_at(study.source, kTogether, why);
 }
 
 /// The values of the input at this place, in the order in which they stand there.
@@ -37,17 +39,6 @@ std::vector<double> listed_values(const Study& study, std::size_t place)
     return values;
 }
 
-std::size_t place_named(const Study& study, std::string_view word)
-{
-    std::vector<std::string_view> names;
-    for (const RandomInput& r : study.random) names.push_back(r.key);
-    const auto found = std::ranges::find(names, word);
-    if (found == names.end())
-        refuse_rows(study, in_quotes(word) + " is not a random input of this study; " +
-                               (names.empty() ? "there is none" : suggestion(word, names)));
-    return static_cast<std::size_t>(found - names.begin());
-}
-
 } // namespace
 
 bool is_together(const Study& study, std::string_view key)
@@ -62,7 +53,7 @@ uq::JointRows joint_rows(const Study& study)
     if (study.uq.together.empty()) return t;
     const auto dependence = dependence_of(study);
     for (const std::string_view word : split(study.uq.together, ",")) {
-        const std::size_t place = place_named(study, word);
+        const std::size_t place = input_named(study, word, kTogether);
         if (std::ranges::count(t.inputs, place) > 0)
             refuse_rows(study, std::string(word) + " is named twice; keep one");
         const auto row = static_cast<Eigen::Index>(place);

@@ -5,8 +5,16 @@
 #include "app/input/study.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace app {
+
+/// Caption of tables of piers.
+inline constexpr std::string_view kPierNumbers =
+    "N: compression, V: shear, in a cut through all piers of a storey, when the wall carries "
+    "most. Drift: of the upper end of a pier against its lower end, over its own height, at "
+    "the "
+    "end of the push. H0/D: moment over shear and length, when the pier carries most.";
 
 /// Whether openings divide the masonry into pieces that stand upright beside each other: walls
 /// with doors or windows, portals, arches on piers. A bare arch leans all the way from its

@@ -1,18 +1,20 @@
 #include "app/study/pier_shares.hpp"
 
 #include "app/output/cells.hpp"
+#include "app/output/table_columns.hpp"
 #include "app/study/both_ways.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
 #include "core/sample_quantile.hpp"
 #include "fragility/code_table.hpp"
+#include "fragility/drift.hpp"
 #include "fragility/share.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace app {
 namespace {
@@ -51,47 +53,61 @@ struct Side {
     const std::vector<StudyPier>& (*piers)(const StudyWall&);
 };
 
-double median_of(std::vector<double> values)
+Number median_number(std::vector<double> values, int decimals)
 {
+    if (values.empty()) return {};
     std::ranges::sort(values);
-    const std::size_t n = values.size();
-    return n == 0 ? 0.0 : 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+    return plain_number(core::sample_quantile(values, 0.5), decimals);
 }
 
-void add_pier(const StudyWalls& study, const StudyLevel& level, const Side& side,
-              std::size_t pier, Table& t)
+/// A pier in all walls of a level that were pushed to one side.
+struct PierOfWalls {
+    double stress;
+    int direction;
+    std::size_t place;
+    const dem::Pier* pier;
+    std::vector<StudyPier> walls;
+};
+
+TableColumn<PierOfWalls> median_column(Head head, int decimals, double scale,
+                                       double StudyPier::*number)
 {
-    constexpr std::array<std::string_view, 5> kModes = {"rocking", "sliding", "mixed",
-                                                        "carries little", "stands still"};
-    std::array<std::size_t, kModes.size()> modes{};
-    std::vector<double> normal, shear, drift, slenderness;
-    for (const StudyWall& w : level.walls) {
-        const std::vector<StudyPier>& piers = side.piers(w);
-        if (piers.empty()) continue;
-        const StudyPier& p = piers.at(pier);
-        normal.push_back(1e-3 * p.normal);
-        shear.push_back(1e-3 * p.shear);
-        drift.push_back(100.0 * p.drift);
-        slenderness.push_back(p.slenderness);
-        for (std::size_t m = 0; m < kModes.size(); ++m) modes[m] += kModes[m] == p.mode;
-    }
-    const dem::Region& at = study.piers[pier].at;
-    Row row = {stress_cell(level.stress),
-               std::string(way_name(side.direction)),
-               count(pier + 1),
-               count(study.piers[pier].storey),
-               plain_number(at.x0, 2),
-               plain_number(at.x1, 2),
-               plain_number(at.z1 - at.z0, 2),
-               count(normal.size())};
-    if (normal.empty()) return add_row(t, row);
-    for (const auto& [values, decimals] :
-         {std::pair{&normal, 1}, {&shear, 1}, {&drift, 2}, {&slenderness, 2}})
-        row.emplace_back(plain_number(median_of(*values), decimals));
-    for (const std::size_t n : modes)
-        row.emplace_back(plain_number(
-            100.0 * static_cast<double>(n) / static_cast<double>(normal.size()), 0));
-    add_row(t, row);
+    return {std::move(head), [=](const PierOfWalls& r) {
+                std::vector<double> values;
+                for (const StudyPier& p : r.walls) values.push_back(scale * p.*number);
+                return median_number(std::move(values), decimals);
+            }};
+}
+
+TableColumn<PierOfWalls> mode_column(std::string mode, unsigned holds)
+{
+    return {{mode + " [%]", holds}, [mode](const PierOfWalls& r) {
+                if (r.walls.empty()) return Number{};
+                const auto with =
+                    static_cast<double>(std::ranges::count(r.walls, mode, &StudyPier::mode));
+                return plain_number(100.0 * with / static_cast<double>(r.walls.size()), 0);
+            }};
+}
+
+std::vector<PierOfWalls> piers_of(const StudyWalls& study)
+{
+    const int own = study.rules.direction;
+    std::vector<Side> sides = {
+        {own, [](const StudyWall& w) -> const std::vector<StudyPier>& { return w.piers; }}};
+    if (has_turned(study.head))
+        sides.push_back({-own, [](const StudyWall& w) -> const std::vector<StudyPier>& {
+                             return w.turned_piers;
+                         }});
+    std::vector<PierOfWalls> all;
+    for (const StudyLevel& level : study.levels)
+        for (const Side& side : sides)
+            for (std::size_t p = 0; p < study.piers.size(); ++p) {
+                PierOfWalls r{level.stress, side.direction, p, &study.piers[p], {}};
+                for (const StudyWall& w : level.walls)
+                    if (!side.piers(w).empty()) r.walls.push_back(side.piers(w).at(p));
+                all.push_back(std::move(r));
+            }
+    return all;
 }
 
 } // namespace
@@ -204,11 +220,12 @@ Table pier_share_table(const StudyWalls& study)
                     if (g.reached && is_observed(limit) &&
                         w.reading.governing.at(s) == g.pier &&
                         direction_of(study, w, s) == g.direction)
-                        drifts.push_back(100.0 * limit.displacement / study.height);
+                        drifts.push_back(
+                            fragility::percent_drift(limit.displacement, study.height));
                 }
                 row = joined(row,
                              {count(g.walls), count(n), percent(share.value, share.interval, 0),
-                              drifts.empty() ? Number{} : plain_number(median_of(drifts), 3)});
+                              median_number(drifts, 3)});
                 add_row(t, row);
             }
         }
@@ -217,44 +234,38 @@ Table pier_share_table(const StudyWalls& study)
 
 Table study_pier_table(const StudyWalls& study)
 {
+    using Piers = PierOfWalls;
+    const auto place = [](const char* head, double dem::Region::*side) {
+        return TableColumn<Piers>{{head, kDetail}, [side](const Piers& r) {
+                                      return plain_number(r.pier->at.*side, 2);
+                                  }};
+    };
     Table t;
     t.title = "Piers";
-    t.caption =
-        "Medians over the walls. N: compression, V: shear, in a cut through all piers of "
-        "a storey, when the wall carries most. Drift: of the upper end of a pier "
-        "against its lower end, over its own height, at the end of the push. H0/D: "
-        "moment over shear and length, when the pier carries most. Shares of the walls "
-        "in which it fails so; 'carries little': never 5 % of the wall's force, such a "
-        "pier governs nothing.";
+    t.caption = "Medians over the walls. " + std::string(kPierNumbers) +
+                " Shares of the walls in which it fails so; 'carries little': never 5 % of the "
+                "wall's force, such a pier governs nothing.";
     t.keys = 3;
-    t.head = {"stress [MPa]",
-              "pushed to the",
-              "pier",
-              {"storey", kDetail},
-              {"from [m]", kDetail},
-              {"to [m]", kDetail},
-              {"height [m]", kDetail},
-              {"n", kDetail},
-              "N [kN]",
-              "V [kN]",
-              "drift [%]",
-              {"H0/D", kDetail},
-              "rocking [%]",
-              "sliding [%]",
-              "mixed [%]",
-              {"carries little [%]", kDetail},
-              {"stands still [%]", kDetail}};
-    const int own = study.rules.direction;
-    std::vector<Side> sides = {
-        {own, [](const StudyWall& w) -> const std::vector<StudyPier>& { return w.piers; }}};
-    if (has_turned(study.head))
-        sides.push_back({-own, [](const StudyWall& w) -> const std::vector<StudyPier>& {
-                             return w.turned_piers;
-                         }});
-    for (const StudyLevel& level : study.levels)
-        for (const Side& side : sides)
-            for (std::size_t p = 0; p < study.piers.size(); ++p)
-                add_pier(study, level, side, p, t);
+    const TableColumns<Piers> columns = {
+        {"stress [MPa]", [](const Piers& r) { return stress_cell(r.stress); }},
+        {"pushed to the", [](const Piers& r) { return std::string(way_name(r.direction)); }},
+        {"pier", [](const Piers& r) { return count(r.place + 1); }},
+        {{"storey", kDetail}, [](const Piers& r) { return count(r.pier->storey); }},
+        place("from [m]", &dem::Region::x0),
+        place("to [m]", &dem::Region::x1),
+        {{"height [m]", kDetail},
+         [](const Piers& r) { return plain_number(r.pier->at.z1 - r.pier->at.z0, 2); }},
+        {{"n", kDetail}, [](const Piers& r) { return count(r.walls.size()); }},
+        median_column("N [kN]", 1, 1e-3, &StudyPier::normal),
+        median_column("V [kN]", 1, 1e-3, &StudyPier::shear),
+        median_column("drift [%]", 2, 100.0, &StudyPier::drift),
+        median_column({"H0/D", kDetail}, 2, 1.0, &StudyPier::slenderness),
+        mode_column("rocking", 0),
+        mode_column("sliding", 0),
+        mode_column("mixed", 0),
+        mode_column("carries little", kDetail),
+        mode_column("stands still", kDetail)};
+    fill(t, columns, piers_of(study));
     return t;
 }
 

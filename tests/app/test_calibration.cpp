@@ -110,7 +110,7 @@ TEST_CASE("calibration: inputs that tests cannot teach are refused in plain word
 {
     refused(
         "inputs = joint.fiction_angle\n",
-        "study.ini:32: calibration.inputs: \"joint.fiction_angle\" is not a distribution of "
+        "study.ini:32: calibration.inputs: \"joint.fiction_angle\" is not a random input of "
         "this study; did you mean \"joint.friction_angle\"?");
     refused("inputs = all, joint.friction_angle\n", "names an input twice");
     refused("inputs = all\n", "varies from joint to joint",

@@ -82,7 +82,7 @@ struct CalibrationPosterior {
     Evidence evidence{};
 };
 
-/// Whether R-hat is at most 1.01 and the effective size at least 400.
+/// Whether R-hat is at most kConvergedRHat and the effective size at least kConvergedSize.
 [[nodiscard]] bool has_converged(const CalibrationPosterior& posterior);
 
 /// The answer depends on problem and options alone.
