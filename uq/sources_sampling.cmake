@@ -1,12 +1,4 @@
-set(UQ_SAMPLING_SOURCES
-    designs/correlation_matrix.cpp
-    designs/design.cpp
-    designs/design_criteria.cpp
-    designs/iman_conover.cpp
-    designs/latin.cpp
-    designs/latin_annealing.cpp
-    designs/nataf.cpp
-    designs/normal_copula.cpp
+set(UQ_MARGINAL_SOURCES
     marginals/beta.cpp
     marginals/constant.cpp
     marginals/discrete.cpp
@@ -23,7 +15,16 @@ set(UQ_SAMPLING_SOURCES
     marginals/shape_checks.cpp
     marginals/triangular.cpp
     marginals/uniform.cpp
-    marginals/weibull.cpp
+    marginals/weibull.cpp)
+set(UQ_SAMPLING_SOURCES
+    designs/correlation_matrix.cpp
+    designs/design.cpp
+    designs/design_criteria.cpp
+    designs/iman_conover.cpp
+    designs/latin.cpp
+    designs/latin_annealing.cpp
+    designs/nataf.cpp
+    designs/normal_copula.cpp
     designs/sobol.cpp
     designs/stream.cpp
     fields/field.cpp

@@ -1,16 +1,13 @@
 #pragma once
-/// Walls that are not symmetric carry less when they are pushed the other way, or more. What
-/// outputs say of it stands here.
+/// The push the other way: walls that are not symmetric carry less in it, or more.
 
 #include "app/sampling/wall_draw.hpp"
 #include "app/study/both_ways.hpp"
 #include "app/study/pushed_wall.hpp"
-#include "app/study/study_walls.hpp"
 #include "dem/block/model.hpp"
 
 #include <functional>
 #include <future>
-#include <string>
 #include <vector>
 
 namespace app {
@@ -39,14 +36,5 @@ class OtherWay {
     int threads_left_;
     std::future<std::vector<PushedWall>> walls_; ///< not valid where nothing is pushed
 };
-
-/// A wall of a study that was pushed both ways: the worse one stands for it. It has failed
-/// where one of both has.
-[[nodiscard]] StudyWall with_other_way(StudyWall wall, StudyWall other,
-                                       const ReadingRules& rules);
-
-/// The sentence for a study: how to find out about the other direction, or how often each of
-/// both governs. Empty where there is no other way.
-[[nodiscard]] std::string other_way_remark(const StudyWalls& walls);
 
 } // namespace app

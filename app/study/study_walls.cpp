@@ -3,7 +3,7 @@
 #include "app/input/limit_state_text.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/history_names.hpp"
-#include "app/study/other_way.hpp"
+#include "app/study/turned_walls.hpp"
 #include "app/study/pier_columns.hpp"
 #include "app/study/stored_study.hpp"
 #include "app/study/study_columns.hpp"

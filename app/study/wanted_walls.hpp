@@ -3,10 +3,9 @@
 
 #include "app/input/prepared_study.hpp"
 #include "app/input/study_reading.hpp"
-#include "app/sampling/wall_draw.hpp"
+#include "app/study/numbered_walls.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,17 +25,6 @@ struct StudySource {
 [[nodiscard]] StudySource study_source(const std::string& path,
                                        std::span<const std::string> overrides,
                                        Purpose purpose = Purpose::push);
-
-/// The wall that a user names.
-struct WallChoice {
-    std::optional<int> sample; ///< one wall of a study, >= 0
-    bool mean = false;         ///< the wall in which each random value is its mean
-    std::string level;         ///< the vertical stress as written; empty: all, or the only one
-};
-
-/// Index of the level given as text, such as "0.75 MPa"; the only one if the text is empty.
-/// @throws ConfigError about --level
-[[nodiscard]] int level_of(const Study& study, const std::string& text);
 
 /// With uq.drawn, the wall that it names. With a sample and a level, that wall of a study
 /// with distributions. Otherwise the wall of the study's numbers under all its levels or that

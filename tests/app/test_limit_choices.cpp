@@ -4,7 +4,7 @@
 #include "app/fragility_scenes.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/study/limit_choices.hpp"
-#include "app/study/other_way.hpp"
+#include "app/study/turned_walls.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/study_scenes.hpp"
 

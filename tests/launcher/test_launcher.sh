@@ -79,6 +79,17 @@ claim_a_first_push_builds_what_pushes_one_wall() {
     expect_equal "stderr then" "$(cat "$box/err")" ""
 }
 
+claim_a_first_push_of_a_wall_of_a_study_builds_the_whole_program() {
+    drystone push study.ini --sample 3
+    expect_equal "of a sample" "$(cat "$box/out")" drystone
+    rm -rf "$checkout/build"
+    drystone push runs/study.h5
+    expect_equal "of a file of results" "$(cat "$box/out")" drystone
+    rm -rf "$checkout/build"
+    drystone push study.ini --sample mean
+    expect_equal "of the means" "$(cat "$box/out")" drystone-wall
+}
+
 claim_a_failed_build_shows_its_output_and_runs_nothing() {
     drystone show old
     touch "$checkout/app/program.sh" "$box/broken"
