@@ -93,6 +93,12 @@ void mutate(std::string& text, uq::Stream& random)
     }
 }
 
+#ifdef NDEBUG
+constexpr std::uint64_t kFiles = 10'000;
+#else
+constexpr std::uint64_t kFiles = 2'000; // sanitizers take ten times as long for each
+#endif
+
 } // namespace
 
 TEST_CASE("study fuzz: ten thousand broken study files are read or refused with a place",
@@ -100,7 +106,7 @@ TEST_CASE("study fuzz: ten thousand broken study files are read or refused with 
 {
     const std::vector<std::string> originals = seeds();
     int read = 0, refused = 0;
-    for (std::uint64_t i = 0; i < 10'000; ++i) {
+    for (std::uint64_t i = 0; i < kFiles; ++i) {
         uq::Stream random(1, i, uq::Purpose::search);
         std::string text = originals[random.below(originals.size())];
         for (std::uint64_t n = random.below(4) + 1; n > 0; --n) mutate(text, random);
@@ -118,6 +124,6 @@ TEST_CASE("study fuzz: ten thousand broken study files are read or refused with 
             ++refused;
         }
     }
-    CHECK(read > 500);
-    CHECK(refused > 3000);
+    CHECK(read > static_cast<int>(kFiles / 20));
+    CHECK(refused > static_cast<int>(kFiles * 3 / 10));
 }

@@ -35,7 +35,7 @@ refused() { # $1: exit code; $2: part of what is said; then the command
 }
 
 claim_twelve_kills_and_as_many_resumes_change_no_bit() {
-    local kills=0 code size=(--set uq.samples=1500 --set uq.audit=50 --threads 2)
+    local kills=0 code size=(--set uq.samples=600 --set uq.audit=20 --threads 2)
     study whole "${size[@]}"
     while ((kills < 12)); do
         "$program" study "$here/small.ini" --out "$work/killed.h5" --quiet "${size[@]}" >/dev/null &
