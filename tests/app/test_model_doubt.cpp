@@ -50,7 +50,7 @@ std::vector<bool> others_hold(Answer answer, dem::Damping damping)
 } // namespace
 
 TEST_CASE("model doubt: each test lies in the interval of 90 % that the others give",
-          "[app][model_doubt]")
+          "[app][model_doubt][repeats]")
 {
     for (const dem::Damping damping : {dem::Damping::combined, dem::Damping::local})
         CHECK(others_hold(Answer::drift, damping) == std::vector(5, true));

@@ -89,7 +89,7 @@ TEST_CASE("nodal scheme: a wall that slides reaches the force of dem::push to 0.
 }
 
 TEST_CASE("nodal scheme: local damping drags the moving wall, less the slower it is pushed",
-          "[bench][nodal_scheme]")
+          "[bench][nodal_scheme][repeats]")
 {
     const dem::Model m = coarse_wall(0.50);
     const dem::WallMaterials w = mean_values(0.50, m);
@@ -107,7 +107,7 @@ TEST_CASE("nodal scheme: local damping drags the moving wall, less the slower it
 }
 
 TEST_CASE("nodal scheme: without damping, the wall is stable at the default step",
-          "[bench][nodal_scheme]")
+          "[bench][nodal_scheme][repeats]")
 {
     const dem::Model m = coarse_wall(0.50);
     dem::WallMaterials w = mean_values(0.50, m);

@@ -119,7 +119,7 @@ TEST_CASE("goodness of fit: where runs end far apart the distances are the integ
 
 TEST_CASE(
     "goodness of fit: where runs end a little apart, p of the right law is even in (0, 1)",
-    "[fragility][goodness_of_fit]")
+    "[fragility][goodness_of_fit][repeats]")
 {
     const Distribution truth{Law::lognormal, 0.5, 0.6};
     constexpr int kStudies = 400;

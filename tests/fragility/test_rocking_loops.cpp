@@ -38,7 +38,7 @@ struct Rocker {
 
 TEST_CASE("rocking loops: a block that may slip loses what its joint loses in balance at every "
           "moment, and the solver next to nothing",
-          "[fragility][cyclic]")
+          "[fragility][cyclic][repeats]")
 {
     const auto [angle, points] =
         GENERATE(table<double, int>({{25.0, 9}, {31.8, 9}, {31.8, 17}, {50.0, 9}}));

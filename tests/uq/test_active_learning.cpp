@@ -39,7 +39,8 @@ double error(const uq::ActiveResult& r, double exact)
 
 } // namespace
 
-TEST_CASE("active learning: the four branches within 130 evaluations", "[uq][active_learning]")
+TEST_CASE("active learning: the four branches within 130 evaluations",
+          "[uq][active_learning][repeats]")
 {
     const uq::ActiveResult r = learned(four_branches(), 0.06);
     CHECK(r.exceedance.outcome == uq::SamplingOutcome::target_reached);
@@ -50,7 +51,8 @@ TEST_CASE("active learning: the four branches within 130 evaluations", "[uq][act
     CHECK(r.checks + r.learned == r.exceedance.ledger.evaluations);
 }
 
-TEST_CASE("active learning: 1e-7 in two dimensions, 1e-3 in ten", "[uq][active_learning]")
+TEST_CASE("active learning: 1e-7 in two dimensions, 1e-3 in ten",
+          "[uq][active_learning][repeats]")
 {
     const problems::Problem steel = problems::steel_section();
     const uq::ActiveResult rare = learned(steel.limit, 0.1);

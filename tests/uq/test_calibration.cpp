@@ -173,7 +173,7 @@ TEST_CASE("calibration: without tests of weight, the posterior is the prior and 
 }
 
 TEST_CASE("calibration: intervals of 90 % hold the truth in 85 to 95 % of 200 repetitions",
-          "[uq][calibration]")
+          "[uq][calibration][repeats]")
 {
     const Shares s = coverage(200, true); // 0.9 +- 0.02
     INFO(s.first << ' ' << s.second << ' ' << s.repeat << ' ' << s.new_level);
@@ -184,7 +184,7 @@ TEST_CASE("calibration: intervals of 90 % hold the truth in 85 to 95 % of 200 re
 }
 
 TEST_CASE("calibration: a wrong model predicts honestly with its discrepancy, and not without",
-          "[uq][calibration]")
+          "[uq][calibration][repeats]")
 {
     VectorXd biases(kLevels + 1);
     biases << 0.3, 0.3, -0.3, 0.3, -0.3;

@@ -71,7 +71,7 @@ TEST_CASE("importance sampling: unbiased, and its standard error is that of repe
 
 TEST_CASE(
     "importance sampling: a branch that no centre leads to is in the answer and mostly said",
-    "[uq][importance_sampling]")
+    "[uq][importance_sampling][repeats]")
 {
     const problems::Problem p = problems::four_branch();
     const MatrixXd all = centres(p.limit, 21);

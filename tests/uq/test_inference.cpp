@@ -77,7 +77,7 @@ struct Line {
 
 } // namespace
 
-TEST_CASE("inference: eight schools within three standard errors", "[uq][inference]")
+TEST_CASE("inference: eight schools within three standard errors", "[uq][inference][repeats]")
 {
     // Rubin (1981): mu, ln tau and eight scaled effects; flat in mu and tau
     constexpr std::array<double, 8> y = {28, 8, -3, 7, -1, 1, 18, 12},

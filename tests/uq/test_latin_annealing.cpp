@@ -15,7 +15,7 @@ using namespace uq;
 using scenes::doubled_strata;
 
 TEST_CASE("latin_annealing: small designs in the plane reach the largest distance there is",
-          "[uq][latin_annealing]")
+          "[uq][latin_annealing][repeats]")
 {
     // With the default effort n = 9 fails for some seeds (3 of 40).
     // Squared distances in strata, by enumeration of all Latin squares of points.

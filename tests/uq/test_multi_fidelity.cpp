@@ -80,7 +80,8 @@ TEST_CASE(
     CHECK(r.spent > 95.0);
 }
 
-TEST_CASE("multi-fidelity: a probability, from two cheap limit states", "[uq][multi_fidelity]")
+TEST_CASE("multi-fidelity: a probability, from two cheap limit states",
+          "[uq][multi_fidelity][repeats]")
 {
     // P(u1 + 0.2 u2 <= -1.2) by u1 + 0.1 u2 and u1.
     const double exact = gsl_cdf_ugaussian_P(-1.2 / std::sqrt(1.04));

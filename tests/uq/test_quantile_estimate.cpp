@@ -73,7 +73,7 @@ TEST_CASE("quantile: failed samples are lowest for the lower limit and highest f
 }
 
 TEST_CASE("quantile: the interval holds the quantile at least as often as it says, of any law",
-          "[uq][quantile]")
+          "[uq][quantile][repeats]")
 {
     const double p = GENERATE(0.05, 0.5, 0.8);
     const double truth = -std::log1p(-p);

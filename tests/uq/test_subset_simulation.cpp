@@ -55,7 +55,7 @@ TEST_CASE("subset simulation: unbiased within two standard errors over 50 repeat
 }
 
 TEST_CASE("subset simulation: the coefficient of variation it reports is that of repetition",
-          "[uq][subset_simulation]")
+          "[uq][subset_simulation][repeats]")
 {
     for (const problems::Problem& p : problems::all()) {
         INFO(p.name);
@@ -269,7 +269,7 @@ TEST_CASE(
 }
 
 TEST_CASE("subset simulation: runs added for a target keep value, error and coverage true",
-          "[uq][subset_simulation]")
+          "[uq][subset_simulation][repeats]")
 {
     const SubsetOptions one{.samples = 400};
     SubsetOptions o{.samples = 400, .max_evaluations = 4000};

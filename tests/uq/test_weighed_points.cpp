@@ -20,7 +20,7 @@ uq::GaussianProcess straight(double beta, Eigen::Index d)
 } // namespace
 
 TEST_CASE("weighed points: the probability by the process, down to 1e-9 and in ten dimensions",
-          "[uq][weighed_points]")
+          "[uq][weighed_points][repeats]")
 {
     const double beta = GENERATE(2.0, 4.0, 6.0);
     const Eigen::Index d = GENERATE(2, 10);
