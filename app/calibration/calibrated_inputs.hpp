@@ -2,7 +2,6 @@
 /// Inputs of a study that tests shall teach, in coordinates with independent standard normal
 /// priors.
 
-#include "app/input/study.hpp"
 #include "uq/marginals/marginal.hpp"
 
 #include <Eigen/Core>
@@ -11,6 +10,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 struct CalibratedInput {
     std::string key, unit;   ///< unit in which people read it: "deg"; empty: none

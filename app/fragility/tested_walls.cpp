@@ -1,6 +1,7 @@
 #include "app/fragility/tested_walls.hpp"
 
 #include "app/input/model_factor_text.hpp"
+#include "app/input/study.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 

@@ -3,8 +3,8 @@
 /// (2005), J. Struct. Eng. 131(11), 1665-1675, over the medians of the random walls that this
 /// program pushes in their place.
 
-#include "app/input/study.hpp"
 #include "core/interval.hpp"
+#include "dem/solver/solver_options.hpp"
 #include "fragility/hierarchical_normal.hpp"
 #include "fragility/model_factor.hpp"
 
@@ -14,6 +14,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// The answer of the program that a factor multiplies.
 enum class Answer { drift, force };

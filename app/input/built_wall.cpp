@@ -1,5 +1,6 @@
 #include "app/input/built_wall.hpp"
 
+#include "app/input/study.hpp"
 #include "app/input/unit_cracks.hpp"
 #include "app/input/units.hpp"
 #include "app/text/words.hpp"

@@ -2,9 +2,9 @@
 /// The wall that the keys of a study describe, where no outlines are drawn: courses with
 /// openings, or rubble.
 
-#include "app/input/study.hpp"
-
 namespace app {
+
+struct Study;
 
 /// Number of units of a wall in courses, without openings, or of mean stones of rubble.
 [[nodiscard]] double unit_count(const Study& study);

@@ -1,5 +1,6 @@
 #include "app/input/code_file.hpp"
 
+#include "app/input/study.hpp"
 #include "app/text/text_file.hpp"
 #include "fragility/code_table.hpp"
 

@@ -1,11 +1,11 @@
 #pragma once
 /// Codes of users: fragility.codes. The page on all codes.
 
-#include "app/input/study.hpp"
-
 #include <string>
 
 namespace app {
+
+struct Study;
 
 /// Reads the file or the text of fragility.codes, and keeps its text on one line, so that the
 /// study stands alone.

@@ -1,6 +1,7 @@
 #include "app/input/drawn_ends.hpp"
 
 #include "app/drawing/raw_drawing.hpp"
+#include "app/input/study.hpp"
 #include "app/input/units.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/layout.hpp"

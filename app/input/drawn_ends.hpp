@@ -1,12 +1,12 @@
 #pragma once
 /// Sides that a drawn wall stands on, and sides that its beam lies on.
 
-#include "app/input/study.hpp"
-
 #include <string>
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// @throws BadValue if the study has a beam and no block has a level side at the top for it to
 /// lie on

@@ -2,11 +2,11 @@
 /// Rules that tie the keys of joints and cracks to each other, and remarks on the laws that
 /// they choose.
 
-#include "app/input/study.hpp"
-
 #include <string>
 
 namespace app {
+
+struct Study;
 
 /// Joint stiffness: where it comes from, and one value per stress level. Before defaults are
 /// derived from it.

@@ -2,13 +2,14 @@
 /// Layers of a drawing whose stone is not the wall's.
 
 #include "app/drawing/drawing.hpp"
-#include "app/input/study.hpp"
 
 #include <string>
 #include <string_view>
 #include <utility>
 
 namespace app {
+
+struct Study;
 
 /// "NAME: rest"; without a name the whole text is the rest.
 [[nodiscard]] std::pair<std::string, std::string_view> named_part(std::string_view text);

@@ -1,5 +1,6 @@
 #include "app/input/limit_state_text.hpp"
 
+#include "app/input/study.hpp"
 #include "app/input/units.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/words.hpp"

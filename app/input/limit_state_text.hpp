@@ -1,13 +1,14 @@
 #pragma once
 /// How the walls of a study are read: [fragility] as rules.
 
-#include "app/input/study.hpp"
 #include "app/reading/wall_reading.hpp"
 
 #include <string_view>
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// "slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate; crack: rise 0.33; half: drop 0.5; near:
 /// ultimate or 1.0 %; far: 2 %". A drift after `or` is a cap: whichever comes first.

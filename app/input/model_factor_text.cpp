@@ -1,6 +1,7 @@
 #include "app/input/model_factor_text.hpp"
 
 #include "app/input/distribution_text.hpp"
+#include "app/input/study.hpp"
 #include "app/input/study_file.hpp"
 #include "app/input/units.hpp"
 #include "app/text/number_text.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 /// The error of the model as [fragility] gives it: a factor on limit drifts and one on forces.
 
-#include "app/input/study.hpp"
 #include "fragility/model_factor.hpp"
 
 #include <optional>
@@ -9,6 +8,8 @@
 #include <string_view>
 
 namespace app {
+
+struct Study;
 
 /// A factor that a study gives: none, that of the tests, or its own.
 struct FactorChoice {

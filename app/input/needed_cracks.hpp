@@ -1,11 +1,13 @@
 #pragma once
 /// Which units of a wall come near their strength, so that the others need no potential cracks.
 
-#include "app/input/study.hpp"
+#include "dem/scene/polygon.hpp"
 
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// Units that see at least this share of their mean strength in the coarse push may crack. A
 /// choice: the strength of one wall in a thousand of the paper's (lognormal, COV 0.30) is 0.39

@@ -1,5 +1,7 @@
 #include "app/input/random_layouts.hpp"
 
+#include "app/input/study.hpp"
+
 #include <algorithm>
 
 namespace app {

@@ -2,11 +2,11 @@
 /// Studies whose walls lie in several random layouts: a layout is drawn by its seed alone, so
 /// that any of them can be laid again by itself.
 
-#include "app/input/study.hpp"
-
 #include <cstdint>
 
 namespace app {
+
+struct Study;
 
 /// Whether the walls of a study differ in how their stones lie (wall.layouts).
 [[nodiscard]] bool has_layouts(const Study& study);

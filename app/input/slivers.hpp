@@ -1,9 +1,9 @@
 #pragma once
 /// Where blocks and pieces of joint that are too short come from.
 
-#include "app/input/study.hpp"
-
 namespace app {
+
+struct Study;
 
 /// Whether a wall in courses that has slivers would have none without its openings and their
 /// lintels.

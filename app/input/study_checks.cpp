@@ -3,6 +3,7 @@
 #include "app/input/model_factor_text.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/input/slivers.hpp"
+#include "app/input/study.hpp"
 #include "app/input/unit_cracks.hpp"
 #include "app/input/wall_geometry.hpp"
 

@@ -1,12 +1,13 @@
 #pragma once
 /// Rules that tie the values of a study to each other.
 
-#include "app/input/study.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <string>
 
 namespace app {
+
+struct Study;
 
 /// Checks that a push to and fro is not endless, before its path is made.
 /// @throws ConfigError at the value to change

@@ -2,7 +2,6 @@
 /// The table of all keys of a study. It drives reading, range checks, defaults, help and the
 /// effective configuration.
 
-#include "app/input/study.hpp"
 #include "app/input/study_field.hpp"
 #include "app/input/verb_set.hpp"
 
@@ -11,6 +10,8 @@
 #include <string_view>
 
 namespace app {
+
+struct Study;
 
 enum class Kind {
     number,

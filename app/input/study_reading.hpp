@@ -1,12 +1,14 @@
 #pragma once
 /// A study read from its file, and written down again.
 
-#include "app/input/study.hpp"
+#include "app/input/study_file.hpp"
 
 #include <span>
 #include <string>
 
 namespace app {
+
+struct Study;
 
 /// The reason for which a study is read. A drawing needs no load: a height that does not fit
 /// the wall is told, not refused.

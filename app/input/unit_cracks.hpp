@@ -1,11 +1,14 @@
 #pragma once
 /// Where units may crack, as a study says it.
 
-#include "app/input/study.hpp"
+#include "dem/scene/crack_pattern.hpp"
+#include "dem/scene/polygon.hpp"
 
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// Reads `unit.cracks` and what belongs to it into Study::wall. The region `toe` is the lower
 /// 40 % of the half of the wall that it is pushed towards; of both halves where it is pushed to

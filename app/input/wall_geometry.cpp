@@ -4,6 +4,7 @@
 #include "app/input/built_wall.hpp"
 #include "app/input/drawn_ends.hpp"
 #include "app/input/layer_stones.hpp"
+#include "app/input/study.hpp"
 #include "app/input/unit_cracks.hpp"
 #include "app/input/units.hpp"
 #include "app/text/check_sum.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 /// The blocks and joints of a study's wall: courses by their keys, or outlines that were drawn.
 
-#include "app/input/study.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <span>
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// Reads the outlines of `wall.geometry` or `wall.outlines` into the study, and what follows
 /// from them.

@@ -4,6 +4,7 @@
 #include "app/output/svg_elements.hpp"
 #include "app/study/both_ways.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/stress_text.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/touching.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 /// Frames of a push for film.svg, taken beside the series for ParaView.
 
-#include "app/input/study.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "dem/solver/push.hpp"
 
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 class PushFilm {
   public:

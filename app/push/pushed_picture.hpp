@@ -1,12 +1,13 @@
 #pragma once
 /// wall.svg: a pushed wall at its peak and at the end.
 
-#include "app/input/study.hpp"
 #include "app/study/pushed_wall.hpp"
 
 #include <string>
 
 namespace app {
+
+struct Study;
 
 /// @param wall with its snapshot at the peak (dem::PushPlan::snapshot_at_peak); one that came
 /// down under its vertical load

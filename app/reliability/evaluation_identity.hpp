@@ -3,11 +3,11 @@
 /// depend on. Evaluations that an interrupted run has left serve an analysis with the same
 /// text.
 
-#include "app/input/study.hpp"
-
 #include <string>
 
 namespace app {
+
+struct Study;
 
 /// Identity of the study, rules of reading and vertical stress, however they were written.
 /// Method, budget and demand are not among them.

@@ -1,5 +1,6 @@
 #include "app/sampling/study_dependence.hpp"
 
+#include "app/input/study.hpp"
 #include "app/input/units.hpp"
 #include "app/text/words.hpp"
 

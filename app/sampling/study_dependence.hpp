@@ -1,7 +1,6 @@
 #pragma once
 /// Random inputs of a study by name, and their correlation: uq.pearson.
 
-#include "app/input/study.hpp"
 #include "uq/designs/normal_copula.hpp"
 
 #include <cstddef>
@@ -9,6 +8,8 @@
 #include <string_view>
 
 namespace app {
+
+struct Study;
 
 /// Place in Study::random of the input with this name.
 /// @param key that names it: "uq.pearson"

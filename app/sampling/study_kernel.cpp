@@ -1,5 +1,7 @@
 #include "app/sampling/study_kernel.hpp"
 
+#include "app/input/study.hpp"
+
 namespace app {
 namespace {
 

@@ -1,10 +1,11 @@
 #pragma once
 /// The correlation between joints that a study asks for.
 
-#include "app/input/study.hpp"
 #include "uq/fields/kernel.hpp"
 
 namespace app {
+
+struct Study;
 
 /// For Spatial::correlated.
 /// @throws ConfigError if lengths are missing or too many

@@ -1,12 +1,13 @@
 #pragma once
 /// Random inputs of a study whose values stand row by row: uq.together.
 
-#include "app/input/study.hpp"
 #include "uq/fields/spatial_sample.hpp"
 
 #include <string_view>
 
 namespace app {
+
+struct Study;
 
 /// Whether uq.together names this key.
 [[nodiscard]] bool is_together(const Study& study, std::string_view key);

@@ -1,6 +1,7 @@
 #include "app/scene/reading_again.hpp"
 
 #include "app/drawing/raw_drawing.hpp"
+#include "app/input/study.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 

@@ -1,5 +1,6 @@
 #include "app/scene/scene_units.hpp"
 
+#include "app/input/study.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "dem/scene/touching.hpp"
 

@@ -2,12 +2,13 @@
 /// The units of a wall, whole even where potential cracks part them.
 
 #include "app/drawing/drawing.hpp"
-#include "app/input/study.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// Unit k of the layout is in place k - 1; a beam is no unit. Layers are those of the drawing,
 /// "lintel" for lintels, and "wall" for units without one (nothing where wall.layer_stones

@@ -1,5 +1,6 @@
 #include "app/shake/shaking_motions.hpp"
 
+#include "app/input/study.hpp"
 #include "app/input/units.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"

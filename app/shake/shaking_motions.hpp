@@ -1,7 +1,6 @@
 #pragma once
 /// The motions that section [shaking] of a study asks for.
 
-#include "app/input/study.hpp"
 #include "dem/shaking/shake.hpp"
 #include "ground/ground_motion.hpp"
 #include "ground/intensity.hpp"
@@ -11,6 +10,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// A record as it is, with the vertical motion that belongs to it.
 struct ShakingRecord {

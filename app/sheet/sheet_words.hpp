@@ -2,7 +2,6 @@
 /// Words of a sheet: the answer, what was assumed and how much it matters, how sure the answer
 /// is.
 
-#include "app/input/study.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/study/study_walls.hpp"
 
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// A choice of the model, what it means here, and how much it moved the answer where that was
 /// measured.

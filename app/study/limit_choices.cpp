@@ -1,8 +1,10 @@
 #include "app/study/limit_choices.hpp"
 
 #include "app/input/key_values.hpp"
+#include "app/input/study.hpp"
 #include "app/input/study_keys.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 
 #include <algorithm>

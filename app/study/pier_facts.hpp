@@ -2,7 +2,6 @@
 /// Facts of the piers of a pushed wall. They do not depend on the rules of [fragility]: the
 /// file of a study keeps them, and pier_reading.hpp reads them.
 
-#include "app/input/study.hpp"
 #include "app/study/pier_history.hpp"
 #include "dem/scene/mechanism.hpp"
 #include "dem/scene/piers.hpp"
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 struct PushedWall;
 

@@ -2,7 +2,6 @@
 /// Piers and spandrels of a pushed wall: forces, drift over the own height, mode, drift limits
 /// of the codes. The pier that reaches its drift limit first governs the wall.
 
-#include "app/input/study.hpp"
 #include "app/reading/wall_reading.hpp"
 #include "app/study/pier_facts.hpp"
 #include "app/study/pier_history.hpp"
@@ -14,6 +13,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 struct PushedWall;
 

@@ -1,6 +1,7 @@
 #include "app/study/pier_remark.hpp"
 
 #include "app/input/limit_state_text.hpp"
+#include "app/input/study.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/wall_openings.hpp"
 #include "app/text/number_text.hpp"

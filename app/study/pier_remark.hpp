@@ -2,12 +2,12 @@
 /// Codes limit the drift of a pier. A wall of several piers has one drift and one mode here,
 /// which is said.
 
-#include "app/input/study.hpp"
-
 #include <string>
 #include <string_view>
 
 namespace app {
+
+struct Study;
 
 /// Caption of tables of piers.
 inline constexpr std::string_view kPierNumbers =

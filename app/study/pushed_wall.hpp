@@ -1,7 +1,6 @@
 #pragma once
 /// One wall pushed: what was run, and how it is read.
 
-#include "app/input/study.hpp"
 #include "app/reading/wall_numbers.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "app/study/pier_reading.hpp"
@@ -12,6 +11,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 struct PushedWall {
     double vertical_stress = 0.0; ///< [Pa]

@@ -2,7 +2,6 @@
 /// All walls of a study into one file, whoever asks for it.
 
 #include "app/input/command.hpp"
-#include "app/input/study.hpp"
 #include "app/study/study_runner.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/study/wall_frames.hpp"
@@ -12,6 +11,8 @@
 #include <string>
 
 namespace app {
+
+struct Study;
 
 struct StudyRun {
     std::filesystem::path

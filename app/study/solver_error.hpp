@@ -3,7 +3,6 @@
 /// push estimates of itself, and the differences of an audit. Tables, remarks, page and bounds
 /// take it from here.
 
-#include "app/input/study.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/text/number_text.hpp"
 
@@ -12,6 +11,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// Whether the error of a wall is larger than the study asks for; an error that is not known is
 /// not.

@@ -1,5 +1,6 @@
 #include "app/study/stored_study.hpp"
 
+#include "app/input/study.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/store/store_error.hpp"
 #include "app/study/history_names.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 /// The head of the file of a study.
 
-#include "app/input/study.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_head.hpp"
 
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// How many times slower an audit pushes. The error of a wall is about 4/3 of the difference
 /// where it falls with the speed.

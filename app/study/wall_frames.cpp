@@ -1,5 +1,7 @@
 #include "app/study/wall_frames.hpp"
 
+#include "app/input/study.hpp"
+
 #include <algorithm>
 #include <utility>
 

@@ -1,8 +1,8 @@
 #pragma once
 /// Pictures of a wall along its push, for a film.
 
-#include "app/input/study.hpp"
 #include "app/store/store_row.hpp"
+#include "dem/scene/mechanism.hpp"
 #include "dem/solver/push.hpp"
 
 #include <functional>
@@ -10,6 +10,8 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 constexpr int kFilmFrames = 60; ///< evenly over the way, and the wall before the push
 /// Numbers of frames of a push that turns back: so many for each way between two turns, and at

@@ -1,5 +1,6 @@
 #include "app/study/wall_openings.hpp"
 
+#include "app/input/study.hpp"
 #include "app/input/wall_geometry.hpp"
 
 #include <algorithm>

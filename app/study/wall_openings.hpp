@@ -1,11 +1,14 @@
 #pragma once
 /// Doors and windows of a wall, given in courses or found in a drawing.
 
-#include "app/input/study.hpp"
+#include "dem/scene/drawn_layout.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// Gaps between the stones at a height, from left to right [m].
 struct Gap {

@@ -1,7 +1,6 @@
 #pragma once
 /// A study file as Python holds it.
 
-#include "app/input/study.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/study/pushed_wall.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -13,6 +12,10 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace app {
+struct Study;
+}
 
 namespace bindings {
 
