@@ -7,6 +7,7 @@
 #include "app/study/run_study.hpp"
 #include "app/study/solver_error.hpp"
 #include "app/study/study_walls.hpp"
+#include "app/study/turned_walls.hpp"
 #include "app/study_scenes.hpp"
 #include "app/text/config_error.hpp"
 #include "tests/scenes/same_results.hpp"

@@ -1,6 +1,7 @@
 /// Hand checks of piers: shear and axial force of each against the equilibrium of cuts.
 
 #include "app/input/prepared_study.hpp"
+#include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/study/push_walls.hpp"
 #include "app/study/wall_openings.hpp"

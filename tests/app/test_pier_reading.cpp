@@ -1,5 +1,6 @@
 /// Piers read off pushes: each as a wall of its own, and the wall by the pier that governs.
 
+#include "app/input/limit_state_text.hpp"
 #include "app/input/prepared_study.hpp"
 #include "app/push/limit_table.hpp"
 #include "app/push/pier_picture.hpp"
