@@ -16,6 +16,7 @@
 #include "app/output/table_files.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/capacity_text.hpp"
+#include "app/push/drawn_picture.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/push/level_table.hpp"
 #include "app/push/limit_table.hpp"
@@ -192,6 +193,9 @@ void write_all(const Command& command, const PreparedStudy& ready,
     }
     if (!wanted.front().draw.values.empty())
         files.push_back({"drawn.csv", as_csv(drawn_table(study, wanted.front().draw))});
+    if (std::string drawn = drawn_picture(study, ready.layout, wanted.front().draw);
+        !drawn.empty())
+        files.push_back({"drawn.svg", std::move(drawn)});
     files.insert(files.end(), moved.begin(), moved.end());
     write_results(command.out, files, kPushList);
 }
@@ -219,7 +223,7 @@ void write_all(const Command& command, const PreparedStudy& ready,
 void check_folder(const Command& command, const Study& study,
                   const std::vector<WantedWall>& wanted)
 {
-    std::vector<fs::path> names = {"levels.svg", "drawn.csv"};
+    std::vector<fs::path> names = {"levels.svg", "drawn.csv", "drawn.svg"};
     for (const char* const ending : kTableEndings)
         for (const char* const stem :
              {"limit_states", "levels", "piers", "pier_limit_states", "spandrels"})

@@ -5,6 +5,7 @@ set(TEST_APP_PUSH_SOURCES
     app/test_capacity_svg.cpp
     app/test_direction.cpp
     app/test_drawn_ends.cpp
+    app/test_drawn_picture.cpp
     app/test_hand_checks.cpp
     app/test_pier_balance.cpp
     app/test_pier_reading.cpp
