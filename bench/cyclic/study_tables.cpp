@@ -1,10 +1,11 @@
 #include "bench/cyclic/study_tables.hpp"
 
+#include "app/fragility/drift_fits.hpp"
 #include "app/fragility/fragility_data.hpp"
+#include "app/fragility/limit_drifts.hpp"
 #include "app/output/cells.hpp"
 #include "app/study/fragility_text.hpp"
 #include "bench/validation/cells.hpp"
-#include "fragility/performance_limits.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <cmath>
@@ -15,16 +16,17 @@
 namespace bench {
 namespace {
 
-/// Median drift of a limit state; a lower bound where no law can be fitted.
-app::Number median_cell(const app::DriftGroup& group, std::size_t state)
+/// Median drift of a limit state, as the tables of `drystone fragility` have it; a lower bound
+/// where it lies beyond the drift that was tested.
+app::Number median_cell(const app::DriftData& data, std::size_t group, std::size_t state)
 {
-    const auto observations = app::limits_of(group, state);
-    const auto limits =
-        fragility::performance_limits(fragility::Law::lognormal, observations, 0.95);
-    if (!limits.fitted) return app::median_bound(limits.bound, 2);
-    const fragility::DriftLimit& median = limits.drifts[2];
-    return app::with_interval(median.drift, median.interval, 2,
-                              fragility::known_to(observations));
+    constexpr std::size_t kMedian = 2;
+    const auto drifts = app::limit_drifts(data, group, state).quantiles.at;
+    if (drifts.empty()) return {};
+    const fragility::LimitQuantile& median = drifts[kMedian];
+    const bool cap = median.interval.lower == median.interval.upper; // of a code: no interval
+    return cap ? app::Number{.value = median.interval.lower, .decimals = 2}
+               : app::quantile_cell(median, 2);
 }
 
 double seen(const app::DriftGroup& group, std::size_t state)
@@ -78,33 +80,32 @@ app::Number peak_cell(const app::StudyLevel& level)
 
 app::Table limit_table(const TwoStudies& both)
 {
-    const app::DriftData one = app::drift_data(both.one_way),
-                         cyclic = app::drift_data(both.cyclic);
+    app::DriftData one = app::drift_data(both.one_way), cyclic = app::drift_data(both.cyclic);
+    for (app::DriftData* const data : {&one, &cyclic}) app::judge(*data);
     app::Table t;
     t.caption =
-        "Median drifts [%] with 95 % intervals (lognormal law, right-censored; \">\" "
-        "and \">=\": a lower bound "
-        "without a law; a dagger: beyond what was tested). Seen: walls that reached "
-        "the limit state. Ratio: geometric "
-        "mean of the drift under cycles over that of the same wall pushed one way, of "
-        "the walls on which both were "
-        "seen, with its 95 % interval. SLO and SLD are read where the first amplitude lies "
-        "within yield.";
+        "Median drifts [%] with 95 % intervals, as `drystone fragility` reads them; \">\": "
+        "beyond "
+        "the drift that was tested. Seen: walls that reached the limit state. Ratio: geometric "
+        "mean of the drift under cycles over that of the same wall pushed one way, of the "
+        "walls "
+        "on which both were seen, with its 95 % interval. SLO and SLD are read where the first "
+        "amplitude lies within yield.";
     t.keys = 2;
     t.head = {"stress [MPa]",
               "limit state",
-              {"one way [%]", app::kInterval | app::kExtrapolated},
+              {"one way [%]", app::kInterval},
               "seen",
-              {"cycles [%]", app::kInterval | app::kExtrapolated},
+              {"cycles [%]", app::kInterval},
               "seen",
               {"ratio", app::kInterval},
               "n"};
     for (std::size_t g = 0; g < one.groups.size(); ++g)
         for (std::size_t s = 0; s < one.states.size(); ++s) {
             app::Row row = {
-                app::group_cell(one.groups[g]),   app::state_name(one.states[s]),
-                median_cell(one.groups[g], s),    app::count(seen(one.groups[g], s)),
-                median_cell(cyclic.groups[g], s), app::count(seen(cyclic.groups[g], s))};
+                app::group_cell(one.groups[g]), app::state_name(one.states[s]),
+                median_cell(one, g, s),         app::count(seen(one.groups[g], s)),
+                median_cell(cyclic, g, s),      app::count(seen(cyclic.groups[g], s))};
             const app::Row ratio =
                 ratio_cells(both.one_way.levels[g], both.cyclic.levels[g], s);
             row.insert(row.end(), ratio.begin(), ratio.end());
