@@ -43,7 +43,8 @@ TEST_CASE(
     draw.values.emplace_back(static_cast<std::size_t>(layout.n_joints), 0.5);
     draw.values.emplace_back(static_cast<std::size_t>(layout.n_cracks), 3.7e6);
     draw.values[0][0] = 0.25;
-    draw.values[0][1] = 0.75;
+    REQUIRE(layout.n_joints > layout.n_cracks);
+    draw.values[0].back() = 0.75;
     draw.values[1][0] = 3.0e6;
     const std::string picture = app::drawn_picture(study, layout, draw);
     for (const char* const words : {"joint.friction_angle [deg]", "unit.tensile_strength [MPa]",
@@ -58,7 +59,7 @@ TEST_CASE(
     // Smallest and largest are the ends of the scale, the others lie between.
     CHECK(count(picture, "stroke=\"#0d0887\"") == faces(1, false) + faces(1, true));
     CHECK(count(picture, "stroke=\"#f89540\"") ==
-          faces(2, false) + static_cast<std::size_t>(layout.n_cracks) - 1);
+          faces(layout.n_joints, false) + static_cast<std::size_t>(layout.n_cracks) - 1);
     CHECK(count(picture, "<line ") >=
           static_cast<std::size_t>(layout.n_joints + layout.n_cracks));
 }
