@@ -84,7 +84,7 @@ app::Table limit_table(const TwoStudies& both)
     for (app::DriftData* const data : {&one, &cyclic}) app::judge(*data);
     app::Table t;
     t.caption =
-        "Median drifts [%] with 95 % intervals, as `drystone fragility` reads them; \">\": "
+        "Median drifts [%] with 95 % intervals, as drystone fragility reads them; \">\": "
         "beyond "
         "the drift that was tested. Seen: walls that reached the limit state. Ratio: geometric "
         "mean of the drift under cycles over that of the same wall pushed one way, of the "
