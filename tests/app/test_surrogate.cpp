@@ -41,7 +41,10 @@ TEST_CASE("surrogate: a smooth response is learned and trusted", "[app][surrogat
     REQUIRE(s.given.size() == 3);
     CHECK(s.given[0].p_value < kDependsLevel);
     CHECK(s.given[0].delta.has_value());
+    CHECK(s.given[0].hsic.has_value());
     CHECK(s.given[2].p_value > kDependsLevel); // the third input does nothing
+    CHECK_FALSE(s.given[2].delta.has_value()); // and has no index, whatever the estimate is
+    CHECK_FALSE(s.given[2].hsic.has_value());
 }
 
 TEST_CASE("surrogate: doubts are said in words, and no index is given", "[app][surrogate]")
@@ -86,6 +89,21 @@ TEST_CASE("surrogate: dependent inputs have no shares of the variance", "[app][s
     const LevelSurrogate s = fitted(points(60, 3), true);
     CHECK(s.doubts.empty());
     CHECK(s.no_indices.find("depend on each other") != std::string::npos);
+}
+
+TEST_CASE("surrogate: inputs without coordinates have indices from the walls alone",
+          "[app][surrogate]")
+{
+    SurrogatePoints p = points(60, 3);
+    p.no_coordinates = "Inputs vary from joint to joint.";
+    const LevelSurrogate s = fitted(p);
+    CHECK_FALSE(s.chaos);
+    CHECK_FALSE(s.process);
+    CHECK(s.doubts == std::vector<std::string>{p.no_coordinates});
+    CHECK(s.no_indices == p.no_coordinates);
+    REQUIRE(s.given.size() == 3);
+    CHECK(s.given[0].delta.has_value());
+    CHECK(s.given[0].hsic.has_value());
 }
 
 TEST_CASE("surrogate: an unknown response is named with those that there are",

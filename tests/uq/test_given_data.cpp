@@ -1,4 +1,5 @@
 #include "tests/uq/latin_scene.hpp"
+#include "tests/uq/sensitivity_scenes.hpp"
 #include "uq/designs/stream.hpp"
 #include "uq/estimates/two_heaps.hpp"
 #include "uq/sensitivity/delta_index.hpp"
@@ -76,6 +77,53 @@ TEST_CASE("hsic: its test has the level that it says, and sees what correlation 
     CHECK(hsic(x, x.array().square()).p_value == Approx(1.0 / 500.0));
     CHECK(hsic(x, x).share == Approx(1.0).epsilon(1e-12));
     CHECK_THROWS_AS(hsic(x, Eigen::VectorXd::Ones(60)), std::invalid_argument);
+}
+
+TEST_CASE("hsic: share and index are those of OpenTURNS 1.20", "[uq][hsic]")
+{
+    // HSICEstimatorGlobalSensitivity, R2-HSIC, SquaredExponential of the standard deviation,
+    // nugget 0; HSICVStat and HSICUStat
+    constexpr int n = 64;
+    const double share[] = {0.14874222818322108, 0.01937130392791646, 0.06209077630263789},
+                 index[] = {0.12049302094252307, -0.01493376490881048, 0.02427059083935697};
+    Eigen::MatrixXd u(n, 3);
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < 3; ++k)
+            u(i, k) = std::fmod((i + 1) * std::sqrt(k == 2 ? 5.0 : 2.0 + k), 1.0);
+    const Eigen::VectorXd y = scenes::ishigami(u);
+    for (int k = 0; k < 3; ++k) {
+        const Hsic h = hsic(u.col(k), y);
+        CHECK(h.share == Approx(share[k]).epsilon(1e-10));
+        CHECK(h.index.value == Approx(index[k]).epsilon(1e-10));
+        CHECK(h.index.interval.lower >= 0.0);
+        CHECK(h.index.interval.upper > h.index.interval.lower);
+    }
+}
+
+TEST_CASE("hsic: index of two normal variables, and its error, in closed form and by repetition",
+          "[uq][hsic]")
+{
+    // kernels as wide as the variables: E k l = 1 / sqrt(9 - 4 r^2), E k E l = 1/3, and
+    // E (E' k)(E' l) = 1 / sqrt(9 - r^2)
+    const auto exact = [](double r) {
+        return 1.0 / std::sqrt(9.0 - 4.0 * r * r) + 1.0 / 3.0 - 2.0 / std::sqrt(9.0 - r * r);
+    };
+    constexpr double kShare = 0.5; // squared correlation
+    constexpr int kRepetitions = 60;
+    const double truth = exact(std::sqrt(kShare)) / exact(1.0);
+    Eigen::VectorXd value(kRepetitions), error(kRepetitions);
+    int held = 0;
+    for (int r = 0; r < kRepetitions; ++r) {
+        const Eigen::VectorXd x = normals(150, 1000 + 2 * r), e = normals(150, 1001 + 2 * r);
+        const Hsic h = hsic(x, x + e, {.permutations = 19});
+        value(r) = h.index.value;
+        error(r) = h.index.std_error;
+        held += h.index.interval.lower <= truth && truth <= h.index.interval.upper ? 1 : 0;
+    }
+    const double scatter = std::sqrt((value.array() - value.mean()).square().mean());
+    CHECK(value.mean() == Approx(truth).margin(3.0 * scatter / std::sqrt(kRepetitions)));
+    CHECK(error.mean() == Approx(scatter).epsilon(0.3)); // chi of 59: 3 sd are 0.28
+    CHECK(held >= 51);                                   // binomial(60, 0.95): 99.8 %
 }
 
 TEST_CASE("two heaps: found where there are, and seldom where there is one", "[uq][two_heaps]")
