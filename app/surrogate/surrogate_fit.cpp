@@ -2,8 +2,8 @@
 
 #include "app/text/number_text.hpp"
 #include "uq/estimates/two_heaps.hpp"
-#include "uq/sensitivity/delta_index.hpp"
 #include "uq/sensitivity/hsic.hpp"
+#include "uq/sensitivity/rank_index.hpp"
 #include "uq/surrogates/process_fit.hpp"
 
 #include <algorithm>
@@ -93,8 +93,8 @@ void add_given_data(LevelSurrogate& s, std::uint64_t seed)
                 uq::hsic(x, s.points.y, {.seed = seed, .stream = 2 * stream + 1});
             g.p_value = h.p_value;
             if (g.p_value < kDependsLevel) {
-                g.delta = as_result(
-                    uq::delta_index(x, s.points.y, {.seed = seed, .stream = 2 * stream}));
+                g.rank = as_result(
+                    uq::rank_index(x, s.points.y, {.seed = seed, .stream = 2 * stream}));
                 g.hsic = as_result(h.index);
             }
         }

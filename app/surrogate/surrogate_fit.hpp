@@ -28,9 +28,9 @@ struct SurrogateError {
 
 /// Dependence of the response on its inputs by the samples alone, without a surrogate.
 struct GivenData {
-    /// Index of Borgonovo, and of Da Veiga by HSIC; nothing where the walls do not show that the
-    /// response depends on the input, or where the estimate is not in (0, 1].
-    std::optional<uq::Estimate> delta, hsic;
+    /// Index of Cramer and von Mises, and of Da Veiga by HSIC; nothing where the walls do not
+    /// show that the response depends on the input, or where the estimate is not in (0, 1].
+    std::optional<uq::Estimate> rank, hsic;
     double p_value = 1.0; ///< of independence [-]
 };
 

@@ -45,7 +45,7 @@ void add_index_row(const SurrogateStudy& s, const LevelSurrogate& l, std::size_t
         const auto cell = [](const std::optional<uq::Estimate>& e) {
             return e ? Cell(with_interval(e->value, e->interval, 2)) : Cell{};
         };
-        row = joined(row, {cell(g.delta), cell(g.hsic), plain_number(g.p_value, 3)});
+        row = joined(row, {cell(g.rank), cell(g.hsic), plain_number(g.p_value, 3)});
         if (!(g.p_value < kDependsLevel))
             note += std::string(note.empty() ? "" : " ") +
                     "These walls do not show that the response depends on this input.";
@@ -115,11 +115,11 @@ Table surrogate_index_table(const SurrogateStudy& s)
     t.title = "What the " + words(*s.response) + " depends on";
     t.caption = "Shares of the variance from the coefficients of the polynomial chaos (Sobol'; "
                 "of the input alone, and with "
-                "its interactions); delta (Borgonovo) and HSIC (Da Veiga) from the walls alone, "
-                "with 95 % intervals, and the probability of as much dependence by chance.";
+                "its interactions); Cramer-von Mises and HSIC (Da Veiga) from the walls "
+                "alone, with 95 % intervals, and the probability of as much dependence by chance.";
     t.keys = 2;
     t.head = {"stress [MPa]",       "input", "Sobol' first",       "Sobol' total",
-              {"delta", kInterval}, {"HSIC", kInterval},  "p of no dependence", {"note", kNote}};
+              {"Cramer-von Mises", kInterval}, {"HSIC", kInterval},  "p of no dependence", {"note", kNote}};
     for (const LevelSurrogate& l : s.levels) {
         uq::ChaosIndices shares;
         if (l.chaos) shares = uq::sobol_indices(l.chaos->chaos);

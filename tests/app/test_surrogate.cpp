@@ -40,10 +40,10 @@ TEST_CASE("surrogate: a smooth response is learned and trusted", "[app][surrogat
     CHECK((s.left_out - s.points.y).norm() < 0.01 * s.points.y.norm());
     REQUIRE(s.given.size() == 3);
     CHECK(s.given[0].p_value < kDependsLevel);
-    CHECK(s.given[0].delta.has_value());
+    CHECK(s.given[0].rank.has_value());
     CHECK(s.given[0].hsic.has_value());
     CHECK(s.given[2].p_value > kDependsLevel); // the third input does nothing
-    CHECK_FALSE(s.given[2].delta.has_value()); // and has no index, whatever the estimate is
+    CHECK_FALSE(s.given[2].rank.has_value()); // and has no index, whatever the estimate is
     CHECK_FALSE(s.given[2].hsic.has_value());
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("surrogate: inputs without coordinates have indices from the walls alo
     CHECK(s.doubts == std::vector<std::string>{p.no_coordinates});
     CHECK(s.no_indices == p.no_coordinates);
     REQUIRE(s.given.size() == 3);
-    CHECK(s.given[0].delta.has_value());
+    CHECK(s.given[0].rank.has_value());
     CHECK(s.given[0].hsic.has_value());
 }
 

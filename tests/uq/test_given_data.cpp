@@ -4,6 +4,7 @@
 #include "uq/estimates/two_heaps.hpp"
 #include "uq/sensitivity/delta_index.hpp"
 #include "uq/sensitivity/hsic.hpp"
+#include "uq/sensitivity/rank_index.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -124,6 +125,45 @@ TEST_CASE("hsic: index of two normal variables, and its error, in closed form an
     CHECK(value.mean() == Approx(truth).margin(3.0 * scatter / std::sqrt(kRepetitions)));
     CHECK(error.mean() == Approx(scatter).epsilon(0.3)); // chi of 59: 3 sd are 0.28
     CHECK(held >= 51);                                   // binomial(60, 0.95): 99.8 %
+}
+
+TEST_CASE("rank index: a worked example, ties, and its ends", "[uq][rank_index]")
+{
+    // x ascending, ranks of y 2 1 3 5 4: 1 - 3 (1 + 2 + 2 + 1) / (25 - 1)
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 0.0, 1.0);
+    Eigen::VectorXd y(5);
+    y << 0.2, -1.0, 0.3, 9.0, 2.0;
+    CHECK(raw_rank_index(x, y) == Approx(0.25).epsilon(1e-12));
+    CHECK(raw_rank_index(x, y.array().exp()) == raw_rank_index(x, y)); // ranks alone count
+    // 1 1 2 2: r = 2 2 4 4, l = 4 4 2 2: 1 - 4 x 2 / (2 (0 + 0 + 4 + 4))
+    CHECK(raw_rank_index(x.head(4), Eigen::Vector4d(1, 1, 2, 2)) == Approx(0.5));
+    const Eigen::VectorXd z = normals(400, 21);
+    CHECK(raw_rank_index(z, z.array().square()) > 0.97); // a law, though no correlation
+    CHECK(std::abs(raw_rank_index(z, normals(400, 22))) < 0.1); // sd sqrt(0.4 / n) = 0.03
+    CHECK_THROWS_AS(rank_index(z, Eigen::VectorXd::Ones(400)), std::invalid_argument);
+    CHECK_THROWS_AS(rank_index(z, z.head(399)), std::invalid_argument);
+}
+
+TEST_CASE("rank index: of two normal variables, and its error by repetition",
+          "[uq][rank_index]")
+{
+    // corr r: 3 / pi asin((1 + r^2) / 2) - 1/2 (Gaussian copula)
+    const double truth = 3.0 / M_PI * std::asin(0.75) - 0.5;
+    constexpr int kRepetitions = 60;
+    Eigen::VectorXd value(kRepetitions), error(kRepetitions);
+    int held = 0;
+    for (int r = 0; r < kRepetitions; ++r) {
+        const Eigen::VectorXd x = normals(200, 2000 + 2 * r), e = normals(200, 2001 + 2 * r);
+        const Estimate i = rank_index(x, x + e, {.halves = 60});
+        value(r) = i.value;
+        error(r) = i.std_error;
+        held += i.interval.lower <= truth && truth <= i.interval.upper ? 1 : 0;
+    }
+    const double scatter = std::sqrt((value.array() - value.mean()).square().mean());
+    // its bias of few samples is some 1 / n
+    CHECK(value.mean() == Approx(truth).margin(3.0 * scatter / std::sqrt(kRepetitions) + 0.01));
+    CHECK(error.mean() == Approx(scatter).epsilon(0.35));
+    CHECK(held >= 51); // binomial(60, 0.95): 99.8 %
 }
 
 TEST_CASE("two heaps: found where there are, and seldom where there is one", "[uq][two_heaps]")
