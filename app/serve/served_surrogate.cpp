@@ -5,23 +5,15 @@
 #include "app/reading/wall_numbers.hpp"
 #include "app/serve/served_walls.hpp"
 #include "app/study/stress_text.hpp"
+#include "app/surrogate/surrogate_data.hpp"
 #include "app/text/config_error.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace app {
 namespace {
 
 bool has_surrogate(const LearnedLevel& level) { return level.chaos || level.process; }
-
-const WallNumber& response_of(const LearnedSurrogate& s)
-{
-    const auto* const n = std::ranges::find(kWallNumbers, s.response, &WallNumber::name);
-    if (n == kWallNumbers.end())
-        throw ConfigError(s.path, 0, "response", "is not a number of a wall in this version");
-    return *n;
-}
 
 std::vector<ServedColumn> inputs_of(const LearnedSurrogate& s)
 {
@@ -50,7 +42,7 @@ std::vector<ServedColumn> outputs_of(const WallNumber& response, const LearnedLe
 std::vector<ServedModel>
 surrogate_models(const std::shared_ptr<const LearnedSurrogate>& surrogate)
 {
-    const WallNumber& response = response_of(*surrogate);
+    const WallNumber& response = surrogate_response(surrogate->response);
     const std::string stem = std::filesystem::path(surrogate->study).stem().string();
     std::vector<ServedModel> models;
     for (const LearnedLevel& level : surrogate->levels) {
@@ -61,13 +53,11 @@ surrogate_models(const std::shared_ptr<const LearnedSurrogate>& surrogate)
         model.inputs = inputs_of(*surrogate);
         model.outputs = outputs_of(response, level);
         // the list keeps the level alive
-        model.evaluate = [surrogate, at = &level,
-                          scale = response.unit.scale](std::span<const double> x) {
+        model.evaluate = [surrogate, at = &level](std::span<const double> x) {
             const Eigen::MatrixXd row = Eigen::Map<const Eigen::RowVectorXd>(
                 x.data(), static_cast<Eigen::Index>(x.size()));
             const SurrogateAnswers a = predict(*surrogate, *at, row);
-            return std::vector{a.mean(0) / scale, a.sd(0) / scale,
-                               static_cast<double>(a.outside(0))};
+            return std::vector{a.mean(0), a.sd(0), static_cast<double>(a.outside(0))};
         };
         models.push_back(std::move(model));
     }

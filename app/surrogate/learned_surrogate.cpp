@@ -129,6 +129,7 @@ LearnedSurrogate learned(const Json& j)
     s.study_sum = j.value("study_sum", "");
     s.response = j.at("response");
     s.unit = j.at("unit");
+    s.scale = surrogate_response(s.response).unit.scale;
     for (const Json& in : j.at("inputs")) s.inputs.push_back(learned_input(in));
     for (const Json& level : j.at("surrogates"))
         s.levels.push_back(learned_level(level, s.inputs));
@@ -188,6 +189,8 @@ SurrogateAnswers predict(const LearnedSurrogate& s, const LearnedLevel& level,
         a.mean = p.mean;
         a.sd = (level.inflation * (p.variance.array() + level.process->parameters.noise)).sqrt();
     }
+    a.mean /= s.scale;
+    a.sd /= s.scale;
     a.outside = Eigen::VectorXi::Zero(c.rows());
     // values were written to twelve digits
     constexpr double kRounding = 1e-9;

@@ -35,6 +35,7 @@ struct LearnedSurrogate {
     std::string path, study;
     std::string study_sum;      ///< check sum of the configuration of the study
     std::string response, unit; ///< "peak_force", "kN"
+    double scale = 1.0;         ///< of the response: shown value / value in SI
     std::vector<LearnedInput> inputs;
     std::vector<LearnedLevel> levels;
 };
@@ -51,10 +52,10 @@ struct LearnedSurrogate {
 [[nodiscard]] Eigen::MatrixXd surrogate_coordinates(const LearnedSurrogate& s,
                                                     const Eigen::MatrixXd& x);
 
-/// Walls that were never run, in the shown unit of the response.
+/// Walls that were never run; the response in SI.
 struct SurrogateAnswers {
     Eigen::VectorXd mean;
-    /// Doubt of one wall: of the process with its noise, times the root of its inflation; of
+    /// Doubt of one wall: that of the process with its noise, times the root of its inflation; of
     /// the chaos its error on walls left out, wherever the wall lies.
     Eigen::VectorXd sd;
     Eigen::VectorXi outside; ///< number of inputs beyond those of the walls learned from

@@ -1,5 +1,12 @@
+#include "app/input/study_keys.hpp"
+#include "app/input/units.hpp"
+#include "app/output/atomic_output.hpp"
+#include "app/surrogate/learned_surrogate.hpp"
 #include "app/surrogate/surrogate_fit.hpp"
-
+#include "app/surrogate/surrogate_output.hpp"
+#include "app/text/config_error.hpp"
+#include "app/study_scenes.hpp"
+#include "scenes/temporary_folder.hpp"
 #include "tests/uq/latin_scene.hpp"
 #include "uq/designs/stream.hpp"
 
@@ -26,6 +33,38 @@ LevelSurrogate fitted(SurrogatePoints p, bool dependent = false)
     const std::vector<uq::PolynomialFamily> families(static_cast<std::size_t>(p.x.cols()),
                                                      uq::PolynomialFamily::legendre);
     return fit_surrogate(std::move(p), families, dependent, 1);
+}
+
+/// Walls of the small study under one stress, with a smooth peak force.
+StudyWalls smooth_walls(int n)
+{
+    StudyWalls walls;
+    walls.name = "smooth.h5";
+    walls.study = study_scenes::study("samples = 8");
+    walls.height = 1.1;
+    for (const RandomInput& r : walls.study.random) {
+        const Key& key = *find_key(r.key);
+        walls.inputs.push_back({r.key, key.unit.empty() ? "-" : std::string(key.unit),
+                                key.unit.empty() ? 1.0 : from_si(1.0, key.unit),
+                                walls.inputs.size(), 1, r.marginal});
+    }
+    const auto d = static_cast<int>(walls.inputs.size());
+    const Eigen::MatrixXd u = scenes::latin_hypercube(n, d, 7);
+    StudyLevel level;
+    level.stress = 0.5e6;
+    for (int i = 0; i < n; ++i) {
+        StudyWall w;
+        w.key = {0, static_cast<std::uint32_t>(i)};
+        for (int k = 0; k < d; ++k)
+            w.inputs.push_back(walls.inputs[static_cast<std::size_t>(k)].scale *
+                               uq::quantile(*walls.inputs[static_cast<std::size_t>(k)].marginal,
+                                            u(i, k)));
+        w.reading.peak =
+            fragility::Peak{20e3 * (1.0 + u(i, 0) + std::sin(3.0 * u(i, 1))), 0.01, false};
+        level.walls.push_back(w);
+    }
+    walls.levels.push_back(level);
+    return walls;
 }
 
 } // namespace
@@ -112,4 +151,65 @@ TEST_CASE("surrogate: an unknown response is named with those that there are",
     CHECK(surrogate_response("ultimate_drift").unit.name == "%");
     CHECK_THROWS_WITH(surrogate_response("peak_forse"),
                       Catch::Contains("--of") && Catch::Contains("peak_force"));
+}
+
+TEST_CASE("surrogate: the file predicts what the fit does, to the bit, and its own doubt",
+          "[app][surrogate]")
+{
+    const scenes::TemporaryFolder folder;
+    const StudyWalls walls = smooth_walls(60);
+    const WallNumber& response = surrogate_response("peak_force");
+    SurrogateStudy s{&walls, &response, surrogate_inputs(walls), {}};
+    std::vector<uq::PolynomialFamily> families;
+    for (const std::size_t k : s.inputs)
+        families.push_back(uq::family_of(*walls.inputs[k].marginal));
+    s.levels.push_back(fit_surrogate(surrogate_points(walls, 0, s.inputs, response), families,
+                                     false, 1));
+    LevelSurrogate& level = s.levels.front();
+    REQUIRE(level.process);
+    REQUIRE(level.chaos);
+    const std::string path = (folder.path / "surrogate.json").string();
+    Eigen::MatrixXd x = level.points.x; // in SI
+    for (std::size_t k = 0; k < s.inputs.size(); ++k)
+        x.col(static_cast<Eigen::Index>(k)) /= walls.inputs[s.inputs[k]].scale;
+    for (const bool chaos : {false, true}) {
+        level.chaos_is_better = chaos;
+        write_file(path, surrogate_json(s));
+        const LearnedSurrogate learned = read_surrogate(path);
+        REQUIRE(learned.levels.size() == 1);
+        const SurrogateAnswers a = predict(learned, learned.levels.front(), x);
+        const Eigen::VectorXd direct =
+            chaos ? uq::predict(level.chaos->chaos, surrogate_coordinates(learned, x))
+                  : uq::predict_mean(*level.process, surrogate_coordinates(learned, x));
+        CHECK(a.mean == direct / learned.scale);
+        CHECK(a.outside.sum() == 0);
+        // 95 % of walls left out lie within two of their standard deviations
+        CHECK(a.sd.minCoeff() * learned.scale >=
+              (chaos ? level.chaos_error.rmse * (1.0 - 1e-12)
+                     : std::sqrt(level.process->parameters.noise)));
+        Eigen::MatrixXd far = x.topRows(1);
+        far(0, 0) = learned.levels.front().most(0) * 1.01;
+        CHECK(predict(learned, learned.levels.front(), far).outside(0) == 1);
+        CHECK_THROWS_WITH(predict(learned, learned.levels.front(), x.leftCols(1)),
+                          Catch::Contains("inputs, and 1 are given"));
+    }
+}
+
+TEST_CASE("surrogate: files that are none are refused in plain words", "[app][surrogate]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string path = (folder.path / "s.json").string();
+    const auto refused = [&](const std::string& text, const std::string& message) {
+        write_file(path, text);
+        CHECK_THROWS_WITH(read_surrogate(path),
+                          Catch::StartsWith(path + ": ") && Catch::Contains(message));
+    };
+    refused("{}", "is not a surrogate; give the surrogate.json");
+    refused("{\"format\": \"drystone surrogate 1\"}", "is damaged: ");
+    refused("][", "is damaged: ");
+    refused("{\"format\": \"drystone surrogate 1\", \"study\": \"s.h5\", \"response\": "
+            "\"peak_force\", \"unit\": \"kN\", \"inputs\": [{\"key\": \"joint.fiction\", "
+            "\"unit\": \"deg\", \"distribution\": \"\"}], \"surrogates\": []}",
+            "joint.fiction: is not a key of this version");
+    CHECK_THROWS_WITH(read_surrogate(path + "x"), Catch::Contains("surrogate.json that"));
 }
