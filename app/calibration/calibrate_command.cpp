@@ -103,12 +103,13 @@ std::vector<OutputFile> files_of(const CalibrationReport& r, const std::string& 
     std::vector<OutputFile> files = {{"posterior.csv", as_csv(posterior_table(r))},
                                      {"inputs.svg", density_picture(r)}};
     for (std::size_t kind = 0; kind < r.data->quantities.size(); ++kind)
-        files.push_back({file_name(r.data->quantities[kind].name) + ".svg",
-                         further_wall_picture(r, kind)});
+        files.push_back(
+            {file_name(r.data->quantities[kind].name) + ".svg", further_wall_picture(r, kind)});
     add_table(files, kTable, test_table(r));
     add_table(files, "inputs", teaching_table(r));
     add_table(files, "further_wall", further_wall_table(r));
     add_table(files, "scatter", scatter_table(r));
+    add_table(files, "evidence", evidence_table(r));
     if (uq::has_converged(answer_of(*r.study, *r.run).posterior))
         files.push_back({kPosteriorFile, posterior_study(r, source)});
     return files;
@@ -119,9 +120,9 @@ int write_posterior(const Command& command, const Csv& csv,
                     const std::vector<MeasuredTest>& tests, const PreparedStudy& ready,
                     const CalibratedInputs& inputs, const StudyWalls& walls, Progress& progress)
 {
-    CalibrationData data = calibration_data(
-        ready.study, inputs, walls,
-        tested_quantities(test_readings(csv, ready.study.load.height)), tests);
+    CalibrationData data =
+        calibration_data(ready.study, inputs, walls,
+                         tested_quantities(test_readings(csv, ready.study.load.height)), tests);
     const CalibrationRun run = run_calibration(
         ready, inputs, data, command.threads,
         [&](double done, const std::string& what) { progress.update(done, what); });

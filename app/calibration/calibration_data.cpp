@@ -25,8 +25,8 @@ LevelAnswer answer_of(const StudyLevel& level, const StudyWalls& walls,
     std::vector<Eigen::VectorXd> u;
     std::vector<double> y;
     for (const StudyWall& w : level.walls) {
-        const double value = shown(
-            quantity, {w.reading, w.curve.displacement, w.curve.force}, walls.rules);
+        const double value =
+            shown(quantity, {w.reading, w.curve.displacement, w.curve.force}, walls.rules);
         if (!(value > 0.0 && std::isfinite(value))) {
             ++a.without;
             continue;

@@ -59,9 +59,8 @@ Eigen::MatrixXd pushed_answers(const PreparedStudy& ready, const CalibratedInput
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         for (std::size_t a = 0; a < answers.size(); ++a) {
             if (answers[a].level != i % levels || !wall.reading.no_reading.empty()) continue;
-            const double value =
-                shown(data.quantities[answers[a].kind],
-                      {wall.reading, wall.displacement, wall.force}, rules);
+            const double value = shown(data.quantities[answers[a].kind],
+                                       {wall.reading, wall.displacement, wall.force}, rules);
             if (value > 0.0 && std::isfinite(value))
                 y(static_cast<Eigen::Index>(i / levels), static_cast<Eigen::Index>(a)) =
                     std::log(value);

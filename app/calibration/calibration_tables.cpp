@@ -126,8 +126,7 @@ Table test_table(const CalibrationReport& r)
         const bool known = std::isfinite(by.value);
         const bool holds = used.at_least ? used.value <= by.upper
                                          : used.value >= by.lower && used.value <= by.upper;
-        t.rows.push_back({test.name, with_unit(q.name, q.unit),
-                          stress_cell(answer.stress),
+        t.rows.push_back({test.name, with_unit(q.name, q.unit), stress_cell(answer.stress),
                           Number{.value = used.value,
                                  .decimals = q.decimals,
                                  .sense = used.at_least ? Sense::above : Sense::equal},
@@ -171,6 +170,25 @@ Table scatter_table(const CalibrationReport& r)
              interval_cell(summary_of(scales_of(answer, kind, &uq::CalibrationPoint::s)), 3),
              percent_missed(r, kind, left_out), percent_missed(r, kind, r.run->miss)});
     }
+    return t;
+}
+
+Table evidence_table(const CalibrationReport& r)
+{
+    Table t;
+    t.title = "Evidence";
+    t.caption = "ln of the integral of prior times likelihood, by bridge sampling; between two "
+                "laws with the same tests the larger one is the better bet, by exp of the "
+                "difference to 1.";
+    t.head = {"discrepancy", "ln evidence", "standard error", "R-hat", "effective draws"};
+    const auto add = [&](const char* name, const Taught& taught) {
+        const uq::CalibrationPosterior& p = taught.posterior;
+        t.rows.push_back({std::string(name), plain_number(p.evidence.log_value, 3),
+                          plain_number(p.evidence.std_error, 3), plain_number(p.r_hat, 4),
+                          plain_number(p.effective, 0)});
+    };
+    add("yes", r.run->with);
+    add("no", r.run->without);
     return t;
 }
 

@@ -115,12 +115,15 @@ struct TestColumns {
 
 TestColumns test_columns(const Csv& csv, double height)
 {
-    TestColumns c{column_of(csv, "stress", {"MPa"}),      column_of(csv, "peak", {"kN"}),
-                  column_of(csv, "stiffness", {"kN/mm"}), column_of(csv, "drop", {"mm", "%"}),
-                  column_of(csv, "censored", {"-"}),      column_of(csv, "sigma", {"-", "%"}),
+    TestColumns c{column_of(csv, "stress", {"MPa"}),
+                  column_of(csv, "peak", {"kN"}),
+                  column_of(csv, "stiffness", {"kN/mm"}),
+                  column_of(csv, "drop", {"mm", "%"}),
+                  column_of(csv, "censored", {"-"}),
+                  column_of(csv, "sigma", {"-", "%"}),
                   column_of(csv, "wall", {"-"}),
-                 test_readings(csv, height),
-                 {}};
+                  test_readings(csv, height),
+                  {}};
     for (const TestReading& r : c.readings)
         c.reading_at.push_back(r.cycle > 0 ? *column_of(csv, r.name, {"J", "kJ"})
                                            : *column_of(csv, r.name, {"kN"}));

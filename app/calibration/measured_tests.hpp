@@ -32,7 +32,8 @@ struct MeasuredTest {
 };
 
 /// Columns "stress [MPa]", and one or more of "peak [kN]", "stiffness [kN/mm]", "drop [mm]" or
-/// "drop [%]", a drift, and those of test_readings(); "censored", "sigma" (error of the measurement) and "wall" if there.
+/// "drop [%]", a drift, and those of test_readings(); "censored", "sigma" (error of the
+/// measurement) and "wall" if there.
 /// "> 22.7" under drop: the test ended before. Rows of one stress are repeats.
 /// @param height of the load [m], > 0, under which a drift becomes a displacement
 /// @throws ConfigError naming row and column: no such column, another unit, no number, 0, a

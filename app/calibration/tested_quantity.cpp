@@ -44,8 +44,9 @@ std::vector<TestedQuantity> tested_quantities(const std::vector<TestReading>& re
     const auto of_number = [](const char* name, const char* words, const WallNumber& number,
                               int decimals, std::optional<double> MeasuredTest::*place,
                               std::string_view factor_key) {
-        return TestedQuantity{name,     words, std::string(number.unit.name), &number,
-                              decimals, place, 0, {}, factor_key};
+        return TestedQuantity{name,    words,    std::string(number.unit.name),
+                              &number, decimals, place,
+                              0,       {},       factor_key};
     };
     std::vector<TestedQuantity> all = {
         of_number("peak", "peak force", wall_number("peak_force"), 1, &MeasuredTest::peak,

@@ -30,7 +30,7 @@ struct TestedQuantity {
 [[nodiscard]] std::vector<TestedQuantity>
 tested_quantities(const std::vector<TestReading>& readings);
 
-/// What a test measured, as it is shown.
+/// Value of a test, as it is shown.
 [[nodiscard]] std::optional<double> measured(const TestedQuantity& q, const MeasuredTest& t);
 
 /// A wall as it was read, and its curve [m] [N].

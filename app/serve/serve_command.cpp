@@ -67,7 +67,7 @@ void serve(const Command& command, const std::vector<ServedModel>& models)
         options, models, [&](int port) { say(options, port, models); }, interrupted);
 }
 
-/// What belongs to walls alone is refused.
+/// Options of walls alone are refused.
 void serve_surrogate(const Command& command)
 {
     const auto refuse = [](bool given, const char* option) {

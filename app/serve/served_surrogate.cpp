@@ -20,8 +20,7 @@ std::vector<ServedColumn> inputs_of(const LearnedSurrogate& s)
     std::vector<ServedColumn> columns;
     for (const LearnedInput& in : s.inputs) {
         const Key& key = *find_key(in.key);
-        columns.push_back({in.key,
-                           key.unit.empty() ? "-" : std::string(si_unit(key.unit)),
+        columns.push_back({in.key, key.unit.empty() ? "-" : std::string(si_unit(key.unit)),
                            std::string(key.meaning)});
     }
     return columns;
@@ -48,8 +47,7 @@ surrogate_models(const std::shared_ptr<const LearnedSurrogate>& surrogate)
     for (const LearnedLevel& level : surrogate->levels) {
         if (!has_surrogate(level)) continue;
         ServedModel model;
-        model.name =
-            served_name(stem, surrogate->levels.size(), level.stress) + "_surrogate";
+        model.name = served_name(stem, surrogate->levels.size(), level.stress) + "_surrogate";
         model.inputs = inputs_of(*surrogate);
         model.outputs = outputs_of(response, level);
         // the list keeps the level alive
@@ -62,12 +60,12 @@ surrogate_models(const std::shared_ptr<const LearnedSurrogate>& surrogate)
         models.push_back(std::move(model));
     }
     if (models.empty())
-        throw ConfigError(surrogate->path, 0, "",
-                          "no stress has a surrogate: " +
-                              (surrogate->levels.empty() ||
-                                       surrogate->levels.front().doubts.empty()
-                                   ? std::string("there is none")
-                                   : surrogate->levels.front().doubts.front()));
+        throw ConfigError(
+            surrogate->path, 0, "",
+            "no stress has a surrogate: " +
+                (surrogate->levels.empty() || surrogate->levels.front().doubts.empty()
+                     ? std::string("there is none")
+                     : surrogate->levels.front().doubts.front()));
     return models;
 }
 

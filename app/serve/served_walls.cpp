@@ -180,8 +180,8 @@ std::vector<ServedModel> served_models(const ServedStudy& served, const std::str
     for (std::size_t l = 0; l < study.load.vertical_stress.size(); ++l) {
         const int level = static_cast<int>(l);
         ServedModel model;
-        model.name = served_name(name, study.load.vertical_stress.size(),
-                                 study.load.vertical_stress[l]);
+        model.name =
+            served_name(name, study.load.vertical_stress.size(), study.load.vertical_stress[l]);
         model.inputs = physical_columns(*shared);
         model.outputs = outputs;
         model.evaluate = [shared, level](std::span<const double> x) {

@@ -59,9 +59,8 @@ LearnedInput learned_input(const Json& j)
 uq::ProcessKernel kernel_at(const Json& process)
 {
     const std::string wanted = process.at("kernel");
-    for (const auto kernel :
-         {uq::ProcessKernel::matern_32, uq::ProcessKernel::matern_52,
-          uq::ProcessKernel::squared_exponential})
+    for (const auto kernel : {uq::ProcessKernel::matern_32, uq::ProcessKernel::matern_52,
+                              uq::ProcessKernel::squared_exponential})
         if (uq::name(kernel) == wanted) return kernel;
     throw Damage("kernel: " + wanted + " is not one of this version");
 }
@@ -187,7 +186,8 @@ SurrogateAnswers predict(const LearnedSurrogate& s, const LearnedLevel& level,
     } else {
         const uq::ProcessPrediction p = uq::predict(*level.process, c);
         a.mean = p.mean;
-        a.sd = (level.inflation * (p.variance.array() + level.process->parameters.noise)).sqrt();
+        a.sd =
+            (level.inflation * (p.variance.array() + level.process->parameters.noise)).sqrt();
     }
     a.mean /= s.scale;
     a.sd /= s.scale;

@@ -55,8 +55,8 @@ struct LearnedSurrogate {
 /// Walls that were never run; the response in SI.
 struct SurrogateAnswers {
     Eigen::VectorXd mean;
-    /// Doubt of one wall: that of the process with its noise, times the root of its inflation; of
-    /// the chaos its error on walls left out, wherever the wall lies.
+    /// Doubt of one wall. Process: with its noise, times the root of the inflation. Chaos: its
+    /// error on walls left out, wherever the wall lies.
     Eigen::VectorXd sd;
     Eigen::VectorXi outside; ///< number of inputs beyond those of the walls learned from
 };

@@ -102,7 +102,8 @@ SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
     if (inside) {
         p.no_coordinates =
             "Inputs vary from joint to joint (uq.spatial), and a surrogate takes one value per "
-            "wall; run a study with uq.spatial = none for one. Cramer-von Mises and HSIC are those of the "
+            "wall; run a study with uq.spatial = none for one. Cramer-von Mises and HSIC are "
+            "those of the "
             "means over the joints of a wall.";
         for (Eigen::Index j = 0; j < d; ++j) p.coordinates.col(j) = standardised(p.x.col(j));
     }

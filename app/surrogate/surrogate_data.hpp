@@ -20,12 +20,12 @@ struct SurrogatePoints {
     double stress = 0.0;               ///< [Pa]
     std::vector<std::uint32_t> sample; ///< numbers of the walls
     Eigen::MatrixXd x;                 ///< shown values of the inputs, walls x inputs
-    /// Those of uq/surrogates/polynomials.hpp; standardised values where there are none.
+    /// As uq/surrogates/polynomials.hpp has them; standardised values where there are none.
     Eigen::MatrixXd coordinates;
-    std::string no_coordinates;        ///< why there are none: a sentence; empty: there are
-    Eigen::VectorXd y;                 ///< shown value of the response
-    std::vector<WallKey> without;      ///< the response is not defined
-    std::vector<WallKey> bounds;       ///< the push ended before: only a lower bound is known
+    std::string no_coordinates;   ///< why there are none: a sentence; empty: there are
+    Eigen::VectorXd y;            ///< shown value of the response
+    std::vector<WallKey> without; ///< the response is not defined
+    std::vector<WallKey> bounds;  ///< the push ended before: only a lower bound is known
     std::size_t failed = 0,
                 beyond = 0; ///< walls that gave no result; more than kMostSurrogateWalls
 };

@@ -91,10 +91,11 @@ void add_given_data(LevelSurrogate& s, std::uint64_t seed)
         if (x.maxCoeff() > x.minCoeff()) {
             const uq::Hsic h =
                 uq::hsic(x, s.points.y, {.seed = seed, .stream = 2 * stream + 1});
-            g.p_value = h.p_value;
+            const uq::Estimate rank =
+                uq::rank_index(x, s.points.y, {.seed = seed, .stream = 2 * stream});
+            g.p_value = std::min(1.0, 2.0 * std::min(h.p_value, uq::independence_p(rank)));
             if (g.p_value < kDependsLevel) {
-                g.rank = as_result(
-                    uq::rank_index(x, s.points.y, {.seed = seed, .stream = 2 * stream}));
+                g.rank = as_result(rank);
                 g.hsic = as_result(h.index);
             }
         }

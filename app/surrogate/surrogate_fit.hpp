@@ -31,7 +31,9 @@ struct GivenData {
     /// Index of Cramer and von Mises, and of Da Veiga by HSIC; nothing where the walls do not
     /// show that the response depends on the input, or where the estimate is not in (0, 1].
     std::optional<uq::Estimate> rank, hsic;
-    double p_value = 1.0; ///< of independence [-]
+    /// Probability of independence, by HSIC and by ranks together (Bonferroni) [-]: the ranks
+    /// see periodic laws, HSIC sees weak trends.
+    double p_value = 1.0;
 };
 
 struct LevelSurrogate {

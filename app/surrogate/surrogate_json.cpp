@@ -65,13 +65,16 @@ Json process_json(const LevelSurrogate& l)
 {
     if (!l.process) return {};
     const uq::GaussianProcess& p = *l.process;
-    return {
-        {"error", error_json(l.process_error)}, {"kernel", std::string(uq::name(p.kernel))},
-        {"variance", p.parameters.variance},    {"lengths", exact_list(p.parameters.lengths)},
-        {"noise", p.parameters.noise},          {"constant", p.trend_weights(0)},
-        {"weights", exact_list(p.weights)},     {"points", exact_rows(p.data.x)},
-        {"responses", exact_list(p.data.y)},
-        {"inflation", uq::inflation_of(uq::leave_one_out(p))}};
+    return {{"error", error_json(l.process_error)},
+            {"kernel", std::string(uq::name(p.kernel))},
+            {"variance", p.parameters.variance},
+            {"lengths", exact_list(p.parameters.lengths)},
+            {"noise", p.parameters.noise},
+            {"constant", p.trend_weights(0)},
+            {"weights", exact_list(p.weights)},
+            {"points", exact_rows(p.data.x)},
+            {"responses", exact_list(p.data.y)},
+            {"inflation", uq::inflation_of(uq::leave_one_out(p))}};
 }
 
 Json estimate_json(const std::optional<uq::Estimate>& e)
@@ -83,7 +86,7 @@ Json estimate_json(const std::optional<uq::Estimate>& e)
             {"confidence", e->interval.confidence}};
 }
 
-/// What the response depends on: only results, null for all others.
+/// Indices of the inputs: only results, null for all others.
 Json indices_json(const SurrogateStudy& s, const LevelSurrogate& l)
 {
     Json all = Json::array();

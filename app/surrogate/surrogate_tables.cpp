@@ -113,13 +113,20 @@ Table surrogate_index_table(const SurrogateStudy& s)
 {
     Table t;
     t.title = "What the " + words(*s.response) + " depends on";
-    t.caption = "Shares of the variance from the coefficients of the polynomial chaos (Sobol'; "
-                "of the input alone, and with "
-                "its interactions); Cramer-von Mises and HSIC (Da Veiga) from the walls "
-                "alone, with 95 % intervals, and the probability of as much dependence by chance.";
+    t.caption =
+        "Shares of the variance from the coefficients of the polynomial chaos (Sobol'; "
+        "of the input alone, and with "
+        "its interactions); Cramer-von Mises and HSIC (Da Veiga) from the walls "
+        "alone, with 95 % intervals, and the probability of as much dependence by chance.";
     t.keys = 2;
-    t.head = {"stress [MPa]",       "input", "Sobol' first",       "Sobol' total",
-              {"Cramer-von Mises", kInterval}, {"HSIC", kInterval},  "p of no dependence", {"note", kNote}};
+    t.head = {"stress [MPa]",
+              "input",
+              "Sobol' first",
+              "Sobol' total",
+              {"Cramer-von Mises", kInterval},
+              {"HSIC", kInterval},
+              "p of no dependence",
+              {"note", kNote}};
     for (const LevelSurrogate& l : s.levels) {
         uq::ChaosIndices shares;
         if (l.chaos) shares = uq::sobol_indices(l.chaos->chaos);

@@ -177,7 +177,7 @@ TEST_CASE(
                       draws = c.text("out/posterior.csv");
     CHECK(draws.starts_with("draw,joint.friction_angle [deg],unit.tensile_strength [MPa],"));
     for (const char* const name : {"calibration.csv", "inputs.md", "further_wall.tex",
-                                   "scatter.csv", "inputs.svg", "peak.svg"})
+                                   "scatter.csv", "evidence.csv", "inputs.svg", "peak.svg"})
         CHECK(fs::exists(c.path("out/" + std::string(name))));
     CHECK_THAT(posterior, Catch::Contains("model_factor_force      = lognormal(median 1, "));
     // the same walls, on more threads
@@ -272,9 +272,8 @@ TEST_CASE("calibration: the verb learns from a force at a displacement", "[app][
     const Calibrating c(kTwoInputs);
     REQUIRE(c.run("stress,force at 2 mm [kN],force at 90 mm [kN]\n0.5,15,1\n1,22,NA\n",
                   "study.ini", "out", {"--threads", "1"}) == 0);
-    CHECK_THAT(c.text("out/further_wall.csv"),
-               Catch::Contains("force at 2 mm [kN],0.5,1,") &&
-                   !Catch::Contains("force at 90 mm"));
+    CHECK_THAT(c.text("out/further_wall.csv"), Catch::Contains("force at 2 mm [kN],0.5,1,") &&
+                                                   !Catch::Contains("force at 90 mm"));
     CHECK(fs::exists(c.path("out/force_at_2_mm.svg")));
 }
 

@@ -1,14 +1,15 @@
 #include "app/input/study_keys.hpp"
 #include "app/input/units.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/study_scenes.hpp"
 #include "app/surrogate/learned_surrogate.hpp"
 #include "app/surrogate/surrogate_fit.hpp"
 #include "app/surrogate/surrogate_output.hpp"
 #include "app/text/config_error.hpp"
-#include "app/study_scenes.hpp"
 #include "scenes/temporary_folder.hpp"
 #include "tests/uq/latin_scene.hpp"
 #include "uq/designs/stream.hpp"
+#include "uq/sensitivity/hsic.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -56,9 +57,9 @@ StudyWalls smooth_walls(int n)
         StudyWall w;
         w.key = {0, static_cast<std::uint32_t>(i)};
         for (int k = 0; k < d; ++k)
-            w.inputs.push_back(walls.inputs[static_cast<std::size_t>(k)].scale *
-                               uq::quantile(*walls.inputs[static_cast<std::size_t>(k)].marginal,
-                                            u(i, k)));
+            w.inputs.push_back(
+                walls.inputs[static_cast<std::size_t>(k)].scale *
+                uq::quantile(*walls.inputs[static_cast<std::size_t>(k)].marginal, u(i, k)));
         w.reading.peak =
             fragility::Peak{20e3 * (1.0 + u(i, 0) + std::sin(3.0 * u(i, 1))), 0.01, false};
         level.walls.push_back(w);
@@ -82,8 +83,22 @@ TEST_CASE("surrogate: a smooth response is learned and trusted", "[app][surrogat
     CHECK(s.given[0].rank.has_value());
     CHECK(s.given[0].hsic.has_value());
     CHECK(s.given[2].p_value > kDependsLevel); // the third input does nothing
-    CHECK_FALSE(s.given[2].rank.has_value()); // and has no index, whatever the estimate is
+    CHECK_FALSE(s.given[2].rank.has_value());  // and has no index, whatever the estimate is
     CHECK_FALSE(s.given[2].hsic.has_value());
+}
+
+TEST_CASE("surrogate: a law that goes up and down is seen, though HSIC misses it",
+          "[app][surrogate]")
+{
+    SurrogatePoints p = points(100, 2);
+    p.y = (4.0 * M_PI * p.x.col(0).array()).sin();
+    p.no_coordinates = "Not asked for.";
+    const LevelSurrogate s = fitted(p);
+    CHECK(uq::hsic(p.x.col(0), p.y).p_value > kDependsLevel);
+    CHECK(s.given[0].p_value < 1e-3);
+    REQUIRE(s.given[0].rank);
+    CHECK(s.given[0].rank->value > 0.6);
+    CHECK_FALSE(s.given[1].rank);
 }
 
 TEST_CASE("surrogate: doubts are said in words, and no index is given", "[app][surrogate]")
@@ -163,8 +178,8 @@ TEST_CASE("surrogate: the file predicts what the fit does, to the bit, and its o
     std::vector<uq::PolynomialFamily> families;
     for (const std::size_t k : s.inputs)
         families.push_back(uq::family_of(*walls.inputs[k].marginal));
-    s.levels.push_back(fit_surrogate(surrogate_points(walls, 0, s.inputs, response), families,
-                                     false, 1));
+    s.levels.push_back(
+        fit_surrogate(surrogate_points(walls, 0, s.inputs, response), families, false, 1));
     LevelSurrogate& level = s.levels.front();
     REQUIRE(level.process);
     REQUIRE(level.chaos);

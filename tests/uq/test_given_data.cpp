@@ -101,8 +101,9 @@ TEST_CASE("hsic: share and index are those of OpenTURNS 1.20", "[uq][hsic]")
     }
 }
 
-TEST_CASE("hsic: index of two normal variables, and its error, in closed form and by repetition",
-          "[uq][hsic]")
+TEST_CASE(
+    "hsic: index of two normal variables, and its error, in closed form and by repetition",
+    "[uq][hsic]")
 {
     // kernels as wide as the variables: E k l = 1 / sqrt(9 - 4 r^2), E k E l = 1/3, and
     // E (E' k)(E' l) = 1 / sqrt(9 - r^2)
@@ -138,7 +139,7 @@ TEST_CASE("rank index: a worked example, ties, and its ends", "[uq][rank_index]"
     // 1 1 2 2: r = 2 2 4 4, l = 4 4 2 2: 1 - 4 x 2 / (2 (0 + 0 + 4 + 4))
     CHECK(raw_rank_index(x.head(4), Eigen::Vector4d(1, 1, 2, 2)) == Approx(0.5));
     const Eigen::VectorXd z = normals(400, 21);
-    CHECK(raw_rank_index(z, z.array().square()) > 0.97); // a law, though no correlation
+    CHECK(raw_rank_index(z, z.array().square()) > 0.97);        // a law, though no correlation
     CHECK(std::abs(raw_rank_index(z, normals(400, 22))) < 0.1); // sd sqrt(0.4 / n) = 0.03
     CHECK_THROWS_AS(rank_index(z, Eigen::VectorXd::Ones(400)), std::invalid_argument);
     CHECK_THROWS_AS(rank_index(z, z.head(399)), std::invalid_argument);
@@ -151,10 +152,11 @@ TEST_CASE("rank index: of two normal variables, and its error by repetition",
     const double truth = 3.0 / M_PI * std::asin(0.75) - 0.5;
     constexpr int kRepetitions = 60;
     Eigen::VectorXd value(kRepetitions), error(kRepetitions);
-    int held = 0;
+    int held = 0, by_chance = 0;
     for (int r = 0; r < kRepetitions; ++r) {
         const Eigen::VectorXd x = normals(200, 2000 + 2 * r), e = normals(200, 2001 + 2 * r);
         const Estimate i = rank_index(x, x + e, {.halves = 60});
+        by_chance += independence_p(rank_index(x, e, {.halves = 20})) < 0.1 ? 1 : 0;
         value(r) = i.value;
         error(r) = i.std_error;
         held += i.interval.lower <= truth && truth <= i.interval.upper ? 1 : 0;
@@ -163,7 +165,9 @@ TEST_CASE("rank index: of two normal variables, and its error by repetition",
     // its bias of few samples is some 1 / n
     CHECK(value.mean() == Approx(truth).margin(3.0 * scatter / std::sqrt(kRepetitions) + 0.01));
     CHECK(error.mean() == Approx(scatter).epsilon(0.35));
-    CHECK(held >= 51); // binomial(60, 0.95): 99.8 %
+    CHECK(held >= 51);     // binomial(60, 0.95): 99.8 %
+    CHECK(by_chance >= 1); // binomial(60, 0.1): 1 .. 14 with 99.7 %
+    CHECK(by_chance <= 14);
 }
 
 TEST_CASE("two heaps: found where there are, and seldom where there is one", "[uq][two_heaps]")

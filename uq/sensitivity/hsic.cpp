@@ -55,7 +55,7 @@ double paired(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
 /// 2012, eq. 5).
 struct PairSums {
     double n = 0.0;
-    double both = 0.0;            ///< sum of k l
+    double both = 0.0; ///< sum of k l
     double all_k = 0.0, all_l = 0.0;
     double rows = 0.0; ///< sum over samples of (sum of k) (sum of l)
 
@@ -110,8 +110,8 @@ Estimate unbiased_index(Eigen::MatrixXd k, Eigen::MatrixXd l, double confidence)
     return {.value = value,
             .std_error = error,
             .n = without.size(),
-            .interval = {std::clamp(value - half, 0.0, 1.0),
-                         std::clamp(value + half, 0.0, 1.0), confidence}};
+            .interval = {std::clamp(value - half, 0.0, 1.0), std::clamp(value + half, 0.0, 1.0),
+                         confidence}};
 }
 
 } // namespace

@@ -33,6 +33,11 @@ double raw_rank_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y)
     return scatter > 0.0 ? 1.0 - static_cast<double>(n) * jumps / (2.0 * scatter) : 0.0;
 }
 
+double independence_p(const Estimate& e)
+{
+    return core::normal_survival(e.value * std::sqrt(2.5 * static_cast<double>(e.n)));
+}
+
 Estimate rank_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                     const RankIndexOptions& o)
 {
@@ -40,8 +45,7 @@ Estimate rank_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
     if (x.size() != y.size() || y.size() < 10 || !x.allFinite() || !y.allFinite())
         throw std::invalid_argument(
             "rank index: x and y must be finite, of equal length, at least 10");
-    if (!varies(x) || !varies(y))
-        throw std::invalid_argument("rank index: x and y must vary");
+    if (!varies(x) || !varies(y)) throw std::invalid_argument("rank index: x and y must vary");
     if (o.halves < 20 || !(o.confidence > 0.0 && o.confidence < 1.0))
         throw std::invalid_argument("rank index: at least 20 halves, confidence in (0, 1)");
     const auto n = static_cast<std::size_t>(y.size());
@@ -50,8 +54,7 @@ Estimate rank_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
     Stream draw(o.seed, o.stream, Purpose::bootstrap);
     std::vector<double> of_halves;
     for (int b = 0; b < o.halves; ++b) {
-        for (std::size_t i = 0; i < n / 2; ++i)
-            std::swap(rows[i], rows[i + draw.below(n - i)]);
+        for (std::size_t i = 0; i < n / 2; ++i) std::swap(rows[i], rows[i + draw.below(n - i)]);
         std::vector<Eigen::Index> half(rows.begin(),
                                        rows.begin() + static_cast<std::ptrdiff_t>(n / 2));
         std::ranges::sort(half);
