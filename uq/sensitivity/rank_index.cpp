@@ -23,9 +23,11 @@ double raw_rank_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y)
     std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return x(i); });
     double jumps = 0.0, scatter = 0.0, before = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
-        const auto same = std::ranges::equal_range(sorted, y(order[k]));
-        const auto up_to = static_cast<double>(same.end() - sorted.begin());
-        const auto from = static_cast<double>(sorted.end() - same.begin());
+        const double here = y(order[k]);
+        const auto up_to =
+            static_cast<double>(std::ranges::upper_bound(sorted, here) - sorted.begin());
+        const auto from =
+            static_cast<double>(sorted.end() - std::ranges::lower_bound(sorted, here));
         if (k > 0) jumps += std::abs(up_to - before);
         scatter += from * (static_cast<double>(n) - from);
         before = up_to;
