@@ -65,7 +65,11 @@ std::vector<Level> levels_of(std::span<const LevelledValue> data, std::size_t n,
             l.bounds.emplace_back(v.value, error);
             continue;
         }
-        l.seen.add(v.value, error * error);
+        const double w = 1.0 / (error * error);
+        l.seen.precision += w;
+        l.seen.sum += w * v.value;
+        l.seen.squares += w * v.value * v.value;
+        l.seen.log_scale += std::log(error);
     }
     return levels;
 }
@@ -79,7 +83,10 @@ LevelTerm level_term(const Level& l, double mu, double tau)
 {
     // d has precision 1 / tau^2; with the values seen x = mu + d is normal (mean, variance)
     const core::LevelNormal x = core::level_normal(l.seen, mu, tau * tau);
-    LevelTerm term{-l.seen.log_scale - 0.5 * std::log(x.shrink) - 0.5 * x.misfit, x.mean};
+    const double misfit =
+        l.seen.squares - 2.0 * mu * l.seen.sum + mu * mu * l.seen.precision -
+        x.variance * std::pow(l.seen.sum - mu * l.seen.precision, 2); // of the values about mu
+    LevelTerm term{-l.seen.log_scale - 0.5 * std::log(x.shrink) - 0.5 * misfit, x.mean};
     if (l.bounds.empty()) return term;
     static const std::vector<Node> kRule = rule_on(-7.0, 7.0, 2);
     double total = 0.0, moment = 0.0;

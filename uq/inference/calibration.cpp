@@ -36,6 +36,7 @@ double half_normal(double coordinate, double scale)
 /// The tests of one answer under a point: what they say of the discrepancy d ~ N(0, V).
 struct AnswerTests {
     core::LevelSums seen;
+    int n = 0; ///< of them
     struct Bound {
         double residual, deviation; ///< y - m; of e
     };
@@ -56,7 +57,11 @@ std::vector<AnswerTests> tests_under(const CalibrationProblem& p, const Calibrat
             a.bounds.push_back({residual, std::sqrt(variance)});
             continue;
         }
-        a.seen.add(residual, variance);
+        ++a.n;
+        a.seen.precision += 1.0 / variance;
+        a.seen.sum += residual / variance;
+        a.seen.squares += residual * residual / variance;
+        a.seen.log_scale += 0.5 * std::log(variance);
     }
     return all;
 }
@@ -215,10 +220,12 @@ double log_likelihood(const CalibrationProblem& p, const CalibrationPoint& at)
     double sum = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const AnswerTests& a = all[i];
-        if (a.seen.n == 0 && a.bounds.empty()) continue;
-        const core::LevelNormal d = discrepancy_of(a, discrepancy_prior(p, at, m, i));
-        sum += -0.5 * a.seen.n * kLogTwoPi - a.seen.log_scale - 0.5 * std::log(d.shrink) -
-               0.5 * d.misfit + log_beyond(a.bounds, d);
+        if (a.n == 0 && a.bounds.empty()) continue;
+        const double prior = discrepancy_prior(p, at, m, i);
+        const core::LevelNormal d = discrepancy_of(a, prior);
+        const double misfit = a.seen.squares - prior * a.seen.sum * a.seen.sum / d.shrink;
+        sum += -0.5 * a.n * kLogTwoPi - a.seen.log_scale - 0.5 * std::log(d.shrink) -
+               0.5 * misfit + log_beyond(a.bounds, d);
     }
     return std::isnan(sum) ? -std::numeric_limits<double>::infinity() : sum;
 }
