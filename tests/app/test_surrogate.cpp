@@ -95,6 +95,7 @@ TEST_CASE("surrogate: a law that goes up and down is seen, though HSIC misses it
     p.no_coordinates = "Not asked for.";
     const LevelSurrogate s = fitted(p);
     CHECK(uq::hsic(p.x.col(0), p.y).p_value > kDependsLevel);
+    REQUIRE(s.given.size() == 2);
     CHECK(s.given[0].p_value < 1e-3);
     REQUIRE(s.given[0].rank);
     CHECK(s.given[0].rank->value > 0.6);
