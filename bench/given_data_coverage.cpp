@@ -154,17 +154,18 @@ try {
     }
     const int repetitions = argc > 2 ? std::atoi(argv[2]) : 400;
     app::Table table;
-    table.head = {"function", "input",     "samples",  "Cramer-von Mises",
-                  "mean",     "holds [%]", "width",    "HSIC",
-                  "mean",     "holds [%]", "width",    "seen to depend [%]",
-                  "delta",    "mean",      "holds [%]"};
+    table.head = {"function",  "input",          "samples",        "xi",
+                  "mean xi",   "xi holds [%]",   "xi width",       "HSIC",
+                  "mean HSIC", "HSIC holds [%]", "HSIC width",     "seen to depend [%]",
+                  "delta",     "mean delta",     "delta holds [%]"};
     for (const Function& f : functions())
         for (Index k = 0; k < f.inputs; ++k) add_rows(f, k, repetitions, table);
     bench::write_report(
         argv[1],
         {"Indices from given data: coverage",
          "Intervals of 95 % on " + std::to_string(repetitions) +
-             " designs of independent random points each: Cramer-von Mises by ranks (halves), "
+             " designs of independent random points each: xi of Cramer and von Mises by ranks "
+             "(halves), "
              "HSIC (jackknife), and Borgonovo's delta (bootstrap; Plischke et al. 2013), which "
              "`drystone surrogate` no longer prints: its few classes and wide kernels leave "
              "it too small. Behind the true index: mean of the estimates, share of the "

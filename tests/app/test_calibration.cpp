@@ -227,8 +227,8 @@ TEST_CASE("calibration: forces at displacements and energies of cycles are read 
     app::ReadingRules one_way, to_and_fro;
     to_and_fro.direction = 0;
     // a line of 4 kN/mm to 3 mm, to the right and to the left
-    const std::vector<double> x = {0.0, 0.003}, left = {0.0, -0.003}, f = {0.0, 12e3},
-                              back = {0.0, -12e3};
+    const std::vector<double> x = {0, 0.003}, left = {0, -0.003}, f = {0, 12e3},
+                              back = {0, -12e3};
     CHECK(app::shown(all[3], {wall, x, f}, one_way) == Approx(8.0));
     one_way.direction = -1;
     CHECK(app::shown(all[3], {wall, left, back}, one_way) == Approx(8.0));
