@@ -6,11 +6,12 @@ drystone_app_library(serve
     serve/http_server.cpp
     serve/request_head.cpp
     serve/serve_command.cpp
+    serve/served_surrogate.cpp
     serve/served_walls.cpp
     serve/umbridge.cpp
     serve/wall_queue.cpp)
 target_link_libraries(drystone_app_serve
-    PUBLIC drystone_app_reliability drystone_app_study
+    PUBLIC drystone_app_reliability drystone_app_study drystone_app_surrogate
     PRIVATE nlohmann_json::nlohmann_json Threads::Threads)
 # Two files alone have the header of HTTP, compiled as Debian's library is.
 set(http_sources serve/http_connection.cpp serve/http_server.cpp)

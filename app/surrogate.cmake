@@ -1,4 +1,5 @@
 drystone_app_library(surrogate
+    surrogate/learned_surrogate.cpp
     surrogate/surrogate_command.cpp
     surrogate/surrogate_data.cpp
     surrogate/surrogate_fit.cpp

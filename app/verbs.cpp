@@ -192,7 +192,8 @@ constexpr std::array kVerbs = {
          .run = shake_command},
     Verb{.name = "serve",
          .words = "STUDY.ini",
-         .meaning = "let other programs run walls over HTTP (UM-Bridge)",
+         .meaning =
+             "let other programs run walls, or ask a surrogate.json, over HTTP (UM-Bridge)",
          .example = "drystone serve configs/quick.ini --port 4242",
          .out = OutKind::none,
          .sections = kWallSections,

@@ -1,6 +1,7 @@
 #include "fragility/hierarchical_normal.hpp"
 
 #include "core/gauss_legendre.hpp"
+#include "core/level_normal.hpp"
 #include "fragility/standard_law.hpp"
 
 #include <algorithm>
@@ -48,8 +49,8 @@ std::vector<Node> scale_rule(double unit, std::size_t panels, const ScalePrior& 
 
 /// A level under given tau and s: what its values say of mu.
 struct Level {
-    double precision = 0.0, sum = 0.0, squares = 0.0, log_scale = 0.0; ///< of values seen
-    std::vector<std::pair<double, double>> bounds;                     ///< censored: y, s
+    core::LevelSums seen;
+    std::vector<std::pair<double, double>> bounds; ///< censored: y, s
 };
 
 double error_of(const LevelledValue& v, double s) { return v.error > 0.0 ? v.error : s; }
@@ -65,10 +66,10 @@ std::vector<Level> levels_of(std::span<const LevelledValue> data, std::size_t n,
             continue;
         }
         const double w = 1.0 / (error * error);
-        l.precision += w;
-        l.sum += w * v.value;
-        l.squares += w * v.value * v.value;
-        l.log_scale += std::log(error);
+        l.seen.precision += w;
+        l.seen.sum += w * v.value;
+        l.seen.squares += w * v.value * v.value;
+        l.seen.log_scale += std::log(error);
     }
     return levels;
 }
@@ -81,26 +82,23 @@ struct LevelTerm {
 LevelTerm level_term(const Level& l, double mu, double tau)
 {
     // d has precision 1 / tau^2; with the values seen x = mu + d is normal (mean, variance)
-    const double t2 = tau * tau;
-    const double shrink = 1.0 + t2 * l.precision;
-    const double variance = t2 / shrink;
-    const double mean = (mu + t2 * l.sum) / shrink;
+    const core::LevelNormal x = core::level_normal(l.seen, mu, tau * tau);
     const double misfit =
-        l.squares - 2.0 * mu * l.sum + mu * mu * l.precision -
-        variance * std::pow(l.sum - mu * l.precision, 2); // of the values about mu
-    LevelTerm term{-l.log_scale - 0.5 * std::log(shrink) - 0.5 * misfit, mean};
+        l.seen.squares - 2.0 * mu * l.seen.sum + mu * mu * l.seen.precision -
+        x.variance * std::pow(l.seen.sum - mu * l.seen.precision, 2); // of the values about mu
+    LevelTerm term{-l.seen.log_scale - 0.5 * std::log(x.shrink) - 0.5 * misfit, x.mean};
     if (l.bounds.empty()) return term;
     static const std::vector<Node> kRule = rule_on(-7.0, 7.0, 2);
     double total = 0.0, moment = 0.0;
     for (const Node& n : kRule) {
-        const double x = mean + std::sqrt(variance) * n.at;
+        const double at = x.mean + std::sqrt(x.variance) * n.at;
         double p = n.weight * std::exp(StandardNormal::log_density(n.at).value);
         for (const auto& [bound, error] : l.bounds)
-            p *= StandardNormal::survival((bound - x) / error);
+            p *= StandardNormal::survival((bound - at) / error);
         total += p;
-        moment += p * x;
+        moment += p * at;
     }
-    if (!(total > 0.0)) return {-core::kInfinity, mean};
+    if (!(total > 0.0)) return {-core::kInfinity, x.mean};
     return {term.log_likelihood + std::log(total), moment / total};
 }
 

@@ -60,6 +60,7 @@ set(UQ_PUBLIC_HEADERS
     sensitivity/correlation_measures.hpp
     sensitivity/delta_index.hpp
     sensitivity/hsic.hpp
+    sensitivity/rank_index.hpp
     sensitivity/regression.hpp
     sensitivity/sobol_indices.hpp
     surrogates/chaos_fit.hpp

@@ -11,6 +11,7 @@ set(UQ_ANALYSIS_SOURCES
     estimates/estimate_probability.cpp
     estimates/latin_error.cpp
     estimates/quantile_estimate.cpp
+    sensitivity/rank_index.cpp
     sensitivity/regression.cpp
     sensitivity/regression_bootstrap.cpp
     sensitivity/regression_fit.cpp

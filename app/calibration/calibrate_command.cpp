@@ -8,6 +8,7 @@
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
+#include "app/study/fragility_text.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/run_study.hpp"
 #include "app/study/wanted_walls.hpp"
@@ -102,12 +103,13 @@ std::vector<OutputFile> files_of(const CalibrationReport& r, const std::string& 
     std::vector<OutputFile> files = {{"posterior.csv", as_csv(posterior_table(r))},
                                      {"inputs.svg", density_picture(r)}};
     for (std::size_t kind = 0; kind < r.data->quantities.size(); ++kind)
-        files.push_back({std::string(kTestedQuantities[r.data->quantities[kind]].name) + ".svg",
-                         further_wall_picture(r, kind)});
+        files.push_back(
+            {file_name(r.data->quantities[kind].name) + ".svg", further_wall_picture(r, kind)});
     add_table(files, kTable, test_table(r));
     add_table(files, "inputs", teaching_table(r));
     add_table(files, "further_wall", further_wall_table(r));
     add_table(files, "scatter", scatter_table(r));
+    add_table(files, "evidence", evidence_table(r));
     if (uq::has_converged(answer_of(*r.study, *r.run).posterior))
         files.push_back({kPosteriorFile, posterior_study(r, source)});
     return files;
@@ -118,7 +120,9 @@ int write_posterior(const Command& command, const Csv& csv,
                     const std::vector<MeasuredTest>& tests, const PreparedStudy& ready,
                     const CalibratedInputs& inputs, const StudyWalls& walls, Progress& progress)
 {
-    CalibrationData data = calibration_data(ready.study, inputs, walls, tests);
+    CalibrationData data =
+        calibration_data(ready.study, inputs, walls,
+                         tested_quantities(test_readings(csv, ready.study.load.height)), tests);
     const CalibrationRun run = run_calibration(
         ready, inputs, data, command.threads,
         [&](double done, const std::string& what) { progress.update(done, what); });
@@ -166,7 +170,8 @@ int calibrate_command(const Command& command)
     const fs::path file =
         is_stored(command) ? fs::path(command.study) : pushed_walls(command, ready, progress);
     const StudyWalls walls = read_study_walls(
-        file, is_stored(command) ? command.overrides : std::vector<std::string>{});
+        file, is_stored(command) ? command.overrides : std::vector<std::string>{},
+        Keep::everything);
     if (taught) return write_posterior(command, csv, tests, ready, inputs, walls, progress);
     progress.finish("pushed all walls");
     return write_factor(command, csv, tests, walls);

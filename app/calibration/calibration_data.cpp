@@ -25,7 +25,8 @@ LevelAnswer answer_of(const StudyLevel& level, const StudyWalls& walls,
     std::vector<Eigen::VectorXd> u;
     std::vector<double> y;
     for (const StudyWall& w : level.walls) {
-        const double value = shown(quantity, w.reading);
+        const double value =
+            shown(quantity, {w.reading, w.curve.displacement, w.curve.force}, walls.rules);
         if (!(value > 0.0 && std::isfinite(value))) {
             ++a.without;
             continue;
@@ -51,7 +52,7 @@ LevelAnswer answer_of(const StudyLevel& level, const StudyWalls& walls,
 bool is_measured(const std::vector<MeasuredTest>& tests, const TestedQuantity& quantity)
 {
     return std::ranges::any_of(
-        tests, [&](const MeasuredTest& t) { return (t.*quantity.measured).has_value(); });
+        tests, [&](const MeasuredTest& t) { return measured(quantity, t).has_value(); });
 }
 
 /// Why an answer cannot be used; empty if it can.
@@ -59,11 +60,11 @@ std::string trouble(const LevelAnswer& a, const TestedQuantity& quantity, double
                     int least)
 {
     const auto n = static_cast<std::size_t>(a.points.y.size());
-    const std::string at = std::string(quantity.words) + " under " + stress_text(stress);
+    const std::string at = quantity.words + " under " + stress_text(stress);
     if (n < static_cast<std::size_t>(least))
         return at + ": only " + counted(n, "wall has", "walls have") + " one, and " +
                std::to_string(least) + " are needed";
-    if (quantity.number->ends_with_push &&
+    if (ends_with_push(quantity) &&
         static_cast<double>(a.bounds) > kMostOutlasting * static_cast<double>(n))
         return at + ": " + std::to_string(a.bounds) + " of " + std::to_string(n) +
                " walls outlast their push; push them further (load.max_displacement, "
@@ -71,10 +72,9 @@ std::string trouble(const LevelAnswer& a, const TestedQuantity& quantity, double
     return {};
 }
 
-void add_answer(CalibrationData& data, std::size_t quantity, std::size_t level,
+void add_answer(CalibrationData& data, const TestedQuantity& q, std::size_t level,
                 const StudyWalls& walls, const CalibratedInputs& inputs)
 {
-    const TestedQuantity& q = kTestedQuantities[quantity];
     const double stress = walls.levels[level].stress;
     LevelAnswer a = answer_of(walls.levels[level], walls, inputs, q);
     const std::string why = trouble(a, q, stress, fewest_walls(inputs.inputs.size()));
@@ -83,42 +83,31 @@ void add_answer(CalibrationData& data, std::size_t quantity, std::size_t level,
         return;
     }
     if (a.without + a.bounds > 0)
-        data.remarks.push_back(std::string(q.words) + " under " + stress_text(stress) + ": " +
+        data.remarks.push_back(q.words + " under " + stress_text(stress) + ": " +
                                counted(a.without, "wall", "walls") + " without it left out, " +
                                counted(a.bounds, "wall", "walls") +
                                " taken at the end of the push.");
-    data.answers.push_back({quantity, 0, level, stress, std::move(a.points)});
-}
-
-/// Only quantities that have an answer with a test have a kind.
-void number_kinds(CalibrationData& data)
-{
-    std::erase_if(data.answers, [&](const CalibratedAnswer& a) {
-        return std::ranges::count(data.quantities, a.quantity) == 0;
-    });
-    for (CalibratedAnswer& a : data.answers)
-        a.kind = static_cast<std::size_t>(std::ranges::find(data.quantities, a.quantity) -
-                                          data.quantities.begin());
+    data.answers.push_back({data.quantities.size(), level, stress, std::move(a.points)});
 }
 
 void use_tests(CalibrationData& data, const std::vector<MeasuredTest>& tests)
 {
     std::size_t left_out = 0;
-    for (const std::size_t quantity : data.quantities) {
-        const TestedQuantity& q = kTestedQuantities[quantity];
+    for (std::size_t kind = 0; kind < data.quantities.size(); ++kind) {
+        const TestedQuantity& q = data.quantities[kind];
         for (std::size_t i = 0; i < tests.size(); ++i) {
             const MeasuredTest& t = tests[i];
-            const std::optional<double>& value = t.*q.measured;
+            const std::optional<double> value = measured(q, t);
             if (!value) continue;
             const auto found =
                 std::ranges::find_if(data.answers, [&](const CalibratedAnswer& a) {
-                    return a.quantity == quantity && same_stress(a.stress, t.stress);
+                    return a.kind == kind && same_stress(a.stress, t.stress);
                 });
             if (found == data.answers.end())
                 ++left_out;
             else
                 data.tests.push_back({i, static_cast<std::size_t>(found - data.answers.begin()),
-                                      *value, q.number->ends_with_push && t.censored, t.error});
+                                      *value, ends_with_push(q) && t.censored, t.error});
         }
     }
     if (left_out > 0)
@@ -131,17 +120,17 @@ void use_tests(CalibrationData& data, const std::vector<MeasuredTest>& tests)
 
 CalibrationData calibration_data(const Study& study, const CalibratedInputs& inputs,
                                  const StudyWalls& walls,
+                                 const std::vector<TestedQuantity>& quantities,
                                  const std::vector<MeasuredTest>& tests)
 {
     CalibrationData data;
-    for (std::size_t q = 0; q < kTestedQuantities.size(); ++q) {
-        if (!is_measured(tests, kTestedQuantities[q])) continue;
+    for (const TestedQuantity& q : quantities) {
+        if (!is_measured(tests, q)) continue;
         const std::size_t before = data.answers.size();
         for (std::size_t l = 0; l < walls.levels.size(); ++l)
             add_answer(data, q, l, walls, inputs);
         if (data.answers.size() > before) data.quantities.push_back(q);
     }
-    number_kinds(data);
     use_tests(data, tests);
     if (data.tests.empty()) {
         std::string all;

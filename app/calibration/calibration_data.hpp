@@ -16,10 +16,9 @@ namespace app {
 
 /// A quantity under a stress.
 struct CalibratedAnswer {
-    std::size_t quantity = 0; ///< in kTestedQuantities
-    std::size_t kind = 0;     ///< in CalibrationData::quantities
-    std::size_t level = 0;    ///< of the study
-    double stress = 0.0;      ///< [Pa]
+    std::size_t kind = 0;  ///< in CalibrationData::quantities
+    std::size_t level = 0; ///< of the study
+    double stress = 0.0;   ///< [Pa]
     AnswerPoints points{};
 };
 
@@ -33,7 +32,7 @@ struct UsedTest {
 };
 
 struct CalibrationData {
-    std::vector<std::size_t> quantities; ///< that were measured, in kTestedQuantities
+    std::vector<TestedQuantity> quantities; ///< that were measured
     std::vector<CalibratedAnswer> answers;
     std::vector<UsedTest> tests;
     std::vector<std::string> remarks; ///< walls and values that are left out: sentences
@@ -45,9 +44,12 @@ constexpr double kMostOutlasting = 0.1;
 
 /// @throws ConfigError where a stress has too few walls with an answer, where no test is left,
 /// or where no answer varies from wall to wall
+/// @param walls with their curves (Keep::everything)
+/// @param quantities that the table of the tests may have
 [[nodiscard]] CalibrationData calibration_data(const Study& study,
                                                const CalibratedInputs& inputs,
                                                const StudyWalls& walls,
+                                               const std::vector<TestedQuantity>& quantities,
                                                const std::vector<MeasuredTest>& tests);
 
 } // namespace app

@@ -46,6 +46,9 @@ struct InputChange {
 /// Rows by quantity: discrepancy and scatter of repeats, and the error of the surrogates.
 [[nodiscard]] Table scatter_table(const CalibrationReport& r);
 
+/// ln of the evidence with and without a discrepancy.
+[[nodiscard]] Table evidence_table(const CalibrationReport& report);
+
 /// The points of the posterior: inputs in their units, discrepancy and scatter.
 [[nodiscard]] Table posterior_table(const CalibrationReport& r);
 

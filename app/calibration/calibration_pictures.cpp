@@ -72,9 +72,8 @@ std::string density_picture(const CalibrationReport& r)
 
 std::string further_wall_picture(const CalibrationReport& r, std::size_t kind)
 {
-    const TestedQuantity& q = kTestedQuantities[r.data->quantities[kind]];
-    const std::string what =
-        std::string(q.words) + " [" + std::string(q.number->unit.name) + "]";
+    const TestedQuantity& q = r.data->quantities[kind];
+    const std::string what = with_unit(q.words, q.unit);
     Chart c;
     c.title = "Tests and one further wall: median and 90 %";
     c.x_label = "vertical stress [MPa]";

@@ -1,5 +1,6 @@
 #include "app/calibration/calibration_pushes.hpp"
 
+#include "app/input/limit_state_text.hpp"
 #include "app/input/random_layouts.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "app/study/both_ways.hpp"
@@ -35,10 +36,12 @@ bool is_pushed_again(const PreparedStudy& ready)
 }
 
 Eigen::MatrixXd pushed_answers(const PreparedStudy& ready, const CalibratedInputs& inputs,
-                               const std::vector<CalibratedAnswer>& answers,
-                               const Eigen::MatrixXd& u, std::uint64_t seed, int threads,
+                               const CalibrationData& data, const Eigen::MatrixXd& u,
+                               std::uint64_t seed, int threads,
                                const std::function<void(std::size_t)>& seen)
 {
+    const std::vector<CalibratedAnswer>& answers = data.answers;
+    const ReadingRules rules = reading_rules(ready.study);
     const auto rows = static_cast<std::size_t>(u.rows());
     const std::size_t levels = ready.study.load.vertical_stress.size();
     Eigen::MatrixXd y =
@@ -56,8 +59,8 @@ Eigen::MatrixXd pushed_answers(const PreparedStudy& ready, const CalibratedInput
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         for (std::size_t a = 0; a < answers.size(); ++a) {
             if (answers[a].level != i % levels || !wall.reading.no_reading.empty()) continue;
-            const TestedQuantity& q = kTestedQuantities[answers[a].quantity];
-            const double value = shown(q, wall.reading);
+            const double value = shown(data.quantities[answers[a].kind],
+                                       {wall.reading, wall.displacement, wall.force}, rules);
             if (value > 0.0 && std::isfinite(value))
                 y(static_cast<Eigen::Index>(i / levels), static_cast<Eigen::Index>(a)) =
                     std::log(value);

@@ -23,8 +23,8 @@ namespace app {
 /// @throws Interrupted
 [[nodiscard]] Eigen::MatrixXd
 pushed_answers(const PreparedStudy& ready, const CalibratedInputs& inputs,
-               const std::vector<CalibratedAnswer>& answers, const Eigen::MatrixXd& u,
-               std::uint64_t seed, int threads, const std::function<void(std::size_t)>& seen);
+               const CalibrationData& data, const Eigen::MatrixXd& u, std::uint64_t seed,
+               int threads, const std::function<void(std::size_t)>& seen);
 
 /// Error of a surrogate on true walls.
 struct SurrogateMiss {

@@ -155,7 +155,7 @@ void check_by_pushes(CalibrationRun& run, const PreparedStudy& ready,
     const auto walls =
         static_cast<double>(kCheckedPoints * ready.study.load.vertical_stress.size());
     const auto pushed = [&](const Eigen::MatrixXd& u, std::uint64_t part) {
-        return pushed_answers(ready, inputs, data.answers, u,
+        return pushed_answers(ready, inputs, data, u,
                               uq::replicate_seed(ready.study.uq.seed, 1 + part), threads,
                               [&](std::size_t done) {
                                   seen(static_cast<double>(done) / walls,

@@ -2,7 +2,6 @@
 
 #include "uq/surrogates/process_fit.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -19,7 +18,7 @@ AnswerSurrogate judged(uq::GaussianProcess process)
     const Eigen::VectorXd& y = process.data.y;
     const double square = out.residual.squaredNorm() / static_cast<double>(y.size());
     AnswerSurrogate s;
-    s.inflation = std::max(1.0, (out.residual.array().square() / out.variance.array()).mean());
+    s.inflation = uq::inflation_of(out);
     s.left_out = std::sqrt(square);
     s.q2 = 1.0 - square / (y.array() - y.mean()).square().mean();
     s.process = std::move(process);

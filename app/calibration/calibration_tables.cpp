@@ -9,7 +9,7 @@ namespace {
 
 const TestedQuantity& quantity_of(const CalibrationReport& r, const CalibratedAnswer& a)
 {
-    return kTestedQuantities[r.data->quantities[a.kind]];
+    return r.data->quantities[a.kind];
 }
 
 Number interval_cell(const DrawsSummary& s, int decimals)
@@ -95,7 +95,7 @@ Table further_wall_table(const CalibrationReport& r)
     for (std::size_t a = 0; a < r.data->answers.size(); ++a) {
         const CalibratedAnswer& answer = r.data->answers[a];
         const TestedQuantity& q = quantity_of(r, answer);
-        t.rows.push_back({with_unit(q.words, q.number->unit.name), stress_cell(answer.stress),
+        t.rows.push_back({with_unit(q.words, q.unit), stress_cell(answer.stress),
                           count(std::ranges::count(r.data->tests, a, &UsedTest::answer)),
                           further_cell(r.run->prior, a, q.decimals),
                           further_cell(r.run->with.further, a, q.decimals),
@@ -126,8 +126,7 @@ Table test_table(const CalibrationReport& r)
         const bool known = std::isfinite(by.value);
         const bool holds = used.at_least ? used.value <= by.upper
                                          : used.value >= by.lower && used.value <= by.upper;
-        t.rows.push_back({test.name, with_unit(q.name, q.number->unit.name),
-                          stress_cell(answer.stress),
+        t.rows.push_back({test.name, with_unit(q.name, q.unit), stress_cell(answer.stress),
                           Number{.value = used.value,
                                  .decimals = q.decimals,
                                  .sense = used.at_least ? Sense::above : Sense::equal},
@@ -154,7 +153,7 @@ Table scatter_table(const CalibrationReport& r)
               "surrogate, left out [%]",
               "surrogate, true walls [%]"};
     for (std::size_t kind = 0; kind < r.data->quantities.size(); ++kind) {
-        const TestedQuantity& q = kTestedQuantities[r.data->quantities[kind]];
+        const TestedQuantity& q = r.data->quantities[kind];
         std::vector<SurrogateMiss> left_out;
         for (std::size_t a = 0; a < r.data->answers.size(); ++a)
             left_out.push_back({static_cast<std::size_t>(r.data->answers[a].points.y.size()),
@@ -164,13 +163,32 @@ Table scatter_table(const CalibrationReport& r)
         });
         const bool has = r.study->calibration.discrepancy;
         t.rows.push_back(
-            {std::string(q.words), count(tests),
+            {q.words, count(tests),
              has ? Cell(interval_cell(
                        summary_of(scales_of(answer, kind, &uq::CalibrationPoint::tau)), 3))
                  : Cell{},
              interval_cell(summary_of(scales_of(answer, kind, &uq::CalibrationPoint::s)), 3),
              percent_missed(r, kind, left_out), percent_missed(r, kind, r.run->miss)});
     }
+    return t;
+}
+
+Table evidence_table(const CalibrationReport& r)
+{
+    Table t;
+    t.title = "Evidence";
+    t.caption = "ln of the integral of prior times likelihood, by bridge sampling; between two "
+                "laws with the same tests the larger one is the better bet, by exp of the "
+                "difference to 1.";
+    t.head = {"discrepancy", "ln evidence", "standard error", "R-hat", "effective draws"};
+    const auto add = [&](const char* name, const Taught& taught) {
+        const uq::CalibrationPosterior& p = taught.posterior;
+        t.rows.push_back({std::string(name), plain_number(p.evidence.log_value, 3),
+                          plain_number(p.evidence.std_error, 3), plain_number(p.r_hat, 4),
+                          plain_number(p.effective, 0)});
+    };
+    add("yes", r.run->with);
+    add("no", r.run->without);
     return t;
 }
 
@@ -183,9 +201,9 @@ Table posterior_table(const CalibrationReport& r)
     t.head = {"draw"};
     for (const CalibratedInput& in : r.inputs->inputs)
         t.head.emplace_back(with_unit(in.key, in.unit));
-    for (const std::size_t q : r.data->quantities)
+    for (const TestedQuantity& q : r.data->quantities)
         for (const char* const what : {"discrepancy of ", "scatter of "})
-            t.head.emplace_back(what + std::string(kTestedQuantities[q].name));
+            t.head.emplace_back(what + q.name);
     for (std::size_t k = 0; k < answer.points.size(); ++k) {
         const uq::CalibrationPoint& at = answer.points[k];
         Row row = {count(k)};

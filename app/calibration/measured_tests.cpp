@@ -1,6 +1,7 @@
 #include "app/calibration/measured_tests.hpp"
 
 #include "app/fragility/drift_csv.hpp"
+#include "app/input/units.hpp"
 #include "app/study/stress_text.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
@@ -83,32 +84,105 @@ double error_at(const Csv& csv, const CsvRow& row, std::optional<TestColumn> col
     return share;
 }
 
+constexpr std::string_view kForceAt = "force at ", kEnergyOf = "energy of cycle ";
+
+/// Nothing where the column is none of the path.
+std::optional<TestReading> reading_of(const std::string& head, double height)
+{
+    const std::string_view name = bare_name(head);
+    TestReading r{.name = std::string(name)};
+    if (name.starts_with(kForceAt)) {
+        const std::string_view at = name.substr(kForceAt.size());
+        r.displacement =
+            at.ends_with('%') ? parse_quantity(at, "%") * height : parse_quantity(at, "mm");
+        if (!(r.displacement > 0.0)) throw BadValue("must be at a displacement above 0");
+        return r;
+    }
+    if (!name.starts_with(kEnergyOf)) return {};
+    const double cycle = parse_count(name.substr(kEnergyOf.size()));
+    constexpr double kMostCycles = 1e6;
+    if (!(cycle >= 1.0 && cycle <= kMostCycles)) throw BadValue("cycles count from 1");
+    r.cycle = static_cast<int>(cycle);
+    return r;
+}
+
 /// The columns that a table of tests may have.
 struct TestColumns {
     std::optional<TestColumn> stress, peak, stiffness, drop, censored, sigma, wall;
+    std::vector<TestReading> readings;
+    std::vector<TestColumn> reading_at; ///< of each
 };
 
-TestColumns test_columns(const Csv& csv)
+TestColumns test_columns(const Csv& csv, double height)
 {
-    TestColumns c{column_of(csv, "stress", {"MPa"}),      column_of(csv, "peak", {"kN"}),
-                  column_of(csv, "stiffness", {"kN/mm"}), column_of(csv, "drop", {"mm", "%"}),
-                  column_of(csv, "censored", {"-"}),      column_of(csv, "sigma", {"-", "%"}),
-                  column_of(csv, "wall", {"-"})};
+    TestColumns c{column_of(csv, "stress", {"MPa"}),
+                  column_of(csv, "peak", {"kN"}),
+                  column_of(csv, "stiffness", {"kN/mm"}),
+                  column_of(csv, "drop", {"mm", "%"}),
+                  column_of(csv, "censored", {"-"}),
+                  column_of(csv, "sigma", {"-", "%"}),
+                  column_of(csv, "wall", {"-"}),
+                  test_readings(csv, height),
+                  {}};
+    for (const TestReading& r : c.readings)
+        c.reading_at.push_back(r.cycle > 0 ? *column_of(csv, r.name, {"J", "kJ"})
+                                           : *column_of(csv, r.name, {"kN"}));
     if (!c.stress)
         throw ConfigError(csv.path, 1, "stress [MPa]",
                           "there is no such column; name the vertical stress of each test");
-    if (!c.peak && !c.stiffness && !c.drop)
-        throw ConfigError(csv.path, 1, "peak [kN], stiffness [kN/mm], drop [mm]",
+    if (!c.peak && !c.stiffness && !c.drop && c.readings.empty())
+        throw ConfigError(csv.path, 1,
+                          "peak [kN], stiffness [kN/mm], drop [mm], force at 5 mm [kN], energy "
+                          "of cycle 1 [J]",
                           "there is none of these columns; give at least one of them");
     return c;
 }
 
+/// Values of the readings; energies in J.
+std::vector<std::optional<double>> readings_at(const Csv& csv, const CsvRow& row,
+                                               const TestColumns& c)
+{
+    constexpr double kKilo = 1e3;
+    std::vector<std::optional<double>> values;
+    for (const TestColumn& at : c.reading_at) {
+        values.push_back(positive_at(csv, row, at));
+        if (values.back() && at.second_unit) *values.back() *= kKilo;
+    }
+    return values;
+}
+
+/// The column of which is said that nothing was measured.
+std::size_t first_measured(const TestColumns& c)
+{
+    for (const std::optional<TestColumn>& at : {c.peak, c.drop, c.stiffness})
+        if (at) return at->place;
+    return c.reading_at.front().place;
+}
+
 } // namespace
+
+std::vector<TestReading> test_readings(const Csv& csv, double height)
+{
+    std::vector<TestReading> all;
+    for (const std::string& head : csv.head) try {
+            if (std::optional<TestReading> r = reading_of(head, height)) {
+                if (std::ranges::count(all, r->name, &TestReading::name) > 0)
+                    throw BadValue("there are two such columns; keep one of them");
+                all.push_back(std::move(*r));
+            }
+        } catch (const BadValue& bad) {
+            throw ConfigError(csv.path, 1, head,
+                              std::string(bad.what()) +
+                                  "; write e.g. \"force at 5 mm [kN]\", \"force at 0.5 % "
+                                  "[kN]\" or \"energy of cycle 3 [J]\"");
+        }
+    return all;
+}
 
 std::vector<MeasuredTest> measured_tests(const Csv& csv, double height)
 {
     check_rows(csv);
-    const TestColumns c = test_columns(csv);
+    const TestColumns c = test_columns(csv, height);
     std::vector<MeasuredTest> tests;
     for (const CsvRow& row : csv.rows) {
         MeasuredTest t;
@@ -122,12 +196,11 @@ std::vector<MeasuredTest> measured_tests(const Csv& csv, double height)
         t.peak = positive_at(csv, row, c.peak);
         t.stiffness = positive_at(csv, row, c.stiffness);
         read_drop(csv, row, c.drop, height, t);
-        if (!t.peak && !t.stiffness && !t.drop)
-            refuse_cell(csv, row,
-                        (c.peak   ? c.peak
-                         : c.drop ? c.drop
-                                  : c.stiffness)
-                            ->place,
+        t.readings = readings_at(csv, row, c);
+        const bool none = std::ranges::none_of(
+            t.readings, [](const std::optional<double>& v) { return v.has_value(); });
+        if (!t.peak && !t.stiffness && !t.drop && none)
+            refuse_cell(csv, row, first_measured(c),
                         "nothing was measured in this row; remove it");
         if (c.censored && t.drop)
             t.censored = read_censored(csv, row, c.censored->place) || t.censored;

@@ -67,7 +67,7 @@ std::string posterior_study(const CalibrationReport& r, const std::string& sourc
         values.push_back("uq.pearson=" + pairs);
     const Taught& answer = answer_of(*r.study, *r.run);
     for (std::size_t kind = 0; kind < r.data->quantities.size(); ++kind) {
-        const TestedQuantity& q = kTestedQuantities[r.data->quantities[kind]];
+        const TestedQuantity& q = r.data->quantities[kind];
         if (q.factor_key.empty()) continue;
         const fragility::ModelFactor factor{1.0, factor_dispersion(answer, kind), 0.0};
         values.push_back(std::string(q.factor_key) + "=" + model_factor_text(factor));

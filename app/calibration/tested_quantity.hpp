@@ -6,39 +6,53 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace app {
 
 struct TestedQuantity {
-    std::string_view name;    ///< of its column: "peak"
-    std::string_view words;   ///< "peak force"
-    const WallNumber* number; ///< a reading that does not depend on the height
+    std::string name;         ///< of its column: "peak", "force at 5 mm"
+    std::string words;        ///< "peak force"
+    std::string unit;         ///< in which it is shown
+    const WallNumber* number; ///< that does not depend on the height; nothing: a reading
     int decimals;             ///< of tables
-    std::optional<double> MeasuredTest::*measured; ///< shown value
+    std::optional<double> MeasuredTest::*measured; ///< shown value; nothing: of the readings
+    std::size_t reading = 0;                       ///< place in MeasuredTest::readings
+    TestReading at{};                              ///< where it is read
     /// The key of the model's error of it in a study; empty: there is none.
-    std::string_view factor_key;
+    std::string_view factor_key{};
 };
 
-inline constexpr std::array kTestedQuantities = {
-    TestedQuantity{"peak", "peak force", &wall_number("peak_force"), 1, &MeasuredTest::peak,
-                   "fragility.model_factor_force"},
-    TestedQuantity{"stiffness", "stiffness", &wall_number("secant_stiffness"), 2,
-                   &MeasuredTest::stiffness, ""},
-    TestedQuantity{"drop", "displacement at the drop", &wall_number("ultimate_displacement"), 1,
-                   &MeasuredTest::drop, "fragility.model_factor"}};
+/// Peak, stiffness and drop, then the readings of a table, in the order of its columns.
+[[nodiscard]] std::vector<TestedQuantity>
+tested_quantities(const std::vector<TestReading>& readings);
+
+/// Value of a test, as it is shown.
+[[nodiscard]] std::optional<double> measured(const TestedQuantity& q, const MeasuredTest& t);
+
+/// A wall as it was read, and its curve [m] [N].
+struct TestedPath {
+    const WallReading& wall;
+    std::span<const double> displacement, force;
+};
 
 /// Shown value; NaN: not defined on this wall.
-[[nodiscard]] inline double shown(const TestedQuantity& q, const WallReading& wall)
-{
-    constexpr double kAnyHeight = 1.0;
-    return q.number->unit.scale * q.number->reading(wall, kAnyHeight);
-}
+[[nodiscard]] double shown(const TestedQuantity& q, const TestedPath& path,
+                           const ReadingRules& rules);
 
 /// Whether the push ended before the wall had shown it.
 [[nodiscard]] inline bool is_bound(const TestedQuantity& q, const WallReading& wall)
 {
-    return q.number->is_bound != nullptr && q.number->is_bound(wall);
+    return q.number != nullptr && q.number->is_bound != nullptr && q.number->is_bound(wall);
+}
+
+/// Whether a push that ends before can only say that it is larger.
+[[nodiscard]] inline bool ends_with_push(const TestedQuantity& q)
+{
+    return q.number != nullptr && q.number->ends_with_push;
 }
 
 } // namespace app

@@ -2,10 +2,13 @@
 #include "app/input/study_reading.hpp"
 
 #include "app/input/key_effects.hpp"
+#include "app/output/markup.hpp"
 #include "app/serve/http_server.hpp"
+#include "app/serve/served_surrogate.hpp"
 #include "app/serve/served_walls.hpp"
 #include "app/serve/wall_queue.hpp"
 #include "app/study/interrupt.hpp"
+#include "app/text/config_error.hpp"
 #include "dem/block/model.hpp"
 
 #include <unistd.h>
@@ -14,6 +17,7 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 
 namespace app {
 namespace {
@@ -52,20 +56,8 @@ void say(const HttpOptions& options, int port, const std::vector<ServedModel>& m
                   << " can push walls here; there is no password\n";
 }
 
-} // namespace
-
-int serve_command(const Command& command)
+void serve(const Command& command, const std::vector<ServedModel>& models)
 {
-    const PreparedStudy given = prepare(read_study(command.study, command.overrides));
-    const ServedStudy served = served_study(given, command.inputs);
-    std::cerr << study_notes(given, command.verb);
-    const dem::Model model = model_of(served.ready);
-    catch_interrupts();
-    WallQueue queue(served.ready.study, model, command.threads);
-    const std::vector<ServedModel> models = served_models(
-        served, std::filesystem::path(command.study).stem().string(),
-        command.responses.empty() ? std::vector<std::string>{"peak_force"} : command.responses,
-        [&](WantedWall wall) { return queue.push(std::move(wall)); });
     HttpOptions options;
     options.names = {command.address, machine_name(), command.hosts};
     options.port = command.port;
@@ -73,6 +65,47 @@ int serve_command(const Command& command)
         std::max(options.connections, kConnectionsPerThread * command.threads);
     serve_http(
         options, models, [&](int port) { say(options, port, models); }, interrupted);
+}
+
+/// Options of walls alone are refused.
+void serve_surrogate(const Command& command)
+{
+    const auto refuse = [](bool given, const char* option) {
+        if (given)
+            throw ConfigError("drystone", 0, option,
+                              "a surrogate is served as it was learned; leave it out, or give "
+                              "the study file");
+    };
+    refuse(!command.overrides.empty(), "--set");
+    refuse(!command.inputs.empty(), "--input");
+    refuse(!command.responses.empty(), "--response");
+    const auto surrogate =
+        std::make_shared<const LearnedSurrogate>(read_surrogate(command.study));
+    const std::vector<ServedModel> models = surrogate_models(surrogate);
+    std::cerr << wrapped(surrogate_doubts(*surrogate), terminal_width());
+    catch_interrupts();
+    serve(command, models);
+}
+
+} // namespace
+
+int serve_command(const Command& command)
+{
+    if (is_surrogate_file(command.study)) {
+        serve_surrogate(command);
+        return 0;
+    }
+    const PreparedStudy given = prepare(read_study(command.study, command.overrides));
+    const ServedStudy served = served_study(given, command.inputs);
+    std::cerr << study_notes(given, command.verb);
+    const dem::Model model = model_of(served.ready);
+    catch_interrupts();
+    WallQueue queue(served.ready.study, model, command.threads);
+    serve(command,
+          served_models(served, std::filesystem::path(command.study).stem().string(),
+                        command.responses.empty() ? std::vector<std::string>{"peak_force"}
+                                                  : command.responses,
+                        [&](WantedWall wall) { return queue.push(std::move(wall)); }));
     return 0;
 }
 

@@ -143,15 +143,15 @@ ServedModel normal_model(const Study& study, const Shared& shared, const ServedM
     return model;
 }
 
-std::string model_name(const Study& study, const std::string& name, double stress)
+} // namespace
+
+std::string served_name(const std::string& study, std::size_t stresses, double stress)
 {
-    if (study.load.vertical_stress.size() == 1) return name;
+    if (stresses == 1) return study;
     std::string level = stress_text(stress);
     std::ranges::replace(level, ' ', '_');
-    return name + "_" + level;
+    return study + "_" + level;
 }
-
-} // namespace
 
 ServedStudy served_study(const PreparedStudy& ready, const std::vector<std::string>& inputs)
 {
@@ -180,7 +180,8 @@ std::vector<ServedModel> served_models(const ServedStudy& served, const std::str
     for (std::size_t l = 0; l < study.load.vertical_stress.size(); ++l) {
         const int level = static_cast<int>(l);
         ServedModel model;
-        model.name = model_name(study, name, study.load.vertical_stress[l]);
+        model.name =
+            served_name(name, study.load.vertical_stress.size(), study.load.vertical_stress[l]);
         model.inputs = physical_columns(*shared);
         model.outputs = outputs;
         model.evaluate = [shared, level](std::span<const double> x) {

@@ -30,11 +30,16 @@ struct ServedStudy {
 [[nodiscard]] ServedStudy served_study(const PreparedStudy& ready,
                                        const std::vector<std::string>& inputs);
 
+/// Name of a model under one of the stresses of a study; with several of them it becomes
+/// NAME_0.50_MPa.
+[[nodiscard]] std::string served_name(const std::string& study, std::size_t stresses,
+                                      double stress);
+
 /// Under each vertical stress the model NAME_normal, whose inputs are standard normal
 /// coordinates of the study's distributions, and the model NAME, whose inputs are the values
 /// themselves in SI, refused outside the range of their key. NAME_normal comes first: a client
 /// that knows nothing of a model sends zeros, which are its medians.
-/// @param name of the study; with several stresses it becomes NAME_0.50_MPa
+/// @param name of the study, as served_name() takes it
 /// @param responses names of outputs, at least one
 /// @throws ConfigError if a response is unknown
 [[nodiscard]] std::vector<ServedModel> served_models(const ServedStudy& study,

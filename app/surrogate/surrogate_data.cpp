@@ -27,11 +27,6 @@ std::vector<std::size_t> surrogate_inputs(const StudyWalls& walls)
     std::vector<std::size_t> varying;
     for (std::size_t k = 0; k < walls.inputs.size(); ++k) {
         const StoredInput& input = walls.inputs[k];
-        if (input.count > 1 || walls.study.uq.spatial != Spatial::none)
-            throw ConfigError(
-                walls.name, 0, input.key,
-                "varies from joint to joint (uq.spatial), and a surrogate takes one "
-                "value per wall; run a study with uq.spatial = none");
         if (!input.marginal)
             throw ConfigError(
                 walls.name, 0, input.key,
@@ -45,6 +40,24 @@ std::vector<std::size_t> surrogate_inputs(const StudyWalls& walls)
                           "joint.friction_angle = normal(mean 31.8 deg, cov 0.20)");
     return varying;
 }
+
+namespace {
+
+Eigen::VectorXd standardised(const Eigen::VectorXd& x)
+{
+    const Eigen::ArrayXd off = x.array() - x.mean();
+    const double sd = std::sqrt(off.square().mean());
+    return sd > 0.0 ? Eigen::VectorXd(off / sd) : Eigen::VectorXd::Zero(x.size());
+}
+
+bool varies_inside(const StudyWalls& walls, const std::vector<std::size_t>& inputs)
+{
+    return walls.study.uq.spatial != Spatial::none ||
+           std::ranges::any_of(inputs,
+                               [&](std::size_t k) { return walls.inputs[k].count > 1; });
+}
+
+} // namespace
 
 SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
                                  const std::vector<std::size_t>& inputs,
@@ -71,6 +84,7 @@ SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
     }
     const auto n = static_cast<Eigen::Index>(used.size());
     const auto d = static_cast<Eigen::Index>(inputs.size());
+    const bool inside = varies_inside(walls, inputs);
     p.x.resize(n, d);
     p.coordinates.resize(n, d);
     p.y = Eigen::Map<const Eigen::VectorXd>(y.data(), n);
@@ -80,9 +94,18 @@ SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
         for (Eigen::Index j = 0; j < d; ++j) {
             const std::size_t k = inputs[static_cast<std::size_t>(j)];
             p.x(i, j) = w.inputs[k];
-            p.coordinates(i, j) =
-                uq::coordinate(*walls.inputs[k].marginal, w.inputs[k] / walls.inputs[k].scale);
+            if (!inside)
+                p.coordinates(i, j) = uq::coordinate(*walls.inputs[k].marginal,
+                                                     w.inputs[k] / walls.inputs[k].scale);
         }
+    }
+    if (inside) {
+        p.no_coordinates =
+            "Inputs vary from joint to joint (uq.spatial), and a surrogate takes one value per "
+            "wall; run a study with uq.spatial = none for one. Cramer-von Mises and HSIC are "
+            "those of the "
+            "means over the joints of a wall.";
+        for (Eigen::Index j = 0; j < d; ++j) p.coordinates.col(j) = standardised(p.x.col(j));
     }
     return p;
 }

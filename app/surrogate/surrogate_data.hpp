@@ -20,10 +20,12 @@ struct SurrogatePoints {
     double stress = 0.0;               ///< [Pa]
     std::vector<std::uint32_t> sample; ///< numbers of the walls
     Eigen::MatrixXd x;                 ///< shown values of the inputs, walls x inputs
-    Eigen::MatrixXd coordinates;       ///< of uq/surrogates/polynomials.hpp
-    Eigen::VectorXd y;                 ///< shown value of the response
-    std::vector<WallKey> without;      ///< the response is not defined
-    std::vector<WallKey> bounds;       ///< the push ended before: only a lower bound is known
+    /// As uq/surrogates/polynomials.hpp has them; standardised values where there are none.
+    Eigen::MatrixXd coordinates;
+    std::string no_coordinates;   ///< why there are none: a sentence; empty: there are
+    Eigen::VectorXd y;            ///< shown value of the response
+    std::vector<WallKey> without; ///< the response is not defined
+    std::vector<WallKey> bounds;  ///< the push ended before: only a lower bound is known
     std::size_t failed = 0,
                 beyond = 0; ///< walls that gave no result; more than kMostSurrogateWalls
 };
@@ -33,10 +35,11 @@ struct SurrogatePoints {
 [[nodiscard]] const WallNumber& surrogate_response(std::string_view name);
 
 /// Places in StudyWalls::inputs of those that vary.
-/// @throws ConfigError where nothing is random, an input has one value per joint, or its
-/// distribution is not known
+/// @throws ConfigError where nothing is random, or the distribution of an input is not known
 [[nodiscard]] std::vector<std::size_t> surrogate_inputs(const StudyWalls& walls);
 
+/// Inputs that vary from joint to joint count with their means over the joints of a wall. These
+/// have no coordinates, so that no surrogate is learned from them.
 [[nodiscard]] SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
                                                const std::vector<std::size_t>& inputs,
                                                const WallNumber& response);

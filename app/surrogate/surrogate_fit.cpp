@@ -2,8 +2,8 @@
 
 #include "app/text/number_text.hpp"
 #include "uq/estimates/two_heaps.hpp"
-#include "uq/sensitivity/delta_index.hpp"
 #include "uq/sensitivity/hsic.hpp"
+#include "uq/sensitivity/rank_index.hpp"
 #include "uq/surrogates/process_fit.hpp"
 
 #include <algorithm>
@@ -76,6 +76,12 @@ void judge(LevelSurrogate& s)
                            number(q2, 2) + "): a mean between them is no wall's.");
 }
 
+/// The estimate where it can be a result.
+std::optional<uq::Estimate> as_result(const uq::Estimate& e)
+{
+    return e.value > 0.0 && e.value <= 1.0 ? std::optional(e) : std::nullopt;
+}
+
 void add_given_data(LevelSurrogate& s, std::uint64_t seed)
 {
     for (Eigen::Index k = 0; k < s.points.x.cols(); ++k) {
@@ -83,13 +89,15 @@ void add_given_data(LevelSurrogate& s, std::uint64_t seed)
         const Eigen::VectorXd x = s.points.coordinates.col(k);
         GivenData g;
         if (x.maxCoeff() > x.minCoeff()) {
-            const uq::Estimate delta =
-                uq::delta_index(x, s.points.y, {.seed = seed, .stream = 2 * stream});
-            if (delta.value > 0.0 && delta.value <= 1.0) g.delta = delta;
             const uq::Hsic h =
                 uq::hsic(x, s.points.y, {.seed = seed, .stream = 2 * stream + 1});
-            g.hsic = std::clamp(h.share, 0.0, 1.0);
-            g.p_value = h.p_value;
+            const uq::Estimate rank =
+                uq::rank_index(x, s.points.y, {.seed = seed, .stream = 2 * stream});
+            g.p_value = std::min(1.0, 2.0 * std::min(h.p_value, uq::independence_p(rank)));
+            if (g.p_value < kDependsLevel) {
+                g.rank = as_result(rank);
+                g.hsic = as_result(h.index);
+            }
         }
         s.given.push_back(g);
     }
@@ -111,7 +119,10 @@ LevelSurrogate fit_surrogate(SurrogatePoints points,
     else if (!varies(s.points.y))
         s.doubts.emplace_back(
             "The response is the same on all walls: there is nothing to learn.");
-    else {
+    else if (!s.points.no_coordinates.empty()) {
+        s.doubts.push_back(s.points.no_coordinates);
+        add_given_data(s, seed);
+    } else {
         s.one_heap = uq::one_heap_p_value(
             std::span(s.points.y.data(), static_cast<std::size_t>(n)), 199, seed);
         fit_both(s, families);

@@ -28,9 +28,12 @@ struct SurrogateError {
 
 /// Dependence of the response on its inputs by the samples alone, without a surrogate.
 struct GivenData {
-    std::optional<uq::Estimate>
-        delta; ///< of Borgonovo; nothing where the estimate is not above 0
-    double hsic = 0.0, p_value = 1.0; ///< share [-] and test of independence
+    /// Index of Cramer and von Mises, and of Da Veiga by HSIC; nothing where the walls do not
+    /// show that the response depends on the input, or where the estimate is not in (0, 1].
+    std::optional<uq::Estimate> rank, hsic;
+    /// Probability of independence, by HSIC and by ranks together (Bonferroni) [-]: the ranks
+    /// see periodic laws, HSIC sees weak trends.
+    double p_value = 1.0;
 };
 
 struct LevelSurrogate {

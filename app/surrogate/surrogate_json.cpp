@@ -1,5 +1,6 @@
 #include "app/input/study_file.hpp"
 #include "app/surrogate/surrogate_output.hpp"
+#include "app/text/check_sum.hpp"
 #include "app/text/json_text.hpp"
 
 namespace app {
@@ -64,14 +65,47 @@ Json process_json(const LevelSurrogate& l)
 {
     if (!l.process) return {};
     const uq::GaussianProcess& p = *l.process;
-    return {
-        {"error", error_json(l.process_error)}, {"kernel", std::string(uq::name(p.kernel))},
-        {"variance", p.parameters.variance},    {"lengths", exact_list(p.parameters.lengths)},
-        {"noise", p.parameters.noise},          {"constant", p.trend_weights(0)},
-        {"weights", exact_list(p.weights)},     {"points", exact_rows(p.data.x)}};
+    return {{"error", error_json(l.process_error)},
+            {"kernel", std::string(uq::name(p.kernel))},
+            {"variance", p.parameters.variance},
+            {"lengths", exact_list(p.parameters.lengths)},
+            {"noise", p.parameters.noise},
+            {"constant", p.trend_weights(0)},
+            {"weights", exact_list(p.weights)},
+            {"points", exact_rows(p.data.x)},
+            {"responses", exact_list(p.data.y)},
+            {"inflation", uq::inflation_of(uq::leave_one_out(p))}};
 }
 
-Json level_json(const LevelSurrogate& l)
+Json estimate_json(const std::optional<uq::Estimate>& e)
+{
+    if (!e) return {};
+    return {{"value", e->value},
+            {"lower", e->interval.lower},
+            {"upper", e->interval.upper},
+            {"confidence", e->interval.confidence}};
+}
+
+/// Indices of the inputs: only results, null for all others.
+Json indices_json(const SurrogateStudy& s, const LevelSurrogate& l)
+{
+    Json all = Json::array();
+    const bool has_shares = l.no_indices.empty() && l.chaos;
+    const uq::ChaosIndices shares =
+        has_shares ? uq::sobol_indices(l.chaos->chaos) : uq::ChaosIndices{};
+    for (std::size_t k = 0; k < l.given.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        all.push_back({{"key", s.walls->inputs[s.inputs[k]].key},
+                       {"sobol_first", has_shares ? Json(shares.first(i)) : Json()},
+                       {"sobol_total", has_shares ? Json(shares.total(i)) : Json()},
+                       {"cramer_von_mises", estimate_json(l.given[k].rank)},
+                       {"hsic", estimate_json(l.given[k].hsic)},
+                       {"p_of_no_dependence", l.given[k].p_value}});
+    }
+    return all;
+}
+
+Json level_json(const SurrogateStudy& s, const LevelSurrogate& l)
 {
     Json doubts = Json::array();
     for (const std::string& d : l.doubts) doubts.push_back(d);
@@ -85,6 +119,7 @@ Json level_json(const LevelSurrogate& l)
         j["learned_between"] = {{"least", list_of(l.points.x.colwise().minCoeff().eval())},
                                 {"most", list_of(l.points.x.colwise().maxCoeff().eval())}};
     }
+    j["indices"] = indices_json(s, l);
     j["chaos"] = chaos_json(l);
     j["process"] = process_json(l);
     return j;
@@ -94,14 +129,15 @@ Json level_json(const LevelSurrogate& l)
 
 std::string surrogate_json(const SurrogateStudy& s)
 {
-    Json j = {{"format", "drystone surrogate 1"},
+    Json j = {{"format", kSurrogateFormat},
               {"study", s.walls->name},
+              {"study_sum", check_sum(s.walls->head.configuration)},
               {"response", std::string(s.response->name)},
               {"unit", std::string(s.response->unit.name)}};
     j["inputs"] = Json::array();
     for (const std::size_t k : s.inputs) j["inputs"].push_back(input_json(s, k));
     j["surrogates"] = Json::array();
-    for (const LevelSurrogate& l : s.levels) j["surrogates"].push_back(level_json(l));
+    for (const LevelSurrogate& l : s.levels) j["surrogates"].push_back(level_json(s, l));
     return text_of(j, 1) + "\n";
 }
 

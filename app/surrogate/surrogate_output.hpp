@@ -9,6 +9,8 @@
 
 namespace app {
 
+constexpr const char* kSurrogateFormat = "drystone surrogate 1";
+
 /// Everything that the verb writes is made of this.
 struct SurrogateStudy {
     const StudyWalls* walls;
@@ -21,7 +23,7 @@ struct SurrogateStudy {
 /// to be trusted.
 [[nodiscard]] Table surrogate_table(const SurrogateStudy& s);
 
-/// Rows by stress and input: indices of Sobol' from the chaos, delta of Borgonovo,
+/// Rows by stress and input: indices of Sobol' from the chaos, Cramer-von Mises, HSIC,
 /// independence. Only results are printed: an index that the walls do not give is an empty cell
 /// with a note.
 [[nodiscard]] Table surrogate_index_table(const SurrogateStudy& s);

@@ -42,12 +42,11 @@ void add_index_row(const SurrogateStudy& s, const LevelSurrogate& l, std::size_t
     std::string note = l.no_indices;
     if (k < l.given.size()) {
         const GivenData& g = l.given[k];
-        const bool depends = g.p_value < kDependsLevel;
-        row = joined(row, {depends && g.delta
-                               ? Cell(with_interval(g.delta->value, g.delta->interval, 2))
-                               : Cell{},
-                           plain_number(g.hsic, 3), plain_number(g.p_value, 3)});
-        if (!depends)
+        const auto cell = [](const std::optional<uq::Estimate>& e) {
+            return e ? Cell(with_interval(e->value, e->interval, 2)) : Cell{};
+        };
+        row = joined(row, {cell(g.rank), cell(g.hsic), plain_number(g.p_value, 3)});
+        if (!(g.p_value < kDependsLevel))
             note += std::string(note.empty() ? "" : " ") +
                     "These walls do not show that the response depends on this input.";
     }
@@ -114,14 +113,20 @@ Table surrogate_index_table(const SurrogateStudy& s)
 {
     Table t;
     t.title = "What the " + words(*s.response) + " depends on";
-    t.caption = "Shares of the variance from the coefficients of the polynomial chaos (Sobol'; "
-                "of the input alone, and with "
-                "its interactions); delta (Borgonovo) and HSIC from the walls alone, with the "
-                "probability of as much "
-                "dependence by chance.";
+    t.caption =
+        "Shares of the variance from the coefficients of the polynomial chaos (Sobol'; "
+        "of the input alone, and with "
+        "its interactions); Cramer-von Mises and HSIC (Da Veiga) from the walls "
+        "alone, with 95 % intervals, and the probability of as much dependence by chance.";
     t.keys = 2;
-    t.head = {"stress [MPa]",       "input", "Sobol' first",       "Sobol' total",
-              {"delta", kInterval}, "HSIC",  "p of no dependence", {"note", kNote}};
+    t.head = {"stress [MPa]",
+              "input",
+              "Sobol' first",
+              "Sobol' total",
+              {"Cramer-von Mises", kInterval},
+              {"HSIC", kInterval},
+              "p of no dependence",
+              {"note", kNote}};
     for (const LevelSurrogate& l : s.levels) {
         uq::ChaosIndices shares;
         if (l.chaos) shares = uq::sobol_indices(l.chaos->chaos);

@@ -82,7 +82,7 @@ app::Table wall_table()
                          100.0 * cov(r));
         };
         add(subset, "1");
-        for (const char* seed : {"1"})
+        for (const char* const seed : {"1", "2", "3"})
             add(run(event, {"reliability.method=active", "reliability.budget=400",
                             "reliability.target_cov=0.1", std::string("uq.seed=") + seed}),
                 seed);

@@ -12,5 +12,6 @@ void bind_results(pybind11::module_& m);
 void bind_fragility(pybind11::module_& m);
 void bind_sampling(pybind11::module_& m);
 void bind_shaking(pybind11::module_& m);
+void bind_surrogate(pybind11::module_& m);
 
 } // namespace bindings

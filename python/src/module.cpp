@@ -43,4 +43,5 @@ PYBIND11_MODULE(_core, m)
     bindings::bind_fragility(m);
     bindings::bind_sampling(m);
     bindings::bind_shaking(m);
+    bindings::bind_surrogate(m);
 }

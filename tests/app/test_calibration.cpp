@@ -177,7 +177,7 @@ TEST_CASE(
                       draws = c.text("out/posterior.csv");
     CHECK(draws.starts_with("draw,joint.friction_angle [deg],unit.tensile_strength [MPa],"));
     for (const char* const name : {"calibration.csv", "inputs.md", "further_wall.tex",
-                                   "scatter.csv", "inputs.svg", "peak.svg"})
+                                   "scatter.csv", "evidence.csv", "inputs.svg", "peak.svg"})
         CHECK(fs::exists(c.path("out/" + std::string(name))));
     CHECK_THAT(posterior, Catch::Contains("model_factor_force      = lognormal(median 1, "));
     // the same walls, on more threads
@@ -202,6 +202,79 @@ TEST_CASE(
         });
         CHECK(found >= 1);
     }
+}
+
+TEST_CASE("calibration: forces at displacements and energies of cycles are read off the path",
+          "[app][calibration]")
+{
+    const app::Csv csv = app::parse_csv(
+        "t.csv", "stress,force at 2 mm [kN],energy of cycle 2 [kJ],force at 0.5 % [kN]\n"
+                 "0.5,7.5,0.02,NA\n0.5,,0.03,8\n");
+    const std::vector<app::TestReading> readings = app::test_readings(csv, 1.0);
+    REQUIRE(readings.size() == 3);
+    CHECK(readings[0].displacement == Approx(0.002));
+    CHECK(readings[1].cycle == 2);
+    CHECK(readings[2].displacement == Approx(0.005));
+    const std::vector<app::MeasuredTest> tests = app::measured_tests(csv, 1.0);
+    const std::vector<app::TestedQuantity> all = app::tested_quantities(readings);
+    REQUIRE(all.size() == 6);
+    CHECK(*app::measured(all[3], tests[0]) == 7.5);
+    CHECK(*app::measured(all[4], tests[1]) == Approx(30.0)); // J
+    CHECK_FALSE(app::measured(all[5], tests[0]));
+    CHECK(all[4].unit == "J");
+
+    const app::WallReading wall;
+    app::ReadingRules one_way, to_and_fro;
+    to_and_fro.direction = 0;
+    // a line of 4 kN/mm to 3 mm, to the right and to the left
+    const std::vector<double> x = {0, 0.003}, left = {0, -0.003}, f = {0, 12e3},
+                              back = {0, -12e3};
+    CHECK(app::shown(all[3], {wall, x, f}, one_way) == Approx(8.0));
+    one_way.direction = -1;
+    CHECK(app::shown(all[3], {wall, left, back}, one_way) == Approx(8.0));
+    CHECK(std::isnan(app::shown(all[5], {wall, left, back}, one_way))); // it ends before
+    CHECK(std::isnan(app::shown(all[4], {wall, left, back}, one_way))); // it does not turn back
+    // two loops of stiff and perfectly plastic walls: 4 x 10 kN x 1 mm, 4 x 10 kN x 2 mm
+    std::vector<double> d = {0.0}, force = {10e3};
+    for (const double a : {0.001, 0.002})
+        for (const double to : {a, -a, 0.0}) {
+            const double sign = to > d.back() ? 1.0 : -1.0;
+            d.insert(d.end(), {d.back(), to});
+            force.insert(force.end(), {sign * 10e3, sign * 10e3});
+        }
+    CHECK(app::shown(all[4], {wall, d, force}, to_and_fro) == Approx(80.0));
+}
+
+TEST_CASE("calibration: columns of the path that cannot be read are refused",
+          "[app][calibration]")
+{
+    const auto refused = [](const std::string& head, const std::string& message) {
+        CHECK_THROWS_WITH(
+            app::measured_tests(app::parse_csv("t.csv", "stress," + head + "\n0.5,1\n"), 1.0),
+            Catch::Contains("t.csv:1: ") && Catch::Contains(message));
+    };
+    refused("force at 5 cans [kN]", "force at 5 cans [kN]: ");
+    refused("force at 0 mm [kN]", "must be at a displacement above 0");
+    refused("energy of cycle 0 [J]", "cycles count from 1; write e.g.");
+    refused("energy of cycle 1 [Wh]", "is not in J or kJ");
+    refused("force at 5 mm [N]", "is not in kN");
+    CHECK_THROWS_WITH(
+        app::measured_tests(
+            app::parse_csv("t.csv", "stress,force at 5 mm,force at 5 mm [kN]\n0.5,1,1\n"), 1.0),
+        Catch::Contains("there are two such columns"));
+    CHECK_THROWS_WITH(
+        app::measured_tests(app::parse_csv("t.csv", "stress,force at 5 mm\n0.5,\n"), 1.0),
+        Catch::Contains("t.csv:2: ") && Catch::Contains("nothing was measured in this row"));
+}
+
+TEST_CASE("calibration: the verb learns from a force at a displacement", "[app][calibration]")
+{
+    const Calibrating c(kTwoInputs);
+    REQUIRE(c.run("stress,force at 2 mm [kN],force at 90 mm [kN]\n0.5,15,1\n1,22,NA\n",
+                  "study.ini", "out", {"--threads", "1"}) == 0);
+    CHECK_THAT(c.text("out/further_wall.csv"), Catch::Contains("force at 2 mm [kN],0.5,1,") &&
+                                                   !Catch::Contains("force at 90 mm"));
+    CHECK(fs::exists(c.path("out/force_at_2_mm.svg")));
 }
 
 TEST_CASE("calibration: the verb predicts under a further stress, and says what it cannot use",

@@ -1,7 +1,15 @@
+#include "app/input/study_keys.hpp"
+#include "app/input/units.hpp"
+#include "app/output/atomic_output.hpp"
+#include "app/study_scenes.hpp"
+#include "app/surrogate/learned_surrogate.hpp"
 #include "app/surrogate/surrogate_fit.hpp"
-
+#include "app/surrogate/surrogate_output.hpp"
+#include "app/text/config_error.hpp"
+#include "scenes/temporary_folder.hpp"
 #include "tests/uq/latin_scene.hpp"
 #include "uq/designs/stream.hpp"
+#include "uq/sensitivity/hsic.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -28,6 +36,38 @@ LevelSurrogate fitted(SurrogatePoints p, bool dependent = false)
     return fit_surrogate(std::move(p), families, dependent, 1);
 }
 
+/// Walls of the small study under one stress, with a smooth peak force.
+StudyWalls smooth_walls(int n)
+{
+    StudyWalls walls;
+    walls.name = "smooth.h5";
+    walls.study = study_scenes::study("samples = 8");
+    walls.height = 1.1;
+    for (const RandomInput& r : walls.study.random) {
+        const Key& key = *find_key(r.key);
+        walls.inputs.push_back({r.key, key.unit.empty() ? "-" : std::string(key.unit),
+                                key.unit.empty() ? 1.0 : from_si(1.0, key.unit),
+                                walls.inputs.size(), 1, r.marginal});
+    }
+    const auto d = static_cast<int>(walls.inputs.size());
+    const Eigen::MatrixXd u = scenes::latin_hypercube(n, d, 7);
+    StudyLevel level;
+    level.stress = 0.5e6;
+    for (int i = 0; i < n; ++i) {
+        StudyWall w;
+        w.key = {0, static_cast<std::uint32_t>(i)};
+        for (int k = 0; k < d; ++k)
+            w.inputs.push_back(
+                walls.inputs[static_cast<std::size_t>(k)].scale *
+                uq::quantile(*walls.inputs[static_cast<std::size_t>(k)].marginal, u(i, k)));
+        w.reading.peak =
+            fragility::Peak{20e3 * (1.0 + u(i, 0) + std::sin(3.0 * u(i, 1))), 0.01, false};
+        level.walls.push_back(w);
+    }
+    walls.levels.push_back(level);
+    return walls;
+}
+
 } // namespace
 
 TEST_CASE("surrogate: a smooth response is learned and trusted", "[app][surrogate]")
@@ -40,8 +80,26 @@ TEST_CASE("surrogate: a smooth response is learned and trusted", "[app][surrogat
     CHECK((s.left_out - s.points.y).norm() < 0.01 * s.points.y.norm());
     REQUIRE(s.given.size() == 3);
     CHECK(s.given[0].p_value < kDependsLevel);
-    CHECK(s.given[0].delta.has_value());
+    CHECK(s.given[0].rank.has_value());
+    CHECK(s.given[0].hsic.has_value());
     CHECK(s.given[2].p_value > kDependsLevel); // the third input does nothing
+    CHECK_FALSE(s.given[2].rank.has_value());  // and has no index, whatever the estimate is
+    CHECK_FALSE(s.given[2].hsic.has_value());
+}
+
+TEST_CASE("surrogate: a law that goes up and down is seen, though HSIC misses it",
+          "[app][surrogate]")
+{
+    SurrogatePoints p = points(100, 2);
+    p.y = (4.0 * M_PI * p.x.col(0).array()).sin();
+    p.no_coordinates = "Not asked for.";
+    const LevelSurrogate s = fitted(p);
+    CHECK(uq::hsic(p.x.col(0), p.y).p_value > kDependsLevel);
+    REQUIRE(s.given.size() == 2);
+    CHECK(s.given[0].p_value < 1e-3);
+    REQUIRE(s.given[0].rank);
+    CHECK(s.given[0].rank->value > 0.6);
+    CHECK_FALSE(s.given[1].rank);
 }
 
 TEST_CASE("surrogate: doubts are said in words, and no index is given", "[app][surrogate]")
@@ -88,10 +146,86 @@ TEST_CASE("surrogate: dependent inputs have no shares of the variance", "[app][s
     CHECK(s.no_indices.find("depend on each other") != std::string::npos);
 }
 
+TEST_CASE("surrogate: inputs without coordinates have indices from the walls alone",
+          "[app][surrogate]")
+{
+    SurrogatePoints p = points(60, 3);
+    p.no_coordinates = "Inputs vary from joint to joint.";
+    const LevelSurrogate s = fitted(p);
+    CHECK_FALSE(s.chaos);
+    CHECK_FALSE(s.process);
+    CHECK(s.doubts == std::vector<std::string>{p.no_coordinates});
+    CHECK(s.no_indices == p.no_coordinates);
+    REQUIRE(s.given.size() == 3);
+    CHECK(s.given[0].rank.has_value());
+    CHECK(s.given[0].hsic.has_value());
+}
+
 TEST_CASE("surrogate: an unknown response is named with those that there are",
           "[app][surrogate]")
 {
     CHECK(surrogate_response("ultimate_drift").unit.name == "%");
     CHECK_THROWS_WITH(surrogate_response("peak_forse"),
                       Catch::Contains("--of") && Catch::Contains("peak_force"));
+}
+
+TEST_CASE("surrogate: the file predicts what the fit does, to the bit, and its own doubt",
+          "[app][surrogate]")
+{
+    const scenes::TemporaryFolder folder;
+    const StudyWalls walls = smooth_walls(60);
+    const WallNumber& response = surrogate_response("peak_force");
+    SurrogateStudy s{&walls, &response, surrogate_inputs(walls), {}};
+    std::vector<uq::PolynomialFamily> families;
+    for (const std::size_t k : s.inputs)
+        families.push_back(uq::family_of(*walls.inputs[k].marginal));
+    s.levels.push_back(
+        fit_surrogate(surrogate_points(walls, 0, s.inputs, response), families, false, 1));
+    LevelSurrogate& level = s.levels.front();
+    REQUIRE(level.process);
+    REQUIRE(level.chaos);
+    const std::string path = (folder.path / "surrogate.json").string();
+    Eigen::MatrixXd x = level.points.x; // in SI
+    for (std::size_t k = 0; k < s.inputs.size(); ++k)
+        x.col(static_cast<Eigen::Index>(k)) /= walls.inputs[s.inputs[k]].scale;
+    for (const bool chaos : {false, true}) {
+        level.chaos_is_better = chaos;
+        write_file(path, surrogate_json(s));
+        const LearnedSurrogate learned = read_surrogate(path);
+        REQUIRE(learned.levels.size() == 1);
+        const SurrogateAnswers a = predict(learned, learned.levels.front(), x);
+        const Eigen::VectorXd direct =
+            chaos ? uq::predict(level.chaos->chaos, surrogate_coordinates(learned, x))
+                  : uq::predict_mean(*level.process, surrogate_coordinates(learned, x));
+        CHECK(a.mean == direct / learned.scale);
+        CHECK(a.outside.sum() == 0);
+        // 95 % of walls left out lie within two of their standard deviations
+        CHECK(a.sd.minCoeff() * learned.scale >=
+              (chaos ? level.chaos_error.rmse * (1.0 - 1e-12)
+                     : std::sqrt(level.process->parameters.noise)));
+        Eigen::MatrixXd far = x.topRows(1);
+        far(0, 0) = learned.levels.front().most(0) * 1.01;
+        CHECK(predict(learned, learned.levels.front(), far).outside(0) == 1);
+        CHECK_THROWS_WITH(predict(learned, learned.levels.front(), x.leftCols(1)),
+                          Catch::Contains("inputs, and 1 are given"));
+    }
+}
+
+TEST_CASE("surrogate: files that are none are refused in plain words", "[app][surrogate]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string path = (folder.path / "s.json").string();
+    const auto refused = [&](const std::string& text, const std::string& message) {
+        write_file(path, text);
+        CHECK_THROWS_WITH(read_surrogate(path),
+                          Catch::StartsWith(path + ": ") && Catch::Contains(message));
+    };
+    refused("{}", "is not a surrogate; give the surrogate.json");
+    refused("{\"format\": \"drystone surrogate 1\"}", "is damaged: ");
+    refused("][", "is damaged: ");
+    refused("{\"format\": \"drystone surrogate 1\", \"study\": \"s.h5\", \"response\": "
+            "\"peak_force\", \"unit\": \"kN\", \"inputs\": [{\"key\": \"joint.fiction\", "
+            "\"unit\": \"deg\", \"distribution\": \"\"}], \"surrogates\": []}",
+            "joint.fiction: is not a key of this version");
+    CHECK_THROWS_WITH(read_surrogate(path + "x"), Catch::Contains("surrogate.json that"));
 }

@@ -100,8 +100,10 @@ TEST_CASE("calibration: mistakes of a table are named by file, line and column",
 {
     refused("stress [MPa],peak [kN]\n", "tests.csv");
     refused("peak [kN]\n40\n", "tests.csv:1: stress [MPa]: there is no such column");
-    refused("stress [MPa]\n1\n",
-            "tests.csv:1: peak [kN], stiffness [kN/mm], drop [mm]: there is none");
+    refused(
+        "stress [MPa]\n1\n",
+        "tests.csv:1: peak [kN], stiffness [kN/mm], drop [mm], force at 5 mm [kN], energy of "
+        "cycle 1 [J]: there is none");
     refused("stress [kPa],peak [kN]\n500,40\n", "tests.csv:1: stress [kPa]: is not in MPa");
     refused("stress [MPa],drop [cm]\n1,2\n", "tests.csv:1: drop [cm]: is not in mm or %");
     refused("stress [MPa],peak [kN]\n0.5,forty\n", "tests.csv:2: ");

@@ -16,7 +16,7 @@ from scene import CHEAP, InFolder, QUICK, STUDY, WALL
 class ObjectsHold(InFolder):
     def test_without_constructor(self):
         core = sys.modules["drystone._core"]
-        for kind in (core.Wall, core.LoadedStudy, core.Fit):
+        for kind in (core.Wall, core.LoadedStudy, core.Fit, core.LearnedSurrogate):
             for make in (lambda: kind.__new__(kind), kind, lambda: object.__new__(kind), lambda: super(kind, kind).__new__(kind),
                          lambda: type("Own", (kind,), {"__new__": lambda c: super(c, c).__new__(c)})(), lambda: copy.copy(kind).__new__(kind)):
                 with self.assertRaises(TypeError):

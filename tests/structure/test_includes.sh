@@ -32,7 +32,7 @@ declare -A knows=(
     [app/sampling]="core app/text dem/ uq/ app/input"
     [app/study]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling"
     [app/reliability]="core app/text dem/ fragility uq/ app app/reading app/input app/output app/store app/sampling app/study"
-    [app/serve]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/reliability"
+    [app/serve]="app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/reliability app/surrogate"
     [app/scene]="app/text app/drawing dem/ app app/input app/output app/sampling app/study"
     [app/record]="app/text app/input app/output app ground"
     [app/shake]="app/text dem/ fragility ground app app/input app/output app/store app/sampling app/study"
@@ -41,12 +41,12 @@ declare -A knows=(
     [app/compare]="app/text fragility app/reading app/input app/output app/study app/push"
     [app/sheet]="core app/text app/drawing fragility app app/reading app/input app/output app/sampling app/scene app/study app/push"
     [app/push]="app/text dem/ fragility app app/reading app/store app/input app/output app/sampling app/study"
-    [app/report]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
+    [app/report]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility app/surrogate"
     [app/surrogate]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study"
     [app/calibration]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/study app/fragility"
     [app/fragility]="core app/text dem/ fragility ground uq/ app app/reading app/store app/input app/output app/sampling app/study"
     [try/wasm]="app/text app/drawing dem/ fragility app/reading app/input app/sampling app/study app/push"
-    [python/src]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/shake app/study app/push app/fragility"
+    [python/src]="core app/text dem/ fragility uq/ app app/reading app/store app/input app/output app/sampling app/scene app/shake app/study app/push app/fragility app/surrogate"
 )
 
 broken=0

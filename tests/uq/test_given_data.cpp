@@ -1,8 +1,10 @@
 #include "tests/uq/latin_scene.hpp"
+#include "tests/uq/sensitivity_scenes.hpp"
 #include "uq/designs/stream.hpp"
 #include "uq/estimates/two_heaps.hpp"
 #include "uq/sensitivity/delta_index.hpp"
 #include "uq/sensitivity/hsic.hpp"
+#include "uq/sensitivity/rank_index.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -76,6 +78,96 @@ TEST_CASE("hsic: its test has the level that it says, and sees what correlation 
     CHECK(hsic(x, x.array().square()).p_value == Approx(1.0 / 500.0));
     CHECK(hsic(x, x).share == Approx(1.0).epsilon(1e-12));
     CHECK_THROWS_AS(hsic(x, Eigen::VectorXd::Ones(60)), std::invalid_argument);
+}
+
+TEST_CASE("hsic: share and index are those of OpenTURNS 1.20", "[uq][hsic]")
+{
+    // HSICEstimatorGlobalSensitivity, R2-HSIC, SquaredExponential of the standard deviation,
+    // nugget 0; HSICVStat and HSICUStat
+    constexpr int n = 64;
+    const double share[] = {0.14874222818322108, 0.01937130392791646, 0.06209077630263789},
+                 index[] = {0.12049302094252307, -0.01493376490881048, 0.02427059083935697};
+    Eigen::MatrixXd u(n, 3);
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < 3; ++k)
+            u(i, k) = std::fmod((i + 1) * std::sqrt(k == 2 ? 5.0 : 2.0 + k), 1.0);
+    const Eigen::VectorXd y = scenes::ishigami(u);
+    for (int k = 0; k < 3; ++k) {
+        const Hsic h = hsic(u.col(k), y);
+        CHECK(h.share == Approx(share[k]).epsilon(1e-10));
+        CHECK(h.index.value == Approx(index[k]).epsilon(1e-10));
+        CHECK(h.index.interval.lower >= 0.0);
+        CHECK(h.index.interval.upper > h.index.interval.lower);
+    }
+}
+
+TEST_CASE(
+    "hsic: index of two normal variables, and its error, in closed form and by repetition",
+    "[uq][hsic]")
+{
+    // kernels as wide as the variables: E k l = 1 / sqrt(9 - 4 r^2), E k E l = 1/3, and
+    // E (E' k)(E' l) = 1 / sqrt(9 - r^2)
+    const auto exact = [](double r) {
+        return 1.0 / std::sqrt(9.0 - 4.0 * r * r) + 1.0 / 3.0 - 2.0 / std::sqrt(9.0 - r * r);
+    };
+    constexpr double kShare = 0.5; // squared correlation
+    constexpr int kRepetitions = 60;
+    const double truth = exact(std::sqrt(kShare)) / exact(1.0);
+    Eigen::VectorXd value(kRepetitions), error(kRepetitions);
+    int held = 0;
+    for (int r = 0; r < kRepetitions; ++r) {
+        const Eigen::VectorXd x = normals(150, 1000 + 2 * r), e = normals(150, 1001 + 2 * r);
+        const Hsic h = hsic(x, x + e, {.permutations = 19});
+        value(r) = h.index.value;
+        error(r) = h.index.std_error;
+        held += h.index.interval.lower <= truth && truth <= h.index.interval.upper ? 1 : 0;
+    }
+    const double scatter = std::sqrt((value.array() - value.mean()).square().mean());
+    CHECK(value.mean() == Approx(truth).margin(3.0 * scatter / std::sqrt(kRepetitions)));
+    CHECK(error.mean() == Approx(scatter).epsilon(0.3)); // chi of 59: 3 sd are 0.28
+    CHECK(held >= 51);                                   // binomial(60, 0.95): 99.8 %
+}
+
+TEST_CASE("rank index: a worked example, ties, and its ends", "[uq][rank_index]")
+{
+    // x ascending, ranks of y 2 1 3 5 4: 1 - 3 (1 + 2 + 2 + 1) / (25 - 1)
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 0.0, 1.0);
+    Eigen::VectorXd y(5);
+    y << 0.2, -1.0, 0.3, 9.0, 2.0;
+    CHECK(raw_rank_index(x, y) == Approx(0.25).epsilon(1e-12));
+    CHECK(raw_rank_index(x, y.array().exp()) == raw_rank_index(x, y)); // ranks alone count
+    // 1 1 2 2: r = 2 2 4 4, l = 4 4 2 2: 1 - 4 x 2 / (2 (0 + 0 + 4 + 4))
+    CHECK(raw_rank_index(x.head(4), Eigen::Vector4d(1, 1, 2, 2)) == Approx(0.5));
+    const Eigen::VectorXd z = normals(400, 21);
+    CHECK(raw_rank_index(z, z.array().square()) > 0.97);        // a law, though no correlation
+    CHECK(std::abs(raw_rank_index(z, normals(400, 22))) < 0.1); // sd sqrt(0.4 / n) = 0.03
+    CHECK_THROWS_AS(rank_index(z, Eigen::VectorXd::Ones(400)), std::invalid_argument);
+    CHECK_THROWS_AS(rank_index(z, z.head(399)), std::invalid_argument);
+}
+
+TEST_CASE("rank index: of two normal variables, and its error by repetition",
+          "[uq][rank_index]")
+{
+    // corr r: 3 / pi asin((1 + r^2) / 2) - 1/2 (Gaussian copula)
+    const double truth = 3.0 / M_PI * std::asin(0.75) - 0.5;
+    constexpr int kRepetitions = 60;
+    Eigen::VectorXd value(kRepetitions), error(kRepetitions);
+    int held = 0, by_chance = 0;
+    for (int r = 0; r < kRepetitions; ++r) {
+        const Eigen::VectorXd x = normals(200, 2000 + 2 * r), e = normals(200, 2001 + 2 * r);
+        const Estimate i = rank_index(x, x + e, {.halves = 60});
+        by_chance += independence_p(rank_index(x, e, {.halves = 20})) < 0.1 ? 1 : 0;
+        value(r) = i.value;
+        error(r) = i.std_error;
+        held += i.interval.lower <= truth && truth <= i.interval.upper ? 1 : 0;
+    }
+    const double scatter = std::sqrt((value.array() - value.mean()).square().mean());
+    // its bias of few samples is some 1 / n
+    CHECK(value.mean() == Approx(truth).margin(3.0 * scatter / std::sqrt(kRepetitions) + 0.01));
+    CHECK(error.mean() == Approx(scatter).epsilon(0.35));
+    CHECK(held >= 51);     // binomial(60, 0.95): 99.8 %
+    CHECK(by_chance >= 1); // binomial(60, 0.1): 1 .. 14 with 99.7 %
+    CHECK(by_chance <= 14);
 }
 
 TEST_CASE("two heaps: found where there are, and seldom where there is one", "[uq][two_heaps]")

@@ -1,6 +1,7 @@
 #include "uq/inference/calibration.hpp"
 
 #include "core/gauss_legendre.hpp"
+#include "core/level_normal.hpp"
 #include "core/normal.hpp"
 #include "uq/designs/stream.hpp"
 
@@ -34,8 +35,8 @@ double half_normal(double coordinate, double scale)
 
 /// The tests of one answer under a point: what they say of the discrepancy d ~ N(0, V).
 struct AnswerTests {
-    double precision = 0.0, sum = 0.0, squares = 0.0, log_scale = 0.0; ///< of values seen
-    int seen = 0;
+    core::LevelSums seen;
+    int n = 0; ///< of them
     struct Bound {
         double residual, deviation; ///< y - m; of e
     };
@@ -56,27 +57,23 @@ std::vector<AnswerTests> tests_under(const CalibrationProblem& p, const Calibrat
             a.bounds.push_back({residual, std::sqrt(variance)});
             continue;
         }
-        ++a.seen;
-        a.precision += 1.0 / variance;
-        a.sum += residual / variance;
-        a.squares += residual * residual / variance;
-        a.log_scale += 0.5 * std::log(variance);
+        ++a.n;
+        a.seen.precision += 1.0 / variance;
+        a.seen.sum += residual / variance;
+        a.seen.squares += residual * residual / variance;
+        a.seen.log_scale += 0.5 * std::log(variance);
     }
     return all;
 }
 
 /// The discrepancy of an answer given the values seen, bounds aside.
-struct Discrepancy {
-    double mean, variance;
-};
-Discrepancy discrepancy_of(const AnswerTests& a, double prior)
+core::LevelNormal discrepancy_of(const AnswerTests& a, double prior)
 {
-    const double shrink = 1.0 + prior * a.precision;
-    return {prior * a.sum / shrink, prior / shrink};
+    return core::level_normal(a.seen, 0.0, prior);
 }
 
 /// ln of the probability that all tests which are bounds are larger.
-double log_beyond(const std::vector<AnswerTests::Bound>& bounds, const Discrepancy& d)
+double log_beyond(const std::vector<AnswerTests::Bound>& bounds, const core::LevelNormal& d)
 {
     if (bounds.empty()) return 0.0;
     if (const auto& first = bounds.front(); bounds.size() == 1)
@@ -168,7 +165,7 @@ void diagnose_all(CalibrationPosterior& posterior)
 double drawn_discrepancy(const AnswerTests& a, double prior, Stream& random)
 {
     constexpr int kTries = 1000;
-    const Discrepancy d = discrepancy_of(a, prior);
+    const core::LevelNormal d = discrepancy_of(a, prior);
     double value = d.mean;
     for (int i = 0; i < kTries; ++i) {
         value = d.mean + std::sqrt(d.variance) * random.normal();
@@ -223,12 +220,12 @@ double log_likelihood(const CalibrationProblem& p, const CalibrationPoint& at)
     double sum = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const AnswerTests& a = all[i];
-        if (a.seen == 0 && a.bounds.empty()) continue;
+        if (a.n == 0 && a.bounds.empty()) continue;
         const double prior = discrepancy_prior(p, at, m, i);
-        const double shrink = 1.0 + prior * a.precision;
-        sum += -0.5 * a.seen * kLogTwoPi - a.log_scale - 0.5 * std::log(shrink) -
-               0.5 * (a.squares - prior * a.sum * a.sum / shrink) +
-               log_beyond(a.bounds, discrepancy_of(a, prior));
+        const core::LevelNormal d = discrepancy_of(a, prior);
+        const double misfit = a.seen.squares - prior * a.seen.sum * a.seen.sum / d.shrink;
+        sum += -0.5 * a.n * kLogTwoPi - a.seen.log_scale - 0.5 * std::log(d.shrink) -
+               0.5 * misfit + log_beyond(a.bounds, d);
     }
     return std::isnan(sum) ? -std::numeric_limits<double>::infinity() : sum;
 }

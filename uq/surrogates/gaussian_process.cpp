@@ -187,4 +187,9 @@ ProcessLeaveOneOut leave_one_out(const GaussianProcess& p)
     return {p.weights.cwiseQuotient(q), q.cwiseInverse()};
 }
 
+double inflation_of(const ProcessLeaveOneOut& out)
+{
+    return std::max(1.0, (out.residual.array().square() / out.variance.array()).mean());
+}
+
 } // namespace uq

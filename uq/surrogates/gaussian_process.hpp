@@ -84,4 +84,8 @@ struct ProcessLeaveOneOut {
 /// Parameters are kept, the trend is not.
 [[nodiscard]] ProcessLeaveOneOut leave_one_out(const GaussianProcess& process);
 
+/// Mean square of what is missed on points left out over what is promised, at least 1: by this
+/// the variance of a prediction is too small.
+[[nodiscard]] double inflation_of(const ProcessLeaveOneOut& left_out);
+
 } // namespace uq

@@ -1,0 +1,76 @@
+#include "app/calibration/tested_quantity.hpp"
+
+#include "fragility/cyclic_curve.hpp"
+#include "fragility/resampled_curve.hpp"
+
+namespace app {
+namespace {
+
+/// On the capacity curve, which of a push that turns back is its backbone.
+double force_at(const TestReading& at, const TestedPath& path, const ReadingRules& rules)
+{
+    const fragility::Backbone b = capacity_curve({path.displacement, path.force}, rules);
+    const std::vector<double> forces =
+        fragility::resampled({b.displacement, b.force}, at.displacement, 2);
+    return forces.size() == 2 ? forces.back() * kForceUnit.scale : kNoNumber;
+}
+
+double energy_of(const TestReading& at, const TestedPath& path, const ReadingRules& rules)
+{
+    if (rules.direction != 0) return kNoNumber; // the push does not turn back
+    const std::vector<fragility::Cycle> all =
+        fragility::cycles({path.displacement, path.force});
+    const auto place = static_cast<std::size_t>(at.cycle - 1);
+    return place < all.size() && all[place].closed ? all[place].energy * kEnergyUnit.scale
+                                                   : kNoNumber;
+}
+
+TestedQuantity quantity_of(const TestReading& reading, std::size_t place)
+{
+    TestedQuantity q{};
+    q.name = q.words = reading.name;
+    const ShownUnit& unit = reading.cycle > 0 ? kEnergyUnit : kForceUnit;
+    q.unit = unit.name;
+    q.decimals = 1;
+    q.reading = place;
+    q.at = reading;
+    return q;
+}
+
+} // namespace
+
+std::vector<TestedQuantity> tested_quantities(const std::vector<TestReading>& readings)
+{
+    const auto of_number = [](const char* name, const char* words, const WallNumber& number,
+                              int decimals, std::optional<double> MeasuredTest::*place,
+                              std::string_view factor_key) {
+        return TestedQuantity{name,    words,    std::string(number.unit.name),
+                              &number, decimals, place,
+                              0,       {},       factor_key};
+    };
+    std::vector<TestedQuantity> all = {
+        of_number("peak", "peak force", wall_number("peak_force"), 1, &MeasuredTest::peak,
+                  "fragility.model_factor_force"),
+        of_number("stiffness", "stiffness", wall_number("secant_stiffness"), 2,
+                  &MeasuredTest::stiffness, ""),
+        of_number("drop", "displacement at the drop", wall_number("ultimate_displacement"), 1,
+                  &MeasuredTest::drop, "fragility.model_factor")};
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        all.push_back(quantity_of(readings[i], i));
+    return all;
+}
+
+std::optional<double> measured(const TestedQuantity& q, const MeasuredTest& t)
+{
+    return q.measured != nullptr ? t.*q.measured : t.readings[q.reading];
+}
+
+double shown(const TestedQuantity& q, const TestedPath& path, const ReadingRules& rules)
+{
+    if (q.number == nullptr)
+        return q.at.cycle > 0 ? energy_of(q.at, path, rules) : force_at(q.at, path, rules);
+    constexpr double kAnyHeight = 1.0;
+    return q.number->unit.scale * q.number->reading(path.wall, kAnyHeight);
+}
+
+} // namespace app
