@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// What the histories of a stored study are made of.
+/// Wall, records and draws of a stored study of histories.
 class ShakenAgain {
   public:
     /// @throws ConfigError where a record is not there any more, or another one
