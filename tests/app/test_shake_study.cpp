@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 #include "app/fragility/fragility_command.hpp"
 #include "app/fragility/intensity_data.hpp"
+#include "app/fragility/intensity_output.hpp"
 #include "app/shake/shake_study.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/stored_histories.hpp"
@@ -177,6 +178,30 @@ void check_one_mode(app::StoredHistories read)
     CHECK(any);
 }
 
+/// Pictures of a study whose histories are changed.
+template <class Change>
+std::vector<std::string> drift_pictures(app::StoredHistories read, Change change)
+{
+    for (app::StoredHistory& h : read.levels.front().histories) change(h);
+    const app::IntensityData data = app::intensity_data(std::move(read), "");
+    const app::AllIntensityFits none = {std::vector<app::IntensityFits>(data.states.size())};
+    std::vector<std::string> pictures;
+    for (const app::NamedPicture& p : app::intensity_pictures(data, none))
+        if (p.name.starts_with("ida_") || p.name.starts_with("cloud_"))
+            pictures.push_back(p.svg);
+    return pictures;
+}
+
+/// Pictures of drifts show drifts, and not what the first state is read from.
+void check_drift_pictures(const app::StoredHistories& read)
+{
+    const auto as_is = drift_pictures(read, [](app::StoredHistory&) {});
+    CHECK(as_is.size() == 2);
+    CHECK(drift_pictures(read, [](app::StoredHistory& h) { h.uplift = 0.5; }) == as_is);
+    const auto moved = drift_pictures(read, [](app::StoredHistory& h) { h.max_drift *= 0.1; });
+    for (std::size_t i = 0; i < as_is.size(); ++i) CHECK(moved[i] != as_is[i]);
+}
+
 } // namespace
 
 TEST_CASE(
@@ -306,6 +331,7 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
     CHECK_THAT(text_of("pelicun_fragility.csv"), Contains("Peak Ground Acceleration,g,"));
     check_modes(all, read);
     check_one_mode(read);
+    check_drift_pictures(read);
     for (const char* const name : {"fragility_0.05_MPa.svg", "ida_0.05_MPa.svg",
                                    "cloud_0.05_MPa.svg", "modes_0.05_MPa.svg"})
         CHECK(fs::exists(study.path / "s" / "pictures" / name));
