@@ -32,11 +32,11 @@ async function measured(times) {
     const page = await openPage(program, { width: 1440, height: 900 });
     try {
         await page.open(file);
-        const [{ id }] = (await page.processes()).filter((p) => p.type === 'renderer').sort((a, b) => b.cpuTime - a.cpuTime);
+        const [{ id, cpuTime: core }] = (await page.processes()).filter((p) => p.type === 'renderer').sort((a, b) => b.cpuTime - a.cpuTime);
         const before = own(id);
         let memory = 0;
         const watch = setInterval(() => (memory = Math.max(memory, own(id))), 100);
-        const first = Number(await page.evaluate(data('first'))) / 1e3;
+        const first = { seconds: Number(await page.evaluate(data('first'))) / 1e3, core };
         const push = await timed(page, 'push', `${data('seconds')} !== undefined`);
         const module = Number(await page.evaluate(data('bytes'))) / 1e6;
         if (times.length > 0) return clearInterval(watch), { first, push, module };
@@ -56,7 +56,8 @@ const rows = [
     ['the page', statSync(file).size / 1e6, 'MB', 1.5],
     ['its module', wasm.length / 1e6, 'MB', null],
     ['its module, compressed', gzipSync(wasm, { level: 9 }).length / 1e6, 'MB', null],
-    ['first picture after opening', least((t) => t.first), 's', 1],
+    ['first picture after opening, seconds of processor', least((t) => t.first.core), 's', 1],
+    ['its time', least((t) => t.first.seconds), 's', null],
     ['push of `configs/wall.ini` by 30 mm, seconds of processor', least((t) => t.push.core), 's', 4],
     ['its time', least((t) => t.push.seconds), 's', null],
     ['fifty random walls of it, seconds of processor', times[0].many.core, 's', 2 * 60],
@@ -73,8 +74,8 @@ writeFileSync(
     `# The page in the browser
 
 Written by \`bash bench/try.sh\` on ${day}: Chromium ${version} without a screen, ${cpus().length} cores of ${cpus()[0].model.trim()}, load before: ${load}.
-Shortest of ${runs} runs; fifty walls and memory: one run. Seconds of processor count all threads of the page, whatever else the machine does: what is asked is a push
-within 4 s of one core, fifty walls within 60 s of two. Memory is private memory of the page's process, looked at ten times a second; code of Chromium that its processes share is not in it.
+Shortest of ${runs} runs; fifty walls and memory: one run. Seconds of processor count all threads of the page, whatever else the machine does: what is asked is a first
+picture within 1 s and a push within 4 s of one core, fifty walls within 60 s of two. Memory is private memory of the page's process, looked at ten times a second; code of Chromium that its processes share is not in it.
 
 | what | measured | at most |
 |---|---:|---:|
