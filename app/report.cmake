@@ -29,6 +29,7 @@ drystone_app_library(report
     report/report_inputs.cpp
     report/report_overview.cpp
     report/report_page.cpp
-    report/report_replay.cpp)
+    report/report_replay.cpp
+    report/shaken_report.cpp)
 target_include_directories(drystone_app_report PUBLIC ${PROJECT_BINARY_DIR}/generated)
-target_link_libraries(drystone_app_report PUBLIC drystone_app_fragility nlohmann_json::nlohmann_json PRIVATE ZLIB::ZLIB)
+target_link_libraries(drystone_app_report PUBLIC drystone_app_fragility drystone_app_shake nlohmann_json::nlohmann_json PRIVATE ZLIB::ZLIB)

@@ -20,4 +20,10 @@ if(HTTPLIB_LIBRARY)
     set_source_files_properties(${http_sources} PROPERTIES
         COMPILE_DEFINITIONS "CPPHTTPLIB_OPENSSL_SUPPORT;CPPHTTPLIB_ZLIB_SUPPORT;CPPHTTPLIB_BROTLI_SUPPORT")
     target_link_libraries(drystone_app_serve PRIVATE ${HTTPLIB_LIBRARY})
+    # From version 0.18 on the header itself calls OpenSSL.
+    file(STRINGS ${HTTPLIB_INCLUDE_DIR}/httplib.h calls_openssl REGEX "OPENSSL_thread_stop" LIMIT_COUNT 1)
+    if(calls_openssl)
+        find_library(CRYPTO_LIBRARY crypto REQUIRED)
+        target_link_libraries(drystone_app_serve PRIVATE ${CRYPTO_LIBRARY})
+    endif()
 endif()

@@ -23,7 +23,7 @@ namespace {
 
 /// Tables in the folder of the name of the file, the page beside it. Walls are filmed while
 /// they are pushed.
-int study_then_report(const Command& study)
+int study_then_report(const Command& study, bool shaken)
 {
     const std::filesystem::path file = study.out;
     Command tables;
@@ -40,13 +40,14 @@ int study_then_report(const Command& study)
     check_fragility(tables);
     check_report(page);
     FilmShelf films;
-    const int code = study_command( // 1 if walls failed: the tables count them
-        study, [&](auto key, auto mode, auto frames) { films.put(key, mode, frames); });
+    const auto film = [&](auto key, auto mode, auto frames) { films.put(key, mode, frames); };
+    // 1 if walls failed: the tables count them
+    const int code = shaken ? shake_study_command(study) : study_command(study, film);
     tables.quiet = page.quiet = study.quiet;
     try {
         const int made =
             std::max({code, fragility_command(tables), report_command(page, films)});
-        std::cout << sheet_offer(file) << '\n';
+        if (!shaken) std::cout << sheet_offer(file) << '\n';
         return made;
     } catch (const Interrupted&) {
         throw Interrupted{"all walls are in " + file.string() +
@@ -57,15 +58,10 @@ int study_then_report(const Command& study)
 /// A whole study ends with its answer; a shard has none.
 int run_study(const Command& command)
 {
-    if (is_shaken(with_overrides(read_study_file(command.study), command.overrides))) {
-        if (command.report)
-            throw ConfigError("drystone", 0, "--report",
-                              "makes the page of pushes, and this study shakes walls; leave it "
-                              "out, and write \"drystone fragility " +
-                                  command.out + "\" afterwards");
-        return shake_study_command(command);
-    }
-    if (command.report) return study_then_report(command);
+    const bool shaken =
+        is_shaken(with_overrides(read_study_file(command.study), command.overrides));
+    if (command.report) return study_then_report(command, shaken);
+    if (shaken) return shake_study_command(command);
     const int code = study_command(command);
     if (command.shard.count == 1 && command.script.empty())
         say_answer(command.out, command.quiet);

@@ -7,17 +7,20 @@ import re
 import shutil
 import sys
 
-COPIED = ["docs", "configs", "examples", "packaging", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE"]
+COPIED = ["docs", "configs", "examples", "packaging", "fragility/codes.json", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE"]
 
 
 def documents(root, out):
     for name in COPIED:
         source, to = root / name, out / name
+        to.parent.mkdir(exist_ok=True)
         shutil.copytree(source, to) if source.is_dir() else shutil.copy(source, to)
     text = (root / "README.md").read_text(encoding="utf-8")
     (out / "index.md").write_text(text.replace("# Drystone\n", "# Drystone\n\n[Push a wall in the browser](try.md){ .md-button .md-button--primary }\n", 1), encoding="utf-8")
-    for page in out.rglob("*.md"):  # of README.md in its new place, and lists that begin without an empty line
+    # README.md has a new place; Markdown of Python knows neither the name of a file behind a fence nor lists that begin without an empty line
+    for page in out.rglob("*.md"):
         text = page.read_text(encoding="utf-8")
+        text = re.sub(r"(?m)^```(\w+) +(\S+)$", r"`\2`:\n\n```\1", text)
         text = re.sub(r"\]\((\.\./)*README\.md", lambda m: m.group(0).replace("README.md", "index.md"), text)
         page.write_text(re.sub(r"(?m)^(?!\s*(?:[-*|>#]|\d+\. ))(\S.*)\n(?=(?:- |\| |1\. ))", r"\1\n\n", text), encoding="utf-8")
 
@@ -45,6 +48,13 @@ def signature(node):
     return f"{node.name}({ast.unparse(node.args)})" + (f" -> {ast.unparse(node.returns)}" if node.returns else "")
 
 
+def exceptions(root):
+    """Classes of the compiled part that derive from others: what the module throws."""
+    tree = ast.parse((root / "python/drystone/_core.pyi").read_text(encoding="utf-8"))
+    thrown = [node for node in tree.body if isinstance(node, ast.ClassDef) and node.bases]
+    return [f"### {node.name}\n\n```python\nclass {node.name}({ast.unparse(node.bases[0])})\n```\n\n{ast.get_docstring(node) or ''}\n" for node in thrown]
+
+
 def reference(root, out):
     """Names without an underscore, with their docstrings, without running anything."""
     pages = []
@@ -59,9 +69,11 @@ def reference(root, out):
             for part in getattr(node, "body", []) if isinstance(node, ast.ClassDef) else []:
                 if isinstance(part, ast.FunctionDef) and not part.name.startswith("_") and ast.get_docstring(part):
                     entries.append(f"#### {node.name}.{part.name}\n\n```python\n{signature(part)}\n```\n\n{ast.get_docstring(part)}\n")
+        if file.stem == "__init__":
+            entries = exceptions(root)
         if entries and file.suffix == ".py":
             module = "drystone" if file.stem.startswith("_") else f"drystone.{file.stem}"
-            pages.append(f"## {module}: {file.stem.strip('_')}\n\n{ast.get_docstring(tree) or ''}\n\n" + "\n".join(entries))
+            pages.append(f"## {module}: {file.stem.strip('_').replace('init', 'errors')}\n\n{ast.get_docstring(tree) or ''}\n\n" + "\n".join(entries))
     (out / "python_reference.md").write_text("# Python reference\n\n" + "\n".join(pages), encoding="utf-8")
     return len(pages)
 

@@ -117,12 +117,14 @@ double response_of(const StoredHistory& h, IntensityResponse of)
     return h.max_drift;
 }
 
-std::vector<fragility::ShakenWallPoint>
-shaken_points(const IntensityData& data, std::size_t level, const IntensityState& state)
+std::vector<fragility::ShakenWallPoint> shaken_points(const IntensityData& data,
+                                                      std::size_t level,
+                                                      const IntensityState& state,
+                                                      std::optional<dem::FailureMode> mode)
 {
     std::vector<fragility::ShakenWallPoint> points;
     for (const StoredHistory& h : data.histories.levels.at(level).histories) {
-        if (h.failed) continue;
+        if (h.failed || (mode && h.mode != *mode)) continue;
         points.push_back({h.wall, h.record, h.measures.at(data.column) / data.unit_value,
                           response_of(h, state.of), h.fell});
     }
@@ -130,12 +132,14 @@ shaken_points(const IntensityData& data, std::size_t level, const IntensityState
 }
 
 IntensityFits intensity_fits(const IntensityData& data, std::size_t level,
-                             const IntensityState& state)
+                             const IntensityState& state, std::optional<dem::FailureMode> mode)
 {
-    const std::vector<fragility::ShakenWallPoint> points = shaken_points(data, level, state);
+    const std::vector<fragility::ShakenWallPoint> points =
+        shaken_points(data, level, state, mode);
     IntensityFits fits;
     for (std::size_t i = 0; i < kIntensityMethods.size(); ++i) {
         const auto method = kIntensityMethods[i].first;
+        if (method == fragility::IntensityMethod::ida && mode) continue;
         if (method == fragility::IntensityMethod::cloud && state.of != IntensityResponse::drift)
             continue;
         fits.by[i] = fragility::fit_clustered(method, points, state.threshold, kElasticDrift,

@@ -3,6 +3,7 @@
 
 #include "app/study/stored_histories.hpp"
 #include "app/text/csv.hpp"
+#include "dem/scene/mechanism.hpp"
 #include "fragility/ida.hpp"
 #include "fragility/intensity_fit.hpp"
 #include "ground/intensity.hpp"
@@ -66,16 +67,20 @@ inline constexpr std::array kIntensityMethods = {
 [[nodiscard]] double response_of(const StoredHistory& history, IntensityResponse of);
 
 /// Histories of a stress that gave numbers; intensities in the unit of the measure.
+/// @param mode of these alone
 [[nodiscard]] std::vector<fragility::ShakenWallPoint>
-shaken_points(const IntensityData& data, std::size_t level, const IntensityState& state);
+shaken_points(const IntensityData& data, std::size_t level, const IntensityState& state,
+              std::optional<dem::FailureMode> mode = {});
 
 /// Fits of one state under one stress, by kIntensityMethods. A residual has no cloud, as it is
-/// often zero, and that of collapse is the stripes.
+/// often zero, and that of collapse is the stripes. Histories of one mode have no IDA: a wall
+/// under a record may change its mode from one intensity to the next.
 struct IntensityFits {
     std::array<std::optional<fragility::ClusteredFit>, kIntensityMethods.size()> by{};
 };
 [[nodiscard]] IntensityFits intensity_fits(const IntensityData& data, std::size_t level,
-                                           const IntensityState& state);
+                                           const IntensityState& state,
+                                           std::optional<dem::FailureMode> mode = {});
 
 /// The fit that stands for a state: stripes, else IDA, else the cloud; nothing where none has a
 /// curve.

@@ -1,5 +1,6 @@
 #include "app/fragility/intensity_output.hpp"
 
+#include "app/fragility/intensity_modes.hpp"
 #include "app/output/cells.hpp"
 #include "app/output/unique_names.hpp"
 #include "app/study/fragility_text.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -85,10 +87,7 @@ Table limit_table_of(const IntensityData& data, const AllIntensityFits& fits)
                             "No curve: " + c->fit.reason + ".");
                     continue;
                 }
-                const auto& curve = c->fit.curve;
-                row = joined(std::move(row),
-                             {limit_number(curve.median, c->median, decimals_for(curve.median)),
-                              limit_number(curve.dispersion, c->dispersion, 3)});
+                row = joined(std::move(row), intensity_curve_cells(*c));
                 row = joined(joined(std::move(row), counts), rate_cells(data, *c));
                 add_row(t, std::move(row),
                         c->reason.empty() ? "" : "No interval: " + c->reason + ".");
@@ -317,6 +316,13 @@ std::string intensity_remarks(const IntensityData& data)
 
 } // namespace
 
+Row intensity_curve_cells(const ClusteredFit& c)
+{
+    const auto& curve = c.fit.curve;
+    return {limit_number(curve.median, c.median, decimals_for(curve.median)),
+            limit_number(curve.dispersion, c.dispersion, 3)};
+}
+
 std::string level_file(const HistoryLevel& level)
 {
     return plain_name(stress_text(level.stress), "stress");
@@ -375,11 +381,13 @@ FragilityOutput intensity_output(const IntensityData& data)
         }
     output.tables = {{"intensity_limits", std::move(limits), true, std::move(main)},
                      {"intensity_stripes", stripe_table(data), true},
+                     {"intensity_modes", intensity_mode_table(data), true},
                      {"intensity_scatter", scatter_table(data)},
                      {"intensity_measures", measure_table(data)},
                      {"intensity_fractiles", fractile_table(data)},
                      {"histories", history_table(data)}};
     output.pictures = intensity_pictures(data, fits);
+    std::ranges::move(intensity_mode_pictures(data), std::back_inserter(output.pictures));
     output.pelicun = intensity_pelicun_csv(data, fits);
     output.openquake = openquake_xml(data, fits);
     make_names_unique(output);

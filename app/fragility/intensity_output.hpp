@@ -11,6 +11,9 @@ namespace app {
 
 [[nodiscard]] FragilityOutput intensity_output(const IntensityData& data);
 
+/// Median and dispersion of a curve with their intervals.
+[[nodiscard]] Row intensity_curve_cells(const fragility::ClusteredFit& fit);
+
 /// All fits, by stress and state.
 using AllIntensityFits = std::vector<std::vector<IntensityFits>>;
 

@@ -13,6 +13,9 @@ namespace {
 constexpr std::size_t kCurvePoints = 120;
 constexpr std::size_t kMostThin = 100; ///< curves of single walls under single records
 
+/// Pictures of drifts, whichever states the study asks for.
+const IntensityState kAnyDrift{"drift", IntensityResponse::drift, 0.0};
+
 double largest_intensity(const std::vector<fragility::ShakenWallPoint>& points)
 {
     double most = 0.0;
@@ -98,7 +101,7 @@ NamedPicture ida_of(const IntensityData& data, std::size_t level)
     c.x_label = "largest drift [%]";
     c.y_label = data.measure_name + " [" + data.unit + "]";
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::pair<double, double>>> pairs;
-    for (const auto& p : shaken_points(data, level, data.states.front()))
+    for (const auto& p : shaken_points(data, level, kAnyDrift))
         if (!p.fell) pairs[{p.wall, p.record}].emplace_back(p.intensity, 100.0 * p.response);
     std::size_t drawn = 0;
     for (auto& [pair, steps] : pairs) {
@@ -145,7 +148,7 @@ NamedPicture cloud_of(const IntensityData& data, std::size_t level)
     stood.name = "stood";
     fell.name = "fell";
     std::vector<fragility::CloudPoint> points;
-    for (const auto& p : shaken_points(data, level, data.states.front())) {
+    for (const auto& p : shaken_points(data, level, kAnyDrift)) {
         Series& s = p.fell ? fell : stood;
         const double drift = std::max(p.response, kElasticDrift);
         s.x.push_back(p.intensity);

@@ -103,7 +103,7 @@ std::vector<Option> table()
              c.mean_wall = v == "mean";
              if (!c.mean_wall) c.sample = whole_number(v, 0, 1e9);
          }},
-        {"film", "", "write a moving picture of the push, film.svg, for a page or a talk; with a name, --film wall.gif or wall.webm, that file too (needs ffmpeg)", "push", false,
+        {"film", "", "write a moving picture of the push or the shaking, film.svg, for a page or a talk; of a push with a name, --film wall.gif or wall.webm, that file too (needs ffmpeg)", "push shake", false,
          [](Command& c, Text) { c.film = true; }},
         {"beside", "TEST.csv", "draw a measured curve (displacement_mm,force_kN) in the pictures of the curve; may be repeated", "push", true,
          [](Command& c, Text v) { c.beside.push_back(some_text(v)); }},

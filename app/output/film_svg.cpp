@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -22,16 +23,27 @@ constexpr double kRoomLeft = 78.0, kRoomRight = 14.0, kRoomBelow = 28.0; // arou
 constexpr double kSeconds = 8.0;
 constexpr int kMostShapes = 5'600; // frames times moving shapes: 0.4 MB
 
+/// How the wall moves, with its curve.
+struct Scenario {
+    MovingWall film;
+    Chart chart;                       ///< its first series is the curve
+    std::vector<Pixel> dots;           ///< on the curve, one for each frame [of the axes]
+    std::vector<std::string> captions; ///< as many
+    bool pushed = true;                ///< an arrow pushes it
+};
+
+std::string moved_text(const dem::Snapshot& wall, double load_height)
+{
+    return fixed(wall.displacement * 1e3, 1) + " mm,  drift " +
+           fixed(fragility::percent_drift(wall.displacement, load_height), 2) + " %";
+}
+
 /// Texts of which one is seen at a time.
-std::string captions(const MovingWall& film, Pixel at, double load_height)
+std::string moving_captions(const MovingWall& film, const std::vector<std::string>& texts,
+                            Pixel at)
 {
     std::string drawn;
     for (std::size_t i = 0; i < film.frames.size(); ++i) {
-        const dem::Snapshot& wall = *film.frames[i];
-        const std::string text =
-            fixed(wall.displacement * 1e3, 1) + " mm,  drift " +
-            fixed(fragility::percent_drift(wall.displacement, load_height), 2) + " %,  " +
-            fixed(wall.force * 1e-3, 1) + " kN";
         const bool last = i + 1 == film.frames.size();
         const std::size_t all = film.frames.size() + film.frames.size() / kFilmHold - 1;
         const auto time = [&](std::size_t k) {
@@ -41,7 +53,8 @@ std::string captions(const MovingWall& film, Pixel at, double load_height)
         const std::string before = i > 0 ? "hidden;" : "", from = i > 0 ? "0;" : "",
                           after = last ? "" : ";hidden", to = last ? "" : ";" + time(i + 1);
         drawn += "<text x=\"" + svg_number(at.x) + "\" y=\"" + svg_number(at.y) +
-                 "\" visibility=\"" + (last ? "visible" : "hidden") + "\">" + xml_escape(text) +
+                 "\" visibility=\"" + (last ? "visible" : "hidden") + "\">" +
+                 xml_escape(texts[i]) +
                  "<animate attributeName=\"visibility\" calcMode=\"discrete\" values=\"" +
                  before + "visible" + after + "\" keyTimes=\"" + from + time(i) + to + "\" " +
                  film.clock + "/></text>\n";
@@ -93,21 +106,22 @@ Chart curve_chart(std::span<const double> displacement, std::span<const double> 
     return chart;
 }
 
-std::string moving_dot(const MovingWall& film, const ChartFrame& frame)
+std::string moving_dot(const Scenario& s, const ChartFrame& frame)
 {
     std::vector<std::string> x, y;
-    for (const dem::Snapshot* wall : film.frames) {
-        const Pixel p = frame.place(wall->displacement * 1e3, wall->force * 1e-3);
+    for (const Pixel dot : s.dots) {
+        const Pixel p = frame.place(dot.x, dot.y);
         x.push_back(svg_number(p.x));
         y.push_back(svg_number(p.y));
     }
     return "<circle r=\"6\" cx=\"" + x.back() + "\" cy=\"" + y.back() +
            "\" fill=\"#d55e00\" stroke=\"white\" stroke-width=\"2\">" +
-           svg_motion(film, "cx", x) + svg_motion(film, "cy", y) + "</circle>\n";
+           svg_motion(s.film, "cx", x) + svg_motion(s.film, "cy", y) + "</circle>\n";
 }
 
-std::string moving_curve(const MovingWall& film, const Chart& chart)
+std::string moving_curve(const Scenario& scenario)
 {
+    const Chart& chart = scenario.chart;
     const ChartFrame frame = lay_out_chart(chart);
     std::vector<Pixel> points;
     const Series& s = chart.series.front();
@@ -117,7 +131,7 @@ std::string moving_curve(const MovingWall& film, const Chart& chart)
                          ")\"",
                      draw_frame(chart, frame) +
                          svg_polyline(points, line_attributes(s, frame.colours.front())) +
-                         moving_dot(film, frame));
+                         moving_dot(scenario, frame));
 }
 
 /// At most as many as asked for, with the first and the last.
@@ -157,26 +171,59 @@ WallView film_view(const std::vector<const dem::Snapshot*>& frames)
 }
 
 /// One film, or one picture of it: seen by what plays nothing, the last of film.frames.
-std::string film_page(const MovingWall& film, std::span<const double> displacement,
-                      std::span<const double> force, const FilmText& text)
+std::string film_page(const Scenario& scenario, const FilmText& text)
 {
+    const MovingWall& film = scenario.film;
     const WallBox rest = box_of(film.frames.front()->blocks, 0.0);
     const Pixel left = film.view.place({rest.low.x, rest.low.z}),
                 right = film.view.place({rest.high.x, rest.low.z});
     const std::string wall = moving_wall(film, text.tints);
     const std::string body =
         svg_text({24.0, 30.0}, text.title, "font-size=\"18\" font-weight=\"bold\"") +
-        captions(film, {24.0, 54.0}, text.load_height) +
+        moving_captions(film, scenario.captions, {24.0, 54.0}) +
         svg_text({kWide - 24.0, 30.0}, "displacements drawn × " + number(film.view.scale, 6),
                  "fill=\"#666\" text-anchor=\"end\"") +
         svg_window({0.0, kTop}, kWallWide, kHigh - kTop,
                    wall +
                        svg_line({left.x - 16.0, left.y}, {right.x + 16.0, right.y},
                                 svg_stroke("#444", 2.0)) +
-                       moving_arrow(film, text.load_height)) +
-        moving_curve(film, curve_chart(displacement, force, text.load_height));
-    return svg_page(kWide, kHigh, text.title.empty() ? "A wall that is pushed" : text.title,
-                    body);
+                       (scenario.pushed ? moving_arrow(film, text.load_height) : "")) +
+        moving_curve(scenario);
+    return svg_page(kWide, kHigh, text.title.empty() ? "A wall that moves" : text.title, body);
+}
+
+Scenario push_of(MovingWall film, std::span<const double> displacement,
+                 std::span<const double> force, const FilmText& text)
+{
+    Scenario s{std::move(film), curve_chart(displacement, force, text.load_height), {}, {}};
+    for (const dem::Snapshot* wall : s.film.frames) {
+        s.dots.push_back({wall->displacement * 1e3, wall->force * 1e-3});
+        s.captions.push_back(moved_text(*wall, text.load_height) + ",  " +
+                             fixed(wall->force * 1e-3, 1) + " kN");
+    }
+    return s;
+}
+
+Chart history_chart(const ShakenFrames& shaken, double load_height)
+{
+    Chart chart;
+    chart.x_label = "Time [s]";
+    chart.y_label = "Drift [%]";
+    chart.width = kWide - kWallWide;
+    chart.height = kHigh - kTop;
+    Series curve{.colour = "#0072B2", .width = 1.5};
+    for (std::size_t i = 0; i < shaken.time.size(); ++i) {
+        curve.x.push_back(shaken.time[i]);
+        curve.y.push_back(fragility::percent_drift(shaken.displacement[i], load_height));
+    }
+    chart.series.push_back(std::move(curve));
+    return chart;
+}
+
+/// Time from its beginning to its beginning again, with the last frame held.
+std::string film_clock(double seconds)
+{
+    return svg_attribute("dur", number(seconds, 3) + "s") + "repeatCount=\"indefinite\"";
 }
 
 void check_film(std::span<const dem::Snapshot> frames, const FilmText& text)
@@ -199,8 +246,28 @@ std::string film_svg(std::span<const dem::Snapshot> frames,
                    kFewestPictures, kFilmPictures));
     MovingWall film{chosen(frames, most), {}, {}};
     film.view = film_view(film.frames);
-    film.clock = svg_attribute("dur", number(kSeconds, 3) + "s") + "repeatCount=\"indefinite\"";
-    return film_page(film, displacement, force, text);
+    film.clock = film_clock(kSeconds);
+    return film_page(push_of(std::move(film), displacement, force, text), text);
+}
+
+std::string shaken_film_svg(const ShakenFrames& shaken, const FilmText& text)
+{
+    check_film(shaken.frames, text);
+    MovingWall film{chosen(shaken.frames, shaken.frames.size()), {}, {}};
+    film.view = film_view(film.frames);
+    const std::size_t n = shaken.frames.size();
+    const double apart =
+        (shaken.frame_times.back() - shaken.frame_times.front()) / static_cast<double>(n - 1);
+    film.clock = film_clock(apart * static_cast<double>(n - 1 + n / kFilmHold));
+    Scenario s{std::move(film), history_chart(shaken, text.load_height), {}, {}, false};
+    for (std::size_t i = 0; i < n; ++i) {
+        const dem::Snapshot& wall = shaken.frames[i];
+        s.dots.push_back({shaken.frame_times[i],
+                          fragility::percent_drift(wall.displacement, text.load_height)});
+        s.captions.push_back(fixed(shaken.frame_times[i], 2) + " s,  " +
+                             moved_text(wall, text.load_height));
+    }
+    return film_page(s, text);
 }
 
 std::vector<std::string> film_stills(std::span<const dem::Snapshot> frames,
@@ -212,8 +279,9 @@ std::vector<std::string> film_stills(std::span<const dem::Snapshot> frames,
     const WallView view = film_view(film.frames);
     std::vector<std::string> stills;
     for (const dem::Snapshot* const frame : film.frames)
-        stills.push_back(film_page({{film.frames.front(), frame}, view, "dur=\"1s\""},
-                                   displacement, force, text));
+        stills.push_back(film_page(push_of({{film.frames.front(), frame}, view, "dur=\"1s\""},
+                                           displacement, force, text),
+                                   text));
     return stills;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A moving picture of one push, for pages that take a picture and no script: the wall, and its
-/// capacity curve with a dot.
+/// A moving picture of one push, or of one shaking, for pages that take a picture and no
+/// script: the wall, and its curve with a dot.
 
 #include "app/output/wall_body.hpp"
 #include "dem/scene/snapshot.hpp"
@@ -31,7 +31,19 @@ struct FilmText {
                                    std::span<const double> displacement,
                                    std::span<const double> force, const FilmText& text);
 
-/// The same film as pictures that stand still, for programs that make a film of them.
+/// A wall on ground that moves.
+struct ShakenFrames {
+    std::span<const dem::Snapshot> frames;      ///< two or more, at equal times
+    std::span<const double> frame_times;        ///< [s], as many
+    std::span<const double> time, displacement; ///< the whole history [s], of the top [m]
+};
+
+/// The film of a wall that is shaken, in real time, with all its frames; beside it the drift
+/// over the time with a dot.
+/// @throws as film_svg()
+[[nodiscard]] std::string shaken_film_svg(const ShakenFrames& shaken, const FilmText& text);
+
+/// A push as pictures that stand still, for programs that make a film of them.
 /// @throws as film_svg()
 [[nodiscard]] std::vector<std::string> film_stills(std::span<const dem::Snapshot> frames,
                                                    std::span<const double> displacement,

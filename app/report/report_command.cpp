@@ -9,6 +9,9 @@
 #include "app/report/report_choice.hpp"
 #include "app/report/report_data.hpp"
 #include "app/report/report_page.hpp"
+#include "app/report/shaken_report.hpp"
+#include "app/store/store_reader.hpp"
+#include "app/study/history_names.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/text/json_text.hpp"
@@ -136,6 +139,7 @@ int report_command(const Command& command, const FilmShelf& shelf)
     check_is_study(file);
     check_report(command);
     catch_interrupts();
+    if (holds_histories(read_head(file))) return shaken_report_command(command);
     const StudyWalls study = read_study_walls(file, command.overrides, Keep::everything);
     const std::string title =
         command.title.empty() ? "Drystone study " + file.stem().string() : command.title;

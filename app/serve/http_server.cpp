@@ -47,6 +47,16 @@ class Server final : public httplib::Server {
     void lengthen_queue() { ::listen(svr_sock_, kWaiting); }
 
   private:
+    /// Version 0.18 of the library takes the addresses of both sides, which nothing here reads.
+    template <class Library>
+    static bool answer(Library& server, HttpConnection& connection, bool& closed)
+    {
+        if constexpr (requires { server.process_request(connection, false, closed, nullptr); })
+            return server.process_request(connection, false, closed, nullptr);
+        else
+            return server.process_request(connection, "", 0, "", 0, false, closed, nullptr);
+    }
+
     bool process_and_close_socket(socket_t socket) override
     {
         const std::function<bool()> ended = [this] { return svr_sock_ == INVALID_SOCKET; };
@@ -55,8 +65,8 @@ class Server final : public httplib::Server {
         while (goes_on && !ended() && connection.next_request()) {
             hang_up = false;
             bool closed = false;
-            goes_on = process_request(connection, false, closed, nullptr) && !closed &&
-                      !hang_up && !connection.is_broken();
+            goes_on = answer(*this, connection, closed) && !closed && !hang_up &&
+                      !connection.is_broken();
         }
         connection.say_goodbye();
         ::close(socket);
@@ -101,8 +111,8 @@ Body read_body(const httplib::Request& request, const httplib::Response& respons
 std::vector<std::string> sent(const httplib::Request& request, const char* header)
 {
     std::vector<std::string> values;
-    for (std::size_t i = 0; i < request.get_header_value_count(header); ++i)
-        values.push_back(request.get_header_value(header, i));
+    const auto [first, last] = request.headers.equal_range(header);
+    for (auto at = first; at != last; ++at) values.push_back(at->second);
     return values;
 }
 

@@ -104,6 +104,14 @@ std::vector<std::string> record_lines_of(const ShakingRecords& records)
     return lines;
 }
 
+std::vector<std::uint32_t> stored_walls(const StoreHead& head, const HistoryPlan& plan)
+{
+    std::vector<std::uint32_t> sizes = head.design_sizes;
+    for (std::uint32_t& size : sizes)
+        size /= static_cast<std::uint32_t>(histories_per_wall(plan));
+    return sizes;
+}
+
 StoreHead history_head(const Study& study, const HistoryPlan& plan, const SamplePlan& samples,
                        std::vector<std::uint32_t> walls)
 {

@@ -35,6 +35,10 @@ struct HistoryOf {
 /// The lines of the study's identity about its records: name, samples, check sum.
 [[nodiscard]] std::vector<std::string> record_lines_of(const ShakingRecords& records);
 
+/// Sizes through which the design of the walls of a file has grown.
+[[nodiscard]] std::vector<std::uint32_t> stored_walls(const StoreHead& head,
+                                                      const HistoryPlan& plan);
+
 /// @param walls sizes through which the design of walls has grown
 [[nodiscard]] StoreHead history_head(const Study& study, const HistoryPlan& plan,
                                      const SamplePlan& samples,

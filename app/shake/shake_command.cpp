@@ -9,12 +9,14 @@
 #include "app/output/wall_svg.hpp"
 #include "app/shake/shake_files.hpp"
 #include "app/shake/shake_wall.hpp"
+#include "app/shake/shaken_film.hpp"
 #include "app/shake/shaking_motions.hpp"
 #include "app/study/drawn_wall.hpp"
 #include "app/study/interrupt.hpp"
 #include "app/study/study_walls.hpp"
 #include "app/study/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 #include "fragility/drift.hpp"
 
 #include <filesystem>
@@ -65,6 +67,9 @@ int shake_command(const Command& command)
 {
     if (command.study.ends_with(".h5"))
         throw ConfigError(command.study, 0, "", "shake reads a study file; give STUDY.ini");
+    if (!command.video.empty())
+        throw ConfigError("drystone", 0, "--film",
+                          "shake writes film.svg; leave out " + in_quotes(command.video));
     const StudySource source = study_source(command.study, command.overrides);
     const std::vector<ShakingMotion> motions = shaking_motions(source.ready.study);
     const std::vector<WantedWall> wanted =
@@ -79,8 +84,8 @@ int shake_command(const Command& command)
         folders.emplace_back(motions.size() == 1
                                  ? std::string()
                                  : std::string(unique.add(plain_name(m.name, "motion"))));
-        for (const char* const name :
-             {"study.ini", "summary.json", "history.csv", "history.svg", "wall.svg"})
+        for (const char* const name : {"study.ini", "summary.json", "history.csv",
+                                       "history.svg", "wall.svg", "film.svg"})
             names.push_back(folders.back() / name);
     }
     std::cerr << study_notes(ready, command.verb);
@@ -98,15 +103,18 @@ int shake_command(const Command& command)
             progress.emplace(std::cerr, stderr_progress(command.quiet), steady_seconds);
         progress->update(done, m.name + ", " + fixed(top * 1e3, 1) + " mm");
     };
-    shake_wall(ready, wall, motions, seen, [&](ShakenWall&& shaken) {
-        if (progress) progress->finish(shaken.motion.name);
-        progress.reset();
-        const std::string picture =
-            shake_failed(shaken.result) ? "" : shaken_picture(ready, shaken);
-        for (OutputFile& f : shake_files(shaken, text, picture))
-            files.push_back({folders[walls.size()] / f.name, std::move(f.content)});
-        walls.push_back(std::move(shaken));
-    });
+    shake_wall(ready, wall, motions, command.film ? kShakenFrame : 0.0, seen,
+               [&](ShakenWall&& shaken) {
+                   if (progress) progress->finish(shaken.motion.name);
+                   progress.reset();
+                   const bool failed = shake_failed(shaken.result);
+                   const std::string picture = failed ? "" : shaken_picture(ready, shaken);
+                   const std::string film =
+                       failed ? "" : shaken_film(shaken, stone_tints(ready.layout));
+                   for (OutputFile& f : shake_files(shaken, text, picture, film))
+                       files.push_back({folders[walls.size()] / f.name, std::move(f.content)});
+                   walls.push_back(std::move(shaken));
+               });
     write_results(command.out, files, kShakeList);
     std::cout << as_text(shaken_table(walls), terminal_width())
               << "verified against closed forms, not validated\nwritten to " << command.out

@@ -86,7 +86,7 @@ double peak_ground_g(const ShakenWall& w)
 }
 
 std::vector<OutputFile> shake_files(const ShakenWall& w, const std::string& study,
-                                    const std::string& wall_picture)
+                                    const std::string& wall_picture, const std::string& film)
 {
     std::vector<OutputFile> files = {{"study.ini", study},
                                      {"summary.json", shaken_summary(w, study)}};
@@ -94,6 +94,7 @@ std::vector<OutputFile> shake_files(const ShakenWall& w, const std::string& stud
     files.push_back({"history.csv", shaken_history_csv(w.result)});
     files.push_back({"history.svg", shaken_history_svg(w)});
     files.push_back({"wall.svg", wall_picture});
+    if (!film.empty()) files.push_back({"film.svg", film});
     return files;
 }
 

@@ -27,8 +27,10 @@ struct ShakenWall {
 [[nodiscard]] std::string shaken_summary(const ShakenWall& wall, const std::string& study);
 
 /// @param study text of study.ini
-/// @param tint of the picture: title, load and stones are set by the caller
-[[nodiscard]] std::vector<OutputFile>
-shake_files(const ShakenWall& wall, const std::string& study, const std::string& wall_picture);
+/// @param film empty: none
+[[nodiscard]] std::vector<OutputFile> shake_files(const ShakenWall& wall,
+                                                  const std::string& study,
+                                                  const std::string& wall_picture,
+                                                  const std::string& film = {});
 
 } // namespace app

@@ -181,9 +181,7 @@ std::vector<std::uint32_t> wall_sizes(const Study& study, const HistoryPlan& pla
 {
     const std::uint32_t samples = samples_of(study);
     std::vector<std::uint32_t> sizes;
-    if (fs::exists(file)) sizes = read_head(file).design_sizes;
-    for (std::uint32_t& size : sizes)
-        size /= static_cast<std::uint32_t>(histories_per_wall(plan));
+    if (fs::exists(file)) sizes = stored_walls(read_head(file), plan);
     if (sizes.empty() || samples > sizes.back()) sizes.push_back(samples);
     if (samples < sizes.back()) sizes = {samples}; // fewer than there are: refused later
     return sizes;

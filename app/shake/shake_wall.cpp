@@ -23,8 +23,8 @@ PreparedStudy shaken_study(PreparedStudy ready, int sample)
 }
 
 void shake_wall(const PreparedStudy& ready, const WantedWall& wall,
-                const std::vector<ShakingMotion>& motions, const ShakeProgress& seen,
-                const std::function<void(ShakenWall&&)>& finished)
+                const std::vector<ShakingMotion>& motions, double frame_every,
+                const ShakeProgress& seen, const std::function<void(ShakenWall&&)>& finished)
 {
     const Study& study = ready.study;
     const Study moving = moving_study(study);
@@ -38,6 +38,7 @@ void shake_wall(const PreparedStudy& ready, const WantedWall& wall,
     all.damps = study.shaking.contact_damping > 0.0;
     all.history = [&](std::size_t i) {
         dem::ShakePlan plan = shake_plan(study, motions[i]);
+        plan.snapshot_every = frame_every;
         plan.progress = [&, i](double done, double top) {
             shares[i] = done;
             const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);

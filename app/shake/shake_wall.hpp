@@ -22,10 +22,11 @@ using ShakeProgress =
 
 /// Shakes the wall under all motions side by side, in the lanes of a register.
 /// @param ready as shaken_study gives it
+/// @param frame_every time between the snapshots that are kept [s]; 0: none
 /// @param finished takes each history, in the order of the motions, when all are there
 /// @throws ConfigError where the wall cannot be shaken
 void shake_wall(const PreparedStudy& ready, const WantedWall& wall,
-                const std::vector<ShakingMotion>& motions, const ShakeProgress& seen,
-                const std::function<void(ShakenWall&&)>& finished);
+                const std::vector<ShakingMotion>& motions, double frame_every,
+                const ShakeProgress& seen, const std::function<void(ShakenWall&&)>& finished);
 
 } // namespace app

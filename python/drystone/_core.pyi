@@ -8,9 +8,15 @@ from numpy.typing import ArrayLike
 __version__: str
 __solver_revision__: int
 
-class ConfigError(ValueError): ...
-class StoreError(OSError): ...
-class NoFit(ValueError): ...
+class ConfigError(ValueError):
+    """A study file or a value is wrong: file:line: key: reason and remedy."""
+
+class StoreError(OSError):
+    """A file of results cannot be read, or is not one."""
+
+class NoFit(ValueError):
+    """No law can be fitted to these values."""
+
 
 def lanes() -> int: ...
 

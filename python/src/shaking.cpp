@@ -51,7 +51,7 @@ std::vector<py::dict> shake(const std::shared_ptr<LoadedStudy>& study,
     std::vector<app::ShakenWall> walls;
     beside_python([&](Caller& python) {
         app::shake_wall(
-            shaken, wanted, motions,
+            shaken, wanted, motions, 0.0,
             [&](const app::ShakingMotion&, double, double) { python.end_if_asked(); },
             [&](app::ShakenWall&& wall) { walls.push_back(std::move(wall)); });
     });

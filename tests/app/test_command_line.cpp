@@ -109,9 +109,10 @@ TEST_CASE("command line: help tells of an option, with its hyphens or without",
         CHECK(has(text, "--" + option.name));
         CHECK(has(text, option.meaning));
     }
-    CHECK(help("--film") == "--film\n      write a moving picture of the push, film.svg, for a "
-                            "page or a talk; with a name, --film wall.gif or wall.webm, that "
-                            "file too (needs ffmpeg)\n  taken by  push\n");
+    CHECK(help("--film") == "--film\n      write a moving picture of the push or the shaking, "
+                            "film.svg, for a page or a talk; of a push with a name, --film "
+                            "wall.gif or wall.webm, that file too (needs ffmpeg)\n"
+                            "  taken by  push, shake\n");
     const app::Command gif = parse({"push", "--film", "wall.gif", "wall.ini"});
     CHECK(gif.film);
     CHECK(gif.video == "wall.gif");

@@ -116,6 +116,36 @@ TEST_CASE("film: larger walls have fewer frames, and the file stays small", "[ap
         for (const auto& motion : elements(shape, "animate")) CHECK(values_of(motion) < 20);
 }
 
+TEST_CASE("film: a shaken wall goes to and fro in real time, with a dot on its history",
+          "[app][film_svg]")
+{
+    constexpr int kFrames = 51;
+    constexpr double kApart = 0.05;
+    Scene s = scene(kFrames, false);
+    std::vector<double> times, history_times, history;
+    for (int i = 0; i < kFrames; ++i) {
+        times.push_back(3.0 + kApart * i);
+        s.frames[static_cast<std::size_t>(i)].displacement = 0.01 * std::sin(0.5 * i);
+    }
+    for (int i = 0; i <= 1000; ++i) {
+        history_times.push_back(0.01 * i);
+        history.push_back(0.01 * std::sin(0.5 * (history_times.back() - 3.0) / kApart));
+    }
+    const std::string film = app::shaken_film_svg({s.frames, times, history_times, history},
+                                                  {.title = "a record", .load_height = 1.0});
+    const auto page = scenes::parse_xml(film);
+    const auto motions = elements(elements(page, "circle").at(0), "animate");
+    REQUIRE(motions.size() == 2);
+    const std::string clock = scenes::attribute(motions[0], "dur");
+    const double held = kFrames / 5;
+    CHECK(std::stod(clock) == Approx(kApart * (kFrames - 1 + held)));
+    CHECK(values_of(motions[0]) == kFrames + kFrames / 5);
+    CHECK(film.find("4.00 s,  ") != film.npos);
+    CHECK(film.find("mm,  drift -0.") != film.npos);
+    CHECK(film.find(" kN") == film.npos); // nothing pushes it
+    CHECK(film.find("Time [s]") != film.npos);
+}
+
 TEST_CASE("film: its pictures show the frames one after the other, from one place",
           "[app][film_svg]")
 {

@@ -10,6 +10,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -54,7 +57,8 @@ class ShakeFolder {
     fs::path path =
         fs::temp_directory_path() / ("drystone_shake_" + std::to_string(::getpid()));
 
-    [[nodiscard]] int shake(const std::string& rest) const
+    [[nodiscard]] int shake(const std::string& rest, bool film = false,
+                            const std::string& video = {}) const
     {
         std::ofstream(path / "study.ini") << kWall << rest;
         app::Command c;
@@ -62,6 +66,8 @@ class ShakeFolder {
         c.words = {c.study};
         c.out = (path / "out").string();
         c.quiet = true;
+        c.film = film;
+        c.video = video;
         const scenes::Terminal terminal;
         return app::shake_command(c);
     }
@@ -154,4 +160,31 @@ TEST_CASE("shake command: bad input is refused with its place and a remedy", "[a
     const ShakeFolder folder;
     CHECK_THROWS_WITH(static_cast<void>(folder.shake(c.rest)), Contains(c.says));
     CHECK_FALSE(fs::exists(folder.path / "out"));
+}
+
+TEST_CASE("shake command: the film shows the history where the wall is farthest out",
+          "[app][shake]")
+{
+    constexpr const char* kPulse = R"([load]
+vertical_stress = 0.05 MPa
+mass = floor
+[shaking]
+records = half_sine(peak 0.5 g, duration 0.3 s)
+)";
+    const ShakeFolder folder;
+    REQUIRE(folder.shake(kPulse) == 0);
+    const std::string still = folder.text("history.csv");
+    CHECK_FALSE(fs::exists(folder.path / "out/film.svg"));
+    REQUIRE(folder.shake(kPulse, true) == 0);
+    CHECK(folder.text("history.csv") == still); // looking changes nothing
+    const std::string film = folder.text("film.svg");
+    const auto most =
+        app::json_of(folder.text("summary.json"))["max_drift_percent"].get<double>();
+    double seen = 0.0;
+    for (std::size_t at = film.find("drift "); at != film.npos;
+         at = film.find("drift ", at + 1))
+        seen = std::max(seen, std::abs(std::strtod(film.c_str() + at + 6, nullptr)));
+    CHECK(seen == Approx(most).epsilon(0.05));
+    CHECK_THROWS_WITH(folder.shake(kPulse, true, "wall.gif"),
+                      Contains("--film: shake writes film.svg; leave out \"wall.gif\""));
 }

@@ -1,5 +1,7 @@
 #include "app/commands.hpp"
 #include "app/fragility/fragility_command.hpp"
+#include "app/fragility/intensity_data.hpp"
+#include "app/fragility/intensity_output.hpp"
 #include "app/shake/shake_study.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/stored_histories.hpp"
@@ -11,6 +13,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <filesystem>
 #include <fstream>
@@ -118,6 +121,85 @@ bool same_rows(const std::vector<app::WallRow>& a, const std::vector<app::WallRo
             bits_of(a[i].responses) != bits_of(b[i].responses))
             return false;
     return true;
+}
+
+double cell(const app::Json& row, const char* head)
+{
+    const app::Json& value = row.at(head);
+    return value.is_null() ? 0.0 : value.get<double>();
+}
+
+/// Histories of the modes are together all of them; each mode's curve is of its own histories.
+void check_modes(const app::Json& all, const app::StoredHistories& read)
+{
+    const app::Json& table = all["tables"]["intensity_modes"];
+    const app::Json& limits = all["tables"]["intensity_limits"];
+    std::map<std::string, double> n, reached, share;
+    std::set<std::string> modes;
+    for (const app::Json& row : table["rows"]) {
+        const std::string state = row.at("state");
+        n[state] += cell(row, "n");
+        reached[state] += cell(row, "reached");
+        share[state] += cell(row, "share [%]");
+        modes.insert(row.at("mode"));
+        const auto of_mode = std::ranges::count_if(
+            read.levels.front().histories, [&](const app::StoredHistory& h) {
+                return row.at("mode") == std::string(dem::name(h.mode));
+            });
+        CHECK(cell(row, "n") == static_cast<double>(of_mode));
+    }
+    CHECK(modes.size() >= 2);
+    for (const app::Json& row : limits["rows"]) {
+        if (row.at("method") != "stripes") continue;
+        const std::string state = row.at("state");
+        CAPTURE(state);
+        CHECK(n.at(state) == cell(row, "n"));
+        CHECK(reached.at(state) == cell(row, "reached"));
+        if (reached.at(state) > 0.0) CHECK(share.at(state) == Approx(100.0));
+    }
+}
+
+/// Histories that all have one mode have its curve, which is that of all stripes.
+void check_one_mode(app::StoredHistories read)
+{
+    for (app::StoredHistory& h : read.levels.front().histories)
+        h.mode = dem::FailureMode::sliding;
+    const app::IntensityData data = app::intensity_data(std::move(read), "");
+    bool any = false;
+    for (const app::IntensityState& s : data.states) {
+        const auto stripes = app::intensity_fits(data, 0, s).by[0];
+        const auto sliding = app::intensity_fits(data, 0, s, dem::FailureMode::sliding);
+        CHECK_FALSE(sliding.by[1]); // IDA
+        CHECK(sliding.by[0]->fit.curve.median == stripes->fit.curve.median);
+        any = any || stripes->fit.curve.median > 0.0;
+        const auto rocking = app::intensity_fits(data, 0, s, dem::FailureMode::rocking);
+        CHECK(rocking.by[0]->fit.n == 0.0);
+    }
+    CHECK(any);
+}
+
+/// Pictures of a study whose histories are changed.
+template <class Change>
+std::vector<std::string> drift_pictures(app::StoredHistories read, Change change)
+{
+    for (app::StoredHistory& h : read.levels.front().histories) change(h);
+    const app::IntensityData data = app::intensity_data(std::move(read), "");
+    const app::AllIntensityFits none = {std::vector<app::IntensityFits>(data.states.size())};
+    std::vector<std::string> pictures;
+    for (const app::NamedPicture& p : app::intensity_pictures(data, none))
+        if (p.name.starts_with("ida_") || p.name.starts_with("cloud_"))
+            pictures.push_back(p.svg);
+    return pictures;
+}
+
+/// Pictures of drifts show drifts, and not what the first state is read from.
+void check_drift_pictures(const app::StoredHistories& read)
+{
+    const auto as_is = drift_pictures(read, [](app::StoredHistory&) {});
+    CHECK(as_is.size() == 2);
+    CHECK(drift_pictures(read, [](app::StoredHistory& h) { h.uplift = 0.5; }) == as_is);
+    const auto moved = drift_pictures(read, [](app::StoredHistory& h) { h.max_drift *= 0.1; });
+    for (std::size_t i = 0; i < as_is.size(); ++i) CHECK(moved[i] != as_is[i]);
 }
 
 } // namespace
@@ -247,8 +329,11 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
     CHECK_THAT(text_of("intensity_limits.csv"), Contains("annual rate [1/a]"));
     CHECK_THAT(text_of("openquake_fragility.xml"), Contains("imt=\"PGA\""));
     CHECK_THAT(text_of("pelicun_fragility.csv"), Contains("Peak Ground Acceleration,g,"));
-    for (const char* const name :
-         {"fragility_0.05_MPa.svg", "ida_0.05_MPa.svg", "cloud_0.05_MPa.svg"})
+    check_modes(all, read);
+    check_one_mode(read);
+    check_drift_pictures(read);
+    for (const char* const name : {"fragility_0.05_MPa.svg", "ida_0.05_MPa.svg",
+                                   "cloud_0.05_MPa.svg", "modes_0.05_MPa.svg"})
         CHECK(fs::exists(study.path / "s" / "pictures" / name));
     c.intensity = "sa(0.7 s)";
     CHECK_THROWS_WITH(app::fragility_command(c),

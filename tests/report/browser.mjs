@@ -73,6 +73,8 @@ export async function openPage(program, { width = 1280, height = 900, mobile = f
             const { metrics } = await send('Performance.getMetrics');
             return metrics.find((m) => m.name === 'TaskDuration').value;
         },
+        /** Of the browser: {type, id, cpuTime} each, seconds of processor since it began. */
+        processes: async () => (await raw('SystemInfo.getProcessInfo')).processInfo,
         async click(x, y) {
             for (const type of ['mouseMoved', 'mousePressed', 'mouseReleased']) await send('Input.dispatchMouseEvent', { type, x, y, button: type === 'mouseMoved' ? 'none' : 'left', clickCount: type === 'mouseMoved' ? 0 : 1 });
         },

@@ -16,6 +16,7 @@ first() { # $1: extended pattern with one group, $2: file; the group of the firs
 version=$(first 'project\(drystone VERSION ([0-9.]+)' CMakeLists.txt)
 expect "CITATION.cff: version" "$(first '^version: (.*)' CITATION.cff)" "$version"
 expect "packaging/conda/meta.yaml: version" "$(first '^\{% set version = "([0-9.]+)" %\}' packaging/conda/meta.yaml)" "$version"
+expect "packaging/homebrew/drystone.rb: url" "$(first 'url "@URL@.drystone-([0-9.]+)\.tar\.gz"' packaging/homebrew/drystone.rb)" "$version"
 expect "CHANGELOG.md: first release" "$(first '^## ([0-9.]+) \(.*\)' CHANGELOG.md)" "$version"
 expect "CHANGELOG.md: date" "$(first '^## [0-9.]+ \(([0-9-]+)\)' CHANGELOG.md)" "$(first '^date-released: (.*)' CITATION.cff)"
 while IFS=: read -r file line name; do

@@ -1,51 +1,26 @@
 // node test_module.mjs DRYSTONE FOLDER CLAIM: one claim about FOLDER/drystone.wasm. Exit 1 if it does not hold.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { readFileSync, rmSync } from 'node:fs';
 import { kGroups, kControls, linkOf, manyText, placeOf, studyText, usualValues, valuesOfLink } from '../../try/page/study.js';
-import { openModule, valuesOf } from './module.mjs';
+import { assertTwentyPeaks, besideProgram, openModule, runProgram, summaryOf, valuesOf } from './module.mjs';
 import { kBrittle, kScenes } from './scenes.mjs';
 
 const [drystone, folder, claim] = process.argv.slice(2);
 const wasm = `${folder}/drystone.wasm`;
 const claims = {};
-const kPeaks = 1e-3; // largest difference [-]
 const kBrittlePeaks = 2e-2;
 
-function program(study, name, ...options) {
-    const place = `${folder}/scenes/${process.pid}/${name}`;
-    mkdirSync(place, { recursive: true });
-    writeFileSync(`${place}/study.ini`, study);
-    return { place, ...spawnSync(drystone, ['push', `${place}/study.ini`, '--out', `${place}/out`, '--quiet', ...options], { encoding: 'utf8' }) };
-}
+const program = (study, name, ...options) => runProgram(drystone, folder, study, name, ...options);
 
-/** Peaks of walls here over those of the program, less 1; and how many have its mode. */
-async function besideProgram(scenes) {
+async function beside(scenes) {
     const { engine, keys } = await openModule(wasm);
-    let same = 0;
-    const differences = scenes.map((scene, i) => {
-        const study = studyText(valuesOf(scene), keys);
-        const mine = engine.push(study);
-        assert.equal(mine.error, undefined);
-        const run = program(study, String(i));
-        assert.equal(run.status, 0, run.stderr);
-        const its = JSON.parse(readFileSync(`${run.place}/out/summary.json`, 'utf8'));
-        if (mine.summary.mode === its.mode) ++same;
-        return mine.summary.peak_force_kN / its.peak_force_kN - 1;
-    });
-    console.log(differences.map((d) => (100 * d).toFixed(4)).join(' '), '%');
-    return { differences, same };
+    return besideProgram(scenes, keys, (study) => engine.push(study), drystone, folder);
 }
 
-claims['twenty walls have the peaks of the program within 0.1 percent'] = async () => {
-    const { differences, same } = await besideProgram(kScenes);
-    assert.equal(differences.length, 20);
-    for (const [i, d] of differences.entries()) assert.ok(Math.abs(d) < kPeaks, `${JSON.stringify(kScenes[i])}: ${100 * d} %`);
-    assert.ok(same >= 18, `${same} walls have the mode of the program`); // a wall may stand between two
-};
+claims['twenty walls have the peaks of the program within 0.1 percent'] = async () => assertTwentyPeaks(kScenes, await beside(kScenes));
 
 claims['walls whose stones crack before the peak have the peaks of the program within 2 percent'] = async () => {
-    const { differences } = await besideProgram(kBrittle);
+    const { differences } = await beside(kBrittle);
     for (const [i, d] of differences.entries()) assert.ok(Math.abs(d) < kBrittlePeaks, `${JSON.stringify(kBrittle[i])}: ${100 * d} %`);
 };
 
@@ -102,8 +77,8 @@ claims['random walls are those of the program and do not depend on how they are 
     for (const sample of [0, 3]) {
         const run = program(study, 'random', '--sample', String(sample));
         assert.equal(run.status, 0, run.stderr);
-        const its = JSON.parse(readFileSync(`${run.place}/out/summary.json`, 'utf8'));
-        assert.ok(Math.abs(alone[sample].peak_kN / its.peak_force_kN - 1) < kPeaks);
+        const its = summaryOf(run);
+        assert.ok(Math.abs(alone[sample].peak_kN / its.peak_force_kN - 1) < 1e-3);
     }
     const drifts = alone.map((w) => w.limits[0].drift_percent);
     assert.ok(new Set(drifts).size > 1);

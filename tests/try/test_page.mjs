@@ -1,13 +1,13 @@
-// node test_page.mjs CHROMIUM FOLDER CLAIM: opens FOLDER/index.html from its folder and checks one claim. Exit 1 if it does not hold.
+// node test_page.mjs CHROMIUM DRYSTONE FOLDER CLAIM: opens FOLDER/index.html from its folder and checks one claim. Exit 1 if it does not hold.
 import assert from 'node:assert/strict';
-import { statSync } from 'node:fs';
+import { rmSync, statSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { openPage } from '../report/browser.mjs';
 import { studyText } from '../../try/page/study.js';
-import { openModule, valuesOf } from './module.mjs';
+import { assertTwentyPeaks, besideProgram, openModule, valuesOf } from './module.mjs';
 import { kScenes } from './scenes.mjs';
 
-const [program, place, claim] = process.argv.slice(2);
+const [program, drystone, place, claim] = process.argv.slice(2);
 const folder = resolve(place);
 const file = `${folder}/index.html`;
 const claims = {};
@@ -37,6 +37,27 @@ async function pushed(page, seconds = 60) {
     await page.until(`!${hidden('answers')} || !${hidden('trouble')}`, seconds);
     assert.equal(await page.evaluate(hidden('trouble')), true);
 }
+
+/** In the page: the worker and the module that it has, asked for one push. */
+const kPushOfPage = `async (study) => {
+    const text = (id) => document.getElementById(id).textContent;
+    const packed = Uint8Array.from(atob(text('module').trim()), (c) => c.charCodeAt(0));
+    window.compiled ??= await WebAssembly.compile(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+    const worker = new Worker(URL.createObjectURL(new Blob([text('worker')], { type: 'text/javascript' })));
+    const { error, summary } = await new Promise((done) => {
+        worker.onmessage = ({ data }) => data.kind === 'done' && done(data.value);
+        worker.postMessage({ module: window.compiled, job: 'push', study, frames: 2 });
+    });
+    worker.terminate();
+    return { error, summary };
+}`;
+
+claims['twenty walls in Chromium have the peaks of the program within 0.1 percent'] = () =>
+    withPage({}, file, async (page) => {
+        const { keys } = await openModule(`${folder}/drystone.wasm`);
+        assertTwentyPeaks(kScenes, await besideProgram(kScenes, keys, (study) => page.evaluate(`(${kPushOfPage})(${JSON.stringify(study)})`), drystone, folder));
+        rmSync(`${folder}/scenes/${process.pid}`, { recursive: true, force: true });
+    });
 
 claims['one click pushes the wall and gives the peak of the module in Node'] = () =>
     withPage({}, at(kScenes[0]), async (page) => {
